@@ -18,6 +18,7 @@ static inline struct nb_vec vec_add(struct nb_vec a, struct nb_vec b) { return v
 static inline struct nb_vec vec_sub(struct nb_vec a, struct nb_vec b) { return vec(a.x - b.x, a.y - b.y); }
 static inline struct nb_vec vec_scale(double s, struct nb_vec a) { return vec(s * a.x, s * a.y); }
 static inline double vec_dot(struct nb_vec a, struct nb_vec b) { return a.x * b.x + a.y * b.y; }
+static inline double vec_cross(struct nb_vec a, struct nb_vec b) { return a.x * b.y - a.y * b.x; }
 static inline double vec_length(struct nb_vec a) { return sqrt(a.x * a.x + a.y * a.y); }
 /* Turned clockwise by 90 degrees: t = (e2, -e1) [CS79 10]. */
 static inline struct nb_vec vec_clockwise(struct nb_vec e) { return vec(e.y, -e.x); }

@@ -32,11 +32,11 @@ enum nb_status nb_affine_create(struct nb_model *model, struct nb_error *error) 
   if (!needed(scene))
     return NB_OK;
   struct nb_affine *affine = model->affine = nb_own(&model->owner, 1, sizeof *affine);
-  unsigned char *by = nb_own(&model->owner, particles->count, sizeof *by);
+  unsigned char *source = nb_own(&model->owner, particles->count, sizeof *source);
   particles->imposed = nb_own(&model->owner, particles->count, sizeof *particles->imposed);
   if (model->owner.failed)
     return nb_error_memory(error);
-  affine->source = by;
+  affine->source = source;
   affine->free_before = true; /* a saved state does not tell */
   affine->centre = model->cell ? model->cell->centre : vec(scene->origin_x, scene->origin_y);
   for (int c = 0; c < NB_AFFINE_SOURCES; c++)

@@ -87,7 +87,7 @@ static bool in_lower_half(struct nb_vec a) { return a.y < 0 || (a.y == 0 && a.x 
 static bool comes_before(const struct nb_model *model, int i, int j) {
   const struct nb_vec a = vec_sub(model->particles.position[i], model->affine->centre);
   const struct nb_vec b = vec_sub(model->particles.position[j], model->affine->centre);
-  const double cross = a.x * b.y - a.y * b.x;
+  const double cross = vec_cross(a, b);
   if (in_lower_half(a) != in_lower_half(b))
     return in_lower_half(b);
   return cross != 0 ? cross > 0 : model->particles.number[i] < model->particles.number[j];

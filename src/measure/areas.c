@@ -34,9 +34,8 @@ double nb_area_of_lens(double radius_a, double radius_b, double distance) {
   return segment(radius_a, radius_b, distance) + segment(radius_b, radius_a, distance);
 }
 
-static double cross(struct nb_vec a, struct nb_vec b) { return a.x * b.y - a.y * b.x; }
 static double sector(struct nb_vec a, struct nb_vec b, double r) {
-  return r * r * atan2(cross(a, b), vec_dot(a, b)) / 2;
+  return r * r * atan2(vec_cross(a, b), vec_dot(a, b)) / 2;
 }
 
 /* Area that the disc about the origin shares with the triangle of the origin, a and b. */
@@ -51,7 +50,7 @@ static double area_at_edge(struct nb_vec a, struct nb_vec b, double r) {
     return sector(a, b, r);
   const struct nb_vec in = from > 0 ? vec_add(a, vec_scale(from, along)) : a;
   const struct nb_vec out = to < 1 ? vec_add(a, vec_scale(to, along)) : b;
-  return (from > 0 ? sector(a, in, r) : 0) + cross(in, out) / 2 + (to < 1 ? sector(out, b, r) : 0);
+  return (from > 0 ? sector(a, in, r) : 0) + vec_cross(in, out) / 2 + (to < 1 ? sector(out, b, r) : 0);
 }
 
 double nb_area_in_polygon(struct nb_vec centre, double radius, const struct nb_vec corners[], size_t count) {
@@ -64,6 +63,6 @@ double nb_area_in_polygon(struct nb_vec centre, double radius, const struct nb_v
 double nb_area_of_polygon(const struct nb_vec corners[], size_t count) {
   double area = 0;
   for (size_t k = 1; k + 1 < count; k++)
-    area += cross(vec_sub(corners[k], corners[0]), vec_sub(corners[k + 1], corners[0])) / 2;
+    area += vec_cross(vec_sub(corners[k], corners[0]), vec_sub(corners[k + 1], corners[0])) / 2;
   return area;
 }

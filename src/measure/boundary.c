@@ -12,10 +12,8 @@
 
 double nb_boundary_area(const struct nb_model *model) {
   double twice = 0;
-  for (size_t k = 0; k < model->boundary->ring.count; k++) {
-    const struct nb_vec a = nb_boundary_position(model, k), b = nb_boundary_position(model, k + 1);
-    twice += a.x * b.y - b.x * a.y;
-  }
+  for (size_t k = 0; k < model->boundary->ring.count; k++)
+    twice += vec_cross(nb_boundary_position(model, k), nb_boundary_position(model, k + 1));
   return twice / 2;
 }
 
@@ -31,8 +29,10 @@ double nb_boundary_roughness(const struct nb_model *model) {
   const size_t count = model->boundary->ring.count;
   const double mean = nb_boundary_radius(model);
   double sum = 0;
-  for (size_t k = 0; k < count; k++)
-    sum += (vec_length(nb_boundary_position(model, k)) - mean) * (vec_length(nb_boundary_position(model, k)) - mean);
+  for (size_t k = 0; k < count; k++) {
+    const double error = vec_length(nb_boundary_position(model, k)) - mean;
+    sum += error * error;
+  }
   return count ? sqrt(sum / (double)count) / mean : 0;
 }
 

@@ -25,8 +25,6 @@ struct approach {
 
 static struct approach no_collision(void) { return (struct approach){0, INFINITY}; }
 
-static double cross(struct nb_vec a, struct nb_vec b) { return a.x * b.y - a.y * b.x; }
-
 /* `apart`: from the first centre to the second, m; `relative`: velocity of the first less that of the second, m/s. */
 static struct approach circles_approach(struct nb_vec apart, struct nb_vec relative, double radius_sum) {
   const double distance = vec_length(apart), along = vec_dot(relative, apart);
@@ -34,7 +32,7 @@ static struct approach circles_approach(struct nb_vec apart, struct nb_vec relat
     return no_collision();
   if (distance <= radius_sum)
     return (struct approach){along / distance, 0};
-  const double size = vec_length(relative), aside = cross(relative, apart) / radius_sum;
+  const double size = vec_length(relative), aside = vec_cross(relative, apart) / radius_sum;
   const double square = (size - aside) * (size + aside);
   if (!(square > 0))
     return no_collision();
@@ -62,7 +60,8 @@ static struct approach wall_approach(const struct nb_model *model, struct nb_vec
   const struct nb_vec arm = vec_sub(nearest, walls->pivot[w]);
   const struct nb_vec relative = vec_sub(velocity, vec_add(state.velocity, vec_scale(state.spin, vec(-arm.y, arm.x))));
   /* The particle hits the face if its centre projects onto the wall at touch. */
-  const double side = cross(along, from), height = fabs(side), speed = -copysign(1, side) * cross(along, relative);
+  const double side = vec_cross(along, from), height = fabs(side),
+               speed = -copysign(1, side) * vec_cross(along, relative);
   const double time = height > radius ? (height - radius) / speed : 0, foot = s + vec_dot(relative, along) * time;
   if (speed > 0 && foot >= walls->h1[w] && foot <= walls->h2[w])
     return (struct approach){speed, time};
