@@ -125,21 +125,21 @@ static int cohesive_line(const struct nb_scene *scene) {
   return 0;
 }
 
+static void refuse_fraction(struct nb_scene_reading *reading, int line, const struct nb_law *normal) {
+  report(reading, line, "`r89-fraction` is relative to the single-contact step of linear springs; use `damping ratio X`",
+         "expected no `damping r89-fraction` for `normal %s`", normal->name);
+}
+
 /* Refuses damping that the normal law does not allow. */
 static void check_damping(struct nb_scene_reading *reading, const struct nb_damping *damping,
                           const struct nb_law *normal) {
-  const bool elastic = normal->elastic;
-  if (!elastic && damping->deep > 0)
+  if (!normal->elastic && damping->deep > 0)
     report(reading, damping->deep_line, "use `normal hertz`", "expected a normal law of elastic spheres for `%s`",
            "damping critical");
-  if (elastic && damping->contact_kind == NB_CONTACT_R89_FRACTION)
-    report(reading, damping->contact_line,
-           "`r89-fraction` is relative to the critical step of linear springs; use `damping ratio X`",
-           "expected no `damping r89-fraction` for `normal %s`", normal->name);
-  if (elastic && damping->walls_separate && damping->walls_kind == NB_CONTACT_R89_FRACTION)
-    report(reading, damping->walls_line,
-           "`r89-fraction` is relative to the critical step of linear springs; use `damping ratio X`",
-           "expected no `damping r89-fraction` for `normal %s`", normal->name);
+  if (normal->elastic && damping->contact_kind == NB_CONTACT_R89_FRACTION)
+    refuse_fraction(reading, damping->contact_line, normal);
+  if (normal->elastic && damping->walls_separate && damping->walls_kind == NB_CONTACT_R89_FRACTION)
+    refuse_fraction(reading, damping->walls_line, normal);
 }
 
 /* Checks the laws that are in force from `line` on; 0: set by --set. */
