@@ -209,6 +209,12 @@ static const struct nb_keyword *wrong_row(struct nb_reader *reader, const struct
 
 /* ---- the fields of a row ---- */
 
+static bool number_next(const struct nb_reader *reader) {
+  const struct nb_token *token = nb_token_peek(reader);
+  double number;
+  return token && nb_number_read(&number, token->text, 0) != NB_NO_NUMBER;
+}
+
 static void read_field(struct nb_reader *reader, const struct nb_argument *field, struct nb_record *record) {
   reader->given |= 1U << (field - reader->keyword->arguments);
   for (int i = 0; i < field->count && !reader->bad; i++) {
@@ -217,6 +223,8 @@ static void read_field(struct nb_reader *reader, const struct nb_argument *field
     value->token = nb_token_peek(reader);
     switch (field->kind) {
     case NB_ARGUMENT_NUMBER:
+      if (i > 0 && !number_next(reader))
+        nb_expected(reader, NULL, "the second value of `%s %s`", field->word, field->value);
       nb_take_number(reader, field->unit, field->range, &value->number);
       break;
     case NB_ARGUMENT_COUNT:
@@ -304,13 +312,22 @@ static size_t positional_count(const struct nb_keyword *keyword) {
   return count;
 }
 
-/* The hint for a statement with the same words but other positional arguments, at least so many, in another place: `wall` in the scene
- * and in a stage. NULL: there is none. */
-static const char *namesake_hint(const struct nb_reader *reader, char *hint, size_t least) {
-  if (!reader->namesake || positional_count(reader->namesake) == positional_count(reader->keyword) ||
-      positional_count(reader->namesake) < least)
-    return NULL;
+static size_t given_count(const struct nb_reader *reader) {
+  size_t count = 0;
+  for (const struct nb_argument *field = reader->keyword->arguments; field->count; field++)
+    count += !field->word && given(reader, field);
+  return count;
+}
+
+/* The hint for a statement of another place with the same words, such as `wall` in the scene and in a stage, if that one has more
+ * positional arguments and this line too many, or if it has as many as this line, which has too few. NULL: there is none. */
+static const char *namesake_hint(const struct nb_reader *reader, char *hint, const struct nb_argument *missing) {
+  const size_t count = reader->namesake ? positional_count(reader->namesake) : 0;
+  const bool fits = nb_token_peek(reader) ? count > positional_count(reader->keyword)
+                                          : !missing->word && count == given_count(reader);
   char syntax[256];
+  if (!reader->namesake || !fits)
+    return NULL;
   nb_keyword_syntax(syntax, sizeof syntax, reader->namesake);
   snprintf(hint, NB_HINT_SIZE, "`%s` belongs %s", syntax, where_words(reader->namesake->where, reader->here));
   return hint;
@@ -337,6 +354,13 @@ static const struct nb_argument *list_missing(const struct nb_reader *reader, ch
   return first;
 }
 
+/* What a positional argument is: "a length", "the name of a material". */
+static const char *value_words(const struct nb_argument *field) {
+  return field->kind == NB_ARGUMENT_NUMBER  ? nb_unit_kind_name(field->unit)
+         : field->kind == NB_ARGUMENT_COUNT ? "a whole number"
+                                            : field->help;
+}
+
 /* Reports all missing fields at the end of the line; or a word that is not a clause, with the possible ones. */
 static void expected_fields(struct nb_reader *reader) {
   const struct nb_token *token = nb_token_peek(reader);
@@ -345,12 +369,13 @@ static void expected_fields(struct nb_reader *reader) {
   const struct nb_guess guess = guess_clause(reader, token ? token->text : "");
   nb_keyword_syntax(syntax, sizeof syntax, reader->keyword);
   snprintf(hint, sizeof hint, "the statement is `%s`", syntax);
-  const size_t least = token ? positional_count(reader->keyword) : missing->word ? NB_TOKENS_MAX : 0;
-  const bool near = nb_guess_hint(&guess, hint) || namesake_hint(reader, hint, least);
-  if (!token) {
-    nb_expected(reader, hint, missing->word ? "%s" : "%s (%s)", missing->word ? list : missing->value, missing->help);
+  const bool near = nb_guess_hint(&guess, hint) || namesake_hint(reader, hint, missing);
+  if (!token && missing->word)
+    nb_expected(reader, hint, "%s", list);
+  else if (!token)
+    nb_expected(reader, hint, "%s (%s)", missing->value, value_words(missing));
+  if (!token)
     return;
-  }
   *list = 0;
   for (const struct nb_argument *field = reader->keyword->arguments; field->count; field++)
     if (field->word && !given(reader, field))
