@@ -115,21 +115,6 @@ static const struct nb_keyword *wrong_word(struct nb_reader *reader, const struc
   return meant;
 }
 
-/* The row of another place with most words that all match; of two, the one of this kind of block. */
-static const struct nb_keyword *row_elsewhere(const struct nb_reader *reader, const struct nb_family *table,
-                                              unsigned here, size_t *most) {
-  const struct nb_keyword *found = NULL, *row;
-  const unsigned side = here & CONTACT_TEST ? CONTACT_TEST : ~(unsigned)CONTACT_TEST;
-  size_t words;
-  *most = 0;
-  for (size_t k = 0; here != NB_IN_RAMP && (row = nb_keyword_row(table, k)); k++) {
-    const bool whole = row->word && !(row->where & here) && matching_words(reader, row->word, &words) == words;
-    if (whole && (words > *most || (words == *most && !(found->where & side))))
-      found = row, *most = words;
-  }
-  return found;
-}
-
 static const char *place_of(unsigned here) {
   switch (here) {
   case NB_IN_STAGE:
@@ -406,27 +391,34 @@ static void read_fields(struct nb_reader *reader, struct nb_record *record) {
 
 /* ---- statements ---- */
 
+/* The row with most words that all match, of this place or of another one; of two, the one of this kind of block. A row of this place
+ * without words matches every line. */
+static const struct nb_keyword *whole_match(const struct nb_reader *reader, const struct nb_family *table,
+                                            unsigned here, bool elsewhere, size_t *most) {
+  const struct nb_keyword *found = NULL, *row;
+  const unsigned side = here & CONTACT_TEST ? CONTACT_TEST : ~(unsigned)CONTACT_TEST;
+  size_t words;
+  *most = 0;
+  for (size_t k = 0; (row = nb_keyword_row(table, k)); k++) {
+    if (!(row->where & here) != elsewhere || (elsewhere && !row->word))
+      continue;
+    const bool whole = matching_words(reader, row->word ? row->word : "", &words) == words;
+    if (whole && (!found || words > *most || (words == *most && !(found->where & side))))
+      found = row, *most = words;
+  }
+  return found;
+}
+
 /* The row of a statement, with reader->next after its words; or, with a message, the one that was probably meant, or NULL. */
 static const struct nb_keyword *find_row(struct nb_reader *reader, const struct nb_family *table, unsigned here) {
-  const struct nb_keyword *fallback = NULL, *found = NULL, *row;
-  size_t words, most = 0;
-  for (size_t k = 0; (row = nb_keyword_row(table, k)); k++) {
-    if (!(row->where & here))
-      continue;
-    if (!row->word) {
-      fallback = row;
-    } else if (matching_words(reader, row->word, &words) == words && words > most) {
-      found = row, most = words;
-    }
-  }
-  const struct nb_keyword *whole = row_elsewhere(reader, table, here, &words);
-  if (found && whole && words > most)
+  size_t words, other = 0;
+  const struct nb_keyword *found = whole_match(reader, table, here, false, &words);
+  const struct nb_keyword *whole = here == NB_IN_RAMP ? NULL : whole_match(reader, table, here, true, &other);
+  if (words && other > words)
     return misplaced(reader, table, whole, here);
-  reader->namesake = found && whole && words == most ? whole : NULL;
-  reader->next += most;
-  if (found || fallback)
-    return found ? found : fallback;
-  return wrong_row(reader, table, here, whole);
+  reader->namesake = words && other == words ? whole : NULL;
+  reader->next += words;
+  return found ? found : wrong_row(reader, table, here, whole);
 }
 
 /* Suppresses messages about what a bad statement leaves undefined: its first word stands for its effect, and the names that it defines. */
