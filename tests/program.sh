@@ -258,7 +258,7 @@ run 0 --help energy.residual
 out 'energy.residual, quantity of the scene, in J: '
 run 0 run --help
 out 'usage: nineball COMMAND'
-out '`run` is called `cycles` or `until` here'
+out '`run` of other programs is `cycles` or `until` here'
 run 2 --help norma
 said '`norma` is not a word of pages; did you mean `normal`?'
 verdict '--version and --help'

@@ -15,7 +15,8 @@ struct nb_synonym {
   const char *note;         /* "there is no local damping"; NULL: no note */
 };
 const struct nb_synonym *nb_synonym(const char *word); /* NULL: not a term of another program */
-/* Writes "`ball` is called `disc` or `sphere` here: …" to `hint`, of NB_HINT_SIZE bytes. NULL: not such a term. */
+/* Writes "`ball` of other programs is `disc` or `sphere` here: …" to `hint`, of NB_HINT_SIZE bytes. NULL: not such a
+ * term. */
 const char *nb_synonym_hint(char *hint, const char *word);
 /* Copies the next item of a list like "disc, sphere" and advances the list; false: the list is empty. */
 bool nb_item(const char **list, char item[NB_NAME_SIZE]);

@@ -75,7 +75,7 @@ const char *nb_synonym_hint(char *hint, const char *word) {
   if (synonym->note)
     snprintf(hint, NB_HINT_SIZE, "%s: see `nineball --help %s`", synonym->note, word);
   else
-    snprintf(hint, NB_HINT_SIZE, "`%s` is called %s here: see `nineball --help %s`", word, list, word);
+    snprintf(hint, NB_HINT_SIZE, "`%s` of other programs is %s here: see `nineball --help %s`", word, list, word);
   return hint;
 }
 
