@@ -82,7 +82,7 @@ result $? '--in-place keeps links and permissions'
 "$nineball" migrate "$work/one.md" "$work/two.md" >/dev/null 2>"$work/said"
 test $? -eq 2 && grep -q 'with --in-place' "$work/said"
 result $? 'several pages need --in-place'
-printf '# a\n```scene\nlet  kind literal\nlet b $a\nsweep word tries 4 pieces\nlet d 5 mm\n```\nlet kind literal\n' >"$work/one.md"
+printf '# a\n```scene\nlet  kind literal\nlet b $a\nsweep word tries 4 pieces\nlet d 5 mm\nlet e discs\nsweep f $a\n```\nlet kind literal\n' >"$work/one.md"
 "$nineball" migrate "$work/one.md" >"$work/new" 2>"$work/said"
 test $? -eq 0 && grep -qxF 'let d = 5 mm' "$work/new" && cat >"$work/wanted" <<EOF && diff "$work/wanted" "$work/said"
 $work/one.md:3:11: warning: \`literal\` is not rewritten: with \$kind, \`continuum … literal\` is \`affine … accumulated\` now
