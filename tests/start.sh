@@ -67,7 +67,7 @@ cp cases/5-numerics/saved-stage.md "$pages"
 # A stage that changes the friction: `explain` says from which stage on.
 sed 's/^start .*/&\nmaterial rock friction 0/; /^```expect/,/^```$/d' "$pages/saved-stage.md" >"$pages/smooth.md"
 "$nineball" explain "$pages/smooth.md" --states "$states" >"$work/said" &&
-  test "$(grep -c '^    from stage `rest` on (line [0-9]*): friction 0; no shear force, for want of friction and cohesion$' "$work/said")" -eq 2
+  test "$(grep -c '^    from stage `rest` on (line [0-9]*): friction 0; no shear force without friction and cohesion$' "$work/said")" -eq 2
 result $? 'explain says which stage changes the friction, for each pair of materials'
 
 # The process that holds the lock may hang.

@@ -126,7 +126,8 @@ static int cohesive_line(const struct nb_scene *scene) {
 }
 
 static void refuse_fraction(struct nb_scene_reading *reading, int line, const struct nb_law *normal) {
-  report(reading, line, "`r89-fraction` is relative to the single-contact step of linear springs; use `damping ratio X`",
+  report(reading, line,
+         "`r89-fraction` is relative to the single-contact step of linear springs; use `damping ratio X`",
          "expected no `damping r89-fraction` for `normal %s`", normal->name);
 }
 

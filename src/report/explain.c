@@ -143,11 +143,6 @@ static bool can_touch(const struct nb_scene *scene, const struct nb_material_pai
   return material_pair->wall || material_pair->a != material_pair->b || particles > 1;
 }
 
-static void print_material_pair(FILE *out, const struct nb_scene *scene, const struct nb_material_pair *material_pair) {
-  fprintf(out, "%s with %s%s", scene->materials[material_pair->a].name, material_pair->wall ? "wall of " : "",
-          scene->materials[material_pair->b].name);
-}
-
 static bool has_friction(struct nb_pair pair) { return pair.friction > 0 || pair.cohesion > 0; }
 
 /* The values that a change of a stage sets for the pair, if it sets any. */
@@ -166,8 +161,7 @@ static void explain_change(FILE *out, const struct nb_stage *stage, const struct
     fprintf(out, "%s " #name " %g", between, after.name), between = ",";
   NB_PAIR_ROWS(ROW)
 #undef ROW
-  fputs(has_friction(before) && !has_friction(after) ? "; no shear force, for want of friction and cohesion\n" : "\n",
-        out);
+  fputs(has_friction(before) && !has_friction(after) ? "; no shear force without friction and cohesion\n" : "\n", out);
 }
 
 /* The values of the pair that stages change, in the order of the run; false: out of memory. */
@@ -195,10 +189,10 @@ static bool explain_material_pair(FILE *out, const struct nb_model *model,
     return true;
   for (size_t c = 0; c < model->contacts.count; c++)
     contacts += &model->material_pairs[model->contacts.material_pair[c]] == material_pair;
-  fputs("  ", out);
-  print_material_pair(out, model->scene, material_pair);
-  fprintf(out, ": %zu pairs in the neighbour list; k_n %g, k_s %g, tan(phi) %g, c %g\n", contacts,
-          material_pair->values.kn, material_pair->values.ks, material_pair->values.friction,
+  const struct nb_material *const materials = model->scene->materials;
+  fprintf(out, "  %s with %s%s: %zu pairs in the neighbour list; k_n %g, k_s %g, tan(phi) %g, c %g\n",
+          materials[material_pair->a].name, material_pair->wall ? "wall of " : "", materials[material_pair->b].name,
+          contacts, material_pair->values.kn, material_pair->values.ks, material_pair->values.friction,
           material_pair->values.cohesion);
   if (!explain_changes(out, model->scene, material_pair))
     return false;
@@ -214,15 +208,15 @@ static bool explain_material_pair(FILE *out, const struct nb_model *model,
   return true;
 }
 
-static void explain_history(FILE *out, const struct nb_model *model) {
+static void explain_memory(FILE *out, const struct nb_model *model) {
   static const char *const isa_names[] = {"plain", "avx2", "avx512"};
   const struct nb_particles *particles = &model->particles;
-  const size_t memory = (size_t)(model->contacts.normal_history.doubles + model->contacts.shear_history.doubles);
+  const size_t history = (size_t)(model->contacts.normal_history.doubles + model->contacts.shear_history.doubles);
   const size_t per_particle = sizeof(double) * (particles->spin ? 14 : 12) + 5 * sizeof(int);
-  const size_t per_contact = sizeof(double) * (2 + bit_count(model->plan.kept) + memory) + 5 * sizeof(int);
+  const size_t per_contact = sizeof(double) * (2 + bit_count(model->plan.kept) + history) + 5 * sizeof(int);
   fprintf(out, "memory\n  %zu bytes a particle%s, %zu a contact (%zu kept fields, %zu history variables of laws)\n",
           per_particle, particles->spin ? "" : " (without rotation)", per_contact, bit_count(model->plan.kept) + 2,
-          memory);
+          history);
   fprintf(out, "  %zu blocks of up to %d contacts, loops for %s, %d thread%s\n", model->blocks.count, NB_BLOCK_SIZE,
           isa_names[model->machine.isa], model->machine.threads_used, model->machine.threads_used == 1 ? "" : "s");
 }
@@ -256,7 +250,7 @@ static bool explain_plan(FILE *out, const struct nb_model *model) {
     if (!explain_material_pair(out, model, &model->material_pairs[p]))
       return false;
   explain_hooks(out, model);
-  explain_history(out, model);
+  explain_memory(out, model);
   if (model->balance)
     fprintf(out, "balances\n  %s%s%s, updated every cycle by one thread\n",
             (model->plan.requested & NB_REQUEST_WORK) ? "work" : "",
@@ -336,17 +330,17 @@ static void explain_step(FILE *out, const struct nb_model *model) {
     fprintf(out, "  stable: unknown, elastic spheres without overlap have no stiffness\n");
   else
     explain_stable_step(out, model, s);
-  const double contact = nb_step_collision(model);
+  const double collision = nb_step_collision(model);
   if (elastic)
     explain_collision(out, model, s);
   else
-    fprintf(out, "  collision, the shortest possible: %g%s; the step is %g of it\n", contact, s, model->step / contact);
+    fprintf(out, "  collision, the shortest possible: %g%s; the step is %g of it\n", collision, s,
+            model->step / collision);
   const double smallest = nb_step_rayleigh(model, false, false), mean = nb_step_rayleigh(model, false, true);
   if (smallest < INFINITY)
     fprintf(out,
-            "  rayleigh, the travel time of a surface wave round half a sphere: smallest %g%s, mean %g%s; the step is "
-            "%g and "
-            "%g of it\n",
+            "  rayleigh, the travel time of a surface wave round half a sphere: smallest %g%s, mean %g%s; "
+            "the step is %g and %g of it\n",
             smallest, s, mean, s, model->step / smallest, model->step / mean);
 }
 

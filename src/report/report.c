@@ -122,11 +122,11 @@ static void write_page(FILE *out, const struct nb_report_line *line, size_t numb
 static void write_head(FILE *out, const struct nb_report_line *lines, size_t count) {
   size_t checks = 0, failed = 0, broken = 0, bare = 0, unchecked = 0;
   for (size_t k = 0; k < count; k++) {
-    const size_t *mark_count = lines[k].outcome.mark_count, judged = mark_count[NB_PASS] + mark_count[NB_FAIL];
+    const size_t *mark_count = lines[k].outcome.mark_count, compared = mark_count[NB_PASS] + mark_count[NB_FAIL];
     const bool stopped = lines[k].outcome.status > NB_FAILED;
-    checks += judged, failed += mark_count[NB_FAIL], broken += stopped;
+    checks += compared, failed += mark_count[NB_FAIL], broken += stopped;
     bare += !stopped && lines[k].message[0];
-    unchecked += !stopped && judged == 0;
+    unchecked += !stopped && compared == 0;
   }
   fprintf(out,
           "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><meta http-equiv=\"Content-Security-Policy\" "

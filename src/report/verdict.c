@@ -270,9 +270,9 @@ static bool evaluate_run(struct nb_outcome *outcome, size_t r) {
     const bool over = nb_is_over_sweep(e);
     if (over && !nb_sweep_is_first(outcome, r, e))
       continue;
-    const char *constant = over ? nb_sweep_single_value(outcome, r, e) : NULL;
-    if (constant) {
-      stored = skip(outcome, e->line, "`%s` has one value only, so there is nothing to compare", constant);
+    const char *single = over ? nb_sweep_single_value(outcome, r, e) : NULL;
+    if (single) {
+      stored = skip(outcome, e->line, "`%s` has one value only, so there is nothing to compare", single);
       continue;
     }
     struct nb_check *check = add_check(outcome);

@@ -47,8 +47,8 @@ static bool same_except(const struct nb_page_run *a, const struct nb_page_run *b
   const int second = other[0] ? binding_of(a, other)->sweep : -1;
   for (size_t k = 0; k < a->scene.binding_count; k++) {
     const struct nb_binding *binding = &a->scene.bindings[k];
-    const bool fixed =
-        binding->sweep >= 0 && binding->sweep != sweep && binding->sweep != second; /* a `let` depends on sweeps */
+    /* not a `let`, which depends on sweeps */
+    const bool fixed = binding->sweep >= 0 && binding->sweep != sweep && binding->sweep != second;
     if (fixed && strcmp(binding->text, b->scene.bindings[k].text) != 0)
       return false;
   }
