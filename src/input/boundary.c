@@ -85,7 +85,7 @@ bool nb_lacks_boundary(const struct nb_scene *scene, struct nb_reader *reader) {
   return reader->bad;
 }
 
-/* variant 0: strain, 1: stress, 2: hold, 3: none */
+/* variant 0: strain, 1: stress, 2: fixed, 3: none */
 NB_APPLY(apply_boundary) {
   static const enum nb_control controls[] = {NB_CONTROL_STRAIN, NB_CONTROL_STRESS, NB_CONTROL_STRAIN, NB_CONTROL_NONE};
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;

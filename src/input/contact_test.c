@@ -1,5 +1,5 @@
 /* A contact test: `contact`, and the prescribed displacements or forces of each `segment`. Its particles, wall and stages (the segments)
- * are stored as in other scenes. A segment, or --follow, may take its points from a file with columns `approach` (or `overlap`, as in
+ * are stored as in other scenes. A segment, or `--set follow=FILE`, may take its points from a file with columns `approach` (or `overlap`, as in
  * tables of the program) and `slip`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -184,7 +184,7 @@ const struct nb_quantity_kind nb_contact_test_kinds[] = {
 
 /* ---- checks at the end of the page ---- */
 
-/* --follow: one segment with the points of a file replaces those of the page. */
+/* `--set follow=FILE`: one segment with the points of the file replaces those of the page. */
 static void replace_segments(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
   struct nb_stage one = {.name = "follow", .record_interval = 1, .check_interval = 1, .snapshot_from = -1};

@@ -44,7 +44,8 @@ static struct quantity sum(struct parser *p);
 static double smaller(double a, double b) { return a < b ? a : b; }
 static double larger(double a, double b) { return a > b ? a : b; }
 
-/* Dimensions of a function: of numbers; the root of its argument's; none, of two equal ones; as its arguments. */
+/* Dimension of a function's value: none, and none of its argument; the root of its argument's; none, of two arguments of the same one;
+ * that of its arguments. */
 enum rule { OF_NUMBERS, OF_ROOT, OF_RATIO, OF_LIKE };
 static const struct function {
   const char *name;
@@ -346,6 +347,10 @@ void nb_binding_write(struct nb_binding *value) {
   nb_dimension_unit(unit, sizeof unit, value->dimension);
   snprintf(value->text, sizeof value->text, "%s%s%.30s", number, *unit ? " " : "", unit);
   value->computed = true;
+}
+
+bool nb_binding_same(const struct nb_binding *a, const struct nb_binding *b) {
+  return a->value == b->value || strcmp(a->text, b->text) == 0;
 }
 
 enum nb_reading nb_literal(struct nb_binding *value, const char *number, const char *unit, bool computed) {

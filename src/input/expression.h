@@ -13,6 +13,8 @@ bool nb_expression(struct nb_reader *reader, const char *line, const char *at, c
 enum nb_reading nb_literal(struct nb_binding *value, const char *number, const char *unit, bool computed);
 /* Writes the text of a value: the shortest decimal number that reads back to the same bits, with the SI unit of its dimension. */
 void nb_binding_write(struct nb_binding *value);
+/* Whether two values of a sweep are the same number or the same word. */
+bool nb_binding_same(const struct nb_binding *a, const struct nb_binding *b);
 /* Whether a name is a function or pi. */
 bool nb_name_reserved(const char *name);
 extern const char nb_function_names[]; /* for the manual: "sqrt, sin, …" */

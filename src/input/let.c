@@ -171,17 +171,13 @@ static bool same_type(struct nb_reader *reader, const struct nb_binding *first, 
                         "a number or a unit, as the value before it is a number");
 }
 
-static bool same_value(const struct nb_binding *a, const struct nb_binding *b) {
-  return a->value == b->value || strcmp(a->text, b->text) == 0;
-}
-
 /* No two rows may be equal: a sample would count the run twice. */
 static bool rows_differ(struct nb_reader *reader, const struct nb_binding *values,
                         const struct nb_token *const tokens[], size_t count, size_t columns) {
   for (size_t row = columns; row < count; row += columns)
     for (size_t above = 0; above < row; above += columns) {
       size_t equal = 0;
-      while (equal < columns && same_value(&values[row + equal], &values[above + equal]))
+      while (equal < columns && nb_binding_same(&values[row + equal], &values[above + equal]))
         equal++;
       if (equal < columns)
         continue;
@@ -239,12 +235,12 @@ static size_t select_rows(struct nb_binding *values, size_t rows, size_t columns
   for (size_t i = 0; i < columns; i++) {
     size_t left = 0;
     for (size_t row = 0; row < rows && is_set[i]; row++)
-      left += same_value(&values[row * columns + i], &set[i]);
+      left += nb_binding_same(&values[row * columns + i], &set[i]);
     if (left == 0)
       continue;
     left = 0;
     for (size_t row = 0; row < rows; row++)
-      if (same_value(&values[row * columns + i], &set[i]))
+      if (nb_binding_same(&values[row * columns + i], &set[i]))
         memmove(&values[left++ * columns], &values[row * columns], columns * sizeof *values);
     rows = left;
   }

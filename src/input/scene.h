@@ -55,7 +55,7 @@ struct nb_scene_reading {
     unsigned long now;   /* 2, 3, …: the current repetition; 0: the first reading */
     size_t until;        /* line of the last `repeat` */
   } repeat;
-  const char *follow; /* --follow: the name of a file, or NULL */
+  const char *follow; /* `--set follow=FILE`: the name of the file, or NULL */
   int contact_line;   /* of a contact test */
 };
 
@@ -135,7 +135,7 @@ void nb_ramps_check(struct nb_scene_reading *reading);
 void nb_box_check(struct nb_scene_reading *reading);
 /* Imposed motion is not reversed; a cell has no boundary. */
 void nb_imposed_motion_check(struct nb_scene_reading *reading);
-/* A contact test has a contact and a segment; applies --follow. */
+/* A contact test has a contact and a segment; applies `--set follow=FILE`. */
 void nb_contact_test_check(struct nb_scene_reading *reading);
 /* Requirements of the quantities of a contact test for the laws. */
 void nb_contact_test_laws_check(struct nb_scene_reading *reading);

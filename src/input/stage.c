@@ -217,7 +217,7 @@ NB_STATEMENTS(stage) = {
    "stage     stiff\n  rotation off\n  cycles  10"},
   {"rotation on", NB_IN_STAGE, no_fields, NULL, 0, false, apply_rotation, "Particles rotate again, from this stage on.",
    "stage     roll\n  rotation on\n  cycles  10"},
-  {"repeat", NB_IN_STAGE, no_fields, "from STAGE N times", 1, false, apply_repeat,
+  {"repeat", NB_IN_STAGE, no_fields, "from STAGE N times", 0, false, apply_repeat,
    "Repeats the lines from STAGE down to here N times; the repeated stages are called STAGE-2, STAGE-3 and so on.",
    "stage     again\n  cycles  10\nrepeat    from again 2 times"},
   {"repeat", NB_IN_SEGMENT, no_fields, "from SEGMENT N times", 0, false, apply_repeat,

@@ -16,8 +16,8 @@
 #include "reader.h"
 #include "text.h"
 
-static const double unit_error =
-    1e-9; /* of the length of a unit vector; rounding errors accumulate while a wall rotates */
+/* Error of the length of a unit vector: rounding errors accumulate while a wall rotates. */
+static const double unit_error = 1e-9;
 
 enum { CONTACTS_MAX = 1 << 30 };
 
@@ -30,7 +30,7 @@ struct stream {
   const char *line, *end; /* current record, and one past its last character */
   const char *at, *taken; /* next character; the last field, for messages */
   size_t number;          /* of the line */
-  unsigned seen, sources; /* sets of records, and of carriers, that have been read */
+  unsigned seen, sources; /* sets of records, and of sources of imposed motion, that have been read */
   struct nb_error *error;
   bool fields, bad; /* the names of a contact's fields have been read; there was an error */
 };
@@ -498,8 +498,8 @@ static void shear(struct stream *stream) { read_history(stream, true); }
 
 /* ---- the whole ---- */
 
-/* Word, function, how often it must stand in a file, and how many are written: what the scene does not have, or is as it always
- * is, is not. What laws remember is written with its contact. */
+/* Word, function, how often it must stand in a file, and how many are written: none of what the scene does not have, and none of a
+ * default. The history that a law keeps is written with its contact. */
 #define RECORDS(X)                                                                                                     \
   X("program", program, ONCE, 1)                                                                                       \
   X("page", page, ONCE, 1)                                                                                             \
@@ -636,8 +636,8 @@ enum nb_status nb_saved_read_text(struct nb_saved *saved, const char *path, cons
 
   struct stream stream = {.saved = saved, .path = path, .number = 1, .error = error, .line = text + sizeof head - 1};
   while (stream.line < text + last && !stream.bad) {
-    stream.end =
-        memchr(stream.line, '\n', (size_t)(text + last - stream.line)); /* not NULL: the last line ends in `\n` */
+    /* not NULL: the last line ends in `\n` */
+    stream.end = memchr(stream.line, '\n', (size_t)(text + last - stream.line));
     stream.number++;
     read_record(&stream);
     stream.line = stream.end + 1;

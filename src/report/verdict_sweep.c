@@ -19,7 +19,7 @@
 #include <string.h>
 
 #include "core/clean.h"
-#include "input/reader.h"
+#include "input/expression.h"
 #include "student.h"
 #include "verdict.h"
 
@@ -62,10 +62,6 @@ bool nb_sweep_is_first(const struct nb_outcome *outcome, size_t run, const struc
   return true;
 }
 
-static bool equal_values(const struct nb_binding *a, const struct nb_binding *b) {
-  return a->value == b->value || strcmp(a->text, b->text) == 0;
-}
-
 const char *nb_sweep_single_value(const struct nb_outcome *outcome, size_t first, const struct nb_expectation *e) {
   const char *const names[] = {trend_name(e), e->sample};
   const struct nb_page_run *one = &outcome->runs[first];
@@ -73,7 +69,7 @@ const char *nb_sweep_single_value(const struct nb_outcome *outcome, size_t first
     bool varies = !names[k][0];
     for (size_t r = first + 1; r < outcome->run_count && !varies; r++)
       varies = same_except(one, &outcome->runs[r], names[k], "") &&
-               !equal_values(binding_of(one, names[k]), binding_of(&outcome->runs[r], names[k]));
+               !nb_binding_same(binding_of(one, names[k]), binding_of(&outcome->runs[r], names[k]));
     if (!varies)
       return names[k];
   }
