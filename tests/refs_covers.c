@@ -264,7 +264,7 @@ static void other_laws_are_refused(void) {
       const char *laws = shear ? (*it)->shear : (*it)->normal;
       scene_with(&scene, *it, HAS_NOTHING);
       CU_ASSERT_PTR_NOT_NULL_FATAL(laws);
-      strcpy(shear ? scene.scene.shear : scene.scene.normal, "line"); /* the begin of a name is not accepted */
+      strcpy(shear ? scene.scene.shear : scene.scene.normal, "line"); /* the first letters of a name are not accepted */
       scene.scene.normal_line = scene.scene.shear_line = LINE;
       const enum nb_status any = strcmp(laws, NB_ANY_LAW) == 0 ? NB_OK : NB_BAD_USE;
       CU_ASSERT_EQUAL(nb_reference_covers(*it, &scene.scene, &error), any);

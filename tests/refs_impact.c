@@ -27,7 +27,7 @@ static void approach_is_hertz(void) {
   double *xi = impact_approach(1000), most = 0;
   CU_ASSERT_PTR_NOT_NULL_FATAL(xi);
   CU_ASSERT(fabs(xi[500] - 1) < 1e-12 && xi[0] == 0 && xi[1000] == 0);
-  /* the second difference is the acceleration at the middle of the step, except for dt^2/12 of its curvature */
+  /* the second difference is the acceleration at k dt, except for an error of dt^2/12 times its second derivative */
   const double dt = IMPACT_DURATION / 1000;
   for (int k = 2; k < 999; k++)
     most = fmax(most, fabs((xi[k + 1] - 2 * xi[k] + xi[k - 1]) / (dt * dt) + 1.25 * pow(xi[k], 1.5)));
@@ -95,8 +95,7 @@ static void errors_of_simplified_laws(void) {
     }
 }
 
-/* In gross sliding throughout, all of the dissipation (psi1^2 - psi2^2)/(5 chi) is by gross sliding; else a part of it.
- * */
+/* In gross sliding throughout, all of the dissipation (psi1^2 - psi2^2)/(5 chi) is by gross sliding; else a part of it. */
 static void gross_sliding_is_part_of_dissipation(void) {
   for (double psi1 = 0.25; psi1 < 8; psi1 += 0.25) {
     struct impact_path path;
@@ -140,7 +139,8 @@ void suite_refs_impact(void) {
   CU_add_test(suite, "the springs converge", springs_converge);
   CU_add_test(suite, "the springs give Maw's curve", springs_give_maws_curve);
   CU_add_test(suite, "errors of simplified laws", errors_of_simplified_laws);
-  CU_add_test(suite, "dissipation by gross sliding is part of all", gross_sliding_is_part_of_dissipation);
+  CU_add_test(suite, "dissipation by gross sliding is a part of the total dissipation",
+              gross_sliding_is_part_of_dissipation);
   CU_add_test(suite, "mean restitution over the angle of incidence", mean_restitution);
   CU_add_test(suite, "other scenes are refused", other_scenes_are_refused);
 }

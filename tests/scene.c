@@ -20,7 +20,7 @@ struct read {
   struct nb_mistakes mistakes;
 };
 
-/* The only run of a page with these statements; the test ends here when there is a mistake. */
+/* Reads a page with these statements, and its scene. A mistake ends the test. */
 static struct read read_scene(const char *statements) {
   struct read read = {0};
   char path[] = "/tmp/nineball-scene-XXXXXX";

@@ -46,7 +46,7 @@ static void speeds(void) {
   }
 }
 
-/* From the begin of the first stage on a particle has what carries it, before it has moved. */
+/* A particle has its imposed velocity as soon as the first stage has begun, before the first step. */
 static void imposed_before_the_first_step(void) {
   struct words page = {0};
   struct written it;

@@ -1,4 +1,4 @@
-/* Small states as text, for the tests of what reads them.
+/* Small saved states as text, for the tests of the functions that read states.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "state_text.h"

@@ -208,7 +208,7 @@ static enum nb_status read_chain(struct chain *chain, const struct nb_scene *sce
   if (!read_overlap(chain, scene))
     return refuse(error, "a row in the order of x, with the same overlap at every contact");
   if (step->kind != NB_STEP_TIME && step->kind != NB_STEP_SINGLE_CONTACT)
-    return refuse(error, "a step that is a time or a fraction of single-contact");
+    return refuse(error, "a step given as a time or as a fraction of single-contact");
   chain->step = step->kind == NB_STEP_TIME ? step->value : step->value * 2 * sqrt(chain->m / chain->k);
   return NB_OK;
 }

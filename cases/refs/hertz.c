@@ -90,7 +90,7 @@ enum nb_status hertz_read(struct hertz *hertz, const struct nb_scene *scene, con
   solve_equations(hertz);
   hertz->step = scene->step.kind == NB_STEP_COLLISION ? scene->step.value * hertz->duration : scene->step.value;
   if (scene->step.kind != NB_STEP_TIME && scene->step.kind != NB_STEP_COLLISION)
-    return refuse(reference, "a step that is a time or a fraction of the duration of the collision", error);
+    return refuse(reference, "a step given as a time or as a fraction of the duration of the collision", error);
   if (scene->impact.line)
     hertz->begin += scene->impact.phase * hertz->step;
   nb_damping_at(&scene->damping, wall != NULL, &hertz->damping);

@@ -3,17 +3,22 @@
  * several references; independent of the simulator.
  *
  * Each particle has three degrees of freedom, x, y and theta (counterclockwise). A contact of particles a and b has the
- * unit vector e from a to b and t = e turned clockwise [CS79 9, 10]. Its overlap n and its slip s are [CS79 12, 13]
+ * unit vector e from a to b and t = e turned clockwise [CS79 9, 10]. With the displacements d_a and d_b of the centres
+ * its overlap n and its slip s are [CS79 12, 13]
  *
- *     n = (x_a - x_b).e        s = (x_a - x_b).t - (theta_a R_a + theta_b R_b)
+ *     n = (d_a - d_b).e        s = (d_a - d_b).t - (theta_a R_a + theta_b R_b)
  *
- * with F_n = k_n n, F_s = k_s s. At a wall, b does not rotate and its displacement is given. Exchanging a and b changes
- * neither n nor s. A point of a wall moves with P and, when the wall turns by the angle w about P, by w times its arm
- * turned counterclockwise.
+ * with F_n = k_n n, F_s = k_s s. At a wall, d_b is the given displacement of the nearest point, and there is no theta_b.
+ * Exchanging a and b changes neither n nor s. When a wall turns by a small angle about P, each of its points moves with
+ * P, and in addition by this angle times the vector from P to the point, turned counterclockwise.
  *
- * With u all degrees of freedom and w all wall displacements, (n, s) = stretch u + wall_stretch w. The forces are S (n,
- * s) with the stiffnesses S, and  M u'' = - stretch' S (stretch u + wall_stretch w).  u is in units of 1/sqrt(mass), so
- * that M = 1: the columns of `stretch` are divided by sqrt(m) and sqrt(I).
+ * With u all degrees of freedom and w all wall displacements (x, y and angle),  (n, s) = stretch u + wall_stretch w. The
+ * forces are S (n, s) with the stiffnesses S, and with ^T for the transpose
+ *
+ *     M d^2u/dt^2 = - stretch^T S (stretch u + wall_stretch w).
+ *
+ * u stores the displacements times sqrt(m) and the rotations times sqrt(I), so that M = 1: the columns of `stretch` are
+ * divided by sqrt(m) and sqrt(I).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_LATTICE_H
@@ -72,7 +77,7 @@ int lattice_contact_of(const struct lattice *lattice, const struct nb_monitor *m
 /* ---- lattice_walls.c: the motion of the walls ---- */
 
 enum nb_status lattice_read_walls(struct lattice *lattice, const struct nb_scene *scene, struct nb_error *error);
-/* The first stage from whose begin to the end of the scene all walls are at rest; stage_count: none. */
+/* The first stage in which all walls are at rest, and also in all later stages; stage_count: none. */
 size_t lattice_first_at_rest(const struct lattice *lattice, const struct nb_scene *scene);
 
 /* ---- lattice_equilibrium.c ---- */
@@ -80,7 +85,7 @@ size_t lattice_first_at_rest(const struct lattice *lattice, const struct nb_scen
 /* Forces k_n n, k_s s of all contacts in equilibrium after the displacements `travel` of the walls, without sliding. */
 enum nb_status lattice_equilibrium(const struct lattice *lattice, const gsl_vector *travel, gsl_vector *forces,
                                    struct nb_error *error);
-/* The same where |F_s| <= F_n tan phi [CS79 19, c = 0], for slow proportional loading from zero. */
+/* The same with sliding: no |F_s| exceeds F_n tan phi [CS79 19, c = 0]. For slow proportional loading from zero. */
 enum nb_status lattice_equilibrium_sliding(const struct lattice *lattice, const gsl_vector *travel, gsl_vector *forces,
                                            struct nb_error *error);
 /* NB_BAD_USE when a contact pulls or a shear force exceeds friction; the message names the cycle. */
@@ -104,7 +109,7 @@ struct oscillation {
 
 enum oscillation_time { OSCILLATION_STEPS, OSCILLATION_CONTINUOUS };
 
-/* Normal modes of the network: u'' = -A u with A = stretch' S stretch. */
+/* Normal modes of the network: d^2u/dt^2 = -A u with A = stretch^T S stretch. */
 struct oscillation_modes {
   gsl_vector *square; /* omega^2, 1/s2, ascending; 0 but for rounding where there is no restoring force */
   gsl_matrix *shape;  /* columns */

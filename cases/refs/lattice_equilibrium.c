@@ -1,6 +1,6 @@
 /* Equilibrium of a network of springs after a displacement of its walls, without and with sliding.
  *
- * Without sliding:  stretch' S stretch u = - stretch' S wall_stretch w.  The matrix is singular where nothing resists a
+ * Without sliding:  stretch^T S stretch u = - stretch^T S wall_stretch w.  The matrix is singular where nothing resists a
  * rotation. The singular value decomposition then gives the smallest u; the forces do not depend on that choice.
  *
  * With sliding, a contact has F_s = sign F_n tan phi instead of k_s s. The friction law has no length scale, so slow

@@ -1,7 +1,7 @@
 /* Oscillation of a network of springs after its walls have moved: the sum over its normal modes, exact in time steps.
  *
  * With u = sum q_i shape_i each mode obeys  q'' + w^2 q = g(t), w^2 = `square`. A wall whose velocity changes by c at t
- * = 0 gives g = b t with b = - shape_i' stretch' S wall_stretch c. From rest
+ * = 0 gives g = b t with b = - shape_i^T stretch^T S wall_stretch c, ^T for the transpose. From rest
  *
  *     q = (b / w^2) (t - sin(w t) / w).
  *

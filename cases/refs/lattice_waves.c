@@ -1,12 +1,14 @@
 /* Reference: a standing wave in a periodic square or hexagonal lattice of equal discs, from given initial velocities.
  *
- * About equilibrium, with u = U sin(q.x) and the rotation psi cos(q.x) of the disc at x, a contact along the branch
- * vector s e has
+ * In a wave of the wave vector q the disc at x has the displacement u = U sin(q.x) and the rotation
+ * theta = psi cos(q.x). Neighbours i and j are s apart at rest, e is the unit vector from i to j, and n is e turned
+ * counterclockwise. Their contact, whose normal force at rest is F, exerts on i the forces
  *
- *   along e                u_j.e - u_i.e                            with the stiffness k_n
- *   across, n = e turned   (u_j - u_i).n - R (theta_i + theta_j)    with k_s; less F/s (u_j - u_i).n: F turns with e
+ *   along e    k_n (u_j - u_i).e
+ *   along n    k_s ((u_j - u_i).n - R (theta_i + theta_j)) - (F/s) (u_j - u_i).n
  *
- * Summed over the contacts of half of all directions, with phi = q.e s, the dynamical matrix is
+ * The last term is there because F turns with the line of centres. Opposite directions e give equal terms, so the sums
+ * run over one direction of each opposite pair, with the factor 2. With phi = s q.e the dynamical matrix is
  *
  *   K_uu = sum 2 (1 - cos phi) (k_n e e' + (k_s - F/s) n n')
  *   K_up = -sum 2 k_s R sin phi n                K_pp = sum 2 k_s R^2 (1 + cos phi)
@@ -15,8 +17,8 @@
  * velocities V each mode varies as cos(w t).
  *
  * Returns, for D that monitors a particle:   D.vx, D.vy, D.spin along time
- * Exact in continuous time for small amplitudes; terms of the order of u/s are neglected. A run lags in phase by w t (w
- * dt)^2/24.
+ * Exact in continuous time for small amplitudes; terms of the order of u/s are neglected. The phase of a run is ahead by
+ * w t (w dt)^2/24.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_eigen.h>
@@ -90,7 +92,7 @@ static double phase(const struct nb_scene *scene, const struct nb_particle *part
   return qx * (particle->x - scene->cell.x) + qy * (particle->y - scene->cell.y);
 }
 
-/* Finds the wave vector of which the initial velocities are a sine; false: there is none. */
+/* Finds q and V such that the initial velocities are V sin(q.x); false: there are none. */
 static bool find_wave(struct wave *it, const struct nb_scene *scene) {
   const int largest = (int)sqrt((double)scene->particle_count) / 2;
   for (int nx = 0; nx <= largest; nx++)
@@ -142,7 +144,7 @@ static enum nb_status read_wave(struct wave *it, const struct nb_scene *scene, s
       return refuse(error, "equal particles that are free and have no spin at first");
   const struct matter_pair pair = matter_pair(scene, first->material, first->material);
   if (strcmp(scene->normal, "linear") != 0 || strcmp(scene->shear, "linear") != 0 || pair.friction < 1e6)
-    return refuse(error, "linear springs that never slide");
+    return refuse(error, "`normal linear`, `shear linear` and a friction of at least 1e6, so that no contact slides");
   const int count = neighbours(scene, &spacing);
   if ((count != 4 && count != 6) || spacing >= 2 * first->radius)
     return refuse(error, "a lattice in which every particle overlaps four or six others");
@@ -162,19 +164,19 @@ static enum nb_status read_wave(struct wave *it, const struct nb_scene *scene, s
 
 struct oscillation {
   int count;
-  double omega[WAVES_MODES], fraction[WAVES_MODES];
+  double omega[WAVES_MODES], amplitude[WAVES_MODES]; /* rad/s; m/s, of spin rad/s */
 };
 
 static double oscillation_at(const void *data, double time) {
   const struct oscillation *it = data;
   double sum = 0;
   for (int k = 0; k < it->count; k++)
-    sum += it->fraction[k] * cos(it->omega[k] * time);
+    sum += it->amplitude[k] * cos(it->omega[k] * time);
   return sum;
 }
 
 static void add_curves(struct nb_solution *solution, const struct wave *it, const struct waves_modes *modes,
-                       const char *monitor, double at) {
+                       const char *monitor, double angle) {
   static const char *const names[WAVES_MODES] = {"vx", "vy", "spin"};
   for (int i = 0; i < WAVES_MODES; i++) {
     struct oscillation *oscillation = calloc(1, sizeof *oscillation);
@@ -183,7 +185,7 @@ static void add_curves(struct nb_solution *solution, const struct wave *it, cons
     for (int k = 0; oscillation && k < modes->count; k++) {
       const double mode = it->start[0] * modes->weight[k][0] + it->start[1] * modes->weight[k][1];
       oscillation->omega[k] = modes->omega[k];
-      oscillation->fraction[k] = mode * modes->shape[k][i] * (i < 2 ? sin(at) : cos(at));
+      oscillation->amplitude[k] = mode * modes->shape[k][i] * (i < 2 ? sin(angle) : cos(angle));
       oscillation->count = modes->count;
     }
     solution_curve(solution, name, "time", oscillation_at, oscillation);

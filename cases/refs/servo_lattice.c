@@ -13,8 +13,9 @@
  *   e  = a exp(-u t) + b exp(-v t),   u, v = f (1 -+ (1 - 1/(4f))^(1/2))/(2T)
  *
  * a and b follow from e(0) and e'(0) at the beginning of the stage. The servo sets Z = -g e/(k_n T) there,
- * g = (1 - (3/4)^(1/2))/2 (src/loading/servo.c). While |e| exceeds k_n T r, where r is the `at most` rate, the rate is
- * limited and e' = -f k_n r (1 - g) - c for e > 0. A stress that is not controlled follows s' = -k_n l or -k_s l.
+ * g = (1 - (3/4)^(1/2))/2 (src/loading/servo.c). While |e| exceeds k_n T r, where r is the `at most` rate, the servo
+ * limits e/(k_n T) to r and sets Z = -g r in each of its steps, so e' = -f k_n r (1 - g) - c for e > 0. A stress that is
+ * not controlled follows s' = -k_n l or -k_s l.
  * `servo mean` controls (xx + yy)/2; the difference xx - yy then follows l.
  *
  * Returns   cell.stress.xx, cell.stress.yy, cell.stress.xy versus time, Pa

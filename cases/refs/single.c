@@ -52,7 +52,7 @@ enum nb_status single_read(struct single *single, const struct nb_scene *scene, 
   else if (scene->step.kind == NB_STEP_SINGLE_CONTACT)
     single->step = scene->step.value * critical;
   else
-    return refuse(error, "a step that is a time or a fraction of single-contact");
+    return refuse(error, "a step given as a time or as a fraction of single-contact");
   for (size_t w = 0; w < scene->monitor_count; w++) {
     if (scene->monitors[w].kind == NB_MONITOR_PARTICLE)
       single->particle = scene->monitors[w].name;

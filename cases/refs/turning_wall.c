@@ -1,9 +1,9 @@
 /* Reference: a particle that rolls along a wall which turns about a fixed point  [CS79 figure 4].
  *
- * In the frame of the wall the particle is at s along it and at n to its left, from P. Its distance from the line of
- * the wall is constant; sigma = 1 if it is to the left of that line, else -1; W is the angular velocity of the wall.
- * The centrifugal and Coriolis forces and the forces N and F of the wall (F on the particle, along the wall) balance
- * its acceleration:
+ * The wall turns about P with the angular velocity W. In the frame of the wall the particle is at s along it and at n to
+ * its left, from P, and starts at s_0; w is its angular velocity. Its distance from the line of the wall is constant;
+ * sigma = 1 if it is to the left of that line, else -1. The centrifugal and Coriolis forces and the forces N and F of
+ * the wall (F on the particle, along the wall) balance its acceleration:
  *
  *   m (s'' - W^2 s) = F              m (2 W s' - W^2 n) = sigma N
  *   rolling:  s' + sigma R (w - W) = 0,     I w' = sigma R F      so     s'' = W^2 s / (1 + I/(m R^2))
@@ -12,8 +12,10 @@
  *
  * q/W is sqrt(2/3) for a disc and sqrt(5/7) for a sphere.
  *
- * Returns, along time:  D.x, D.y, D.spin for D that monitors the particle;  C.normal, C.shear for C that monitors its
- * contact Error: the overlap is neglected, N/k_n relative to s_0.
+ * Returns, along time:
+ *   D.x, D.y, D.spin      for D that monitors the particle
+ *   C.normal, C.shear     for C that monitors its contact
+ * Error: the overlap is neglected. The relative error is of the order of N/(k_n s_0).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -25,8 +27,9 @@
 enum quantity { X, Y, SPIN, NORMAL, SHEAR, QUANTITIES };
 
 struct rolling {
-  double px, py, ex, ey;     /* P and e at time 0 */
-  double w, q, s0, n, sigma; /* rad/s, 1/s, m, m, 1 */
+  double px, py, ex, ey;  /* P, and the unit vector along the wall at time 0 */
+  double wall_spin;       /* W, rad/s */
+  double q, s0, n, sigma; /* 1/s, m, m, 1 */
   double radius, mass, inertia;
   enum quantity quantity;
 };
@@ -34,28 +37,30 @@ struct rolling {
 static double at(const void *data, double t) {
   const struct rolling *it = data;
   const double s = it->s0 * cosh(it->q * t), ds = it->s0 * it->q * sinh(it->q * t), dds = it->q * it->q * s;
-  const double c = cos(it->w * t), b = sin(it->w * t);
+  const double c = cos(it->wall_spin * t), b = sin(it->wall_spin * t);
   const double ex = c * it->ex - b * it->ey, ey = b * it->ex + c * it->ey;
   const double all[QUANTITIES] = {
       [X] = it->px + s * ex - it->n * ey,
       [Y] = it->py + s * ey + it->n * ex,
-      [SPIN] = it->w - it->sigma * ds / it->radius,
-      [NORMAL] = it->sigma * it->mass * (2 * it->w * ds - it->w * it->w * it->n),
-      [SHEAR] = -it->sigma * it->inertia / (it->radius * it->radius) * dds, /* on the particle along -t, t = -sigma e */
+      [SPIN] = it->wall_spin - it->sigma * ds / it->radius,
+      [NORMAL] = it->sigma * it->mass * (2 * it->wall_spin * ds - it->wall_spin * it->wall_spin * it->n),
+      /* F_s acts on the particle in the direction sigma e, e along the wall. */
+      [SHEAR] = -it->sigma * it->inertia / (it->radius * it->radius) * dds,
   };
   return all[it->quantity];
 }
 
-/* NULL if the particle starts with the motion of a point of the wall, undisturbed; else what the reference is for. */
+/* NULL if the particle moves with the wall at first and no stage changes the motion of the wall; else what the
+ * reference is for. */
 static const char *check_start(const struct nb_scene *scene, const struct rolling *it) {
   const struct nb_particle *particle = &scene->particles[0];
   const struct nb_wall *wall = &scene->walls[0];
-  const double speed = fabs(it->w) * hypot(particle->x - it->px, particle->y - it->py);
-  const double difference =
-      hypot(particle->vx + it->w * (particle->y - it->py), particle->vy - it->w * (particle->x - it->px));
-  if (wall->vx != 0 || wall->vy != 0 || !(fabs(it->w) > 0))
+  const double speed = fabs(it->wall_spin) * hypot(particle->x - it->px, particle->y - it->py);
+  const double difference = hypot(particle->vx + it->wall_spin * (particle->y - it->py),
+                                  particle->vy - it->wall_spin * (particle->x - it->px));
+  if (wall->vx != 0 || wall->vy != 0 || !(fabs(it->wall_spin) > 0))
     return "a wall that turns about a fixed point";
-  if (!(difference <= 1e-9 * speed) || particle->spin != it->w)
+  if (!(difference <= 1e-9 * speed) || particle->spin != it->wall_spin)
     return "a particle that turns with the wall at first";
   if (!(fabs(fabs(it->n - wall->h0) - it->radius) <= 1e-9 * it->radius))
     return "a particle that just touches the wall";
@@ -70,7 +75,7 @@ static const char *check_run(const struct nb_scene *scene, const struct rolling 
   double end = 0;
   for (size_t s = 0; s < scene->stage_count; s++) {
     if (scene->stages[s].step.kind != NB_STEP_TIME)
-      return "a step that is a time";
+      return "a step given as a time, such as `step 1 us`";
     end += (double)scene->stages[s].cycles * scene->stages[s].step.value;
   }
   struct rolling shear = *it, normal = *it;
@@ -78,9 +83,9 @@ static const char *check_run(const struct nb_scene *scene, const struct rolling 
   for (int k = 0; k <= 1000; k++) {
     const double t = end * k / 1000, s = it->s0 * cosh(it->q * t);
     if (!(fabs(at(&shear, t)) < friction * at(&normal, t)))
-      return "a particle that sticks to the wall until the end";
+      return "a particle that does not slide on the wall until the end of the run";
     if (!(s > scene->walls[0].h1 && s < scene->walls[0].h2))
-      return "a wall long enough to roll on to the end";
+      return "a wall so long that the particle does not reach its end during the run";
   }
   return NULL;
 }
@@ -103,12 +108,16 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   const struct nb_particle *particle = &scene->particles[0];
   const struct nb_wall *wall = &scene->walls[0];
   const double dx = particle->x - wall->x, dy = particle->y - wall->y;
-  struct rolling it = {
-      .px = wall->x, .py = wall->y, .ex = wall->ex, .ey = wall->ey, .w = wall->spin, .radius = particle->radius};
+  struct rolling it = {.px = wall->x,
+                       .py = wall->y,
+                       .ex = wall->ex,
+                       .ey = wall->ey,
+                       .wall_spin = wall->spin,
+                       .radius = particle->radius};
   it.mass = matter_mass(scene, particle), it.inertia = matter_inertia(scene, particle);
   it.s0 = dx * wall->ex + dy * wall->ey, it.n = dy * wall->ex - dx * wall->ey;
   it.sigma = it.n > wall->h0 ? 1 : -1;
-  it.q = it.w / sqrt(1 + it.inertia / (it.mass * it.radius * it.radius));
+  it.q = it.wall_spin / sqrt(1 + it.inertia / (it.mass * it.radius * it.radius));
   const char *why = check_start(scene, &it);
   if (!why)
     why = check_run(scene, &it, matter_pair(scene, particle->material, wall->material).friction);

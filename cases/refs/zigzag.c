@@ -1,17 +1,17 @@
 /* Reference: force chains of a zigzag of equal discs between two walls, and of discs without load.
  *
- * Each link makes the angle phi with the axis of the zigzag and carries F. A wall supports each disc laterally with 2 F
- * sin phi. The stress of a disc is then, up to overlaps, F R over its volume times
+ * Each contact of two discs makes the angle phi with the axis of the zigzag and carries F. A wall supports each disc
+ * laterally with 2 F sin phi. The stress of a disc is then, up to overlaps, F R over its volume times
  *
  *   along the axis    2 cos^2 phi                 across    2 sin^2 phi + 2 sin phi
  *
- * The axis is the major one while cos 2 phi > sin phi, that is phi < 30 degrees. Then all contacts of discs are links,
- * and the direction changes by 2 phi from one link to the next. Beyond 30 degrees the major stress acts from wall to
- * wall, no contact of two discs lies within 45 degrees of it, and there is no chain. The discs that load the ends are
- * fixed and count for nothing else.
+ * The major stress acts along the axis while cos 2 phi > sin phi, that is phi < 30 degrees. Then every contact of two
+ * free discs is a link of a force chain, and the direction changes by 2 phi from one link to the next. Between 30 and 45
+ * degrees the major stress acts from wall to wall, no contact of two discs lies within 45 degrees of it, and there is no
+ * chain. The discs that load the ends are fixed; they are not particles of the chain.
  *
  * Returns, for A that monitors a region of all particles:   A.chains, A.chains.length, A.chains.fraction, A.chains.bend
- * Exact where |phi - 30 degrees| is above the order of overlap over radius.
+ * Exact for phi < 45 degrees where |phi - 30 degrees| is above the order of overlap over radius.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -23,23 +23,24 @@ static bool touch(const struct nb_particle *a, const struct nb_particle *b) {
   return hypot(a->x - b->x, a->y - b->y) < a->radius + b->radius;
 }
 
-/* The angle of the links with the y axis, rad, and the number of free discs with links. False: the angles differ. */
-static bool links_alike(const struct nb_scene *scene, double *phi, double *linked) {
+/* The angle of the contacts of discs with the y axis, rad, and the number of free discs with such contacts. False: the
+ * angles differ, or fewer than three free discs have such contacts. */
+static bool contacts_alike(const struct nb_scene *scene, double *phi, double *touching) {
   double smallest = INFINITY, largest = 0;
-  *linked = 0;
+  *touching = 0;
   for (size_t i = 0; i < scene->particle_count; i++) {
-    bool is_linked = false;
+    bool has_contact = false;
     for (size_t j = 0; j < scene->particle_count; j++) {
       const struct nb_particle *a = &scene->particles[i], *b = &scene->particles[j];
       if (i == j || !touch(a, b))
         continue;
       const double angle = atan2(fabs(a->x - b->x), fabs(a->y - b->y));
-      is_linked = true, smallest = fmin(smallest, angle), largest = fmax(largest, angle);
+      has_contact = true, smallest = fmin(smallest, angle), largest = fmax(largest, angle);
     }
-    *linked += is_linked && !scene->particles[i].fixed;
+    *touching += has_contact && !scene->particles[i].fixed;
   }
   *phi = largest;
-  return *linked > 2 && largest - smallest < 1e-9;
+  return *touching > 2 && largest - smallest < 1e-9;
 }
 
 static void add_value(struct nb_solution *solution, const char *region, const char *what, double value) {
@@ -49,8 +50,8 @@ static void add_value(struct nb_solution *solution, const char *region, const ch
 }
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
-  double phi, linked;
-  if (scene->region_count == 0 || !links_alike(scene, &phi, &linked))
+  double phi, touching;
+  if (scene->region_count == 0 || !contacts_alike(scene, &phi, &touching))
     return nb_error_set(error, NB_BAD_USE,
                         "zigzag is for a region and discs whose contacts all make the same angle with y");
   double free_particles = 0;
@@ -62,8 +63,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     if (monitor->kind != NB_MONITOR_REGION || scene->regions[monitor->a].kind != NB_REGION_ALL)
       continue;
     add_value(solution, monitor->name, "chains", chain);
-    add_value(solution, monitor->name, "chains.length", chain ? linked : 0);
-    add_value(solution, monitor->name, "chains.fraction", chain ? linked / free_particles : 0);
+    add_value(solution, monitor->name, "chains.length", chain ? touching : 0);
+    add_value(solution, monitor->name, "chains.fraction", chain ? touching / free_particles : 0);
     add_value(solution, monitor->name, "chains.bend", chain ? 2 * phi : 0);
   }
   return solution_status(solution, error);

@@ -11,10 +11,10 @@
 struct nb_walls {
   size_t count;
   struct nb_vec *pivot; /* P, m [CS79 figure 4] */
-  struct nb_vec *point; /* foot of P on the wall's line: P itself unless h0 is not 0; m */
+  struct nb_vec *point; /* point of the wall's line nearest to P, m; P itself if h0 = 0 */
   struct nb_vec *along; /* unit vector along the wall */
   double *h0, *h1, *h2; /* point is h0 to the left of P; the wall's ends are point + h1 along and point + h2 along, m */
-  struct nb_vec *velocity;        /* of P in the last step; of the next step once a stage has begun, m/s */
+  struct nb_vec *velocity;        /* of P in the last step, m/s; a change sets it for the next step */
   double *spin;                   /* about P, counterclockwise, of the same step, rad/s */
   struct nb_vec *turn;            /* (1 - cos phi)/dt and sin phi/dt, phi the rotation in the last step, 1/s */
   double *angle;                  /* rotation since the start, rad */

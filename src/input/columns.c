@@ -118,7 +118,7 @@ static bool read_number(double *value, const struct table *table, size_t line, i
   return false;
 }
 
-bool nb_file_named(struct nb_reader *reader, const struct nb_token *token, char *path) {
+bool nb_file_named(struct nb_reader *reader, const struct nb_token *token, const char *hint, char *path) {
   struct nb_error error;
   if (!token || !nb_file_find(reader, token, "", path))
     return false;
@@ -130,7 +130,8 @@ bool nb_file_named(struct nb_reader *reader, const struct nb_token *token, char 
   else
     nb_token_mistake(
         reader, token,
-        "the program searches the folder of the page, then the folder `cases` above it and all folders in that",
+        hint ? hint
+             : "the program searches the folder of the page, then the folder `cases` above it and all folders in that",
         "expected a file that can be read, found `%s`, which %s", token->text, error.text);
   return file != NULL;
 }

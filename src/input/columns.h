@@ -10,8 +10,8 @@
 enum { NB_COLUMNS_MAX = 3 };
 
 /* Finds the file that the token names; `path` has NB_PATH_SIZE bytes. False if the token is NULL, or, with a message, if the file
- * cannot be opened. */
-bool nb_file_named(struct nb_reader *reader, const struct nb_token *token, char *path);
+ * cannot be opened. The hint of the message is `hint`, or the folders that are searched if `hint` is NULL. */
+bool nb_file_named(struct nb_reader *reader, const struct nb_token *token, const char *hint, char *path);
 
 struct nb_wanted_column {
   const char *name, *alternative; /* "approach"; another accepted name, or NULL */

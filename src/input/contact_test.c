@@ -109,7 +109,7 @@ static enum part part_of(const struct nb_reader *reader, enum word word) {
 
 static bool take_points(struct nb_reader *reader, struct nb_segment *it) {
   char path[NB_PATH_SIZE];
-  return (nb_file_named(reader, nb_take_token(reader, "the name of a file"), path) &&
+  return (nb_file_named(reader, nb_take_token(reader, "the name of a file"), NULL, path) &&
           read_points(it, path, reader->unitless, reader->mistakes)) ||
          nb_fail_silently(reader);
 }

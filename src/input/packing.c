@@ -109,11 +109,14 @@ NB_APPLY(apply_packing) {
   const struct nb_token *file = record->value[AT_FILE].token, *of = NULL;
   char path[NB_PATH_SIZE];
   struct nb_particle all = {0};
-  nb_file_named(reader, file, path);
+  const bool is_material = NB_FIND(scene->materials, scene->material_count, file->text) >= 0;
+  nb_file_named(reader, file, is_material ? "this is a material; the statement is `packing FILE discs MATERIAL`" : NULL,
+                path);
   for (enum nb_shape shape = NB_DISC; shape <= NB_SPHERE; shape++) {
     const struct nb_token *material = record->value[AT_OF + shape].token;
     if (of && material)
-      nb_token_mistake(reader, material - 1, NULL, "expected `discs` or `spheres`, found both");
+      nb_token_mistake(reader, material - 1, "all particles have the same shape and the same material",
+                       "expected `discs` or `spheres`, found both");
     else if (material)
       of = material, all = nb_particle_of(reader, scene, shape, material, false, 0);
   }

@@ -269,8 +269,11 @@ const struct nb_token *nb_take_name(struct nb_reader *reader, const char *what) 
   const struct nb_token *token = nb_token_peek(reader);
   if (token && nb_is_name(token->text))
     return nb_take_token(reader, what);
-  nb_expected(reader, token ? "a name is a letter, then letters, digits, `_` and `-`, less than 64 in all" : NULL, "%s",
-              what);
+  nb_expected(reader,
+              token ? "a name is a letter, then letters, digits, `_` and `-`, less than 64 in all; the letters are a "
+                      "to z and A to Z"
+                    : NULL,
+              "%s", what);
   return NULL;
 }
 

@@ -189,7 +189,7 @@ static bool take_sample(struct nb_reader *reader, const struct nb_scene *scene, 
 
 /* `[CS79 figure 6]`, several tokens. */
 static bool take_source(struct nb_reader *reader, struct nb_expectation *expectation) {
-  static const char where[] = "say where the number comes from: `[CS79 figure 6]`";
+  static const char where[] = "say where the number comes from, for example `[CS79 figure 6]`";
   const struct nb_token *token = nb_token_peek(reader);
   if (!token || token->text[0] != '[')
     return nb_expected(reader, where, "the source in brackets");

@@ -280,7 +280,8 @@ static void grammar(const struct manual *to) {
             "its values) may be in any order. `$NAME` is the value that `let` or `sweep` gives to NAME above.");
   snprintf(
       text, sizeof text,
-      "A name is a letter, then letters, digits, `_` and `-`, less than %d in all. A number is decimal: `-1.5e3`. A "
+      "A name is a letter, then letters, digits, `_` and `-`, less than %d in all; the letters are a to z and A to Z. "
+      "A number is decimal: `-1.5e3`. A "
       "page may have %d MB, lines of %d bytes and %d words, %d runs, %d particles, %d materials, and %d of each other "
       "thing that has a name. All mistakes of a page are reported at once, each with its line, what was expected and, "
       "if a known word is similar, what was probably meant.",
