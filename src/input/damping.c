@@ -30,6 +30,7 @@ struct given {
 
 static void take_damping(struct nb_reader *reader, struct given *given) {
   static const enum nb_global_damping variants[] = {NB_GLOBAL_CON1_CS79, NB_GLOBAL_CON1_VELOCITY, NB_GLOBAL_CON1_ALL};
+  reader->otherwise = "a fraction of critical damping is `damping ratio 0.2`";
   int word = nb_take_choice(reader, CONTACT_WORDS "|walls|critical|mass|con1|none");
   if (word == WALLS) {
     given->walls = true;
@@ -44,6 +45,7 @@ static void take_damping(struct nb_reader *reader, struct given *given) {
   }
   if (word < 0 || word == NONE || word == CRITICAL)
     return;
+  reader->otherwise = NULL;
   given->of = kinds[word < WALLS ? word : WALLS + word - GLOBAL];
   given->global = word >= GLOBAL, given->all = !given->global && !given->walls;
   nb_take_number(reader, given->of.unit, given->of.range, &given->value);
@@ -99,7 +101,7 @@ NB_STATEMENTS(damping) = {
    "con1 X as cs79|velocity|all | none",
    0, false, apply_damping,
    "Damping at contacts [CS79 28] [R89 4.3, 4.13] and of all particles [CS79 34] [R89 6.5.1], one statement for each; "
-   "default none. `walls` sets the damping of contacts with walls; without it they are damped as all others. `critical beyond overlap`: contacts "
+   "default none. `ratio` is a fraction of critical damping. `walls` sets the damping of contacts with walls; without it they are damped as all others. `critical beyond overlap`: contacts "
    "that overlap by more than that fraction of the smaller diameter are damped critically [R89 6.4.3]. In a stage: from this "
    "stage on.",
    "damping   ratio 0.1\ndamping   walls ratio 0.3\ndamping   mass 2 1/s"},

@@ -24,7 +24,7 @@ static const struct nb_argument fill_fields[] = {
   CLAUSE("box", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_BOX, 2, "|another place", "The corner of a box with the smallest x and y; a box to fill has no walls."),
   CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_TO, 2, "another place", "The opposite corner of the box."),
   FLAG("cell", AT_CELL, "|another place", "The periodic cell, across its edges: the packing has no wall effect."),
-  WORD("GRADING", AT_GRADING, "the name of a grading"),
+  WORD("GRADING", AT_GRADING, "the name of a grading, which has sizes and numbers: `grading NAME RADIUS N …`; `radius R` is that of the circle"),
   MATERIAL(AT_MATERIAL),
   COUNT("seed", "N", AT_SEED, NULL, "Seed of the random numbers."),
   COUNT("attempts", "N", AT_ATTEMPTS, NULL, "Largest number of random positions that are tried for each particle, up to 1000000."),

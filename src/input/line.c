@@ -177,7 +177,7 @@ void nb_line_begin(struct nb_reader *reader, size_t line) {
   reader->line = line;
   reader->count = reader->next = reader->used = 0;
   reader->bad = false;
-  reader->keyword = NULL;
+  reader->keyword = NULL, reader->otherwise = NULL;
 }
 
 bool nb_line_read(struct nb_reader *reader, size_t line) {
@@ -348,7 +348,7 @@ bool nb_expected(struct nb_reader *reader, const char *hint, const char *format,
   if (!token)
     return nb_token_mistake(reader, NULL, hint, "expected %s, found the end of the line", what);
   const char *const typed = nb_syntax_hint(reader, text, token->text);
-  hint = typed ? typed : hint ? hint : nb_synonym_hint(text, token->text);
+  hint = typed ? typed : hint ? hint : reader->otherwise ? reader->otherwise : nb_synonym_hint(text, token->text);
   if (token->name)
     return nb_token_mistake(reader, token, hint, "expected %s, found `%.80s` (`$%s`)", what, token->text, token->name);
   return nb_token_mistake(reader, token, hint, "expected %s, found `%.80s`", what, token->text);

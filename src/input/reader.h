@@ -78,6 +78,7 @@ struct nb_reader {
   const struct nb_page *page;
   struct nb_mistakes *mistakes;
   bool unitless;                     /* `units none` */
+  bool has_units;                    /* a number with a unit has been read */
   const struct nb_binding *bindings; /* the values of $NAME */
   size_t binding_count;
 
@@ -85,6 +86,7 @@ struct nb_reader {
   struct nb_token tokens[NB_TOKENS_MAX];
   size_t count, next;                /* number of tokens; index of the next one to read */
   bool bad;                          /* the statement has a mistake: no other one is reported, and reading it ends */
+  const char *otherwise;             /* the hint for a mistake that has no other one; NULL: none */
   const struct nb_keyword *keyword;  /* its row while the fields of the row are read, else NULL */
   const struct nb_keyword *namesake; /* a row of the same words for another place, or NULL */
   unsigned here;                     /* the place of the statement, one of NB_IN_… */

@@ -44,6 +44,12 @@ bool nb_begins_clause(const struct nb_argument *field, const char *word) {
   return *first && strcmp(first, word) == 0;
 }
 
+static bool number_next(const struct nb_reader *reader) {
+  const struct nb_token *token = nb_token_peek(reader);
+  double number;
+  return token && nb_number_read(&number, token->text, 0) != NB_NO_NUMBER;
+}
+
 enum { CONTACT_TEST = NB_IN_CONTACT_TEST | NB_IN_SEGMENT };
 
 /* The place of a row that does not belong here; in the same kind of block, if possible. */
@@ -59,14 +65,18 @@ static const char *where_words(unsigned where, unsigned here) {
   return where & NB_IN_SCENE ? "before the first `stage`" : "in a stage: below a line `stage NAME`";
 }
 
+static size_t matching_here(const struct nb_reader *reader, const struct nb_keyword *row, unsigned here) {
+  size_t all;
+  return row->where & here && row->word ? matching_words(reader, row->word, &all) : 0;
+}
+
 /* The row with most words that match the next tokens, and *most of them; NULL: no first word matches. */
 static const struct nb_keyword *best_match(const struct nb_reader *reader, const struct nb_family *table, unsigned here,
                                            size_t *most) {
   const struct nb_keyword *meant = NULL, *row;
-  size_t all;
   *most = 0;
   for (size_t k = 0; (row = nb_keyword_row(table, k)); k++) {
-    const size_t there = row->where & here && row->word ? matching_words(reader, row->word, &all) : 0;
+    const size_t there = matching_here(reader, row, here);
     if (there > *most)
       *most = there, meant = row;
   }
@@ -89,8 +99,16 @@ static void list_word(char *list, size_t size, const char *between, const char *
     snprintf(list + used, size - used, "%s%s", used ? between : "", quoted);
 }
 
+/* "the statement is `box X Y to X Y MATERIAL`; MATERIAL is the name of a material"; name may be NULL. */
+static void syntax_hint(char *hint, const struct nb_keyword *keyword, const struct nb_argument *name) {
+  char syntax[NB_HINT_SIZE / 2];
+  nb_keyword_syntax(syntax, sizeof syntax, keyword);
+  snprintf(hint, NB_HINT_SIZE, name ? "the statement is `%s`; %s is %s" : "the statement is `%s`", syntax,
+           name ? name->value : "", name ? name->help : "");
+}
+
 /* Reports a line whose first words match some rows and whose next word matches none: `fill sphres`. Returns one of these rows; NULL if
- * `whole`, a row of another place, matches completely and no row of this place is near. */
+ * `whole`, a row of another place, matches completely and no row of this place is near, unless a word follows: `cell shear`. */
 static const struct nb_keyword *wrong_word(struct nb_reader *reader, const struct nb_family *table, unsigned here,
                                            const struct nb_keyword *whole) {
   char list[256] = "", hint[NB_HINT_SIZE], word[NB_NAME_SIZE];
@@ -101,17 +119,19 @@ static const struct nb_keyword *wrong_word(struct nb_reader *reader, const struc
   const struct nb_token *token = reader->next + most < reader->count ? &reader->tokens[reader->next + most] : NULL;
   struct nb_guess guess = nb_guess_begin(token ? token->text : "");
   for (size_t k = 0; (row = nb_keyword_row(table, k)); k++) {
-    if (!(row->where & here) || !row->word || matching_words(reader, row->word, &all) < most)
+    if (matching_here(reader, row, here) < most)
       continue;
     word_after(word, row->word, most);
     nb_guess_offer(&guess, word);
     list_word(list, sizeof list, " or ", word);
   }
-  const bool near = token && nb_guess_found(&guess);
-  if (whole && !near)
-    return NULL;
   reader->next += most;
-  nb_expected(reader, near ? nb_guess_hint(&guess, hint) : NULL, "%s", list);
+  if (whole && !nb_guess_found(&guess) && (!token || number_next(reader))) {
+    reader->next -= most;
+    return NULL;
+  }
+  syntax_hint(hint, meant, NULL);
+  nb_expected(reader, nb_guess_hint(&guess, hint) || !strchr(list, ' ') ? hint : NULL, "%s", list);
   return meant;
 }
 
@@ -194,12 +214,6 @@ static const struct nb_keyword *wrong_row(struct nb_reader *reader, const struct
 
 /* ---- the fields of a row ---- */
 
-static bool number_next(const struct nb_reader *reader) {
-  const struct nb_token *token = nb_token_peek(reader);
-  double number;
-  return token && nb_number_read(&number, token->text, 0) != NB_NO_NUMBER;
-}
-
 static void read_field(struct nb_reader *reader, const struct nb_argument *field, struct nb_record *record) {
   reader->given |= 1U << (field - reader->keyword->arguments);
   for (int i = 0; i < field->count && !reader->bad; i++) {
@@ -209,7 +223,7 @@ static void read_field(struct nb_reader *reader, const struct nb_argument *field
     switch (field->kind) {
     case NB_ARGUMENT_NUMBER:
       if (i > 0 && !number_next(reader))
-        nb_expected(reader, NULL, "the second value of `%s %s`", field->word, field->value);
+        nb_expected(reader, field->help, "the second value of `%s %s`", field->word, field->value);
       nb_take_number(reader, field->unit, field->range, &value->number);
       break;
     case NB_ARGUMENT_COUNT:
@@ -349,11 +363,10 @@ static const char *value_words(const struct nb_argument *field) {
 /* Reports all missing fields at the end of the line; or a word that is not a clause, with the possible ones. */
 static void expected_fields(struct nb_reader *reader) {
   const struct nb_token *token = nb_token_peek(reader);
-  char list[512] = "", syntax[NB_HINT_SIZE / 2], hint[NB_HINT_SIZE];
+  char list[512] = "", hint[NB_HINT_SIZE];
   const struct nb_argument *const missing = list_missing(reader, list, sizeof list);
   const struct nb_guess guess = guess_clause(reader, token ? token->text : "");
-  nb_keyword_syntax(syntax, sizeof syntax, reader->keyword);
-  snprintf(hint, sizeof hint, "the statement is `%s`", syntax);
+  syntax_hint(hint, reader->keyword, number_next(reader) ? next_positional(reader) : NULL);
   const bool near = nb_guess_hint(&guess, hint) || namesake_hint(reader, hint, missing);
   if (!token && missing->word)
     nb_expected(reader, hint, "%s", list);
@@ -375,7 +388,7 @@ static void read_fields(struct nb_reader *reader, struct nb_record *record) {
     size_t words = 0;
     const struct nb_argument *clause = next_clause(reader, &words), *positional = next_positional(reader);
     if (clause && given(reader, clause))
-      nb_token_mistake(reader, token, NULL, "expected `%s` once, found it twice", clause->word);
+      nb_token_mistake(reader, token, clause->help, "expected `%s` once, found it twice", clause->word);
     else if (clause)
       reader->next += words, read_field(reader, clause, record);
     else if (positional && !mistyped_clause(reader, positional))
@@ -457,6 +470,6 @@ void nb_keyword_syntax(char *text, size_t size, const struct nb_keyword *keyword
     snprintf(text + used, size - used, "%s%s%s%s%s%s", used ? " " : "", open, word, between, value, close);
   }
   const size_t used = strlen(text);
-  if (keyword->tail)
+  if (keyword->tail && *keyword->tail)
     snprintf(text + used, size - used, "%s%s", used ? " " : "", keyword->tail);
 }

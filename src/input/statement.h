@@ -22,7 +22,7 @@
 /* Arguments common to several statements. */
 #define MATERIAL(at) WORD("MATERIAL", at, "the name of a material")
 #define SHAPE(at) CHOICE(NULL, "discs|spheres", at, NULL, "`discs` or `spheres`") /* as enum nb_shape */
-#define RADIUS(at) CLAUSE("radius", "R", NB_UNIT_LENGTH, NB_POSITIVE, at, 1, NULL, "Radius.")
+#define RADIUS(at) CLAUSE("radius", "R", NB_UNIT_LENGTH, NB_POSITIVE, at, 1, NULL, "Radius, half the diameter.")
 #define VELOCITY(at, otherwise) \
   CLAUSE("velocity", "VX VY", NB_UNIT_VELOCITY, NB_ANY, at, 2, otherwise, "Velocity in x and y.")
 #define CORNERS(at, other) \
@@ -34,7 +34,7 @@
   VALUE("EYY", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_YY, "Strain rate in y.")
 #define STRAIN \
   STRAIN_SIDES, \
-  CLAUSE("shear", "EXY", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_XY, 1, "0", "Shear strain rate: c_12 = c_21 = EXY, without rotation."), \
+  CLAUSE("shear", "EXY", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_XY, 1, "0", "Pure shear: c_12 = c_21 = EXY, without rotation. The engineering shear rate is 2 EXY; simple shear is `c12 G`."), \
   CLAUSE("c12", "C", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_C12, 1, "0", "Velocity in x per unit of y."), \
   CLAUSE("c21", "C", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_C21, 1, "0", "Velocity in y per unit of x.")
 /* clang-format on */

@@ -127,13 +127,25 @@ static bool names_angle(const struct wanted *it, const char *text) {
   return is_dimensionless(it) && nb_unit_read(&unit, text) && unit.angle;
 }
 
+/* ", as in `gravity 0 m/s2 -9.81 m/s2`", the statement's example; and the way out of a page without any unit. */
+static void add_advice(char *text, const struct nb_reader *reader, bool example) {
+  const char *at = example && reader->keyword && reader->keyword->example ? reader->keyword->example : "";
+  at += strspn(at, " ");
+  snprintf(text, NB_HINT_SIZE / 2, "%s%.*s%s%s", *at ? ", as in `" : "", (int)strcspn(at, "\n"), at, *at ? "`" : "",
+           reader->has_units ? "" : ", or begin the scene with `units none`");
+}
+
 /* The hint for a number without a unit, or with the wrong one. */
 static const char *unit_hint(char *hint, const struct nb_reader *reader, const struct nb_token *number,
                              const struct nb_token *unit, const struct wanted *it) {
   char bare[NB_NAME_SIZE];
   struct nb_guess guess = nb_guess_begin(without_comma(bare, unit ? unit->text : ""));
   const char *const n = number->computed ? "(...)" : number->text;
-  const char *const where = unit ? "" : ", or begin the scene with `units none`";
+  const bool each = !unit && is_number(token_after(reader, 1));
+  const char *const write = each ? "each number has its own unit: " : "write ";
+  char more[NB_HINT_SIZE / 2] = "";
+  if (!unit)
+    add_advice(more, reader, each);
   const char *const second = strchr(it->units, ',');
   const int length = (int)strcspn(it->units, ",");
   nb_unit_offer(&guess, it->units);
@@ -146,10 +158,10 @@ static const char *unit_hint(char *hint, const struct nb_reader *reader, const s
   else if (unit && nb_guess_found(&guess))
     return nb_guess_hint(&guess, hint);
   else if (second)
-    snprintf(hint, NB_HINT_SIZE, "write `%.40s %.*s` or `%.40s %.*s`%s", n, length, it->units, n,
-             (int)strcspn(second + 2, ","), second + 2, where);
+    snprintf(hint, NB_HINT_SIZE, "%s`%.40s %.*s` or `%.40s %.*s`%s", write, n, length, it->units, n,
+             (int)strcspn(second + 2, ","), second + 2, more);
   else
-    snprintf(hint, NB_HINT_SIZE, "write `%.40s %s`%s", n, it->units, where);
+    snprintf(hint, NB_HINT_SIZE, "%s`%.40s %s`%s", write, n, it->units, more);
   return hint;
 }
 
@@ -194,6 +206,7 @@ static bool take_quantity(struct nb_reader *reader, const struct wanted *it, enu
   if (!within(*value, range))
     return number_mistake(reader, number, behind, NULL, what);
   reader->next += matches ? 2 : 1;
+  reader->has_units |= matches;
   const struct nb_token *next = nb_token_peek(reader);
   const bool sign = next && strchr("+-*/^", next->text[0]) && !is_number(next);
   return !sign || nb_expected(reader, NULL, "no operator outside parentheses");

@@ -38,9 +38,9 @@ enum nb_status nb_command_list(const struct nb_call *call);
 
 /* The manual of the page language: as Markdown with arguments and examples, for a terminal with one sentence for each word. */
 void nb_manual(FILE *out, bool markdown);
-/* All about one word of pages, of version 0.3 or of another program. False: it is none; then `hint` (NB_HINT_SIZE bytes) holds the
+/* All about a word of pages, of version 0.3 or of another program, or about several words. False: there is none; then `hint` (NB_HINT_SIZE bytes) holds the
  * nearest one, or is empty. */
-bool nb_manual_word(FILE *out, const char *word, char *hint);
+bool nb_manual_word(FILE *out, const char *text, char *hint);
 
 /* ---- print.c: verdicts and progress on the terminal ---- */
 

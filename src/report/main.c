@@ -115,7 +115,7 @@ static void print_help(FILE *out) {
         out);
 }
 
-/* `nineball --help WORD`. */
+/* `nineball --help WORD …`. */
 static enum nb_status print_word_help(const char *word) {
   char suggestion[NB_HINT_SIZE];
   const bool markdown = strcmp(word, "language-md") == 0;
@@ -232,8 +232,12 @@ static enum nb_status execute(struct nb_call *call, int count, char **words) {
          "GPL-3.0-or-later: free software, without any warranty.");
     return NB_OK;
   }
-  if (call->help && word && find_command(word) < 0)
-    return print_word_help(word);
+  if (call->help && word && find_command(word) < 0) {
+    char text[NB_HINT_SIZE] = "";
+    for (int k = optind; k < count; k++)
+      nb_append(text, sizeof text, "%s%s", *text ? " " : "", words[k]);
+    return print_word_help(text);
+  }
   if (call->help || !word) {
     char suggestion[NB_HINT_SIZE];
     print_help(call->help ? stdout : stderr);

@@ -15,9 +15,19 @@
 /* Output file and format. */
 struct manual {
   FILE *out;
-  bool markdown; /* else for a terminal */
-  bool whole;    /* with the arguments of every statement, and examples */
+  bool markdown;      /* else for a terminal */
+  bool whole;         /* with the arguments of every statement, and examples */
+  const void **shown; /* the rows that are printed already, up to a NULL; only for the help on words */
 };
+
+static bool is_new(const struct manual *to, const void *row) {
+  const void **at = to->shown;
+  while (*at && *at != row)
+    at++;
+  const bool is = !*at;
+  *at = row;
+  return is;
+}
 
 /* ---- formatting ---- */
 
@@ -299,7 +309,7 @@ static void statements(const struct manual *to, const struct nb_family *table, u
 }
 
 void nb_manual(FILE *out, bool markdown) {
-  const struct manual to = {out, markdown, markdown};
+  const struct manual to = {out, markdown, markdown, NULL};
   if (markdown)
     fputs("# The language of pages\n\n"
           "All words of pages. The program makes this document from the tables that it reads pages by; `make language` "
@@ -363,6 +373,8 @@ static bool find_statement(const struct manual *to, const char *word, struct nb_
       if (!row->word || !(verb || has_word(syntax, word)))
         continue;
       found = true;
+      if (!is_new(to, row))
+        continue;
       if (verb)
         statement(to, row);
       else if (!statement_part(to, row, syntax, word))
@@ -373,12 +385,14 @@ static bool find_statement(const struct manual *to, const char *word, struct nb_
 
 /* Expectations and reducers with the word in their syntax. */
 static bool find_expectation(const struct manual *to, const char *word, struct nb_guess *guess) {
-  const struct manual brief = {to->out, false, false};
+  const struct manual brief = {to->out, false, false, to->shown};
   bool found = false;
   for (const struct nb_expectation_row *row = nb_expectation_rows(); row->word; row++) {
     nb_guess_offer(guess, row->word);
-    if (has_word(row->syntax, word))
-      expectation(strcmp(row->word, word) == 0 ? to : &brief, row), found = true;
+    const bool is = has_word(row->syntax, word);
+    if (is && is_new(to, row))
+      expectation(strcmp(row->word, word) == 0 ? to : &brief, row);
+    found = found || is;
   }
   for (const struct nb_reducer_row *row = nb_reducer_rows(); row->word; row++)
     if (has_word(row->word, word))
@@ -401,7 +415,7 @@ static bool find_quantity(const struct manual *to, const char *word, struct nb_g
     }
     nb_guess_offer(guess, row.name);
     snprintf(of, sizeof of, strcmp(row.unit, "1") == 0 ? "quantity of %s" : "quantity of %s, in %s", row.of, row.unit);
-    if (is)
+    if (is && is_new(to, row.key))
       part(to, row.name, of, row.help);
     found = found || is;
   }
@@ -410,18 +424,22 @@ static bool find_quantity(const struct manual *to, const char *word, struct nb_g
 
 /* A law, a function or constant of expressions, a unit. */
 static bool find_name(const struct manual *to, const char *word) {
-  const struct nb_law *const normal = nb_law_find("normal", word), *const shear = nb_law_find("shear", word);
   struct nb_unit unit;
   char of[2 * NB_NAME_SIZE];
+  bool found = false;
   const bool reserved = nb_name_reserved(word), is_unit = nb_unit_read(&unit, word);
   nb_dimension_words(of, sizeof of, unit.dimension);
-  if (normal || shear)
-    part(to, word, "a contact law; see nineball laws", (normal ? normal : shear)->title);
+  for (const struct nb_law *const *law = nb_laws(); *law; law++) {
+    char whole[2 * NB_NAME_SIZE];
+    snprintf(whole, sizeof whole, "%s %s", (*law)->kind, (*law)->name);
+    if (strcmp(word, (*law)->name) == 0 || strcmp(word, whole) == 0)
+      part(to, whole, "a contact law; see nineball laws", (*law)->title), found = true;
+  }
   if (reserved)
     part(to, word, "of expressions", "see nineball --help expressions");
   if (is_unit)
     part(to, word, "a unit; see nineball --help units", unit.angle ? "an angle or an angular velocity" : of);
-  return normal || shear || reserved || is_unit;
+  return found || reserved || is_unit;
 }
 
 /* All meanings of the word in a page. */
@@ -442,17 +460,32 @@ static bool find(const struct manual *to, const char *word, struct nb_guess *gue
   return found;
 }
 
-bool nb_manual_word(FILE *out, const char *word, char *hint) {
-  const struct manual to = {out, false, true}, brief = {out, false, false};
-  const struct nb_synonym *const synonym = nb_synonym(word);
-  struct nb_guess guess = nb_guess_begin(word), none = nb_guess_begin("");
-  char item[NB_NAME_SIZE];
-  bool found = find(&to, word, &guess);
-  found = nb_old_help(out, word) || found;
-  if (synonym && nb_synonym_hint(hint, word))
-    fprintf(out, "  %.*s\n", (int)strcspn(hint, ":"), hint);
+/* The help on one word; of several words first that on the last one, the noun of `contact damping`. */
+static bool words_help(const struct manual *to, const char *text, struct nb_guess *guess) {
+  const struct manual brief = {to->out, false, false, to->shown};
+  const struct nb_synonym *const synonym = nb_synonym(text);
+  const char *const space = strchr(text, ' ');
+  struct nb_guess none = nb_guess_begin("");
+  char hint[NB_HINT_SIZE], item[NB_NAME_SIZE];
+  bool found = find(to, text, guess);
+  found = nb_old_help(to->out, text) || found;
+  if (space && !found) {
+    nb_first_word(item, text);
+    found = words_help(to, space + 1, guess);
+    return words_help(to, item, guess) || found;
+  }
+  if (synonym && nb_synonym_hint(hint, text))
+    fprintf(to->out, "  %.*s\n", (int)strcspn(hint, ":"), hint);
   for (const char *list = synonym ? synonym->ours : ""; nb_item(&list, item);)
     find(&brief, item, &none);
-  snprintf(hint, NB_HINT_SIZE, "%s", nb_guess_found(&guess) ? guess.best : "");
   return found || synonym;
+}
+
+bool nb_manual_word(FILE *out, const char *text, char *hint) {
+  const void *shown[2048] = {NULL}; /* more than all tables have */
+  const struct manual to = {out, false, true, shown};
+  struct nb_guess guess = nb_guess_begin(text);
+  const bool found = words_help(&to, text, &guess);
+  snprintf(hint, NB_HINT_SIZE, "%s", nb_guess_found(&guess) ? guess.best : "");
+  return found;
 }
