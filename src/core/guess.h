@@ -7,7 +7,7 @@
 
 #include "error.h"
 
-enum { NB_HINT_SIZE = 512 };
+enum { NB_HINT_SIZE = 512, NB_RELATED_MAX = 3 };
 
 /* Terms of other programs and textbooks with the same meaning, and the keywords of nineball for them. */
 struct nb_synonym {
@@ -27,7 +27,9 @@ struct nb_guess {
   const struct nb_synonym *synonym; /* of the word; NULL: none */
   unsigned marked;                  /* bit i: keyword i of `synonym->ours` has been offered */
   char best[2 * NB_NAME_SIZE];      /* the most similar keyword so far */
-  int distance;                     /* edits between the word and `best` */
+  int distance;                     /* edits between the word and `best`; 1: it begins or ends with the word */
+  int related_count;                /* number of such keywords; the first ones are in `related`, in backticks */
+  char related[NB_HINT_SIZE / 2 - 8];
 };
 struct nb_guess nb_guess_begin(const char *word);
 void nb_guess_offer(struct nb_guess *guess, const char *known);

@@ -18,36 +18,41 @@ bool nb_item(const char **list, char item[NB_NAME_SIZE]) {
 
 const struct nb_synonym *nb_synonym(const char *word) {
   /* clang-format off */
-  static const struct nb_synonym synonyms[] = { /* each word once */
+  static const struct nb_synonym synonyms[] = { /* each word once, `_` also for `-` */
     {"ball balls disk disks particle particles grain grains body bodies clump", "disc, sphere"}, {"grid mesh regular", "lattice"},
-    {"generate create create_atoms insert", "fill, lattice, disc, sphere"}, {"distribute pour random cloud", "fill"}, {"psd gradation", "grading"},
+    {"generate create create_atoms insert", "fill, lattice, disc, sphere"}, {"distribute pour random cloud", "fill"}, {"psd gradation size distribution bimodal", "grading"},
     {"facet facets plane plate", "wall"}, {"domain container create_box", "box, cell"}, {"periodic pbc", "cell"},
     {"contact_model cmat pair_style model", "normal, shear"}, {"property prop attribute set assign", "material, pair, let"},
     {"variable define parameter fish", "let"}, {"loop foreach for while", "sweep, repeat"}, {"bond bonds cement adhesion", "cohesion"},
     {"friction_coefficient friction_angle fric mu xmu coulomb", "friction"}, {"rho dens mass_density", "density"},
     {"young_modulus youngs_modulus youngs modulus emod E", "young"}, {"poisson_ratio poissons_ratio pois nu", "poisson"},
     {"normal_stiffness k_n", "kn"}, {"shear_stiffness tangential_stiffness k_s k_t kt kratio", "ks"}, {"stiffness spring", "kn, ks"},
-    {"diameter r", "radius"}, {"g grav acceleration", "gravity"}, {"dt timestep time_step time-step", "step"},
-    {"damp viscous dashpot gamma gamma_n dp_nratio dp_sratio beta", "damping, ratio, stiffness"}, {"neighbor verlet cutoff", "skin"},
+    {"diameter r", "radius"}, {"g grav acceleration", "gravity"}, {"dt timestep time_step", "step"},
+    {"damp viscous viscosity dashpot gamma gamma_n dp_nratio dp_sratio beta", "damping, ratio, stiffness"}, {"neighbor verlet cutoff", "skin"},
     {"local nonviscous", "mass", "there is no local damping"}, {"dump", "record, snapshot"}, {"plot graph figure", "gnuplot"},
     {"restitution cor", "ratio, impact.restitution", "restitution is a result, not an input"},
     {"rolling rolling_friction rolling_resistance", "rotation off", "there is no rolling resistance"},
-    {"history track trace thermo output probe", "monitor, record"}, {"measure measurement group range", "region"},
-    {"run solve go iterate", "cycles, until"}, {"equilibrium converge unbal", "until, unbalanced.max"},
+    {"history hist track trace thermo output print probe", "monitor, record"}, {"measure measurement group range", "region"},
+    {"run solve go iterate", "cycles, until"}, {"equilibrium converge unbal", "until, unbalanced.max"}, {"unbalanced unbalanced_force mech_ratio", "unbalanced.max"},
+    {"ratio", "unbalanced.max, damping, poisson"}, {"critical", "ratio, single-contact"},
+    {"contact", "damping, monitor, region"}, {"all", "region", "`region M all` measures all particles and contacts"},
     {"calm relax quench", "zero velocities"}, {"fix freeze clamp", "fixed, servo, cell strain, boundary fixed, rotation off"},
-    {"apply load", "gravity, boundary stress, servo, wall"}, {"confine membrane pressure", "servo, boundary stress, cell.stress.mean"},
-    {"deform strain_rate shear_rate rate", "cell strain, box strain, boundary strain, affine strain"},
+    {"apply load", "gravity, boundary stress, servo, wall"}, {"confine confining confinement membrane pressure", "servo, boundary stress, cell.stress.mean"},
+    {"deform strain strain_rate shear_rate rate", "cell strain, box strain, boundary strain, affine strain"},
     {"move displace", "wall, walls, transform"}, {"delete kill erase", "remove"},
     {"save checkpoint write_restart", "nineball state"}, {"restore restart read_restart read_data import", "start, packing"},
-    {"assert compare equals equal is = ==", "expected, within"}, {"less < <=", "below"}, {"greater more > >=", "above"},
+    {"assert compare equals equal is = ==", "expected, within"}, {"tolerance agree", "within"}, {"maximum largest", "max"}, {"end final", "last", "the last row is the default"}, {"less < <=", "below"}, {"greater more > >=", "above"},
     {"force contact_force forces", "normal, shear, fx, fy"}, {"position displacement pos disp", "x, y"}, {"vel", "velocity, vx, vy"},
-    {"kinetic_energy ke", "energy.kinetic"}, {"inch inches ft", "m, mm"}, {"psi ksi bar atm", "Pa, kPa"}, {"lb lbf kgf", "N, kN"},
+    {"kinetic kinetic_energy ke", "energy.kinetic"}, {"hertz_mindlin hertzian", "normal hertz, shear mindlin"}, {"SI", "units"}, {"inch inches ft", "m, mm"}, {"psi ksi bar atm", "Pa, kPa"}, {"lb lbf kgf", "N, kN"},
     {"degree degrees", "deg"}, {"rpm", "rad/s"},
   };
   /* clang-format on */
-  const size_t length = strlen(word);
+  char plain[NB_NAME_SIZE];
+  const size_t length = (size_t)snprintf(plain, sizeof plain, "%s", word);
+  for (char *dash = plain; (dash = strchr(dash, '-'));)
+    *dash = '_';
   for (size_t k = 0; k < sizeof synonyms / sizeof *synonyms && length; k++)
-    for (const char *at = synonyms[k].words; (at = strstr(at, word)); at++)
+    for (const char *at = synonyms[k].words; (at = strstr(at, plain)); at++)
       if ((at == synonyms[k].words || at[-1] == ' ') && (at[length] == ' ' || !at[length]))
         return &synonyms[k];
   return NULL;
@@ -130,12 +135,24 @@ static bool mark(struct nb_guess *guess, const char *known) {
   return found;
 }
 
+/* Whether the known word begins or ends with the other one, up to a dot: `energy.kinetic` with `energy` and `kinetic`, and
+ * `M.normal.max` with `normal`. */
+static bool is_related(const char *known, const char *word, size_t length) {
+  const char *const first = strchr(known, '.');
+  if (length < 3 || !first)
+    return false;
+  const bool begins = strncmp(known, word, length) == 0 && known[length] == '.';
+  const bool follows = strncmp(first + 1, word, length) == 0 && first[length + 1] == '.';
+  return begins || follows || strcmp(strrchr(known, '.') + 1, word) == 0;
+}
+
 void nb_guess_offer(struct nb_guess *guess, const char *known) {
-  const size_t length = strlen(guess->word);
-  const bool begins = length > 2 && strncmp(known, guess->word, length) == 0 && known[length] == '.';
-  const int d = mark(guess, known) ? 0
-                : begins           ? 1
-                                   : distance(guess->word, known); /* `energy` is near to `energy.kinetic` */
+  const bool marked = mark(guess, known), related = !marked && is_related(known, guess->word, strlen(guess->word));
+  const int d = marked ? 0 : related ? 1 : distance(guess->word, known);
+  if (related && guess->related_count++ < NB_RELATED_MAX) {
+    const size_t used = strlen(guess->related);
+    snprintf(guess->related + used, sizeof guess->related - used, "%s`%s`", used ? ", " : "", known);
+  }
   if (d >= guess->distance || strlen(known) >= sizeof guess->best)
     return;
   guess->distance = d;
@@ -154,6 +171,8 @@ const char *nb_guess_hint(const struct nb_guess *guess, char *text) {
     return NULL;
   char list[NB_HINT_SIZE / 2];
   snprintf(list, sizeof list, "`%s`", guess->best);
+  if (guess->related_count > 1 && guess->distance > 0) /* then the best is one of them */
+    snprintf(list, sizeof list, "%s%s", guess->related, guess->related_count > NB_RELATED_MAX ? ", …" : "");
   if (guess->marked)
     list_ours(list, guess->synonym, guess->marked);
   const char *const note = guess->marked && guess->synonym->note ? guess->synonym->note : "";

@@ -305,17 +305,28 @@ bool nb_quantity_is_residual(struct nb_quantity quantity) {
   return end && strcmp(end, ".residual") == 0;
 }
 
-static const char *owner_of(unsigned monitors) {
-  return monitors == PARTICLE             ? "a particle"
-         : monitors == WALL               ? "a wall"
-         : monitors == PAIR               ? "a contact"
-         : monitors == NB_OF_REGION       ? "a region"
-         : monitors & GRADING             ? "a grading"
-         : monitors == NB_OF_IMPACT       ? "an impact"
-         : monitors == NB_OF_CELL         ? "a periodic cell"
-         : monitors == NB_OF_BOX          ? "a box of walls"
-         : monitors == NB_OF_CONTACT_TEST ? "a contact test"
-                                          : "the scene";
+/* Whose quantities they are, and the statement for such a thing, with the name that it gives to it. */
+static const struct owner {
+  unsigned monitors; /* bit set */
+  const char *of, *statement, *name;
+} owners[] = {
+    {PARTICLE, "a particle", "monitor A disc 1", "A."},
+    {WALL, "a wall", "monitor S wall NAME", "S."},
+    {PAIR, "a contact", "monitor C disc 1 with disc 2", "C."},
+    {NB_OF_REGION, "a region", "region M all", "M."},
+    {GRADING, "a grading", "monitor G grading NAME", "G."},
+    {NB_OF_IMPACT, "an impact", "impact MONITOR speed V angle A", ""},
+    {NB_OF_CELL, "a periodic cell", "cell X Y to X Y", ""},
+    {NB_OF_BOX, "a box of walls", "box X Y to X Y MATERIAL", ""},
+    {NB_OF_CONTACT_TEST, "a contact test", NULL, NULL},
+    {0, "the scene", NULL, NULL},
+};
+
+static const struct owner *owner_of(unsigned monitors) {
+  const struct owner *owner = owners;
+  while (owner->monitors && !(owner->monitors & monitors))
+    owner++;
+  return owner;
 }
 
 bool nb_quantity_row(struct nb_quantity_row *it, size_t k) {
@@ -325,7 +336,8 @@ bool nb_quantity_row(struct nb_quantity_row *it, size_t k) {
       if (k-- == 0) {
         name_of(it->name, sizeof it->name, kind_at(r), suffix);
         snprintf(it->help, sizeof it->help, "%s%s%s", kind_at(r)->help, suffix ? ", " : "", suffix ? suffix->help : "");
-        it->unit = unit_of(kind_at(r), suffix), it->of = owner_of(kind_at(r)->monitors);
+        it->key = (const char *)kind_at(r) + s;
+        it->unit = unit_of(kind_at(r), suffix), it->of = owner_of(kind_at(r)->monitors)->of;
         return true;
       }
   return false;
@@ -337,7 +349,7 @@ static const char *list_quantities(char *hint, const struct nb_scene *scene, int
   for (; kind_at(k) && used < NB_HINT_SIZE - 2 * NB_NAME_SIZE; k++) {
     if (!applies(kind_at(k), scene, w))
       continue;
-    const char *const name = scene->monitors[w].name, *const of = owner_of(kind_at(k)->monitors);
+    const char *const name = scene->monitors[w].name, *const of = owner_of(kind_at(k)->monitors)->of;
     if (!used)
       used = (size_t)snprintf(hint, NB_HINT_SIZE, "`%s` is %s; its quantities are ", name, of);
     used += (size_t)snprintf(hint + used, NB_HINT_SIZE - used, "%s, ", kind_at(k)->name);
@@ -346,29 +358,47 @@ static const char *list_quantities(char *hint, const struct nb_scene *scene, int
   return hint;
 }
 
-static bool begins_name(const char *text, size_t length) {
-  size_t k = 0;
-  while (kind_at(k) && (strncmp(kind_at(k)->name, text, length) != 0 || kind_at(k)->name[length] != '.'))
-    k++;
-  return kind_at(k);
+/* "`normal.max` is a quantity of a region: `region M all`, then `M.normal.max`". NULL: the name is of no such thing. */
+static const char *owner_hint(char *hint, const char *text) {
+  const struct nb_suffix *suffix;
+  char name[NB_NAME_SIZE];
+  unsigned done = 0;
+  const size_t length = strlen(text);
+  size_t used = 0;
+  for (size_t k = 0; length && kind_at(k) && used < NB_HINT_SIZE / 2; k++) {
+    const struct owner *const owner = owner_of(kind_at(k)->monitors);
+    const bool begins = strncmp(kind_at(k)->name, text, length) == 0 && strchr(".", kind_at(k)->name[length]);
+    if (!owner->statement || done & owner->monitors || !(matches(kind_at(k), text, &suffix) || begins))
+      continue;
+    if (begins)
+      nth_suffix(kind_at(k), 0, &suffix);
+    name_of(name, sizeof name, kind_at(k), suffix);
+    used += (size_t)snprintf(hint + used, NB_HINT_SIZE - used, "%s`%s` is a quantity of %s: `%s`, then `%s%s`",
+                             used ? "; " : "", name, owner->of, owner->statement, owner->name, name);
+    done |= owner->monitors;
+  }
+  return used ? hint : NULL;
 }
 
 const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const char *text) {
-  const size_t length = strcspn(text, ".");
-  const int owner = monitor_named(scene, text, length);
-  const bool begins = begins_name(text, length);
-  struct nb_guess guess = nb_guess_begin(text);
+  const char *const rest = strchr(text, '.');
+  const int owner = monitor_named(scene, text, strcspn(text, "."));
+  char stem[2 * NB_NAME_SIZE]; /* `energy` of `energy.potential` */
+  snprintf(stem, sizeof stem, "%.*s", rest && owner < 0 ? (int)(strrchr(text, '.') - text) : 0, text);
+  struct nb_guess guess = nb_guess_begin(text), of_stem = nb_guess_begin(stem);
   for (int w = -1; w < (int)scene->monitor_count; w++)
-    offer_names(&guess, scene, w);
-  if ((text[length] || !begins) && (nb_guess_hint(&guess, hint) || (owner < 0 && nb_synonym_hint(hint, text))))
+    offer_names(&guess, scene, w), offer_names(&of_stem, scene, w);
+  if (nb_guess_hint(&guess, hint))
     return hint;
   if (owner >= 0)
     return list_quantities(hint, scene, owner);
-  const bool unknown = text[length] && !begins && !scene->contact_test;
-  const char *const topic = begins || unknown ? text : "quantities";
-  snprintf(hint, NB_HINT_SIZE,
-           unknown ? "nothing is called `%.*s`: `monitor NAME …` and `region NAME …` name what is measured"
-                   : "see `nineball --help %.*s`",
-           (int)strcspn(topic, "."), topic);
+  const bool found = !scene->contact_test && (owner_hint(hint, text) || owner_hint(hint, rest ? rest + 1 : "") ||
+                                              nb_guess_hint(&of_stem, hint) || owner_hint(hint, stem));
+  if (!found && !nb_synonym_hint(hint, text))
+    snprintf(hint, NB_HINT_SIZE,
+             rest && !scene->contact_test
+                 ? "nothing is called `%.*s`: `monitor NAME …` and `region NAME …` name what is measured"
+                 : "see `nineball --help quantities`",
+             (int)strcspn(text, "."), text);
   return hint;
 }

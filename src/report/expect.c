@@ -35,6 +35,26 @@ static const struct nb_reducer_row reducers[] = {
 
 const struct nb_reducer_row *nb_reducer_rows(void) { return reducers; }
 
+/* The hint for a reducer that does not follow its quantity: `max C.normal`, `C.normal.max`. NULL: the token is none. */
+static const char *reducer_hint(char *hint, const struct nb_reader *reader, const struct nb_scene *scene,
+                                const struct nb_token *token) {
+  const struct nb_token *const next = nb_token_peek(reader);
+  const char *const dot = strrchr(token->text, '.');
+  struct nb_guess guess = nb_guess_begin(dot ? dot + 1 : token->text);
+  char name[3 * NB_NAME_SIZE];
+  struct nb_quantity quantity;
+  for (const struct nb_reducer_row *row = reducers; row->word; row++)
+    nb_guess_offer(&guess, row->word);
+  if (guess.distance > 0 || !(dot || next))
+    return NULL;
+  snprintf(name, sizeof name, "%.*s", dot ? (int)(dot - token->text) : NB_NAME_SIZE, dot ? token->text : next->text);
+  if (nb_quantity_find(&quantity, scene, name))
+    snprintf(hint, NB_HINT_SIZE, "write `%s %s`", name, guess.best);
+  else if (!dot) /* `max normal` may be `M.normal.max` */
+    nb_append(name, sizeof name, ".%s", guess.best), nb_quantity_hint(hint, scene, name);
+  return dot && !quantity.kind ? NULL : hint;
+}
+
 /* Finds the column of the scene's table that the token names, and its quantity. */
 static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, const struct nb_token *token,
                         size_t *column, struct nb_quantity *quantity) {
@@ -44,13 +64,16 @@ static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, 
       return true;
     }
   char hint[NB_HINT_SIZE];
+  double number;
   const bool known = nb_quantity_find(quantity, scene, token->text);
   if (nb_name_suppressed(reader->mistakes, token->text) || (known && nb_name_suppressed(reader->mistakes, "record")))
     return nb_fail_silently(reader);
   nb_suppress_name(reader->mistakes, token->text);
   if (known)
     snprintf(hint, sizeof hint, "add `record %s` to the scene", token->text);
-  else
+  else if (nb_number_read(&number, token->text, 0) != NB_NO_NUMBER)
+    snprintf(hint, sizeof hint, "a number is compared by `expected NUMBER within TOLERANCE [SOURCE]`");
+  else if (!reducer_hint(hint, reader, scene, token))
     nb_quantity_hint(hint, scene, token->text);
   return nb_token_mistake(reader, token, hint, "expected a quantity that the scene records, found `%s`", token->text);
 }
@@ -94,6 +117,8 @@ static bool take_time(struct nb_reader *reader, const struct nb_scene *scene, st
     nb_append(measure->label, sizeof measure->label, " at %lu %s", count, words[0]);
     return true;
   }
+  if (nb_token_is(reader, "end"))
+    reader->otherwise = "the last row is the default: write nothing, or `last`";
   if (!nb_take_number(reader, NB_UNIT_TIME, NB_NOT_NEGATIVE, &measure->at))
     return false;
   measure->reducer = NB_AT_TIME;
@@ -240,11 +265,6 @@ static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene
 }
 
 static bool take_other(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
-  const struct nb_token *token = nb_token_peek(reader);
-  double number;
-  if (token && nb_number_read(&number, token->text, 0) != NB_NO_NUMBER)
-    return nb_expected(reader, "a number is compared by `expected NUMBER within TOLERANCE [SOURCE]`",
-                       "a quantity that the scene records");
   return take_measure(reader, scene, &expectation->other);
 }
 
@@ -410,7 +430,7 @@ enum nb_status nb_expectations_read(struct nb_expectations *expectations, const 
     return NB_NO_MEMORY;
   }
   reader->page = page, reader->mistakes = mistakes, reader->unitless = scene->unitless;
-  reader->bindings = scene->bindings, reader->binding_count = scene->binding_count;
+  reader->bindings = scene->bindings, reader->binding_count = scene->binding_count, reader->has_units = true;
   bool reference_required = true; /* not after a wrong line of two words, which is most probably `reference NAME` */
   for (size_t line = 1; line <= page->line_count && !scene->path_replaced; line++)
     if (page->kind_of[line - 1] == 1 + NB_BLOCK_EXPECT && nb_line_read(reader, line)) {
