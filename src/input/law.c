@@ -8,20 +8,16 @@
 #include "laws/laws_now.h"
 #include "statement.h"
 
-enum { AT_NAME, AT_PIECES };
-static const struct nb_argument normal_fields[] = {WORD("LAW", AT_NAME, "the name of a law"), END};
-static const struct nb_argument shear_fields[] = {
-    WORD("LAW", AT_NAME, "the name of a law"),
-    COUNT("memory", "K", AT_PIECES, "the law's own number",
-          "Number of pieces of a contact's history that are kept, for a law that keeps pieces."),
-    END};
+enum { AT_NAME };
+static const struct nb_argument law_fields[] = {WORD("LAW", AT_NAME, "the name of a law"), END};
 
 static void report_unknown(struct nb_reader *reader, const char *kind, const struct nb_token *token) {
   char what[NB_NAME_SIZE], hint[NB_HINT_SIZE];
   struct nb_guess guess = nb_guess_begin(token->text);
   for (const struct nb_law *const *law = nb_laws(); *law; law++)
     if (strcmp((*law)->kind, kind) == 0)
-      nb_guess_offer(&guess, (*law)->name);
+      snprintf(what, sizeof what, "%s %s", kind, (*law)->name), nb_guess_offer(&guess, (*law)->name),
+          nb_guess_offer(&guess, what);
   const char *near = nb_guess_hint(&guess, hint);
   snprintf(what, sizeof what, "the name of a `%s` law", kind);
   nb_expected_at(reader, token, near ? near : "`nineball laws` lists them", what);
@@ -32,7 +28,7 @@ NB_APPLY(apply_law) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
   const struct nb_token *token = record->value[AT_NAME].token;
-  const struct nb_value *pieces = &record->value[AT_PIECES];
+  unsigned long pieces = 0;
   const char *kind = record->keyword->word;
   const bool shear = record->keyword->variant, setting = reader == &reading->setting;
   struct nb_stage *stage = setting ? NULL : nb_current_stage(scene);
@@ -44,16 +40,16 @@ NB_APPLY(apply_law) {
   bool *set = &reading->law_set[shear];
   if (!law)
     report_unknown(reader, kind, token);
-  else if (pieces->token && law->piece == 0)
-    nb_token_mistake(reader, pieces->token, NULL, "`shear %s` keeps no history, so it takes no `memory`", token->text);
-  else if (pieces->token && (pieces->number < 2 || pieces->number > NB_PIECES_MAX))
-    nb_token_mistake(reader, pieces->token, NULL, "expected `memory` from 2 to %d, found %g", NB_PIECES_MAX,
-                     pieces->number);
+  else if (shear && nb_token_is(reader, "memory") && law->piece == 0)
+    nb_token_mistake(reader, nb_token_peek(reader), NULL, "`shear %s` keeps no history, so it takes no `memory`",
+                     token->text);
+  else if (shear && nb_token_peek(reader) && nb_take_word(reader, "memory"))
+    nb_take_count(reader, 2, NB_PIECES_MAX, &pieces);
   if (reader->bad || (!setting && (nb_given_twice(reader, *line) || *set)))
     return;
   *set = setting;
   if (shear)
-    *(stage ? &stage->laws.pieces : &scene->pieces) = pieces->token ? (int)pieces->number : 0;
+    *(stage ? &stage->laws.pieces : &scene->pieces) = (int)pieces;
   *line = setting ? 0 : (int)reader->line;
   snprintf(name, NB_NAME_SIZE, "%s", token->text);
 }
@@ -91,22 +87,27 @@ static void check_rigid(struct nb_scene_reading *reading, const int *on_particle
   }
 }
 
+static void check_shapes(struct nb_scene_reading *reading, const char *law) {
+  const struct nb_particle *const particles = reading->scene->particles;
+  size_t k = 0;
+  while (k < reading->scene->particle_count && particles[k].shape != NB_DISC)
+    k++;
+  if (k < reading->scene->particle_count)
+    report(reading, particles[k].line, "use spheres, or `normal linear`",
+           "expected spheres for `normal %s`, found a disc", law);
+}
+
 static void check_elastic(struct nb_scene_reading *reading, const char *law) {
   const struct nb_scene *scene = reading->scene;
   bool given[NB_MATERIALS_MAX] = {false};
   int on_particle[NB_MATERIALS_MAX] = {0}, on_wall[NB_MATERIALS_MAX] = {0};
-  const struct nb_particle *disc = NULL;
   for (size_t k = 0; k < scene->particle_count; k++) {
     check_material(reading, scene->particles[k].material, law, given);
     on_particle[scene->particles[k].material]++;
-    if (!disc && scene->particles[k].shape == NB_DISC)
-      disc = &scene->particles[k];
   }
   for (size_t w = 0; w < scene->wall_count; w++)
     check_material(reading, scene->walls[w].material, law, given), on_wall[scene->walls[w].material]++;
-  if (disc)
-    report(reading, disc->line, "use spheres, or `normal linear`", "expected spheres for `normal %s`, found a disc",
-           law);
+  check_shapes(reading, law);
   check_rigid(reading, on_particle, on_wall);
 }
 
@@ -223,9 +224,13 @@ static void warn_unused_friction(struct nb_scene_reading *reading) {
     }
 }
 
-void nb_laws_check(struct nb_scene_reading *reading) {
+void nb_laws_check(struct nb_scene_reading *reading, bool complete) {
   struct nb_scene *scene = reading->scene;
   struct nb_active_laws now = nb_laws_initial(scene);
+  if (!complete && now.normal->elastic && !nb_name_suppressed(reading->reader.mistakes, "normal"))
+    check_shapes(reading, now.normal->name);
+  if (!complete)
+    return;
   check_laws(reading, &now, true, now.shear_line);
   check_damping(reading, &scene->damping, now.normal);
   for (size_t s = 0; s < scene->stage_count; s++) {
@@ -245,13 +250,13 @@ void nb_laws_check(struct nb_scene_reading *reading) {
 
 /* clang-format off */
 NB_STATEMENTS(law) = {
-  {"normal", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_STAGE | NB_IN_START, normal_fields, NULL, 0, false, apply_law,
+  {"normal", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_STAGE | NB_IN_START, law_fields, "", 0, false, apply_law,
    "Contact law of the normal force; `nineball laws` lists them; default linear. --set normal=LAW overrides it everywhere. In a stage: from "
    "this stage on; another law begins with empty contact histories.",
    "normal    linear"},
-  {"shear", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_STAGE | NB_IN_START, shear_fields, NULL, 1, false, apply_law,
+  {"shear", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_STAGE | NB_IN_START, law_fields, "{memory K}", 1, false, apply_law,
    "Contact law of the shear force; `nineball laws` lists them; default none. --set shear=LAW overrides it everywhere. In a stage: from this "
-   "stage on, as `normal`.",
+   "stage on, as `normal`. `memory`: the number of pieces of a contact's history that are kept, 2 or more, for a law that keeps pieces; default the law's own.",
    "shear     linear"},
   {0},
 };

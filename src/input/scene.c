@@ -215,8 +215,7 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
     nb_line_mistake(&reading->reader, (size_t)reading->transform.line, NULL,
                     "expected finite coordinates after `transform`, these are too large");
   scene->unitless = reading->reader.unitless;
-  if (mistakes->total == before)
-    nb_laws_check(reading);
+  nb_laws_check(reading, mistakes->total == before);
   if (mistakes->total == before && scene->contact_test)
     nb_contact_test_laws_check(reading);
 }

@@ -124,7 +124,7 @@ void nb_hash_line(struct nb_scene_reading *reading);
 /* ---- checks at the end of a page ---- */
 
 /* Requirements of the laws for materials and particles. */
-void nb_laws_check(struct nb_scene_reading *reading);
+void nb_laws_check(struct nb_scene_reading *reading, bool complete);
 /* Regions name stages of the page; stores these. */
 void nb_regions_check(struct nb_scene_reading *reading);
 /* A cell is wide enough, and has no walls. */
