@@ -95,15 +95,9 @@ static const char *objection(const struct nb_model *model, enum nb_step_kind kin
   return NULL;
 }
 
-/* "line 7" or "--set". */
-static const char *source_of(char *text, size_t size, const struct nb_step *step) {
-  snprintf(text, size, step->set ? "--set" : "line %d", step->line);
-  return text;
-}
-
 enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, struct nb_error *error) {
   const int line = step->set ? 0 : step->line;
-  char source[NB_NAME_SIZE];
+  const char *const source = step->set ? "--set: " : "";
   double unit = 1;
   if (step->kind == NB_STEP_COLLISION && nb_step_elastic(model) && line == model->stability->step_line)
     return NB_OK;
@@ -128,19 +122,25 @@ enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, s
     break;
   }
   const char *reason = objection(model, step->kind, unit);
-  if (reason)
-    return nb_error_set(error, NB_BAD_USE, "%s: %s: write %s", source_of(source, sizeof source, step), reason,
-                        step->kind >= NB_STEP_RAYLEIGH    ? "a time, or `F of stable`"
-                        : step->kind == NB_STEP_COLLISION ? "a time, or `F of rayleigh`"
-                                                          : "`N per collision` or `F of rayleigh`");
+  if (reason) {
+    nb_error_set(error, NB_BAD_USE, "%s%s: write %s", source, reason,
+                 step->kind >= NB_STEP_RAYLEIGH    ? "a time, or `F of stable`"
+                 : step->kind == NB_STEP_COLLISION ? "a time, or `F of rayleigh`"
+                                                   : "`N per collision` or `F of rayleigh`");
+    error->line = line;
+    return NB_BAD_USE;
+  }
   model->step = step->value * unit;
   model->stability->step_line = line;
-  if (!(model->step > 0) || !isfinite(model->step))
-    return nb_error_set(
+  if (!(model->step > 0) || !isfinite(model->step)) {
+    nb_error_set(
         error, NB_BAD_USE,
-        "%s: the step is computed as %g%s: a fraction needs a free particle and a contact with stiffness. Give its "
+        "%sthe step is computed as %g%s: a fraction needs a free particle and a contact with stiffness. Give its "
         "material `kn`, or write `step TIME`",
-        source_of(source, sizeof source, step), model->step, nb_unit(model->scene, " s"));
+        source, model->step, nb_unit(model->scene, " s"));
+    error->line = line;
+    return NB_BAD_USE;
+  }
   return NB_OK;
 }
 

@@ -96,18 +96,21 @@ void nb_print_tap(const struct nb_outcome *outcome, const char *path) {
     tap_text(check->message);
     putchar('\n');
   }
-  if (stopped)
-    printf("not ok %zu - %s %s\n# %s\n", count + 1, path,
+  if (stopped) {
+    printf("not ok %zu - %s %s\n# ", count + 1, path,
            outcome->mistakes.count ? "has mistakes"
            : count                 ? "was not checked"
-                                   : "did not run",
-           outcome->mistakes.count ? "" : outcome->error.text);
+                                   : "did not run");
+    if (outcome->error.line && !outcome->mistakes.count)
+      printf("line %d: ", outcome->error.line);
+    puts(outcome->mistakes.count ? "" : outcome->error.text);
+  }
   nb_repeat_warnings("# ", path, &outcome->warnings);
 }
 
 void nb_print_error(const struct nb_error *error, const struct nb_page *page, const char *path) {
   fputs(path, stderr);
-  if (error->line) /* column: where its statement begins */
+  if (error->line > 0 && (size_t)error->line <= page->line_count) /* column: where its statement begins */
     fprintf(stderr, ":%d:%zu", error->line, strspn(page->lines[error->line - 1], " \t") + 1);
   fprintf(stderr, ": %s: %s\n", error->status == NB_BROKEN ? "run aborted" : "error", error->text);
 }

@@ -200,7 +200,10 @@ static enum nb_status make_state(struct nb_saved *saved, const char *path, const
   enum nb_status status = nb_run_to(saved, start->scene, options, progress, error);
   if (status) {
     const struct nb_error cause = *error;
-    return nb_error_set(error, status, "%s, from which this starts: %.400s", start->page->name, cause.text);
+    char at[NB_NAME_SIZE] = "";
+    if (cause.line)
+      snprintf(at, sizeof at, ", line %d", cause.line);
+    return nb_error_set(error, status, "%s%s, from which this starts: %.400s", start->page->name, at, cause.text);
   }
   saved->hash = last_stage(scene)->hash;
   for (size_t k = 0; k < start->setting_count && !status; k++)
