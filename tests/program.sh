@@ -160,7 +160,7 @@ test "$(column cycle/- never/table.tsv | tail -n 1)" = 20 || echo 'the last row 
 verdict 'a stage that never ends: status 3, with its condition'
 
 run 2 check "$pages/asks-nothing.md"
-said 'nothing is expected'
+said 'error: the scene is read and run without mistakes, but nothing is expected, so nothing was checked; add a block `expect`'
 run 0 run "$pages/asks-nothing.md"
 there asks-nothing.out/table.tsv
 sed 's/^step .*/&\nmonitor D disc 1\nrecord D.x/' "$pages/asks-nothing.md" >reports.md
@@ -259,6 +259,19 @@ out 'energy.residual, quantity of the scene, in J: '
 run 0 run --help
 out 'usage: nineball COMMAND'
 out '`run` of other programs is `cycles` or `until` here'
+run 0 --help dashpot
+test "$(grep -c 'stiffness TIME|ratio X' out)" -eq 1 || echo 'the statement is not shown once' >>why
+run 0 --help unbalanced-force
+out '`unbalanced-force` of other programs is `unbalanced.max` here'
+run 0 --help cell strain
+out 'The engineering shear rate is 2 EXY'
+run 0 --help 'periodic cell'
+out 'cell      0 mm 0 mm to 80 mm 80 mm'
+out '`periodic` of other programs is `cell` here'
+run 0 --help max unbalanced
+out 'unbalanced.max, quantity of the scene'
+out 'max, after the quantity of an expectation'
+run 2 --help no such
 run 2 --help norma
 said '`norma` is not a word of pages; did you mean `normal`?'
 verdict '--version and --help'
@@ -285,6 +298,14 @@ run 0 explain soft.md
 out 'single contact: none, no contact has a stiffness'
 run 2 explain soft.md --set step='0.1 of single-contact'
 said '--set: the step is computed as inf: a fraction needs a free particle and a contact with stiffness.'
+sed 's/^step .*/step 0.1 of single-contact/' soft.md >endless.md
+run 2 check endless.md
+said "endless.md:12:1: error: the step is computed as inf: "
+run 2 check --tap endless.md
+out "# line 12: the step is computed as inf: "
+printf '```scene\nunits none\nstart endless stage flight\nrecord time\nstage on\ncycles 1\n```\n' >from-endless.md
+run 2 check from-endless.md
+said "endless, line 12, from which this starts: the step is computed as inf: "
 run 0 explain "$pages/drives.md"
 out '  line 9: boundary circle 0 0 radius 10'
 out '    line 15: boundary strain 1e-4 per cycle -1e-4 per cycle shear 2e-5 per cycle'

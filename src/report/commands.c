@@ -97,10 +97,11 @@ static enum nb_status process_page(const struct nb_call *call, const char *path,
   if (actions & VERDICT && !call->tap && outcome.status <= NB_FAILED)
     nb_print_verdict(&outcome);
   if (actions & REQUIRE_CHECKS && is_unchecked(&outcome))
-    outcome.status =
-        nb_error_set(&outcome.error, NB_BAD_USE, "%s, so nothing was checked; %s, or use `nineball run`",
-                     outcome.check_count ? "no expectation of this page could fail" : "nothing is expected",
-                     outcome.check_count ? "see the notes and reasons above" : "add a block `expect`");
+    outcome.status = nb_error_set(
+        &outcome.error, NB_BAD_USE,
+        "the scene is read and run without mistakes, but %s, so nothing was checked; %s, or use `nineball run`",
+        outcome.check_count ? "no expectation of this page could fail" : "nothing is expected",
+        outcome.check_count ? "see the notes and reasons above" : "add a block `expect`");
   nb_print_errors(&outcome, path);
   if (actions & VERDICT && call->tap)
     nb_print_tap(&outcome, path);
