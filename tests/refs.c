@@ -15,6 +15,7 @@
 #include "../src/laws/law.h"
 #include "refs_scenes.h"
 #include "suites.h"
+#include "written.h"
 
 static const double kn = 1.35e9;
 
@@ -61,6 +62,32 @@ static void unsolvable_networks_are_refused(void) {
   it.scene.particles = many;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_statics", &it).text, "1000 particles"));
   free(many);
+}
+
+/* Beyond 45 degrees the discs form a chain again, but without links on opposite sides of a disc. */
+static void steep_zigzags_are_refused(void) {
+  for (int degrees = 43; degrees <= 55; degrees += 2) {
+    const double phi = degrees / 45. * atan(1);
+    struct words page = {0};
+    struct written it;
+    struct refs_scene scene;
+    words_add(&page, "units none\nmaterial m density 1 kn 10\nnormal linear\nstep 0.001\nregion A all\n"
+                     "wall w -1 -9 to -1 9 m\n");
+    for (int k = 0; k < 5; k++)
+      words_add(&page, "disc %.17g %.17g radius 1 m%s\n", k % 2 ? 1.99 * sin(phi) : 0, 1.99 * k * cos(phi),
+                k % 4 ? "" : " fixed");
+    words_add(&page, "record A.chains\nstage s\ncycles 1\n");
+    written_scene(&it, &page);
+    scene.scene = it.scene;
+    if (degrees >= 45) {
+      CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("zigzag", &scene).text, "less than 45 degrees"));
+    } else {
+      struct nb_solution solution = refs_solution("zigzag", &scene);
+      CU_ASSERT_EQUAL(refs_value(&solution, "A.chains"), 0);
+      solution_free(&solution);
+    }
+    written_free(&it);
+  }
 }
 
 /* References do not check the allocations of GSL. */
@@ -174,6 +201,7 @@ void suite_refs(void) {
   CU_add_test(suite, "a solution keeps its values and curves", solution_keeps_values_and_curves);
   CU_add_test(suite, "scenes outside the theory are refused", scenes_outside_the_theory_are_refused);
   CU_add_test(suite, "networks that cannot be solved are refused", unsolvable_networks_are_refused);
+  CU_add_test(suite, "zigzags of 45 degrees and more are refused", steep_zigzags_are_refused);
   CU_add_test(suite, "failed allocation in GSL ends the program", failed_allocation_in_gsl_ends_the_program);
   CU_add_test(suite, "friction and cohesion of a particle and a wall", friction_and_cohesion_at_a_wall);
 }

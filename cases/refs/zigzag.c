@@ -6,12 +6,13 @@
  *   along the axis    2 cos^2 phi                 across    2 sin^2 phi + 2 sin phi
  *
  * The major stress acts along the axis while cos 2 phi > sin phi, that is phi < 30 degrees. Then every contact of two
- * free discs is a link of a force chain, and the direction changes by 2 phi from one link to the next. Between 30 and 45
- * degrees the major stress acts from wall to wall, no contact of two discs lies within 45 degrees of it, and there is no
- * chain. The discs that load the ends are fixed; they are not particles of the chain.
+ * free discs is a link of a force chain, and the direction changes by 2 phi from one link to the next. Between 30 and
+ * 45 degrees the major stress acts from wall to wall, no contact of two discs lies within 45 degrees of it, and there
+ * is no chain. The discs that load the ends are fixed; they are not particles of the chain.
  *
  * Returns, for A that monitors a region of all particles:   A.chains, A.chains.length, A.chains.fraction, A.chains.bend
- * Exact for phi < 45 degrees where |phi - 30 degrees| is above the order of overlap over radius.
+ * Accepts phi < 45 degrees. Beyond, the contacts of discs lie within 45 degrees of the major stress again, but no two
+ * links lie on opposite sides of a disc. Exact where |phi - 30 degrees| is above the order of overlap over radius.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -52,8 +53,12 @@ static void add_value(struct nb_solution *solution, const char *region, const ch
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   double phi, touching;
   if (scene->region_count == 0 || !contacts_alike(scene, &phi, &touching))
-    return nb_error_set(error, NB_BAD_USE,
-                        "zigzag is for a region and discs whose contacts all make the same angle with y");
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "zigzag is for a region and three or more free discs whose contacts all make the same angle with y");
+  if (!(phi < atan(1) - 1e-9)) /* at 45 degrees rounding decides which contacts are links */
+    return nb_error_set(error, NB_BAD_USE, "zigzag is for contacts at less than 45 degrees to y; here they are at %g",
+                        phi * 45 / atan(1));
   double free_particles = 0;
   for (size_t k = 0; k < scene->particle_count; k++)
     free_particles += !scene->particles[k].fixed;
