@@ -1,23 +1,25 @@
 /* Reference: a square lattice of n_x by n_y equal discs in a box, at rest, without friction or gravity.
  *
- * All contacts of a row carry the force F_x, all contacts of a column F_y, those with the walls too:
+ * All contacts of a row carry the force F_x, and all contacts of a column F_y, including those with the walls:
  *
  *   W = 2 R n_x - (n_x + 1) F_x/k_n,   F_x = s_xx H/n_y          H = 2 R n_y - (n_y + 1) F_y/k_n,   F_y = s_yy W/n_x
  *
  *   W, H  width and height of the box, m      s  its stress, compression positive, Pa (discs are 1 m thick)
+ *   R     radius of the discs, m              k_n  normal stiffness, N/m
  *
  * These are two equations for W, H and the two stresses. Each stage gives two more; it starts from the end of the
  * previous one:
  *
  *   servo xx S              s_xx = S; likewise yy
- *   box strain              W <- W (1 + L_xx dt)^N, unless the servo controls it; likewise H
+ *   box strain              W <- W (1 + L_xx dt)^N in N cycles at the strain rate L, unless the servo controls s_xx;
+ *                           likewise H
  *   servo isotropic P       s_xx = s_yy = P
  *   servo mean P            s_xx + s_yy = 2 P; W/H is constant
  *
  * Returns, for each stage:
  *   box.width, box.height, box.stress.xx, box.stress.yy     at its end
- *   W.fx, W.fy                                              for W that monitors a wall
- * Accepts stages at whose end everything is at rest. Exact for a servo that has reached its target. Solved by Newton's
+ *   M.fx, M.fy                                              for M that monitors a wall
+ * Exact if everything is at rest at the end of each stage and a servo has reached its target. Solved by Newton's
  * method.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -90,7 +92,7 @@ static struct state equilibrium(const struct lattice *it, enum control control, 
   return s;
 }
 
-/* The lattice of the page: rows in the order of y, all discs touching. */
+/* Reads the lattice. False: the page does not list equal touching discs row by row, in the order of y. */
 static bool find_lattice(struct lattice *it, const struct nb_scene *scene) {
   const struct nb_particle *first = scene->particles;
   size_t nx = 1;
@@ -115,7 +117,7 @@ static double strained_length(double length, double rate, const struct nb_stage 
   return stage->box_line ? length * exp((double)stage->cycles * log1p(one)) : length;
 }
 
-/* What the stage controls; false when it is none of these. */
+/* Reads what the stage controls. False: the reference does not cover it. */
 static bool read_stage(enum control *control, struct state *to, const struct nb_stage *stage) {
   const struct nb_servo *servo = &stage->servo;
   const bool x = servo->line && servo->controlled[0], y = servo->line && servo->controlled[1],
@@ -157,13 +159,14 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   struct lattice it;
   if (!find_lattice(&it, scene))
     return nb_error_set(error, NB_BAD_USE,
-                        "boxed_lattice is for one `lattice discs` in a box of the same stiffness, touching");
+                        "boxed_lattice is for one `lattice discs` of touching discs in a box of the same stiffness");
   struct state s = {scene->walls[0].h2 - scene->walls[0].h1, scene->walls[1].h2 - scene->walls[1].h1, 0, 0};
   for (size_t k = 0; k < scene->stage_count; k++) {
     enum control control;
     if (!read_stage(&control, &s, &scene->stages[k]))
-      return nb_error_set(error, NB_BAD_USE,
-                          "boxed_lattice is for stages of `box strain` and `servo ... by box` alone");
+      return nb_error_set(
+          error, NB_BAD_USE,
+          "boxed_lattice is for stages that move walls by `box strain` and `servo ... through box` alone");
     s = equilibrium(&it, control, &s);
     add_stage(solution, scene, scene->stages[k].name, &s);
   }

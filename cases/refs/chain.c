@@ -2,20 +2,22 @@
  * contact and given initial velocities along the row: normal modes in closed form, in the time steps of the calculation
  * cycle.
  *
- * With u_l the displacement of particle l from rest, and u_0 = u_(N+1) = 0 at the walls, m u_l'' = k (u_(l-1) - 2 u_l +
- * u_(l+1)):
+ * u_l is the displacement of particle l from its initial position, with u_0 = u_(N+1) = 0 at the walls. From
+ * m u_l'' = k (u_(l-1) - 2 u_l + u_(l+1)) follows, with the amplitude s_j of mode j = 1 ... N,
  *
  *   u_l = sum over j of  sin(q l) s_j,    q = j pi/(N + 1),    omega = 2 sqrt(k/m) sin(q/2)
  *
- * The cycle [CS79 22, 22a], from s = 0 with the velocity v, gives exactly
+ * In the cycle [CS79 22, 22a], from s = 0 with the velocity v, the amplitude of a mode after n cycles is exactly
  *
- *   s_n = v dt sin(n phi)/sin(phi),   sin(phi/2) = omega dt/2                      slightly faster than omega, or
- *   s_n = v dt (-1)^(n-1) sinh(n g)/sinh(g),   cosh(g/2) = omega dt/2              which grows: the step is too long
+ *   s_n = v dt sin(n phi)/sin(phi),   sin(phi/2) = omega dt/2                 its frequency is slightly above omega, or
+ *   s_n = v dt (-1)^(n-1) sinh(n g)/sinh(g),   cosh(g/2) = omega dt/2         it grows: the step is too long
  *
- * Returns, for C that monitors a contact:   C.normal along cycle, time; C.normal mean, C.normal frequency if a single
- *          mode moves for D that monitors a particle:  D.x, D.vx.half along cycle, time time in STAGE
- *          of a stage that lasts until such a curve rises above a value step.stable                      of equal
- *          springs and masses in a row, N > 1: 2/omega with omega^2 = 4 k/m
+ * Returns
+ *   C.normal along cycle, time              for C that monitors a contact
+ *   C.normal mean, C.normal frequency       the same, if a single mode moves
+ *   D.x, D.vx.half along cycle, time        for D that monitors a particle
+ *   time in STAGE                           of a stage that lasts until such a curve rises above a value
+ *   step.stable                             2/omega with omega^2 = 4 k/m, for N > 1
  * Exact as long as no contact opens, which is not checked: a straight row of linear springs is a linear system.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -30,7 +32,7 @@ static const double pi = 3.14159265358979323846;
 struct chain {
   size_t n;         /* particles */
   double m, k;      /* kg, N/m */
-  double overlap;   /* of every contact at rest, m */
+  double overlap;   /* of every contact at time 0, m */
   double step;      /* s */
   double *velocity; /* of mode j = 1 to n at time 0, m/s; owned */
 };
@@ -160,9 +162,8 @@ static enum nb_status add_monitors(struct nb_solution *solution, const struct nb
       add_curves(solution, chain, name, 0, 1, a, a, true);
     } else if (monitor->kind == NB_MONITOR_PARTICLE_PARTICLE && (a + 1 == b || b + 1 == a)) {
       add_contact(solution, chain, monitor->name, a < b ? a : b, a < b ? b : a);
-    } else if (
-        monitor->kind ==
-        NB_MONITOR_PARTICLE_WALL) { /* the wall is fixed: the overlap changes by u_1 at the first, by u_N at the last */
+    } else if (monitor->kind == NB_MONITOR_PARTICLE_WALL) {
+      /* The wall is fixed: the overlap changes by -u_1 at the first wall, by u_N at the last. */
       const bool first = scene->walls[monitor->b].x < scene->particles[monitor->a].x;
       if (a == (first ? 1 : chain->n))
         add_contact(solution, chain, monitor->name, first ? 0 : a, first ? a : chain->n + 1);

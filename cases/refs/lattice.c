@@ -1,4 +1,4 @@
-/* Builds the network of springs of a scene: its contacts, and the matrices from displacements to overlap and slip.
+/* Builds the network of springs of a scene: its contacts, and the matrices that give overlap and slip (lattice.h).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "lattice.h"
@@ -66,11 +66,11 @@ static enum nb_status add_contact(struct lattice *lattice, const struct nb_scene
   if (state == OPEN)
     return NB_OK;
   if (state == MAY_CLOSE)
-    return nb_error_set(
-        error, NB_BAD_USE,
-        "this reference is for particles that just touch: particle %d and %s %d are %g apart, less than the walls "
-        "move",
-        a + 1, wall ? "wall" : "particle", b + 1, gap);
+    return nb_error_set(error, NB_BAD_USE,
+                        "this reference is for particles that just touch: the gap between particle %d and %s %d is %g; "
+                        "it must be 0, or "
+                        "more than twice the displacement of the walls",
+                        a + 1, wall ? "wall" : "particle", b + 1, gap);
   lattice->contacts[lattice->contact_count++] = contact;
   return NB_OK;
 }
@@ -156,7 +156,7 @@ enum nb_status lattice_build(struct lattice *lattice, const struct nb_scene *sce
   *lattice = (struct lattice){.freedom_count = 3 * scene->particle_count};
   enum nb_status status = check_size(scene, error);
   if (status == NB_OK && scene->wall_count == 0)
-    status = nb_error_set(error, NB_BAD_USE, "this reference is for walls that move");
+    status = nb_error_set(error, NB_BAD_USE, "this reference is for particles between walls");
   if (status == NB_OK)
     status = lattice_read_walls(lattice, scene, error);
   if (status == NB_OK)

@@ -8,12 +8,12 @@
  *
  *     n = (d_a - d_b).e        s = (d_a - d_b).t - (theta_a R_a + theta_b R_b)
  *
- * with F_n = k_n n, F_s = k_s s. At a wall, d_b is the given displacement of the nearest point, and there is no theta_b.
+ * with F_n = k_n n, F_s = k_s s. At a wall, d_b is the given displacement of the nearest point, without theta_b.
  * Exchanging a and b changes neither n nor s. When a wall turns by a small angle about P, each of its points moves with
  * P, and in addition by this angle times the vector from P to the point, turned counterclockwise.
  *
- * With u all degrees of freedom and w all wall displacements (x, y and angle),  (n, s) = stretch u + wall_stretch w. The
- * forces are S (n, s) with the stiffnesses S, and with ^T for the transpose
+ * With u all degrees of freedom and w all wall displacements (x, y and angle),  (n, s) = stretch u + wall_stretch w.
+ * The forces are S (n, s) with the stiffnesses S, and with ^T for the transpose
  *
  *     M d^2u/dt^2 = - stretch^T S (stretch u + wall_stretch w).
  *

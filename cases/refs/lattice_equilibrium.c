@@ -1,9 +1,9 @@
 /* Equilibrium of a network of springs after a displacement of its walls, without and with sliding.
  *
- * Without sliding:  stretch^T S stretch u = - stretch^T S wall_stretch w.  The matrix is singular where nothing resists a
- * rotation. The singular value decomposition then gives the smallest u; the forces do not depend on that choice.
+ * Without sliding:  stretch^T S stretch u = - stretch^T S wall_stretch w.  The matrix is singular where nothing resists
+ * a rotation. The singular value decomposition then gives the smallest u; the forces do not depend on that choice.
  *
- * With sliding, a contact has F_s = sign F_n tan phi instead of k_s s. The friction law has no length scale, so slow
+ * With sliding, a contact has F_s = +-F_n tan phi instead of k_s s. The friction law has no length scale, so slow
  * proportional loading from zero keeps all ratios of forces constant: a contact slides from the first instant or never.
  * The sliding contacts are found by iteration: contacts beyond the friction limit become sliding until there are no
  * more. In the result all sliding must have the direction of its shear force, otherwise there is no solution.
@@ -19,10 +19,10 @@
 
 /* Singular values below this fraction of the largest are degrees of freedom without stiffness. */
 static const double singular = 1e-11;
-/* Fractions of the largest force: the allowed residual, and the rounding allowed at a limit. */
+/* The fraction of the load that may remain; the fraction of the largest force by which a limit may be exceeded. */
 static const double allowed_residual = 1e-9, rounding = 1e-9;
 
-/* stretches = stretch u + push w and forces = law stretches, with u such that stretch' forces = 0. */
+/* Solves stretch^T forces = 0 for u, with stretches = stretch u + wall_stretch travel and forces = law stretches. */
 static enum nb_status solve_equations(const struct lattice *lattice, const gsl_matrix *law, const gsl_vector *travel,
                                       gsl_vector *stretches, gsl_vector *forces, struct nb_error *error) {
   size_t rows = lattice->stretch->size1, n = lattice->freedom_count;
@@ -123,7 +123,7 @@ static bool mark_sliding(const struct lattice *lattice, const gsl_vector *forces
   return more;
 }
 
-/* F_s / k_s of the slip is elastic; the rest is sliding and must have the direction of F_s. */
+/* The part F_s / k_s of the slip s is elastic; the rest is sliding, which must have the direction of F_s. */
 static bool slides_along_force(const struct lattice *lattice, const gsl_vector *stretches, const gsl_vector *forces,
                                const int slides[]) {
   double allowed = rounding * force_scale(forces);
@@ -153,7 +153,8 @@ enum nb_status lattice_equilibrium_sliding(const struct lattice *lattice, const 
   if (status == NB_OK)
     status = lattice_check_forces(lattice, forces, (double)lattice->cycles, error);
   if (status == NB_OK && !slides_along_force(lattice, stretches, forces, slides))
-    status = nb_error_set(error, NB_BAD_USE, "a contact would have to slide against its shear force");
+    status =
+        nb_error_set(error, NB_BAD_USE, "no equilibrium found: a contact would have to slide against its shear force");
   gsl_vector_free(stretches);
   free(slides);
   return status;

@@ -1,16 +1,16 @@
 /* Reference: a square or hexagonal lattice of equal particles in a periodic cell under small strains.
  *
- * Every particle is a centre of symmetry, so a uniform strain e moves all particles affinely without rotation: the sum
- * over the contacts of one particle, f_i l_j over its fraction of the volume, is exact for small strains (Born). With
- * the thickness t, the spacing s, the normal force F, and springs k_n = dF/d(alpha), k_s at every contact:
+ * Every particle is a centre of symmetry, so a uniform strain e moves all particles affinely and without rotation. The
+ * contacts of one particle then give stress and moduli exactly for small strains (Born). With the thickness t, the
+ * spacing s, the normal force F, and springs k_n = dF/d(alpha), k_s at every contact:
  *
  *   square      sigma = F/(s t),     C_11 = k_n/t,               C_12 = 0,                2 G = k_s/t
  *   hexagonal   sigma = 4 b F/(s t), C_11 = b (3 k_n + k_s)/t, C_12 = b (k_n - k_s)/t, 2 G = C_11 - C_12, b = 3^(1/2)/4
  *
  * The hexagonal lattice has the bulk modulus 3^(1/2)/2 k_n/t in the plane and is isotropic. Compression is positive:
- * sigma_xx decreases by C_11 e_xx + C_12 e_yy, sigma_xy by 2 G e_xy. Linear springs: F = k_n alpha. Elastic spheres
- * without shear: F = 4/3 E* R*^(1/2) alpha^(3/2), R* = R/2, k_n = 2 E* (R* alpha)^(1/2), so all moduli are proportional
- * to p^(1/3); an isotropic strain of any size is covered, from F at its end.
+ * sigma_xx decreases by C_11 e_xx + C_12 e_yy, sigma_xy by 2 G e_xy. Linear springs have F = k_n alpha. Elastic spheres
+ * without shear have F = 4/3 E* R*^(1/2) alpha^(3/2), R* = R/2, k_n = 2 E* (R* alpha)^(1/2), so all moduli are
+ * proportional to sigma^(1/3). An isotropic strain may have any size: its stress follows from F at its end.
  *
  * Returns, at the end of each stage and of the run:   cell.stress.xx, .yy, .xy, .yx, .mean
  * Error: of the order of the strain and of alpha/s, by the change of the spacing.
@@ -118,7 +118,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     const struct nb_stage *stage = &scene->stages[s];
     rate = stage->cell_line ? stage->cell : rate;
     if (stage->step.kind != NB_STEP_TIME || stage->condition_count > 0 || rate.xy != rate.yx)
-      return refuse(error, "steps in seconds, stages of a given number of cycles, and strain rates without rotation");
+      return refuse(error,
+                    "steps given as times, stages of a given number of cycles, and strain rates without rotation");
     const double time = rate.per_cycle ? (double)stage->cycles : (double)stage->cycles * stage->step.value;
     strain(&lattice, time * rate.xx, time * rate.yy, time * rate.xy);
     add_value(solution, &lattice, stage->name);

@@ -1,25 +1,26 @@
 /* Oscillation of a network of springs after its walls have moved: the sum over its normal modes, exact in time steps.
  *
- * With u = sum q_i shape_i each mode obeys  q'' + w^2 q = g(t), w^2 = `square`. A wall whose velocity changes by c at t
- * = 0 gives g = b t with b = - shape_i^T stretch^T S wall_stretch c, ^T for the transpose. From rest
+ * In the terms of lattice.h, with u = sum q_i shape_i each mode obeys  q'' + omega^2 q = g(t), omega^2 = `square`. If
+ * the velocities of the walls change by c at t = 0, g = b t with b = - shape_i^T stretch^T S wall_stretch c. From rest
  *
- *     q = (b / w^2) (t - sin(w t) / w).
+ *     q = (b / omega^2) (t - sin(omega t) / omega).
  *
- * The calculation cycle [CS79 22, 22a] solves  q_(n+1) - 2 q_n + q_(n-1) = dt^2 (g_n - w^2 q_n)  with q_0 = q_1 = 0,
- * which is exactly
+ * The calculation cycle [CS79 22, 22a] is  q_(n+1) - 2 q_n + q_(n-1) = dt^2 (g_n - omega^2 q_n)  with q_0 = q_1 = 0.
+ * Its exact solution is
  *
- *     q_n = (b dt / w^2) (n - sin(n phase) / sin(phase)),   sin(phase / 2) = w dt / 2:
+ *     q_n = (b dt / omega^2) (n - sin(n phase) / sin(phase)),   sin(phase / 2) = omega dt / 2:
  *
- * the same line and a wave of a slightly higher frequency. A program that follows the cycle agrees with it to rounding,
- * except for the small rotation of its contacts. Every change of a wall's velocity starts such a term, and the terms
- * add.
+ * the same straight line and a wave of a slightly higher frequency. A program that follows the cycle agrees with it to
+ * rounding, except for the small rotation of its contacts. Every change of the velocities of the walls starts such a
+ * term, and the terms add.
  *
  * For nine equal discs between four walls that approach with equal speeds only two of the 27 modes move, by symmetry:
- * corner discs by d_c and middle discs of a side by d_m along each axis, without spin. With r = k_s/k_n
+ * corner discs by d_c and middle discs of a side by d_m along each axis, without rotation. When each wall has moved by
+ * d, with r = k_s/k_n,
  *
  *     m d_c'' / k_n = d - (2 + 2 r) d_c + r d_m       m d_m'' / k_n = d - (2 + 2 r) d_m + 2 r d_c
  *
- * so w^2 = (2 + 2 r -+ r sqrt 2) k_n/m with d_m = +- sqrt 2 d_c.
+ * so omega^2 = (2 + 2 r -+ r sqrt 2) k_n/m with d_m = +- sqrt 2 d_c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_blas.h>
@@ -30,7 +31,7 @@
 
 #include "lattice.h"
 
-/* Fractions of the largest w^2 and of the largest term; below them is only rounding. */
+/* Fractions of the largest omega^2 and of the largest term; smaller values are rounding. */
 static const double no_stiffness = 1e-11, no_motion = 1e-12;
 /* Modes whose phases differ by less than this fraction are one wave. */
 static const double same_phase = 1e-9;
@@ -66,8 +67,8 @@ void oscillation_modes_free(struct oscillation_modes *modes) {
   *modes = (struct oscillation_modes){0};
 }
 
-/* The effect of one cycle of a velocity change of the walls: `straight`, its direct part of each force, N per cycle,
- * and the `load` on each mode, b dt above. */
+/* What a velocity change of the walls adds per cycle: `straight`, N, to each force if the particles do not move, and
+ * `load`, which is b dt above, to each mode. */
 static void add_wall_loads(const struct lattice *lattice, const struct oscillation_modes *modes,
                            const gsl_vector *change, gsl_vector *straight, gsl_vector *load) {
   gsl_vector *force = gsl_vector_alloc(lattice->freedom_count);

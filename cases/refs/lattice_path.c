@@ -1,20 +1,22 @@
 /* A network of springs under slow motion of its walls, where contacts begin and cease to slide  [CS79 16-19, c = 0].
  *
- * Slow means equilibrium at all times: stretch' F = 0. In an increment of the path in which the walls move by dw, with
- * dn, ds the increments of overlap and slip of a contact,
+ * Slow means equilibrium at all times: stretch^T F = 0 (lattice.h). In an increment of the path in which the walls move
+ * by dw, with dn, ds the increments of overlap and slip of a contact,
  *
  *   every closed contact     F_n + dF_n = k_n (n + dn)
  *   sticking contact         F_s + dF_s = F_s + k_s ds
- *   sliding contact          F_s + dF_s = (sense) tan phi (F_n + dF_n)
+ *   sliding contact          F_s + dF_s = +-tan phi (F_n + dF_n)
  *   open contact             no force; n + dn <= 0
  *
- * so du follows from a linear system. The states of the contacts are found by iteration from the previous ones. A
- * contact beyond the friction limit begins to slide in the sense of its shear force. One that would slide against its
- * shear force sticks. One that would pull opens. An open one that would overlap closes and sticks, with no shear force.
- * If the iteration does not end in an increment, there is no solution. The error is of the order of one increment.
- * Where nothing resists a rotation or a disc slides everywhere, du is not determined; a spring of the fraction `weak`
- * of the others from each particle to its place then determines it, and the forces change by no more than that
- * fraction.
+ * so the displacements du follow from a linear system. The states of the contacts are found by iteration from the
+ * previous ones. A contact beyond the friction limit begins to slide in the direction of its shear force. One that
+ * would slide against its shear force sticks. One that would pull opens. An open one that would overlap closes and
+ * sticks, with no shear force. If the iteration does not end in an increment, there is no solution. The error is of the
+ * order of one increment.
+ *
+ * Where nothing resists a rotation, or all contacts of a disc slide, these equations do not determine du. So a weak
+ * spring, whose stiffness is the fraction `weak` of the largest one, ties each particle to its place. It changes the
+ * forces by no more than that fraction.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "lattice_path.h"
@@ -35,9 +37,9 @@ struct walk {
   int *slides;                     /* per contact: -1, 0, 1; OPEN */
   gsl_vector *overlap;             /* per contact, n before the increment */
   gsl_vector *forces, *next;       /* before the increment and after it */
-  gsl_vector *imposed, *stretches; /* increments by the walls alone, and in all */
+  gsl_vector *imposed, *stretches; /* increments of overlap and slip: by the walls alone, and in all */
   gsl_vector *load, *du;
-  gsl_matrix *forces_of_u, *a; /* law stretch; stretch' law stretch */
+  gsl_matrix *forces_of_u, *a; /* law stretch; stretch^T law stretch */
   gsl_permutation *order;
 };
 
@@ -79,7 +81,7 @@ static void forces_after(const struct walk *walk, const gsl_vector *d, gsl_vecto
   }
 }
 
-/* du, the increments and the forces of one increment of the path, for the present states of the contacts. */
+/* Computes du, the stretches and the forces of one increment of the path, for the present states of the contacts. */
 static void solve_increment(struct walk *walk) {
   const struct lattice *lattice = walk->lattice;
   size_t n = lattice->freedom_count;

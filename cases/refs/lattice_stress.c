@@ -1,8 +1,8 @@
 /* Reference: stress, fabric and porosity of an infinite lattice, in closed form.
  *
- * Equal discs of radius R at i a_1 + j a_2, springs of stiffness k_n, discs 1 m thick. For each lattice vector d with
- * |d| < 2R a disc has a contact along d and one along -d; with N = k_n (2R - |d|), n = d/|d| and the area of the cell A
- * = |a_1 x a_2|:
+ * Equal discs of radius R, 1 m thick, are at i a_1 + j a_2, with springs of the stiffness k_n. For each lattice vector
+ * d with |d| < 2R a disc has a contact along d and one along -d. With N = k_n (2R - |d|), n = d/|d| and the area A =
+ * |a_1 x a_2| of the cell:
  *
  *   sigma_ij = (1/A) sum over pairs +-d of N |d| n_i n_j             Phi_ij = <n_i n_j>,   Phi_ijkl = <n_i n_j n_k n_l>
  *   F_kk = z R/A                 coordination = z, twice the pairs      porosity = 1 - pi R^2/A (overlaps count twice)
@@ -10,9 +10,9 @@
  * a_1 is the vector from particle 1 to particle 2, a_2 that from particle 1 to the nearest one off that line. The
  * values hold for any box of whole cells, wherever it begins and whatever discs it cuts.
  *
- * Returns, for A that monitors such a box, at 0 cycles:
- *   A.stress.xx, xy, yy, mean, sinphi; A.fabric.xx, xy, yy, kk; A.fabric.fourth.xxxx, xxyy, yyyy
- *   A.coordination, A.porosity
+ * Returns, for B that monitors such a box, at 0 cycles:
+ *   B.stress.xx, xy, yy, mean, sinphi; B.fabric.xx, xy, yy, kk; B.fabric.fourth.xxxx, xxyy, yyyy
+ *   B.coordination, B.porosity
  * Error: rounding.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */

@@ -10,15 +10,15 @@
  * The last term is there because F turns with the line of centres. Opposite directions e give equal terms, so the sums
  * run over one direction of each opposite pair, with the factor 2. With phi = s q.e the dynamical matrix is
  *
- *   K_uu = sum 2 (1 - cos phi) (k_n e e' + (k_s - F/s) n n')
+ *   K_uu = sum 2 (1 - cos phi) (k_n e e^T + (k_s - F/s) n n^T)
  *   K_up = -sum 2 k_s R sin phi n                K_pp = sum 2 k_s R^2 (1 + cos phi)
  *
- * and w^2 are the eigenvalues of M^(-1/2) K M^(-1/2), M = (m, m, I). Without rotation there is no psi. From the initial
- * velocities V each mode varies as cos(w t).
+ * (^T for the transpose) and w^2 are the eigenvalues of M^(-1/2) K M^(-1/2), M = (m, m, I). Without rotation there is
+ * no psi. From the initial velocities V each mode varies as cos(w t).
  *
  * Returns, for D that monitors a particle:   D.vx, D.vy, D.spin along time
- * Exact in continuous time for small amplitudes; terms of the order of u/s are neglected. The phase of a run is ahead by
- * w t (w dt)^2/24.
+ * Exact in continuous time for small amplitudes; terms of the order of u/s are neglected. The phase of a run is ahead
+ * by w t (w dt)^2/24.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_eigen.h>

@@ -1,12 +1,12 @@
 /* The largest stable step of the calculation cycle for a network of springs and dashpots.
  *
- * One cycle without loads [CS79 20-23a, 26-28], with w = v dt and unit masses by scaling of the degrees of freedom:
+ * One cycle without loads [CS79 20-23a, 26-28], in the symbols of limit.h, with w = v dt, is
  *
  *   w <- keep w - gain (dt^2 K u + dt C w),    u <- u + w
  *
  * The dashpot acts on the velocity of the previous half step. The step is too long when this matrix has an eigenvalue
- * outside the unit circle. At the limit that eigenvalue is -1, where u changes sign every cycle. Inserted into the two
- * lines, this gives det(dt^2 K + 2 dt C - 2 (1 + keep)/gain) = 0.
+ * outside the unit circle. At the limit that eigenvalue is -1, and u and w change sign every cycle. Inserted into the
+ * cycle, this gives det(dt^2 K + 2 dt C - 2 (1 + keep)/gain) = 0.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "limit.h"
@@ -59,8 +59,8 @@ static double dashpot(const struct nb_damping *damping, bool wall, double k, dou
   return 0;
 }
 
-/* Mass-proportional damping does not matter: (1 - h)/(1 + h) and 1/(1 + h), h = alpha dt/2, give 2 (1 + keep)/gain = 4
- * for all h. */
+/* `damping mass` does not change the limit: keep = (1 - h)/(1 + h) and gain = 1/(1 + h), h = alpha dt/2, give
+ * 2 (1 + keep)/gain = 4 for all h. */
 static void set_global_damping(struct limit *limit, const struct nb_damping *damping) {
   const double g = damping->global;
   limit->keep = limit->gain = 1;
@@ -88,7 +88,7 @@ enum nb_status limit_build(struct limit *limit, const struct nb_scene *scene, co
   if (limit->gain > 0 && gsl_vector_max(lattice->springs) > 0)
     return NB_OK;
   limit_free(limit);
-  return nb_error_set(error, NB_BAD_USE, "there is no stiffness here, so no step is too long");
+  return nb_error_set(error, NB_BAD_USE, "no spring of this scene moves a particle, so no step is too long");
 }
 
 void limit_free(struct limit *limit) {
@@ -97,7 +97,7 @@ void limit_free(struct limit *limit) {
   *limit = (struct limit){0};
 }
 
-/* stretch' (a springs + b dashpots) stretch */
+/* stretch^T (a springs + b dashpots) stretch */
 static gsl_matrix *assembled(const struct limit *limit, double a, double b) {
   const gsl_matrix *stretch = limit->lattice.stretch;
   gsl_matrix *forces_of_u = gsl_matrix_alloc(stretch->size1, stretch->size2);
@@ -113,7 +113,7 @@ static gsl_matrix *assembled(const struct limit *limit, double a, double b) {
   return sum;
 }
 
-/* Overwrites the matrix. */
+/* The largest eigenvalue of a symmetric matrix, which is overwritten. */
 static double largest_eigenvalue(gsl_matrix *matrix) {
   gsl_vector *values = gsl_vector_alloc(matrix->size1);
   gsl_eigen_symm_workspace *work = gsl_eigen_symm_alloc(matrix->size1);
@@ -196,8 +196,8 @@ static double total_hardness(const struct limit *limit, const struct nb_scene *s
   return sum * step * (which ? radius * radius : 1);
 }
 
-/* One contact with its fractions of mass: its rows of `stretch`, each degree of freedom divided by the root of its
- * fraction. */
+/* The largest eigenvalue of dt^2 K + 2 dt C of one contact whose particles have only their fractions of mass and moment
+ * of inertia: each degree of freedom in its rows of `stretch` is divided by the root of its fraction. */
 static double contact_eigenvalue(const struct limit *limit, const struct nb_scene *scene, size_t c, double step) {
   const struct lattice *lattice = &limit->lattice;
   const struct lattice_contact *contact = &lattice->contacts[c];

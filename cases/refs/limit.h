@@ -6,13 +6,13 @@
 
 #include "lattice.h"
 
-/* d2u/dt2 = -K u - C du/dt,   K = S^T diag(springs) S,   C = S^T diag(dashpots) S,   S = lattice.stretch. Every degree
- * of freedom u_i is scaled by the square root of its mass or moment of inertia (lattice.h), so the mass matrix is the
- * identity. */
+/* d^2u/dt^2 = -K u - C du/dt,   K = stretch^T diag(springs) stretch,   C = stretch^T diag(dashpots) stretch. Every
+ * degree of freedom u_i is multiplied by the square root of its mass or moment of inertia (lattice.h), so the mass
+ * matrix is the identity. */
 struct limit {
   struct lattice lattice;
   gsl_vector *dashpots; /* c_n, c_s of contact 0, of contact 1, ..., N s/m */
-  double keep, gain;    /* factors of a cycle, v <- keep v + gain (F/m) dt; both 1 with `damping mass` (see limit.c) */
+  double keep, gain;    /* of a cycle, v <- keep v + gain (F/m) dt; both 1 with `damping mass` (see limit.c) */
   /* single-contact step 2 sqrt(m/k) with the lightest free mass and the stiffest pair of materials, s [CS79, Motion] */
   double single_contact;
 };
@@ -22,8 +22,8 @@ enum nb_status limit_build(struct limit *limit, const struct nb_scene *scene, co
                            double largest_gap, struct nb_error *error);
 void limit_free(struct limit *limit);
 
-/* Method 1: the spectral radius of the matrix that maps (u, v dt) of one cycle to those of the next. Above 1, an
- * oscillation grows. */
+/* Method 1: the spectral radius of the matrix that maps (u, v dt) of one cycle to those of the next. If it is above 1,
+ * a motion grows. */
 double limit_radius(const struct limit *limit, double step);
 /* The largest step, s, with a spectral radius of at most 1. */
 double limit_of_cycle(const struct limit *limit);

@@ -1,17 +1,19 @@
 /* Reference: touching discs between walls that move and stop, without damping and sliding: the force at every monitored
  * contact as the sum over the normal modes of the network [CS79 figures 6, 7].
  *
- * Returns, for C that monitors a contact:
+ * Returns, for C that monitors a contact, and likewise for C.shear:
  *   C.normal along cycle, time    the exact solution of the calculation cycle for the linear network
  *   C.normal mean                 the static force, about which it oscillates once the walls are at rest
- *   C.normal amplitude            half of highest minus lowest value at all times: the sum of the amplitudes of its
- *                                 waves. A run of W cycles gives about 2 pi sqrt(A1 A2) / W less
+ *   C.normal amplitude            half of the difference between the largest and the smallest value in an infinitely
+ *                                 long run: the sum of the amplitudes of its waves. With two waves of the amplitudes A1
+ *                                 and A2 a run of W cycles gives about 2 pi sqrt(A1 A2) / W less
  *   C.normal frequency            how often it rises through its mean per unit time, in the long run; returned only
  *                                 when one wave has a larger amplitude and slope than all others together
- *   the same of C.shear; mean, amplitude and frequency also `in STAGE` for every stage in which the walls are at rest
- * Refuses scenes in which a contact opens, slips or closes. Error: the rotation of contacts, of the order of overlap
- * over radius. For nine discs it is 0.01 (overlap / radius) of the mean force and of the frequencies; in a curve it
- * adds up from wave to wave.
+ * Mean, amplitude and frequency are also returned `in STAGE` for every stage in which the walls are at rest.
+ *
+ * Refuses scenes in which a contact opens, slips or closes. The error is due to the rotation of contacts, of the order
+ * of overlap over radius. For nine discs it is 0.01 (overlap / radius) of the mean force and of the frequencies; in a
+ * curve it grows from one oscillation to the next.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -20,7 +22,7 @@
 
 enum { TEXT = 3 * NB_NAME_SIZE };
 
-/* `C.normal mean`, of the scene and of every stage in which the walls are at rest. */
+/* Adds one of these values, such as `C.normal mean`, of the run and of every stage in which the walls are at rest. */
 static void add_value(struct nb_solution *solution, const struct nb_scene *scene, size_t at_rest, const char *quantity,
                       const char *reducer, double value) {
   char text[TEXT];

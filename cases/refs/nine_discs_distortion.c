@@ -1,11 +1,11 @@
-/* Reference: touching discs between walls that approach slowly and then turn, with friction  [CS79 16-19; figures 8,
- * 9].
+/* Reference: touching discs between walls that approach slowly and then turn, with friction [CS79 16-19, figures 8, 9].
  *
- * Returns, for C that monitors a contact:   C.normal, C.shear along cycle (linear between the points of the path) and
- *                                           at the end of
- * each stage. The network of springs follows the path of the walls in equilibrium; contacts slide and stick again.
- * Exact for small displacements and infinitely slow walls. The errors of a run are the ratio of overlap to radius, the
- * square of the angle over the ratio of overlap to radius, and the effect of its speed.
+ * The network of springs (lattice_path.c) follows the path of the walls in equilibrium; contacts slide and stick again.
+ *
+ * Returns, for C that monitors a contact:
+ *   C.normal, C.shear along cycle, linear between the points of the path, and at the end of each stage
+ * Exact for small displacements and infinitely slow walls. The relative errors of a run are the ratio of overlap to
+ * radius, the square of the angle over this ratio, and the effect of the speed of the walls.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>

@@ -1,17 +1,19 @@
 /* Reference: touching discs between walls that have moved and stopped, in equilibrium without sliding: the forces of
  * the linear network [CS79 figures 5, 6].
  *
- * Returns, for C that monitors a contact:   C.normal, C.shear at the end, also ` mean`; and in STAGE, the equilibrium
- *                                           for the position
- * of the walls at its end
+ * Returns, for C that monitors a contact, in equilibrium at the positions of the walls at the end of the run or stage:
+ *   C.normal, C.shear; the same in STAGE;   both also ` mean`, if the walls are at rest
  *
- * For nine equal discs, each wall displaced inward by d, r = k_s/k_n, forces in units of k_n d:
- *   d_c, d_m (corner disc, disc in the middle of a side):  (2 + 2 r) d_c - r d_m = 1,  (2 + 2 r) d_m - 2 r d_c = 1
- *   centre contact d_m, corner with middle d_c, corner with wall 1 - d_c, middle with wall 1 - d_m;
- * r = 1: 3/7, 5/14, 9/14, 4/7. Without shear force 1/2 everywhere.
+ * For nine equal discs, each wall displaced inward by d, with r = k_s/k_n, the corner discs and the discs in the middle
+ * of a side move by d_c and d_m (in units of d) along each axis:
  *
- * Error    0.01 of overlap over radius: the network is linear.
- * Damping proportional to relative velocities does not change the values if nothing slides.
+ *   (2 + 2 r) d_c - r d_m = 1,   (2 + 2 r) d_m - 2 r d_c = 1
+ *
+ * In units of k_n d the normal forces are: centre contact d_m, corner with middle d_c, corner with wall 1 - d_c, middle
+ * with wall 1 - d_m. For r = 1 they are 3/7, 5/14, 9/14 and 4/7; without shear force 1/2 everywhere.
+ *
+ * Error    0.01 (overlap / radius) of the forces, because the network is linear.
+ * Damping does not change the values if nothing slides.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "lattice_values.h"

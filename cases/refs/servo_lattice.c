@@ -14,9 +14,9 @@
  *
  * a and b follow from e(0) and e'(0) at the beginning of the stage. The servo sets Z = -g e/(k_n T) there,
  * g = (1 - (3/4)^(1/2))/2 (src/loading/servo.c). While |e| exceeds k_n T r, where r is the `at most` rate, the servo
- * limits e/(k_n T) to r and sets Z = -g r in each of its steps, so e' = -f k_n r (1 - g) - c for e > 0. A stress that is
- * not controlled follows s' = -k_n l or -k_s l.
- * `servo mean` controls (xx + yy)/2; the difference xx - yy then follows l.
+ * limits e/(k_n T) to r and sets Z = -g r in each of its steps, so e' = -f k_n r (1 - g) - c for e > 0. A stress that
+ * is not controlled follows s' = -k_n l or -k_s l. `servo mean` controls (xx + yy)/2; the difference xx - yy then
+ * follows l.
  *
  * Returns   cell.stress.xx, cell.stress.yy, cell.stress.xy versus time, Pa
  * Error     relative, of the order of s/k_n and dt/T
@@ -126,7 +126,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     return nb_error_set(
         error, NB_BAD_USE,
         "servo_lattice is for a square lattice of equal discs in a rectangular cell, `normal linear`, `shear linear`, "
-        "a step in seconds, and stages with `cycles N` that strain the cell without rotation, or control it with a "
+        "a step given as a time, and stages with `cycles N` that strain the cell without rotation, or control it with "
+        "a "
         "servo, at rates in 1/s");
   const struct nb_particle *particle = &scene->particles[0];
   const double area = scene->cell.h[0] * scene->cell.h[3], n = (double)scene->particle_count;

@@ -1,8 +1,8 @@
 /* Reference: the unbalanced force of nine discs without friction while four walls approach with equal speeds, with
  * mass-proportional damping.
  *
- * Along each axis the middle disc of a row stays at rest and the outer one follows its wall. With its displacement x
- * inward, the wall's v t, and the damping alpha of all discs:
+ * Along each axis the middle disc of a row stays at rest and the outer discs follow their walls. With the inward
+ * displacement x of an outer disc, v t of its wall, and the coefficient alpha of `damping mass`:
  *
  *   m x'' + alpha m x' + 2 k x = k v t
  *
@@ -10,13 +10,13 @@
  *
  *   x' = v/2,    x = v t/2 - alpha m v/(4 k)
  *
- * so the unbalanced force on an outer disc is alpha m v/2 along an axis, on a corner disc sqrt(2) times that. The
- * largest contact force is that of the wall, k (v t - x). Their ratio, dF/F of [CS79 table 1], is
+ * so the unbalanced force on an outer disc is alpha m v/2 along an axis, and on a corner disc sqrt(2) times as large.
+ * The largest contact force is that of the wall, k (v t - x). Their ratio, dF/F of [CS79 table 1], is
  *
  *   unbalanced.max = (alpha m v/sqrt(2)) / (k v t/2 + alpha m v/4) = sqrt(2) alpha m v/(k d + alpha m v/2),     d = v t
  *
- * which at the same d is proportional to the speed while it is small: [CS79, Speed of loading]. Overlap over radius is
- * neglected, which has no effect here, because all contacts lie along the axes.
+ * which at a given d is proportional to the speed while the speed is low [CS79, Speed of loading]. The theory neglects
+ * overlap over radius, which has no effect here, because all contacts lie along the axes.
  *
  * Returns `unbalanced.max in STAGE` for the first stage.
  * Accepts alpha t > 20, so that e^(-alpha t/2) is small.
@@ -46,7 +46,10 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   const double step = scene->step.value * (scene->step.kind == NB_STEP_SINGLE_CONTACT ? critical : 1);
   const double t = step * (double)scene->stages[0].cycles, alpha = scene->damping.global;
   if (!(alpha * t > 20))
-    return nb_error_set(error, NB_BAD_USE, "speed_of_loading is for alpha t above 20; here it is %g", alpha * t);
+    return nb_error_set(error, NB_BAD_USE,
+                        "speed_of_loading is for a first stage that lasts longer than 20/alpha with `damping mass "
+                        "alpha`; it lasts %g/alpha",
+                        alpha * t);
   char name[3 * NB_NAME_SIZE];
   snprintf(name, sizeof name, "unbalanced.max in %s", scene->stages[0].name);
   solution_value(solution, sqrt(2) * alpha * m * v / (pair.kn * v * t + alpha * m * v / 2), name);

@@ -1,12 +1,11 @@
 /* Reference: the stability limits of the time step in a scene with contacts.
  *
- * Returns, for all pairs in contact, with the damping of the first stage:
- *   step.single-contact  2 sqrt(m/k) of the lightest free particle and the stiffest pair of materials        [CS79,
- *                        Motion]
- *   step.stable          each contact alone with its fraction of the masses: six degrees of freedom, the largest
- *                        eigenvalue
+ * Returns, for all pairs in contact, with the damping of the scene:
+ *   step.single-contact  2 sqrt(m/k) of the lightest free particle and the stiffest pair of materials [CS79, Motion]
+ *   step.stable          the smallest limit of any contact alone with its fractions of the masses: from the largest
+ *                        eigenvalue of its six degrees of freedom
  *   step max             the stability limit of the calculation cycle, with which a page compares its own largest step:
- *                        the spectral radius of the cycle as a matrix, bisection, 1e-6
+ *                        by bisection of the spectral radius of the cycle as a matrix; relative error 1e-6
  * The first two are exact. All three are for contacts that neither open, slide nor rotate.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */

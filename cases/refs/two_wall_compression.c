@@ -10,14 +10,14 @@
  * a polynomial in p, q, r, s with integer coefficients, which are computed exactly; the first are
  *     a_1 = 1, b_1 = 0              (1)
  *     a_2 = 2 - p, b_2 = p + s, c_2 = 2 - s      (5) (6) (7), each added to the value of (1)
- * Rounding occurs only when a polynomial is evaluated. A program that stores positions x differs by rounding(x) /
- * overlap.
+ * Rounding occurs only when a polynomial is evaluated. A program that stores positions x differs by the relative error
+ * rounding(x)/overlap.
  *
  * Returns, for n = 1 ... 6 within the first undamped motion of the walls, for C that monitors a contact and D a disc:
- *     C.normal at n cycles = k v dt a_n (or b_n, c_n),     C.overlap at n cycles;
- *     D.fx, D.fy at n cycles, the sum of forces (2);     D.vx.half, D.vy.half at n cycles, the velocity over the
- *       previous step (4);
- * and, if there is never any damping and no contact opens, C.normal along cycle and along time, by normal modes.
+ *     C.normal, C.overlap at n cycles          k v dt a_n (or b_n, c_n) and v dt a_n
+ *     D.fx, D.fy at n cycles                   the sum of forces (2)
+ *     D.vx.half, D.vy.half at n cycles         the velocity over the previous step (4)
+ * and, if there is no damping in any stage and no contact opens, C.normal along cycle and along time, by normal modes.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>

@@ -1,7 +1,8 @@
 /* Reference: two discs in a row between two walls that have approached, in equilibrium: three springs in series.
  *
  * The same force F acts at the contacts A, B, C, and their overlaps F/k add up to the approach of the walls:
- * F = compression / (1/k_A + 1/k_B + 1/k_C);   2 v t_load k / 3 for equal stiffnesses.
+ * F = approach / (1/k_A + 1/k_B + 1/k_C). With equal stiffnesses k and walls that move at v during t_load each, this is
+ * 2 v t_load k / 3.
  *
  * Returns, for C that monitors a contact, once the walls are at rest:   C.normal, C.normal mean, C.overlap; C.shear = 0
  * Exact: nothing in a row rotates, and masses and damping have no effect.
