@@ -1,5 +1,5 @@
-/* Reference: a contact of constant overlap alpha and slip v t, under laws that change from stage to stage. A sphere too
- * heavy to move touches a wall that moves along itself.
+/* Reference: a contact of constant overlap alpha whose tangential displacement grows as v t, under laws that change
+ * from stage to stage. A sphere of the radius R, too heavy to move, touches a wall that moves along itself.
  *
  *   normal linear            N = k_n alpha
  *   normal hertz             N = (4/3) E* R^(1/2) alpha^(3/2),    a = (R alpha)^(1/2)                [R89 3.13]
@@ -11,12 +11,12 @@
  *                            T = Int_0^y (s - s_1 x/alpha) dK + Int_y^alpha A (alpha - x) dK,  K(x) = 8 G* (R x)^(1/2)
  *                            A = 3 mu N/(2 alpha K(alpha)),    y = (A alpha - s)/(A - s_1/alpha)
  *
- *   s   slip since the shear law or its memory size changed, m. A stage that repeats the law, or changes the normal law
- *       alone, does not reset it. Forces at time t are those of the stage with t_0 < t <= t_N
- *   s_1 slip of the first of these steps, m. The law takes a contact without history as formed in that step, with
- *       overlap and slip growing in proportion. Spring x of the contact, of stiffness dK, takes up slip from the
- *       overlap x on, until it slides at A (alpha - x). With s_1 = 0 this is T = mu N (1 - (1 - s/(A alpha))^(3/2))
- *       [R89 3.25]
+ *   s   tangential displacement since the shear law or its memory size changed, m. A stage that repeats the law, or
+ *       changes the normal law alone, does not reset it. The stage from t_0 to t_N has the forces at t_0 < t <= t_N
+ *   s_1 tangential displacement of the first step after that change, m. The law takes a contact without history as
+ *       formed in that step, with overlap and s growing in proportion. Spring x of the contact, of stiffness dK, takes
+ *       up displacement from the overlap x on, until it slides at A (alpha - x). With s_1 = 0 this is
+ *       T = mu N (1 - (1 - s/(A alpha))^(3/2)) [R89 3.25]
  *
  * Returns, for C that monitors the contact:   C.normal, C.shear along time, N
  * Accepts only T < mu N. Exact.
@@ -32,7 +32,7 @@ enum { STAGES = 32 };
 
 struct course {
   struct matter_pair pair;
-  double radius, overlap, v; /* m, m; slip velocity, m/s */
+  double radius, overlap, v; /* m, m; tangential velocity, m/s */
   size_t count;
   struct part {
     const char *normal, *shear;
@@ -82,7 +82,7 @@ static double shear_at(const void *data, double time) {
   return strcmp(part->shear, "none") == 0 ? 0 : copysign(exact(it, part, fabs(s), normal_at(data, time)), s);
 }
 
-/* False: a stage changes something else. */
+/* False: a stage moves the wall, has a step that is not given as a time, or makes the contact slide. */
 static bool read_stages(struct course *it, const struct nb_scene *scene) {
   const char *normal = scene->normal, *shear = scene->shear;
   int pieces = scene->pieces;
@@ -110,14 +110,15 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (scene->particle_count != 1 || scene->wall_count != 1 || wall->h0 != 0)
     return nb_error_set(error, NB_BAD_USE, "changed_law is for one sphere and one wall given by its ends");
   const double dx = particle->x - wall->x, dy = particle->y - wall->y, away = dy * wall->ex - dx * wall->ey;
-  const double side = away > 0 ? 1 : -1; /* t is e turned clockwise, e points from the particle to the wall */
+  const double side = away > 0 ? 1 : -1; /* e points from the particle to the wall, t is e turned clockwise */
   struct course it = {.pair = matter_pair(scene, particle->material, wall->material),
                       .radius = particle->radius,
                       .overlap = particle->radius - fabs(away),
                       .v = side * (wall->vx * wall->ex + wall->vy * wall->ey)};
   if (!(it.overlap > 0) || fabs(wall->vy * wall->ex - wall->vx * wall->ey) > 0 || !read_stages(&it, scene))
-    return nb_error_set(error, NB_BAD_USE,
-                        "changed_law is for a wall that moves along itself, steps that are times, and no sliding");
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "changed_law is for a wall that moves along itself, steps given as times, and a contact that does not slide");
   const double end = it.parts[it.count - 1].end, mass = matter_mass(scene, particle);
   const double most = fmax(it.pair.kn * it.overlap, 4. / 3 * it.pair.young * contact_radius(&it) * it.overlap);
   if (!(most * end * end / 2 < 1e-13 * mass * it.overlap))

@@ -1,15 +1,15 @@
-/* Reference: the shear laws along a path of slip at constant normal force, each in closed form.
+/* Reference: the shear laws along a path of tangential displacement at constant normal force, each in closed form.
  *
- * In dimensionless numbers t = T/mu N, d = delta/A, A = 3 mu N/(16 G* a), a branch that begins at (t0, d0) with the
- * sense s is
+ * In dimensionless numbers t = T/mu N, d = delta/A, A = 3 mu N/(16 G* a), a branch that begins at (t0, d0) in the
+ * direction s = 1 or -1 is
  *
- *   t = t0 + s (1 - (1 - |d - d0|)^(3/2))               virgin loading                                       [R89 3.25]
- *   t = t0 + 2 s (1 - (1 - |d - d0|/2)^(3/2))           any later branch                                [R89 3.40,
- *     3.50]
+ *   t = t0 + s (1 - (1 - |d - d0|)^(3/2))               virgin loading                                      [R89 3.25]
+ *   t = t0 + 2 s (1 - (1 - |d - d0|/2)^(3/2))           any later branch                              [R89 3.40, 3.50]
  *
- * A branch that returns to where the previous one began is erased with it. mindlin_deresiewicz keeps all branches,
- * randall three, moving back and forth on the third. So does randall_literal, whose third branch is, with T* for T** in
- * [R89 4.24], u = |T* - t|,
+ * A branch that returns to where the previous one began is erased with it. mindlin_deresiewicz keeps all branches;
+ * randall keeps three and moves back and forth on the third. So does randall_literal, but [R89 4.24] as printed has T*,
+ * where the second branch began, in place of T**. Its third branch is, with u the distance of t from T* over mu N and
+ * u0 its value at the begin,
  *
  *   (1 + u/2)^(2/3) = (1 + u0/2)^(2/3) - |d - d0|/2     which is stiffer than a contact that sticks everywhere
  *
@@ -17,8 +17,8 @@
  *
  * Returns shear (N) and work.shear (J) at each step and at the end of each segment, and `psi2 error`: the largest error
  * of the law in the rebound of an oblique impact (impact_laws.c, impact_springs.c) for 0.1 <= psi1 <= 6, with the nu of
- * the page; not of randall_literal, which has no limit there. The work is integrated by Simpson's rule in 32 parts of a
- * step.
+ * the page. randall_literal has no `psi2 error`, because it does not converge there. The work is integrated by
+ * Simpson's rule in 32 parts of a step.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -61,7 +61,7 @@ static double force_at(const struct state *s, double d) {
   return b->t + b->sense * b->size * (1 - pow(fmax(1 - b->sense * (d - b->d) / b->size, 0), 1.5));
 }
 
-/* The slip at which the present branch ends, continued in its own sense. */
+/* The d at which the present branch ends, continued in its own direction. */
 static double end_of(const struct state *s) {
   const struct branch *b = &s->branches[s->count - 1];
   if (literal_third(s))
@@ -69,8 +69,9 @@ static double end_of(const struct state *s) {
   return s->count == 1 ? b->d + b->sense : s->count == 2 ? 2 * b[-1].d - b->d : b[-1].d;
 }
 
-/* Beyond the end of a branch: sliding, virgin loading in the other sense, or the branch before the two. That one is
- * shifted where literal_third has ended elsewhere. */
+/* Moves beyond the end of a branch: of the first, to sliding; of the second, to virgin loading in the other direction;
+ * of a later one, to the branch before the previous one, shifted where the third branch of randall_literal ended
+ * elsewhere. */
 static void erase(struct state *s, double end, double d) {
   struct branch *b = &s->branches[s->count - 1];
   if (s->count == 1) {
@@ -199,7 +200,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     else
       free(columns[c]);
   if (made && !solved)
-    return nb_error_set(error, NB_BAD_USE, "contact_ladder is for segments of slip at one normal force");
+    return nb_error_set(error, NB_BAD_USE,
+                        "contact_ladder is for segments of tangential displacement at one normal force");
   const bool exact = laws[which].branches == BRANCHES;
   if (!laws[which].literal)
     solution_value(solution, exact ? 0 : psi2_error(scene->shear, contact.kappa), "psi2 error");

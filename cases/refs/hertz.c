@@ -42,7 +42,7 @@ static bool steady(const struct nb_scene *scene) {
   return true;
 }
 
-/* Direction, speed and begin of the impact; false: it is not head-on. */
+/* Reads direction, speed and begin of the impact. False: it is not head-on. */
 static bool read_impact(struct hertz *hertz, const struct nb_wall *wall) {
   const struct nb_particle *a = hertz->particles[0], *b = hertz->particles[1];
   double x = b ? b->x - a->x : wall->x - a->x, y = b ? b->y - a->y : wall->y - a->y;
@@ -62,7 +62,7 @@ static bool read_impact(struct hertz *hertz, const struct nb_wall *wall) {
          (!b || b->spin == 0) && gap > -1e-12 * a->radius;
 }
 
-/* The rest, once masses, moduli and speed are known. */
+/* Computes the other members from masses, moduli and speed. */
 static void solve_equations(struct hertz *hertz) {
   hertz->k = 4. / 3 * hertz->young * sqrt(hertz->radius);
   hertz->depth = pow(5 * hertz->mass * hertz->speed * hertz->speed / (4 * hertz->k), 0.4);
@@ -74,7 +74,7 @@ enum nb_status hertz_read(struct hertz *hertz, const struct nb_scene *scene, con
                           struct nb_error *error) {
   if (scene->particle_count + scene->wall_count != 2 || scene->particle_count < 1 || scene->particles[0].fixed ||
       scene->particles[0].shape != NB_SPHERE)
-    return refuse(reference, "a free sphere and what it strikes: another sphere or a wall", error);
+    return refuse(reference, "a free sphere that strikes another sphere or a wall", error);
   if (!steady(scene))
     return refuse(reference, "a wall whose velocity no stage changes", error);
   const struct nb_particle *a = &scene->particles[0], *b = scene->particle_count == 2 ? &scene->particles[1] : NULL;
@@ -129,7 +129,7 @@ void hertz_curve(struct nb_solution *solution, const struct hertz *hertz, const 
   solution_curve(solution, name, column, at, copy);
 }
 
-/* Overlap and elastic force, with what stands behind them. */
+/* Adds overlap and elastic force; `behind` follows their names. */
 static void add_both(struct nb_solution *solution, const struct hertz *hertz, const char *behind, const char *stage,
                      double overlap) {
   char what[2 * NB_NAME_SIZE];

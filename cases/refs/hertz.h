@@ -15,7 +15,7 @@ struct hertz {
   double k;                               /* K of N = K alpha^(3/2), N/m^(3/2) [R89 5.5] */
   double speed;                           /* V_N, m/s [R89 5.8] */
   double begin;                           /* time of first contact, s */
-  double depth;                           /* alpha*, m [R89 5.9] */
+  double depth;                           /* alpha*, the largest overlap without damping, m [R89 5.9] */
   double unit;                            /* alpha* / V_N, s */
   double duration;                        /* T_c, s [R89 5.12] */
   double step;                            /* of the first stage, s */
@@ -37,8 +37,7 @@ double hertz_ratio(double restitution);
 /* The normal force at an overlap, N [R89 5.5] */
 double hertz_force(const struct hertz *hertz, double overlap);
 
-/* NB_BAD_USE unless the scene has this pair only: no gravity, no global damping, no spin, stages that change
- * nothing. */
+/* NB_BAD_USE unless the scene is such an impact, without spin and with a wall of constant velocity. */
 enum nb_status hertz_read(struct hertz *hertz, const struct nb_scene *scene, const char *reference,
                           struct nb_error *error);
 

@@ -2,15 +2,16 @@
  *
  * Within the contact leapfrog conserves a modified energy, which differs from the true one by
  *
- *   H_1 = dt^2 (p^2 V''/(12 m*^2) - V'^2/(24 m*)),    V' = N
+ *   H_1 = dt^2 (p^2 U''/(12 m*^2) - U'^2/(24 m*)),    p = m* alpha',   U the stored energy,   U' = dU/d(alpha) = N
  *
  * so with the energy E, Euler's beta function B and n = T_c/dt the duration of the impact is
  *
  *   T_c - (dt^2/(24 m*)) d/dE Int N^2 dt = T_c - (11/96) B(8/5, 1/2) dt^2 V_N/alpha* = T_c (1 - 0.5104/n^2)
  *
- * At the two ends of the contact the force has a corner, K (V_N t)^(3/2) after and 0 before. A sum over steps whose
- * first one lies phi dt inside differs from the integral by zeta(-3/2, phi) K V_N^(3/2) dt^(5/2), with Hurwitz's zeta
- * (Euler-Maclaurin). The work differs by V_N times that; with K/m* = (5/4) V_N^2/alpha*^(5/2)
+ * At the two ends of the contact the force has a corner: K (V_N t)^(3/2) inside, at the time t from the end, and 0
+ * outside. A sum over steps of which the outermost lies phi dt inside differs from the integral by
+ * zeta(-3/2, phi) K V_N^(3/2) dt^(5/2), with Hurwitz's zeta (Euler-Maclaurin). The work differs by V_N times that. With
+ * K/m* = (5/4) V_N^2/alpha*^(5/2), and phi_in and phi_out at the beginning and the end of the contact,
  *
  *   e - 1 = (5/4) (V_N dt/alpha*)^(5/2) (zeta(-3/2, phi_out) - zeta(-3/2, phi_in))
  *
@@ -22,7 +23,7 @@
 #ifndef NB_HERTZ_CORNER_H
 #define NB_HERTZ_CORNER_H
 
-/* T_c less the duration, in steps of dt = fraction alpha* / V_N. */
+/* T_c minus the duration, in steps of dt = fraction alpha* / V_N. */
 double hertz_shortening(double fraction);
 /* e - 1 for a first contact `in` steps after the run began and T_c = `steps` dt. */
 double hertz_restitution_error(double fraction, double in, double steps);

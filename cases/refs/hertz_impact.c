@@ -1,15 +1,16 @@
 /* Reference: Hertz's impact of two elastic spheres, or of a sphere on a wall: quadrature and its inverse.
  *
  *   alpha* = (5 m* V_N^2/(4 K))^(2/5),   N* = K alpha*^(3/2)                                    [R89 5.5, 5.9]
- *   t = (alpha* / V_N) Int_0^(alpha/alpha*) ds/(1 - s^(5/2))^(1/2),   then symmetric             [R89 5.10]
+ *   t = (alpha* / V_N) Int_0^(alpha/alpha*) ds/(1 - s^(5/2))^(1/2)   up to alpha*                [R89 5.10]
  *   T_c = 2.9432751843247047 alpha* / V_N                                                        [R89 5.12]
  *
- * The integrand is singular at the largest overlap. With s^(5/4) = sin(theta) it becomes
+ * Unloading mirrors loading in time. The integrand is singular at the largest overlap. With
+ * (alpha/alpha*)^(5/4) = sin(theta), and the same substitution for s, the time becomes
  *
- *   t = (4/5) (alpha* / V_N) Int_0^theta theta^(-1/5) (theta/sin(theta))^(1/5) dtheta,     theta up to pi/2,
+ *   t = (4/5) (alpha* / V_N) Int_0^theta x^(-1/5) (x/sin(x))^(1/5) dx,     theta up to pi/2,
  *
- * a weight and a smooth function: a Gauss-Jacobi rule of twenty points gives it to rounding. alpha(t) is its root, by
- * Brent's method.
+ * the integral of a weight times a smooth function, which a Gauss-Jacobi rule of twenty points gives to rounding.
+ * Brent's method inverts it to alpha(t).
  *
  * Returns, for C that monitors the contact:
  *   C.overlap max, C.normal max;   C.normal along C.overlap;   C.overlap, C.normal along time
@@ -34,7 +35,7 @@ struct instant {
   double time;                                 /* t V_N/alpha* */
 };
 
-/* t V_N/alpha* of loading up to theta, less that of the instant. */
+/* t V_N/alpha* of loading up to theta, minus that of the instant. */
 static double time_difference(double theta, void *data) {
   const struct instant *instant = data;
   const double *x = gsl_integration_fixed_nodes(instant->rule), *w = gsl_integration_fixed_weights(instant->rule);

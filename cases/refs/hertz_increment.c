@@ -2,27 +2,29 @@
  *
  *   N <- N + 2 E* a dn,   a = (3 N R* / (4 E*))^(1/3) from before the step                           [R89 4.12, 4.14]
  *
- * is Euler's rule for dN/d(alpha) = c N^(1/3). To the next order Euler's rule solves another equation: with v =
- * |alpha'|
+ * (dn the normal increment) is Euler's rule for dN/d(alpha) = c N^(1/3), c = 2 E* (3 R* / (4 E*))^(1/3). To the next
+ * order Euler's rule solves another equation: with v = |alpha'|
  *
  *   dN/d(alpha) = c N^(1/3) -+ (dt v/2) (c^2/3) N^(-1/3)            - in loading, + in unloading
  *
- * In N^(2/3) it can be integrated: at the same overlap, N in loading and unloading differ by the integral of v/alpha
- * between them. The area of the loop is the work lost,
+ * At the same overlap the values of N^(2/3) in loading and unloading therefore differ by
+ * (c dt/3) Int_alpha^alpha* (v/alpha) d(alpha). The work lost is the area of the loop,
  *
  *   (K/2) dt Int_0^alpha* alpha^(1/2) v d(alpha),    v = V_N (1 - (alpha/alpha*)^(5/2))^(1/2)
  *
- * which is the fraction (dt V_N/alpha*) B(3/5, 3/2)/2 of m* V_N^2/2. So e = 1 - half the fraction lost:
+ * which is the fraction (dt V_N/alpha*) B(3/5, 3/2)/2 of m* V_N^2/2, with Euler's beta function B. e is 1 minus half of
+ * this fraction:
  *
  *   e = 1 - (1/4) B(3/5, 3/2) V_N dt/alpha* = 1 - 0.92797/n,        n = T_c/dt
  *
- * The work of loading, Int N d(alpha), is m* V_N^2/2 for any law. With d(alpha)/dN of the same equation this gives the
- * largest force, lower than Hertz's by (dt/6) Int v dN over d(work)/dN = (2/3) alpha*:
+ * The work of loading, Int N d(alpha), is m* V_N^2/2 for any law. In loading d(alpha) = dN/(c N^(1/3)) + (dt v/6) dN/N,
+ * so the largest force is lower than Hertz's N* by (dt/6) Int v dN over d(work)/dN = (2/3) alpha*:
  *
  *   N_max = N* (1 - (3/20) B(3/5, 3/2) V_N dt/alpha*) = N* (1 - 0.55678/n)
  *
  * Returns impact.restitution and, for C that monitors the contact, C.normal max in the first stage, which must contain
- * it. Depth and duration have errors of log(n)/n and are not returned. Error: 1/n^2.
+ * the largest force. Errors of the largest overlap and of the duration are of the order log(n)/n, so neither is
+ * returned. Error: 1/n^2.
  *
  * Source   [R89 4.11-4.14]; e and N_max derived here.
  *

@@ -2,12 +2,13 @@
  *
  *   m* alpha'' = -K alpha^(3/2) - 2 beta (m* 2 E* a)^(1/2) alpha',   a^2 = R* alpha                  [R89 4.13, 5.6]
  *
- * With s = alpha/alpha*, t in alpha* / V_N, and alpha* without damping, beta is the only parameter:
+ * With s = alpha/alpha*, alpha* the largest overlap without damping, and t in units of alpha* / V_N, beta is the only
+ * parameter:
  *
  *   s'' = -(5/4) s^(3/2) - (15/2)^(1/2) beta s^(1/4) s',     s(0) = 0, s'(0) = 1
  *
- * by the eighth-order method of Prince and Dormand at 1e-13. To find where an unknown reaches a value, the equations
- * are integrated over that unknown instead of time (Henon 1982).
+ * The method is the eighth-order one of Prince and Dormand, with the tolerance 1e-13. To find where an unknown reaches
+ * a value, the equations are integrated over that unknown instead of time (Henon 1982).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_HERTZ_MOTION_H
@@ -19,10 +20,10 @@ enum { HERTZ_TIME, HERTZ_OVERLAP, HERTZ_SPEED, HERTZ_UNKNOWNS }; /* t, s, s' */
 #define HERTZ_FIRST_CONTACT                                                                                            \
   { 0, 0, 1 }
 
-/* Integrates y over its unknown `along` to the value `to` of it. False: GSL gave up. */
+/* Integrates y over its unknown `along`, until that has the value `to`. False: GSL gave up. */
 bool hertz_integrate(double y[], double beta, int along, double to);
-/* Integrates y to s = `end` on the way back, but not beyond the time `longest`; then s is still larger. `deepest`
- * becomes the state of largest overlap. False: GSL gave up. */
+/* Integrates y until s, decreasing, is `end`; stops with s > `end` after the time `longest`. `deepest` becomes the
+ * state of largest overlap. False: GSL gave up. */
 bool hertz_rebound(double y[], double beta, double end, double longest, double deepest[]);
 
 #endif

@@ -1,12 +1,12 @@
-/* The exact contact in an oblique impact with dashpots: the springs of impact_springs.c, with damped approach.
+/* The exact contact in an oblique impact with dashpots: the springs of impact_springs.c, with a damped approach.
  *
  *   xi''  = -(5/4) xi^(3/2) - (15/2)^(1/2) beta xi^(1/4) xi'                                           [R89 4.13, 5.6]
  *   psi'  = -(5/2) chi (f + g),     g = (8/5) (15 kappa/8)^(1/2) beta xi^(1/4) psi; 0 in gross sliding       [R89 4.19]
  *
- * in the units of impact_springs.h; c = 2 beta (M k)^(1/2) with k = dN/d(alpha) = 2 E* a normal and k = 8 G* a = 2 E*
- * a/kappa tangential. Friction limits f by the elastic force xi^(3/2). hertz_motion.c integrates the approach. A step
- * in which sliding begins or ends has g in all of it or not at all, which makes the result first order in the step, so
- * an impact is cut into many steps.
+ * in the units of impact_springs.h. The damping coefficients are 2 beta (M* k)^(1/2), with k = dN/d(alpha) = 2 E* a in
+ * the normal direction and k = 8 G* a = 2 E* a/kappa in the tangential one. Friction limits f to the elastic force
+ * xi^(3/2). hertz_motion.c integrates the approach. The dashpot g acts in the whole of a step in which sliding begins
+ * or ends, or not at all. This makes the error first order in the step, so an impact is divided into many steps.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -15,14 +15,15 @@
 #include "hertz_motion.h"
 #include "impact_springs.h"
 
-/* Duration of the contact in alpha_max/V_N; NAN: it does not end, or GSL gave up. */
+/* Duration of the contact in units of alpha_max/V_N; NAN: it does not end, or GSL gave up. */
 static double duration(double beta) {
   double y[HERTZ_UNKNOWNS] = HERTZ_FIRST_CONTACT, deepest[HERTZ_UNKNOWNS];
   const double longest = 1000; /* near critical damping it is a few times the undamped one */
   return hertz_rebound(y, beta, 0, longest, deepest) && !(y[HERTZ_OVERLAP] > 0) ? y[HERTZ_TIME] : NAN;
 }
 
-/* psi2, with so many springs at the overlaps `depth`, whose stretches u are 0; INFINITY: it has no end. */
+/* psi2. Spring i, with the deflection u[i] = 0 at first, touches from the overlap depth[i] on. INFINITY: the contact
+ * does not end. */
 static double rebound(double chi, double kappa, double beta, double psi1, int steps, double *u, const double *depth,
                       int springs) {
   const double dashpot = 1.6 * sqrt(15 * kappa / 8) * beta, dt = duration(beta) / steps;

@@ -1,17 +1,16 @@
-/* Simplified shear laws in an oblique impact, each as an ordinary differential equation: its limit for small steps.
+/* Simplified shear laws in an oblique impact, each as the differential equation that it becomes for small steps.
  *
- *   mindlin          df = (3/2) xi^(1/2) dd                                   dT = 8 G* a d(delta), without partial
- *                    slip
- *   mindlin_scaled   and in addition df = f dxi/(2 xi) while xi decreases      T proportional to a while N decreases
- *   randall          df = (3/2) xi^(1/2) theta dd +- (1 - theta) dn            two reversals stored [R89 3.94]
- *   linear           df = k dd                                         dT = k_s d(delta), k = k_s kappa alpha_max/N_max
  *   none             f = 0
+ *   linear           df = k dd,  k = k_s kappa alpha_max/N_max                dT = k_s d(delta)
+ *   mindlin          df = (3/2) xi^(1/2) dd                                   dT = 8 G* a d(delta), without micro-slip
+ *   mindlin_scaled   the same, plus df = f dxi/(2 xi) while xi decreases      T proportional to a while N decreases
+ *   randall          df = (3/2) xi^(1/2) theta dd +- (1 - theta) dn           two stored reversals [R89 3.94]
  *
- * all with |f| <= n = xi^(3/2), Coulomb's law. In the units of impact_springs.h a new ring sticks at increments of slip
- * up to mu dN/(8 G* a) = dxi.
+ * in the units of impact_springs.h, with n = N/N_max = xi^(3/2). Coulomb's law limits all of them: |f| <= n. With
+ * `randall` a new ring sticks if dd <= dxi, which is mu dN/(8 G* a) in these units [R89 4.16].
  *
- * Leapfrog, with f and n at the end of a step and xi at its middle. The error is first order where the law contains f
- * or theta. A second run with half the steps removes it from the values at the end.
+ * The integration is leapfrog, with f and n at the end of a step and xi at its middle. The error is of first order
+ * where the law contains f or theta. A second run with half the steps removes it from the values at the end.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -20,7 +19,7 @@
 
 #include "impact_springs.h"
 
-/* One step: the force before it, the slip dd, the approach dxi, and n after it. */
+/* One step: f before it, n after it, the increments of d, xi and n. */
 struct step {
   double f, dd, dxi, n, dn, root; /* root: xi^(1/2) at the middle */
   double spring;                  /* k_s kappa alpha_max/N_max */
@@ -28,10 +27,10 @@ struct step {
 
 /* The history of `randall`; the other laws have none. */
 struct history {
-  double sense;   /* of the loading: 1, -1; the text's CDF */
-  bool unloading; /* UFL = -1; reloading does not occur in an impact and counts as loading */
+  double sense;   /* direction of the virgin loading, R89's CDF: 1 or -1; 0: none yet */
+  bool unloading; /* R89's UFL = -1; reloading does not occur in an impact and counts as loading */
   double star;    /* T*, the force at the reversal, updated as N changes */
-  double deficit; /* DD, the slip missing on rings that stuck */
+  double deficit; /* R89's DD, the displacement missing to full slip of rings that stuck */
 };
 
 static double none(struct step s, struct history *m) { return (void)m, 0 * s.f; }

@@ -7,9 +7,9 @@
  *   du = dd,   |u| <= xi - y^2,   u = 0 without contact,        f = (3/2) Int_0^sqrt(xi) u dy
  *
  * The state of the springs is the only history; Cattaneo's and Mindlin's solutions follow from it for any path of xi
- * and d. If both change linearly in a step, u = d clipped at the end of the step is exact; a spring that begins to
- * touch in the step takes its fraction of the slip. Springs at the middles of equal cells, leapfrog in time: both
- * second order.
+ * and d. If both change linearly in a step, clipping u + dd at the end of the step is exact; a spring that begins to
+ * touch in the step takes the fraction of dd that comes after. The springs stand at the middles of equal cells, and the
+ * integration is leapfrog: both errors are of second order.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "impact_springs.h"

@@ -1,13 +1,13 @@
 /* An oblique impact in dimensionless numbers: shared by oblique_impact.c, rebound.c and their helpers.
  *
- *   lengths     normal: alpha_max        tangential: mu kappa alpha_max        time: alpha_max/V_N
- *   forces      normal: N_max            tangential: mu N_max                  kappa = (E* / G*)/4
+ *   overlap     xi = alpha/alpha_max            tangential displacement   d = delta/(mu kappa alpha_max)
+ *   forces      N/N_max = xi^(3/2) [Hertz]      shear force               f = T/(mu N_max), by the shear law
+ *   time        in units of alpha_max/V_N       compliance ratio          kappa = (E* / G*)/4
  *
  *   xi'' = -(5/4) xi^(3/2),   xi' = 1 at first                                 approach [R89 5.6]
- *   psi' = -(5/2) chi f,      psi = d' = V_T/(mu kappa V_N)                     slip of the contact [R89 5.15]
+ *   psi' = -(5/2) chi f,      psi = d' = V_T/(mu kappa V_N)                    tangential velocity [R89 5.15]
  *
- * The parameters are chi = (1 + m R^2/I)/(2 kappa) [R89 5.14] and psi1. Hertz: N/N_max = xi^(3/2). The shear law gives
- * f = T/(mu N_max).
+ * The parameters are chi = (1 + m R^2/I)/(2 kappa) [R89 5.14] and psi1, the initial psi.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_IMPACT_SPRINGS_H
@@ -23,16 +23,16 @@ struct impact_path {
   double psi2; /* at the end */
   double slid; /* integral of f over gross sliding */
   double *xi, *f, *d;
-  bool *slides; /* gross sliding at the end of the previous step */
+  bool *slides; /* entry k: gross sliding at the end of step k */
 };
 
 /* Computes xi only; false: out of memory. */
 bool impact_path_create(struct impact_path *path, int steps);
-/* Approach alone: xi at each of the steps + 1 times; NULL: out of memory. By GSL's Runge-Kutta method of order 8 at
+/* xi at each of the steps + 1 times; NULL: out of memory. By GSL's Runge-Kutta method of order 8 at
  * 1e-13. Free with free(). */
 double *impact_approach(int steps);
 
-/* The exact contact, and a simplified law. False: out of memory. Call impact_path_free in any case. */
+/* The exact contact; then a simplified law. False: out of memory. Call impact_path_free in any case. */
 bool impact_springs(struct impact_path *path, double chi, double psi1, int steps);
 /* spring: only for `linear`, k_s kappa alpha_max/N_max, which is 3/2 for k_s = 8 G* a at alpha_max. */
 bool impact_law(struct impact_path *path, const char *law, double spring, double chi, double psi1, int steps);
@@ -41,8 +41,8 @@ bool impact_exact(struct impact_path *path, double chi, double psi1, int steps);
 /* psi2 with normal and tangential dashpots of the damping ratio beta (impact_damped.c); NAN: out of memory, INFINITY:
  * the contact does not end, or GSL gave up. */
 double impact_damped(double chi, double kappa, double beta, double psi1, int steps);
-/* Updates the springs for a change of xi from `from` to `to` and of d by `slip`, and returns f. Spring i touches at xi
- * = depth[i]. *sliding: the gross sliding of the contact. */
+/* Updates the deflections u of the springs for a change of xi from `from` to `to` and of d by `slip`. Returns f. Spring
+ * i touches while xi > depth[i]. *sliding: the gross sliding of the contact. */
 double impact_press(double *u, const double *depth, int springs, double from, double to, double slip, double *sliding);
 void impact_path_free(struct impact_path *path);
 

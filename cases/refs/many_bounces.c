@@ -1,19 +1,19 @@
 /* Reference: a sphere that bounces repeatedly on a spring and a dashpot, with its weight also during the contact.
  *
- * In contact the overlap d obeys  m d'' + c d' + k d = m g,  d = 0 and d' = v at first. With u = w d/v, the time t = w
- * time, w^2 = k/m, the damping ratio b, s = (1 - b^2)^(1/2) and eps = g/(w v),
+ * In contact the overlap d obeys  m d'' + c d' + k d = m g,  with d = 0 and d' = v at first. With w^2 = k/m, the time t
+ * in units of 1/w, u = w d/v, the damping ratio b, s = (1 - b^2)^(1/2) and eps = g/(w v),
  *
  *   u = exp(-b t) sin(s t)/s + eps (1 - exp(-b t) (cos s t + b/s sin s t))
  *
- * The contact ends at the first root of u after 0, with the speed -u' v, and the sphere rises by (u' v)^2/(2 g). The
- * root is found by Newton's method from t = pi/s, the root without weight. To first order in eps the coefficient of
- * restitution is
+ * The contact ends at the first root of u after 0, with the speed -u' v, and the sphere rises by (u' v)^2/(2 g).
+ * Newton's method finds the root from t = pi/s, the root without weight. To first order in eps the coefficient of
+ * restitution e = -u' is
  *
  *   e = e_0 - 2 b (1 + e_0) eps,    e_0 = exp(-pi b/s)
  *
  * Returns, for D that monitors the particle:   D.y in STAGE, of each stage that ends at the top (`until D.vy below 0`)
- * Exact in continuous time. The scheme misses the beginning and the end of the dashpot's force by up to half a step,
- * and its dashpot lags half a step: b w dt (2 + pi b/2) of e.
+ * Exact in continuous time. In a run the dashpot's force begins and ends up to half a step too early or too late, and
+ * lags by half a step: the relative error of e is up to b w dt (2 + pi b/2).
  *
  * Source   [MFiX DEM-02].
  *
@@ -43,8 +43,9 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     return error->status;
   if (scene->gravity.x != 0 || !(particle.height > particle.radius) || !(particle.gravity_n > 0) ||
       !(particle.cn < 2 * sqrt(particle.pair.kn * particle.m)))
-    return nb_error_set(error, NB_BAD_USE,
-                        "many_bounces is for a particle dropped straight down, from rest, on a dashpot below critical");
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "many_bounces is for a particle dropped straight down, from rest, with less than critical damping");
   const double w = sqrt(particle.pair.kn / particle.m), b = particle.cn / (2 * particle.m * w), g = particle.gravity_n;
   double rise = particle.height - particle.radius; /* of the centre above first contact, m */
   for (size_t s = 0; s < scene->stage_count; s++) {

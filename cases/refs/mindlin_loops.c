@@ -1,14 +1,14 @@
 /* Reference: Mindlin and Deresiewicz's loops at constant normal force, in closed form.
  *
- *   A = 3 mu N/(16 G* a)                                       slip at which gross sliding begins, m
+ *   A = 3 mu N/(16 G* a)                                       displacement at which gross sliding begins, m
  *   delta           = A [1 - (1 - T/mu N)^(2/3)]               loading from T = 0                            [R89 3.25]
  *   delta* - delta  = 2A [1 - (1 - (T* - T)/2mu N)^(2/3)]      unloading from T*, delta*                     [R89 3.40]
  *   delta - delta** = 2A [1 - (1 - (T - T**)/2mu N)^(2/3)]     reloading from T**, delta**                   [R89 3.50]
- *   c/a             = (1 - T/mu N)^(1/3)                       the stick radius in loading; (1 - |T - T_begin|/2mu
- *                     N)^(1/3)          on a branch that began by a reversal               [R89 3.24]
+ *   c/a             = (1 - T/mu N)^(1/3)                       stick radius in loading from T = 0            [R89 3.24]
+ *                   = (1 - |T - T_begin|/2mu N)^(1/3)          on a branch that began by a reversal
  *
  * Each reversal begins a branch of the same shape. A branch that returns to the T at which the previous one began is
- * erased with it: the curve continues as if the loop had not occurred. So the state is a stack of branches. The energy
+ * erased with it: the curve continues as if the loop had not been made. So the state is a stack of branches. The energy
  *
  *   W(t) = (6/5) mu N A [1 - (1 - t)^(5/3) - (5/6) t (1 + (1 - t)^(2/3))]
  *
@@ -16,11 +16,11 @@
  * W, the formula of Mindlin and Deresiewicz (1953).
  *
  * A law that stores two reversals (`randall`) has three branches; it moves back and forth on the third one elastically.
- * A law without partial slip (`mindlin`, `mindlin_scaled`) has T = 8 G* a delta and is covered below the limit. In
- * gross sliding the contact dissipates mu N times the distance.
+ * A law without micro-slip (`mindlin`, `mindlin_scaled`) has T = 8 G* a delta and is covered below the limit mu N. In
+ * gross sliding the contact dissipates mu N times the sliding displacement.
  *
- * Returns slip, shear, radius.stick, dissipated and work.shear (the integral of T d(delta)), as curves along step and
- * at the end of each segment. Error: rounding.
+ * Returns slip (delta), shear (T), radius.stick (c), dissipated and work.shear (the integral of T d(delta)), as curves
+ * along step and at the end of each segment. Error: rounding.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>

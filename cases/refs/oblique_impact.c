@@ -1,27 +1,25 @@
 /* Reference: oblique impact of a sphere on a wall or on another sphere.
  *
- * For `shear mindlin_deresiewicz` the exact contact, as independent springs (impact_springs.c); for a simplified law
- * its limit for small steps (impact_laws.c). In dimensionless numbers the impact has two parameters:
+ * `shear mindlin_deresiewicz` is computed as the exact contact, by independent springs (impact_springs.c), a simplified
+ * law in its limit for small steps (impact_laws.c). In dimensionless numbers the impact has two parameters:
  *
  *   psi1 = V_T/(mu kappa V_N)       chi = (1 + m R^2/I)/(2 kappa)       kappa = (E* / G*)/4     [R89 5.14, 5.15]
  *
- * Two spheres count as one with 1/M = 1/m_x + 1/m_y. In gross sliding, psi1 >= 4 chi - 1, psi2 = psi1 - 4 chi. The
- * dissipated energy follows from the velocities: with Lambda = (psi1^2 - psi2^2)/(5 chi) it is N_max mu^2 kappa
- * alpha_max Lambda.
+ * Two spheres x and y have chi = M (1/m_x + R_x^2/I_x + 1/m_y + R_y^2/I_y)/(2 kappa) with 1/M = 1/m_x + 1/m_y. In gross
+ * sliding throughout, for psi1 >= 4 chi - 1, psi2 = psi1 - 4 chi. The dissipated energy follows from the velocities: it
+ * is N_max mu^2 kappa alpha_max (psi1^2 - psi2^2)/(5 chi).
  *
  * Returns:
  *   impact.psi1, .psi2, .angle, .restitution, .duration, impact.energy.normal .tangential .rotational    at the end
  *   energy.frictional, energy.sliding              dissipated in all, and in gross sliding, J
  *   impact.normal, .shear, .slip along impact.time
  *   impact.time, .slip in STAGE                    of a stage that ends when gross sliding begins or ends, or
- *     impact.shear passes a
- *                                                  value
+ *                                                  impact.shear passes a value
  *   C.normal max, C.overlap max                    for C that monitors the contact
  *
  * Source   Maw, Barber and Fawcett (1976) for the numbers [R89 5.3.2]; Popov and Hess (2015) for the springs.
- * Error    psi2 of the exact contact 1e-6, curves 1e-5 (interpolation between 2000 steps); of mindlin and
- *          mindlin_scaled 1e-6 and
- *          1e-4, of randall 1e-4 and 1e-3.
+ * Error    of psi2, and of the curves:   exact contact 1e-6, 1e-5 (interpolation between 2000 steps)
+ *                                        mindlin and mindlin_scaled 1e-6, 1e-4;   randall 1e-4, 1e-3
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -35,13 +33,13 @@ enum { STEPS = 2000, LAW_STEPS = 20000 };
 
 /* The pair of the scene, in SI. */
 struct pair {
-  double mass, inverse;      /* reduced, kg; 1/m + R^2/I of both, 1/kg */
+  double mass, inverse;      /* M, kg; the sum of 1/m + R^2/I of both, 1/kg */
   double friction, kappa;    /* 1 */
   double spring;             /* k_s, N/m */
   double vn, vt;             /* V_N, and V_T of the contact, m/s */
   double centre;             /* V_T of the centre, m/s */
   double depth, force, time; /* alpha_max, m; N_max, N; T_c, s */
-  double rotation;           /* rotational energy at first, J */
+  double rotation;           /* initial rotational energy, J */
 };
 
 static double inverse_mass(const struct nb_scene *scene, const struct nb_particle *particle) {
@@ -77,7 +75,7 @@ static void read_pair(struct pair *p, const struct nb_scene *scene) {
       .rotation =
           (matter_inertia(scene, a) * a->spin * a->spin + (b ? matter_inertia(scene, b) * b->spin * b->spin : 0)) / 2,
   };
-  /* [R89 5.5, 5.9]: K alpha^(3/2), which stores all of the energy at alpha_max */
+  /* N = K alpha^(3/2), and at alpha_max the contact stores all of the normal energy [R89 5.5, 5.9]. */
   const double stiffness = 4. / 3 * sqrt(radius) * pair.young;
   p->depth = pow(5 * p->mass * p->vn * p->vn / (4 * stiffness), 0.4);
   p->force = stiffness * pow(p->depth, 1.5);

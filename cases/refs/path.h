@@ -1,4 +1,4 @@
-/* The path of a contact test, for references: the constants of the contact, the targets of the steps, and tables of
+/* The path of a contact test, for references: the constants of the contact, the targets of the steps, and columns of
  * results.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -7,7 +7,7 @@
 
 #include "reference.h"
 
-/* The constants of two elastic spheres, or of a sphere and a wall. */
+/* The constants of the contact of two elastic spheres, or of a sphere and a wall. */
 struct path_contact {
   double radius;   /* R*, m */
   double young;    /* E*, Pa */
@@ -32,7 +32,8 @@ struct path_point {
   double approach, slip, normal, shear; /* m, N */
 };
 
-/* Iterates over the targets of a path; each depends on the point that the previous steps have reached. */
+/* Iterates over the targets of a path. Relative targets depend on the point `now` that the previous steps have
+ * reached. */
 struct path_walk {
   const struct nb_scene *scene;
   int segment;

@@ -1,15 +1,17 @@
-/* Reference: the simplified laws along the path of a contact test, in the limit of small steps: as equations instead of
- * increments. For the exact law it calls path_springs.c.
+/* Reference: the simplified laws along the path of a contact test in the limit of small steps: differential equations
+ * instead of increments. For the exact law it calls path_springs.c.
  *
  *   linear          dT = k_s d(delta)
  *   mindlin         dT = 8 G* a d(delta)                                                                     [R89 3.27]
  *   mindlin_scaled  the same while a increases;  d(T/a) = 8 G* d(delta)  while a decreases
  *
- * with a^2 = R* alpha, and alpha and delta linear in each step, so that Int a d(delta) is (2/3) R*^(1/2) (alpha_1^(3/2)
- * - alpha_0^(3/2)) d(delta)/d(alpha).
+ * with a^2 = R* alpha. alpha and delta are linear in each step, so that from alpha_0 to alpha_1
  *
- * Returns slip, shear and work.shear at each step and at the end of each segment. Work by Simpson's rule over the step,
- * exact where only one of alpha and delta changes. Refuses paths on which a contact reaches Coulomb's limit.
+ *   Int a d(delta) = (2/3) R*^(1/2) (alpha_1^(3/2) - alpha_0^(3/2)) d(delta)/d(alpha)
+ *
+ * Returns slip (delta), shear (T) and work.shear at each step and at the end of each segment. Simpson's rule integrates
+ * the work over the step; this is exact where only one of alpha and delta changes. Refuses paths on which a contact
+ * exceeds Coulomb's limit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>

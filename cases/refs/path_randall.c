@@ -1,27 +1,27 @@
-/* Reference: R89's incremental law along the path of a contact test in which approach and slip move in turns, in the
- * limit of small steps: its equations solved piece by piece.
+/* Reference: R89's incremental law along the path of a contact test in which overlap (alpha) and tangential
+ * displacement (delta) change in turns, in the limit of small steps: its equations solved piece by piece.
  *
- * With dN = 0 [R89 3.94] is dT = 8 G* a theta d(delta), and with theta = u^(1/3) and N = (4/3) E* a alpha
+ * With dN = 0, [R89 3.94] becomes dT = 8 G* a theta d(delta). With theta = u^(1/3) and N = (4/3) E* a alpha
  *
  *   u = 1 - T/mu N                loading     [R89 3.95]      u^(2/3) falls by  d(delta)/(mu kappa alpha)
  *   u = 1 - (T* - T)/2 mu N       unloading   [R89 3.96]      by                |d(delta)|/(2 mu kappa alpha)
  *   u = 1 - (T - T**)/2 mu N      reloading   [R89 3.97]      the same, and back along it in re-unloading [R89 3.3]
  *
- * With d(delta) = 0 and N decreasing it is dT = mu dN (1 - theta), with the opposite sign in unloading [R89 3.94],
+ * With d(delta) = 0 and N decreasing, [R89 3.94] becomes dT = mu dN (1 - theta), with the opposite sign in unloading,
  * while T* decreases and T** increases by mu |dN| [R89 4.20, 4.21]. Let zeta = alpha u^(2/3), the overlap at which the
- * stick front would be the edge. Then mu N u is mu N(zeta), theta is dN(zeta)/dN for equal increments of both, and
+ * edge of the contact would be where the stick front is now. Then N u = N(zeta), theta = N'(zeta)/N'(alpha), and
  *
  *   d(zeta) = d(alpha)            loading                     d(zeta) = d(alpha)/2      unloading, reloading
  *
- * until zeta = alpha: there T* or T** equals T and is dropped. With N increasing there is no partial slip [R89 3.98]: T
- * is constant, and the contact has a deficit of slip, mu kappa d(alpha) [R89 3.70, 3.71, 4.16]. Slip first makes up for
- * it with the stiffness 8 G* a; decreasing N undoes it; a reversal drops it.
+ * until zeta = alpha: there T* or T** equals T and is dropped. With N increasing there is no micro-slip [R89 3.98]: T
+ * is constant, and mu kappa d(alpha) adds to the deficit of the contact [R89 3.70, 3.71, 4.16]. The next displacement
+ * first makes up for the deficit with the stiffness 8 G* a; a decrease of N reduces it; a reversal drops it.
  *
- * `randall_literal`, the text of FORD and THETA: with d(delta) = 0, T is constant for any N; reloading and re-unloading
- * have u = 1 - (T - T*)/2 mu N [R89 4.24]; and there is no deficit, because that is used only where slip and N change
- * at once. The T* of its first unloading step has no effect in the limit.
+ * `randall_literal` follows the text of FORD and THETA. With d(delta) = 0, T is constant for any N. Reloading and
+ * re-unloading have u = 1 - (T - T*)/2 mu N [R89 4.24]. There is no deficit, because the text uses it only where delta
+ * and N change at once. The T* of its first unloading step has no effect in the limit.
  *
- * Returns slip, shear and work.shear at each step and at the end of each segment.
+ * Returns slip (delta), shear (T) and work.shear at each step and at the end of each segment.
  * Accepts paths on which mu N is not reached, T* is positive, and T does not reach -T*.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -38,14 +38,14 @@ struct contact {
   bool literal;
   enum sense sense;
   bool back;           /* re-unloading */
-  bool sheared;        /* before the first slip there is no deficit */
+  bool sheared;        /* before the first tangential displacement there is no deficit */
   double alpha, force; /* m; T, N */
   double star, star2;  /* T*, T**, N */
-  double deficit;      /* of slip, m */
+  double deficit;      /* DD, m */
   double work;         /* J */
 };
 
-/* T = from + sign times mu N (1 - u), with times = 1 or 2. */
+/* T = from + sign * times * mu N (1 - u), with times = 1 or 2. */
 struct curve {
   double from, sign, times;
 };
@@ -63,7 +63,7 @@ static double u_of(const struct contact *it) {
   return 1 - on.sign * (it->force - on.from) / (on.times * limit(it));
 }
 
-/* Moves along the present curve by a slip, N constant. */
+/* Moves along the present curve by a tangential displacement, N constant. */
 static void move_along(struct contact *it, double slip) {
   const struct curve on = curve_of(it);
   const double size = on.times * limit(it), scale = on.times * it->elastic.friction * it->elastic.kappa * it->alpha;
@@ -73,7 +73,7 @@ static void move_along(struct contact *it, double slip) {
   it->work += (on.from + on.sign * size) * slip + size * scale * 0.4 * (pow(after, 2.5) - pow(before, 2.5));
 }
 
-/* The slip after which T is `force` on the present curve. */
+/* The displacement after which T is `force` on the present curve. */
 static double slip_to(const struct contact *it, double force) {
   const struct curve on = curve_of(it);
   const double size = on.times * limit(it), scale = on.times * it->elastic.friction * it->elastic.kappa * it->alpha;
@@ -90,7 +90,7 @@ static void reverse(struct contact *it) {
   it->deficit = 0;
 }
 
-/* Slip at constant N. False: out of range. */
+/* Changes the tangential displacement at constant N. False: out of range. */
 static bool apply_slip(struct contact *it, double slip) {
   it->sheared = true;
   const bool on = it->sense == LOADING || (it->sense == RELOADING && !it->back);
@@ -120,7 +120,7 @@ static void set_overlap(struct contact *it, double alpha) {
   it->star += limit(it) - before, it->star2 -= limit(it) - before;
 }
 
-/* Decreases the overlap while partial slip continues in its sense. */
+/* Decreases the overlap while micro-slip continues in its direction. */
 static void reduce_overlap(struct contact *it, double alpha) {
   const double zeta = it->alpha * pow(u_of(it), 2. / 3) + (alpha - it->alpha) / (it->sense == LOADING ? 1 : 2);
   set_overlap(it, alpha);
@@ -128,7 +128,7 @@ static void reduce_overlap(struct contact *it, double alpha) {
   it->force = on.from + on.sign * on.times * (limit(it) - it->elastic.friction * path_normal(&it->elastic, zeta));
 }
 
-/* Changes the overlap without slip of the spheres. False: out of range. */
+/* Changes the overlap at constant tangential displacement. False: out of range. */
 static bool apply_overlap(struct contact *it, double alpha) {
   const double slope = it->elastic.friction * it->elastic.kappa, decrease = it->alpha - alpha;
   const double free_part =

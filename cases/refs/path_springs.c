@@ -13,9 +13,9 @@
  *
  * Returns, as curves along step and at the end of each segment:
  *   overlap, slip, normal, shear, traction.force (equal to shear), stored.shear, dissipated, work.shear
- * The slip for a prescribed force is found by bisection. work.shear is the sum of stored.shear and dissipated: the work
- * along the path, not along its rows. Error: with n springs the error of T is of the order of mu N/n^2, 1e-7 of mu N;
- * so are the energies.
+ * Bisection finds the slip for a prescribed force. work.shear is the sum of stored.shear and dissipated: the work
+ * along the path itself, not a sum over the rows of the table. Error: with n springs the error of T is of the order of
+ * mu N/n^2, 1e-7 of mu N, and the relative errors of the energies are as small.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -31,10 +31,10 @@ struct row {
   double dy;             /* m */
   double depth[SPRINGS]; /* y^2/R*, m: overlap at which a spring begins to touch */
   double u[SPRINGS];
-  double approach, slip, lost;
+  double approach, slip, lost; /* m, m; energy dissipated so far, J */
 };
 
-/* Writes the springs after a linear step to `u` and their dissipation to *lost. Returns T. */
+/* Writes the deflections after a linear step to `u`, and the energy that the step dissipates to *lost. Returns T. */
 static double update_springs(const struct row *row, double u[], double approach, double slip, double *lost) {
   const double limit = row->contact.friction * row->contact.kappa, stiffness = 4 * row->contact.shear * row->dy;
   const double from = row->approach, ds = slip - row->slip;
@@ -52,8 +52,8 @@ static double update_springs(const struct row *row, double u[], double approach,
     u[i] = sticking > end ? end : sticking < -end ? -end : sticking;
     sum += u[i];
     if (u[i] != sticking) {
-      const double s =
-          sticking > u[i] ? 1 : -1; /* it reaches the limit where u0 + t moved = s (begin + t (end - begin)) */
+      /* The spring reaches its limit at the fraction t, where before + t moved = s (begin + t (end - begin)). */
+      const double s = sticking > u[i] ? 1 : -1;
       const double t = (s * begin - before) / (moved - s * (end - begin));
       const double at_limit = begin + (t > 0 ? t : 0) * (end - begin);
       *lost += stiffness * (at_limit + end) / 2 * fabs(sticking - u[i]);
@@ -95,7 +95,7 @@ static double stored(const struct row *row) {
   return 4 * row->contact.shear * row->dy * sum; /* both halves of the row */
 }
 
-/* Of the path; the row of springs ends there. */
+/* The largest overlap of the path; it determines the length of the row of springs. */
 static double largest_overlap(const struct path_contact *contact, const struct nb_scene *scene) {
   struct path_walk walk = path_walk(scene);
   struct path_point now = {0};

@@ -1,18 +1,19 @@
 /* Reference: an elastic sphere between two others that approach each other, without friction.
  *
- * By symmetry it moves along y alone, between spheres at -X and X:
+ * By symmetry it moves along y alone, between spheres at x = -X and X:
  *
  *   m y'' = 2 F y/D,   X = X_0 - V t,   D = sqrt(X^2 + y^2),   F = (4/3) E* sqrt(R*) (R + r - D)^(3/2)          [Hertz]
  *
  *   m, r   of the small sphere, kg, m      R   radius of the two, m      V   speed of each, m/s
  *   E* = E/(2 (1 - nu^2)),  R* = R r/(R + r)
  *
- * integrated (Runge-Kutta-Prince-Dormand, 1e-12) until the contacts end; there the step is reduced to 1e-12 of itself.
+ * integrated by the method of Prince and Dormand at 1e-12 until the contacts end. Repeated steps, the last of them
+ * shorter than 1e-18 s, find this time.
  *
  * Returns:
  *   D.vy               after separation, for D that monitors the small sphere
  *   C.overlap max      for C that monitors one of its contacts
- *   energy.walls       m v^2/2: the work of the two moving spheres
+ *   energy.walls       m y'^2/2 after separation: the work of the two moving spheres
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_errno.h>

@@ -1,18 +1,18 @@
 /* Reference: head-on impact of two spheres with Hertz's law in the steps of R89's time step.
  *
- * The distance s of the centres and its rate u obey one recursion, with the reduced mass M* and the overlap a = R_x +
- * R_y - s:
+ * The distance s of the centres and its rate u obey one recursion, with the reduced mass M* and the overlap
+ * a = R_x + R_y - s:
  *
  *   u_(N+1/2) = u_(N-1/2) + (4/3) E* R*^(1/2) a_N^(3/2) dt/M*,   s_(N+1) = s_N + u_(N+1/2) dt          [CS79 22, 22a]
  *
- * until they separate; there is no force at time 0. The sum of their momenta is constant. dt is a fraction of pi R
- * (rho/G)^(1/2)/(0.1631 nu + 0.876605) with the mean radius of all particles [R89 4.33, 4.34].
+ * until they separate; there is no force at time 0. The sum of their momenta is constant. dt is a fraction of
+ * pi R (rho/G)^(1/2)/(0.1631 nu + 0.876605) with the mean radius R of all particles [R89 4.33, 4.34].
  *
- * The reference covers the step, not the law: it includes the error of a run with so few steps per contact.
+ * The solution contains the error of so few steps per collision, so it checks the step and not the law.
  *
  * Returns D.vx at the end, for D that monitors particle 1 or 2.
- * Accepts one material; particles 1 and 2 begin apart and collide along x without others; `step F of rayleigh-fit-
- * mean`. Error: rounding.
+ * Accepts one material, particles 1 and 2 that begin apart and collide along x without touching others, and
+ * `step F of rayleigh-fit-mean`. Error: rounding.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>

@@ -2,8 +2,8 @@
  *
  *   t = pi R (rho/G)^(1/2) / alpha                                     [R89 4.33]
  *
- * alpha^2 = x is the root of Rayleigh's equation between 0.75 and 0.92. Its square [R89 4.32], divided by x, is a
- * cubic,
+ * alpha^2 = x is the root of Rayleigh's equation between 0.75 and 0.92. Squared [R89 4.32] and divided by x, the
+ * equation is a cubic,
  *
  *   x^3 - 8 x^2 + (24 - 16 q) x - 16 (1 - q) = 0,   q = (1 - 2 nu)/(2 (1 - nu))
  *
@@ -15,8 +15,8 @@
  *   D.vx, D.vy                                   at the end, for D that monitors a particle: the equal spheres 1 and 2,
  *                                                3 and 4, ... exchange their velocities, with the error of the steps
  *                                                (hertz_corner.h)
- * Error    the steps: rounding. Velocities: the order n^(-5/2) with n steps in a contact, some percent for few steps,
- *          which depends on the phase of first contact in a step.
+ * Error    of the steps rounding; of the velocities of the order n^(-5/2) with n steps per collision, some percent for
+ *          few steps, depending on where in a step the contact begins
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_poly.h>
@@ -59,7 +59,7 @@ static double rebound(const struct nb_scene *scene, const struct nb_particle *a,
   return 1 + hertz_restitution_error(dt / unit, gap / speed / dt, hertz_duration_factor() * unit / dt);
 }
 
-/* The step of the run; 0 if it is not one of R89's: then e = 1. */
+/* The step of the run, s; 0 if it is not one of R89's; then e = 1. */
 static double step_of(const struct nb_scene *scene, const double shortest[2], struct grain mean) {
   const bool fit = scene->step.kind == NB_STEP_RAYLEIGH_FIT || scene->step.kind == NB_STEP_RAYLEIGH_FIT_MEAN;
   if (scene->step.kind == NB_STEP_RAYLEIGH || scene->step.kind == NB_STEP_RAYLEIGH_FIT)

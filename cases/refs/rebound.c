@@ -1,28 +1,25 @@
 /* Reference: velocities and spins after oblique impact of a spinning sphere or disc on a wall or another particle.
  *
- * The impulses J_n along the normal and J_t against the slip follow from the slip velocities V_T and V_T' before and
- * after,
+ * The impulses J_n along the normal and J_t against the tangential velocity of the contact follow from V_N, and from
+ * the tangential velocities V_T and V_T' before and after,
  *
  *   J_n = (1 + e) M V_N,    J_t = (V_T - V_T')/B,    1/M = sum 1/m,    B = sum (1/m + R^2/I)
  *
  * and change each particle by  dv = (J_n n -+ J_t t)/m,  dw = -+ R J_t/I.  The unknowns are e and V_T'.
  *
- *   e    with a dashpot of the damping ratio beta: exp(-pi z/(1 - z^2)^(1/2)) with z = beta for a linear spring and z =
- *        (6/5)^(1/2) beta for Hertz's; 1 without. J_n is the impulse of the elastic force too, because that of the
- *        dashpot,
- *        Int c(alpha) d(alpha) from 0 to 0, is zero.
- *   V_T' in gross sliding throughout, J_t = mu J_n: psi = V_T/(mu kappa V_N) changes from psi1 to
- *        psi2 = psi1 - 2 chi (1 + e),    chi = M B/(2 kappa),    kappa = (E* / G*)/4 or k_n/k_s  [R89 5.14, 5.15]
- *        This holds for psi1 >= 4 chi and any law with Coulomb's limit that slides at once for psi1 > 1. A contact
- *          without initial
- *        slip, psi1 = 0, has no tangential force. Between these, only for `shear mindlin_deresiewicz`, psi2 is that of
- *          independent
- *        springs (impact_springs.c, impact_damped.c).
+ *   e     With a dashpot of the damping ratio beta: exp(-pi z/(1 - z^2)^(1/2)), where z = beta for a linear spring and
+ *         z = (6/5)^(1/2) beta for Hertz's law. Without a dashpot: 1. J_n is also the impulse of the elastic force,
+ *         because that of the dashpot, Int c(alpha) d(alpha) from 0 to 0, is zero.
+ *   V_T'  In gross sliding throughout J_t = mu J_n, so psi = V_T/(mu kappa V_N) changes from psi1 to
+ *         psi2 = psi1 - 2 chi (1 + e),    chi = M B/(2 kappa),    kappa = (E* / G*)/4 or k_n/k_s  [R89 5.14, 5.15]
+ *         This holds for psi1 >= 4 chi and any law with Coulomb's limit that slides at once for psi1 > 1. A contact
+ *         with psi1 = 0 has no tangential force. In between, for `shear mindlin_deresiewicz` only, psi2 is that of
+ *         independent springs (impact_springs.c, impact_damped.c).
  *
  * Returns, at the end: D.vx, D.vy, D.spin for D that monitors a particle; impact.psi1, impact.psi2, impact.restitution
  * (ratio of the relative speeds of the centres); energy.kinetic. Also energy.kinetic max, the initial value.
  *
- * Error    in gross sliding rounding; psi2 of springs 1e-6 without dashpots, 5e-4 with them.
+ * Error    in gross sliding rounding; of psi2 by springs 1e-6 without dashpots, 5e-4 with them
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_math.h>
@@ -48,7 +45,7 @@ static const char separation[] = "an impact that ends, with dashpots well below 
 
 static double over(double a, double b) { return b > 0 ? a / b : 0; }
 
-/* Reads the pair; NULL, or what the reference is for. */
+/* Reads the pair. Returns NULL, or what the reference is for if it does not cover the scene. */
 static const char *read_impact(struct impact *it, const struct nb_scene *scene) {
   const struct nb_monitor *monitor = &scene->monitors[scene->impact.monitor];
   const bool hertz = strcmp(scene->normal, "hertz") == 0;
@@ -149,7 +146,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   const double psi1 = why ? 0 : fabs(it.vt) / (it.mu * it.kappa * it.vn);
   if (!why && psi1 >= no_slip && psi1 < 4 * it.chi &&
       (strcmp(scene->shear, "mindlin_deresiewicz") != 0 || strcmp(scene->normal, "hertz") != 0))
-    why = "the exact law, or for gross sliding throughout, psi1 >= 4 chi";
+    why = "`normal hertz` with `shear mindlin_deresiewicz`, or for gross sliding throughout, impact.psi1 >= 4 chi";
   if (why)
     return nb_error_set(error, NB_BAD_USE, "rebound is for %s", why);
   const double psi2 = psi_after(&it, psi1);

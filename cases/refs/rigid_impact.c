@@ -1,17 +1,19 @@
 /* Reference: oblique impact in rigid-body theory, as used in event-driven codes.
  *
  *   V_N' = -V_N,   V_T' = V_T - mu (1 + q) 2 V_N   if this is >= 0: sliding throughout              psi2 = psi1 - 4 chi
- *   V_T' = 0       otherwise: friction stops the slip, without tangential restitution              psi2 = 0
+ *                  V_T' = 0   otherwise: friction stops the sliding, without tangential restitution  psi2 = 0
  *
- * V_T is the velocity of the contact point, q = m R^2/I. The theory agrees with an elastic contact that slides to the
- * end with V_T' >= 0, for psi1 >= 4 chi [R89 5.3.2]. Then the ratio of the speeds is
+ * V_T is the tangential velocity of the contact point, q = m R^2/I. The theory agrees with an elastic contact that
+ * slides to the end with V_T' >= 0, for psi1 >= 4 chi [R89 5.3.2]. Then the ratio e of the speeds of the centre is
+ * given by
  *
- *   e^2 = 1 - 2 mu sin(2 theta) + 2 mu^2 (1 + cos(2 theta)),   least e = sqrt(1 + mu^2) - mu at tan(2 theta) = -1/mu
+ *   e^2 = 1 - 2 mu sin(2 theta) + 2 mu^2 (1 + cos(2 theta))
  *
- * with the angle of incidence theta of a sphere without spin. An elastic contact that slides to the end dissipates the
- * same energy, so this e holds for psi1 >= 4 chi - 1.
+ * with the angle of incidence theta of a sphere without spin; its smallest value is sqrt(1 + mu^2) - mu, at
+ * tan(2 theta) = -1/mu. An elastic contact that slides to the end dissipates the same energy, so this e holds for
+ * psi1 >= 4 chi - 1.
  *
- * Returns impact.psi2, impact.restitution at the end, of a particle that strikes a wall at rest. Exact.
+ * Returns impact.psi2 and impact.restitution at the end, for a particle that strikes a wall at rest. Exact.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>

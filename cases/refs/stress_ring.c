@@ -1,21 +1,21 @@
 /* Reference: six elastic spheres around a seventh, compressed by a boundary stress.        [R89 4.7, 5.5, 6.4.1]
  *
  * The six are the boundary, with radii R_1 and R_2 in turn (possibly equal), at the distances d_1 and d_2 from the one
- * in the middle, R_0. By symmetry there are three forces in equilibrium: middle with 1, middle with 2, and 1 with 2,
- * which are s = (d_1^2 + d_2^2 - d_1 d_2)^(1/2) apart:
+ * in the middle, R_0. By symmetry there are three contact forces: middle with 1, middle with 2, and 1 with 2, whose
+ * centres are s = (d_1^2 + d_2^2 - d_1 d_2)^(1/2) apart. Equilibrium under the boundary stress p requires
  *
  *   N_01 + 2 N_12 (d_1 - d_2/2)/s = p h d_2 3^(1/2)/2           and the same with 1 and 2 exchanged
- *   N = 4/3 E* R*^(1/2) (R_x + R_y - distance)^(3/2)            or 0
+ *   N = 4/3 E* R*^(1/2) (R_x + R_y - distance)^(3/2)            or 0 without overlap
  *
- * h is the mean diameter. A particle carries p on half of its two sides of the polygon, whose chord is 3^(1/2) times
- * the distance of its neighbours. All equal: N = 3^(1/2)/4 p d h. d_1 and d_2 are found by Newton's method with
- * differences (GSL, hybrids).
+ * h is the mean diameter. A particle carries p on half of its two sides of the polygon. The chord of these halves is
+ * half of the distance between its two neighbours, which is 3^(1/2) d_2 for a particle 1. If all spheres are equal,
+ * N = 3^(1/2)/4 p d h. d_1 and d_2 are found by Powell's hybrid method (GSL, hybrids). The boundary has
  *
- *   radius = (d_1 + d_2)/2,  roughness = |d_1 - d_2|/(d_1 + d_2),  stress on the boundary p, its area 3/2 3^(1/2) d_1
- *                            d_2
+ *   radius = (d_1 + d_2)/2,   roughness = |d_1 - d_2|/(d_1 + d_2),   area = 3/2 3^(1/2) d_1 d_2,   mean stress p
  *
- * Returns, at the end of the last stage:   C.normal for C that monitors a contact, boundary.radius, .roughness, .area,
- *                                          .stress.mean
+ * Returns, at the end of the last stage:
+ *   C.normal                                                        for C that monitors a contact
+ *   boundary.radius, .roughness, .area, .stress.mean
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_multiroots.h>
