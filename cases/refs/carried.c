@@ -1,14 +1,17 @@
-/* Reference: particles without contacts in an imposed affine strain, in both implementations of it.
+/* Reference: particles without contacts in an imposed affine strain, added to the velocities or accumulated in them.
  *
- * `affine strain`, from rest:   x_N = (1 + e)^N x_0,   e = L dt
+ * x is the position along an axis of the strain, x_N after N cycles, and e = L dt the strain of a cycle, at the strain
+ * rate L. `affine strain`, from rest:
  *
- * `accumulated` [R89 4.43]: u' = K u + L x,  x' = x + u' dt, so that
+ *   x_N = (1 + e)^N x_0
+ *
+ * `accumulated` [R89 4.43]: u <- K u + L x,  x <- x + u dt  in each cycle, with the velocity u, so that
  *
  *   x_(N+1) - (1 + K + e) x_N + K x_(N-1) = 0,   x_N = A l_1^N + B l_2^N,   l^2 - (1 + K + e) l + K = 0
  *
- * K is the fraction of the velocity that is left after one cycle of global damping: 1 without damping, X/(2 - X), X, X
- * for the readings of CON1. The roots are complex for sufficiently negative e; then the particle oscillates. A + B =
- * x_0; from rest, x_1 = (1 + e) x_0.
+ * K is the fraction of the velocity that damping leaves in one cycle: 1 without damping; X/(2 - X), X and X with
+ * `damping con1 X as cs79`, `as velocity` and `as all`. The roots l_1 and l_2 are complex for sufficiently negative e;
+ * then the particle oscillates. A + B = x_0; from rest, x_1 = (1 + e) x_0.
  *
  * Returns, for D that monitors a particle:   D.x, D.y along cycle, m
  * Accepts one or two stages with strains along the axes about the origin, one step and one damping; only the last stage

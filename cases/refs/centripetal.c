@@ -1,8 +1,10 @@
-/* Reference: stress in frictionless spheres at rest under central gravity G.                                  [R89 6.4.2]
+/* Reference: stress in frictionless spheres at rest under central gravity G [R89 6.4.2].
  *
  * Without friction the stress is isotropic, p(r), and radial equilibrium at distance r from the centre is
  *
- *   dp/dr = -G M/(pi R^2 t),   p = p_0 (1 - r/R),   p_0 = G M/(pi R t)   mean over a circle of radius a: p_0 (1 - 2a/(3R))
+ *   dp/dr = -G M/(pi R^2 t),   p = p_0 (1 - r/R),   p_0 = G M/(pi R t)
+ *
+ * so its mean over a circle of radius a about the centre is p_0 (1 - 2 a/(3 R)).
  *
  *   G   acceleration, m/s2     M   total mass, kg     t   mean diameter, taken as the thickness of the layer, m
  *   R   radius of the assembly, m:   pi R^2 (1 - n) = sum pi r_i^2,   n its areal porosity

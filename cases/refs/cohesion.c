@@ -4,7 +4,8 @@
  * along themselves by s = v t. Each exerts F_s = k_s (s - u), where u is the displacement of the disc into the stop,
  * k_stop u = 2 F_s. The two moments cancel:
  *
- *   F_s = min(k_s s/(1 + 2 k_s/k_stop),  F_n tan phi + c)        c, tan phi the smaller ones of the two [CS79 19]
+ *   F_s = min(k_s s/(1 + 2 k_s/k_stop),  F_n tan phi + c)        c, tan phi: the smaller ones of both materials
+ *                                                                [CS79 19]
  *
  * After the plates have separated from the disc, F_n = F_s = 0 for any c.
  *
@@ -12,9 +13,9 @@
  *   L.normal, L.shear, U.normal, U.shear in the stage that moves both plates; the two F_s have opposite signs
  *   U.normal, U.shear in the last stage
  * Accepts one free disc. The first two walls lie along x, one below and one above it, and just touch it; the third one
- * lies along y, just touches it, and has no friction and cohesion. The stages in order: one that moves the second wall
- * only, any that move nothing, one that moves the first two equally along x; the last one moves the second wall away.
- * Error: inertia is neglected; it is small when the motion is slow.
+ * lies along y, just touches it, and has neither friction nor cohesion. The stages in order: one that moves the second
+ * wall only, any number that move nothing, one that moves the first two equally along x, one that moves the second wall
+ * away. Error: inertia is neglected; its effect is small when the motion is slow.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -39,7 +40,7 @@ struct loading {
   int shear_stage;         /* index of the stage that moves both plates */
 };
 
-/* The motion of the walls, stage by stage; false: the reference does not cover it. */
+/* Reads the motion of the walls, stage by stage. False: the reference does not cover it. */
 static bool read_stages(struct loading *loading, const struct nb_scene *scene) {
   double vx = 0, vy = 0, low = 0;
   loading->shear_stage = -1;
@@ -77,8 +78,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     const struct nb_monitor *monitor = &scene->monitors[w];
     if (monitor->kind != NB_MONITOR_PARTICLE_WALL || monitor->b > 1)
       continue;
-    /* e points down at the first wall and up at the second, so t points in -x and in +x. The plates move in +x ahead of
-     * the disc, so the displacement of the disc along t past the wall is positive below and negative above. */
+    /* e points down at the first wall and up at the second, so t points in -x and in +x. The plates move in +x past the
+     * disc, so the displacement of the disc along t relative to the plate is positive below and negative above. */
     single_add(solution, monitor->name, "normal", stage, normal);
     single_add(solution, monitor->name, "shear", stage, monitor->b == 0 ? shear : -shear);
     if (monitor->b == 1) {

@@ -87,7 +87,8 @@ static void note_particles(int lines[], const struct nb_scene *scene) {
   note(lines, HAS_START, scene->start.stages > 0, scene->start.line);
 }
 
-/* Only of pairs that can touch: the material of a particle with that of another particle or of a wall. */
+/* Friction and cohesion, only of pairs that can touch: the material of a particle with that of another particle or of a
+ * wall. */
 static void note_friction(int lines[], const struct nb_scene *scene) {
   for (size_t a = 0; a < scene->material_count; a++)
     for (size_t b = 0; b < scene->material_count; b++) {

@@ -1,4 +1,4 @@
-/* The features of scenes that a reference must know of, and which of them a scene has.
+/* The features of a scene on which the validity of a reference depends.
  *
  * A reference lists in `accepts` the features that its theory covers, and in `needs` those without which it has no
  * solution. All others are refused, so every reference refuses a new feature until it lists it.
@@ -16,7 +16,7 @@ enum nb_feature {
   HAS_SPHERES,
   HAS_FIXED_PARTICLES,
   HAS_VELOCITIES, /* of particles, at time 0 */
-  HAS_SPINS,      /* the same for angular velocities */
+  HAS_SPINS,      /* angular velocities of particles, at time 0 */
   HAS_IMPACT,
   HAS_WALLS,
   HAS_MOVING_WALLS,
@@ -24,9 +24,9 @@ enum nb_feature {
   HAS_CELL,
   HAS_CONTACT_TEST, /* a single contact without motion */
   /* forces */
-  HAS_FRICTION, /* both only with a shear law */
-  HAS_COHESION,
-  HAS_MEMORY, /* a limited number of history pieces per contact */
+  HAS_FRICTION, /* only with a shear law */
+  HAS_COHESION, /* only with a shear law */
+  HAS_MEMORY,   /* a limited number of history pieces per contact */
   HAS_GRAVITY,
   HAS_CENTRIPETAL_GRAVITY,
   HAS_STIFFNESS_DAMPING,

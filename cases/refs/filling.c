@@ -1,12 +1,14 @@
 /* Reference: random fillings of circles and boxes, counted and measured particle by particle.
  *
- * Returns, for F that monitors a grading or a size of it, or the region that was filled:
- *   F.wanted     sum of n_s over the sizes of the grading
+ * Returns, for F that monitors a grading or one size of it:
+ *   F.wanted     the number of particles that the grading asks for
  *   F.placed     the number of particles with these radii
  *   F.dropped    the difference
- *   F.porosity   1 - sum n_s pi R_s^2/A, n_s particles of radius R_s, A the area of the region
+ * for F that monitors the region that was filled:
+ *   F.porosity   1 - sum pi R^2/A over all particles, A the area of the region
+ * and
  *   gap          the smallest |x_i - x_j| - R_i - R_j of all pairs, m
- * Error: rounding, because nothing has moved. All pairs are compared, without cells.
+ * Error: rounding, because nothing has moved. All pairs are compared, without a search grid.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_math.h>

@@ -1,10 +1,10 @@
 /* Reference: a straight row of equal discs between two walls, compressed by the force F.
  *
- * Each disc overlaps the next one by a, and the outer ones overlap the walls by a; F = k_n a. The contact force F is
- * the same from wall to wall. For a region of area A that contains the row and ends at the walls, L apart, with u the
- * direction of the row,
+ * All contacts have the same overlap a, also those of the outer discs with the walls, and the same force F = k_n a. Let
+ * a region of the volume V (m3; discs are 1 m thick) contain the row and end at the walls, at the distance L from each
+ * other. With the unit vector u along the row, stress, fabric and mobilized friction are
  *
- *   sigma_ij = F L u_i u_j/A          Phi_ij = u_i u_j,  Phi_xxxx = u_x^4          sin Phi = 1
+ *   sigma_ij = F L u_i u_j/V          Phi_ij = u_i u_j,  Phi_xxxx = u_x^4          sin Phi = 1
  *
  * because only the forces F at the two ends of the region act on it. All normal forces are F and there is no shear, so
  * the part `fabric` is the whole stress, and `variation` and `shear` are zero. n discs have n - 1 contacts with each
@@ -79,7 +79,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
 
 const struct nb_reference reference_force_chain = {
     .name = "force_chain",
-    .title = "a straight row of discs compressed between two walls: stress F L/A, fabric of one direction",
+    .title = "a straight row of discs compressed between two walls: stress F L/V, fabric of one direction",
     .source = "[R89 4.48]",
     .accepts = {HAS_DISCS},
     .needs = {HAS_WALLS},

@@ -1,18 +1,19 @@
 /* Reference: R89's FRACC of one disc that oscillates between two walls in contact with it, or circles between four.
  *
- * With w^2 = 2 k_n/m and h = w dt/2 the cycle is  r_(n+1) = 2 r_n - r_(n-1) - 4 h^2 r_n  in x and y separately, with
- * x_1 = x_0 (1 - 2 h^2) from rest and y_1 = v_y dt from the middle. The sum of forces is -2 k_n r [R89 4.36-4.40], and
+ * r = (x, y) is the position of the disc from the middle, r_n after n cycles. With w^2 = 2 k_n/m and h = w dt/2 the
+ * cycle is  r_(n+1) = 2 r_n - r_(n-1) - 4 h^2 r_n  in x and y separately, with x_1 = x_0 (1 - 2 h^2) from rest and
+ * y_1 = v_y dt from the middle. The sum of forces is -2 k_n r, so [R89 4.36-4.40] gives
  *
  *   FRACC = h (| |r_(n+1)| - |r_n| | / |r_(n+1) - r_n|)^(1/2)
  *
- * On a line this is h while x keeps its sign; on a circle it is 0. For h > 1 the motion becomes x_(n+1) = -g x_n with g
- * = (h + (h^2 - 1)^(1/2))^2, and
+ * On a line this is h while x keeps its sign; on a circle it is 0. For h > 1 the motion becomes x_(n+1) = -g x_n with
+ * g = (h + (h^2 - 1)^(1/2))^2, and
  *
  *   FRACC = (h (h^2 - 1)^(1/2))^(1/2)
  *
  * Returns step.fracc max, and D.x max for the disc monitored as D, from the recursion.
- * Accepts one disc between two walls across x and two across y, which touch it or not, linear springs, no shear, no
- * damping, `step F of single-contact`, one stage. Error: rounding.
+ * Accepts one disc, two walls normal to x that touch it, two normal to y that may or may not touch it, linear springs,
+ * no shear, no damping, `step F of single-contact`, one stage. Error: rounding.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>

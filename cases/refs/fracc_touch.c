@@ -1,11 +1,11 @@
-/* Reference: R89's FRACC of a disc at rest that another disc strikes squarely along x.
+/* Reference: R89's FRACC of a disc at rest that an equal disc strikes head-on, with the velocity v along x.
  *
- * The first force F_1 = k a_1 acts on a disc at rest: no displacement, no FRACC. In the next step the disc moves by F_1
- * dt^2/M while the force grows to
+ * The first force F_1 = k a_1 acts on a disc that has not moved yet, so FRACC is 0. In the next step the disc, of the
+ * mass m, moves by F_1 dt^2/m while the force grows to
  *
- *   F_2 = k (a_1 + (v - F_1 dt/m_1 - F_1 dt/m_2) dt),      FRACC = (1/2) (|F_2 - F_1|/F_1)^(1/2)        [R89 4.36-4.40]
+ *   F_2 = k (a_1 + (v - 2 F_1 dt/m) dt),      FRACC = (1/2) (|F_2 - F_1|/F_1)^(1/2)                     [R89 4.36-4.40]
  *
- * This is the largest value of the contact for both discs if the step is short. a_1 is the overlap after the first
+ * This is the largest value for both discs during the contact if the step is short. a_1 is the overlap after the first
  * whole number of steps that closes the gap.
  *
  * Returns step.fracc max.

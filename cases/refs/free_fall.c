@@ -1,7 +1,7 @@
 /* Reference: a particle falls on a wall with a spring and a dashpot and bounces: piecewise closed form.
  *
- * u is the height of the centre above the position where the particle just touches, v its rate, t the time in the
- * piece.
+ * u is the height of the centre above the position where the particle just touches, v = u', and t is the time since the
+ * beginning of the piece, where u = u0 and v = v0. m is the mass, k the stiffness and c the coefficient of the dashpot.
  *
  *   flight    u = u0 + v0 t - g t^2/2                                            until u = 0
  *   contact   m u'' = -m g - k u - c u',  w^2 = k/m,  b = c/(2 m),  w'^2 = w^2 - b^2
@@ -12,8 +12,8 @@
  * bisection between the lowest point and the next highest one. If u < 0 there, the particle stays in contact.
  *
  * Returns, for D that monitors the particle and C its contact:   D.y, D.vy along time; C.overlap max
- * Exact in continuous time. A run finds the beginning of a contact within a step, where the force of a dashpot jumps:
- * first order in the step with a dashpot, second order without.
+ * Exact in continuous time. In a run a contact begins within a step, and the force of a dashpot jumps there: the error
+ * is of first order in the step with a dashpot, of second order without.
  *
  * Source   [MFiX DEM-01], elementary.
  *

@@ -1,7 +1,7 @@
 /* Reference: a rigid particle on a plane whose inclination increases: it rolls, or slides and rotates.
  *
- * p is the acceleration along the plane, n the one into it; q = m R^2/I. Friction F gives m v' = m p - F and R w' = -q
- * F/m, so
+ * Gravity has the component p along the plane and n into it. v is the velocity along the plane, w the angular velocity
+ * and q = m R^2/I. Friction F gives m v' = m p - F and R w' = -q F/m, so
  *
  *   rolling   F = m p/(1 + q),   v' = p q/(1 + q)      while F <= mu m n, that is p <= (1 + q) mu n:
  *                                                      tan of the angle at most 3 mu for a disc, 7/2 mu for a sphere
@@ -11,8 +11,8 @@
  * integrals.
  *
  * Returns, for D that monitors the particle:   D.vx, D.spin along time and at the end of each stage
- * Error: with springs the speed lags by the growing deflection of the spring, F'/k_s, and oscillates about it when the
- * ramp ends; a dashpot damps that.
+ * Error: with springs the speed lags by F'/k_s, the rate at which the deflection of the shear spring grows. When the
+ * ramp ends, the speed oscillates about its value; a dashpot damps this oscillation.
  *
  * Source   elementary.
  *
@@ -35,7 +35,7 @@ static double integral(const double ends[2], double fraction) {
   return fraction * (ends[0] + (ends[1] - ends[0]) * fraction / 2);
 }
 
-/* The fraction of a stage at which p exceeds (1 + q) mu n; 1: nowhere. */
+/* The fraction of a stage after which p exceeds (1 + q) mu n; 1: p never does. */
 static double sliding_begin(const struct plane *f, int s) {
   const double first = f->p[s][0] - (1 + f->q) * f->mu * f->n[s][0],
                last = f->p[s][1] - (1 + f->q) * f->mu * f->n[s][1];

@@ -1,12 +1,15 @@
 /* Reference: an assembly at rest in an affine strain that is accumulated in the velocities [R89 4.43].
  *
+ * Every cycle adds L x to the velocity of a particle at x. At rest its contact forces F cancel this:
+ *
  *   sum F = -m L x/dt,   mean |sum F| = <m> (2/3) R_A e/dt^2
  *
- *   e     strain of a cycle, of opposite sign along the two axes, L = e/dt
+ *   e     strain of a cycle, of opposite sign along the two axes; L = e/dt is the strain rate
  *   R_A   radius of the region, a circle about the centre, m; particles are spread evenly over it
  *   <m>   mean mass of all particles, kg
  *
- * dt is F of R89's step [R89 4.33, 4.34]: pi R sqrt(rho/G)/(0.1631 nu + 0.876605), R the mean radius.
+ * dt is the fraction of `step X of rayleigh-fit-mean` times pi R sqrt(rho/G)/(0.1631 nu + 0.876605) [R89 4.33, 4.34],
+ * with the mean radius R.
  *
  * Returns, for A that monitors a circular region:   A.unbalanced.force in the last stage, N
  *

@@ -1,13 +1,14 @@
 /* Reference: measures of regions at time 0 by their definitions, for particles with linear springs without friction.
  *
  * All pairs of particles are examined, O(n^2). With the overlap a = R_i + R_j - |x_i - x_j| > 0, the force N = k_n a
- * and the normal n, a particle in the region adds for each of its contacts
+ * and the normal n, a particle i in the region adds for each of its contacts
  *
- *   N l n n/V    to the stress, l = R_i - a/2                    n n/2M, N n n/sum N    to the fabric, plain and
- *                weighted
+ *   N l n n/V      to the stress, with l = R_i - a/2 and the volume V of the region
+ *   n n/2M         to the fabric, with the number 2M of the contact ends in the region
+ *   N n n/sum N    to the fabric weighted by the normal force
  *
  * Principal values and directions are GSL's eigenvalues and eigenvectors. The area of a particle in a region is the
- * integral, by quadrature, of the length that a line through both has in common. Rattlers are removed one by one until
+ * integral, by quadrature, of the part of a horizontal line that lies in both. Rattlers are removed one by one until
  * none is left.
  *
  * Returns, for A that monitors a circle or a box, at 0 cycles:
@@ -44,10 +45,10 @@ static double overlap(const struct nb_particle *a, const struct nb_particle *b) 
 
 struct cut {
   const struct nb_region *region;
-  double x, y, radius; /* of the particle, in the axes of the region, from its centre */
+  double x, y, radius; /* of the particle, in the axes of the region, from the region's centre */
 };
 
-/* The length at height y inside both. */
+/* The length of the line at height y that lies in both. */
 static double common_length(double y, void *data) {
   const struct cut *cut = data;
   const double up = y - cut->y, a = sqrt(fmax(0, cut->radius * cut->radius - up * up));

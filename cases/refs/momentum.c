@@ -1,8 +1,8 @@
 /* Reference: free particles that interact only by contacts conserve their momentum.
  *
- *   p = sum m v         for all laws and contact dashpots: forces are pairs of opposite forces
- *   L = sum (m x x v + I w), about the origin, only without shear forces: CS79's moments F_s R change it by overlap
- *     times F_s
+ *   p = sum m v                  for all laws and contact dashpots, because the two forces of a contact are opposite
+ *   L = sum (m x x v + I w)      about the origin, with the angular velocity w; only without shear forces, because the
+ *                                moments F_s R of CS79 change L by F_s times the overlap
  *
  * Returns momentum.x, momentum.y and, without friction, momentum.angular, at any time; each also with max, min and
  * mean.
@@ -31,7 +31,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
                matter_inertia(scene, particle) * particle->spin;
   }
   add_value(solution, "x", x), add_value(solution, "y", y);
-  if (strcmp(scene->shear, "none") == 0 && !scene->cell.line) /* crossing an edge of the cell changes m x x v */
+  if (strcmp(scene->shear, "none") == 0 && !scene->cell.line) /* contacts across the edge of a cell change L */
     add_value(solution, "angular", angular);
   return solution_status(solution, error);
 }

@@ -1,18 +1,21 @@
 /* Reference: two particles, or a particle and a wall, with one contact that does not slide: the equations of motion, by
  * GSL.
  *
- *   m x'' = -+(P e + Q t),   I w' = Q R,   v = v_1 - v_2                                    [CS79 8-15, 20-23]
+ *   m x'' = -+(P e + Q t),  - for particle 1, + for 2,   I w' = Q R,   v = v_1 - v_2        [CS79 8-15, 20-23]
  *   P = k_n alpha + c_n (v.e),   Q = F_s + c_s s',   F_s' = k_s s',   s' = v.t - R_1 w_1 - R_2 w_2
  *   c = beta k,  or  beta 2 sqrt(M* k)                                                      [CS79 26-28] [R89 4.13]
  *
- * in continuous time, by the eighth-order method of Prince and Dormand at 1e-13. The time step enters only by the end
- * of the run, after all cycles of all stages, so the difference to a run is the error of its step.
+ * in continuous time, by the eighth-order method of Prince and Dormand at 1e-13. w is the angular velocity. The time
+ * step enters only through the end of the run, after all cycles of all stages, so a run differs from this solution by
+ * the error of its step.
  *
- * Returns, at the end, for D that monitors a particle D.x, y, angle, vx, vy, spin; for C that monitors the contact
- * C.overlap, normal, shear; and
+ * Returns, at the end:
+ *   B.x, y, angle, vx, vy, spin    for B that monitors a particle
+ *   C.overlap, normal, shear       for C that monitors the contact
  *   energy.kinetic, energy.stored, momentum.x, momentum.y, momentum.angular
- *   energy.residual   dt/2 Int F_s (v.t)(v.e)/D dt, the first order of the residual of the balance: [CS79 15] takes t
- *                     at the end of the step, the forces act at its two ends, and t rotates with (v.t)/D
+ *   energy.residual                dt/2 Int F_s (v.t)(v.e)/D dt, D the distance of the centres: the first order of the
+ *                                  residual. [CS79 15] takes t at the end of the step, the forces act at its two ends,
+ *                                  and t rotates with the angular velocity (v.t)/D
  *
  * The contact may open only while its shear spring is undeformed; otherwise the time of opening would have to be known.
  *
@@ -90,7 +93,7 @@ static void put_particle(struct pair *pair, double y[], const struct nb_scene *s
   pair->radius[k] = particle->radius;
 }
 
-/* Of all stages, s; 0: unknown. */
+/* Of all stages, s; 0: unknown, because a stage changes something. */
 static double duration(const struct nb_scene *scene) {
   double time = 0;
   for (size_t s = 0; s < scene->stage_count; s++) {
@@ -113,8 +116,9 @@ static enum nb_status build(struct pair *pair, double y[], const struct nb_scene
   if (strcmp(scene->normal, "linear") != 0)
     return refuse(error, "`normal linear`");
   if (!(duration(scene) > 0) || scene->gravity.line || damping->global_kind)
-    return refuse(error, "one step in seconds, stages of given cycles that change nothing, no gravity and no global "
-                         "damping");
+    return refuse(error,
+                  "one step given as a time, stages of given cycles that change nothing, no gravity, and damping "
+                  "at contacts only");
   for (int k = 0; k < (int)scene->particle_count; k++)
     put_particle(pair, y, scene, k);
   const int a = scene->particles[0].material;

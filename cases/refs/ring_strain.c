@@ -1,17 +1,20 @@
-/* Reference: particles without contacts in an affine strain, with a boundary, in closed form.           [R89 4.41-4.44,
- *   4.5.2]
+/* Reference: particles without contacts in an affine strain, with a boundary, in closed form [R89 4.41-4.44, 4.5.2].
  *
- * A particle of the boundary follows its strain rate. One inside, with the affine motion, also has its own velocity v,
- * which changes by damping alone. With A = 1 + L dt, and k the fraction of v that is left after one cycle of damping:
+ * A particle of the boundary follows the strain rate L. A particle inside follows it too and also has its own velocity
+ * v, which only damping changes. With A = 1 + L dt, the position x_N from the centre after N cycles, and k the fraction
+ * of v that damping leaves in one cycle:
  *
  *   x_N = A^N x_0 + dt k (A - k)^-1 (A^N - k^N) v_0                      v_0 = 0 on the boundary
- *   K'  = m v_N^2/2,   v_N = k^N (1 + k)/2 v_0                           N >= 1: the mean of the half steps
+ *   v_N = k^N (1 + k)/2 v_0                                              N >= 1: the mean of the half steps
+ *   kinetic energy  sum m v_N^2/2 over the particles inside
  *   the area of the boundary is proportional to (det A)^N
  *
- * `accumulated`, R89's code for 4.43, adds L x dt to the velocity and keeps it: x_(N+1) = (2 + L dt) x_N - x_(N-1), x_1
- * = A x_0. Along an axis of L with the eigenvalue s, from rest and undamped:
+ * `accumulated`, R89's code for 4.43, adds L x to the velocity in every cycle and keeps it:
+ * x_(N+1) = (2 + L dt) x_N - x_(N-1), x_1 = A x_0. Along an axis of L with the eigenvalue s, from rest and undamped:
  *
- *   x_N = x_0 (sinh((N+1) q) - sinh(N q))/sinh q,   cosh q = 1 + s dt/2, sinh q/2 = (s dt)^(1/2)/2;     s < 0: sin, cos
+ *   x_N = x_0 (sinh((N+1) q) - sinh(N q))/sinh q,   cosh q = 1 + s dt/2, sinh q/2 = (s dt)^(1/2)/2
+ *
+ * with sin, cos and (-s dt)^(1/2) if s < 0.
  *
  * L is symmetric; its axes and eigenvalues are GSL's.
  *
@@ -104,7 +107,7 @@ static bool on_boundary(const struct nb_scene *scene, const struct nb_particle *
   return circle->line && hypot(particle->x - circle->x, particle->y - circle->y) >= circle->radius * (1 - 1e-12);
 }
 
-/* Of the polygon through the particles of the boundary, which the page gives counterclockwise. */
+/* The area of the polygon through the particles of the boundary, which the page lists counterclockwise, m2. */
 static double area(const struct nb_scene *scene) {
   const struct nb_particle *first = NULL, *last = NULL;
   double twice = 0;
@@ -137,9 +140,10 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
       energy += matter_mass(scene, particle) * (particle->vx * particle->vx + particle->vy * particle->vy) / 2;
   }
   if (!(it.keep < 1 || energy == 0) || (it.accumulated && (energy > 0 || it.keep < 1)))
-    return nb_error_set(
-        error, NB_BAD_USE,
-        "ring_strain is for CON1 if particles have velocities, and for `accumulated` undamped from rest");
+    return nb_error_set(error, NB_BAD_USE,
+                        "ring_strain is for `damping con1` if particles have velocities, and for `accumulated` without "
+                        "damping and with "
+                        "particles at rest");
   for (size_t w = 0; w < scene->monitor_count; w++) {
     const struct nb_monitor *monitor = &scene->monitors[w];
     if (monitor->kind != NB_MONITOR_PARTICLE)

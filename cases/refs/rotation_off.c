@@ -1,12 +1,14 @@
-/* Reference: a disc or sphere slides on a floor, with and without rotation; rigid, with Coulomb friction.
+/* Reference: a rigid disc or sphere slides on a floor with Coulomb friction, with and without rotation.
+ *
+ * With the velocity v along the floor and the angular velocity w
  *
  *   v' = -mu g            while it slides
  *   w = 0                 from a stage with `rotation off` on
- *   R w' = -q mu g        with rotation, q = m R^2/I: 2 for a disc, 5/2 for a sphere
+ *   R w' = -q mu g        with rotation, while it slides; q = m R^2/I: 2 for a disc, 5/2 for a sphere
  *
- * The slip velocity is s' = v + R w. With rotation it falls by (1 + q) mu g per second until the particle rolls,
- * v = -R w; without rotation s' = v falls by mu g per second until the particle stops. A stage with `until C.sliding
- * below X` ends then. mu is the friction of `pair`, in the scene or in a stage.
+ * The velocity of the contact point is s' = v + R w. With rotation it falls by (1 + q) mu g per second until the
+ * particle rolls, v = -R w. Without rotation s' = v falls by mu g per second until the particle stops. A stage with
+ * `until C.sliding below X` ends at that time. mu is the friction of `pair`, in the scene or in a stage.
  *
  * Returns, for D that monitors the particle:
  *   D.vx, D.spin in STAGE       at the end of each stage
@@ -41,7 +43,7 @@ static void advance(struct motion *m, double time) {
   m->time += time;
 }
 
-/* Applies what the stage changes at its begin; false: it changes something else, too. */
+/* Applies what the stage changes at its begin. False: it changes something that the reference does not cover. */
 static bool begin_stage(struct motion *m, const struct nb_stage *stage) {
   if (stage->rotation == NB_ROTATION_OFF) {
     m->removed += m->rotates ? m->inertia * m->w * m->w / 2 : 0;
@@ -92,8 +94,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     char name[2 * NB_NAME_SIZE];
     if (!begin_stage(&m, stage) || !(m.mu > 0) || m.slip < 0)
       return nb_error_set(error, NB_BAD_USE,
-                          "rotation_off is for a step in seconds, stages that change only `rotation` and the friction "
-                          "of the pair, and slip in +x");
+                          "rotation_off is for a step given as a time, stages that change only `rotation` and the "
+                          "friction of the pair, and a contact point that moves in +x");
     if (stage->condition_count && !ends_with_sliding(stage))
       return nb_error_set(error, NB_BAD_USE, "rotation_off is for stages that end with `until C.sliding below X`");
     advance(&m, stage->condition_count ? sliding_time(&m) : (double)stage->cycles * stage->step.value);

@@ -1,20 +1,25 @@
-/* Reference: a particle set on a floor with a velocity and without spin slides, then rolls; exact, with springs.
+/* Reference: a particle with the initial velocity u0 and without spin slides on a floor, then rolls; the solution
+ * includes the shear spring and its dashpot.
  *
- * With q = m R^2/I (2 for a disc, 5/2 for a sphere), v the velocity and s' = v + R w the slip velocity, friction F
- * gives m v' = -F and R w' = -q F/m. So s'' = -(1 + q) F/m, and at all times
+ * With q = m R^2/I (2 for a disc, 5/2 for a sphere), the velocity v, the angular velocity w and the velocity
+ * s' = v + R w of the contact point, friction F gives m v' = -F and R w' = -q F/m. So s'' = -(1 + q) F/m, and at all
+ * times
  *
  *   v = (s' + q u0)/(1 + q),     x = (s + q u0 t)/(1 + q)
  *
- * for any F. Rigid: F = mu m g until s' = 0 at t_s = u0/((1 + q) mu g), then v = q u0/(1 + q): 2/3, 5/7 of u0. With
- * springs, w_s^2 = (1 + q) k_s/m, b = (1 + q) c_s/(2 m), d_m = mu m g/k_s:
+ * for any F. A rigid particle has F = F_m = mu m g + c until s' = 0 at t_s = m u0/((1 + q) F_m), then v = q u0/(1 + q),
+ * which is 2/3 or 5/7 of u0. With springs, d_m = F_m/k_s, b = (1 + q) c_s/(2 m), w_d^2 = (1 + q) k_s/m - b^2, and t
+ * from the beginning of each phase:
  *
- *   stick   s = u0 e^(-b t) sin(w't)/w'                              until s = d_m
- *   slide   s' decreases by (1 + q) mu g per second                  until s' = 0
- *   roll    the spring, stretched by d_m, oscillates: d = d_m e^(-b t) (cos w't + (b/w') sin w't), s' = d'
+ *   stick   s = u0 e^(-b t) sin(w_d t)/w_d                           until s = d_m
+ *   slide   s' decreases by (1 + q) F_m/m per second                 until s' = 0
+ *   roll    the spring, stretched by d_m at first, oscillates:
+ *           d = d_m e^(-b t) (cos w_d t + (b/w_d) sin w_d t), s' = d'
  *
- * Returns, for D that monitors the particle:   D.vx, D.spin, D.x along time; `time in STAGE`, D.x in STAGE of the stage
- *   that ends when
- * sliding ends; D.vx in later stages, when the oscillation has decayed.
+ * Returns, for D that monitors the particle:
+ *   D.vx, D.spin, D.x along time
+ *   time in STAGE, D.x in STAGE      of the stage that ends when sliding ends
+ *   D.vx in STAGE                    of later stages, when the oscillation has decayed
  *
  * Source   [MFiX DEM-04] for the rigid particle; the springs are elementary.
  *
@@ -132,7 +137,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   };
   if (!(square > 0) || !find_sliding(&slide))
     return nb_error_set(error, NB_BAD_USE,
-                        "slide_to_roll is for a particle that slides, with a dashpot below critical");
+                        "slide_to_roll is for a particle that slides, with less than critical damping");
   add_values(solution, scene, &particle, &slide);
   return solution_status(solution, error);
 }

@@ -1,11 +1,14 @@
 /* Reference: two spheres, one on the other, compressed between a floor and a ceiling: coupled oscillators, by GSL.
  *
+ * Sphere 1 is below sphere 2, y is the height above the floor, h the height of the ceiling. P_1, P_12 and P_2 are the
+ * forces of the floor, between the spheres, and of the ceiling:
+ *
  *   m_1 y_1'' = -m_1 g + P_1 - P_12,    m_2 y_2'' = -m_2 g + P_12 - P_2
  *   P = k alpha + c alpha'  while alpha > 0
  *   alpha_1 = R_1 - y_1,  alpha_12 = R_1 + R_2 - (y_2 - y_1),  alpha_2 = R_2 - (h - y_2)
  *   c = 2 beta (m* k)^(1/2), m* of each contact                                                              [R89 4.13]
  *
- * by the eighth-order method of Prince and Dormand at 1e-13.
+ * The method is the eighth-order one of Prince and Dormand, with the tolerance 1e-13.
  *
  * Returns, along time:   D.y, D.vy for D that monitors a sphere; C.overlap for C that monitors their contact
  *

@@ -1,4 +1,4 @@
-/* Student (1908): quantiles by GSL.
+/* The quantiles of Student's t distribution (1908), by GSL.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "student.h"

@@ -1,13 +1,13 @@
 /* Reference: energy removed with particles by `remove`, and the motion of their neighbours.
  *
- * Initially everything is at rest in contact or in free flight. Removed particles take away
+ * Initially every particle is either at rest in equilibrium or in free flight. Removed particles take away
  *
- *   sum m v^2/2 + I w^2/2     their kinetic energy, with v and w of the page, which have not changed
- *   sum k_n alpha^2/2         the energy of the springs at their contacts, each spring once; alpha the initial overlap,
- *                             m
+ *   sum m v^2/2 + I w^2/2     their kinetic energy, with the velocities v and angular velocities w of the page
+ *   sum k_n alpha^2/2         the energy of the springs at their contacts, each spring once; alpha, m, is the initial
+ *                             overlap
  *
- * A particle between a wall and a removed particle then is a mass m on the spring of the wall, compressed by alpha, at
- * rest:
+ * A particle between a wall and a removed particle is from then on a mass m on the spring of the wall, which is
+ * compressed by alpha. It starts from rest:
  *
  *   x = x_0 + alpha (1 - cos q t),   v = alpha q sin q t,   q = sqrt(k_n/m),   away from the wall, until q t = pi/2
  *   v = alpha q, constant                                   from then on
@@ -15,7 +15,7 @@
  * Returns:
  *   energy.removed
  *   D.x, D.y along time; D.vx, D.vy at the end   for D that monitors such a neighbour
- * Exact. A run has the error of its step in D, only rounding in energy.removed.
+ * Exact. In a run D has the error of the step, and energy.removed has rounding only.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -82,7 +82,7 @@ static double position(const void *data, double time) {
   return it->from + it->along * it->overlap * (angle < pi / 2 ? 1 - cos(angle) : 1 + angle - pi / 2);
 }
 
-/* Whether the particle is between one wall and one particle that is removed; then its motion. */
+/* Reads the motion of a particle between one wall and one removed particle. False: the particle is not one of these. */
 static bool read_neighbour(struct oscillation *oscillation, double normal[2], const struct nb_scene *scene,
                            const struct nb_particle *particle, double end) {
   size_t walls = 0, particles = 0;
@@ -118,8 +118,9 @@ static void add_axis(struct nb_solution *solution, const struct oscillation *osc
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_stage *stages = scene->stages;
   if (scene->stage_count != 2 || stages[0].removal_count || stages[0].step.kind != NB_STEP_TIME)
-    return nb_error_set(error, NB_BAD_USE,
-                        "taken_out is for two stages, of which the second removes particles, and a step in seconds");
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "taken_out is for two stages, of which the second removes particles, and a step given as a time");
   const double end = (double)stages[0].cycles * stages[0].step.value + (double)stages[1].cycles * stages[1].step.value;
   solution_value(solution, removed_energy(scene), "energy.removed");
   for (size_t w = 0; w < scene->monitor_count; w++) {

@@ -3,10 +3,10 @@
  * This holds for the continuous motion without friction and damping, and for the leapfrog scheme, which is symmetric in
  * time.
  *
- * Returns, at the end:   D.x, D.y, D.angle, and D.vx, D.vy, D.spin with the opposite sign, for D that monitors a
- *                        particle
- * Accepts one stage with `reverse velocities`, equal numbers of cycles before and after its begin, and one step. Error:
- * rounding.
+ * Returns, at the end, for D that monitors a particle:
+ *   D.x, D.y, D.angle; D.vx, D.vy, D.spin with the opposite sign
+ * Accepts one stage with `reverse velocities`, equal numbers of cycles before and after its begin, and one step.
+ * Error: rounding.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>

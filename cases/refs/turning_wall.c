@@ -1,9 +1,9 @@
 /* Reference: a particle that rolls along a wall which turns about a fixed point  [CS79 figure 4].
  *
- * The wall turns about P with the angular velocity W. In the frame of the wall the particle is at s along it and at n to
- * its left, from P, and starts at s_0; w is its angular velocity. Its distance from the line of the wall is constant;
- * sigma = 1 if it is to the left of that line, else -1. The centrifugal and Coriolis forces and the forces N and F of
- * the wall (F on the particle, along the wall) balance its acceleration:
+ * The wall turns about P with the angular velocity W. In the frame of the wall the particle is at s along it and at n
+ * to its left, from P, and starts at s_0; w is its angular velocity. Its distance from the line of the wall is
+ * constant; sigma = 1 if it is to the left of that line, else -1. The centrifugal and Coriolis forces and the forces N
+ * and F of the wall (F on the particle, along the wall) balance its acceleration:
  *
  *   m (s'' - W^2 s) = F              m (2 W s' - W^2 n) = sigma N
  *   rolling:  s' + sigma R (w - W) = 0,     I w' = sigma R F      so     s'' = W^2 s / (1 + I/(m R^2))
