@@ -259,6 +259,7 @@ SUITES = \
   tests/reader.c \
   tests/units.c \
   tests/scene.c \
+  tests/refine.c \
   tests/statements.c \
   tests/refs.c tests/refs_covers.c tests/refs_features.c \
   tests/refs_nine.c \
@@ -520,6 +521,7 @@ INPUT = \
   src/input/old_words.h \
   src/input/page.c \
   src/input/reader.h \
+  src/input/refine.c \
   src/input/scene.c \
   src/input/scene.h \
   src/input/state_file.c \

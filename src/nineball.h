@@ -450,6 +450,7 @@ struct nb_scene {
   const struct nb_page *page; /* not owned */
   bool unitless;              /* `units none` */
   bool contact_test;          /* a contact test: particle 1 with particle 2, or with the wall; stages are segments */
+  double refine;              /* `--set refine=R`: the step of the page divided by R; 1: as written */
   bool path_replaced;         /* a setting `follow=FILE` replaced the page's segments: expectations do not apply */
   struct nb_material *materials;
   size_t material_count;

@@ -28,7 +28,9 @@ void words_add(struct words *words, const char *format, ...) {
   words->length += (size_t)more;
 }
 
-void written_scene(struct written *written, struct words *words) {
+void written_scene(struct written *written, struct words *words) { written_scene_set(written, words, NULL); }
+
+void written_scene_set(struct written *written, struct words *words, nb_settings settings) {
   char path[] = "/tmp/nineball-written-XXXXXX";
   struct nb_mistakes mistakes = {0};
   const int descriptor = mkstemp(path);
@@ -42,7 +44,7 @@ void written_scene(struct written *written, struct words *words) {
   *words = (struct words){0};
   *written = (struct written){0};
   nb_page_read(&written->page, path, &mistakes);
-  nb_scene_read(&written->scene, &written->page, 0, NULL, &mistakes);
+  nb_scene_read(&written->scene, &written->page, 0, settings, &mistakes);
   unlink(path);
   if (mistakes.text)
     printf("# %s", mistakes.text);

@@ -20,6 +20,8 @@ void words_add(struct words *words, const char *format, ...) __attribute__((form
 
 /* The only run of the page with these statements, those of a contact test if the first line is `path`; the test ends here when they hold a mistake. Free it in place. */
 void written_scene(struct written *written, struct words *words);
+/* Likewise, as by --set. */
+void written_scene_set(struct written *written, struct words *words, nb_settings settings);
 void written_free(struct written *written);
 
 /* Of the scene at time 0; the test ends here when it cannot be made. nb_model_free it. */

@@ -277,9 +277,19 @@ NB_APPLY(apply_sweep) {
   }
 }
 
-/* Statements that --set overrides. */
-static const struct { char name[NB_NAME_SIZE]; } settable[] = {{"normal"}, {"shear"}, {"step"}};
-enum { SETTABLE = sizeof settable / sizeof *settable };
+/* Names that --set knows on every page: first the statements that it overrides. */
+static const struct { char name[NB_NAME_SIZE]; } settable[] = {{"normal"}, {"shear"}, {"step"}, {"refine"}, {"follow"}};
+enum { OVERRIDDEN = 3, SETTABLE = sizeof settable / sizeof *settable };
+
+/* refine=R */
+static void read_refine(struct nb_reader *setting, size_t line, double *refine) {
+  if (!nb_line_read(setting, line))
+    return;
+  setting->next = 1;
+  nb_take_number(setting, NB_UNIT_NUMBER, NB_POSITIVE, refine);
+  if (!setting->bad && nb_token_peek(setting))
+    nb_expected(setting, NULL, "the end of the setting");
+}
 
 /* NAME=VALUE in a line of the settings. */
 static void read_setting(struct nb_scene_reading *reading, size_t line) {
@@ -300,9 +310,11 @@ static void read_setting(struct nb_scene_reading *reading, size_t line) {
   } else if (NB_FIND(scene->bindings, scene->binding_count, name) >= 0 ||
              nb_name_suppressed(reading->reader.mistakes, name)) {
     return; /* which `let` or `sweep` looks for */
-  } else if (NB_FIND(settable, SETTABLE, name) >= 0) {
+  } else if (NB_FIND(settable, OVERRIDDEN, name) >= 0) {
     if (line == nb_setting_find(reading, name) && nb_line_read(&reading->setting, line))
       nb_statement_read(&reading->setting, nb_keywords(), reading->here, reading);
+  } else if (strcmp(name, "refine") == 0) {
+    read_refine(&reading->setting, line, &reading->scene->refine);
   } else if (strcmp(name, "follow") == 0) {
     reading->follow = equals + 1;
     if (!scene->contact_test)
@@ -311,7 +323,7 @@ static void read_setting(struct nb_scene_reading *reading, size_t line) {
   } else {
     nb_mistake(
         mistakes, &reading->settings, line, 1, (int)length, near ? near : NB_NEAREST(hint, name, settable, SETTABLE),
-        "expected a name that the page defines by `let` or `sweep`, or `normal`, `shear` or `step`, found `%.*s`",
+        "expected a name that the page defines by `let` or `sweep`, or `normal`, `shear`, `step` or `refine`, found `%.*s`",
         (int)(length < 80 ? length : 80), text);
   }
 }

@@ -215,6 +215,8 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
     nb_line_mistake(&reading->reader, (size_t)reading->transform.line, NULL,
                     "expected finite coordinates after `transform`, these are too large");
   scene->unitless = reading->reader.unitless;
+  if (mistakes->total == before)
+    nb_refine(reading);
   nb_laws_check(reading, mistakes->total == before);
   if (mistakes->total == before && scene->contact_test)
     nb_contact_test_laws_check(reading);
@@ -224,7 +226,7 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
 static enum nb_status read_run(struct nb_scene *scene, const struct nb_page *page, size_t run, nb_settings settings,
                                struct nb_mistakes *mistakes, const struct nb_scene_reading *parent, size_t *runs) {
   size_t before = mistakes->total;
-  *scene = (struct nb_scene){.page = page};
+  *scene = (struct nb_scene){.page = page, .refine = 1};
   struct nb_scene_reading *reading = calloc(1, sizeof *reading);
   *runs = 1;
   if (reading && store_settings(reading, settings)) {

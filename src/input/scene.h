@@ -139,6 +139,8 @@ void nb_imposed_motion_check(struct nb_scene_reading *reading);
 void nb_contact_test_check(struct nb_scene_reading *reading);
 /* Requirements of the quantities of a contact test for the laws. */
 void nb_contact_test_laws_check(struct nb_scene_reading *reading);
+/* Applies `--set refine=R` to steps, cycles and what is given per cycle (refine.c). */
+void nb_refine(struct nb_scene_reading *reading);
 /* Sets position and velocity of the particle of `impact`; materials, pairs and laws must be known. */
 void nb_impact_set(struct nb_scene_reading *reading);
 /* Applies `transform` to the whole scene, after all stages have been read. False: a coordinate is not finite. */

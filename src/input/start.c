@@ -285,7 +285,7 @@ void nb_start_free(struct nb_start *start) {
 
 /* Begins with the program, and settings that override statements; settings of values are in the statements that use them. */
 unsigned long long nb_hash_settings(nb_settings settings) {
-  static const char *const statements[] = {"normal=", "shear=", "step="};
+  static const char *const statements[] = {"normal=", "shear=", "step=", "refine="};
   unsigned long long hash = nb_hash(NB_HASH_BEGIN, NB_VERSION, sizeof NB_VERSION);
   for (size_t k = 0; settings && settings[k]; k++)
     for (size_t s = 0; s < sizeof statements / sizeof *statements; s++)

@@ -113,7 +113,7 @@ static bool take_time(struct nb_reader *reader, const struct nb_scene *scene, st
     if (!nb_take_count(reader, 0, NB_COUNT_MAX, &count))
       return false;
     reader->next++;
-    measure->reducer = NB_AT_CYCLE, measure->at = (double)count;
+    measure->reducer = NB_AT_CYCLE, measure->at = (double)count * scene->refine;
     nb_append(measure->label, sizeof measure->label, " at %lu %s", count, words[0]);
     return true;
   }

@@ -48,8 +48,8 @@ static const struct option_row {
     {"output", "FOLDER", 'o', TEXT, AT(folder), "run, figure, report, state",
      "output folder (default: NAME.out; report: report); for `state` a FILE (NAME-STAGE.state)"},
     {"set", "NAME=VALUE", 0, SETTING, 0, ALL,
-     "replaces the value of the page's `let` or `sweep` NAME; also normal, shear, step, and follow: a FILE with the "
-     "segments of a contact test"},
+     "replaces the value of the page's `let` or `sweep` NAME; also normal, shear, step, refine: a number that "
+     "divides the step and multiplies the cycles, and follow: a FILE with the segments of a contact test"},
     {"stage", "NAME", 0, TEXT, AT(stage), "state", "the stage at whose end the state is taken (default: the last one)"},
     {"states", "FOLDER", 0, TEXT, AT(options.states), ALL,
      "folder of the saved states from which pages start (default: $NINEBALL_STATES, or states)"},

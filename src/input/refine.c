@@ -1,0 +1,103 @@
+/* `--set refine=R`: the page with its time step divided by R, otherwise the same in time.
+ *
+ *   step                        divided by R, whatever its unit
+ *   cycles N, in N steps        N R
+ *   at most N cycles            N R, rounded up
+ *   record, until ... every N   N R; every cycle stays every cycle
+ *   servo every N               N R, rounded, at least 1
+ *   until cycle above N         N R
+ *   strains per cycle           divided by R
+ *   damping con1 X as cs79      1 - (1 - X)/R, so that alpha = 2 (1 - X)/dt stays [CS79 34-36]
+ *   damping con1 X as velocity, all   X^(1/R), so that a free velocity decays as fast in time
+ *
+ * A page that starts from another one refines its own stages only.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+#include <string.h>
+
+#include "core/names.h"
+#include "statement.h"
+
+/* Sets a count to its product with R; `what` is counted. False with a message if the product is not a whole number. */
+static bool multiply(struct nb_scene_reading *reading, const struct nb_stage *stage, const char *what, double product,
+                     unsigned long *count) {
+  const double whole = nearbyint(product), refine = reading->scene->refine;
+  if (product > NB_COUNT_MAX)
+    return nb_line_mistake(&reading->reader, (size_t)stage->line, NULL,
+                           "expected at most %d %s in `%s` with --set refine=%g, found %g", NB_COUNT_MAX, what,
+                           stage->name, refine, product);
+  if (!(whole >= 1 && fabs(product - whole) <= 1e-9 * whole)) /* 1e-9: rounding of R */
+    return nb_line_mistake(&reading->reader, (size_t)stage->line, "choose another number for `refine`",
+                           "expected a whole number of %s in `%s` with --set refine=%g, found %g", what, stage->name,
+                           refine, product);
+  *count = (unsigned long)whole;
+  return true;
+}
+
+static bool multiply_interval(struct nb_scene_reading *reading, const struct nb_stage *stage, const char *what,
+                              unsigned long *cycles) {
+  return *cycles <= 1 || multiply(reading, stage, what, (double)*cycles * reading->scene->refine, cycles);
+}
+
+static void refine_rate(struct nb_strain_rate *rate, double refine) {
+  if (rate->per_cycle)
+    rate->xx /= refine, rate->xy /= refine, rate->yx /= refine, rate->yy /= refine;
+}
+
+static void refine_damping(struct nb_damping *damping, double refine) {
+  if (damping->global_kind == NB_GLOBAL_CON1_CS79)
+    damping->global = 1 - (1 - damping->global) / refine;
+  else if (damping->global_kind == NB_GLOBAL_CON1_VELOCITY || damping->global_kind == NB_GLOBAL_CON1_ALL)
+    damping->global = pow(damping->global, 1 / refine);
+}
+
+static void refine_servo(struct nb_servo *servo, double refine) {
+  const double every = nearbyint((double)servo->every * refine);
+  servo->every = every >= 1 ? (unsigned long)fmin(every, NB_COUNT_MAX) : 1;
+  if (servo->per_cycle)
+    servo->max_rate /= refine;
+}
+
+/* The end of the stage. */
+static bool refine_end(struct nb_scene_reading *reading, struct nb_stage *stage) {
+  const double refine = reading->scene->refine, cycles = (double)stage->cycles * refine;
+  for (size_t k = 0; k < stage->condition_count; k++)
+    if (strcmp(stage->conditions[k].quantity.kind->name, "cycle") == 0)
+      stage->conditions[k].value *= refine;
+  return multiply(reading, stage, reading->scene->contact_test ? "steps" : "cycles",
+                  stage->condition_count > 0 ? ceil(cycles * (1 - 1e-9)) : cycles, &stage->cycles);
+}
+
+static bool refine_stage(struct nb_scene_reading *reading, struct nb_stage *stage) {
+  const double refine = reading->scene->refine;
+  stage->step.value /= refine;
+  refine_rate(&stage->boundary.strain, refine), refine_rate(&stage->affine.strain, refine);
+  refine_rate(&stage->cell, refine), refine_rate(&stage->box, refine);
+  refine_damping(&stage->damping, refine);
+  refine_servo(&stage->servo, refine);
+  if (stage->segment.point_count > 0)
+    return nb_line_mistake(&reading->reader, (size_t)stage->line, NULL,
+                           "expected no `refine` with `follow`, whose file prescribes each step of `%s`", stage->name);
+  return refine_end(reading, stage) &&
+         multiply_interval(reading, stage, "cycles between two rows", &stage->record_interval) &&
+         multiply_interval(reading, stage, "cycles between two tests of `until`", &stage->check_interval);
+}
+
+void nb_refine(struct nb_scene_reading *reading) {
+  struct nb_scene *scene = reading->scene;
+  const size_t first = scene->start.stages;
+  if (scene->refine == 1)
+    return;
+  if (first > 0 && first < scene->stage_count && scene->stages[first].step.kind == NB_STEP_COLLISION &&
+      scene->stages[first].step.line == scene->stages[first - 1].step.line) {
+    nb_line_mistake(&reading->reader, (size_t)scene->stages[first].line, "give the stage a `step`",
+                    "expected a stage with its own `step` for `refine`, found one that keeps a step per collision");
+    return;
+  }
+  scene->step.value /= scene->refine;
+  refine_damping(&scene->damping, scene->refine);
+  for (size_t s = first; s < scene->stage_count; s++)
+    if (!refine_stage(reading, &scene->stages[s]))
+      return;
+}

@@ -1,0 +1,125 @@
+/* `--set refine=R` gives the tables of a page in which every number of cycles is multiplied by R, and the step and every
+ * strain per cycle are divided by R. All numbers are powers of two or small whole numbers, so the tables are equal to the
+ * last bit.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "suites.h"
+#include "written.h"
+
+/* Adds a page. Its step, in seconds, its cycles and its strains per cycle are multiplied by 1/r, r and 1/r; strains are in units of 1/8192. */
+typedef void add_page(struct words *page, double r);
+
+#define RATE(x, r) ((x) / 8192.0 / (r))
+
+static void boundary_page(struct words *page, double r) {
+  words_add(page,
+            "units none\nmaterial m density 2 kn 1000\ndisc 3 2 radius 1 m\ndisc 10 0 radius 1 m\ndisc 6 8 radius 1 m\n"
+            "disc -6 8 radius 1 m\ndisc 4.5 3 radius 1 m\nboundary circle 0 0 radius 10\nregion B inside 0.5\n"
+            "monitor D disc 1\nrecord cycle time boundary.stress.mean B.stress.xx D.x D.vx boundary.radius\n"
+            "step %.17g\n",
+            1 / 1024.0 / r);
+  words_add(page,
+            "stage a\nboundary strain %.17g per cycle %.17g per cycle shear %.17g per cycle\n"
+            "affine strain %.17g per cycle 0 per cycle c12 %.17g per cycle c21 %.17g per cycle\nrecord every %g "
+            "cycles\ncycles %g\n",
+            RATE(1, r), RATE(-1, r), RATE(0.25, r), RATE(2, r), RATE(0.5, r), RATE(-0.5, r), 4 * r, 12 * r);
+  words_add(page,
+            "stage b\naffine none\nboundary fixed\nservo mean 12 on boundary through boundary at most %.17g per cycle "
+            "every %g cycles\nrecord every %g cycles\ncycles %g\n",
+            RATE(1, r), 4 * r, 2 * r, 16 * r);
+  words_add(page,
+            "stage c\nservo mean 12 on boundary through boundary at most %.17g per cycle every %g cycles\n"
+            "until cycle above %g and B.stress.xx above -1 every %g cycles at most %g cycles\nstep %.17g\n",
+            RATE(1, r), 10 * r, 38 * r - 0.5, 4 * r, 100 * r, 1 / 2048.0 / r);
+}
+
+static void cell_page(struct words *page, double r) {
+  words_add(page,
+            "units none\nmaterial m density 3 kn 100 ks 100 friction 0.5\ncell 0 0 to 8 8\n"
+            "lattice discs 4 by 4 from 1 1 radius 1 spacing 2 m\n"
+            "record cycle time cell.strain.xx cell.stress.xx cell.stress.xy\ndamping con1 %.17g as cs79\nstep %.17g\n",
+            1 - 0.125 / r, 1 / 256.0 / r);
+  words_add(page,
+            "stage a\ncell strain %.17g per cycle %.17g per cycle c12 %.17g per cycle c21 %.17g per cycle\ncycles %g\n",
+            RATE(-4, r), RATE(-1, r), RATE(2, r), RATE(0, r), 16 * r);
+  words_add(page, "stage b\ndamping con1 %.17g as velocity\ncycles %g\n", r > 1 ? 0.5 : 0.25, 4 * r);
+  words_add(page, "stage c\ndamping con1 %.17g as all\ncycles %g\n", r > 1 ? 0.25 : 0.0625, 4 * r);
+}
+
+static void box_page(struct words *page, double r) {
+  words_add(page,
+            "units none\nmaterial m density 3 kn 100\nbox 0 0 to 8 8 m\n"
+            "lattice discs 4 by 4 from 1 1 radius 1 spacing 2 m\nrecord cycle box.width box.height box.stress.yy\nstep "
+            "%.17g\n",
+            1 / 256.0 / r);
+  words_add(page, "stage a\nbox strain %.17g per cycle %.17g per cycle\nrecord none\ncycles %g\nstage b\ncycles %g\n",
+            RATE(-4, r), RATE(-1, r), 16 * r, 3 * r);
+}
+
+static void contact_test_page(struct words *page, double r) {
+  words_add(
+      page,
+      "path\nunits none\nmaterial rock young 1 poisson 0.25 friction 0.5\nnormal hertz\nshear mindlin\n"
+      "contact sphere 1 rock with sphere 1 rock\nrecord step overlap slip normal shear\nsegment a overlap to 0.5 in %g "
+      "steps\nsegment b slip to 0.25 in %g steps\nrecord every %g steps\n",
+      8 * r, 16 * r, 4 * r);
+}
+
+/* The page with the setting `text`, and the page with the numbers multiplied by r. */
+static void same_tables(add_page *add, const char *text, double r) {
+  const char *const settings[] = {text, NULL};
+  struct words words = {0}, multiplied_words = {0};
+  struct written refined, multiplied;
+  struct nb_result result, expected;
+  add(&words, 1), add(&multiplied_words, r);
+  written_scene_set(&refined, &words, settings);
+  written_scene(&multiplied, &multiplied_words);
+  written_run(&result, &refined, NULL);
+  written_run(&expected, &multiplied, NULL);
+  CU_ASSERT_EQUAL_FATAL(result.table.row_count, expected.table.row_count);
+  CU_ASSERT(result.table.row_count > 2);
+  const size_t numbers = result.table.row_count * result.table.column_count;
+  CU_ASSERT_EQUAL(memcmp(result.table.values, expected.table.values, numbers * sizeof *result.table.values), 0);
+  CU_ASSERT_EQUAL(memcmp(result.table.stage, expected.table.stage, result.table.row_count * sizeof(int)), 0);
+  nb_result_free(&result), nb_result_free(&expected);
+  written_free(&refined), written_free(&multiplied);
+}
+
+static void tables_of_a_page_with_all_numbers_multiplied(void) {
+  add_page *const pages[] = {boundary_page, cell_page, box_page, contact_test_page};
+  for (size_t k = 0; k < sizeof pages / sizeof *pages; k++) {
+    same_tables(pages[k], "refine=2", 2);
+    same_tables(pages[k], "refine=1", 1);
+  }
+}
+
+/* Coarser: intervals of one cycle stay, and so does `at most` where it must be rounded up. */
+static void a_longer_step(void) {
+  struct words words = {0};
+  struct written written;
+  static const char *const settings[] = {"refine=(1/3)", NULL};
+  words_add(&words, "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m velocity 1 0\nmonitor D disc 1\n"
+                    "record D.x\nstep 0.25\nstage a\ncycles 3\nstage b\nuntil D.x above 3 at most 16 cycles\n"
+                    "stage c\nrecord every 6 cycles\ncycles 12\n");
+  written_scene_set(&written, &words, settings);
+  const struct nb_stage *stages = written.scene.stages;
+  CU_ASSERT_EQUAL(stages[0].cycles, 1);
+  CU_ASSERT_EQUAL(stages[0].record_interval, 1);
+  CU_ASSERT_EQUAL(stages[1].cycles, 6);
+  CU_ASSERT_EQUAL(stages[1].check_interval, 1);
+  CU_ASSERT_EQUAL(stages[2].record_interval, 2);
+  CU_ASSERT_EQUAL(stages[2].servo.every, 1);
+  NEAR(stages[2].step.value, 0.75, 1e-15);
+  NEAR(written.scene.step.value, 0.75, 1e-15);
+  written_free(&written);
+}
+
+void suite_refine(void) {
+  CU_pSuite suite = CU_add_suite("refine", NULL, NULL);
+  CU_ADD_TEST(suite, tables_of_a_page_with_all_numbers_multiplied);
+  CU_ADD_TEST(suite, a_longer_step);
+}
