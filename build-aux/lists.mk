@@ -333,6 +333,7 @@ SUITES = \
   tests/chains.c \
   tests/configuration.c \
   tests/speeds.c \
+  tests/estimate.c \
   tests/reducers.c \
   tests/verdict.c \
   tests/verdict_sweep.c \
@@ -348,6 +349,7 @@ SHELL_TESTS = \
   tests/program.sh \
   tests/confine.sh \
   tests/report.sh \
+  tests/advise.sh \
   tests/same-bits.sh \
   tests/start.sh \
   tests/packing.sh \
@@ -560,6 +562,8 @@ EXPLAIN = \
 
 # Expectations and verdict.
 VERDICT = \
+  src/report/estimate.c \
+  src/report/estimate.h \
   src/report/expect.c \
   src/report/expect.h \
   src/report/outcome.c \
@@ -571,6 +575,9 @@ VERDICT = \
 
 # The command line.
 PROGRAM = \
+  src/report/advice.c \
+  src/report/advise.c \
+  src/report/advise.h \
   src/report/commands.c \
   src/report/commands.h \
   src/report/figure.c \

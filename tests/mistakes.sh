@@ -132,6 +132,11 @@ cat "$work/why" >>"$work/heard"
 grep -qF "hint: did you mean \`$work/whole.md\`?" "$work/why"
 result $? 'the name of a page without .md'
 
+"$nineball" advise tests/pages/passes.md --within '1 % x' >/dev/null 2>"$why"
+cat "$why" >>"$work/heard"
+grep -qF 'expected the end of the text, found `x`' "$why"
+result $? 'text after the tolerance of advise'
+
 # ---- pipes, devices and folders: reading a pipe could block forever ----
 
 mkfifo "$work/pipe.md" "$work/pipe.tsv" && mkdir "$work/folder.md"

@@ -218,10 +218,11 @@ absent both
 verdict 'invalid options'
 
 # Each command with an option that it does not use; the message names the commands that do.
-for use in 'check -o out:--output, which is an option of: run, figure, report, state' 'check --stage a:--stage, which is an option of: state' \
-  'figure --tap:--tap, which is an option of: check' 'explain -o out:--output, which' 'explain --jobs 2:--jobs, which is an option of: run, check, figure, report' \
+for use in 'check -o out:--output, which is an option of: run, figure, report, advise, state' 'check --stage a:--stage, which is an option of: state' \
+  'figure --tap:--tap, which is an option of: check' 'explain -o out:--output, which' 'explain --jobs 2:--jobs, which is an option of: run, check, figure, report, advise' \
+  'run --within 1:--within, which is an option of: advise' 'check --quantity x:--quantity, which' 'explain --budget 1:--budget, which' \
   'state --jobs 2:--jobs, which' \
-  'run --trust:--trust, which is an option of: figure, report' 'laws --threads 2:--threads, which' 'list --isa plain:--isa, which' \
+  'run --trust:--trust, which is an option of: figure, report, advise' 'laws --threads 2:--threads, which' 'list --isa plain:--isa, which' \
   'laws --set a=1:--set, which' 'list --states a:--states, which'; do
   command=${use%%:*}
   run 2 $command "$pages/passes.md"
@@ -231,6 +232,7 @@ done
 for command in run check figure report explain state; do # options of all commands
   run 0 $command "$pages/passes.md" --threads 1 --isa plain --states there
 done
+run 1 advise "$pages/passes.md" --within '1 %' --budget 1e-9 --threads 1 --isa plain --states there --jobs 2 --trust -o there
 run 0 check "$pages/passes.md" --tap --jobs 2
 run 0 figure "$pages/passes.md" --trust --jobs 2 -o drawn
 rm -rf out passes.out report passes-*.state

@@ -104,7 +104,8 @@ static void a_longer_step(void) {
   static const char *const settings[] = {"refine=(1/3)", NULL};
   words_add(&words, "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m velocity 1 0\nmonitor D disc 1\n"
                     "record D.x\nstep 0.25\nstage a\ncycles 3\nstage b\nuntil D.x above 3 at most 16 cycles\n"
-                    "stage c\nrecord every 6 cycles\ncycles 12\n");
+                    "stage c\nrecord every 5 cycles\ncycles 12\nstage d\nrecord none\n"
+                    "until D.x above 3 every 8 cycles at most 49 cycles\n");
   written_scene_set(&written, &words, settings);
   const struct nb_stage *stages = written.scene.stages;
   CU_ASSERT_EQUAL(stages[0].cycles, 1);
@@ -112,9 +113,24 @@ static void a_longer_step(void) {
   CU_ASSERT_EQUAL(stages[1].cycles, 6);
   CU_ASSERT_EQUAL(stages[1].check_interval, 1);
   CU_ASSERT_EQUAL(stages[2].record_interval, 2);
-  CU_ASSERT_EQUAL(stages[2].servo.every, 1);
+  CU_ASSERT_EQUAL(stages[3].record_interval, 0);
+  CU_ASSERT_EQUAL(stages[3].check_interval, 3);
+  CU_ASSERT_EQUAL(stages[3].cycles, 17);
   NEAR(stages[2].step.value, 0.75, 1e-15);
   NEAR(written.scene.step.value, 0.75, 1e-15);
+  written_free(&written);
+}
+
+/* 49 (1/49) is 1 - 2^-53 in double precision. */
+static void a_product_that_rounding_makes_no_whole_number(void) {
+  struct words words = {0};
+  struct written written;
+  static const char *const settings[] = {"refine=(1/49)", NULL};
+  words_add(&words, "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m velocity 1 0\nmonitor D disc 1\n"
+                    "record D.x\nstep 0.25\nstage a\ncycles 49\nstage b\nuntil D.x above 3 at most 49 cycles\n");
+  written_scene_set(&written, &words, settings);
+  CU_ASSERT_EQUAL(written.scene.stages[0].cycles, 1);
+  CU_ASSERT_EQUAL(written.scene.stages[1].cycles, 1);
   written_free(&written);
 }
 
@@ -122,4 +138,5 @@ void suite_refine(void) {
   CU_pSuite suite = CU_add_suite("refine", NULL, NULL);
   CU_ADD_TEST(suite, tables_of_a_page_with_all_numbers_multiplied);
   CU_ADD_TEST(suite, a_longer_step);
+  CU_ADD_TEST(suite, a_product_that_rounding_makes_no_whole_number);
 }

@@ -321,10 +321,11 @@ static void read_setting(struct nb_scene_reading *reading, size_t line) {
       nb_mistake(mistakes, &reading->settings, line, 1, (int)length, "a contact test is a block of kind `contact-test`",
                  "expected a page with a contact test for `follow`, found a scene");
   } else {
-    nb_mistake(
-        mistakes, &reading->settings, line, 1, (int)length, near ? near : NB_NEAREST(hint, name, settable, SETTABLE),
-        "expected a name that the page defines by `let` or `sweep`, or `normal`, `shear`, `step` or `refine`, found `%.*s`",
-        (int)(length < 80 ? length : 80), text);
+    nb_mistake(mistakes, &reading->settings, line, 1, (int)length,
+               near ? near : NB_NEAREST(hint, name, settable, SETTABLE),
+               "expected a name that the page defines by `let` or `sweep`, or `normal`, `shear`, `step` or `refine`, "
+               "found `%.*s`",
+               (int)(length < 80 ? length : 80), text);
   }
 }
 

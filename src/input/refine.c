@@ -3,8 +3,7 @@
  *   step                        divided by R, whatever its unit
  *   cycles N, in N steps        N R
  *   at most N cycles            N R, rounded up
- *   record, until ... every N   N R; every cycle stays every cycle
- *   servo every N               N R, rounded, at least 1
+ *   every N (record, until, servo)  N R, rounded, at least 1; every cycle stays every cycle
  *   until cycle above N         N R
  *   strains per cycle           divided by R
  *   damping con1 X as cs79      1 - (1 - X)/R, so that alpha = 2 (1 - X)/dt stays [CS79 34-36]
@@ -35,9 +34,10 @@ static bool multiply(struct nb_scene_reading *reading, const struct nb_stage *st
   return true;
 }
 
-static bool multiply_interval(struct nb_scene_reading *reading, const struct nb_stage *stage, const char *what,
-                              unsigned long *cycles) {
-  return *cycles <= 1 || multiply(reading, stage, what, (double)*cycles * reading->scene->refine, cycles);
+/* Rows and tests lie between two moments of the page where the product is not whole. */
+static unsigned long interval(unsigned long cycles, double refine) {
+  const double product = nearbyint((double)cycles * refine);
+  return cycles <= 1 || product < 1 ? (cycles > 0) : (unsigned long)fmin(product, NB_COUNT_MAX);
 }
 
 static void refine_rate(struct nb_strain_rate *rate, double refine) {
@@ -53,8 +53,7 @@ static void refine_damping(struct nb_damping *damping, double refine) {
 }
 
 static void refine_servo(struct nb_servo *servo, double refine) {
-  const double every = nearbyint((double)servo->every * refine);
-  servo->every = every >= 1 ? (unsigned long)fmin(every, NB_COUNT_MAX) : 1;
+  servo->every = interval(servo->every, refine);
   if (servo->per_cycle)
     servo->max_rate /= refine;
 }
@@ -79,9 +78,9 @@ static bool refine_stage(struct nb_scene_reading *reading, struct nb_stage *stag
   if (stage->segment.point_count > 0)
     return nb_line_mistake(&reading->reader, (size_t)stage->line, NULL,
                            "expected no `refine` with `follow`, whose file prescribes each step of `%s`", stage->name);
-  return refine_end(reading, stage) &&
-         multiply_interval(reading, stage, "cycles between two rows", &stage->record_interval) &&
-         multiply_interval(reading, stage, "cycles between two tests of `until`", &stage->check_interval);
+  stage->record_interval = interval(stage->record_interval, refine);
+  stage->check_interval = interval(stage->check_interval, refine);
+  return refine_end(reading, stage);
 }
 
 void nb_refine(struct nb_scene_reading *reading) {

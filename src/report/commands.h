@@ -17,9 +17,10 @@ struct nb_call {
   struct nb_options options;
   bool tap;
   bool in_place;
-  bool trust;         /* draw even if gnuplot cannot be confined */
-  bool help, version; /* print it and do nothing else */
-  unsigned given;     /* set of options, by their index in the table */
+  bool trust;                             /* draw even if gnuplot cannot be confined */
+  bool help, version;                     /* print it and do nothing else */
+  const char *quantity, *within, *budget; /* of `advise` */
+  unsigned given;                         /* set of options, by their index in the table */
 };
 
 /* ---- commands.c: one function for each command ---- */
@@ -31,6 +32,7 @@ enum nb_status nb_command_report(const struct nb_call *call);
 enum nb_status nb_command_explain(const struct nb_call *call);
 enum nb_status nb_command_state(const struct nb_call *call);
 enum nb_status nb_command_migrate(const struct nb_call *call);
+enum nb_status nb_command_advise(const struct nb_call *call); /* advise.c */
 enum nb_status nb_command_laws(const struct nb_call *call);
 enum nb_status nb_command_list(const struct nb_call *call);
 
@@ -91,6 +93,15 @@ bool nb_page_has_figure(const struct nb_page *page); /* whether it has a `gnuplo
  * trusted and the system cannot confine it. */
 enum nb_status nb_figure_draw(const struct nb_outcome *outcome, const char *folder, bool trust, bool *drawn,
                               struct nb_error *error);
+
+/* Writes FOLDER/NAME.gp, with the style of figures and what `write` adds, and draws it likewise. */
+struct nb_script {
+  const char *name;
+  const struct nb_outcome *outcome; /* for the first lines of the file */
+  void (*write)(FILE *out, const struct nb_outcome *outcome, const void *data);
+  const void *data;
+};
+enum nb_status nb_script_draw(const struct nb_script *script, const char *folder, bool trust, struct nb_error *error);
 
 /* gnuplot.c: runs `commands`, then FOLDER/NAME.gp, which may read `recipes`. The drawing goes to `figure`, messages of gnuplot to
  * stderr if `verbose`. */

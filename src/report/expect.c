@@ -448,6 +448,27 @@ enum nb_status nb_expectations_read(struct nb_expectations *expectations, const 
   return status;
 }
 
+enum nb_status nb_expectation_read(struct nb_expectation *expectation, const char *name, const char *text,
+                                   const struct nb_scene *scene, struct nb_mistakes *mistakes) {
+  const size_t before = mistakes->total;
+  char *lines[] = {(char *)text};
+  const struct nb_page page = {.path = (char *)name, .lines = lines, .line_count = 1};
+  struct nb_reader *reader = calloc(1, sizeof *reader);
+  *expectation = (struct nb_expectation){0};
+  if (!reader) {
+    nb_mistake_memory(mistakes);
+    return NB_NO_MEMORY;
+  }
+  reader->page = &page, reader->mistakes = mistakes, reader->unitless = scene->unitless;
+  if (nb_line_read(reader, 1) && take_measure(reader, scene, &expectation->measure) &&
+      take_tolerance_of(reader, scene, expectation->measure.unit, expectation->measure.is_residual,
+                        &expectation->tolerance) &&
+      nb_token_peek(reader))
+    nb_expected(reader, NULL, "the end of the text");
+  free(reader);
+  return nb_mistakes_status(mistakes, before);
+}
+
 void nb_expectations_free(struct nb_expectations *expectations) {
   free(expectations->list);
   *expectations = (struct nb_expectations){0};

@@ -97,6 +97,9 @@ const struct nb_family *nb_expect_keywords(void);
  * leave undefined are not reported again. */
 enum nb_status nb_expectations_read(struct nb_expectations *expectations, const struct nb_page *page,
                                     const struct nb_scene *scene, struct nb_mistakes *mistakes);
+/* Reads "MEASURE within TOLERANCE" from a text that is no line of a page; messages call it `name`. */
+enum nb_status nb_expectation_read(struct nb_expectation *expectation, const char *name, const char *text,
+                                   const struct nb_scene *scene, struct nb_mistakes *mistakes);
 void nb_expectations_free(struct nb_expectations *expectations);
 
 #endif

@@ -117,12 +117,10 @@ static void write_quoted(FILE *out, const char *name, const char *text) {
   fputs("'\n", out);
 }
 
-static void write_script(FILE *out, const struct nb_outcome *outcome, const char *plots, const char *style) {
+/* The values of all runs, and the gnuplot blocks of the page. */
+static void write_page_figure(FILE *out, const struct nb_outcome *outcome, const void *data) {
   const struct nb_page *page = &outcome->page;
-  fprintf(out, "# %s\n", page->title);
-  nb_preamble_write(out, outcome);
-  write_quoted(out, "plots", plots);
-  fputs(style, out);
+  (void)data;
   if (outcome->status > NB_FAILED)
     fputs("set label 9999 'INCOMPLETE: the run was stopped' at screen 0.99, screen 0.98 right noenhanced front tc rgb "
           "'#a3123a'\n",
@@ -143,7 +141,7 @@ static void write_script(FILE *out, const struct nb_outcome *outcome, const char
       fprintf(out, "%s\n", page->lines[k]);
 }
 
-static enum nb_status save_script(const struct nb_outcome *outcome, const char *folder, const char *plots,
+static enum nb_status save_script(const struct nb_script *script, const char *folder, const char *plots,
                                   struct nb_error *error) {
   char path[4096];
   size_t size;
@@ -152,9 +150,13 @@ static enum nb_status save_script(const struct nb_outcome *outcome, const char *
   char *style = nb_file_read(path, STYLE_MAX, &size, error);
   if (!style)
     return error->status == NB_NO_MEMORY ? NB_NO_MEMORY : nb_error_set(error, NB_BAD_USE, "cannot read %.300s", path);
-  enum nb_status status = nb_save_begin_in(&file, error, folder, "%s.gp", outcome->page.name);
+  enum nb_status status = nb_save_begin_in(&file, error, folder, "%s.gp", script->name);
   if (!status) {
-    write_script(file.file, outcome, plots, style);
+    fprintf(file.file, "# %s\n", script->outcome->page.title);
+    nb_preamble_write(file.file, script->outcome);
+    write_quoted(file.file, "plots", plots);
+    fputs(style, file.file);
+    script->write(file.file, script->outcome, script->data);
     status = nb_save_end(&file, error);
   }
   free(style);
@@ -174,22 +176,26 @@ static enum nb_status draw(struct nb_gnuplot *drawing, const char *kind, const c
   return status ? nb_save_cancel(&file), status : nb_save_end(&file, error);
 }
 
-enum nb_status nb_figure_draw(const struct nb_outcome *outcome, const char *folder, bool trust, bool *drawn,
-                              struct nb_error *error) {
+enum nb_status nb_script_draw(const struct nb_script *script, const char *folder, bool trust, struct nb_error *error) {
   char plots[4096];
-  *drawn = false;
-  if (!nb_page_has_figure(&outcome->page))
-    return NB_OK;
   find_plots(plots, sizeof plots, error);
-  if (!plots[0] || nb_folder_create(folder, error) || save_script(outcome, folder, plots, error))
+  if (!plots[0] || nb_folder_create(folder, error) || save_script(script, folder, plots, error))
     return error->status;
-  struct nb_gnuplot drawing = {.folder = folder, .name = outcome->page.name, .recipes = plots, .trust = trust};
+  struct nb_gnuplot drawing = {.folder = folder, .name = script->name, .recipes = plots, .trust = trust};
   drawing.commands = SETTINGS("svg font 'sans,13' background 'white'"), drawing.verbose = true;
   if (draw(&drawing, "svg", "<?xml", error))
     return error->status;
   drawing.commands = SETTINGS("pngcairo font 'sans,11'"), drawing.verbose = false;
-  if (draw(&drawing, "png", "\x89PNG", error))
-    return error->status;
-  *drawn = true;
-  return NB_OK;
+  return draw(&drawing, "png", "\x89PNG", error);
+}
+
+enum nb_status nb_figure_draw(const struct nb_outcome *outcome, const char *folder, bool trust, bool *drawn,
+                              struct nb_error *error) {
+  const struct nb_script script = {outcome->page.name, outcome, write_page_figure, NULL};
+  *drawn = false;
+  if (!nb_page_has_figure(&outcome->page))
+    return NB_OK;
+  const enum nb_status status = nb_script_draw(&script, folder, trust, error);
+  *drawn = !status;
+  return status;
 }

@@ -25,6 +25,8 @@ static const struct {
     {"report", nb_command_report, "PAGE… [-o FOLDER]", "run pages, draw figures, write one HTML page about all"},
     {"explain", nb_command_explain, "PAGE…",
      "print the plan: passes and hooks, the lines that request them, the step, the cost"},
+    {"advise", nb_command_advise, "PAGE --within TOLERANCE",
+     "find the cheapest step and laws whose error in a quantity is within a tolerance, by running the page"},
     {"state", nb_command_state, "PAGE [-o FILE]", "run a page to the end of a stage, save its state in a file"},
     {"migrate", nb_command_migrate, "PAGE… [--in-place]", "rewrite pages of version 0.3 in the words of this one"},
     {"laws", nb_command_laws, "", "list the contact laws: equations, material parameters"},
@@ -34,7 +36,7 @@ enum { COMMANDS = sizeof commands / sizeof *commands };
 
 /* Which commands take an option. */
 #define CHECKING "run, check, figure, report"
-#define ALL CHECKING ", explain, state"
+#define ALL CHECKING ", explain, advise, state"
 
 #define AT(member) offsetof(struct nb_call, member)
 static const struct option_row {
@@ -45,7 +47,7 @@ static const struct option_row {
   const char *commands; /* that take it; NULL: it is used alone */
   const char *help;
 } options[] = {
-    {"output", "FOLDER", 'o', TEXT, AT(folder), "run, figure, report, state",
+    {"output", "FOLDER", 'o', TEXT, AT(folder), "run, figure, report, advise, state",
      "output folder (default: NAME.out; report: report); for `state` a FILE (NAME-STAGE.state)"},
     {"set", "NAME=VALUE", 0, SETTING, 0, ALL,
      "replaces the value of the page's `let` or `sweep` NAME; also normal, shear, step, refine: a number that "
@@ -53,13 +55,18 @@ static const struct option_row {
     {"stage", "NAME", 0, TEXT, AT(stage), "state", "the stage at whose end the state is taken (default: the last one)"},
     {"states", "FOLDER", 0, TEXT, AT(options.states), ALL,
      "folder of the saved states from which pages start (default: $NINEBALL_STATES, or states)"},
-    {"jobs", "N", 0, NUMBER, AT(options.jobs), CHECKING,
+    {"quantity", "MEASURE", 0, TEXT, AT(quantity), "advise",
+     "quantity whose error counts, as in an expect block (default: that of the first expectation)"},
+    {"within", "TOLERANCE", 0, TEXT, AT(within), "advise",
+     "largest error of the quantity: '1 %', or a number in its unit"},
+    {"budget", "TIME", 0, TEXT, AT(budget), "advise", "time for the search, s (default: 60)"},
+    {"jobs", "N", 0, NUMBER, AT(options.jobs), CHECKING ", advise",
      "runs of a sweep in parallel (default: the number of processors)"},
     {"threads", "N", 0, NUMBER, AT(options.threads), ALL,
      "threads of one run (default 1); the results do not depend on it"},
     {"isa", "NAME", 0, TEXT, AT(options.isa), ALL,
      "instruction set: plain, avx2 or avx512 (default: the widest); the results do not depend on it"},
-    {"trust", NULL, 0, FLAG, AT(trust), "figure, report",
+    {"trust", NULL, 0, FLAG, AT(trust), "figure, report, advise",
      "draw even where gnuplot cannot be confined: for pages that you trust"},
     {"in-place", NULL, 0, FLAG, AT(in_place), "migrate", "write into the pages (default: to standard output)"},
     {"tap", NULL, 0, FLAG, AT(tap), "check", "verdicts as TAP, which `make check` reads"},

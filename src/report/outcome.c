@@ -111,7 +111,7 @@ static int job_count(const struct nb_outcome *outcome, const struct nb_options *
 
 /* After a failed run no other run is started. Runs before it in the sweep have been started by then, so the run that is reported
  * does not depend on the number of jobs. */
-static enum nb_status run_all(struct nb_outcome *outcome, const struct nb_options *options,
+enum nb_status nb_outcome_run(struct nb_outcome *outcome, const struct nb_options *options,
                               const struct nb_progress *progress) {
   const size_t runs = outcome->run_count;
   const double began = nb_clock();
@@ -154,7 +154,7 @@ enum nb_status nb_outcome_make(struct nb_outcome *outcome, const char *path, nb_
                                const struct nb_options *options, const struct nb_progress *progress) {
   nb_outcome_read(outcome, path, settings);
   if (!outcome->status)
-    outcome->status = run_all(outcome, options, progress);
+    outcome->status = nb_outcome_run(outcome, options, progress);
   if (!outcome->status)
     outcome->status = nb_verdict(outcome);
   return outcome->status;

@@ -55,6 +55,9 @@ enum nb_status nb_outcome_make(struct nb_outcome *outcome, const char *path, nb_
                                const struct nb_options *options, const struct nb_progress *progress);
 /* Only reads the page: scenes and expectations of all runs. */
 enum nb_status nb_outcome_read(struct nb_outcome *outcome, const char *path, nb_settings settings);
+/* Runs what has been read, without a verdict. */
+enum nb_status nb_outcome_run(struct nb_outcome *outcome, const struct nb_options *options,
+                              const struct nb_progress *progress);
 void nb_outcome_free(struct nb_outcome *outcome);
 void nb_outcome_free_runs(struct nb_outcome *outcome); /* keeps page, checks, warnings and error */
 

@@ -1,0 +1,221 @@
+/* What `nineball advise` has found: some sentences, a table of all settings that were tried, and a figure of error
+ * against cost.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+#include <string.h>
+
+#include "advise.h"
+#include "core/clock.h"
+
+void nb_advice_options(char *text, size_t size, const struct nb_advice *advice, const struct nb_setting *setting) {
+  const struct nb_law_pair *pair = &advice->pairs[setting->pair];
+  size_t used = 0;
+  text[0] = 0;
+  if (pair->normal[0])
+    used += (size_t)snprintf(text, size, "--set normal=%s --set shear=%s ", pair->normal, pair->shear);
+  if (used < size)
+    snprintf(text + used, size - used, "--set refine=%.9g", advice->page.runs[0].scene.refine * exp2(setting->level));
+}
+
+/* The error: a percentage, or a number with its unit. */
+static void error_text(char text[NB_NAME_SIZE], const struct nb_advice *advice, double ratio) {
+  const bool relative = advice->tolerance.kind == NB_RELATIVE;
+  const char *unit = relative ? " %" : advice->page.runs[0].scene.unitless || !advice->unit ? "" : advice->unit;
+  snprintf(text, NB_NAME_SIZE, "%.2g%s%s", ratio * advice->tolerance.value * (relative ? 100 : 1),
+           relative || !unit[0] || strcmp(unit, "1") == 0 ? "" : " ", strcmp(unit, "1") == 0 ? "" : unit);
+}
+
+static const char *label_of(const struct nb_advice *advice, size_t run) { return advice->page.runs[run].label; }
+
+/* The dearest setting that costs less than this one; NULL: none. */
+static const struct nb_setting *next_cheaper(const struct nb_advice *advice, const struct nb_setting *setting) {
+  const struct nb_setting *found = NULL;
+  for (size_t k = 0; k < advice->setting_count; k++) {
+    const struct nb_setting *other = &advice->settings[k];
+    const double updates = nb_point_at(advice, other)->updates;
+    if (updates < nb_point_at(advice, setting)->updates &&
+        (!found || updates > nb_point_at(advice, found)->updates ||
+         (updates == nb_point_at(advice, found)->updates && other->ratio < found->ratio)))
+      found = other;
+  }
+  return found;
+}
+
+static const struct nb_setting *most_accurate(const struct nb_advice *advice) {
+  const struct nb_setting *found = NULL;
+  for (size_t k = 0; k < advice->setting_count; k++)
+    if (!found || advice->settings[k].ratio < found->ratio)
+      found = &advice->settings[k];
+  return found;
+}
+
+static void print_error_of(const struct nb_advice *advice, const struct nb_setting *setting, const char *words) {
+  char claim[NB_NAME_SIZE], step[NB_NAME_SIZE];
+  const char *label = label_of(advice, setting->worst);
+  error_text(claim, advice, setting->ratio);
+  error_text(step, advice, setting->step_ratio);
+  printf("%s %s%s%s; error of the step alone: %s\n", words, claim, label[0] ? ", in run " : "", label, step);
+}
+
+static void print_choice(const struct nb_advice *advice, const struct nb_setting *chosen) {
+  char options[256];
+  const struct nb_point *own = &advice->pairs[0].points[-NB_LEVEL_LOW], *point = nb_point_at(advice, chosen);
+  nb_advice_options(options, sizeof options, advice, chosen);
+  printf("  the cheapest setting within the tolerance: %s\n", options);
+  if (point->step > 0)
+    printf("  mean step %.3g%s\n", point->step, advice->page.runs[0].scene.unitless ? "" : " s");
+  print_error_of(advice, chosen, "  claimed error: at most");
+  if (own->done)
+    printf("  cost: %.3g contact and particle updates, %.3g of the page's own setting (%.3g s and %.3g s)\n",
+           point->updates, point->updates / own->updates, point->seconds, own->seconds);
+  const struct nb_setting *cheaper = next_cheaper(advice, chosen);
+  if (cheaper) {
+    nb_advice_options(options, sizeof options, advice, cheaper);
+    printf("  the next cheaper one misses the tolerance: %s\n", options);
+    print_error_of(advice, cheaper, "    its claimed error:");
+  }
+  nb_advice_options(options, sizeof options, advice, chosen);
+  printf("to run it: nineball run %s %s\n", advice->path, options);
+}
+
+static void print_conditions(const struct nb_advice *advice) {
+  if (advice->runs > 1)
+    printf("  this holds for the %zu runs of the page; other values of the sweep may need another setting\n",
+           advice->runs);
+  else
+    puts("  this holds for the conditions of this page alone; a sweep in the page, or --set, shows others");
+}
+
+/* Of the pairs of laws that were left out: those that change nothing, and the one nearest to the page. */
+static void print_left_out(const struct nb_advice *advice) {
+  const struct nb_law_pair *nearest = NULL;
+  size_t equal = 0, farther = 0;
+  for (size_t k = 1; k < advice->pair_count; k++) {
+    const struct nb_law_pair *pair = &advice->pairs[k];
+    equal += pair->equal, farther += pair->distance > 0;
+    if (pair->distance > 0 && (!nearest || pair->distance < nearest->distance))
+      nearest = pair;
+  }
+  if (equal)
+    printf("  %zu pair%s of laws not tried, because %s the same values as another pair\n", equal, equal > 1 ? "s" : "",
+           equal > 1 ? "they give" : "it gives");
+  if (nearest)
+    printf("  %zu pair%s of laws left out; the nearest one is normal %s, shear %s: %s\n", farther,
+           farther > 1 ? "s" : "", nearest->normal, nearest->shear, nearest->reason);
+}
+
+void nb_advice_print(const struct nb_advice *advice) {
+  printf("%s: %s\n", advice->page.page.name, advice->text);
+  if (advice->chosen >= 0) {
+    print_choice(advice, &advice->settings[advice->chosen]);
+    print_conditions(advice);
+  } else {
+    const struct nb_setting *best = most_accurate(advice);
+    char options[256];
+    puts("  no setting that was tried is within the tolerance");
+    if (best) {
+      nb_advice_options(options, sizeof options, advice, best);
+      printf("  the most accurate one: %s\n", options);
+      print_error_of(advice, best, "    its claimed error:");
+    }
+    puts(advice->exhausted ? "  the budget was used up: choose a larger --budget or a larger tolerance"
+                           : "  choose a larger tolerance");
+  }
+  print_left_out(advice);
+  printf("  %u runs of the page in %.1f s%s\n", advice->measured, nb_clock() - advice->began,
+         advice->exhausted ? ", the whole budget: not all settings were tried" : "");
+}
+
+/* ---- table and figure ---- */
+
+static const char *word(const char *law, const char *own) { return law[0] ? law : own; }
+
+/* All settings; those of one pair of laws; or the chosen one. */
+enum { ALL_PAIRS = -1, CHOSEN = -2 };
+static void write_rows(FILE *out, const struct nb_advice *advice, int which) {
+  const struct nb_scene *scene = &advice->page.runs[0].scene;
+  for (size_t k = 0; k < advice->setting_count; k++) {
+    const struct nb_setting *setting = &advice->settings[k];
+    const struct nb_law_pair *pair = &advice->pairs[setting->pair];
+    const struct nb_point *point = nb_point_at(advice, setting);
+    if (which == CHOSEN ? (int)k != advice->chosen : which != ALL_PAIRS && (int)setting->pair != which)
+      continue;
+    fprintf(out, "%s\t%s\t%.17g\t%.6g\t%.6g\t%.6g\t%.6g\t%.6g\t%.6g\t%s\t%s\n", word(pair->normal, scene->normal),
+            word(pair->shear, scene->shear), scene->refine * exp2(setting->level), point->step, point->updates,
+            point->seconds, setting->ratio, setting->ratio * advice->tolerance.value,
+            setting->step_ratio * advice->tolerance.value,
+            (int)k == advice->chosen ? "chosen"
+            : setting->ratio <= 1    ? "within"
+                                     : "misses",
+            label_of(advice, setting->worst)[0] ? label_of(advice, setting->worst) : "-");
+  }
+}
+
+static const char head[] = "normal\tshear\trefine\tmean-step\tupdates\tseconds\tclaim/tolerance\tclaim\terror-of-step\t"
+                           "result\tworst-run\n";
+
+static bool has_settings(const struct nb_advice *advice, size_t pair) {
+  for (size_t k = 0; k < advice->setting_count; k++)
+    if (advice->settings[k].pair == pair)
+      return true;
+  return false;
+}
+
+static void write_figure(FILE *out, const struct nb_outcome *page, const void *data) {
+  const struct nb_advice *advice = data;
+  const struct nb_scene *scene = &page->runs[0].scene;
+  const double factor = advice->tolerance.kind == NB_RELATIVE ? 100 : 1;
+  const char *unit = advice->tolerance.kind == NB_RELATIVE ? "%" : advice->unit ? advice->unit : "1";
+  const char *between = "plot ";
+  for (size_t p = 0; p < advice->pair_count; p++)
+    if (has_settings(advice, p)) {
+      fprintf(out, "$pair%zu << EOD\n%s", p, head);
+      write_rows(out, advice, (int)p);
+      fputs("EOD\n", out);
+    }
+  fprintf(out, "$chosen << EOD\n%s", head);
+  write_rows(out, advice, CHOSEN);
+  fputs("EOD\n", out);
+  double least = INFINITY, most = 0;
+  for (size_t k = 0; k < advice->setting_count; k++) {
+    const double updates = nb_point_at(advice, &advice->settings[k])->updates;
+    least = fmin(least, updates), most = fmax(most, updates);
+  }
+  fputs("set datafile separator tab\nset logscale xy\nset format xy '10^{%T}'\n", out);
+  if (most > 0)
+    fprintf(out, "set xrange [%.9g:%.9g]\n", least / 2, 2 * most);
+  fprintf(out,
+          "set title '%s' noenhanced\nset xlabel 'contact and particle updates of all runs'\n"
+          "set ylabel 'claimed error, %s'\n",
+          advice->text, unit);
+  for (size_t p = 0; p < advice->pair_count; p++)
+    if (has_settings(advice, p)) {
+      fprintf(out, "%s$pair%zu using 5:($8*%g) with linespoints pt 7 lw 2 title 'normal %s, shear %s' noenhanced",
+              between, p, factor, word(advice->pairs[p].normal, scene->normal),
+              word(advice->pairs[p].shear, scene->shear));
+      between = ", \\\n     ";
+    }
+  if (advice->chosen >= 0)
+    fprintf(out, "%s$chosen using 5:($8*%g) with points pt 6 ps 3 lw 2 lc rgb '#a3123a' title 'the advice'", between,
+            factor),
+        between = ", \\\n     ";
+  fprintf(out, "%s%.9g with lines dt 2 lc rgb 'black' title 'tolerance'\n", between, advice->tolerance.value * factor);
+}
+
+enum nb_status nb_advice_save(const struct nb_advice *advice, const char *folder, struct nb_error *error) {
+  const struct nb_script script = {"advice", &advice->page, write_figure, advice};
+  struct nb_save file;
+  if (nb_folder_create(folder, error) || nb_save_begin_in(&file, error, folder, "advice.tsv"))
+    return error->status;
+  nb_preamble_write(file.file, &advice->page);
+  fprintf(file.file, "# %s\n%s", advice->text, head);
+  write_rows(file.file, advice, ALL_PAIRS);
+  for (size_t k = 1; k < advice->pair_count; k++)
+    if (advice->pairs[k].reason[0])
+      fprintf(file.file, "# left out: normal %s, shear %s: %s\n", advice->pairs[k].normal, advice->pairs[k].shear,
+              advice->pairs[k].reason);
+  if (nb_save_end(&file, error))
+    return error->status;
+  return nb_script_draw(&script, folder, advice->call->trust, error);
+}

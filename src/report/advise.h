@@ -1,0 +1,75 @@
+/* `nineball advise`: what the search (advise.c) finds and the report on it (advice.c) prints.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_ADVISE_H
+#define NB_ADVISE_H
+
+#include "commands.h"
+#include "estimate.h"
+
+/* The step of the page is divided by 2^level. */
+enum { NB_LEVEL_LOW = -7, NB_LEVEL_HIGH = 12, NB_LEVELS = NB_LEVEL_HIGH - NB_LEVEL_LOW + 1, NB_LAW_PAIRS = 40 };
+
+/* One law pair at one step, run at some of the phases. */
+struct nb_point {
+  unsigned done;    /* set of phases that were run */
+  double *values;   /* of the quantity: NB_PHASES for each run of the page; owned */
+  double seconds;   /* shortest of the phases, all runs of the page */
+  double updates;   /* of contacts and particles, all runs */
+  double step;      /* mean over the first run, s; 0: a contact test, which has no time */
+  char reason[512]; /* why it could not be run; empty: it could */
+};
+
+struct nb_law_pair {
+  char normal[NB_NAME_SIZE], shear[NB_NAME_SIZE]; /* empty: as on the page */
+  struct nb_point points[NB_LEVELS];
+  bool covered;     /* the reference of the page, if it has one, accepts the laws */
+  bool equal;       /* it gives the same values as a pair before it */
+  double distance;  /* of its values from the anchor, over the tolerance, if that is why it was left out; else 0 */
+  char reason[512]; /* why the pair was left out; empty: it was not */
+};
+
+/* A setting whose error is known. */
+struct nb_setting {
+  size_t pair;
+  int level;
+  double ratio;      /* the largest claimed error over the tolerance, of all runs */
+  double step_ratio; /* its part that is the error of the step */
+  size_t worst;      /* the run where it is */
+};
+
+struct nb_advice {
+  const struct nb_call *call;
+  const char *path;
+  char text[512];         /* "impact.psi2 within 1 %" */
+  struct nb_outcome page; /* as read, with the settings of the caller */
+  struct nb_tolerance tolerance;
+  const char *unit;
+  size_t runs;
+  size_t phases;             /* NB_PHASES, or 1: the page has no first touch whose moment could vary */
+  double *scale, *allowed;   /* for each run: the value that a percentage refers to; the tolerance; owned */
+  int anchor;                /* level of the coarsest anchor */
+  struct nb_law_pair *pairs; /* owned; the first one is the page's own */
+  size_t pair_count;
+  struct nb_setting *settings; /* owned; all that were tried, and */
+  size_t setting_count;
+  int chosen; /* the index of the cheapest one within the tolerance; -1: none */
+  struct nb_progress progress;
+  double began, budget; /* s */
+  bool exhausted;       /* the budget ended the search */
+  unsigned measured;    /* runs of the page */
+};
+
+static inline const struct nb_point *nb_point_at(const struct nb_advice *advice, const struct nb_setting *setting) {
+  return &advice->pairs[setting->pair].points[setting->level - NB_LEVEL_LOW];
+}
+
+/* ---- advice.c ---- */
+
+/* The settings as options: "--set shear=mindlin --set refine=0.25". */
+void nb_advice_options(char *text, size_t size, const struct nb_advice *advice, const struct nb_setting *setting);
+void nb_advice_print(const struct nb_advice *advice);
+/* FOLDER/advice.tsv, advice.gp, advice.svg and advice.png. */
+enum nb_status nb_advice_save(const struct nb_advice *advice, const char *folder, struct nb_error *error);
+
+#endif

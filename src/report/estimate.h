@@ -1,0 +1,26 @@
+/* Estimates of the error of a quantity Q that was computed with several time steps.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_ESTIMATE_H
+#define NB_ESTIMATE_H
+
+#include <stddef.h>
+
+enum { NB_PHASES = 8 };
+
+/* The error of Q(n) of the step, from Q at n, 2n and 4n steps (estimate.c). Not finite if one of them is not. */
+double nb_estimate_step(double n, double n2, double n4);
+
+/* The anchor: the value towards which the error of a setting is measured, and its uncertainty. */
+struct nb_anchor {
+  double value, uncertainty;
+};
+/* From Q at the phases of the anchor, and at those of twice its step. */
+struct nb_anchor nb_estimate_anchor(const double at_anchor[], const double at_double_step[], size_t phases);
+
+/* The claimed error of a setting: Q at `phases` phases with n steps, and likewise with 2n and 4n steps. *step receives the part
+ * that is the error of the step. */
+double nb_estimate_claim(double *step, const double n[], const double n2[], const double n4[], size_t phases,
+                         struct nb_anchor anchor);
+
+#endif

@@ -1,0 +1,149 @@
+#!/bin/sh
+# Tests `nineball advise`: that its claims bound the errors against a reference that it does not use, that the choice is the cheapest
+# setting within the tolerance, and what it refuses. TAP. $NINEBALL is the program, $srcdir the top of the source tree.
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+
+. "${srcdir:-.}/tests/tap"
+pages=$(pwd)/tests/pages
+cases=$(pwd)/cases
+cd "$work" || exit 1
+
+# run STATUS ARGUMENT ...: the program must end with this status; its output is in $why.
+run() {
+  wanted=$1
+  shift
+  "$nineball" "$@" >"$why" 2>&1 </dev/null
+  status=$?
+  echo "status $status, expected $wanted" >>"$why"
+  test $status -eq "$wanted"
+}
+said() { grep -qF -e "$1" "$why"; }
+# table: the rows of a table without its first lines.
+rows() { grep -v '^#' "$1" | tail -n +2; }
+
+# ---- claims against Hertz's duration of an impact: closed form, not used by the search ----
+
+hertz=$cases/2-hertz/hertz-impact.md
+run 0 advise "$hertz" --set pair=equal --set h=0.04 --quantity impact.duration --within '0.05 %' -o duration &&
+  said 'the cheapest setting within the tolerance: --set refine=' && said "to run it: nineball run $hertz"
+result $? 'advice on the duration of an impact'
+
+# The largest true error of each setting over eight phases of the first touch, beside its claim.
+rows duration/advice.tsv | cut -f 3,8,10 >settings
+: >errors
+while read -r refine claim verdict; do
+  for phase in 0 0.125 0.25 0.375 0.5 0.625 0.75 0.875; do
+    sed "s/^impact .*/& phase $phase/" "$hertz" >phased.md
+    "$nineball" run phased.md --set pair=equal --set h=0.04 --set "refine=$refine" -o run >/dev/null 2>&1
+    grep -v '^#' run/values.tsv | awk -F '\t' -v refine="$refine" -v claim="$claim" -v verdict="$verdict" '
+      NR == 1 { for (k = 1; k <= NF; k++) { if ($k == "impact.duration/s") a = k; if ($k == "reference impact.duration/s") b = k } }
+      NR == 2 { e = $a / $b - 1; print refine, claim, verdict, e < 0 ? -e : e }' >>errors
+  done
+done <settings
+cp errors "$why"
+awk '{ n++; bad += !($2 >= $4) } END { exit !(n >= 32 && bad == 0) }' errors
+result $? 'every claim is at least the true error, at eight phases'
+awk '$3 == "chosen" { n++; bad += !($4 <= 0.0005) } $3 == "misses" { worst[$1] = worst[$1] > $4 ? worst[$1] : $4 }
+  END { exit !(n == 8 && bad == 0) }' errors
+result $? 'the chosen setting is within the tolerance'
+# Not far from the truth either: the cheapest one that is truly within the tolerance is at most twice as coarse.
+awk '{ worst[$1] = worst[$1] > $4 ? worst[$1] : $4 } $3 == "chosen" { chosen = $1 }
+  END { for (r in worst) if (worst[r] <= 0.0005 && r + 0 < chosen / 2) exit 1; exit !(chosen > 0) }' errors
+result $? 'the chosen step is at most half as long as the longest one that would do'
+test -s duration/advice.svg && test -s duration/advice.png && grep -q "title 'the advice'" duration/advice.gp
+result $? 'the figure'
+rows duration/advice.tsv | awk -F '\t' '$10 == "chosen" { chosen = $5 } $10 == "within" && $5 < best { best = $5 } BEGIN { best = 1e99 }
+  END { exit !(chosen > 0 && chosen <= best) }'
+result $? 'no setting within the tolerance has fewer updates'
+
+# ---- laws ----
+
+# The shear laws differ in an oblique impact. `shear none` passes a reference that knows of no friction, which is not the truth of the page.
+oblique=$cases/4-oblique/oblique-impact.md
+run 0 advise "$oblique" --set poisson=0.3 --set psi1=2 --quantity impact.psi2 --within 0.01 -o oblique
+result $? 'advice on an oblique impact'
+cp oblique/advice.tsv "$why"
+grep -q '^# left out: normal hertz, shear none: ' oblique/advice.tsv &&
+  grep -q '^# left out: normal hertz, shear mindlin: its value is .* times the tolerance from that of the page' oblique/advice.tsv &&
+  ! rows oblique/advice.tsv | cut -f 2 | grep -qxE 'none|mindlin'
+result $? 'laws with other values are left out'
+cat >head-on.md <<'EOF'
+# Two spheres that collide head-on
+
+```scene
+units none
+material m density 1 young 1000 poisson 0.3 friction 0.5
+normal hertz
+sphere 0 0 radius 1 m velocity 0.1 0
+sphere 2.1 0 radius 1 m fixed
+monitor C sphere 1 with sphere 2
+record C.normal
+step 0.01
+stage a
+until C.normal above 0 at most 100000 cycles
+stage b
+until C.normal below 1e-300 at most 100000 cycles
+```
+EOF
+run 0 advise head-on.md --quantity 'C.normal max in b' --within '5 %' -o head-on &&
+  said 'pairs of laws not tried, because they give the same values as another pair' &&
+  test "$(rows head-on/advice.tsv | cut -f 1,2 | sort -u | wc -l)" -eq 2
+result $? 'laws that change nothing are not tried'
+
+# ---- the command ----
+
+run 0 advise "$hertz" --set pair=equal --set h=0.04 --set refine=4 --quantity impact.duration --within '0.05 %' -o refined
+refined=$(rows refined/advice.tsv | awk -F '\t' '$10 == "chosen" { print $3 }')
+test -n "$refined" && test "$refined" = "$(rows duration/advice.tsv | awk -F '\t' '$10 == "chosen" { print $3 }')"
+result $? 'the advice does not depend on the step of the page'
+run 0 advise "$hertz" --set pair=equal --set h=0.04 --within '5 %' && test -s hertz-impact.out/advice.tsv && said 'C.overlap in strike within 5 %'
+result $? 'by default the first expectation and the folder of the page'
+run 0 advise "$hertz" --set pair=equal --set h=0.04 --quantity 'C.normal max in strike' --within '20 N' -o newton && said 'claimed error: at most' && said ' N'
+result $? 'a tolerance in the unit of the quantity'
+run 1 advise "$hertz" --set pair=equal --set h=0.04 --quantity impact.duration --within '0.05 %' --budget 1e-6 -o small && said 'choose a larger --budget'
+result $? 'a budget that is too small'
+cat >still.md <<'EOF'
+# A quantity near 0
+
+```scene
+units none
+material m density 1 kn 1
+disc 0 0 radius 1 m velocity 0.1 0
+disc 2.5 0 radius 1 m fixed
+monitor D disc 1
+record D.vx D.vy
+step 0.01
+stage a
+until D.vx below 0 at most 100000 cycles
+```
+EOF
+run 1 advise still.md --quantity D.vy --within '1 %' && said 'is not known well enough' && said 'an absolute one if the value is near 0'
+result $? 'a percentage of a quantity that has no limit other than 0'
+run 0 advise still.md --quantity D.vx --within 0.1 && said 'within 0.1'
+result $? 'an absolute tolerance'
+run 2 advise still.md --within '1 %' && said 'name a quantity that it records, by --quantity'
+result $? 'a page that expects nothing'
+run 2 advise "$hertz" && said '--within TOLERANCE'
+result $? 'no tolerance'
+run 2 advise "$hertz" --quantity C.force --within '1 %' && said 'quantity: error: expected a quantity that the scene records, found `C.force`'
+result $? 'an unknown quantity'
+run 2 advise "$hertz" --quantity impact.duration --within '1 % x' && said 'expected the end of the text'
+result $? 'text after the tolerance'
+run 2 advise "$hertz" --quantity impact.duration --within '0 %' && said 'expected a tolerance above 0'
+result $? 'a tolerance of 0'
+run 2 advise "$hertz" --quantity impact.duration --within '1 % of peak' && said 'expected a tolerance like `1 %`'
+result $? 'a fraction of something else'
+run 2 advise "$cases/7-assemblies/isotropic-compression.md" --within '1 %' && said 'expected a page of at most 50 particles'
+result $? 'an assembly'
+run 2 advise "$hertz" --quantity impact.duration --within '1 %' --budget never && said '--budget in seconds'
+result $? 'a budget that is no time'
+sed 's/^units none/&\nlet refine = 2/' still.md >named.md
+run 2 advise named.md --quantity D.vx --within 0.1 && said 'the page has a value `refine`'
+result $? 'a page whose own value is called refine'
+sed 's/^until.*/record every 10 cycles\ncycles 7/' still.md >cycles.md
+run 0 advise cycles.md --quantity D.vx --within '1 %' && said '--set refine=1'
+result $? 'a page with a number of cycles, which no coarser step divides'
+run 2 check still.md --within 1 && said "does not use --within"
+result $? 'an option of another command'
+echo "1..$n"
