@@ -28,21 +28,23 @@ static void boundary_page(struct words *page, double r) {
             "cycles\ncycles %g\n",
             RATE(1, r), RATE(-1, r), RATE(0.25, r), RATE(2, r), RATE(0.5, r), RATE(-0.5, r), 4 * r, 12 * r);
   words_add(page,
-            "stage b\naffine none\nboundary fixed\nservo mean 12 on boundary through boundary at most %.17g per cycle "
+            "stage b\naffine none\nboundary fixed\nservo mean 1e6 on boundary through boundary at most %.17g per cycle "
             "every %g cycles\nrecord every %g cycles\ncycles %g\n",
             RATE(1, r), 4 * r, 2 * r, 16 * r);
   words_add(page,
-            "stage c\nservo mean 12 on boundary through boundary at most %.17g per cycle every %g cycles\n"
+            "stage c\nservo mean 1e6 on boundary through boundary at most %.17g per cycle every %g cycles\n"
             "until cycle above %g and B.stress.xx above -1 every %g cycles at most %g cycles\nstep %.17g\n",
             RATE(1, r), 10 * r, 38 * r - 0.5, 4 * r, 100 * r, 1 / 2048.0 / r);
 }
 
 static void cell_page(struct words *page, double r) {
-  words_add(page,
-            "units none\nmaterial m density 3 kn 100 ks 100 friction 0.5\ncell 0 0 to 8 8\n"
-            "lattice discs 4 by 4 from 1 1 radius 1 spacing 2 m\n"
-            "record cycle time cell.strain.xx cell.stress.xx cell.stress.xy\ndamping con1 %.17g as cs79\nstep %.17g\n",
-            1 - 0.125 / r, 1 / 256.0 / r);
+  words_add(
+      page,
+      "units none\nmaterial m density 3 kn 100 ks 100 friction 0.5\ncell 0 0 to 8 8\n"
+      "lattice discs 3 by 3 from 1 1 radius 0.9 spacing 2 m\ndisc 7 7 radius 0.5 m velocity 3 -2\nmonitor D disc 10\n"
+      "record D.vx D.vy cycle time cell.strain.xx cell.stress.xx cell.stress.xy\ndamping con1 %.17g as cs79\nstep "
+      "%.17g\n",
+      1 - 0.125 / r, 1 / 256.0 / r);
   words_add(page,
             "stage a\ncell strain %.17g per cycle %.17g per cycle c12 %.17g per cycle c21 %.17g per cycle\ncycles %g\n",
             RATE(-4, r), RATE(-1, r), RATE(2, r), RATE(0, r), 16 * r);
@@ -127,9 +129,10 @@ static void a_product_that_rounding_makes_no_whole_number(void) {
   struct written written;
   static const char *const settings[] = {"refine=(1/49)", NULL};
   words_add(&words, "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m velocity 1 0\nmonitor D disc 1\n"
-                    "record D.x\nstep 0.25\nstage a\ncycles 49\nstage b\nuntil D.x above 3 at most 49 cycles\n");
+                    "record D.x\nstep 0.25\nstage a\nrecord every 7 cycles\ncycles 49\nstage b\nuntil D.x above 3 at most 49 cycles\n");
   written_scene_set(&written, &words, settings);
   CU_ASSERT_EQUAL(written.scene.stages[0].cycles, 1);
+  CU_ASSERT_EQUAL(written.scene.stages[0].record_interval, 1);
   CU_ASSERT_EQUAL(written.scene.stages[1].cycles, 1);
   written_free(&written);
 }
