@@ -129,7 +129,8 @@ static void a_product_that_rounding_makes_no_whole_number(void) {
   struct written written;
   static const char *const settings[] = {"refine=(1/49)", NULL};
   words_add(&words, "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m velocity 1 0\nmonitor D disc 1\n"
-                    "record D.x\nstep 0.25\nstage a\nrecord every 7 cycles\ncycles 49\nstage b\nuntil D.x above 3 at most 49 cycles\n");
+                    "record D.x\nstep 0.25\nstage a\nrecord every 7 cycles\ncycles 49\nstage b\nuntil D.x above 3 at "
+                    "most 49 cycles\n");
   written_scene_set(&written, &words, settings);
   CU_ASSERT_EQUAL(written.scene.stages[0].cycles, 1);
   CU_ASSERT_EQUAL(written.scene.stages[0].record_interval, 1);
