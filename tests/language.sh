@@ -63,7 +63,7 @@ done <"$work/words" >"$work/said"
 test "$(wc -l <"$work/words")" -gt 100 && test ! -s "$work/said"
 result $? 'nor does it leave out a word within a statement'
 for pair in energy:energy.sliding unbalanced:unbalanced.max kinetic:energy.kinetic quantities:dashpot.normal units:kg/m3 expressions:hypot \
-  sqrt:expressions MPa:pressure hertz:elastic amplitude:largest at:TIME deg:angle; do
+  sqrt:expressions MPa:pressure hertz:elastic "normal hertz:elastic" "shear rate:2 EXY" amplitude:largest at:TIME deg:angle; do
   "$nineball" --help "${pair%%:*}" 2>&1 | grep -qF -e "${pair#*:}" || echo "nineball --help ${pair%%:*} does not tell of ${pair#*:}"
 done >"$work/said"
 test ! -s "$work/said"

@@ -20,7 +20,8 @@ const struct nb_synonym *nb_synonym(const char *word) {
   /* clang-format off */
   static const struct nb_synonym synonyms[] = { /* each word once, `_` also for `-` */
     {"ball balls disk disks particle particles grain grains body bodies clump", "disc, sphere"}, {"grid mesh regular", "lattice"},
-    {"generate create create_atoms insert", "fill, lattice, disc, sphere"}, {"distribute pour random cloud", "fill"}, {"psd gradation size distribution bimodal", "grading"},
+    {"generate create create_atoms insert", "fill, lattice, disc, sphere"}, {"distribute pour random cloud", "fill"},
+    {"psd gradation size distribution bimodal", "grading"},
     {"facet facets plane plate", "wall"}, {"domain container create_box", "box, cell"}, {"periodic pbc", "cell"},
     {"contact_model cmat pair_style model", "normal, shear"}, {"property prop attribute set assign", "material, pair, let"},
     {"variable define parameter fish", "let"}, {"loop foreach for while", "sweep, repeat"}, {"bond bonds cement adhesion", "cohesion"},
@@ -33,7 +34,8 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"restitution cor", "ratio, impact.restitution", "restitution is a result, not an input"},
     {"rolling rolling_friction rolling_resistance", "rotation off", "there is no rolling resistance"},
     {"history hist track trace thermo output print probe", "monitor, record"}, {"measure measurement group range", "region"},
-    {"run solve go iterate", "cycles, until"}, {"equilibrium converge unbal", "until, unbalanced.max"}, {"unbalanced unbalanced_force mech_ratio", "unbalanced.max"},
+    {"run solve go iterate", "cycles, until"}, {"equilibrium converge unbal", "until, unbalanced.max"},
+    {"unbalanced unbalanced_force mech_ratio", "unbalanced.max"},
     {"ratio", "unbalanced.max, damping, poisson"}, {"critical", "ratio, single-contact"},
     {"contact", "damping, monitor, region"}, {"all", "region", "`region M all` measures all particles and contacts"},
     {"calm relax quench", "zero velocities"}, {"fix freeze clamp", "fixed, servo, cell strain, boundary fixed, rotation off"},
@@ -41,9 +43,11 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"deform strain strain_rate shear_rate rate", "cell strain, box strain, boundary strain, affine strain"},
     {"move displace", "wall, walls, transform"}, {"delete kill erase", "remove"},
     {"save checkpoint write_restart", "nineball state"}, {"restore restart read_restart read_data import", "start, packing"},
-    {"assert compare equals equal is = ==", "expected, within"}, {"tolerance agree", "within"}, {"maximum largest", "max"}, {"end final", "last", "the last row is the default"}, {"less < <=", "below"}, {"greater more > >=", "above"},
+    {"assert compare equals equal is = ==", "expected, within"}, {"tolerance agree", "within"},
+    {"maximum largest", "max"}, {"end final", "last"}, {"less < <=", "below"}, {"greater more > >=", "above"},
     {"force contact_force forces", "normal, shear, fx, fy"}, {"position displacement pos disp", "x, y"}, {"vel", "velocity, vx, vy"},
-    {"kinetic kinetic_energy ke", "energy.kinetic"}, {"hertz_mindlin hertzian", "normal hertz, shear mindlin"}, {"SI", "units"}, {"inch inches ft", "m, mm"}, {"psi ksi bar atm", "Pa, kPa"}, {"lb lbf kgf", "N, kN"},
+    {"kinetic kinetic_energy ke", "energy.kinetic"}, {"hertz_mindlin hertzian hertz_material mindlin_rescale", "normal hertz, shear mindlin"},
+    {"hooke hookean", "normal linear, shear linear"}, {"SI", "units"}, {"inch inches ft", "m, mm"}, {"psi ksi bar atm", "Pa, kPa"}, {"lb lbf kgf", "N, kN"},
     {"degree degrees", "deg"}, {"rpm", "rad/s"},
   };
   /* clang-format on */

@@ -129,6 +129,14 @@ enum nb_status nb_command_run(const struct nb_call *call) { return process_pages
 enum nb_status nb_command_check(const struct nb_call *call) { return process_pages(call, VERDICT | REQUIRE_CHECKS); }
 enum nb_status nb_command_figure(const struct nb_call *call) { return process_pages(call, FIGURE); }
 
+static void put_message(struct nb_report_line *line, const struct nb_outcome *outcome) {
+  const char *const text = outcome->mistakes.text ? outcome->mistakes.text : outcome->error.text;
+  char place[NB_NAME_SIZE] = "";
+  if (outcome->error.line && !outcome->mistakes.text)
+    snprintf(place, sizeof place, "line %d: ", outcome->error.line);
+  snprintf(line->message, sizeof line->message, "%s%s", place, text);
+}
+
 /* Tables and figure of one page, and its line of the report; the line keeps the outcome without the runs. */
 static enum nb_status report_page(const struct nb_call *call, const char *path, const char *folder,
                                   struct nb_report_line *line) {
@@ -141,8 +149,7 @@ static enum nb_status report_page(const struct nb_call *call, const char *path, 
   run_page(outcome, call, path);
   nb_print_errors(outcome, path);
   if (outcome->status > NB_FAILED)
-    snprintf(line->message, sizeof line->message, "%s",
-             outcome->mistakes.text ? outcome->mistakes.text : outcome->error.text);
+    put_message(line, outcome);
   if (has_rows(outcome)) {
     snprintf(subfolder, sizeof subfolder, "%.3900s/%s", folder, outcome->page.name);
     line->saved = !nb_tables_save(outcome, subfolder, &error);

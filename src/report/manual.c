@@ -347,15 +347,20 @@ static bool has_word(const char *syntax, const char *word) {
   return false;
 }
 
-/* The syntax, and the arguments that the word begins; false: none. */
-static bool statement_part(const struct manual *to, const struct nb_keyword *row, const char *syntax,
+/* The syntax, and the arguments that the word begins; if there is none, the help. */
+static void statement_part(const struct manual *to, const struct nb_keyword *row, const char *syntax,
                            const char *word) {
-  bool found = false;
+  const struct nb_argument *field = row->arguments;
+  while (field->count && !(field->word && has_word(field->word, word)))
+    field++;
+  if (!is_new(to, (const char *)row + (field->count ? 1 + (field - row->arguments) : 0)))
+    return;
   wrapped(to->out, 2, 4, syntax);
-  for (const struct nb_argument *field = row->arguments; field->count; field++)
+  if (!field->count)
+    wrapped(to->out, 6, 6, row->help);
+  for (; field->count; field++)
     if (field->word && has_word(field->word, word))
-      argument(to, field), found = true;
-  return found;
+      argument(to, field);
 }
 
 /* Statements that begin with the word. For statements with the word in their syntax: the syntax and the argument, or the help. */
@@ -373,12 +378,10 @@ static bool find_statement(const struct manual *to, const char *word, struct nb_
       if (!row->word || !(verb || has_word(syntax, word)))
         continue;
       found = true;
-      if (!is_new(to, row))
-        continue;
-      if (verb)
+      if (!verb)
+        statement_part(to, row, syntax, word);
+      else if (is_new(to, row))
         statement(to, row);
-      else if (!statement_part(to, row, syntax, word))
-        wrapped(to->out, 6, 6, row->help);
     }
   return found;
 }
