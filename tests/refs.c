@@ -90,6 +90,55 @@ static void steep_zigzags_are_refused(void) {
   }
 }
 
+/* References whose formulas hold for like particles, or for certain regions, only. */
+static void unlike_particles_and_other_regions_are_refused(void) {
+  static const char head[] = "units none\nmaterial a density 1 kn 9 ks 9 young 1e6 poisson 0.2 friction 0.5\n"
+                             "material b density 1 kn 9 ks 9 young 2e6 poisson 0.2 friction 0.5\n";
+  static const struct {
+    const char *reference, *page, *refused, *missing; /* part of the message; or a name that has no value */
+  } scenes[] = {
+      {"pinched",
+       "normal hertz\nsphere -1.2 0 radius 1 a velocity 0.1 0 fixed\nsphere 1.2 0 radius 1 a velocity -0.1 0 fixed\n"
+       "sphere 0 0.5 radius 0.3 b\nstep 1e-6\nstage s\ncycles 1\n",
+       "one material", NULL},
+      {"cohesion",
+       "normal linear\nshear linear\ndisc 0 1 radius 1 a\nwall low -4 0 to 4 0 a\nwall high -4 2 to 4 2 a\n"
+       "wall stop 1 0.5 to 1 1.5 b\nmonitor L disc 1 with wall low\nstep 0.1\n"
+       "stage press\nwall high velocity 0 -0.001\ncycles 10\n"
+       "stage drag\nwall low velocity 0.001 0\nwall high velocity 0.001 0\ncycles 10\n"
+       "stage part\nwall low velocity 0 0\nwall high velocity 0 1\ncycles 10\n",
+       "neither friction nor cohesion", NULL},
+      {"rayleigh_step",
+       "normal hertz\nsphere 0 0 radius 1 a velocity 0.1 0\nsphere 2 0 radius 0.9 a\nmonitor D sphere 2\n"
+       "step 0.1 of rayleigh\nrecord D.vx\nstage s\ncycles 1\n",
+       NULL, "D.vx"},
+      {"filling",
+       "normal linear\ngrading g 1 5\nfill discs box -9 -9 to 9 9 g a seed 1 attempts 99 else stop\n"
+       "region R box -8 -8 to 8 8\nstep 1\nrecord R.porosity\nstage s\ncycles 1\n",
+       NULL, "R.porosity"},
+      {"centripetal",
+       "normal hertz\nsphere 0 0 radius 1 a\nregion R circle 1 0 radius 5\nstep 1\nrecord R.stress.mean\n"
+       "stage s\ngravity centripetal 1 about 0 0\ncycles 1\n",
+       NULL, "R.stress.mean in s"},
+  };
+  for (size_t k = 0; k < sizeof scenes / sizeof *scenes; k++) {
+    struct words page = {0};
+    struct written it;
+    struct refs_scene scene;
+    words_add(&page, "%s%s", head, scenes[k].page);
+    written_scene(&it, &page);
+    scene.scene = it.scene;
+    if (scenes[k].refused) {
+      CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused(scenes[k].reference, &scene).text, scenes[k].refused));
+    } else {
+      struct nb_solution solution = refs_solution(scenes[k].reference, &scene);
+      CU_ASSERT_PTR_NULL(solution_find(&solution, scenes[k].missing));
+      solution_free(&solution);
+    }
+    written_free(&it);
+  }
+}
+
 /* References do not check the allocations of GSL. */
 static void failed_allocation_in_gsl_ends_the_program(void) {
   int status = -1;
@@ -202,6 +251,7 @@ void suite_refs(void) {
   CU_add_test(suite, "scenes outside the theory are refused", scenes_outside_the_theory_are_refused);
   CU_add_test(suite, "networks that cannot be solved are refused", unsolvable_networks_are_refused);
   CU_add_test(suite, "zigzags of 45 degrees and more are refused", steep_zigzags_are_refused);
+  CU_add_test(suite, "unlike particles and other regions are refused", unlike_particles_and_other_regions_are_refused);
   CU_add_test(suite, "failed allocation in GSL ends the program", failed_allocation_in_gsl_ends_the_program);
   CU_add_test(suite, "friction and cohesion of a particle and a wall", friction_and_cohesion_at_a_wall);
 }

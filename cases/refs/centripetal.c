@@ -11,8 +11,7 @@
  *
  * n = 0.155 is assumed, the middle of the range 0.14 to 0.17 of random frictionless packings.
  *
- * Returns   A.stress.mean in the last stage, Pa, for every monitor A of a circular region; its centre must be that of
- *           gravity
+ * Returns   A.stress.mean in the last stage, Pa, for every monitor A of a circular region about the centre of gravity
  * Error     p_0 is proportional to (1 - n)^(1/2): an error of 0.015 in n gives 1 %
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -43,9 +42,12 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     const struct nb_monitor *monitor = &scene->monitors[w];
     if (monitor->kind != NB_MONITOR_REGION || scene->regions[monitor->a].kind != NB_REGION_CIRCLE)
       continue;
+    const struct nb_region *region = &scene->regions[monitor->a];
+    if (hypot(region->x - gravity->about_x, region->y - gravity->about_y) > 1e-9 * region->radius)
+      continue;
     char name[3 * NB_NAME_SIZE];
     snprintf(name, sizeof name, "%s.stress.mean in %s", monitor->name, last->name);
-    solution_value(solution, p0 * (1 - 2 * scene->regions[monitor->a].radius / (3 * R)), name);
+    solution_value(solution, p0 * (1 - 2 * region->radius / (3 * R)), name);
   }
   return solution_status(solution, error);
 }

@@ -67,14 +67,20 @@ static bool integrate(struct pinch *p, double y, double *speed, double *largest)
   return solved;
 }
 
+static bool fits(const struct nb_scene *scene) {
+  const struct nb_particle *left = &scene->particles[0], *right = &scene->particles[1], *small = &scene->particles[2];
+  return scene->particle_count == 3 && scene->material_count == 1 && left->fixed && right->fixed && !small->fixed &&
+         left->radius == right->radius && left->x == -right->x && left->vx == -right->vx && left->vx > 0 &&
+         small->x == 0 && small->vx == 0 && small->vy == 0 && left->y == 0 && right->y == 0 && small->y > 0 &&
+         left->vy == 0 && right->vy == 0;
+}
+
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_particle *left = &scene->particles[0], *right = &scene->particles[1], *small = &scene->particles[2];
-  if (scene->particle_count != 3 || !left->fixed || !right->fixed || small->fixed || left->radius != right->radius ||
-      left->x != -right->x || left->vx != -right->vx || !(left->vx > 0) || small->x != 0 || small->vx != 0 ||
-      small->vy != 0 || left->y != 0 || right->y != 0 || small->y <= 0 || left->vy != 0 || right->vy != 0)
+  if (!fits(scene))
     return nb_error_set(error, NB_BAD_USE,
-                        "pinched is for two equal fixed spheres that approach each other along x, "
-                        "and a third one at rest between them above the line");
+                        "pinched is for spheres of one material: two equal fixed ones that approach each other along "
+                        "x, and a third one at rest between them above the line");
   const struct nb_material *glass = &scene->materials[small->material];
   const double R = right->radius, r = small->radius;
   struct pinch pinch = {.stiffness =
@@ -88,8 +94,11 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     return nb_error_set(error, NB_BROKEN, "pinched: the equation of motion could not be integrated");
   for (size_t w = 0; w < scene->monitor_count; w++) {
     char name[3 * NB_NAME_SIZE];
-    const bool particle = scene->monitors[w].kind == NB_MONITOR_PARTICLE;
-    snprintf(name, sizeof name, "%s.%s", scene->monitors[w].name, particle ? "vy" : "overlap max");
+    const struct nb_monitor *monitor = &scene->monitors[w];
+    const bool particle = monitor->kind == NB_MONITOR_PARTICLE;
+    if ((!particle && monitor->kind != NB_MONITOR_PARTICLE_PARTICLE) || (monitor->a != 2 && monitor->b != 2))
+      continue;
+    snprintf(name, sizeof name, "%s.%s", monitor->name, particle ? "vy" : "overlap max");
     solution_value(solution, particle ? speed : largest, name);
   }
   solution_value(solution, pinch.mass * speed * speed / 2, "energy.walls");

@@ -96,6 +96,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     if (monitor->kind != NB_MONITOR_PARTICLE || other >= scene->particle_count)
       continue;
     const struct nb_particle *self = &scene->particles[monitor->a], *it = &scene->particles[other];
+    if (self->radius != it->radius || self->material != it->material)
+      continue;
     const double e = dt > 0 ? rebound(scene, self, it, dt) : 1;
     snprintf(name, sizeof name, "%s.vx", monitor->name);
     solution_value(solution, (self->vx + it->vx + e * (it->vx - self->vx)) / 2, name);
