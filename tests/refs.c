@@ -90,8 +90,8 @@ static void steep_zigzags_are_refused(void) {
   }
 }
 
-/* References whose formulas hold for like particles, or for certain regions, only. */
-static void unlike_particles_and_other_regions_are_refused(void) {
+/* Scenes whose features a reference accepts, but whose particles or regions its formulas do not cover. */
+static void uncovered_particles_and_regions_are_refused(void) {
   static const char head[] = "units none\nmaterial a density 1 kn 9 ks 9 young 1e6 poisson 0.2 friction 0.5\n"
                              "material b density 1 kn 9 ks 9 young 2e6 poisson 0.2 friction 0.5\n";
   static const struct {
@@ -120,6 +120,15 @@ static void unlike_particles_and_other_regions_are_refused(void) {
        "normal hertz\nsphere 0 0 radius 1 a\nregion R circle 1 0 radius 5\nstep 1\nrecord R.stress.mean\n"
        "stage s\ngravity centripetal 1 about 0 0\ncycles 1\n",
        NULL, "R.stress.mean in s"},
+      {"taken_out",
+       "normal linear\ndisc 0 0 radius 1 a velocity 0.1 0\ndisc 1.9 0 radius 1 a\nwall w -0.9 -2 to -0.9 2 a\n"
+       "monitor D disc 1\nstep 0.01\nrecord D.vx\nstage s\ncycles 1\nstage t\nremove disc 2\ncycles 9999\n",
+       NULL, "D.vx"},
+      {"force_chain",
+       "normal linear\ndisc 0 0 radius 1 a\ndisc 1.7 0 radius 1 a\ndisc 3.8 0 radius 1 a\n"
+       "wall w -0.9 -2 to -0.9 2 a\nwall e 4.7 -2 to 4.7 2 a\nregion R box -0.9 -1 to 4.7 1\nstep 0.01\n"
+       "stage s\ncycles 1\n",
+       "equal discs", NULL},
   };
   for (size_t k = 0; k < sizeof scenes / sizeof *scenes; k++) {
     struct words page = {0};
@@ -251,7 +260,8 @@ void suite_refs(void) {
   CU_add_test(suite, "scenes outside the theory are refused", scenes_outside_the_theory_are_refused);
   CU_add_test(suite, "networks that cannot be solved are refused", unsolvable_networks_are_refused);
   CU_add_test(suite, "zigzags of 45 degrees and more are refused", steep_zigzags_are_refused);
-  CU_add_test(suite, "unlike particles and other regions are refused", unlike_particles_and_other_regions_are_refused);
+  CU_add_test(suite, "particles and regions that a formula does not cover are refused",
+              uncovered_particles_and_regions_are_refused);
   CU_add_test(suite, "failed allocation in GSL ends the program", failed_allocation_in_gsl_ends_the_program);
   CU_add_test(suite, "friction and cohesion of a particle and a wall", friction_and_cohesion_at_a_wall);
 }

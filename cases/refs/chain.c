@@ -2,8 +2,8 @@
  * contact and given initial velocities along the row: normal modes in closed form, in the time steps of the calculation
  * cycle.
  *
- * u_l is the displacement of particle l from its initial position, with u_0 = u_(N+1) = 0 at the walls. From
- * m u_l'' = k (u_(l-1) - 2 u_l + u_(l+1)) follows, with the amplitude s_j of mode j = 1 ... N,
+ * u_l is the displacement of particle l from its initial position, with u_0 = u_(N+1) = 0 at the walls. The solution of
+ * m u_l'' = k (u_(l-1) - 2 u_l + u_(l+1)) is, with the amplitude s_j of mode j = 1 ... N,
  *
  *   u_l = sum over j of  sin(q l) s_j,    q = j pi/(N + 1),    omega = 2 sqrt(k/m) sin(q/2)
  *
@@ -14,7 +14,7 @@
  *
  * Returns
  *   C.normal along cycle, time              for C that monitors a contact
- *   C.normal mean, C.normal frequency       the same, if a single mode moves
+ *   C.normal mean, C.normal frequency       for C that monitors a contact, if a single mode moves
  *   D.x, D.vx.half along cycle, time        for D that monitors a particle
  *   time in STAGE                           of a stage that lasts until such a curve rises above a value
  *   step.stable                             2/omega with omega^2 = 4 k/m, for N > 1

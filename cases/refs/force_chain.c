@@ -29,6 +29,19 @@ static void add_value(struct nb_solution *solution, const char *region, const ch
   solution_value(solution, value, name);
 }
 
+/* Whether the discs are equal and at equal distances along (ux, uy). */
+static bool is_row(const struct nb_scene *scene, double ux, double uy, double spacing) {
+  const struct nb_particle *first = &scene->particles[0];
+  for (size_t k = 1; k < scene->particle_count; k++) {
+    const struct nb_particle *disc = &scene->particles[k];
+    const double s = (double)k * spacing;
+    if (hypot(disc->x - first->x - s * ux, disc->y - first->y - s * uy) > 1e-12 * s || disc->radius != first->radius ||
+        disc->material != first->material)
+      return false;
+  }
+  return true;
+}
+
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const size_t n = scene->particle_count;
   if (n < 2 || scene->wall_count != 2)
@@ -37,6 +50,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   const double length = hypot(last->x - first->x, last->y - first->y), R = first->radius;
   const double ux = (last->x - first->x) / length, uy = (last->y - first->y) / length;
   const double overlap = 2 * R - length / (double)(n - 1);
+  if (!is_row(scene, ux, uy, length / (double)(n - 1)))
+    return nb_error_set(error, NB_BAD_USE, "force_chain is for equal discs at equal distances on a straight line");
   const double force = matter_pair(scene, first->material, first->material).kn * overlap;
   const double between_walls = length + 2 * (R - overlap); /* from wall to wall, if these have the same overlap */
   for (int w = 0; w < 2; w++) {
@@ -44,7 +59,9 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     const struct nb_particle *end = hypot(wall->x - first->x, wall->y - first->y) < length / 2 ? first : last;
     const double distance = fabs((end->x - wall->x) * wall->ey - (end->y - wall->y) * wall->ex);
     if (fabs(R - distance - overlap) > 1e-9 * overlap || fabs(wall->ex * ux + wall->ey * uy) > 1e-12)
-      return nb_error_set(error, NB_BAD_USE, "force_chain is for walls across the row with the overlap of the discs");
+      return nb_error_set(error, NB_BAD_USE,
+                          "force_chain is for walls normal to the row that overlap its end discs as much as the discs "
+                          "overlap each other");
   }
   const double u[] = {ux * ux, ux * uy, uy * uy};
   for (size_t k = 0; k < scene->monitor_count; k++) {

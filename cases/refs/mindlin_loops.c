@@ -12,8 +12,8 @@
  *
  *   W(t) = (6/5) mu N A [1 - (1 - t)^(5/3) - (5/6) t (1 + (1 - t)^(2/3))]
  *
- * is dissipated in loading to T = t mu N, and twice that on a branch of |T - T_begin| = 2 t mu N: a loop dissipates 4
- * W, the formula of Mindlin and Deresiewicz (1953).
+ * is dissipated in loading to T = t mu N, and twice that on a branch of |T - T_begin| = 2 t mu N. So a loop dissipates
+ * 4 W, the formula of Mindlin and Deresiewicz (1953).
  *
  * A law that stores two reversals (`randall`) has three branches; it moves back and forth on the third one elastically.
  * A law without micro-slip (`mindlin`, `mindlin_scaled`) has T = 8 G* a delta and is covered below the limit mu N. In

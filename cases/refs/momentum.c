@@ -4,8 +4,8 @@
  *   L = sum (m x x v + I w)      about the origin, with the angular velocity w; only without shear forces, because the
  *                                moments F_s R of CS79 change L by F_s times the overlap
  *
- * Returns momentum.x, momentum.y and, without friction, momentum.angular, at any time; each also with max, min and
- * mean.
+ * Returns momentum.x, momentum.y and, with `shear none` and without a cell, momentum.angular, at any time; each also
+ * with max, min and mean.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>

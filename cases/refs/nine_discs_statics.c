@@ -1,8 +1,9 @@
 /* Reference: touching discs between walls that have moved and stopped, in equilibrium without sliding: the forces of
  * the linear network [CS79 figures 5, 6].
  *
- * Returns, for C that monitors a contact, in equilibrium at the positions of the walls at the end of the run or stage:
- *   C.normal, C.shear; the same in STAGE;   both also ` mean`, if the walls are at rest
+ * Returns, for C that monitors a contact, the forces in equilibrium with the walls where they are at the end:
+ *   C.normal, C.shear              of the run;    if the walls are at rest then, also C.normal mean, C.shear mean
+ *   C.normal, C.shear in STAGE     of a stage;    likewise
  *
  * For nine equal discs, each wall displaced inward by d, with r = k_s/k_n, the corner discs and the discs in the middle
  * of a side move by d_c and d_m (in units of d) along each axis:

@@ -158,7 +158,7 @@ static enum nb_status check_contact(const struct pair *pair, const double y[], s
   const struct nb_wall *wall = pair->wall;
   const double s = wall ? (y[X] - y[SECOND + X]) * wall->ex + (y[Y] - y[SECOND + Y]) * wall->ey : 0;
   if (wall && !(s > wall->h1 && s < wall->h2))
-    return refuse(error, "a wall as long as the path of the particle");
+    return refuse(error, "a wall so long that the contact does not reach its end");
   return NB_OK;
 }
 

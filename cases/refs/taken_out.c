@@ -6,8 +6,8 @@
  *   sum k_n alpha^2/2         the energy of the springs at their contacts, each spring once; alpha, m, is the initial
  *                             overlap
  *
- * A particle between a wall and a removed particle is from then on a mass m on the spring of the wall, which is
- * compressed by alpha. It starts from rest:
+ * A particle at rest between a wall and a removed particle is from then on a mass m on the spring of the wall, which is
+ * compressed by alpha:
  *
  *   x = x_0 + alpha (1 - cos q t),   v = alpha q sin q t,   q = sqrt(k_n/m),   away from the wall, until q t = pi/2
  *   v = alpha q, constant                                   from then on
@@ -100,7 +100,8 @@ static bool read_neighbour(struct oscillation *oscillation, double normal[2], co
         sqrt(matter_pair(scene, particle->material, scene->walls[w].material).kn / matter_mass(scene, particle));
   }
   oscillation->begin = (double)scene->stages[0].cycles * scene->stages[0].step.value;
-  return walls == 1 && particles == 1 && oscillation->q * (end - oscillation->begin) > pi / 2;
+  const bool rests = particle->vx == 0 && particle->vy == 0;
+  return rests && walls == 1 && particles == 1 && oscillation->q * (end - oscillation->begin) > pi / 2;
 }
 
 static void add_axis(struct nb_solution *solution, const struct oscillation *oscillation, const char *monitor,
