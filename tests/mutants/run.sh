@@ -1,13 +1,15 @@
 #!/bin/sh
-# Mutation testing: `make mutants` changes one place after the other in a copy of the tree, compiles, and runs the unit tests, the
-# invalid pages and the cases until one fails. It lists which check killed which mutant, and fails if a mutant survives.
+# Mutation testing: `make mutants` changes one place after the other in a copy of the tree, compiles, and runs the unit
+# tests, the invalid pages and the cases until one fails. It lists which check killed which mutant, and fails if a
+# mutant survives.
 #
 #   make mutants                          all; about a second each
 #   make mutants MUTANTS=shear_linear     those whose file or description contains the word
 #   make mutants MUTANTS=loading          those of a module; without its name they are left out
 #
-# The rules are in tests/mutants/rules.txt. The copy stays in mutants/ of the build folder, so that the next run builds less;
-# `make clean` removes it. $NB_PAGES are the pages, $srcdir is the top of the source tree, $MAKE, $CC and $AWK the programs.
+# The rules are in tests/mutants/rules.txt. The copy stays in mutants/ of the build folder, so that the next run builds
+# less; `make clean` removes it. $NB_PAGES are the pages, $srcdir is the top of the source tree, $MAKE, $CC and $AWK the
+# programs.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 set -u
@@ -26,8 +28,8 @@ stop() {
 
 # ---- the copy --------------------------------------------------------------------------------------------------------
 
-# The first copy keeps the file times, so the autotools do not run. Later only files that differ are copied, which also restores what a
-# stopped run left.
+# The first copy keeps the file times, so the autotools do not run. Later only files that differ are copied, which also
+# restores what a stopped run left.
 entries() {
   cd "$here" || exit 1
   find setup autogen.sh configure.ac configure aclocal.m4 Makefile.am Makefile.in config.h.in README.md HACKING.md NEWS COPYING \
@@ -50,8 +52,8 @@ trap 'exit 130' INT TERM
 
 # ---- the checks ------------------------------------------------------------------------------------------------------
 
-# Prints the first failed test, or nothing. A program that crashes prints fewer tests than planned. The limit is processor time: a mutant
-# may loop forever, and the machine may be busy.
+# Prints the first failed test, or nothing. A program that crashes prints fewer tests than planned. The limit is
+# processor time: a mutant may loop forever, and the machine may be busy.
 first_red() {
   (ulimit -t 120 2>/dev/null; exec "$@") 2>/dev/null | $awk '
     /^not ok/ { sub(/^not ok [0-9]* *-* */, ""); print; told = 1; exit }
@@ -60,7 +62,8 @@ first_red() {
     END { if (!told && (seen < planned || !planned)) print "crashed, or took too long, after " seen + 0 " tests" }' 
 }
 
-# Finds the check that kills the mutant and sets $by, "" if it survives. The suites that killed the last mutants run first.
+# Finds the check that kills the mutant and sets $by, "" if it survives. The suites that killed the last mutants run
+# first.
 suites=
 check() {
   by=
@@ -114,7 +117,8 @@ $awk -v OFS="$tab" '
   END { put() }' tests/mutants/rules.txt >../table
 grep "^invalid" ../table && stop "invalid lines of tests/mutants/rules.txt; expected: each, module, mutant, equal, in, -, +"
 
-# The place of each mutant: LINE, COLUMN, LENGTH, new text. A rule whose text does not occur exactly once is out of date.
+# The place of each mutant: LINE, COLUMN, LENGTH, new text. A rule whose text does not occur exactly once is out of
+# date.
 : >../list
 : >../outdated
 while IFS=$tab read -r kind words file old new; do

@@ -1,12 +1,13 @@
-# Prints small changes to the arithmetic of a C file, one per line: LINE, COLUMN, LENGTH and the new text, separated by tabs. Only
-# inside functions, and not in indices and counts: `[...]`, headers of `for`, `case`, `sizeof`, and statements with size_t.
+# Prints small changes to the arithmetic of a C file, one per line: LINE, COLUMN, LENGTH and the new text, separated by
+# tabs. Only inside functions, and not in indices and counts: `[...]`, headers of `for`, `case`, `sizeof`, and
+# statements with size_t.
 #
 #   a + b       a - b, and the other way; the same with += and -=, * and /, *= and /=, && and ||
 #   -a, !a      a
 #   a < b       a > b, and the other way; <= and >= become their opposites; == and != each the other
 #   a number    a thousandth more; 0 becomes 1
-#   a term      a thousandth more: after = return + - += -= ? : and an opening bracket or comma of arguments. If the result does not
-#               compile (a pointer, a structure), it is not a mutant.
+#   a term      a thousandth more: after = return + - += -= ? : and an opening bracket or comma of arguments. If the
+#               result does not compile (a pointer, a structure), it is not a mutant.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
