@@ -43,13 +43,13 @@ links $documents >"$work/said"
 test ! -s "$work/said"
 result $? "links between documents"
 
-# Of these four links to files two are broken, and of these five anchors two.
+# Two of these four links to files are broken, and two of these five anchors.
 mkdir "$work/links"
 printf '# A *small* `thing`: [what](b.md) it is\n## Twice\n## Twice\n## Figures 1–3\n[b](b.md) [c](c.md) [d](../links/b.md) [e](d/b.md)\n' >"$work/links/a.md"
 printf '[1](a.md#a-small-thing-what-it-is) [2](a.md#twice-1) [3](a.md#twice-2) [4](#here) [5](a.md#figures-13)\n```\n# Here\n```\n' >"$work/links/b.md"
 links "$work/links/a.md" "$work/links/b.md" | sed 's/.* to //; s/: .*//' | tr '\n' ' ' >"$work/said"
 test "$(cat "$work/said")" = 'c.md d/b.md #here a.md#twice-2 '
-result $? "and a link that leads nowhere is found"
+result $? "broken links are found"
 
 # ---- recipes of figures ----
 

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Tests docs/equations.sh: every tag of the sources is in its table, with its file, and every equation of CS79 has a file.
-# TAP. $srcdir is the top of the source tree.
+# Tests docs/equations.sh: every tag of the sources is in its table, with its file, and every equation of CS79 has a
+# file. TAP. $srcdir is the top of the source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 

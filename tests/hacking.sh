@@ -45,8 +45,8 @@ result $? "the tree is copied"
 awk -v into="$tree" -f tests/fences.awk "$work/example.md" >"$work/lists" && test -s "$work/lists"
 result $? "the files of the examples are written"
 
-# `FILE LIST LINE`: the line is inserted after the first `LIST = \` of a Makefile, `#define LIST(ROW) \`, `#include LIST`,
-# `struct LIST {` or `LIST[] = {`.
+# `FILE LIST LINE`: the line is inserted after the first `LIST = \` of a Makefile, `#define LIST(ROW) \`,
+# `#include LIST`, `struct LIST {` or `LIST[] = {`.
 while read -r file list line; do
   list=$list line=$line awk '
     { print }

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Tests docs/LANGUAGE.md and the manual page: they are up to date and complete, every word has an example, and all examples run.
-# TAP. $NINEBALL is the program, $srcdir the top of the source tree.
+# Tests docs/LANGUAGE.md and the manual page: they are up to date and complete, every word has an example, and all
+# examples run. TAP. $NINEBALL is the program, $srcdir the top of the source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
@@ -10,8 +10,8 @@ language=$work/LANGUAGE.md
 "$nineball" --help language-md >"$language" && diff -u docs/LANGUAGE.md "$language" >"$work/said"
 result $? "docs/LANGUAGE.md is up to date; make language renews it"
 
-# The section of a word begins with `### WORD`. One line of its blocks must begin with the word, or contain it if the word follows a
-# measure.
+# The section of a word begins with `### WORD`. One line of its blocks must begin with the word, or contain it if the
+# word follows a measure.
 awk '
   function close_part() { if (word != "" && !shown) print word " has no example" }
   /^## / { close_part(); word = ""; expect = $2 == "Expectations" }
@@ -38,7 +38,7 @@ result $? 'every quantity, or its family, is in the glossary'
 awk '/^### / { word = $2 } /^```/ { inside = $0 != "```" }
   !(inside && !/^```/ && word ~ /^(reference|within|versus|order)$/)' "$language" >"$work/runs.md"
 "$nineball" check "$work/runs.md" >"$work/said" 2>&1
-result $? 'and it runs and passes its checks'
+result $? 'all examples together run and pass their checks'
 
 {
   printf '```scene\nmaterial steel density 7800 kg/m3 kn 1 MN/m\nlattice discs 4 by 4 radius 10 mm steel\nstep 0.1 of stable\n'
@@ -51,29 +51,29 @@ grep -q '^ *cell *strain' "$work/cell.md" && "$nineball" run "$work/cell.md" -o 
 result $? 'the examples of scenes with a cell run'
 
 sed -n 's/^### //p' "$language" | sort -u | while read -r word; do
-  "$nineball" --help "$word" 2>&1 | grep -q "$word" || echo "nineball --help $word says nothing of it"
+  "$nineball" --help "$word" 2>&1 | grep -q "$word" || echo "nineball --help $word does not describe it"
 done >"$work/said"
 test ! -s "$work/said"
 result $? 'nineball --help WORD describes each word'
 # Every word of a line of syntax: the statement and what it takes, `record every N cycles | none`.
 sed -n '/^### /{n;n;p;}' "$language" | tr -cs 'a-z0-9_-' '\n' | grep -E '^[a-z][a-z0-9_-]+$' | sort -u >"$work/words"
 while read -r word; do
-  "$nineball" --help "$word" >/dev/null 2>&1 || echo "nineball --help $word says nothing of it"
+  "$nineball" --help "$word" >/dev/null 2>&1 || echo "nineball --help $word does not describe it"
 done <"$work/words" >"$work/said"
 test "$(wc -l <"$work/words")" -gt 100 && test ! -s "$work/said"
-result $? 'nor does it leave out a word within a statement'
+result $? 'nineball --help WORD describes each word within a statement'
 for pair in energy:energy.sliding unbalanced:unbalanced.max kinetic:energy.kinetic quantities:dashpot.normal units:kg/m3 expressions:hypot \
   sqrt:expressions MPa:pressure hertz:elastic "normal hertz:elastic" "shear rate:2 EXY" amplitude:largest at:TIME deg:angle; do
-  "$nineball" --help "${pair%%:*}" 2>&1 | grep -qF -e "${pair#*:}" || echo "nineball --help ${pair%%:*} does not tell of ${pair#*:}"
+  "$nineball" --help "${pair%%:*}" 2>&1 | grep -qF -e "${pair#*:}" || echo "nineball --help ${pair%%:*} does not mention ${pair#*:}"
 done >"$work/said"
 test ! -s "$work/said"
-result $? 'and it tells of what quantities begin so, of topics, units, functions, laws and reducers'
+result $? 'nineball --help describes families of quantities, topics, units, functions, laws and reducers'
 
-# The words of other programs: each leads to all of ours, and ours are words of pages.
+# Words of other programs: `nineball --help` of each of them must show all words of the page language in its row.
 grep '^    {"' src/input/guess.c | tr '{' '\n' | sed -n 's/^"\([^"]*\)", "\([^"]*\)".*$/\1|\2/p' >"$work/synonyms"
 test "$(wc -l <"$work/synonyms")" -gt 30 && cut -d '|' -f 1 "$work/synonyms" | tr ' ' '\n' | sort | uniq -d >"$work/said" &&
   test ! -s "$work/said"
-result $? 'no word of another program stands in two rows'
+result $? 'no word of another program is in two rows'
 while IFS='|' read -r words ours; do
   for word in $words; do
     "$nineball" --help "$word" >"$work/help" 2>&1 || echo "nineball --help $word finds nothing"
@@ -84,10 +84,10 @@ while IFS='|' read -r words ours; do
   done
 done <"$work/synonyms" >"$work/said"
 test ! -s "$work/said"
-result $? 'words of other programs lead to ours'
+result $? 'words of other programs lead to words of pages'
 "$nineball" --help dics >/dev/null 2>"$work/said"
 test $? -eq 2 && grep -q 'did you mean `disc`?' "$work/said"
-result $? 'and suggests a word for a mistyped one'
+result $? 'nineball --help suggests a word for a mistyped one'
 
 # The manual page has the syntax of every statement, every option and every command in bold.
 sh docs/man.sh "$nineball" >"$work/man" && {

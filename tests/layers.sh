@@ -1,6 +1,7 @@
 #!/bin/sh
 # Tests the order of the modules of src/: no file includes one of a later module, and no object calls into one. TAP.
-# Their order is that of the lists in build-aux/lists.mk. $srcdir is the top of the source tree; runs in the build folder.
+# Their order is that of the lists in build-aux/lists.mk. $srcdir is the top of the source tree; runs in the build
+# folder.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 set -u

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Tests `nineball migrate`. The pages tests/pages/old-*.md of version 0.3 use every word of the table of old words. Migrated pages are
-# valid, contain no old word, and do not change when they are migrated again.
-# TAP. $NINEBALL is the program, $srcdir the top of the source tree.
+# Tests `nineball migrate`. The pages tests/pages/old-*.md of version 0.3 use every word of the table of old words.
+# Migrated pages are valid, contain no old word, and do not change when they are migrated again. TAP. $NINEBALL is the
+# program, $srcdir the top of the source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 

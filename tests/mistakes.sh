@@ -1,8 +1,8 @@
 #!/bin/sh
-# Tests error messages. Every page in tests/bad must be refused with exactly the messages of its block `mistake` and status 2; the
-# word `mistake` may be followed by options. Then pages at the limits of the language are made and tested. Finally every message
-# in the sources of the reader must have occurred: a new message needs a page.
-# TAP. $NINEBALL is the program, ./nineball by default; $srcdir is the top of the source tree.
+# Tests error messages. Every page in tests/bad must be refused with exactly the messages of its block `mistake` and
+# status 2; the word `mistake` may be followed by options. Then pages at the limits of the language are made and tested.
+# Finally every message in the sources of the reader must have occurred: a new message needs a page. TAP. $NINEBALL is
+# the program, ./nineball by default; $srcdir is the top of the source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
@@ -33,7 +33,8 @@ page() {
 # many N TEXT: prints the text N times.
 many() { awk -v n="$1" -v text="$2" 'BEGIN { for (k = 0; k < n; k++) printf "%s", text }'; }
 
-# limit NAME TEXT: $work/right.md must be valid, and $work/wrong.md must be refused with a message that contains the text.
+# limit NAME TEXT: $work/right.md must be valid, and $work/wrong.md must be refused with a message that contains the
+# text.
 limit() {
   "$nineball" explain "$work/right.md" >"$work/out" 2>"$work/why" &&
     ! "$nineball" explain "$work/wrong.md" >"$work/out" 2>"$work/said" && grep -qF -e "$2" "$work/said"

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Tests packings: `packing` reads what `nineball state` writes, to the last bit, and lists of columns from other programs. TAP.
+# Tests packings: `packing` reads what `nineball state` writes, to the last bit, and lists of columns from other
+# programs. TAP.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
@@ -43,7 +44,8 @@ echo '```' >>"$pages/made.md"
 "$nineball" state "$pages/made.md" -o "$pages/heap.state" >"$work/said" 2>&1 && test "$(particles "$pages/heap.state" | wc -l)" -eq 51
 result $? 'a state is written'
 
-# taken NAME LINE: runs a page with this packing for one cycle, so short that no bit of a position changes, and lists its particles.
+# taken NAME LINE: runs a page with this packing for one cycle, so short that no bit of a position changes, and lists
+# its particles.
 taken() {
   cat >"$pages/$1.md" <<END
 # Taken from a file

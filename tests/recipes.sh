@@ -11,7 +11,8 @@ if ! command -v gnuplot >/dev/null; then
   exit 0
 fi
 
-# Two rows of three discs with fixed ends: contact forces 2 and 2 in one row, 2 and 1 in the other. A rotated disc on a wall: 1.
+# Two rows of three discs with fixed ends: contact forces 2 and 2 in one row, 2 and 1 in the other. A rotated disc on a
+# wall: 1.
 mkdir -p "$work/cases" && cd "$work/cases" || exit 1
 cat >known.md <<'EOF'
 # Known contacts
@@ -69,7 +70,8 @@ stats @particles using (column('particle/-') == 7 ? shade(0) : 0) name 'shade' n
 print sprintf('turned %.0g from %g to %g', turned_max, shade_min, shade_max)
 ```
 EOF
-# The two rows have 4 contacts in x. The length 0.5 represents the force 2, so the gap of the polygon with 2 and 1 is 0.25.
+# The two rows have 4 contacts in x. The length 0.5 represents the force 2, so the gap of the polygon with 2 and 1 is
+# 0.25.
 cat >wanted <<'EOF'
 normals 4 4, the largest 4, of walls 0
 weighted 7.000000 7.000000, the largest 7.000000

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Tests pages that start from a stage of another page. The results are those of an uninterrupted run, whether the state is computed or
-# found. Processes that need the same state compute it once. It is computed again when the page has changed, and an incomplete
-# state is never left. TAP.
+# Tests pages that start from a stage of another page. The results are those of an uninterrupted run, whether the state
+# is computed or found. Processes that need the same state compute it once. It is computed again when the page has
+# changed, and an incomplete state is never left. TAP.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
@@ -85,8 +85,8 @@ run again "$pages/saved-stage.md"
 
 # ---- loading ----
 
-# in_two NAME: makes the pages NAME and NAME-on. The second one starts from stage `shear` of the first. Standard input has the text of
-# both, with a line --- between them.
+# in_two NAME: makes the pages NAME and NAME-on. The second one starts from stage `shear` of the first. Standard input
+# has the text of both, with a line --- between them.
 in_two() {
   cat >"$work/text"
   { sed '/^---$/d' "$work/text"; echo '```'; } >"$pages/$1.md"
@@ -186,7 +186,7 @@ result $? 'records, comments and later stages do not change the state'
 # ---- sweeps, and several at once ----
 
 cat >"$pages/sweep.md" <<'END'
-# Runs side by side, two of which want the same state
+# Parallel runs, two of which need the same state
 ```scene
 sweep   ks 1.35e9 0.9e9
 sweep   n  5 7

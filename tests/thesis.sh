@@ -1,6 +1,6 @@
 #!/bin/sh
-# docs/THESIS.md has a row for every figure of chapter 6 of R89, and its links lead to cases. If a row has a verdict, one of its
-# cases cites the figure below its title. TAP. $srcdir is the top of the source tree.
+# docs/THESIS.md has a row for every figure of chapter 6 of R89, and its links lead to cases. If a row has a verdict,
+# one of its cases cites the figure below its title. TAP. $srcdir is the top of the source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 

@@ -1,6 +1,7 @@
-/* Measures contact updates per second: a dense triangular lattice of discs in a box that is compressed, with friction, with dashpots
- * of beta k too, and without both. Sizes fit into different caches. All instruction sets of this machine, one and two threads. Median
- * of five runs. A contact update is one cycle of one pair of the neighbour list, including the motion of the particles.
+/* Measures contact updates per second: a dense triangular lattice of discs in a box that is compressed, with friction,
+ * with dashpots of beta k too, and without both. Sizes fit into different caches. All instruction sets of this machine,
+ * one and two threads. Median of five runs. A contact update is one cycle of one pair of the neighbour list, including
+ * the motion of the particles.
  *
  * Not a test: it prints, and never fails. Compare columns of one run only.
  *
@@ -29,7 +30,7 @@ static void make_scene(struct nb_scene *scene, int side, double friction, double
     scene->particles[k] = (struct nb_particle){.x = radius + 2 * radius * (k % side) + (k / side % 2 ? radius : 0),
                                                .y = radius + sqrt(3) * radius * (k / side),
                                                .radius = radius};
-  const double v = 1 / (0.0076 * (double)cycles); /* in all 1 of a radius of 50 */
+  const double v = 1 / (0.0076 * (double)cycles); /* total displacement 1, radius 50 */
   scene->walls[0] = (struct nb_wall){.x = width / 2, .ex = 1, .h1 = -width / 2, .h2 = width / 2, .vy = v};
   scene->walls[1] =
       (struct nb_wall){.x = width, .y = height / 2, .ey = 1, .h1 = -height / 2, .h2 = height / 2, .vx = -v};
@@ -50,7 +51,7 @@ static int by_size(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* Millions of updates a second; below 0 when this machine cannot. */
+/* Millions of contact updates per second; below 0 if this machine lacks the instruction set. */
 static double measure(const struct nb_scene *scene, const char *isa, int threads) {
   double rates[RUNS];
   for (int k = 0; k < RUNS; k++) {

@@ -3,16 +3,17 @@
 #
 #   CC=... FLAGS=... wide.sh LAW.c ...
 #
-# NB_FORMS makes functions NAME_plain, NAME_avx2 and NAME_avx512 of the loop of each law. Each is compiled here as in the library,
-# with the compiler's report on vectorised loops. A law that declares BRANCHING is not tested. Prints one line for each function: its
-# name and the bytes of its vectors, or NARROW.
+# NB_FORMS makes functions NAME_plain, NAME_avx2 and NAME_avx512 of the loop of each law. Each is compiled here as in
+# the library, with the compiler's report on vectorised loops. A law that declares BRANCHING is not tested. Prints one
+# line for each function: its name and the bytes of its vectors, or NARROW.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# "FUNCTION BYTES" for each function of file $1 with a vectorised loop; loops must not be replaced by calls of memset before.
+# "FUNCTION BYTES" for each function of file $1 with a vectorised loop; loops must not be replaced by calls of memset
+# before.
 ask_gcc() {
   : >"$work/account"
   $CC $FLAGS -fno-tree-loop-distribute-patterns -fdump-tree-vect-optimized="$work/account" -c -o "$work/law.o" "$1"
@@ -35,7 +36,7 @@ narrow=0
 for law in "$@"; do
   name=$(basename "$law" .c)
   if grep -q '^#define BRANCHING' "$law"; then
-    printf '%-36s branching, not asked\n' "$name"
+    printf '%-36s declares BRANCHING, not tested\n' "$name"
     continue
   fi
   loops=$($CC $FLAGS -E "$law" | grep -oE 'static void [a-z0-9_]+_(plain|avx2|avx512)\(' | sed 's/.* //; s/(//')

@@ -1,5 +1,6 @@
-/* Replacements of calls that can fail: allocation, and opening, writing, flushing and renaming files. The linker replaces the calls of
- * the C library by these (--wrap) in the objects of this program only, not in the library itself or in the sanitizers.
+/* Replacements of calls that can fail: allocation, and opening, writing, flushing and renaming files. The linker
+ * replaces the calls of the C library by these (--wrap) in the objects of this program only, not in the library itself
+ * or in the sanitizers.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _GNU_SOURCE /* fopencookie */

@@ -1,6 +1,7 @@
-/* Makes every call fail that can fail. nineball runs small pages, each time in a new process and folder, and the n-th call fails, for
- * every n. The run may have the status of the undisturbed run only if all files are the same to the last byte. Otherwise it must have
- * another status, a message, and no incomplete file. Signals, reports of a sanitizer and leaks are failures.
+/* Makes every call fail that can fail. nineball runs small pages, each time in a new process and folder, and the n-th
+ * call fails, for every n. The run may have the status of the undisturbed run only if all files are the same to the
+ * last byte. Otherwise it must have another status, a message, and no incomplete file. Signals, reports of a sanitizer
+ * and leaks are failures.
  *
  *   tests/faults/run [CASE [N]]    all; one case; only the N-th call of it, and the folder stays
  *
@@ -230,7 +231,7 @@ const char *__asan_default_options(void) { return "exitcode=99:detect_leaks=1"; 
 int main(int count, char **words) {
 #ifndef SANITIZED
   (void)inject;
-  puts("1..0 # SKIP nothing looks on: configure with CFLAGS=\"-g -O1 -fsanitize=address,undefined\"");
+  puts("1..0 # SKIP no sanitizer would see an error: configure with CFLAGS=\"-g -O1 -fsanitize=address,undefined\"");
   return count > 99 && words;
 #else
   const char *folder = getenv("TMPDIR");

@@ -143,17 +143,17 @@ size_t fuzz_change(unsigned char *bytes, size_t size, size_t most, unsigned long
   case 0: /* another word */
   case 1:
     return replace(bytes, size, most, from, to, text, strlen(text));
-  case 2: /* one more word */
+  case 2: /* insert a word */
     size = replace(bytes, size, most, from, from, " ", 1);
     return replace(bytes, size, most, from, from, text, strlen(text));
-  case 3: /* a line of this page here, too; or instead */
+  case 3: /* insert a line of this page, or replace a line by it */
     return replace(bytes, size, most, from, from, copy, other_to - other_from);
   case 4:
     return replace(bytes, size, most, from, to, copy, other_to - other_from);
-  case 5: /* no line, no word */
+  case 5: /* remove a line or a word */
   case 6:
     return replace(bytes, size, most, from, to, "", 0);
-  case 7: /* a word of this page */
+  case 7: /* replace a word by a word of this page */
     return replace(bytes, size, most, from, to, copy, other_to - other_from);
   default:
     if (size)

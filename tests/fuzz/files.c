@@ -1,6 +1,6 @@
-/* Tests the readers of saved states and of lists of columns with random changes. A changed state gets its new checksum, so its records
- * are read. What is read must be complete, and an error must have a position. If the page accepts a state, it runs for a few cycles
- * from it: for any numbers the run must end with a status.
+/* Tests the readers of saved states and of lists of columns with random changes. A changed state gets its new checksum,
+ * so its records are read. What is read must be complete, and an error must have a position. If the page accepts a
+ * state, it runs for a few cycles from it: for any numbers the run must end with a status.
  *
  *   tests/fuzz/files [STATE]   changes states of small pages some thousand times, or runs this state; TAP
  *

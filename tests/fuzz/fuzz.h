@@ -11,8 +11,8 @@
 /* Reads the bytes as a page, and aborts if an invariant is violated. */
 void fuzz_read(const unsigned char *bytes, size_t size);
 
-/* hold.c: invariants of reading. If one is violated, the program ends with `not ok`, and the input of the last fuzz_begin is in
- * fuzz-broken. */
+/* hold.c: invariants of reading. If one is violated, the program ends with `not ok`, and the input of the last
+ * fuzz_begin is in fuzz-broken. */
 void fuzz_begin(const void *bytes, size_t size);
 void fuzz_hold(bool holds, const char *what);
 void fuzz_hold_mistakes(const struct nb_mistakes *mistakes, enum nb_status status);

@@ -1,9 +1,11 @@
-/* Tests the reader with random pages. For any bytes it must return either a scene or errors, and the same for a second reading.
+/* Tests the reader with random pages. For any bytes it must return either a scene or errors, and the same for a second
+ * reading.
  *
  *   tests/fuzz/read [PAGE ...]   reads these pages, and random changes of them, a few thousand times; TAP
  *   make fuzz                    the same with libFuzzer (clang), for FUZZ_SECONDS, which searches for new paths
  *
- * Without pages: tests/fuzz/corpus, tests/bad and cases below $srcdir. An input that violates an invariant is written to fuzz-broken.
+ * Without pages: tests/fuzz/corpus, tests/bad and cases below $srcdir. An input that violates an invariant is written
+ * to fuzz-broken.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "fuzz.h"
