@@ -1,5 +1,5 @@
-/* Every way to give energy to particles, or to take it, has a term of its own in the balance: scenes with one such way each. Its term is
- * there, and all the others are exactly 0. What happens twice counts twice.
+/* Every source and sink of energy has its own term in the energy balance. Each scene has one of them: its terms are
+ * not 0, and all other terms are exactly 0. What happens twice is counted twice.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -18,7 +18,7 @@ static const char *const names[TERMS] = {"energy.gravity",    "energy.walls",   
   "energy.imposed energy.removed energy.kinetic energy.stored energy.residual\n"
 #define BIT(term) (1u << (term))
 
-/* Two discs that meet, and one that passes nobody. */
+/* Two discs that collide, and one without contacts. */
 #define MEET                                                                                                           \
   "disc 0 0 radius 1 m velocity 0.4 0 spin 0.2\ndisc 1.99 0.1 radius 1 m velocity -0.4 0.1\n"                          \
   "disc 0 9 radius 1 m velocity 0.3 0.2 spin 0.5\n"
@@ -30,7 +30,7 @@ static const char *const names[TERMS] = {"energy.gravity",    "energy.walls",   
   "m\n" CIRCLE
 #define CELL "cell 0 0 to 9 9\ndisc 1 1 radius 1 m velocity 0.1 0\ndisc 3 1.1 radius 1 m\n"
 
-static void each_way_has_its_term(void) {
+static void each_energy_source_has_its_term(void) {
   static const struct {
     const char *head, *first, *second;
     unsigned terms;
@@ -76,10 +76,11 @@ static void each_way_has_its_term(void) {
   }
 }
 
-/* A wall comes to a heavy disc, goes along it, and leaves with the spring bent, twice: F_s = k_s s, within the limit that
- * cohesion sets, and F_s^2/(2 k_s) is lost each time. The last time it slides by 0.02
- * first. The disc, of 3e12 kg, gives way by 1e-12 m or so: to 1e-10 J. */
-static void what_parts_bent_is_lost_each_time(void) {
+/* A wall presses against a heavy disc, moves along it, and leaves it with the shear spring stretched; all of it
+ * twice. F_s = k_s s up to the limit set by the cohesion, and F_s^2/(2 k_s) is dissipated at each separation. The
+ * second time the contact slides by 0.02 first. The disc of 3e12 kg moves by about 1e-12 m, so energies are exact to
+ * 1e-10 J. */
+static void shear_energy_is_dissipated_at_each_separation(void) {
   struct words page = {0};
   struct written it;
   struct nb_result result;
@@ -107,6 +108,6 @@ static void what_parts_bent_is_lost_each_time(void) {
 
 void suite_accounts(void) {
   CU_pSuite suite = CU_add_suite("accounts", NULL, NULL);
-  CU_ADD_TEST(suite, each_way_has_its_term);
-  CU_ADD_TEST(suite, what_parts_bent_is_lost_each_time);
+  CU_ADD_TEST(suite, each_energy_source_has_its_term);
+  CU_ADD_TEST(suite, shear_energy_is_dissipated_at_each_separation);
 }

@@ -1,5 +1,5 @@
-/* Imposed affine motion is the same whether a cell, a boundary or `affine strain` imposes it: the same motion, and energies that
- * balance to second order of the step.
+/* Affine motion imposed by a cell, a boundary and `affine strain`: the same motion, and energy balances of second
+ * order in the step.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -21,8 +21,9 @@ static double ends(struct words *page, const char *name) {
   return value;
 }
 
-/* Two discs that strike each other, under gravity and damping: the same bits in a cell and in a continuum about the same point. */
-static void a_cell_and_a_continuum_are_alike(void) {
+/* Two colliding discs under gravity and damping: the same bits with `cell strain` and with `affine strain` about the
+ * same point. */
+static void cell_and_affine_strain_agree(void) {
   static const char *const carries[] = {"cell", "affine"};
   static const char *const names[] = {
       "A.x", "B.vy", "A.vx.half", "B.angle", "energy.kinetic", "energy.gravity", "energy.damped"};
@@ -47,8 +48,9 @@ static void a_cell_and_a_continuum_are_alike(void) {
   }
 }
 
-/* Reversed for as long, every component of the rate brings the sides of the cell back, but for 80 |L|^2 dt^2 N, 1e-3. */
-static void a_reversed_cell_comes_back(void) {
+/* Reversed for as many cycles N, every component of the strain rate restores the sides of the cell except for 80
+ * |L|^2 dt^2 N, which is less than 1e-3. */
+static void a_reversed_strain_restores_the_cell(void) {
   static const char *const names[] = {"cell.xx", "cell.xy", "cell.yx", "cell.yy"};
   static const double first[] = {80, 0, 0, 80};
   for (size_t n = 0; n < 4; n++) {
@@ -62,7 +64,8 @@ static void a_reversed_cell_comes_back(void) {
   }
 }
 
-/* Discs with no friction, pressed, sheared and sheared back under gravity, with dashpots. */
+/* The energy residual, and the imposed energy, of frictionless discs with dashpots under gravity: compressed and
+ * sheared, then strained at another rate. */
 static double residual(int which, double dt, double *driven) {
   static const char *const before[] = {"boundary circle 0 0 radius 4.6\n", "cell -5 -5 to 5 5\n"};
   static const char *const strain[] = {"affine strain -0.1 -0.12 shear 0.02\nboundary strain -0.1 -0.12 shear 0.02\n",
@@ -90,13 +93,13 @@ static void energies_balance(void) {
     const double coarse = residual(which, 1e-3, &whole), fine = residual(which, 5e-4, &driven);
     CU_ASSERT(fabs(driven) > 1);
     CU_ASSERT(fabs(coarse) < 1e-3 * fabs(driven));
-    CU_ASSERT(fabs(fine) < 0.3 * fabs(coarse)); /* a quarter, but for third order */
+    CU_ASSERT(fabs(fine) < 0.3 * fabs(coarse)); /* a quarter, except for terms of third order */
     CU_ASSERT(fabs(whole - driven) < 1e-2 * fabs(driven));
   }
 }
 
-/* `still` is as at time 0: no dashpot has anything to damp, and nothing has a velocity of its own. */
-static void still_is_as_at_time_0(void) {
+/* After `zero velocities` dashpot forces and kinetic energy are 0, as at time 0. */
+static void zero_velocities_is_as_at_time_0(void) {
   struct words page = {0};
   struct written it;
   struct nb_error error;
@@ -117,8 +120,9 @@ static void still_is_as_at_time_0(void) {
   written_free(&it);
 }
 
-/* What the page holds stays, or goes as the page says, whatever strains the others; the free one beside it is carried. */
-static void what_is_fixed_is_not_imposed(void) {
+/* Fixed particles stay, or move with the velocity of the page, whatever strain is imposed; a free particle follows
+ * the strain. */
+static void fixed_particles_are_not_strained(void) {
   static const char *const strains[] = {"boundary strain 0.5 0.3", "affine strain 0.5 0.3",
                                         "boundary strain 0.5 0.3\naffine strain 0.2 0.1"};
   static const char *const names[] = {"F.x", "F.y", "M.x", "M.y"};
@@ -141,9 +145,9 @@ static void what_is_fixed_is_not_imposed(void) {
 
 void suite_affine(void) {
   CU_pSuite suite = CU_add_suite("affine", NULL, NULL);
-  CU_add_test(suite, "a cell and a continuum are alike", a_cell_and_a_continuum_are_alike);
+  CU_add_test(suite, "cell strain and affine strain agree to the bit", cell_and_affine_strain_agree);
   CU_add_test(suite, "energies balance", energies_balance);
-  CU_add_test(suite, "a reversed cell comes back", a_reversed_cell_comes_back);
-  CU_ADD_TEST(suite, what_is_fixed_is_not_imposed);
-  CU_add_test(suite, "still is as at time 0", still_is_as_at_time_0);
+  CU_add_test(suite, "a reversed strain restores the cell", a_reversed_strain_restores_the_cell);
+  CU_ADD_TEST(suite, fixed_particles_are_not_strained);
+  CU_add_test(suite, "zero velocities is as at time 0", zero_velocities_is_as_at_time_0);
 }

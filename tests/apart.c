@@ -1,4 +1,4 @@
-/* The step that a stage may have before anything has met: pairs that are far apart count as if they touched.
+/* The stability limit of a stage before any contact has formed: pairs that are far apart count as if they touched.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -29,7 +29,8 @@ static enum nb_status ends(const char *statements, unsigned long *cycles, struct
   return status;
 }
 
-/* What is far apart may meet: the lightest of each two materials count, k (1/m + 1/m) = 16 and 8 (1 + 1/9). */
+/* Particles that are far apart may meet later, so the lightest particles of every two materials count: omega^2 = k
+ * (1/m + 1/m) = 16 for two discs of radius 1, and 8 (1 + 1/9) for the radii 1 and 3. */
 static void pairs_that_may_meet(void) {
   static const struct {
     const char *statements;
@@ -42,10 +43,10 @@ static void pairs_that_may_meet(void) {
       {"disc 0 0 radius 1 m\ndisc 90 0 radius 1 m fixed\nstep 0.708\n", true},
       {"disc 0 0 radius 1 m\nwall w 90 -9 to 90 9 m\nstep 0.7\n", false},
       {"disc 0 0 radius 1 m\nwall w 90 -9 to 90 9 m\nstep 0.708\n", true},
-      {"disc 0 0 radius 3 m\ndisc 6 0 radius 3 m\ndisc 90 0 radius 1 m\nstep 0.67\n", false}, /* two of them are near */
+      {"disc 0 0 radius 3 m\ndisc 6 0 radius 3 m\ndisc 90 0 radius 1 m\nstep 0.67\n", false}, /* the heavy ones touch */
       {"disc 0 0 radius 3 m\ndisc 6 0 radius 3 m\ndisc 90 0 radius 1 m\nstep 0.671\n", true},
       {"disc 0 0 radius 1 m\ndisc 90 0 radius 1 m\nstep 0.5\ndamping ratio 0.1\n", true},
-      {"disc 0 0 radius 1 m\nstep 99\n", false}, /* alone */
+      {"disc 0 0 radius 1 m\nstep 99\n", false}, /* a single disc */
   };
   unsigned long cycles;
   struct nb_error error;
@@ -64,7 +65,7 @@ static void pairs_that_may_meet(void) {
   CU_ASSERT_EQUAL(cycles, 2);
   CU_ASSERT_EQUAL(ends(APART "material m kn 9\nallow unstable\ncycles 2\nstage c\nramp material m kn 8\ncycles 2\n",
                        &cycles, &error),
-                  NB_BROKEN); /* it begins above its limit */
+                  NB_BROKEN); /* the stage begins above the limit */
   CU_ASSERT_EQUAL(cycles, 4);
   CU_ASSERT_EQUAL(ends(APART "ramp material m kn 8.01\nallow unstable\ncycles 2\n", &cycles, &error), NB_OK);
   CU_ASSERT_EQUAL(
@@ -75,8 +76,8 @@ static void pairs_that_may_meet(void) {
   CU_ASSERT_DOUBLE_EQUAL(step, 1 / sqrt(80. / 9), 1e-15);
 }
 
-/* The step that a message names is one with which the run goes on, said as the page says its own. */
-static void what_is_advised_holds(void) {
+/* The step that the message advises lets the run continue. It has the unit, or the `of …`, of the step in the page. */
+static void the_advised_step_is_stable(void) {
   static const char springs[] =
       "material m density 0.3 kg/m3 kn 8 N/m\ndisc 0 m 0 m radius 1 m m\ndisc 1.9 m 0 m radius 1 m m\n";
   static const char bare[] = "units none\nmaterial m density 0.3 kn 8\ndisc 0 0 radius 1 m\ndisc 1.9 0 radius 1 m\n";
@@ -117,5 +118,5 @@ static void what_is_advised_holds(void) {
 void suite_apart(void) {
   CU_pSuite suite = CU_add_suite("apart", NULL, NULL);
   CU_add_test(suite, "pairs that may meet", pairs_that_may_meet);
-  CU_ADD_TEST(suite, what_is_advised_holds);
+  CU_ADD_TEST(suite, the_advised_step_is_stable);
 }

@@ -1,4 +1,4 @@
-/* What a disc has in common with a circle and with a polygon, against quadrature.
+/* The area that a disc has in common with a circle and with a polygon, compared with numerical quadrature.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -11,10 +11,11 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* How much of the chord at height y is inside both: the chord of the disc about the origin, and that of the other one. */
+/* A disc about the origin, and a second circle or a box. The integrands of_circles and of_box are the length of the
+ * chord at height y that lies in both. */
 struct pair {
-  double r, R, d;                  /* two circles, the second at the distance d in x; */
-  double west, east, south, north; /* or a box in the place of the second */
+  double r, R, d;                  /* radii of two circles, the second at the distance d in x */
+  double west, east, south, north; /* or a box instead of the second */
 };
 
 static double common(double from_a, double to_a, double from_b, double to_b) {
@@ -32,7 +33,8 @@ static double of_box(double y, void *data) {
   return common(-a, a, p->west, p->east);
 }
 
-/* With the edges of the chords' corners as break points, the integrand is smooth between but for roots at the ends. */
+/* The integral of the chord over y. The break points are the heights of the corners of the common area; between them
+ * the integrand is smooth, with square roots at most at the ends. */
 static double integral(double (*chord)(double, void *), struct pair *pair, double points[], size_t count) {
   gsl_integration_workspace *room = gsl_integration_workspace_alloc(1000);
   gsl_function f = {chord, pair};
@@ -64,14 +66,15 @@ static void circles(void) {
   CU_ASSERT(cut > 150);
 }
 
-static void circles_that_hardly_cut(void) {
+static void circles_that_barely_intersect(void) {
   CU_ASSERT(nb_area_of_lens(1, 2, 3) == 0 && nb_area_of_lens(1, 2, 4) == 0);
   CU_ASSERT_DOUBLE_EQUAL(nb_area_of_lens(1, 2, 0), pi, 1e-15);
   CU_ASSERT_DOUBLE_EQUAL(nb_area_of_lens(1, 2, 1), pi, 1e-15);
   CU_ASSERT_DOUBLE_EQUAL(nb_area_of_lens(1, 1, 1), 2 * pi / 3 - sqrt(3) / 2, 1e-15);
   CU_ASSERT_DOUBLE_EQUAL(nb_area_of_lens(2, 2, 1e-30), 4 * pi, 1e-14);
   CU_ASSERT_DOUBLE_EQUAL(nb_area_of_lens(2, 2 + 1e-15, 3e-15), 4 * pi, 1e-13);
-  /* A lens h thick between equal circles has the half-chord sqrt(h (1 - h/4)): 4/3 h times that, to first order in h. */
+  /* A lens of thickness h between equal circles has the half-chord sqrt(h (1 - h/4)); its area is 4/3 h times that,
+   * to first order in h. */
   const double h = 1e-6, chord = sqrt(h * (1 - h / 4));
   CU_ASSERT_DOUBLE_EQUAL(nb_area_of_lens(1, 1, 2 - h) / (4. / 3 * h * chord), 1, 1e-5);
 }
@@ -89,7 +92,7 @@ static void boxes(void) {
     for (int k = 0; k < 6; k++)
       points[k] = fmin(fmax(breaks[k], low), high);
     const double wanted = high > low ? integral(of_box, &p, points, 6) : 0;
-    /* the same, moved and turned */
+    /* the same, translated and rotated */
     const double turn = chance_between(&dice, -3, 3), c = cos(turn), s = sin(turn);
     const struct nb_vec centre = vec(chance_between(&dice, -5, 5), 3);
     const double xs[] = {p.west, p.east, p.east, p.west}, ys[] = {p.south, p.south, p.north, p.north};
@@ -104,7 +107,7 @@ static void boxes(void) {
   }
 }
 
-/* Edges through the centre and along the outline, corners on both. */
+/* Edges through the centre and edges tangent to the disc, a corner at the centre. */
 static void boxes_at_their_limits(void) {
   const struct {
     double west, south, east, north, area;
@@ -125,7 +128,7 @@ static void boxes_at_their_limits(void) {
 void suite_areas(void) {
   CU_pSuite suite = CU_add_suite("areas", NULL, NULL);
   CU_add_test(suite, "two circles, against quadrature", circles);
-  CU_add_test(suite, "two circles that hardly cut, or lie in each other", circles_that_hardly_cut);
+  CU_add_test(suite, "two circles that barely intersect, or one inside the other", circles_that_barely_intersect);
   CU_add_test(suite, "a disc and a box, against quadrature", boxes);
   CU_add_test(suite, "a disc and a box, closed forms", boxes_at_their_limits);
 }

@@ -1,10 +1,11 @@
-/* What a stage changes at its begin leaves the balance and the motion of second order: global damping, walls, laws, the stress on a
- * boundary, particles that a boundary releases or takes, rotation. Each scene is run with a step, its half and its quarter; what is wrong by
- * a second-order error falls by 4 when the step halves, by a first-order one by 2. Held: 3.5 of the energy residual, and of the
- * difference between the kinetic energies of two steps where nothing else is of first order.
+/* Changes at the beginning of a stage leave the energy balance and the motion of second order in the step:
+ * mass-proportional damping, walls, laws, the stress on a boundary, particles that a boundary releases or takes. Each
+ * scene is run with a step, with half of it and with a quarter of it. When the step is halved, a second-order error
+ * falls by the factor 4, a first-order error by 2. The tests require the factor 3.5 for the energy residual, and where
+ * nothing else is of first order, also for the difference between the kinetic energies of two steps.
  *
- * Springs without shear, and contacts that neither open nor close but where a boundary lets go: friction on contacts that turn is
- * of first order by itself (docs/METHOD.md).
+ * The linear springs have no shear stiffness, and contacts open or close only where a boundary releases particles:
+ * friction on rotating contacts is of first order by itself (docs/METHOD.md).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -35,20 +36,20 @@ static void second_order(const char *head, const char *first, const char *second
   const double whole = fabs(at[0][0] / at[1][0]), half = fabs(at[1][0] / at[2][0]);
   const double moved = fabs((at[0][1] - at[1][1]) / (at[1][1] - at[2][1]));
   if (!(whole >= 3.5 && half >= 3.5 && (moved >= 3.5 || !motion)))
-    printf("# %s, then %s: residuals %g, %g, %g; kinetic energies fall by %g\n", first, second, at[0][0], at[1][0],
-           at[2][0], moved);
+    printf("# %s, then %s: residuals %g, %g, %g; differences of kinetic energy fall by %g\n", first, second, at[0][0],
+           at[1][0], at[2][0], moved);
   CU_ASSERT(whole >= 3.5 && half >= 3.5);
   CU_ASSERT(moved >= 3.5 || !motion);
 }
 
 #define FLIES "disc 1 2 radius 0.6 m velocity 1 -2 spin 4\ngravity 3 -5"
-/* Six discs round a larger one, which do not touch each other. */
+/* Six discs around a larger one; the six do not touch each other. */
 #define SEVEN                                                                                                          \
   "disc 0 0 radius 0.6 m\ndisc 0.8955 0.0899 radius 0.35 m\ndisc 0.3699 0.8205 radius 0.35 m\ndisc -0.5256 0.7306 "    \
   "radius 0.35 m\ndisc -0.8955 -0.0899 radius 0.35 m\ndisc -0.3699 -0.8205 radius 0.35 m\ndisc 0.5256 -0.7306 radius " \
   "0.35 m\nboundary circle 0 0 radius 0.8"
 
-static void global_damping_begins_at_the_stage(void) {
+static void mass_damping_begins_at_the_stage(void) {
   static const char *const kinds[] = {"damping none", "damping mass 3", "damping mass 0.5"};
   for (int a = 0; a < 3; a++)
     for (int b = 0; b < 3; b++)
@@ -65,28 +66,29 @@ static void stress_on_a_boundary_begins_at_the_stage(void) {
   second_order(SEVEN, "boundary strain -0.05 0.02", "boundary none\ndamping mass 3", false);
 }
 
-/* Until t_0 the wall has gone as before, for half of the old step; from then on as the stage says. */
-static void walls_go_otherwise_from_the_stage_on(void) {
+/* Until t_0 the wall moves as in the stage before, also in the last half step; from t_0 on as the new stage says. */
+static void walls_change_at_the_stage(void) {
   static const char head[] = "disc 0 0.55 radius 0.6 m\nwall w -9 0 to 9 0 m";
   second_order(head, "wall w velocity 0 0.5", "wall w velocity 0 -0.7", true);
   second_order(head, "walls stop", "wall w velocity 0 0.5", true);
 }
 
-/* Another shear law begins with nothing at t_0, and the half step behind it has gone against the old one's force. */
+/* The new shear law starts without force at t_0, and the old law's force acts in the half step before t_0. */
 static void another_law_begins_at_the_stage(void) {
   second_order("material n density 2 young 9000 poisson 0.2 friction 0.9\nnormal hertz\nshear mindlin_deresiewicz\n"
                "sphere 0 0.55 radius 0.6 n\nwall w -9 0 to 9 0 n velocity 0.5 0",
                "", "shear mindlin_deresiewicz memory 9", false);
 }
 
-/* And what a boundary takes has been damped until t_0 as the stage before says. */
-static void what_is_taken_was_damped_as_before(void) {
+/* Particles that a boundary takes at t_0 are damped until then as in the stage before. */
+static void particles_taken_by_a_boundary_were_damped_as_before(void) {
   second_order(FLIES, "damping mass 0.5", "damping mass 9\nboundary circle 0 0 radius 0.1", false);
   second_order(FLIES, "damping mass 9", "damping none\nboundary circle 0 0 radius 0.1", false);
 }
 
-/* What a boundary lets go falls from rest: g t^2/2 after every step, to rounding, as the half step scheme has it. */
-static void what_is_let_go_begins_at_rest(void) {
+/* A particle that a boundary releases falls from rest: its displacement is g t^2/2 after every step, to rounding,
+ * because the first kick lasts half a step. */
+static void released_particles_start_at_rest(void) {
   struct words words = {0};
   struct written it;
   words_add(&words, "units none\nmaterial m density 2 kn 1000\nstep 0.01\ngravity 3 -5\ndisc 2 0 radius 1 m\n"
@@ -100,8 +102,8 @@ static void what_is_let_go_begins_at_rest(void) {
   nb_result_free(&result), written_free(&it);
 }
 
-/* A pull to a point so far away that it is a gravity. It goes from 0 to 4, and from there to what the next stage says: v = 4, and then
- * the mean of the two strengths for 2 s. */
+/* Centripetal gravity about a point so far away that it is uniform. It ramps from 0 to 4 in 2 s, so v = 4. Then it
+ * ramps from 4 to the value of the next stage, which adds the mean of both values times 2 s. */
 static void a_ramp_begins_where_the_one_before_ended(void) {
   static const struct {
     const char *then;
@@ -128,11 +130,11 @@ static void a_ramp_begins_where_the_one_before_ended(void) {
 
 void suite_begins(void) {
   CU_pSuite suite = CU_add_suite("begins", NULL, NULL);
-  CU_ADD_TEST(suite, global_damping_begins_at_the_stage);
-  CU_ADD_TEST(suite, walls_go_otherwise_from_the_stage_on);
+  CU_ADD_TEST(suite, mass_damping_begins_at_the_stage);
+  CU_ADD_TEST(suite, walls_change_at_the_stage);
   CU_ADD_TEST(suite, another_law_begins_at_the_stage);
-  CU_ADD_TEST(suite, what_is_taken_was_damped_as_before);
-  CU_ADD_TEST(suite, what_is_let_go_begins_at_rest);
+  CU_ADD_TEST(suite, particles_taken_by_a_boundary_were_damped_as_before);
+  CU_ADD_TEST(suite, released_particles_start_at_rest);
   CU_ADD_TEST(suite, a_ramp_begins_where_the_one_before_ended);
   CU_ADD_TEST(suite, stress_on_a_boundary_begins_at_the_stage);
 }

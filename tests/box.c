@@ -1,7 +1,8 @@
 /* A box whose walls follow a strain rate or a servo.
  *
- * One disc of radius 1 in the middle of a square box of side W: F = k (1 - W/2), p = F/W, and with the way from its centre to a wall W/2
- * B = 4 k (W/2)^2/(4 W^2) = k/4, T = W (M/W^2/B)^(1/2). The disc stays where it is, so all is a recursion of W alone.
+ * A disc of radius 1 and mass M is in the middle of a square box of side W. At each wall F = k (1 - W/2), so the
+ * stress is p = F/W. With l = W/2 from the centre to a wall the servo has B = 4 k (W/2)^2/(4 W^2) = k/4 and T = W
+ * (M/(W^2 B))^(1/2) (docs/METHOD.md). The disc does not move, so W follows a recursion.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -27,7 +28,7 @@ static const double *row(const struct nb_result *result, size_t n) {
   return result->table.values + n * result->table.column_count;
 }
 
-static void the_servo_goes_as_predicted(void) {
+static void the_servo_follows_the_recursion(void) {
   const double pi = 3.14159265358979323846, dt = 0.0125, most = 1e-4, wanted = 7;
   const double b = 1000 / 4., t = sqrt(2 * pi / b);
   struct nb_result result;
@@ -42,7 +43,7 @@ static void the_servo_goes_as_predicted(void) {
     CU_ASSERT_DOUBLE_EQUAL(row(&result, (size_t)n)[2], p, 1e-9);
     CU_ASSERT_DOUBLE_EQUAL(row(&result, (size_t)n)[3], p, 1e-9);
     const double requested = p > 0 ? (p - wanted) / (2 * b * t) * dt : -INFINITY;
-    if (n % 3 == 0) { /* as in tests/servo.c */
+    if (n % 3 == 0) { /* the recursion of tests/servo.c */
       const bool fast = !(fabs(requested) <= most);
       const double first = fast ? copysign(most, requested) : requested;
       const bool anew = fast || !(fabs(first + gathered) <= most);
@@ -57,7 +58,7 @@ static void the_servo_goes_as_predicted(void) {
   nb_result_free(&result);
 }
 
-/* Each wall by its ends: the corners of the box, wherever it lies. */
+/* The ends of each wall are the corners of the box, also after `transform`. */
 static void corners_stay_closed(void) {
   static const char *const places[] = {"", "transform mirror x rotate 0.52359877559829882 translate 0.5 -0.25\n"};
   static const double angles[] = {0, 30 * 3.14159265358979323846 / 180};
@@ -92,7 +93,8 @@ static void corners_stay_closed(void) {
   }
 }
 
-/* Until a stage moves them otherwise, and again when one strains the box; a servo takes the walls as well. */
+/* The walls follow the strain rate of the box until a stage moves them otherwise, and again when a stage strains the
+ * box or a servo controls it. */
 static void walls_follow_until_they_are_moved(void) {
   static const double wanted[] = {4 * 1.001, 4 * 1.001 * 1.001, 4 * 1.001 * 1.001, 4 * 1.001 * 1.001 - 0.025,
                                   4 * 1.001 * 1.001 - 0.025};
@@ -110,20 +112,19 @@ static void walls_follow_until_they_are_moved(void) {
   CU_ASSERT_DOUBLE_EQUAL(row(&result, 4)[1], 4 - 0.025, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(row(&result, 5)[1], (4 - 0.025) * 1.001, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(row(&result, 6)[0], wanted[4] + 0.025, 1e-12);
-  CU_ASSERT(row(&result, 7)[0] <
-            row(&result, 6)[0]); /* nothing is left of that velocity, nor of the strain rate before */
+  CU_ASSERT(row(&result, 7)[0] < row(&result, 6)[0]); /* neither that velocity nor the earlier strain rate is left */
   CU_ASSERT_DOUBLE_EQUAL(row(&result, 7)[1] / row(&result, 6)[1], row(&result, 7)[0] / row(&result, 6)[0], 1e-12);
   nb_result_free(&result);
 }
 
-/* The walls before the box and behind it on the page go on moving, and turning, while it is strained. */
-static void other_walls_go_their_own_ways(void) {
+/* Walls that the page defines before and after the box keep their own motion while the box is strained. */
+static void other_walls_keep_their_motion(void) {
   struct nb_result result;
   run(&result,
       "units none\nmaterial m density 2 kn 1000\nstep 0.0125\ndisc 0 0 radius 0.5 m\nwall first -9 7 to -8 7 m\n"
       "box -2 -2 to 2 2 m\nwall last 8 7 to 9 7 m\nrecord box.width\nstage a\nbox strain 1e-3 per cycle 0 per "
       "cycle\nwall first velocity 1 2 spin 1\nwall last velocity -3 4 spin -1\ncycles 1\nsnapshot\n");
-  const double *walls = result.snapshots[0].walls.values, far = 1e-3; /* of the turn by 0.0125 */
+  const double *walls = result.snapshots[0].walls.values, far = 1e-3; /* tolerance: the wall also rotates by 0.0125 */
   CU_ASSERT_DOUBLE_EQUAL(row(&result, 1)[0], 4 * 1.001, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL((walls[1] + walls[3]) / 2, -8.5 + 0.0125, far);
   CU_ASSERT_DOUBLE_EQUAL((walls[25 + 1] + walls[25 + 3]) / 2, 8.5 - 3 * 0.0125, far);
@@ -132,8 +133,9 @@ static void other_walls_go_their_own_ways(void) {
   nb_result_free(&result);
 }
 
-/* F = 10 at each of its walls; a particle between two others presses on them alone. Discs are 1 thick, spheres their diameter. */
-static void its_stress_is_that_on_its_own_walls(void) {
+/* F = 10 at each wall of the box. The second particle touches two other walls, which do not count. The thickness of
+ * a disc is 1, that of a sphere its diameter. */
+static void box_stress_counts_the_four_walls(void) {
   static const double wanted[] = {5, 0, 0, 5}, thick[] = {1, 2.02};
   static const char *const shapes[] = {"disc", "sphere"};
   for (int shape = 0; shape < 2; shape++) {
@@ -156,9 +158,9 @@ static void its_stress_is_that_on_its_own_walls(void) {
 
 void suite_box(void) {
   CU_pSuite suite = CU_add_suite("box", NULL, NULL);
-  CU_add_test(suite, "a servo by the box goes as it is predicted", the_servo_goes_as_predicted);
-  CU_add_test(suite, "corners stay closed, wherever the box lies", corners_stay_closed);
-  CU_add_test(suite, "its stress is that on its own walls", its_stress_is_that_on_its_own_walls);
-  CU_add_test(suite, "walls follow until they are moved otherwise", walls_follow_until_they_are_moved);
-  CU_add_test(suite, "other walls go their own ways", other_walls_go_their_own_ways);
+  CU_add_test(suite, "a servo through the box follows the recursion", the_servo_follows_the_recursion);
+  CU_add_test(suite, "corners stay closed, also after transform", corners_stay_closed);
+  CU_add_test(suite, "box.stress counts the four walls only", box_stress_counts_the_four_walls);
+  CU_add_test(suite, "walls follow the box until they are moved otherwise", walls_follow_until_they_are_moved);
+  CU_add_test(suite, "other walls keep their own motion", other_walls_keep_their_motion);
 }

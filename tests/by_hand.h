@@ -1,6 +1,7 @@
-/* The exact law of two spheres once more, for the tests alone: slow, with no limit on its pieces and no rule that joins
- * them. Rings lie in a list from inside to outside, each with the share D of its friction; nothing is summed beforehand. The
- * front of slip is sought by halving, forces by pow.
+/* The exact law of two elastic spheres (docs/CONTACT.md), implemented a second time for the tests: slow, with no
+ * limit on the number of rings, and no two rings are joined. The rings are listed from inside to outside by the
+ * overlap x (m) at which each was added; D is the fraction of its friction limit that a ring carries. Nothing is
+ * summed in advance. The edge of the stick region is found by bisection, and forces use pow.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_BY_HAND_H
@@ -13,8 +14,8 @@ enum { BY_HAND_MOST = 4096 };
 
 struct by_hand {
   int count;
-  double end[BY_HAND_MOST], d[BY_HAND_MOST]; /* where a ring ends, m; its D */
-  double slid;                               /* of the last step, as a whole: of u, m */
+  double end[BY_HAND_MOST], d[BY_HAND_MOST]; /* overlap at which ring k ends, m; its D */
+  double slid;                               /* the part of u that slid as a whole in the last step, m */
 };
 
 static inline double by_hand_begin(const struct by_hand *it, int k) { return k > 0 ? it->end[k - 1] : 0; }
@@ -46,7 +47,7 @@ static inline void by_hand_ring(struct by_hand *it, double end, double d) {
   it->end[it->count] = end, it->d[it->count++] = d;
 }
 
-/* On to an overlap x, and by a slip of u. Answers T/mu N. */
+/* Advances to the overlap x and by u = slip/(mu kappa), m. Returns T/(mu N). */
 static inline double by_hand_go(struct by_hand *it, double x, double u) {
   const double before = by_hand_begin(it, it->count), target = by_hand_slip(it, before) + u;
   it->slid = 0;
@@ -58,7 +59,7 @@ static inline double by_hand_go(struct by_hand *it, double x, double u) {
     return by_hand_force(it, x) / pow(x, 1.5);
   }
   const double s = missing > 0 ? 1 : -1;
-  double low = 0, high = edge; /* slip enters this far at most, at least */
+  double low = 0, high = edge; /* lower and upper bound of the overlap at the edge of the stick region */
   for (int k = 0; k < 200; k++) {
     const double c = (low + high) / 2;
     if (s * (target - by_hand_slip(it, c)) <= x - c)

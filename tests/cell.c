@@ -1,5 +1,5 @@
-/* The periodic cell: which copies meet, against all copies there are; and what must not depend on which copy of a particle a page
- * names, on the skin, threads, storage or instructions.
+/* The periodic cell. The contacts found are compared with a search over all copies. Results must not depend on which
+ * copy of a particle the page gives, on the skin, or on threads, storage order and instruction set.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -14,7 +14,8 @@
 
 enum { DISCS = 150 };
 
-/* A gas of unlike discs that rub, in a cell that is strained; `wander` puts every particle into another copy of the cell. */
+/* A gas of different discs with friction in a cell that is strained; `wander` moves every particle to another copy
+ * of the cell. */
 static void gas(struct written *it, const char *strain, const char *more, int wander, unsigned seed) {
   struct words page = {0};
   struct chance chance = chance_begin(seed), copies = chance_begin(99);
@@ -39,7 +40,8 @@ static void gas(struct written *it, const char *strain, const char *more, int wa
   written_scene(it, &page);
 }
 
-/* The gap between i and the nearest of all copies of j within five sides, and how many copies are nearer than `within`. */
+/* The gap between i and the nearest of all copies of j within five sides, and how many copies are nearer than
+ * `within`. */
 static double nearest(const struct nb_model *model, size_t i, size_t j, double within, int *count) {
   const struct nb_wrap wrap = nb_cell_wrap(model->cell);
   const struct nb_vec a = nb_wrapped(&wrap, model->particles.position[i]),
@@ -55,7 +57,7 @@ static double nearest(const struct nb_model *model, size_t i, size_t j, double w
   return least;
 }
 
-/* The gap that the contact itself sees. */
+/* The gap of contact c, with the copy that the contact stores. */
 static double gap_of(const struct nb_model *model, size_t c) {
   const int i = model->contacts.a[c], j = model->contacts.b[c];
   const struct nb_vec shift = tensor_times(model->cell->h, model->contacts.image[c]);
@@ -63,7 +65,8 @@ static double gap_of(const struct nb_model *model, size_t c) {
   return vec_length(apart) - model->particles.surface[i].radius - model->particles.surface[j].radius;
 }
 
-/* Whatever is nearer than `within` is listed, once, and under the copy that is so near. */
+/* Every pair with a gap less than `within` must be listed once, with the copy at this gap. Returns the number of
+ * these pairs. */
 static size_t compare(const struct nb_model *model, double within) {
   size_t wanted = 0;
   for (size_t k = 0; k < DISCS; k++)
@@ -99,7 +102,7 @@ static void all_copies_are_found(void) {
         for (int cycle = 0; cycle < 250; cycle++) {
           CU_ASSERT_EQUAL_FATAL(nb_cycle(model, &error), NB_OK);
           if (cycle % 25 == 24)
-            CU_ASSERT(compare(model, 0) > 3); /* between searches, whatever touches */
+            CU_ASSERT(compare(model, 0) > 3); /* between searches: all pairs that touch */
         }
       }
       CU_ASSERT(model->search.count > 15 && model->search.count < 1500);
@@ -108,7 +111,7 @@ static void all_copies_are_found(void) {
     }
 }
 
-/* Forces, spins and how much each has moved, by number. */
+/* Forces, velocities and angles of the particles, by number, and the shear of the cell. */
 static void outcome(const struct nb_model *model, double state[DISCS][8]) {
   for (size_t k = 0; k < DISCS; k++) {
     const size_t i = (size_t)model->particles.slot[k];
@@ -134,7 +137,8 @@ static struct nb_model *run(const struct written *it, const struct nb_options *o
   return model;
 }
 
-/* A page may name any copy of a particle: the same forces but for rounding, which a gas makes e times as much per collision. */
+/* A page may give any copy of a particle: the results agree except for rounding errors, which grow with every
+ * collision. */
 static void which_copy_is_named_changes_nothing(void) {
   for (int wander = 0; wander < 2; wander++) {
     struct written it;
@@ -186,7 +190,7 @@ static void storage_threads_and_instructions_change_no_bit(void) {
   written_free(&it);
 }
 
-/* Without forces particles go where the strain takes them, H s, and no faster. */
+/* Without forces particles follow the strain, x = H s with constant s, and have no velocity of their own. */
 static void a_strain_is_uniform(void) {
   struct written it;
   struct words page = {0};
@@ -214,7 +218,7 @@ static void a_strain_is_uniform(void) {
   written_free(&it);
 }
 
-/* The cell nearest to upright has the same copies, and heights that no other has more of. */
+/* The most upright cell has the same copies, and its sides a and b satisfy |a.b| <= min(a^2, b^2)/2. */
 static void sheared_cells_are_set_upright(void) {
   struct chance chance = chance_begin(3);
   for (int k = 0; k < 2000; k++) {
@@ -234,7 +238,7 @@ static void sheared_cells_are_set_upright(void) {
   }
 }
 
-/* Between two copies as between two particles; and between two that are not listed, which have come nearer since the search. */
+/* `gap` includes copies of particles, and pairs that are not listed but have approached since the search. */
 static void the_gap_is_that_of_the_nearest_two(void) {
   struct words across = {0}, flies = {0};
   struct written it;

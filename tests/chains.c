@@ -1,4 +1,4 @@
-/* Force chains of which everything is known: rows, zigzags, hexagonal lattices, a chain that branches.
+/* Force chains with known measures: rows, zigzags, hexagonal lattices, a chain that branches.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -11,7 +11,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* Chains of the region A. */
+/* The expected measures of the chains in region A. */
 static void is(struct words *page, double chains, double length, double fraction, double bend) {
   struct written it;
   words_add(page, "region A all\nrecord A.chains A.chains.length A.chains.fraction A.chains.bend\nstage s\ncycles 1\n");
@@ -31,7 +31,8 @@ static struct words begin(void) {
   return page;
 }
 
-/* Two rows between walls, five discs and two, and three discs that carry nothing: two are no chain. */
+/* Two rows between walls, one of five discs and one of two spheres, and three discs without contacts: two particles
+ * are no chain. */
 static void rows(void) {
   struct words page = begin();
   words_add(&page, "lattice discs 1 by 5 from 0 0 radius 1 spacing 1.99 m\nwall s -1 -0.99 to 5 -0.99 m\n"
@@ -40,18 +41,19 @@ static void rows(void) {
   is(&page, 1, 5, 0.5, 0);
 }
 
-/* Of fixed particles alone none is in a chain: the fraction of nothing is 0. */
+/* Fixed particles are in no chain; without free particles the fraction is 0. */
 static void all_fixed(void) {
   struct words page = begin();
   words_add(&page, "disc 0 0 radius 1 m fixed\ndisc 1.99 0 radius 1 m fixed\n");
   is(&page, 0, 0, 0, 0);
 }
 
-/* n discs between two walls, links at phi from the axis; one that idles brings the mean below. Up to 30 degrees the major axis is
- * the zigzag's: cos 2 phi > sin phi; there each link turns 2 phi from the one before. Beyond it the walls press more. */
+/* A zigzag of nine discs between walls, with links at the angle phi to the axis; a disc without contacts lowers the
+ * mean stress. Below 30 degrees cos 2 phi > sin phi: the major axis is that of the zigzag, and successive links
+ * differ by 2 phi. Above 30 degrees the side walls cause the larger stress, and there is no chain. */
 static void zigzags(void) {
   for (int degrees = 0; degrees <= 40; degrees += 4) {
-    const double phi = degrees * pi / 180, s = 1.999, wall = 2 * 0.001 * sin(phi); /* its overlap: what balances */
+    const double phi = degrees * pi / 180, s = 1.999, wall = 2 * 0.001 * sin(phi); /* equilibrium with a side wall */
     struct words page = begin();
     for (int k = 0; k < 9; k++)
       words_add(&page, "disc %.17g %.17g radius 1 m\n", k % 2 ? s * sin(phi) : 0, k * s * cos(phi));
@@ -67,9 +69,10 @@ static void zigzags(void) {
   }
 }
 
-/* A hexagonal lattice in a periodic cell, a thousandth shorter one way: across the rows the links go ahead to both sides, so
- * half of all turns are none and half go from one side to the other; along the rows all is straight. A small disc in a void
- * carries nothing. */
+/* A hexagonal lattice in a periodic cell that is shortened by a thousandth along one axis. If it is shortened across
+ * the rows, every particle has two links ahead and two behind: half of the pairs of links are straight, and half
+ * bend from one side to the other. If it is shortened along the rows, the chains are straight. A small disc in a
+ * void has no contacts. */
 static void hexagonal(void) {
   const double squeezed = 0.999, high = sqrt(3) * squeezed;
   struct words page = begin(), other = begin();
@@ -86,8 +89,8 @@ static void hexagonal(void) {
   is(&other, 4, 4, 16. / 17, 0);
 }
 
-/* A row that leans; a row with a particle that is pressed on it from aside, along its own axis but not along the row's; a row that
- * carries less than the mean. */
+/* `page`: a particle is pressed against a row from the side, and their contact lies along the major axis of the
+ * particle but not of the row; another row carries less than the mean. `leaning`: an inclined row. */
 static void along_and_above(void) {
   struct words page = begin(), leaning = begin();
   words_add(&page, "lattice discs 3 by 1 from 0 0 radius 1 spacing 1.99 m\nwall w -0.99 -0.8 to -0.99 0.8 m\n"
@@ -103,7 +106,8 @@ static void along_and_above(void) {
   is(&leaning, 1, 3, 0.75, 0);
 }
 
-/* Of two rows alike the one whose middle disc spins carries more: 1 + sqrt(1 + (T/N)^2) halves of it, T = 3 N. */
+/* Of two equal rows, the one whose middle disc rotates has the larger major stress, by the factor (1 + sqrt(1 +
+ * (T/N)^2))/2 with T = 3 N. */
 static void shear_counts(void) {
   struct words page = {0};
   struct written it;
@@ -125,8 +129,10 @@ static void shear_counts(void) {
   written_free(&it);
 }
 
-/* The stress of a particle is per volume, 4/3 r of a sphere for 1 m of a disc: three spheres pressed 4/3 as hard as four discs are
- * the chain if the force is a thousandth more, the discs if it is a thousandth less. Overlaps of 1e-5 r shorten arms by as much. */
+/* The stress of a particle is the force per volume, 4/3 pi r^3 for a sphere and pi r^2 times 1 m for a disc. Three
+ * spheres with 4/3 r times the overlap of four discs have the same stress. They are the chain if their overlap is
+ * larger by a thousandth, and the discs if it is smaller by a thousandth. The overlaps of about 1e-5 shorten the
+ * lever arms by much less. */
 static void volumes_count(void) {
   for (int more = -1; more <= 1; more += 2) {
     struct words page = begin();
@@ -143,7 +149,7 @@ static void volumes_count(void) {
   }
 }
 
-/* Fixed particles and those outside are in no chain. */
+/* Fixed particles and particles outside the region are in no chain. */
 static void not_these(void) {
   struct words page = begin();
   struct written it;
@@ -165,11 +171,11 @@ static void not_these(void) {
 void suite_chains(void) {
   CU_pSuite suite = CU_add_suite("chains", NULL, NULL);
   CU_add_test(suite, "a row is straight, two particles are no chain", rows);
-  CU_add_test(suite, "fixed particles alone are in none", all_fixed);
-  CU_add_test(suite, "a zigzag turns by its angle", zigzags);
+  CU_add_test(suite, "fixed particles alone are no chain", all_fixed);
+  CU_add_test(suite, "a zigzag bends by twice its angle", zigzags);
   CU_add_test(suite, "hexagonal lattices, across the rows and along", hexagonal);
-  CU_add_test(suite, "along both axes, and above the mean", along_and_above);
+  CU_add_test(suite, "links along the axes of both, stress above the mean", along_and_above);
   CU_add_test(suite, "shear forces count", shear_counts);
-  CU_add_test(suite, "spheres and discs count per volume", volumes_count);
-  CU_add_test(suite, "fixed particles and those outside are in none", not_these);
+  CU_add_test(suite, "stress per volume of spheres and discs", volumes_count);
+  CU_add_test(suite, "fixed particles and particles outside are in no chain", not_these);
 }

@@ -1,4 +1,5 @@
-/* What stages change: gravity, materials and pairs, `still`, ramps; and what a contact keeps of it.
+/* What stages change: gravity, materials and pairs, velocities, ramps; and the effect on contact forces and
+ * histories.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -37,7 +38,7 @@ static double row_of(const char *statements, const char *column, size_t row) {
   return value;
 }
 
-/* Steps and numbers are powers of two: all of it is exact. */
+/* Steps and values are powers of two, so the results are exact. */
 #define FLIGHT                                                                                                         \
   "material m density 1 kn 1\ndisc 0 0 radius 3 m velocity 1 0\ndisc 19 0 radius 3 m fixed velocity 0 1\nmonitor D "   \
   "disc "                                                                                                              \
@@ -49,10 +50,10 @@ static void a_particle_falls(void) {
   CU_ASSERT_EQUAL(after(falls, "D.vy"), -4);
   CU_ASSERT_EQUAL(after(falls, "D.x"), 2);
   CU_ASSERT_EQUAL(after(falls, "D.fy"), 0); /* the sum of contact forces */
-  CU_ASSERT_EQUAL(after(falls, "F.y"), 2);  /* what is fixed goes on as it goes */
+  CU_ASSERT_EQUAL(after(falls, "F.y"), 2);  /* a fixed particle keeps its velocity */
   CU_ASSERT_EQUAL(after(falls, "F.vy"), 1);
   const char *damped = FLIGHT "gravity 0 -2\ndamping mass 0.5\nstage a\ncycles 8\n";
-  CU_ASSERT_EQUAL(after(damped, "F.y"), 2); /* nor does damping reach it */
+  CU_ASSERT_EQUAL(after(damped, "F.y"), 2); /* damping does not act on it either */
   CU_ASSERT_EQUAL(after(damped, "F.vy"), 1);
 }
 
@@ -70,18 +71,18 @@ static void gravity_pulls_along_any_axis(void) {
   }
 }
 
-/* From a step of 1/4 to one of 1/2, while gravity jumps: what has been gained by then stays exact. */
+/* The step changes from 1/4 to 1/2 while gravity jumps: the motion stays exact. */
 static void gravity_jumps(void) {
   const char *jumps = FLIGHT "gravity 0 -2\nstage a\ncycles 8\nstage b\nstep 0.5\ngravity 2 1\ncycles 4\n";
   CU_ASSERT_DOUBLE_EQUAL(after(jumps, "D.vy"), -4 + 2, 1e-15);
   CU_ASSERT_DOUBLE_EQUAL(after(jumps, "D.y"), -4 - 8 + 2, 1e-14);
   CU_ASSERT_DOUBLE_EQUAL(after(jumps, "D.vx"), 1 + 4, 1e-15);
   CU_ASSERT_DOUBLE_EQUAL(after(jumps, "D.x"), 2 + 2 + 4, 1e-14);
-  /* From the first stage on is from time 0 on; without a word it lasts. */
+  /* Gravity of the first stage acts from time 0; the next stage keeps it. */
   CU_ASSERT_EQUAL(after(FLIGHT "stage a\ngravity 0 -2\ncycles 4\nstage b\ncycles 4\n", "D.y"), -4);
 }
 
-/* g = -2 t: v = -t^2, and the trapezoid of a straight line is exact. */
+/* g = -2 t gives v = -t^2; the trapezoidal rule is exact for a linear g. */
 static void gravity_ramps(void) {
   const char *ramps = FLIGHT "stage a\nramp gravity 0 -4\ncycles 8\n";
   CU_ASSERT_DOUBLE_EQUAL(after(ramps, "D.vy"), -4, 1e-15);
@@ -103,7 +104,7 @@ static void a_wall_ramps(void) {
       5 + 4 + 3);
 }
 
-/* A disc so heavy that it stays, 1/4 deep in a wall. */
+/* Discs so heavy that they do not move, each with the overlap 1/4 at a wall. */
 #define DEEP                                                                                                           \
   "material m density 1e30 kn 8 ks 4\nmaterial n density 1e30 kn 8 ks 4\ndisc 0 0.75 radius 1 m\nwall w -9 0 to 9 0 "  \
   "n\ndisc 0 20 radius 1 m\nwall v -9 19.25 to 9 19.25 m\nmonitor C disc 1 with wall w\nmonitor O disc 2 with wall "   \
@@ -126,15 +127,16 @@ static void pairs_change(void) {
   const char *jumps = DEEP "stage a\npair m n kn 32\ncycles 2\nstage b\nmaterial m kn 16\ncycles 1\n";
   CU_ASSERT_EQUAL(row_of(jumps, "C.normal", 1), 8);
   CU_ASSERT_EQUAL(row_of(jumps, "O.normal", 2), 2);
-  CU_ASSERT_EQUAL(after(jumps, "C.normal"), 8); /* the rule of the pair stands over its materials' */
+  CU_ASSERT_EQUAL(after(jumps, "C.normal"), 8); /* `pair` takes precedence over the materials */
   CU_ASSERT_EQUAL(after(jumps, "O.normal"), 4);
   const char *ramps = DEEP "pair n m kn 16\nstage a\nramp pair m n kn 32\ncycles 4\n";
   CU_ASSERT_EQUAL(row_of(ramps, "C.normal", 1), 5);
   CU_ASSERT_EQUAL(after(ramps, "C.normal"), 8);
 }
 
-/* Every particle, those that are fixed too; walls go on. The next kick lasts half a step, and no dashpot damps what is gone. */
-static void still_is_a_start_from_rest(void) {
+/* `zero velocities` stops every particle, fixed ones included; walls keep moving. The next kick lasts half a step,
+ * and dashpot forces are 0. */
+static void zero_velocities_starts_from_rest(void) {
   const char *falls = FLIGHT "gravity 0 -2\nstage a\ncycles 8\nstage b\nzero velocities\ncycles 4\n";
   CU_ASSERT_EQUAL(after(falls, "D.y"), -4 - 1);
   CU_ASSERT_EQUAL(after(falls, "D.vy"), -2);
@@ -154,8 +156,8 @@ static void still_is_a_start_from_rest(void) {
   CU_ASSERT_DOUBLE_EQUAL(after(damped, "D.vy.half"), 8 * (1 - y) / 3.14159265358979323846 * 0.0078125 / 2, 1e-15);
 }
 
-/* A disc that slides on a floor under its weight; its friction in three stages. Another one keeps its friction, so that there
- * is always a contact that remembers. */
+/* A disc slides on a floor under its weight, with another friction in each of three stages. A second disc keeps its
+ * friction, so one contact always has a history. */
 static struct nb_result slider(struct written *it, const char *a, const char *b, const char *c) {
   struct words page = {0};
   struct nb_result result;
@@ -175,7 +177,8 @@ static struct nb_result slider(struct written *it, const char *a, const char *b,
   return result;
 }
 
-/* 0 takes shear out of the plan, 1e-30 leaves it in: nothing else may differ, whenever it is switched. */
+/* Friction 0 removes the shear law from the plan, and 1e-30 does not. The results must agree, whenever friction is
+ * switched on or off. */
 static void friction_switches_shear(void) {
   static const char *const on[][3] = {{"0", "0.5", "0"}, {"0.5", "0", "0.5"}, {"0", "0", "0.5"}};
   for (size_t k = 0; k < sizeof on / sizeof *on; k++) {
@@ -198,8 +201,9 @@ static void friction_switches_shear(void) {
   }
 }
 
-/* Pulled apart, nothing is left of a contact, whatever c is; pressed by nearly nothing it holds c. [CS79 19] */
-static void cohesion_holds_nothing_together(void) {
+/* When the contact opens, both forces are 0 whatever the cohesion c is; at a very small normal force the limit is c.
+ * [CS79 19] */
+static void cohesion_carries_no_tension(void) {
 #define CLAY(velocity)                                                                                                 \
   "material m density 1e30 kn 8 ks 4 friction 0.5 cohesion 3\nshear linear\ndisc 0 0.75 radius 1 m\n"                  \
   "wall w -9 0 to 9 0 m velocity " velocity "\nmonitor C disc 1 with wall w\n"                                         \
@@ -215,8 +219,9 @@ static void cohesion_holds_nothing_together(void) {
   CU_ASSERT(after(grazing, "C.normal") > 0);
 }
 
-/* A step that is a share of what is stable follows the stiffness, and must hold at both ends of a ramp. Of a disc between two
- * walls without shear, 2 k/m, the safe step is the critical one over the root of 2. */
+/* A step relative to a limit follows the stiffness; with a ramp the smaller of the limits at both ends holds. For a
+ * disc between two walls without shear omega^2 = 2 k/m, so the guaranteed stable step is the single-contact step
+ * over sqrt(2). */
 static void the_step_follows(void) {
   static const char *const of[] = {"single-contact", "stable"};
   for (int k = 0; k < 2; k++) {
@@ -236,7 +241,7 @@ static void the_step_follows(void) {
   }
 }
 
-/* A disc on a floor that bears its weight is in equilibrium; before anything bears it, it is not. */
+/* A disc whose weight is borne by a floor, or by a fixed disc, is in equilibrium; without contacts it is not. */
 static void weight_counts_in_the_balance(void) {
   const char *rests =
       "material m density 1 kn 8\ngravity 0 -0.6366197723675814\ndisc 0 0.75 radius 1 m\nwall w -9 0 to 9 "
@@ -244,7 +249,7 @@ static void weight_counts_in_the_balance(void) {
   CU_ASSERT_DOUBLE_EQUAL(row_of(rests, "unbalanced.max", 0), 0, 1e-15);
   CU_ASSERT_DOUBLE_EQUAL(row_of(rests, "unbalanced.max", 4), 0, 1e-13);
   CU_ASSERT_DOUBLE_EQUAL(after(rests, "unbalanced.max"), 1, 1e-13);
-  const char *borne = /* by a disc that is fixed, whose force nothing must balance */
+  const char *borne = /* by a fixed disc, whose force sum does not count */
       "material m density 1 kn 8\ngravity 0 -0.6366197723675814\ndisc 0 1.75 radius 1 m\ndisc 0 0 radius 1 m fixed\n"
       "step 0.01\nrecord unbalanced.max\nstage a\ncycles 4\n";
   CU_ASSERT_DOUBLE_EQUAL(after(borne, "unbalanced.max"), 0, 1e-13);
@@ -255,8 +260,9 @@ static void weight_counts_in_the_balance(void) {
   CU_ASSERT_EQUAL(after(text, "unbalanced.max"), INFINITY); /* no contact balances the weight */
 }
 
-/* Walls turn back too, those that spin, and come to where they were: so does what a stage says of one from then on. */
-static void walls_turn_round(void) {
+/* `reverse velocities` also reverses velocity and spin of walls, and they return to where they were. A velocity or
+ * spin that the stage gives to a wall besides, or a later stage, replaces it. */
+static void velocities_of_walls_reverse(void) {
 #define DOOR                                                                                                           \
   "material m density 1 kn 1\ndisc 0 0 radius 1 m\nwall w 5 -1 to 5 1 m velocity 1 -2 spin 0.5\nmonitor W wall w\n"    \
   "record W.x W.y W.angle\nstep 0.25\nstage a\ncycles 4\n"
@@ -271,7 +277,7 @@ static void walls_turn_round(void) {
       after(DOOR "stage b\nreverse velocities\ncycles 2\nstage c\nwall w velocity 0 0\ncycles 2\n", "W.angle"), 0);
 }
 
-/* From a spin to another one along a straight line, from 1/2 to 5/2 in two seconds; and to none. */
+/* The spin of a wall ramps linearly from 1/2 to 5/2 in 2 s, or to 0. */
 static void a_spin_ramps(void) {
   CU_ASSERT_EQUAL(after(DOOR "stage b\nramp wall w spin 2.5\ncycles 8\n", "W.angle"), 0.5 + 3);
   CU_ASSERT_EQUAL(after(DOOR "stage b\nramp wall w spin 2.5\ncycles 8\nstage c\ncycles 4\n", "W.angle"), 3.5 + 2.5);
@@ -289,11 +295,11 @@ void suite_changes(void) {
   CU_add_test(suite, "a wall ramps", a_wall_ramps);
   CU_add_test(suite, "materials change", materials_change);
   CU_add_test(suite, "pairs change", pairs_change);
-  CU_add_test(suite, "still is a start from rest", still_is_a_start_from_rest);
+  CU_add_test(suite, "zero velocities is a start from rest", zero_velocities_starts_from_rest);
   CU_add_test(suite, "friction switches shear on and off", friction_switches_shear);
-  CU_add_test(suite, "cohesion holds nothing together", cohesion_holds_nothing_together);
-  CU_add_test(suite, "the step follows", the_step_follows);
-  CU_add_test(suite, "weight counts in the balance", weight_counts_in_the_balance);
-  CU_add_test(suite, "walls turn round", walls_turn_round);
+  CU_add_test(suite, "cohesion carries no tension", cohesion_carries_no_tension);
+  CU_add_test(suite, "the step follows the stiffness", the_step_follows);
+  CU_add_test(suite, "weight counts in unbalanced.max", weight_counts_in_the_balance);
+  CU_add_test(suite, "reverse velocities reverses walls", velocities_of_walls_reverse);
   CU_add_test(suite, "a spin ramps", a_spin_ramps);
 }

@@ -1,4 +1,5 @@
-/* What has changed since a stage began: contacts lost and new, how particles have moved and turned, how far contacts have slid.
+/* Changes since the beginning of a stage: lost and new contacts, displacement and rotation of particles, slid
+ * distance of contacts.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -16,8 +17,8 @@ static void line(const struct nb_table *lattice, size_t row, const double wanted
     CU_ASSERT_DOUBLE_EQUAL(written_cell(lattice, row, names[k]), wanted[k], 1e-12);
 }
 
-/* Disc 1 leaves disc 2 and comes to disc 3; 4 stays with 5, 6 leaves a wall and 7 comes to it, 8 is taken out. Springs are so
- * soft that all fly on: 4 units in 4 s. */
+/* Disc 1 leaves disc 2 and reaches disc 3; 4 stays with 5, 6 leaves a wall and 7 reaches it, 8 is removed. The
+ * springs are so soft that velocities do not change: 4 m in 4 s. */
 static void goes_over(void) {
   struct words page = {0};
   struct written it;
@@ -44,7 +45,7 @@ static void goes_over(void) {
   CU_ASSERT_DOUBLE_EQUAL(written_cell(particles, 5, "moved_y"), 4, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(written_cell(particles, 6, "moved_y"), -4, 1e-12);
   CU_ASSERT(written_cell(particles, 1, "moved_x") == 0 && written_cell(particles, 0, "turned") == 0);
-  CU_ASSERT_EQUAL(result.snapshots[1].lattice.row_count, 5); /* nobody draws a line to what is gone */
+  CU_ASSERT_EQUAL(result.snapshots[1].lattice.row_count, 5); /* no line to a removed particle */
   CU_ASSERT_PTR_NULL(result.snapshots[2].lattice.names);
   CU_ASSERT_EQUAL(result.snapshots[2].particles.column_count + 3, particles->column_count);
   CU_ASSERT_EQUAL(result.snapshots[2].contacts.column_count + 1, result.snapshots[0].contacts.column_count);
@@ -52,8 +53,8 @@ static void goes_over(void) {
   written_free(&it);
 }
 
-/* The same of regions: disc 1 has turned from disc 2 to disc 3, which lies under 45 degrees, 4 and 5 part and meet again, and 6 has
- * left the wall. What is lost and new points from where the particles are now. */
+/* The measures of regions. Disc 1 goes from disc 2 to disc 3, which it touches at 45 degrees; 4 and 5 stay in
+ * contact; 6 leaves the wall. The fabric of lost and new contacts uses the present positions. */
 static void of_regions(void) {
   struct words page = {0};
   struct written it;
@@ -76,24 +77,25 @@ static void of_regions(void) {
   }
   CU_ASSERT_EQUAL(written_now(model, "A.contacts.lost"), 2);
   CU_ASSERT_EQUAL(written_now(model, "A.contacts.new"), 1);
-  /* ends: two of the discs along x, one of the disc above the wall along y */
+  /* contact ends: two of the discs along x, one of the disc above the wall along y */
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.fabric.lost.xx"), 2. / 3, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.fabric.lost.yy"), 1. / 3, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.fabric.lost.xy"), 0, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.fabric.new.xx"), 0.5, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.fabric.new.xy"), 0.5, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.fabric.new.anisotropy"), 1, 1e-12);
-  CU_ASSERT_EQUAL(written_now(model, "B.contacts.lost"), 0); /* by then both had parted */
+  CU_ASSERT_EQUAL(written_now(model, "B.contacts.lost"), 0); /* both had opened before stage b */
   CU_ASSERT_EQUAL(written_now(model, "B.contacts.new"), 1);
   CU_ASSERT_EQUAL(written_now(model, "B.fabric.lost.yy"), 0);
-  CU_ASSERT_EQUAL(written_now(model, "C.contacts.lost"), 1); /* disc 1 alone is in it */
+  CU_ASSERT_EQUAL(written_now(model, "C.contacts.lost"), 1); /* only disc 1 is inside */
   CU_ASSERT_EQUAL(written_now(model, "C.contacts.new"), 1);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.fabric.lost.xx"), 1, 1e-12);
   nb_model_free(model);
   written_free(&it);
 }
 
-/* What the first stage takes out has touched when the run began, and had gone when the stage did. */
+/* The contact of a particle that the first stage removes is lost since the start of the run, but not since the
+ * beginning of that stage. */
 static void since_the_start_or_the_first_stage(void) {
   struct words page = {0};
   struct written it;
@@ -110,8 +112,8 @@ static void since_the_start_or_the_first_stage(void) {
   written_free(&it);
 }
 
-/* Spheres on an incline: p along it, n into it, from rest with the normal spring pressed as it will be. While it slides, the
- * slip grows as (p - 7/2 mu n) t^2/2 and what it began with. */
+/* A sphere on an incline, from rest with the normal spring in equilibrium. Gravity is p along the incline and n into
+ * it, m/s2. While the contact slides, the slip has the acceleration p - 7/2 mu n. */
 static const double p = 3, n = 8, ks = 1e7, step = 2e-5;
 static const int cycles = 25000, many = 5;
 
@@ -132,7 +134,8 @@ static void incline(struct nb_result *result, struct written *it, double frictio
 
 static void slides(void) {
   const double friction = 0.1, mass = 2600 * 4 / 3. * 3.14159265358979323846 * 1e-3;
-  /* at first the spring takes up the slip, which oscillates with w^2 = 7/2 k_s/m about p/w^2, up to mu N/k_s; then it slides */
+  /* first the shear spring takes up the displacement, which oscillates with w^2 = 7/2 k_s/m about p/w^2; at mu N/k_s
+   * the contact begins to slide */
   const double w2 = 3.5 * ks / mass, spring = friction * mass * n / ks;
   const double begins = acos(1 - spring * w2 / p) / sqrt(w2), v = sqrt(spring * (2 * p - w2 * spring));
   const double t = (cycles + 2) * step - begins, way = v * t + (p - 3.5 * friction * n) * t * t / 2;
@@ -142,8 +145,9 @@ static void slides(void) {
   const struct nb_snapshot *last = &result.snapshots[many];
   const double slid = written_cell(&last->contacts, 0, "slid");
   CU_ASSERT(result.searches > 5);
-  CU_ASSERT_DOUBLE_EQUAL(slid, way, 3e-4 * way); /* 3 steps of the last speed, 0.1 */
-  /* what it slips in all is its way and its turn; what is no sliding is what the spring takes up, but for one step */
+  CU_ASSERT_DOUBLE_EQUAL(slid, way, 3e-4 * way); /* 3 steps at the final speed, 0.1 m/s */
+  /* the whole tangential displacement is that of the centre plus the rotation; the part that is not sliding is that
+   * of the spring, except for one step */
   const double slip = written_cell(&last->particles, 0, "moved_x") + 0.1 * written_cell(&last->particles, 0, "turned");
   CU_ASSERT(slip - slid <= spring * (1 + 1e-9) && slip - slid > 0.8 * spring);
   double sum = 0;
@@ -155,7 +159,7 @@ static void slides(void) {
       CU_ASSERT_DOUBLE_EQUAL(part, written_cell(particles, 0, "moved_x") + 0.1 * written_cell(particles, 0, "turned"),
                              1e-12);
   }
-  CU_ASSERT_DOUBLE_EQUAL(sum, slid, 1e-4 * way); /* less the one cycle before them and the one after */
+  CU_ASSERT_DOUBLE_EQUAL(sum, slid, 1e-4 * way); /* without the cycle before them and the one after */
   CU_ASSERT(sum < slid);
   nb_result_free(&result);
   written_free(&it);
@@ -167,14 +171,14 @@ static void rolls(void) {
   incline(&result, &it, 0.3);
   const struct nb_snapshot *last = &result.snapshots[many];
   CU_ASSERT_EQUAL(written_cell(&last->contacts, 0, "slid"), 0);
-  CU_ASSERT(written_cell(&last->particles, 0, "moved_x") > 0.25); /* it has gone all the same: p/(1 + 2/5) t^2/2 */
+  CU_ASSERT(written_cell(&last->particles, 0, "moved_x") > 0.25); /* it does move, by p/(1 + 2/5) t^2/2 */
   CU_ASSERT_DOUBLE_EQUAL(written_cell(&last->particles, 0, "moved_x"),
                          -0.1 * written_cell(&last->particles, 0, "turned"), 2e-5);
   nb_result_free(&result);
   written_free(&it);
 }
 
-/* A disc that bounces: of the second touch counts what it has slid in that. */
+/* A disc that bounces: after the second impact `slid` is the distance of this contact alone. */
 static void comes_back(void) {
   struct words page = {0};
   struct written it;
@@ -198,8 +202,8 @@ static void comes_back(void) {
   written_free(&it);
 }
 
-/* Whichever of the two is taken out. */
-static void nobody_draws_a_line_to_what_is_removed(void) {
+/* No line, whichever of the two is removed. */
+static void no_line_to_a_removed_particle(void) {
   for (int removed = 1; removed <= 2; removed++) {
     struct words page = {0};
     struct written it;
@@ -217,7 +221,7 @@ static void nobody_draws_a_line_to_what_is_removed(void) {
   }
 }
 
-/* Across the edge of a periodic cell the line goes to the copy that is met. */
+/* Across the edge of a periodic cell the line goes to the copy that is in contact. */
 static void across_the_edge(void) {
   struct words page = {0};
   struct written it;
@@ -240,9 +244,9 @@ void suite_configuration(void) {
   CU_add_test(suite, "contacts lost, new and kept", goes_over);
   CU_add_test(suite, "contacts lost and new of a region, and where they point", of_regions);
   CU_add_test(suite, "a sphere slides down an incline", slides);
-  CU_add_test(suite, "one that rolls slides nothing", rolls);
-  CU_add_test(suite, "a contact that comes back begins at 0", comes_back);
-  CU_ADD_TEST(suite, nobody_draws_a_line_to_what_is_removed);
-  CU_add_test(suite, "across the edge of a cell", across_the_edge);
-  CU_add_test(suite, "since the start, or since the first stage", since_the_start_or_the_first_stage);
+  CU_add_test(suite, "a rolling sphere does not slide", rolls);
+  CU_add_test(suite, "slid begins at 0 when a contact closes again", comes_back);
+  CU_ADD_TEST(suite, no_line_to_a_removed_particle);
+  CU_add_test(suite, "lines across the edge of a cell", across_the_edge);
+  CU_add_test(suite, "lost since the start, or since the first stage", since_the_start_or_the_first_stage);
 }

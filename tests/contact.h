@@ -1,4 +1,4 @@
-/* A contact under test, alone with its laws: what the suites of laws share.
+/* One contact with its laws, without particles: shared by the test suites of contact laws.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_CONTACT_H
@@ -10,10 +10,10 @@
 #include "chance.h"
 #include "laws/laws_now.h"
 
-enum { PAIRS = 200, MOST = 16 + 5 * 64 };   /* doubles that a law may remember, here */
-static const double untouched = -12345.678; /* in the slots of memory that a law does not have */
+enum { PAIRS = 200, MOST = 16 + 5 * 64 };   /* MOST: history variables per contact */
+static const double untouched = -12345.678; /* value of history slots that a law does not use */
 
-/* A contact under test, with the laws' memory of it. */
+/* A contact under test, with the histories of its laws. */
 struct contact {
   const struct nb_law *normal, *shear; /* shear NULL: none */
   struct nb_pair pair;
@@ -21,7 +21,7 @@ struct contact {
   double normal_history[NB_HISTORY], shear_history[MOST];
   struct nb_normal n;
   struct nb_shear s;
-  double dissipated; /* in all, by a law that says it, J */
+  double dissipated; /* total, for laws that return it, J */
 };
 
 static inline struct contact contact_of(const struct nb_law *normal, const struct nb_law *shear, struct nb_pair pair) {
@@ -36,7 +36,7 @@ static inline struct contact contact_of(const struct nb_law *normal, const struc
   return it;
 }
 
-/* Over to this overlap, and on by this slip. */
+/* One step: to this overlap, and by this tangential increment. */
 static inline void contact_go(struct contact *it, double overlap, double slip) {
   const int remembered = nb_law_history(it->shear, it->pair);
   it->n = it->normal->normal(it->pair, overlap, overlap - it->overlap, it->normal_history);
@@ -48,13 +48,14 @@ static inline void contact_go(struct contact *it, double overlap, double slip) {
   it->dissipated += it->shear && it->shear->dissipative ? it->s.dissipated : 0;
   if (overlap > 0)
     return;
-  for (int m = 0; m < it->normal->history; m++) /* what is remembered ends with the contact, as law_batch.h sees to */
+  for (int m = 0; m < it->normal->history; m++) /* the history ends with the contact, as in law_batch.h */
     it->normal_history[m] = 0;
   for (int m = 0; m < remembered; m++)
-    it->shear_history[m] = m > 0 && remembered > NB_HISTORY ? untouched : 0; /* there the first one tells */
+    it->shear_history[m] = m > 0 && remembered > NB_HISTORY ? untouched : 0; /* a long history keeps only its count */
 }
 
-/* Along a straight line of n steps; answers the work done on the contact, by the mean force of each step. */
+/* n equal steps to this overlap and by this slip. Returns the work done on the contact, with the mean force of each
+ * step, J. */
 static inline double contact_lead(struct contact *it, double overlap, double slip, int n) {
   const double from = it->overlap;
   double work = 0;
@@ -69,20 +70,20 @@ static inline double contact_lead(struct contact *it, double overlap, double sli
 }
 
 static inline struct nb_pair pair_by(struct chance *chance) {
-#define ROW(name, ...) .name = 2.5, /* what is not drawn below */
+#define ROW(name, ...) .name = 2.5, /* for members that are not drawn below */
   struct nb_pair pair = {NB_PAIR_ROWS(ROW)};
 #undef ROW
   pair.kn = chance_scale(chance, 1e-6, 1e10);
   pair.ks = chance_between(chance, 0, 1) < 0.1 ? 0 : pair.kn * chance_between(chance, 0.2, 1.5);
   pair.friction = chance_between(chance, 0, 1) < 0.2 ? 0 : chance_between(chance, 0.05, 1);
   pair.cohesion = chance_between(chance, 0, 1) < 0.7 ? 0 : pair.kn * chance_scale(chance, 1e-9, 1e-4);
-  pair.young = pair.kn * chance_scale(chance, 1e6, 1e9);        /* 1/m: contacts as stiff as k_n, or stiffer */
-  pair.shear = pair.young * chance_between(chance, 0.16, 0.26); /* (1 - nu)/2(2 - nu) of like materials */
+  pair.young = pair.kn * chance_scale(chance, 1e6, 1e9);        /* factor in 1/m: contacts at least as stiff as k_n */
+  pair.shear = pair.young * chance_between(chance, 0.16, 0.26); /* ratio of the effective moduli */
   pair.radius = chance_scale(chance, 1e-5, 1);
   return pair;
 }
 
-/* Calls `test` for every normal law alone (shear NULL) or with every shear law, many times each. */
+/* Calls `test` PAIRS times for every normal law alone (shear NULL), or with every shear law. */
 static inline void every_law(bool shears, void (*test)(struct contact it, struct chance *chance)) {
   int tried = 0;
   for (const struct nb_law *const *normal = nb_laws(); *normal; normal++) {
@@ -93,10 +94,11 @@ static inline void every_law(bool shears, void (*test)(struct contact it, struct
         continue;
       const unsigned before = CU_get_number_of_failures();
       struct chance chance = chance_begin(1);
-      for (int k = 0; k < PAIRS && CU_get_number_of_failures() == before; k++, tried++) /* one failure says it */
+      for (int k = 0; k < PAIRS && CU_get_number_of_failures() == before; k++, tried++) /* stops at the first failure */
         test(contact_of(*normal, shears ? *shear : NULL, pair_by(&chance)), &chance);
       if (CU_get_number_of_failures() > before)
-        printf("# by law normal %s%s%s\n", (*normal)->name, shears ? " with shear " : "", shears ? (*shear)->name : "");
+        printf("# failed for normal %s%s%s\n", (*normal)->name, shears ? " with shear " : "",
+               shears ? (*shear)->name : "");
     }
   }
   CU_ASSERT(tried > 0);

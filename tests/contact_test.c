@@ -1,4 +1,5 @@
-/* One contact on the bench: where steps lead, forces that are gone to, what cannot be reached, the traction over the contact.
+/* Contact tests: the steps of segments, prescribed forces, forces that cannot be reached, the traction over the
+ * contact.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -32,7 +33,8 @@ static void done(struct nb_result *result, struct written *it) {
   written_free(it);
 }
 
-/* Straight lines to a value and by a difference; the last step is the aim itself, whatever the steps before it add up to. */
+/* Segments go in straight lines `to` a value or `by` a difference. The last step ends exactly at the target,
+ * whatever the sum of the steps before. */
 static void segments_go_along_straight_lines(void) {
   struct written it;
   struct nb_result result;
@@ -49,12 +51,12 @@ static void segments_go_along_straight_lines(void) {
     CU_ASSERT_DOUBLE_EQUAL(cell(&result, r, 2), slip[r], 1e-21);
   }
   CU_ASSERT(cell(&result, 3, 1) == 3e-6 && cell(&result, 3, 2) == 0.7e-6 && cell(&result, 6, 2) == -0.2e-6);
-  CU_ASSERT(cell(&result, 4, 2) == 0.7e-6); /* held */
+  CU_ASSERT(cell(&result, 4, 2) == 0.7e-6); /* slip is held */
   CU_ASSERT(result.cycles == 6 && result.stage_cycles[0] == 3 && result.stage_cycles[2] == 2);
   done(&result, &it);
 }
 
-/* To rounding, with any law; what is held stays what it is. */
+/* Prescribed forces are reached to rounding with any law; a force that is held stays constant. */
 static void forces_are_reached(void) {
   static const char *const shears[] = {"mindlin_deresiewicz", "mindlin", "mindlin_scaled", "randall"};
   for (size_t k = 0; k < sizeof shears / sizeof *shears; k++) {
@@ -97,7 +99,7 @@ static void expect_stop(const char *text, const char *message) {
   done(&result, &it);
 }
 
-static void what_cannot_be_reached_stops(void) {
+static void unreachable_forces_stop_the_run(void) {
   expect_stop(
       EXACT "segment a normal to 10 N in 1 step\nsegment b shear to 5 N in 5 steps\n",
       "segment `b` (line 8), step 4 of 5: a shear force of 4 N cannot be reached, it comes to 3 N; friction times the "
@@ -110,7 +112,7 @@ static void what_cannot_be_reached_stops(void) {
       "normal force is 3 N");
 }
 
-/* At the limit itself, which is reached but for rounding. */
+/* Prescribed shear forces at the friction limit are reached to rounding. */
 static void the_limit_is_reached(void) {
   struct written it;
   struct nb_result result;
@@ -119,7 +121,7 @@ static void the_limit_is_reached(void) {
             "steps\n");
   CU_ASSERT_DOUBLE_EQUAL(cell(&result, 4, 4), 23.1, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(cell(&result, 7, 4), -23.1, 1e-12);
-  const double way = 3 * 23.1 / 16 / (1 / (2 * 2 * 1.3 * 1.7 / 210e9)); /* A a [R89 3.25] */
+  const double way = 3 * 23.1 / 16 / (1 / (2 * 2 * 1.3 * 1.7 / 210e9)); /* slip at the limit times a */
   const double a = sqrt(7.5e-3 * cell(&result, 1, 1));
   CU_ASSERT_DOUBLE_EQUAL(cell(&result, 4, 2), way / a, 1e-9 * way / a);
   done(&result, &it);
@@ -142,8 +144,9 @@ static void repeated_segments_have_names(void) {
   done(&result, &it);
 }
 
-/* A gap is no overlap; slip in it counts for nothing, in the step that closes it for its share. */
-static void a_gap_forgets(void) {
+/* In a gap the overlap is 0 and slip has no effect. In the step that closes the gap, only the fraction of the slip
+ * after first touch counts. */
+static void a_gap_ends_the_history(void) {
   struct written it;
   struct nb_result result;
   run(&result, &it,
@@ -162,7 +165,7 @@ static void a_gap_forgets(void) {
   done(&result, &it);
 }
 
-/* Walls have no radius, what is rigid gives nothing: E* and R* by hand. */
+/* A wall has no curvature, and a rigid material does not deform: E* and R* by hand. */
 static void a_wall_is_flat(void) {
   struct words page = {0};
   struct written it;
@@ -178,8 +181,8 @@ static void a_wall_is_flat(void) {
   written_free(&it);
 }
 
-/* Loading at constant N: q = (3 mu N/2 pi a^3) [(a^2 - r^2)^(1/2) - (c^2 - r^2)^(1/2)], the second within c [R89 3.23]; and its table, with
- * D(x). */
+/* Loading at constant N: q = (3 mu N/2 pi a^3) [(a^2 - r^2)^(1/2) - (c^2 - r^2)^(1/2)], the second root within c
+ * only [R89 3.23]. The table of the pieces gives D(x). */
 static void the_traction_is_mindlins(void) {
   struct written it;
   struct nb_result result;
@@ -199,7 +202,7 @@ static void the_traction_is_mindlins(void) {
   for (size_t r = 0; r < table->row_count; r++) {
     const double *row = table->values + 4 * r, s = row[0] * row[0];
     const double q = scale * (sqrt(fmax(a * a - s, 0)) - sqrt(fmax(c * c - s, 0)));
-    CU_ASSERT_DOUBLE_EQUAL(row[2], q, 1e-6 * scale * a); /* (1e-12)^(1/2): the root at c */
+    CU_ASSERT_DOUBLE_EQUAL(row[2], q, 1e-6 * scale * a); /* (1e-12)^(1/2), from the root at r = c */
     CU_ASSERT_DOUBLE_EQUAL(row[3], scale * sqrt(fmax(a * a - s, 0)), 1e-6 * scale * a);
     CU_ASSERT_DOUBLE_EQUAL(0.3 * row[1], row[3], 1e-6 * scale * a);
   }
@@ -221,10 +224,10 @@ void suite_contact_test(void) {
   CU_pSuite suite = CU_add_suite("contact_test", NULL, NULL);
   CU_add_test(suite, "segments go along straight lines", segments_go_along_straight_lines);
   CU_add_test(suite, "forces are reached", forces_are_reached);
-  CU_add_test(suite, "what cannot be reached stops", what_cannot_be_reached_stops);
-  CU_add_test(suite, "the limit is reached", the_limit_is_reached);
+  CU_add_test(suite, "a force that cannot be reached stops the run", unreachable_forces_stop_the_run);
+  CU_add_test(suite, "shear forces at the friction limit are reached", the_limit_is_reached);
   CU_add_test(suite, "repeated segments have names", repeated_segments_have_names);
-  CU_add_test(suite, "a gap forgets", a_gap_forgets);
+  CU_add_test(suite, "a gap ends the history", a_gap_ends_the_history);
   CU_add_test(suite, "a wall is flat", a_wall_is_flat);
   CU_add_test(suite, "the traction is Mindlin's", the_traction_is_mindlins);
 }

@@ -1,4 +1,4 @@
-/* Runs that go on from a saved state beside the one that is not interrupted.
+/* Runs that continue from a saved state, compared with the uninterrupted run.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "continued.h"
@@ -31,7 +31,7 @@ static char *text_of(const struct nb_model *model) {
   return text;
 }
 
-/* Writes, reads and goes on from stage `from`, to the end. */
+/* Reads the state and continues from stage `from` to the end. Returns the final state as text; to be freed. */
 static char *interrupted(struct written *it, size_t from, const char *state, const struct nb_options *options) {
   struct nb_saved saved;
   struct nb_error error = {NB_OK, ""};
@@ -77,7 +77,8 @@ void continued_same(struct written *it, const char *what) {
     for (size_t w = 0; w < sizeof ways / sizeof *ways; w++) {
       char *end = interrupted(it, s + 1, states[s], &ways[w]);
       if (strcmp(end, states[last - 1]) != 0)
-        printf("# not the same: %s, from the end of stage `%s`, way %zu\n", what, it->scene.stages[s].name, w);
+        printf("# states differ: %s, continued from the end of stage `%s`, options %zu\n", what,
+               it->scene.stages[s].name, w);
       CU_ASSERT_STRING_EQUAL(end, states[last - 1]);
       free(end);
     }

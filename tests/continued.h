@@ -1,4 +1,4 @@
-/* Runs that go on from a saved state beside the one that is not interrupted.
+/* Runs that continue from a saved state, compared with the uninterrupted run.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_CONTINUED_H
@@ -7,8 +7,9 @@
 #include "../src/run/state.h"
 #include "written.h"
 
-void continued_stages(struct nb_model *model, size_t from, size_t to); /* those stages, one after the other */
-/* Runs all, and from the end of each stage on to the end again, in three ways; all must come to the same state. */
+void continued_stages(struct nb_model *model, size_t from, size_t to); /* runs stages from to to - 1 */
+/* Runs all stages, and continues from the state at the end of each stage with three sets of options. All runs must
+ * end in the same state. */
 void continued_same(struct written *written, const char *what);
 
 #endif

@@ -1,5 +1,6 @@
-/* What the exact law keeps of the path of approach and slip: when a piece is one of its own, what joins when there is no room, what
- * is forgotten, and what is gone anew with another friction. Against sums over the rings (by_hand.h), and geometry.
+/* The history of the exact law, a path of corners in overlap and tangential displacement: when a step adds a piece,
+ * which corner is dropped when all pieces are in use, what a closed loop erases, and what a change of friction does.
+ * Compared with sums over the rings (by_hand.h), and with geometry.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -12,7 +13,8 @@
 
 enum { MOST = 40, ROW = 12 + 5 * MOST };
 
-/* mu kappa = 1/4, R* = 1 m and E* = 4 G*, so that u is four times the slip, and x the overlap, to the bit. */
+/* mu kappa = 1/4 with R* = 1 m and E* = 4 G*: u = slip/(mu kappa) is four times the slip, without rounding. x is the
+ * overlap. */
 static const struct nb_pair plain = {.friction = 0.25, .young = 4e9, .shear = 1e9, .radius = 1, .pieces = 32};
 
 struct one {
@@ -22,7 +24,7 @@ struct one {
   double before[ROW], m[ROW];
 };
 
-/* Before a contact's row lie corners that would stay, as another contact's may. */
+/* The array before the contact's row holds corners that look valid, like the row of another contact. */
 static struct one one_of(struct nb_pair pair) {
   struct one it = {.pair = pair};
   for (int k = 0; 5 * k + 4 < ROW; k++)
@@ -43,7 +45,7 @@ static double fraction(const struct one *it) { return it->s.force / (it->pair.fr
 
 /* ---- the pieces themselves ---- */
 
-/* A path of chance, from rings of chance; the force at each corner as a sum over them. */
+/* A random path, from random rings; the force at each corner is a sum over the rings. */
 static void path_of(struct corner at[], int count, struct chance *chance, double most) {
   double t = 0;
   at[0] = (struct corner){0};
@@ -62,7 +64,8 @@ static double force(const struct corner at[], int count) {
   return t;
 }
 
-/* Do u, d and b belong together? Fatal, as all in the loops of thousands: CUnit keeps each failure, and takes ever longer. */
+/* Checks that u, d and b are consistent. Assertions in long loops are fatal, because CUnit stores every failure and
+ * becomes slow. */
 static void is_a_path(const struct corner at[], int count) {
   for (int k = 0; k < count; k++) {
     CU_ASSERT_DOUBLE_EQUAL_FATAL(at[k + 1].u, at[k].u + at[k].d * (at[k + 1].x - at[k].x), 1e-12);
@@ -71,15 +74,16 @@ static void is_a_path(const struct corner at[], int count) {
   }
 }
 
-/* Twice the area in which u is wrong when a corner goes: of the triangle with its neighbours, and what is wrong there already. */
+/* Twice the area by which u(x) changes when a corner is dropped: its triangle with the neighbours, plus the error
+ * that is stored there already. */
 static double area(const struct corner *at) {
   const double all = at[1].x - at[-1].x, line = at[-1].u + (at[0].x - at[-1].x) / all * (at[1].u - at[-1].u);
   return at[-1].e + at[0].e + fabs(at[0].u - line) * all;
 }
 
-/* Of three to nine pieces the corner goes whose triangle, and what was wrong before, changes T least: the area over x^(1/2). Delta and T at
- * the end stay, and only three pieces change. */
-static void room_is_made(void) {
+/* Of three to nine pieces, that corner is dropped whose triangle, with the error before, changes T least: the least
+ * area over x^(1/2). The displacement and T at the end are kept, and only three pieces change. */
+static void a_corner_is_dropped(void) {
   struct chance chance = chance_begin(8);
   int kept = 0, first = 0, last = 0, high = 0;
   for (int path = 0; path < 40000; path++) {
@@ -101,7 +105,7 @@ static void room_is_made(void) {
     for (int k = 1; k < count - 1; k++)
       CU_ASSERT_EQUAL_FATAL(at[k].x, old[k < goes ? k : k + 1].x);
     const bool same = fabs(force(at, count - 1) - force(old, count)) < 1e-11;
-    struct corner one[12]; /* the corner inside moves, or if it cannot, the one outside */
+    struct corner one[12]; /* the next corner inside moves, or if it cannot, the one outside */
     memcpy(one, old, sizeof one);
     const double more = merge(one, goes, count);
     const int moves = goes > 1 && shift_corner(one, goes - 1, -more)       ? goes - 1
@@ -117,7 +121,8 @@ static void room_is_made(void) {
   CU_ASSERT_FATAL(kept > 1000 && first > 100 && last > 100 && high > 10);
 }
 
-/* A corner that moves by so much more force does; none whose rings would carry more than their friction does. */
+/* shift_corner moves a corner so that the force changes by `more`. It refuses if a ring would then carry more than
+ * its friction limit. */
 static void corners_move(void) {
   struct chance chance = chance_begin(9);
   int done = 0, refused = 0;
@@ -125,7 +130,7 @@ static void corners_move(void) {
     struct corner old[4], at[4];
     path_of(old, 3, &chance, 1);
     memcpy(at, old, sizeof at);
-    /* to where: u by y turns D by y/x1 and -y/x2 */
+    /* a shift of u by y changes the two D by y/x1 and -y/x2 */
     const double x1 = old[1].x - old[0].x, x2 = old[2].x - old[1].x, n1 = n_of(old[1].x), n2 = n_of(old[2].x);
     const double full = copysign(chance_between(&chance, 0.9995, 1.0005), chance_between(&chance, -1, 1));
     const double y = path % 3 == 0   ? (full - old[0].d) * x1
@@ -148,10 +153,10 @@ static void corners_move(void) {
   CU_ASSERT_FATAL(done > 300 && refused > 10);
 }
 
-/* ---- what the law makes of them ---- */
+/* ---- the law with its pieces ---- */
 
-/* A piece is one of its own from |D_1 - D_2| x_1 x_2/(x_1 + x_2) = 1e-7/1.5 x on; what is wrong already in the one before comes off
- * that. Both ways of turning, rings and slip, inside and with a piece before. */
+/* A step adds a piece from |D_1 - D_2| x_1 x_2/(x_1 + x_2) = 1e-7/1.5 x on; the error that the piece before has
+ * already is subtracted from this limit. Both signs, rings and slip, without and with a piece before. */
 static void small_pieces_join(void) {
   for (int sign = -1; sign < 2; sign += 2)
     for (int way = 0; way < 6; way++)
@@ -164,7 +169,7 @@ static void small_pieces_join(void) {
         one_go(&it, 2e-3, d * sign * (2e-3 - first));
         const int had = pieces(&it);
         const double x1 = 2e-3 - first;
-        if (way < 4) { /* a ring behind, D less or more: equal spans, so that (D - D') x_1/2 = little x */
+        if (way < 4) { /* a new ring with a smaller or larger D: equal spans, so that (D - D') x_1/2 = little x */
           const double x = 2e-3 + x1, turn = by * little * x * 2 / x1 * (way < 2 ? -1 : 1);
           one_go(&it, x, sign * (d + turn) * x1);
         } else { /* slip from the edge to c: (1 - D) x_1 x_2/(x_1 + x_2) with x_1 = c, x_2 = x - c */
@@ -175,16 +180,16 @@ static void small_pieces_join(void) {
       }
 }
 
-/* What has joined counts, and no longer when it has gone. */
+/* The error of a joined piece counts until that piece is erased. */
 static void joined_pieces_count(void) {
   const double little = 1e-7 / 1.5;
   for (int way = 0; way < 3; way++) {
     const double by = way == 0 ? 0.7999 : way == 1 ? 0.8001 : 0.9999;
     struct one it = one_of(plain);
     one_go(&it, 1e-3, 0);
-    one_go(&it, 2e-3, 0.8 * little * 4e-3); /* 0.8 of the area that is little, which is 0.2 of that at the x to come */
+    one_go(&it, 2e-3, 0.8 * little * 4e-3); /* 0.8 of the limit, which is 0.2 of the limit at the next x */
     CU_ASSERT_EQUAL(pieces(&it), 1);
-    if (way == 2) { /* to the limit: D = 1 all over */
+    if (way == 2) { /* to the friction limit: D = 1 everywhere */
       one_go(&it, 2e-3, 4e-3);
       CU_ASSERT_EQUAL(pieces(&it), 1);
     }
@@ -194,9 +199,9 @@ static void joined_pieces_count(void) {
   }
 }
 
-/* A closed loop is forgotten: back where it turned, by whatever roundings, the pieces are those of then, and it has lost on its way back
- * as much as on its way there. */
-static void closed_loops_are_forgotten(void) {
+/* A closed loop is erased. Back at the point of reversal, whatever the rounding, the force is that of before, and
+ * reloading has dissipated as much as unloading. */
+static void closed_loops_are_erased(void) {
   struct chance chance = chance_begin(10);
   for (int path = 0; path < 2000; path++) {
     struct one it = one_of(plain);
@@ -221,8 +226,9 @@ static void closed_loops_are_forgotten(void) {
   CU_ASSERT_EQUAL(pieces(&it), 2);
 }
 
-/* With another friction the same pieces, in the new one's measure, are gone anew. */
-static void friction_goes_anew(void) {
+/* When friction changes, the path of the pieces, divided by the ratio of the frictions, is followed again from its
+ * start. */
+static void friction_changes(void) {
   static struct by_hand hand;
   struct chance chance = chance_begin(12);
   int most = 0;
@@ -247,15 +253,16 @@ static void friction_goes_anew(void) {
   CU_ASSERT(most > 4);
 }
 
-/* No circle of contact, no force: a normal law may let go before the surfaces part. Nor is it a slide; that it is without friction. */
-static void nothing_rubs(void) {
+/* Without a contact circle there is no shear force: a normal law may return the radius 0 before the surfaces part.
+ * This is not sliding, but a contact without friction slides. */
+static void no_circle_or_no_friction(void) {
   struct one it = one_of(plain);
   it.m[1] = NAN;
   one_go(&it, 1e-3, 0.9995e-3);
   CU_ASSERT_EQUAL(it.s.sliding, 0);
   CU_ASSERT_EQUAL(it.m[1], 0.25);
   for (int k = 0; k < 3; k++) {
-    const struct nb_normal removed = {.overlap = 1e-3, .radius = k == 2 ? 1e-120 : 0}; /* whose cube is 0 */
+    const struct nb_normal removed = {.overlap = 1e-3, .radius = k == 2 ? 1e-120 : 0}; /* its cube is 0 */
     it.s = exact()->shear(it.pair, removed, k == 1 ? 0 : 1e-4, it.m);
     CU_ASSERT(it.m[0] == 0 && it.s.force == 0 && it.s.sliding == 0 && it.s.dissipated == 0);
   }
@@ -264,7 +271,7 @@ static void nothing_rubs(void) {
   CU_ASSERT(it.m[0] == 0 && it.s.force == 0 && it.s.sliding == 1 && it.s.dissipated == 0);
 }
 
-/* As many doubles are in use as have been written, and the contact goes on from those alone. */
+/* `used` returns the number of doubles written, and the contact continues from those alone. */
 static void what_is_used(void) {
   for (int segments = 1; segments < 12; segments++) {
     struct one it = one_of(plain), other = one_of(plain);
@@ -272,8 +279,7 @@ static void what_is_used(void) {
       it.m[k] = NAN, other.m[k] = 1e-3;
     one_go(&it, 1e-3, 0);
     double u = 0.9e-3;
-    for (int segment = 1; segment < segments;
-         segment++, u *= -0.9) /* loops within loops: each turn is one piece more */
+    for (int segment = 1; segment < segments; segment++, u *= -0.9) /* loops within loops: each reversal adds a piece */
       one_go(&it, 1e-3, u);
     int written = ROW;
     while (isnan(it.m[written - 1]))
@@ -288,12 +294,12 @@ static void what_is_used(void) {
 
 void suite_corners(void) {
   CU_pSuite suite = CU_add_suite("corners", NULL, NULL);
-  CU_add_test(suite, "room is made", room_is_made);
+  CU_add_test(suite, "a corner is dropped when all pieces are in use", a_corner_is_dropped);
   CU_add_test(suite, "corners move", corners_move);
   CU_add_test(suite, "small pieces join", small_pieces_join);
-  CU_add_test(suite, "joined pieces count", joined_pieces_count);
-  CU_add_test(suite, "closed loops are forgotten", closed_loops_are_forgotten);
-  CU_add_test(suite, "friction goes anew", friction_goes_anew);
-  CU_add_test(suite, "nothing rubs", nothing_rubs);
-  CU_add_test(suite, "what is used", what_is_used);
+  CU_add_test(suite, "the error of joined pieces counts", joined_pieces_count);
+  CU_add_test(suite, "closed loops are erased", closed_loops_are_erased);
+  CU_add_test(suite, "a change of friction follows the path again", friction_changes);
+  CU_add_test(suite, "no contact circle, no friction", no_circle_or_no_friction);
+  CU_add_test(suite, "number of doubles in use", what_is_used);
 }

@@ -1,4 +1,4 @@
-/* Contact dashpots: their coefficients, what they are added to and what they must not enter.
+/* Contact dashpots: their coefficients, the forces that contain them, and the limits that must not contain them.
  * [CS79 24-28; R89 4.3, 4.13]
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -12,7 +12,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* Two discs of unlike size and density, the first moving on the second; `more` may add to each of the statements. */
+/* Two discs of different size and density, the first moving towards the second; `second` is the statement of disc 2. */
 static struct nb_model *two_discs(struct written *it, const char *damping, const char *second, double friction) {
   struct words page = {0};
   words_add(
@@ -28,7 +28,7 @@ static struct nb_model *two_discs(struct written *it, const char *damping, const
   return written_model(it, NULL);
 }
 
-/* dn/dt and ds/dt of C over the step behind, [CS79 14, 15]. */
+/* dn/dt and ds/dt of C over the last step [CS79 14, 15]. */
 static void rates(const struct nb_model *model, double *dn, double *slip) {
   const double dx = written_now(model, "B.x") - written_now(model, "A.x"),
                dy = written_now(model, "B.y") - written_now(model, "A.y");
@@ -39,8 +39,8 @@ static void rates(const struct nb_model *model, double *dn, double *slip) {
   *slip = vx * e2 - vy * e1 - (written_now(model, "A.spin.half") + 2 * written_now(model, "B.spin.half"));
 }
 
-/* Every number and every kind counts, more and less. */
-static void alike(void) {
+/* Two dampings are equal if every number and every kind is equal. */
+static void equal_dampings(void) {
   const struct nb_damping a = {.contact_kind = NB_CONTACT_RATIO,
                                .contact = 2,
                                .walls_separate = true,
@@ -67,8 +67,9 @@ static void alike(void) {
   CU_ASSERT(!nb_damping_none(&a) && nb_damping_none(&(struct nb_damping){0}));
 }
 
-/* In the step in which two discs meet the spring has slipped for a part of it, and the dashpot moves as fast as ever. */
-static void where_they_meet(void) {
+/* In the step of first touch the spring takes only the fraction overlap/dn of the tangential increment, while the
+ * dashpot has the full rate. */
+static void first_touch(void) {
   struct written it;
   struct nb_model *model = two_discs(&it, "stiffness 0.02", "disc 2.96 0.5 radius 2 b velocity -1 0", 10);
   CU_ASSERT_EQUAL(written_now(model, "C.normal"), 0);
@@ -96,7 +97,7 @@ static void coefficients(void) {
       {"stiffness 0.02", free_, 0.02 * 400, 0.02 * 250},
       {"r89-fraction 0.3", free_, 0.3 * 400 * critical / 2, 0.3 * 250 * critical / 2},
       {"ratio 0.1", free_, 0.2 * sqrt(a * b / (a + b) * 400), 0.2 * sqrt(a * b / (a + b) * 250)},
-      {"ratio 0.1", fixed, 0.2 * sqrt(a * 400), 0.2 * sqrt(a * 250)}, /* what is fixed weighs without end */
+      {"ratio 0.1", fixed, 0.2 * sqrt(a * 400), 0.2 * sqrt(a * 250)}, /* a fixed disc has infinite mass */
   };
   for (size_t n = 0; n < sizeof kinds / sizeof *kinds; n++) {
     struct written it;
@@ -111,7 +112,7 @@ static void coefficients(void) {
       CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.dashpot.shear"), kinds[n].shear * slip, 1e-12);
     }
     const double normal = written_now(model, "C.dashpot.normal"), shear = written_now(model, "C.dashpot.shear");
-    model->step *= 3; /* a rate is over the step behind, whatever comes next */
+    model->step *= 3; /* rates are over the last step, whatever the next step is */
     nb_forces(model);
     CU_ASSERT(written_now(model, "C.dashpot.normal") == normal);
     CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.dashpot.shear"), shear, 1e-12);
@@ -120,8 +121,8 @@ static void coefficients(void) {
   }
 }
 
-/* On a wall M* is the disc's mass: [R89 4.6] with nothing for 1/M_wall. */
-static void a_wall_weighs_without_end(void) {
+/* At a wall M* is the mass of the disc: [R89 4.6] with 1/M_wall = 0. */
+static void a_wall_has_infinite_mass(void) {
   struct words page = {0};
   struct written it;
   words_add(&page,
@@ -137,8 +138,9 @@ static void a_wall_weighs_without_end(void) {
   written_free(&it);
 }
 
-/* While discs part quickly the dashpot pulls more than the spring pushes, and the total normal force is their sum. */
-static void total_normal_force_may_pull(void) {
+/* When discs separate fast, the tension of the dashpot exceeds the force of the spring; the total normal force is
+ * the sum. */
+static void total_normal_force_may_be_tensile(void) {
   struct written it;
   struct nb_model *model = two_discs(&it, "stiffness 1", "disc 2.99 0 radius 2 b velocity 3 0.25", 0);
   written_cycles(model, 1);
@@ -156,7 +158,7 @@ static void total_normal_force_may_pull(void) {
   written_free(&it);
 }
 
-/* The limit is of the elastic F_n alone, and a contact that slides has no shear dashpot. [CS79, Damping] */
+/* The friction limit uses the elastic F_n alone, and a contact that slides has no shear dashpot. [CS79, Damping] */
 static void sliding(void) {
   struct written it;
   struct nb_model *model = two_discs(&it, "stiffness 0.05", "disc 2.9 0.5 radius 2 b spin 9", 0.01);
@@ -166,7 +168,7 @@ static void sliding(void) {
     if (written_now(model, "C.sliding") == 0)
       continue;
     slid++;
-    CU_ASSERT(fabs(written_now(model, "C.dashpot.normal")) > 1); /* so it could be told apart */
+    CU_ASSERT(fabs(written_now(model, "C.dashpot.normal")) > 1); /* so a limit that contained it would differ */
     CU_ASSERT_DOUBLE_EQUAL(fabs(written_now(model, "C.shear")), 0.01 * written_now(model, "C.normal"), 1e-12);
     CU_ASSERT_EQUAL(written_now(model, "C.dashpot.shear"), 0);
   }
@@ -175,9 +177,10 @@ static void sliding(void) {
   written_free(&it);
 }
 
-/* A disc on a wall, parted when nothing overlaps any more, though the dashpot pulls before: half a period of the damped
- * oscillation, e = exp(-pi beta/sqrt(1 - beta^2)). Meeting, parting and the dashpot's half step are each late by up to a
- * step, which costs up to c dt/m = 2 beta w dt of the velocity. */
+/* A disc at a wall. The contact ends with the overlap, although the dashpot pulls before that. It lasts half a
+ * period of the damped oscillation, so e = exp(-pi beta/sqrt(1 - beta^2)). First touch, separation and the half step
+ * of the dashpot are each late by up to a step, which changes the velocity by up to the fraction c dt/m = 2 beta w
+ * dt. */
 static void restitution(void) {
   const double m = pi * 3, w = sqrt(400 / m);
   static const double betas[] = {0.02, 0.1, 0.3};
@@ -204,7 +207,7 @@ static void restitution(void) {
   }
 }
 
-/* The plan has the pass for the whole run; in a stage that is not damped it adds nothing. */
+/* The plan contains the dashpot pass for the whole run; in a stage without damping it adds nothing. */
 static void a_stage_without_dashpots(void) {
   struct words page = {0};
   struct written it;
@@ -225,12 +228,12 @@ static void a_stage_without_dashpots(void) {
 
 void suite_damping(void) {
   CU_pSuite suite = CU_add_suite("damping", NULL, NULL);
-  CU_add_test(suite, "alike", alike);
-  CU_add_test(suite, "where two discs meet", where_they_meet);
+  CU_add_test(suite, "equal dampings", equal_dampings);
+  CU_add_test(suite, "the step of first touch", first_touch);
   CU_add_test(suite, "coefficients of the three conventions", coefficients);
-  CU_add_test(suite, "a wall weighs without end", a_wall_weighs_without_end);
+  CU_add_test(suite, "a wall has infinite mass", a_wall_has_infinite_mass);
   CU_add_test(suite, "a stage without dashpots", a_stage_without_dashpots);
-  CU_add_test(suite, "the total normal force may pull", total_normal_force_may_pull);
+  CU_add_test(suite, "the total normal force may be tensile", total_normal_force_may_be_tensile);
   CU_add_test(suite, "sliding: limit of the elastic force, no shear dashpot", sliding);
   CU_add_test(suite, "restitution of a disc on a wall", restitution);
 }

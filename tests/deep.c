@@ -1,4 +1,4 @@
-/* Dashpots of elastic spheres and of walls apart; overlaps that are too deep: counted, named, damped critically.
+/* Dashpots of elastic spheres, `damping walls`, and deep contacts, which are counted, named and damped critically.
  * [R89 4.13, 4.19, 6.4.3]
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -40,7 +40,7 @@ static void elastic_coefficients(void) {
     const double a = sqrt(0.5 * written_now(model, "C.overlap"));
     const double dn = written_now(model, "A.vx.half") - written_now(model, "B.vx.half");
     const double slip = written_now(model, "A.vy.half") - written_now(model, "B.vy.half");
-    NEAR(written_now(model, "C.dashpot.normal"), 0.4 * sqrt(0.5 * 2 * 0.5 * a) * dn, 1e-3); /* e has turned by 1e-5 */
+    NEAR(written_now(model, "C.dashpot.normal"), 0.4 * sqrt(0.5 * 2 * 0.5 * a) * dn, 1e-3); /* e has rotated by 1e-5 */
     CU_ASSERT_EQUAL(written_now(model, "C.sliding"), slides);
     const double shear = slides ? 0 : 0.4 * sqrt(0.5 * 8 * 0.125 * a) * fabs(slip);
     CU_ASSERT(fabs(fabs(written_now(model, "C.dashpot.shear")) - shear) <= 1e-3 * shear);
@@ -49,7 +49,7 @@ static void elastic_coefficients(void) {
   }
 }
 
-/* ---- walls apart ---- */
+/* ---- damping walls ---- */
 
 #define DISCS                                                                                                          \
   "material m density 0.31830988618379067 kn 8\ndisc 0 0.9 radius 1 m velocity 0 -0.5\ndisc 0 2.7 radius 1 m "         \
@@ -59,7 +59,7 @@ static void elastic_coefficients(void) {
   "2\n"                                                                                                                \
   "step 1e-4\nrecord A.vy.half B.vy.half W.dashpot.normal C.dashpot.normal step.stable\n"
 
-/* c at the wall and between the discs, after the first cycle and in the second stage. */
+/* c at the wall and between the discs, in the first and in the second stage. */
 static void walls_separate(void) {
   static const struct {
     const char *scene, *stage;
@@ -92,8 +92,9 @@ static void walls_separate(void) {
   }
 }
 
-/* One disc at a wall: omega^2 = 8, xi = ratio; what the others would have does not count. */
-static void the_safe_step_knows_walls(void) {
+/* One disc at a wall: omega^2 = 8, and xi is the ratio of `damping walls`; the ratio of other contacts does not
+ * count. */
+static void stable_step_with_damping_walls(void) {
   struct written it;
   struct nb_model *model =
       model_of(&it, "material m density 0.31830988618379067 kn 8\ndisc 0 0.9 radius 1 m\nwall w -9 0 to 9 0 m\n",
@@ -103,7 +104,7 @@ static void the_safe_step_knows_walls(void) {
   written_free(&it);
 }
 
-/* ---- too deep ---- */
+/* ---- deep contacts ---- */
 
 static void overlaps_are_counted(void) {
   static const struct {
@@ -126,7 +127,7 @@ static void overlaps_are_counted(void) {
        11, ""},
       {"sphere 0 0.86005 radius 1 m\nwall w -9 0 to 9 0 m\nsphere 9 9 radius 0.1 m\n", 0, ""},
       {"sphere 0 0.85995 radius 1 m\nwall w -9 0 to 9 0 m\nsphere 9 9 radius 0.1 m\n", 11, "particle 1 and wall w"},
-      /* of two the first that is deep has the name */
+      /* of two contacts, the first deep one is named */
       {"sphere 0 0 radius 3 m\nsphere 3.86005 0 radius 1 m\nsphere 5.66 0 radius 1 m\n", 11,
        "particle 2 and particle 3"},
       {"sphere 0 0 radius 3 m\nsphere 3.85995 0 radius 1 m\nsphere 5.66 0 radius 1 m\n", 22,
@@ -156,7 +157,7 @@ static void overlaps_are_counted(void) {
   }
 }
 
-/* The count goes on through searches, many or few, on any number of threads; linear springs count nothing. */
+/* The count does not depend on the number of searches and threads; linear springs count nothing. */
 static void counts_go_on(void) {
   double counts[3];
   for (int k = 0; k < 3; k++) {
@@ -178,7 +179,7 @@ static void counts_go_on(void) {
   CU_ASSERT(counts[0] == counts[1] && counts[2] == 0);
 }
 
-/* What was counted stays when a later stage has other springs, which count nothing. */
+/* The count is kept when a later stage has linear springs, which count nothing. */
 static void counts_stay(void) {
   struct words page = {0};
   struct written it;
@@ -193,7 +194,7 @@ static void counts_stay(void) {
   written_free(&it);
 }
 
-/* Critical where they are deep, as the page says elsewhere; the safe step knows. */
+/* Deep contacts are damped critically, others as the page says; the guaranteed stable step takes this into account. */
 static void deep_ones_are_damped_critically(void) {
   for (int is_deep = 0; is_deep < 2; is_deep++) {
     struct words page = {0};
@@ -216,7 +217,7 @@ static void deep_ones_are_damped_critically(void) {
   }
 }
 
-/* Which contacts were deep does not outlive the stage that wants to know. */
+/* The marks of deep contacts end with the stage that asks for `damping critical`. */
 static void marks_end_with_their_stage(void) {
   struct words page = {0};
   struct written it;
@@ -233,9 +234,10 @@ static void marks_end_with_their_stage(void) {
   written_free(&it);
 }
 
-/* A whole blow as the cycle has it, done here by hand: u <- u - dt/m* (N + c u) with N and c of the overlap now and u of the half step
- * behind, x <- x + dt u. So where c jumps, and that it acts half a step late, is the same in both: rounding alone is left. */
-static void a_blow_is_the_recursion(void) {
+/* A whole impact, computed here by the recursion of the cycle: u <- u - dt/m* (N + c u), with N and c at the present
+ * overlap and u at the last half step, x <- x + dt u. The jump of c, and its delay of half a step, are the same in
+ * both, so only rounding is left. */
+static void an_impact_follows_the_recursion(void) {
   enum { CYCLES = 400 };
   const double speed = 0.2, dt = 0.02, limit = 0.1, mass = 0.5;
   struct words page = {0};
@@ -268,12 +270,12 @@ static void a_blow_is_the_recursion(void) {
 void suite_deep(void) {
   CU_pSuite suite = CU_add_suite("deep", NULL, NULL);
   CU_add_test(suite, "coefficients of elastic spheres", elastic_coefficients);
-  CU_add_test(suite, "walls apart", walls_separate);
-  CU_add_test(suite, "the safe step knows walls", the_safe_step_knows_walls);
-  CU_add_test(suite, "overlaps are counted", overlaps_are_counted);
-  CU_add_test(suite, "counts go on", counts_go_on);
-  CU_add_test(suite, "counts stay", counts_stay);
-  CU_add_test(suite, "deep ones are damped critically", deep_ones_are_damped_critically);
-  CU_add_test(suite, "a blow is the recursion", a_blow_is_the_recursion);
+  CU_add_test(suite, "damping walls", walls_separate);
+  CU_add_test(suite, "the stable step uses the damping of walls", stable_step_with_damping_walls);
+  CU_add_test(suite, "deep contacts are counted", overlaps_are_counted);
+  CU_add_test(suite, "counts do not depend on searches and threads", counts_go_on);
+  CU_add_test(suite, "counts are kept", counts_stay);
+  CU_add_test(suite, "deep contacts are damped critically", deep_ones_are_damped_critically);
+  CU_add_test(suite, "an impact follows the recursion", an_impact_follows_the_recursion);
   CU_add_test(suite, "marks end with their stage", marks_end_with_their_stage);
 }

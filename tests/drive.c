@@ -1,4 +1,5 @@
-/* Imposed affine motion, and the particles that a boundary holds: against the solution of the equations [R89 4.41-4.44, 6.4.1].
+/* Imposed affine motion and the particles of a boundary, compared with the solution of the equations [R89 4.41-4.44,
+ * 6.4.1].
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -30,7 +31,8 @@ static double after(const char *statements, const char *name) {
 #define ONE                                                                                                            \
   "disc 13 -6 radius 1 m velocity 7 5 spin 3\nmonitor D disc 1\nrecord D.x D.y D.vx D.vy D.angle boundary.particles\n"
 
-/* x_N - x_0 = (1 + L dt)^N (x - x_0) to rounding, L any gradient; a velocity it had is gone, and it does not turn. */
+/* x_N - x_0 = (1 + L dt)^N (x - x_0) to rounding, for any velocity gradient L. The initial velocity has no effect,
+ * and the particle does not rotate. */
 static void the_boundary_follows_exactly(void) {
   const struct nb_tensor rate = tensor(-0.01, 0.03, 0.005, 0.02);
   const char *page = ONE "boundary circle 3 4 radius 14\nstage s\naffine strain 0.3 0.4\n"
@@ -42,14 +44,14 @@ static void the_boundary_follows_exactly(void) {
   CU_ASSERT_DOUBLE_EQUAL(after(page, "D.y"), 4 + x.y, 1e-12);
   CU_ASSERT_EQUAL(after(page, "D.angle"), 0);
   CU_ASSERT_EQUAL(after(page, "boundary.particles"), 1);
-  /* The velocity of t_N is the mean of what carries it before and after. */
+  /* The velocity at t_N is the mean of the imposed velocities before and after it. */
   const struct nb_vec before = tensor_times(tensor_inverse(tensor_add(tensor(1, 0, 0, 1), tensor_scale(dt, rate))), x);
   const struct nb_vec v = tensor_times(rate, vec_scale(0.5, vec_add(before, x)));
   CU_ASSERT_DOUBLE_EQUAL(after(page, "D.vx"), v.x, 1e-13);
   CU_ASSERT_DOUBLE_EQUAL(after(page, "D.vy"), v.y, 1e-13);
 }
 
-/* `per cycle` is strain of one cycle, whatever its length, in later stages too. */
+/* `per cycle` gives the strain of one cycle, whatever the step, in later stages too. */
 static void per_cycle(void) {
   const char *page = ONE "boundary circle 3 4 radius 14\nstage s\nboundary strain -0.01 per cycle 0.02 per cycle\n"
                          "cycles 3\nstage t\nstep 0.5\ncycles 2\n";
@@ -57,8 +59,9 @@ static void per_cycle(void) {
   CU_ASSERT_DOUBLE_EQUAL(after(page, "D.y"), 4 - 10 * pow(1.02, 5), 1e-14);
 }
 
-/* What is carried by the continuum keeps v, which alone is damped: x_(N+1) = (1 + L dt) x_N + keep^(N+1) v dt. */
-static void what_is_beyond_the_continuum_decays(void) {
+/* Under `affine strain` the particle keeps its own velocity v, which alone is damped: x_(N+1) = (1 + L dt) x_N +
+ * lambda^(N+1) v dt. */
+static void damping_acts_on_own_velocity(void) {
   const char *page = ONE "damping con1 0.9 as velocity\nstage s\naffine strain -0.02 0.04 shear 0.01\ncycles 50\n";
   struct nb_vec x = vec(13, -6), v = vec(7, 5);
   for (int n = 0; n < 50; n++) {
@@ -67,14 +70,15 @@ static void what_is_beyond_the_continuum_decays(void) {
   }
   CU_ASSERT_DOUBLE_EQUAL(after(page, "D.x"), x.x, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(after(page, "D.y"), x.y, 1e-12);
-  /* Without `continuum` from the second stage on only v is left. */
+  /* `affine none` in the second stage leaves v alone. */
   const char *left = ONE "stage s\naffine strain -0.02 0.04\ncycles 50\nstage t\naffine none\ncycles 1\n";
   CU_ASSERT_DOUBLE_EQUAL(after(left, "D.vx"), 7, 1e-13);
   CU_ASSERT_DOUBLE_EQUAL(after(left, "D.vy"), 5, 1e-13);
 }
 
-/* As R89 codes them x_(N+1) - (2 + L dt) x_N + x_(N-1) = 0: x_N = x_0 (sinh((N + 1) q) - sinh(N q))/sinh(q), cosh q = 1 + L dt/2. */
-static void the_literal_reading_grows(void) {
+/* `accumulated`, as R89 codes the equations: x_(N+1) - (2 + L dt) x_N + x_(N-1) = 0, with the solution x_N = x_0
+ * (sinh((N + 1) q) - sinh(N q))/sinh(q), cosh q = 1 + L dt/2. */
+static void accumulated_strain_grows(void) {
   const char *page = "disc 13 -6 radius 1 m\nmonitor D disc 1\nrecord D.x D.y\nstage s\n"
                      "affine strain 0.008 -0.016 accumulated\ncycles 100\n";
   const double q = acosh(1 + 0.008 * dt / 2), p = acos(1 - 0.016 * dt / 2);
@@ -82,12 +86,13 @@ static void the_literal_reading_grows(void) {
   CU_ASSERT_DOUBLE_EQUAL(after(page, "D.y"), -6 * (sin(101 * p) - sin(100 * p)) / sin(p), 1e-9);
 }
 
-/* Dashpots of two particles at rest under imposed affine motion act on L z: beta k_n e.L z and beta k_s t.L z [R89 4.42]. */
-static void contacts_see_the_strain(void) {
+/* Dashpots between two particles without own velocities, under imposed affine motion, have the relative velocity L
+ * z: beta k_n e.L z and beta k_s t.L z [R89 4.42]. */
+static void dashpots_see_the_strain(void) {
   static const char *const pairs[] = {"stage s\naffine strain -0.3 0.1 shear 0.2\n",
                                       "boundary circle 1 2 radius 3\nstage s\naffine strain -0.3 0.1 shear 0.2\n"
                                       "boundary strain -0.3 0.1 shear 0.2\n"};
-  for (size_t k = 0; k < 2; k++) { /* both carried by the continuum; one of them by the boundary */
+  for (size_t k = 0; k < 2; k++) { /* both with affine motion; one of them in the boundary */
     struct words page = {0};
     struct written it;
     struct nb_result result;
@@ -99,7 +104,7 @@ static void contacts_see_the_strain(void) {
     written_scene(&it, &page);
     written_run(&result, &it, NULL);
     const double length = hypot(1.5, 1), ex = 1.5 / length, ey = 1 / length;
-    const double vx = -0.3 * 1.5 + 0.2 * 1, vy = 0.2 * 1.5 + 0.1 * 1; /* of the second particle, seen by the first */
+    const double vx = -0.3 * 1.5 + 0.2 * 1, vy = 0.2 * 1.5 + 0.1 * 1; /* of the second particle relative to the first */
     CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "P.dashpot.normal"), -0.5 * 100 * (vx * ex + vy * ey), 1e-5);
     CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "P.dashpot.shear"), -0.5 * 60 * (vx * ey - vy * ex), 1e-5);
     CU_ASSERT_EQUAL(written_last(&result, "boundary.particles"), (double)k);
@@ -108,9 +113,9 @@ static void contacts_see_the_strain(void) {
   }
 }
 
-/* A disc that flies out belongs to the boundary from the first cycle on that begins with its centre on the circle or beyond,
- * whatever the skin is; the circle shrinks meanwhile, to an ellipse. */
-static void who_crosses_belongs(void) {
+/* A disc that moves outwards belongs to the boundary from the first cycle that begins with its centre on the circle
+ * or outside, whatever the skin is; meanwhile the circle shrinks to an ellipse. */
+static void particles_join_the_boundary(void) {
   static const char *const skins[] = {"skin 0.01\n", "skin 0.5\n", "skin 40\n"};
   for (size_t s = 0; s < 3; s++) {
     struct words page = {0};
@@ -141,7 +146,8 @@ static void who_crosses_belongs(void) {
   }
 }
 
-/* Discs in a ring of discs, squeezed and sheared, with friction and all dampings: many join. */
+/* Discs inside a boundary of discs, compressed and sheared, with friction and all dampings. Many discs join the
+ * boundary. */
 static void crowd(struct words *page, const char *more) {
   words_add(
       page,
@@ -168,7 +174,7 @@ static void squeeze(struct nb_result *result, const struct nb_options *options, 
   written_free(&it);
 }
 
-/* Storage, threads and instruction sets change no bit of it. */
+/* Storage order, threads and instruction sets change no bit. */
 static void the_same_bits(void) {
   const struct nb_options all[] = {{.threads = 1, .isa = "plain"}, {.threads = 3}, {.threads = 1, .shuffle = true}};
   struct nb_result first, other;
@@ -195,19 +201,22 @@ static double largest(const struct nb_result *result, const char *name) {
   return most;
 }
 
-/* The work of what carries, of the boundary and of all forces is the kinetic energy, to rounding, while particles join. */
+/* The work of the imposed motion, of the boundary and of all forces equals the kinetic energy to rounding, while
+ * particles join the boundary. */
 static void the_work_balances(void) {
   struct nb_result result;
   squeeze(&result, NULL, SQUEEZE);
   const double whole = largest(&result, "energy.kinetic") + largest(&result, "energy.imposed");
   CU_ASSERT(largest(&result, "energy.imposed") > 1 && largest(&result, "energy.removed") > 1);
   CU_ASSERT(largest(&result, "work.residual") < 1e-12 * whole);
-  /* Energies do but for the error of the step; without what those who join take with them they would be wrong by all of that. */
+  /* The energies balance except for the error of the step; without `energy.removed` the residual would be as large
+   * as that term. */
   CU_ASSERT(largest(&result, "energy.residual") < 1e-2 * largest(&result, "energy.removed"));
   nb_result_free(&result);
 }
 
-/* The largest component of sum F_i X_j/A over the particles inside, which is what boundary.stress.residual should be. */
+/* The largest component of sum F_i X_j/A over the particles inside, which is what boundary.stress.residual should
+ * be. */
 static double out_of_balance(const struct nb_model *model) {
   struct nb_tensor sum = tensor(0, 0, 0, 0);
   for (size_t i = 0; i < model->particles.count; i++)
@@ -217,8 +226,9 @@ static double out_of_balance(const struct nb_model *model) {
   return fmax(fmax(fabs(sum.xx), fabs(sum.xy)), fmax(fabs(sum.yx), fabs(sum.yy))) / nb_boundary_area(model);
 }
 
-/* sum F_i X_j of the boundary is that of all contacts once the others are at rest. Particles that do not turn bear moments, so xy and yx may differ. */
-static void the_stress_is_that_of_the_contacts(void) {
+/* Once the inner particles are at rest, sum F_i X_j over the boundary equals the stress of all contacts. Particles
+ * that do not rotate bear moments, so xy and yx may differ. */
+static void boundary_stress_equals_contact_stress(void) {
   struct words page = {0};
   struct written it;
   struct nb_error error;
@@ -252,8 +262,8 @@ static void the_stress_is_that_of_the_contacts(void) {
   written_free(&it);
 }
 
-/* A stress on the boundary leaves no force over, and comes to sum F_i X_j = -s A. */
-static void a_stress_is_shared_out(void) {
+/* The forces of a stress s on the boundary sum to 0, and sum F_i X_j = -s A. */
+static void forces_of_a_boundary_stress(void) {
   struct words page = {0};
   struct written it;
   struct nb_error error;
@@ -284,12 +294,12 @@ void suite_drive(void) {
   CU_pSuite suite = CU_add_suite("drive", NULL, NULL);
   CU_add_test(suite, "the boundary follows exactly", the_boundary_follows_exactly);
   CU_add_test(suite, "per cycle", per_cycle);
-  CU_add_test(suite, "what is beyond the continuum decays", what_is_beyond_the_continuum_decays);
-  CU_add_test(suite, "the literal reading grows", the_literal_reading_grows);
-  CU_add_test(suite, "contacts see the strain", contacts_see_the_strain);
-  CU_add_test(suite, "who crosses belongs", who_crosses_belongs);
+  CU_add_test(suite, "damping acts on the own velocity only", damping_acts_on_own_velocity);
+  CU_add_test(suite, "accumulated affine strain grows", accumulated_strain_grows);
+  CU_add_test(suite, "dashpots see the strain", dashpots_see_the_strain);
+  CU_add_test(suite, "particles that reach the boundary join it", particles_join_the_boundary);
   CU_add_test(suite, "the same bits", the_same_bits);
   CU_add_test(suite, "the work balances", the_work_balances);
-  CU_add_test(suite, "the stress is that of the contacts", the_stress_is_that_of_the_contacts);
-  CU_add_test(suite, "a stress is shared out", a_stress_is_shared_out);
+  CU_add_test(suite, "boundary stress equals the stress of the contacts", boundary_stress_equals_contact_stress);
+  CU_add_test(suite, "forces of a boundary stress", forces_of_a_boundary_stress);
 }

@@ -1,4 +1,5 @@
-/* What moves an assembly besides strain: gravity towards a point, particles that may not turn, a boundary that lets go.
+/* Loading other than strain: centripetal gravity, `rotation off`, a boundary that is released, strained again or
+ * defined again.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -22,9 +23,10 @@ static void run(struct nb_result *result, const char *statements) {
   written_free(&it);
 }
 
-/* From rest at d it falls along parabolas through the point: period 4 (2d/G)^(1/2). With d = G dt^2 ((N + 1/2)^2 + 1/4)/2 the scheme steps
- * over the point evenly, so that it is at rest at -d after 2N + 1 steps to rounding, and back after as many more: the period but
- * for 1/(8 N^2). On its way gravity has done m G (d - r). */
+/* A particle starts from rest at the distance d and moves on parabolas through the point, with the period 4
+ * (2d/G)^(1/2). With d = G dt^2 ((N + 1/2)^2 + 1/4)/2 the point lies in the middle of a step. Then the scheme has it
+ * at rest at -d after 2N + 1 steps, and at d after as many more, to rounding; this period deviates by the fraction
+ * 1/(8 N^2). On its way gravity has done the work m G (d - r). */
 static void a_particle_oscillates_through_the_point(void) {
   enum { N = 100 };
   const double dt = 0.01, g = 0.5, d = g * dt * dt / 2 * ((N + 0.5) * (N + 0.5) + 0.25), mass = 2 * pi;
@@ -54,8 +56,9 @@ static void a_particle_oscillates_through_the_point(void) {
   written_free(&it);
 }
 
-/* On a circle, v^2 = G r: leapfrog takes it round by 1 - (dt/r v)^2/24 of the angle, and the distance stays. */
-static void a_particle_goes_round_the_point(void) {
+/* A circular orbit, v^2 = G r. The leapfrog scheme changes the angle by the fraction (v dt/r)^2/24 and keeps the
+ * radius. */
+static void a_circular_orbit(void) {
   struct nb_result result;
   run(&result,
       "material m density 2 kn 1\nstep 0.001\ndisc 2 0 radius 0.5 m velocity 0 1\nmonitor D disc 1\n"
@@ -67,7 +70,8 @@ static void a_particle_goes_round_the_point(void) {
   nb_result_free(&result);
 }
 
-/* Two discs that are pressed together by m G each are at rest, with their weight in the account; and so are all of a region. */
+/* Two discs that gravity presses together with m G each are in equilibrium: unbalanced.max and unbalanced.mean
+ * include the weight. */
 static void all_forces_count(void) {
   struct words page = {0};
   struct written it;
@@ -89,8 +93,9 @@ static void all_forces_count(void) {
   written_free(&it);
 }
 
-/* What may not turn slides with mu g and keeps its angle; what turns again takes I dw = R m dv, to rounding. */
-static void rotation_stops_and_goes_on(void) {
+/* A disc that cannot rotate slides with the deceleration mu g and keeps its angle. Once it can rotate, I dw = R m dv
+ * to rounding. */
+static void rotation_off_and_on(void) {
   struct nb_result result;
   run(&result, "material m density 2 kn 1e4 ks 1e4 friction 0.25\nshear linear\nstep 0.001\nwall floor -9 0 to 90 0 m\n"
                "disc 0 0.9993716814692820 radius 1 m velocity 5 0 spin 3\nmonitor D disc 1\ngravity 0 -1\n"
@@ -104,13 +109,14 @@ static void rotation_stops_and_goes_on(void) {
   CU_ASSERT_DOUBLE_EQUAL(slower, 0.25, 1e-3);
   /* rotation begins at t_0, half a step after that velocity */
   CU_ASSERT_DOUBLE_EQUAL(column(&result, 2000, 1), -2 * (slower - 0.25 * 0.0005), 1e-11);
-  CU_ASSERT_DOUBLE_EQUAL(column(&result, 2000, 4), 0, 1e-10); /* 2000 sums of some 78, rounded */
+  CU_ASSERT_DOUBLE_EQUAL(column(&result, 2000, 4), 0, 1e-10); /* 2000 sums of about 78, rounded */
   nb_result_free(&result);
 }
 
-/* Held anew after it was loose, the circle is the one through its particles, which have come in from 20 to 17.6: a disc at 16.5
- * is inside. With the strain of before on top of that the radius would be 15.6, and it would belong to the boundary. */
-static void a_boundary_is_held_anew(void) {
+/* When a boundary under stress is fixed again, the circle is the one through its particles, which have moved from 20
+ * to 17.6: a disc at 16.5 is inside. If the earlier strain were applied again, the radius would be 15.6, and the
+ * disc would join. */
+static void a_boundary_is_fixed_again(void) {
   struct nb_result result;
   run(&result, "material m density 2 kn 100\nstep 0.125\ndisc 20 0 radius 1 m\ndisc 0 20 radius 1 m\n"
                "disc -20 0 radius 1 m\ndisc 0 -20 radius 1 m\ndisc 11.7 11.7 radius 1 m\n"
@@ -122,7 +128,8 @@ static void a_boundary_is_held_anew(void) {
   nb_result_free(&result);
 }
 
-/* Another circle is another boundary: whoever is inside of it belongs to none any more, and each counts once. */
+/* Another `boundary circle` replaces the boundary: particles inside the new circle no longer belong to it, and each
+ * particle counts once. */
 static void another_circle(void) {
   struct nb_result result;
   run(&result, "material m density 2 kn 100\nstep 0.125\ndisc 20 0 radius 1 m\ndisc 0 20 radius 1 m\n"
@@ -140,9 +147,10 @@ static void another_circle(void) {
   nb_result_free(&result);
 }
 
-/* Two particles of a boundary are carried into each other by a, then let go: they push apart with k a^2/2, which is put in from outside;
- * the energy balance stays closed but for the error of the step, a part in (k/m) dt^2. Under a stress likewise. */
-static void springs_that_are_let_go_count(void) {
+/* Two particles of a boundary are moved into the overlap a and then released. They repel each other with the energy
+ * k a^2/2, which counts as supplied from outside (energy.changed). The energy balance closes except for the error of
+ * the step, the fraction (k/m) dt^2. The same under a boundary stress. */
+static void energy_of_released_springs(void) {
   static const char *const ends[] = {"boundary none\n", "boundary stress 1e-9 1e-9\n"};
   for (size_t k = 0; k < 2; k++) {
     struct words page = {0};
@@ -162,7 +170,7 @@ static void springs_that_are_let_go_count(void) {
     double worst = 0;
     for (size_t n = 1002; n < result.table.row_count; n++)
       worst = fmax(worst, fabs(column(&result, n, 2)));
-    CU_ASSERT(worst < 4e-4 * held); /* (k/m*) dt^2, m* half a disc, is 8e-5 */
+    CU_ASSERT(worst < 4e-4 * held); /* (k/m*) dt^2 = 8e-5, m* = m/2 */
     CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "energy.stored"), 0, 0);
     CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "energy.kinetic"), held, 1e-3 * held);
     nb_result_free(&result);
@@ -170,8 +178,9 @@ static void springs_that_are_let_go_count(void) {
   }
 }
 
-/* What the literal reading has put into v stays there: one that keeps c apart begins with it, x_(N+1) = x_N + (v + L x_N) dt. */
-static void apart_after_literal(void) {
+/* The velocity that `accumulated` has put into v stays there when `affine strain` without it follows: x_(N+1) = x_N
+ * + (v + L x_N) dt. */
+static void affine_strain_after_accumulated(void) {
   const double dt = 0.125;
   struct nb_result result;
   double x = 13, y = -6, vx = 0, vy = 0;
@@ -190,8 +199,9 @@ static void apart_after_literal(void) {
   nb_result_free(&result);
 }
 
-/* A shear c12 dt N = 1 and then a shrinking a = 0.995^140 make S = diag(a, 1) (1 1; 0 1), not the two the other way round: what
- * was at (7/a - 3, 3) is at (7, 3) then, and was beyond R = 10; (7/a - 3/a, 3) was not. The same mirrored at the y-axis. */
+/* A shear c12 dt N = 1 and then the compression a = 0.995^140 give S = diag(a, 1) (1 1; 0 1), in this order. The
+ * point that is at (7, 3) in the end was at (7/a - 3, 3), outside R = 10; with the factors in the other order it
+ * would have been at (7/a - 3/a, 3), inside. The same mirrored at the y-axis. */
 static void one_strain_after_another(void) {
   for (int side = -1; side < 2; side += 2) {
     struct nb_result result;
@@ -212,12 +222,12 @@ static void one_strain_after_another(void) {
 void suite_driven(void) {
   CU_pSuite suite = CU_add_suite("driven", NULL, NULL);
   CU_add_test(suite, "a particle oscillates through the point", a_particle_oscillates_through_the_point);
-  CU_add_test(suite, "a particle goes round the point", a_particle_goes_round_the_point);
+  CU_add_test(suite, "a circular orbit about the point", a_circular_orbit);
   CU_add_test(suite, "all forces count in the out-of-balance force", all_forces_count);
-  CU_add_test(suite, "rotation stops and goes on", rotation_stops_and_goes_on);
-  CU_add_test(suite, "a boundary is held anew", a_boundary_is_held_anew);
+  CU_add_test(suite, "rotation off and on", rotation_off_and_on);
+  CU_add_test(suite, "a boundary is fixed again", a_boundary_is_fixed_again);
   CU_add_test(suite, "another circle is another boundary", another_circle);
-  CU_add_test(suite, "springs that are let go count", springs_that_are_let_go_count);
-  CU_add_test(suite, "apart after literal", apart_after_literal);
+  CU_add_test(suite, "energy of springs that a boundary releases", energy_of_released_springs);
+  CU_add_test(suite, "affine strain after accumulated", affine_strain_after_accumulated);
   CU_add_test(suite, "one strain after another", one_strain_after_another);
 }

@@ -1,4 +1,4 @@
-/* Cases in which a small mistake in one line shows and nowhere else: each test names the function that it is about.
+/* Cases in which only a small error in one line would show. Each test names the function that it covers.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -17,8 +17,8 @@ static void run(struct nb_result *result, struct written *it, const char *text) 
   written_run(result, it, NULL);
 }
 
-/* region.c, place_of: in a cell the copies nearest to the region's middle are measured, not those nearest to the cell's. The
- * region lies about a corner of the cell, where four discs of the corners meet. */
+/* region.c, position_of: in a cell the copies nearest to the middle of the region count, not those nearest to the
+ * middle of the cell. The region lies about a corner of the cell, where four discs touch it. */
 static void a_region_at_the_corner_of_a_cell(void) {
   struct written it;
   struct nb_result result;
@@ -29,8 +29,9 @@ static void a_region_at_the_corner_of_a_cell(void) {
   nb_result_free(&result), written_free(&it);
 }
 
-/* cell.c, nb_cell_check_width: twice the largest diameter and the skin, 2 (2 + 0.1): asked at each search, which straining makes
- * necessary after 5 %. A cell of 5 may shrink to 4.3, not to 4. */
+/* cell.c, nb_cell_check_width: the height must be at least twice the largest diameter plus the skin, 2 (2 + 0.1). It
+ * is checked at each search, which straining makes necessary after 5 %. A cell of width 5 may shrink to 4.3, not to
+ * 4. */
 static void a_cell_stays_wide_enough_or_not(void) {
   for (int wide = 0; wide < 2; wide++) {
     struct words words = {0};
@@ -48,8 +49,9 @@ static void a_cell_stays_wide_enough_or_not(void) {
   }
 }
 
-/* cell.c, nb_cell_move: after a strain of s a particle may go half of what s (2 R + skin) leaves of the skin before a search. */
-static void straining_takes_of_the_skin(void) {
+/* cell.c, nb_cell_move: after a strain s a particle may move by half of what s (2 R + skin) leaves of the skin
+ * before a search. */
+static void straining_reduces_the_travel_limit(void) {
   struct words words = {0};
   struct written it;
   struct nb_error error;
@@ -65,8 +67,9 @@ static void straining_takes_of_the_skin(void) {
   nb_model_free(model), written_free(&it);
 }
 
-/* drive.c, nb_drive_let_go: what a boundary lets go while nothing may turn does not turn, though its contact rubs. */
-static void what_is_let_go_does_not_turn(void) {
+/* boundary.c, detach: a particle that a boundary releases under `rotation off` does not rotate, although its contact
+ * has friction. */
+static void released_particles_do_not_rotate_under_rotation_off(void) {
   struct written it;
   struct nb_result result;
   run(&result, &it,
@@ -82,7 +85,7 @@ static void what_is_let_go_does_not_turn(void) {
   "path\nmaterial soft young 1 MPa poisson 0 friction 0.3\ncontact sphere 10 mm soft with sphere 10 mm soft\n"         \
   "normal hertz\n"
 
-/* contact_test.c, run_leg: the last step of a segment has a row whatever the rows are counted by. */
+/* contact_test.c, run_segment: the last step of a segment has a row, whatever `record every` says. */
 static void the_last_step_of_a_segment_is_recorded(void) {
   struct written it;
   struct nb_result result;
@@ -94,7 +97,8 @@ static void the_last_step_of_a_segment_is_recorded(void) {
   nb_result_free(&result), written_free(&it);
 }
 
-/* contact_test.c, seek: a force is sought up to an overlap of two radii: here one of half a radius, R* = 5 mm, E* = 0.5 MPa. */
+/* contact_test.c, find_displacement: a force is sought up to an overlap of two radii, here half a radius with R* = 5
+ * mm and E* = 0.5 MPa. */
 static void a_force_deep_in_the_contact_is_found(void) {
   struct written it;
   struct nb_result result;
@@ -112,8 +116,8 @@ void suite_edges(void) {
   CU_pSuite suite = CU_add_suite("edges", NULL, NULL);
   CU_ADD_TEST(suite, a_region_at_the_corner_of_a_cell);
   CU_ADD_TEST(suite, a_cell_stays_wide_enough_or_not);
-  CU_ADD_TEST(suite, straining_takes_of_the_skin);
-  CU_ADD_TEST(suite, what_is_let_go_does_not_turn);
+  CU_ADD_TEST(suite, straining_reduces_the_travel_limit);
+  CU_ADD_TEST(suite, released_particles_do_not_rotate_under_rotation_off);
   CU_ADD_TEST(suite, the_last_step_of_a_segment_is_recorded);
   CU_ADD_TEST(suite, a_force_deep_in_the_contact_is_found);
 }

@@ -1,5 +1,6 @@
-/* The simple laws of elastic spheres, held to what is known of each: what R89's increments lose, what a contact that does not
- * slip makes or loses around a square, and the order of both.
+/* The simple laws of elastic spheres, compared with known results: the energy that R89's incremental Hertz law
+ * loses, the energy that a contact without slip gains or loses around a rectangle in (N, slip), and the order of
+ * both in the step.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -19,8 +20,8 @@ static struct nb_normal increment(double overlap, double dn, double m[]) {
 
 /* ---- R89's increments ---- */
 
-/* A mass flies onto such a contact and back, `steps` of the duration of Hertz's contact; its speed after over that before.
- * *left: overlap when the force has gone, in units of the largest one. */
+/* Impact of a mass on such a contact; `steps` is the number of steps in the duration of Hertz's impact. Returns the
+ * speed after over the speed before. *left: overlap when the force ends, over the largest one. */
 static double rebound(const char *law, int steps, double *left) {
   const double mass = 0.1, speed = 2;
   const double depth = pow(15 * mass * speed * speed / (16 * sqrt(pair.radius) * pair.young), 0.4);
@@ -37,8 +38,8 @@ static double rebound(const char *law, int steps, double *left) {
   return -v / speed;
 }
 
-/* What the recursion of [R89 4.11, 4.12, 4.14] gives when it is worked out apart from the law, to five digits; the first touch
- * as a step begins. Later in the step it is up to 0.0012 less. */
+/* Expected values from the recursion [R89 4.11, 4.12, 4.14], computed apart from the law, to five digits, for a
+ * first touch at the beginning of a step. If the first touch is later in the step, they are up to 0.0012 smaller. */
 static void increments_lose_speed(void) {
   static const struct {
     int steps;
@@ -49,11 +50,11 @@ static void increments_lose_speed(void) {
     double left;
     CU_ASSERT_DOUBLE_EQUAL(rebound("hertz_increment", expected[k].steps, &left), expected[k].kept, expected[k].within);
     if (expected[k].steps <= 40)
-      CU_ASSERT_DOUBLE_EQUAL(left, 0.10, 0.01); /* likewise: 0.109, 0.100, 0.093 */
+      CU_ASSERT_DOUBLE_EQUAL(left, 0.10, 0.01); /* from the recursion too: 0.109, 0.100, 0.093 */
   }
 }
 
-/* The loss goes with the step; Hertz's force loses nothing. */
+/* The loss is proportional to the step; Hertz's force loses nothing. */
 static void increments_are_of_first_order(void) {
   double left;
   const double few = 1 - rebound("hertz_increment", 400, &left), many = 1 - rebound("hertz_increment", 1600, &left);
@@ -61,7 +62,7 @@ static void increments_are_of_first_order(void) {
   CU_ASSERT_DOUBLE_EQUAL(rebound("hertz", 40, &left), 1, 1e-3);
 }
 
-/* [R89 4.11] for the first one, whatever part of the step it took; [R89 4.12, 4.14] from there on. */
+/* The first increment is [R89 4.11], whatever fraction of the step it took; the others are [R89 4.12, 4.14]. */
 static void increments_as_printed(void) {
   double m[NB_HISTORY] = {0};
   const double first = 4. / 3 * pair.young * sqrt(pair.radius * pow(1e-6, 3));
@@ -76,8 +77,8 @@ static void increments_as_printed(void) {
   CU_ASSERT_EQUAL(increment(3e-6, 0, m).force, n.force);
 }
 
-/* 4.3.1: with the force all of the contact's data is gone, though the surfaces still overlap. */
-static void increments_part_before_the_outlines(void) {
+/* [R89 4.3.1]: the contact data are deleted when the force ends, although the particles still overlap. */
+static void increments_separate_before_the_surfaces(void) {
   double m[NB_HISTORY] = {0}, shear[NB_HISTORY] = {0};
   const struct nb_law *mindlin = nb_law_find("shear", "mindlin");
   CU_ASSERT(mindlin->shear(pair, increment(4e-6, 4e-6, m), 1e-7, shear).force > 0);
@@ -100,7 +101,7 @@ struct stuck {
   double m[NB_HISTORY];
 };
 
-/* To this radius of the circle, then on by this slip. */
+/* To this contact radius, then by this slip. */
 static void stuck_go(struct stuck *it, double radius, double slip) {
   it->radius = radius;
   const double overlap = radius * radius / pair.radius, before = it->force;
@@ -111,9 +112,10 @@ static void stuck_go(struct stuck *it, double radius, double slip) {
   it->force = s.force, it->work += (before + s.force) / 2 * slip;
 }
 
-/* Around the square in (N, slip), up to a2, out, down to a1, back. T that is kept makes 4 G* (a2 - a1) s^2, T that goes
- * with the radius loses as much; the other way round both lose it. */
-static void squares(void) {
+/* Around a rectangle in (N, slip): N up (contact radius a2), slip, N down (a1), slip back. A shear force that is
+ * kept while N falls gains 4 G* (a2 - a1) s^2; one that shrinks with the radius loses as much. In the other sense
+ * both lose it. */
+static void rectangles(void) {
   const double low = 1e-3, high = 3e-3, slip = 2e-6, size = 4 * pair.shear * (high - low) * slip * slip;
   for (int scaled = 0; scaled < 2; scaled++)
     for (int way = 0; way < 2; way++) {
@@ -129,8 +131,8 @@ static void squares(void) {
     }
 }
 
-/* Slip while the overlap grows from a quarter to all: T = 8 G* Int a ds. With the radius at the end of each step it is wrong by
- * 8 G* (a_end - a_begin) ds/2 and a term of the second order. */
+/* Slip while the overlap grows from a quarter to its full value: T = 8 G* Int a ds. With the radius at the end of
+ * each step the error is 8 G* (a_end - a_begin) ds/2 plus a term of second order. */
 static void stuck_is_of_first_order(void) {
   const double depth = 1e-4, slip = 1e-6, a = sqrt(pair.radius * depth);
   const double exact = 8 * pair.shear * a * (2. / 3) * (1 - 0.125) / 0.75 * slip;
@@ -146,7 +148,7 @@ static void stuck_is_of_first_order(void) {
     }
 }
 
-/* A ten-thousandth below its limit T is what the slip makes of it, above it the limit. */
+/* A fraction 1e-4 below the friction limit T = 8 G* a s; above the limit T is the limit. */
 static void stuck_up_to_the_limit(void) {
   const double radius = 1e-3, limit = pair.friction * normal("hertz", radius * radius / pair.radius, 0, NULL).force;
   static const char *const laws[] = {"mindlin", "mindlin_scaled"};
@@ -160,8 +162,8 @@ static void stuck_up_to_the_limit(void) {
     }
 }
 
-/* T goes with the radius as it falls, in one step or in many, and stays as it is when it grows. */
-static void scaled_goes_with_the_radius(void) {
+/* T shrinks with the radius, in one step or in many, and does not change when the radius grows. */
+static void scaled_shrinks_with_the_radius(void) {
   struct stuck it = {.law = nb_law_find("shear", "mindlin_scaled")};
   stuck_go(&it, 2e-3, 1e-6);
   const double force = it.force;
@@ -179,9 +181,9 @@ void suite_elastic(void) {
   CU_add_test(suite, "increments lose speed", increments_lose_speed);
   CU_add_test(suite, "increments are of first order", increments_are_of_first_order);
   CU_add_test(suite, "increments as printed", increments_as_printed);
-  CU_add_test(suite, "increments part before the surfaces do", increments_part_before_the_outlines);
-  CU_add_test(suite, "without slip: energy around a square", squares);
+  CU_add_test(suite, "increments separate before the surfaces do", increments_separate_before_the_surfaces);
+  CU_add_test(suite, "without slip: energy around a rectangle", rectangles);
   CU_add_test(suite, "without slip: first order while N changes", stuck_is_of_first_order);
   CU_add_test(suite, "without slip: up to the limit", stuck_up_to_the_limit);
-  CU_add_test(suite, "scaled: T goes with the radius", scaled_goes_with_the_radius);
+  CU_add_test(suite, "scaled: T shrinks with the radius", scaled_shrinks_with_the_radius);
 }

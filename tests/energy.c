@@ -1,5 +1,5 @@
-/* The two balances: every way to give energy to particles and to take it, each term alone against what is known of it
- * by hand, and both balances of all of them together. [CS79 20-36]
+/* The two balances: every source and sink of energy alone, compared with a hand calculation, and both balances with
+ * all of them together. [CS79 20-36]
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -16,8 +16,8 @@ static const double pi = 3.14159265358979323846;
   "record energy.kinetic energy.stored energy.frictional energy.shear energy.damped energy.walls energy.gravity "      \
   "energy.changed energy.residual work.residual momentum.x momentum.y momentum.angular\n"
 
-/* A box of six discs with everything in it; `format` holds the stages. Answers the largest work residual over the kinetic
- * energy. */
+/* A box with six discs, a fixed disc that moves, friction, cohesion, gravity and `damping`; `format` holds the
+ * stages. Returns the largest work residual over the largest kinetic energy; *energy is the last energy residual. */
 static double busy(double *energy, const char *damping, double step, const char *format, int cycles,
                    const struct nb_options *options) {
   struct words page = {0};
@@ -72,9 +72,8 @@ static void work_closes(void) {
   }
 }
 
-/* A sixteenth of the step: a residual of second order falls to a 256th, one with some first order in it (contacts
- * turn, form, part, and lose their friction here) at least to an eighth; a term that is wrong or left out does not
- * fall at all. */
+/* With a sixteenth of the step a residual of second order falls to 1/256, and one with parts of first order
+ * (contacts rotate, form, open and lose their friction here) to 1/8 at least. A wrong or missing term does not fall. */
 static void energy_closes(void) {
   static const struct {
     const char *damping, *stages;
@@ -122,7 +121,7 @@ static struct nb_model *made(struct written *it, const char *text) {
   return written_model(it, NULL);
 }
 
-/* Free fall: m g times the way, whatever the step. */
+/* Free fall: the work is m g times the displacement, whatever the step. */
 static void by_gravity(void) {
   struct written it;
   struct nb_model *model = made(&it, "units none\nmaterial m density 3\ndisc 0 0 radius 1 m velocity 1 2\n"
@@ -141,8 +140,8 @@ static void by_gravity(void) {
   written_free(&it);
 }
 
-/* A fixed disc between two walls: one pushes on it and moves, so it does k v^2 t^2/2, all of it stored, in any
- * number of steps. */
+/* A wall moves towards a disc that touches it and a fixed disc. The work of the first step, k (v dt)^2/2, is all
+ * stored. */
 static void by_walls_and_stored(void) {
   struct written it;
   struct nb_model *model =
@@ -158,8 +157,8 @@ static void by_walls_and_stored(void) {
   written_free(&it);
 }
 
-/* A fixed disc over a wall that runs along under it: overlap 0.1, so F_n = 40 and the limit 12 is reached at slip
- * 0.06. */
+/* A disc too heavy to move, with the overlap 0.1 on a wall that moves along under it: F_n = 40, and the friction
+ * limit 12 is reached at the slip 0.06. */
 #define DRAG                                                                                                           \
   "units none\nmaterial m density 3 kn 400 ks 200 friction 0.3\nshear linear\ndisc 0 0.9 radius 1 m\n"                 \
   "material heavy density 1e12 kn 400 ks 200 friction 0.3\ndisc 20 0.9 radius 1 heavy\n"                               \
@@ -169,7 +168,7 @@ static void by_walls_and_stored(void) {
 static void by_friction(void) {
   struct written it;
   struct nb_model *model = made(&it, DRAG);
-  const double normal = written_now(model, "energy.stored"); /* of the normal spring, 2 */
+  const double normal = written_now(model, "energy.stored"); /* of the normal spring: 2 J */
   CU_ASSERT_DOUBLE_EQUAL(normal, 400 * 0.01 / 2, 1e-12);
   written_cycles(model, 59);
   CU_ASSERT_EQUAL(written_now(model, "C.sliding"), 0);
@@ -185,8 +184,9 @@ static void by_friction(void) {
   written_free(&it);
 }
 
-/* A law without stored energy is refused where that would be needed; where not, its work is. */
-static void a_law_that_stores_nothing(void) {
+/* A law without stored energy is refused where a quantity needs its stored energy; `energy.residual` then uses its
+ * work, `energy.shear`. */
+static void a_law_without_stored_energy(void) {
   struct written it;
   struct nb_error error;
   struct nb_model *model = made(&it, DRAG);
@@ -214,8 +214,8 @@ static void a_law_that_stores_nothing(void) {
   written_free(&it);
 }
 
-/* Contacts that get friction from a stage have a shear law from there on, and its energy is asked for. */
-static void a_law_that_stores_nothing_yet(void) {
+/* Contacts that get friction from a stage have a shear law from then on, so its stored energy is needed. */
+static void a_law_without_stored_energy_later(void) {
   static const char *const friction[] = {"friction 0", "friction 0.3", "cohesion 1"};
   for (int k = 0; k < 3; k++) {
     struct words page = {0};
@@ -234,8 +234,8 @@ static void a_law_that_stores_nothing_yet(void) {
   }
 }
 
-/* What nobody asks for is not there. */
-static void nothing_for_nothing(void) {
+/* A page that records no energy balance has neither the sums nor the fields for it. */
+static void no_balance_unless_asked_for(void) {
   struct written it;
   struct nb_model *model = made(&it, "units none\nmaterial m density 3 kn 400 ks 200 friction 0.3\nshear linear\n"
                                      "disc 0 0 radius 1 m\ndisc 2 0 radius 1 m\nstep 0.001\n"
@@ -248,7 +248,7 @@ static void nothing_for_nothing(void) {
   written_free(&it);
 }
 
-/* With spins and centres off the origin; the fixed one does not count. */
+/* With rotation and with centres off the origin; the fixed disc does not count. */
 static void momentum(void) {
   struct written it;
   struct nb_model *model = made(&it, "units none\nmaterial m density 3\ndisc 1 2 radius 1 m velocity 3 5 spin 7\n"
@@ -267,14 +267,14 @@ static void momentum(void) {
 void suite_energy(void);
 void suite_energy(void) {
   CU_pSuite suite = CU_add_suite("energy", NULL, NULL);
-  CU_add_test(suite, "the work of all forces is the kinetic energy", work_closes);
+  CU_add_test(suite, "the work of all forces equals the kinetic energy", work_closes);
   CU_add_test(suite, "all terms of energy together", energy_closes);
   CU_add_test(suite, "the same bits", same_bits);
   CU_add_test(suite, "supplied by gravity", by_gravity);
   CU_add_test(suite, "supplied by walls, and stored", by_walls_and_stored);
-  CU_add_test(suite, "lost by friction", by_friction);
-  CU_add_test(suite, "a law that stores nothing", a_law_that_stores_nothing);
-  CU_add_test(suite, "nor later", a_law_that_stores_nothing_yet);
-  CU_add_test(suite, "what nobody asks for is not there", nothing_for_nothing);
+  CU_add_test(suite, "dissipated by friction", by_friction);
+  CU_add_test(suite, "a law without stored energy", a_law_without_stored_energy);
+  CU_add_test(suite, "a law without stored energy in a later stage", a_law_without_stored_energy_later);
+  CU_add_test(suite, "no balance unless it is asked for", no_balance_unless_asked_for);
   CU_add_test(suite, "momentum", momentum);
 }

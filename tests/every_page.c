@@ -1,4 +1,4 @@
-/* Every page of the short list.
+/* Every page of PAGES in build-aux/lists.mk.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "every_page.h"
@@ -14,7 +14,7 @@ static const char *const pages[] = {
 #undef NB_PAGE
 };
 
-/* What a stage waits for may then not come: it ends after its cycles. */
+/* A shortened stage may never meet its `until` conditions, so it ends after its cycles. */
 static void shorten(struct nb_scene *scene, double budget) {
   const double each = budget / (double)((scene->particle_count + 10) * scene->stage_count);
   const unsigned long most = each > 20 ? (unsigned long)each : 20;
@@ -26,7 +26,8 @@ static void shorten(struct nb_scene *scene, double budget) {
   }
 }
 
-/* In a contact test some columns need what not all laws have: only those that need no more than the columns of the page. */
+/* In a contact test some columns need fields that not all laws have: only columns that need no other fields than
+ * those of the page are added. */
 static void add_column(struct nb_scene *scene, const char *name, size_t room, unsigned allowed) {
   struct nb_column *column = &scene->columns[scene->column_count];
   if (scene->column_count >= room || !nb_quantity_find(&column->quantity, scene, name) ||
@@ -36,7 +37,7 @@ static void add_column(struct nb_scene *scene, const char *name, size_t room, un
   scene->column_count++;
 }
 
-/* Without energies where a law has no stored energy. */
+/* `energies` is false if a law has no stored energy. */
 static void record_everything(struct nb_scene *scene, bool energies) {
   enum { ROOM = 20000 };
   struct nb_quantity_row row;

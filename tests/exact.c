@@ -1,4 +1,5 @@
-/* The exact law of two spheres against closed forms, and against itself done by hand (by_hand.h), which shares no line with it.
+/* The exact law of two elastic spheres, compared with closed forms and with an independent implementation
+ * (by_hand.h).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -28,7 +29,7 @@ static struct exact exact_of(struct nb_pair pair) {
   return (struct exact){.law = nb_law_find("shear", "mindlin_deresiewicz"), .pair = pair};
 }
 
-/* mu kappa: of slip, in a unit of u. */
+/* mu kappa = slip/u. */
 static double unit(struct nb_pair p) { return p.friction * p.young / (4 * p.shear); }
 
 static void exact_go(struct exact *it, double x, double slip) {
@@ -51,8 +52,8 @@ static double stored(const struct exact *it) { return it->law->stored(it->pair, 
 
 /* ---- closed forms ---- */
 
-/* delta = A [1 - (1 - T/mu N)^(2/3)], A = 3 mu N/16 G* a [R89 3.25]; back from T*, and on again from T**, the same curve at twice
- * its size [R89 3.40, 3.50]. */
+/* delta = A [1 - (1 - T/mu N)^(2/3)] with A = 3 mu N/16 G* a [R89 3.25]. Unloading from T*, and reloading from T**,
+ * follow the same curve at twice its size [R89 3.40, 3.50]. */
 static void mindlins_curves(void) {
   static const int steps[] = {1, 7, 1000};
   const double x = 1e-6;
@@ -68,7 +69,7 @@ static void mindlins_curves(void) {
     CU_ASSERT_DOUBLE_EQUAL(fraction(&it), second, 1e-12);
     exact_lead(&it, x, 0.3 * a, steps[k]);
     CU_ASSERT_DOUBLE_EQUAL(fraction(&it), second + 2 * (1 - pow(1 - 0.3 / 2, 1.5)), 1e-12);
-    exact_lead(&it, x, 0.4 * a, steps[k]); /* back at T*, and over the first curve again */
+    exact_lead(&it, x, 0.4 * a, steps[k]); /* back at T*, and further along the first curve */
     CU_ASSERT_DOUBLE_EQUAL(fraction(&it), first, 1e-12);
     exact_lead(&it, x, 0.2 * a, steps[k]);
     CU_ASSERT_DOUBLE_EQUAL(fraction(&it), 1 - pow(1 - 0.8, 1.5), 1e-12);
@@ -78,9 +79,9 @@ static void mindlins_curves(void) {
   }
 }
 
-/* Once around between T* and -T* loses mu N A (0.8 - 4 w^(2/3) + 4 w - 0.8 w^(5/3)), w = 1 - |T* / mu N|, by twice the integral of
- * the curves above. At constant N the law's sum is exact at any step. A slide by d loses mu N d. */
-static void loops_lose(void) {
+/* A cycle between T* and -T* loses mu N A (0.8 - 4 w^(2/3) + 4 w - 0.8 w^(5/3)) with w = 1 - |T*| / (mu N), from the
+ * integral of the curves above. At constant N the law's loss is exact for any step. Sliding by d loses mu N d. */
+static void losses_in_cycles(void) {
   for (int steps = 1; steps <= 100; steps += 33) {
     struct exact it = exact_of(steel);
     exact_go(&it, 1e-6, 0);
@@ -99,7 +100,8 @@ static void loops_lose(void) {
   }
 }
 
-/* A ring sticks while d(delta) < mu kappa d(alpha): T = (T/N) N along N, both ways, and nothing is lost up or down. */
+/* Every ring sticks while |d(delta)| < mu kappa d(alpha): T/N is constant when N grows, and when it falls, and
+ * nothing is dissipated. */
 static void proportional_loading(void) {
   struct exact it = exact_of(steel);
   exact_lead(&it, 2e-6, 0.7 * 2e-6 * unit(steel), 50);
@@ -111,9 +113,9 @@ static void proportional_loading(void) {
                          1e-12 * stored(&it));
 }
 
-/* One step from an overlap to a smaller one at the same slip: T does no work, so what is lost is what is stored less, at any friction
- * and step, whether the front passes all rings or the contact slides in the end. */
-static void parting_loses_what_was_held(void) {
+/* One step to a smaller overlap without slip. T does no work, so the dissipation equals the decrease of the stored
+ * energy, for any friction and step, whether the slip front passes all rings or the contact slides in the end. */
+static void unloading_dissipates_the_stored_energy(void) {
   for (int k = 0; k < 24; k++) {
     struct exact it = exact_of(steel);
     it.pair.friction = k % 3 == 0 ? 0.3 : k % 3 == 1 ? 1e4 : 1e-3;
@@ -129,12 +131,12 @@ static void parting_loses_what_was_held(void) {
   }
 }
 
-/* On a straight segment on which slip keeps its sense one step loses as much as thousands. */
-static void steps_of_any_length_lose_as_much(void) {
+/* On a straight segment with slip in one direction, one step dissipates as much as thousands of steps. */
+static void dissipation_is_independent_of_the_step(void) {
   static const double to[][2] = {{1.5, 1.2}, {0.8, 0.5}, {0.6, -0.9}, {0.5, 0.3},
-                                 {2, 3},     {0.3, -1},  {1.2, -4}}; /* of x, and u by */
+                                 {2, 3},     {0.3, -1},  {1.2, -4}}; /* final overlap and u, um */
   for (size_t k = 0; k < sizeof to / sizeof *to; k++)
-    for (int first = 0; first < 3; first++) { /* inside: sticks; has slipped this way; has slid the other */
+    for (int first = 0; first < 3; first++) { /* before: sticks; has slipped in one direction; has slid in the other */
       struct exact one = exact_of(steel), many = exact_of(steel);
       struct exact *both[] = {&one, &many};
       for (int b = 0; b < 2; b++) {
@@ -149,10 +151,10 @@ static void steps_of_any_length_lose_as_much(void) {
     }
 }
 
-/* ---- by hand ---- */
+/* ---- by_hand.h ---- */
 
-/* The state of pieces, for a path of by_hand.h. */
-static double is_little(const struct by_hand *it) {
+/* The smallest relative change of T if two neighbouring rings are joined. */
+static double smallest_change(const struct by_hand *it) {
   double least = 1;
   for (int k = 0; k + 1 < it->count; k++) {
     const double n0 = pow(by_hand_begin(it, k), 1.5), n1 = pow(it->end[k], 1.5), n2 = pow(it->end[k + 1], 1.5);
@@ -162,8 +164,9 @@ static double is_little(const struct by_hand *it) {
   return least;
 }
 
-/* Chance segments of all kinds: N and T up and down, reversals, slides, partings. Any number of steps a segment gives what one does by hand. */
-static void polygons(void) {
+/* Random segments: N and T up and down, reversals, sliding. With any number of steps per segment the law agrees with
+ * one step of by_hand.h. */
+static void random_paths(void) {
   static struct by_hand hand;
   static const int steps[] = {1, 7, 1000};
   struct chance chance = chance_begin(5);
@@ -178,8 +181,8 @@ static void polygons(void) {
       const double next = segment % 7 == 6 ? x : 1e-6 * chance_between(&chance, 0.3, 2);
       const double u = chance_between(&chance, -1, 1) * 1e-6 * (segment % 3 ? 0.3 : 1.2);
       const double wanted = by_hand_go(&hand, next, u);
-      if (is_little(&hand) < 1e-6)
-        break; /* the law would join it, and be wrong by so much */
+      if (smallest_change(&hand) < 1e-6)
+        break; /* the law would join these rings, with an error of this size */
       for (int k = 0; k < 3; k++) {
         exact_lead(&it[k], next, u * unit(steel), steps[k]);
         CU_ASSERT_DOUBLE_EQUAL(fraction(&it[k]), wanted, 1e-12);
@@ -193,9 +196,10 @@ static void polygons(void) {
   CU_ASSERT(kinds[0][0] > 50 && kinds[0][1] > 50 && kinds[1][0] > 50 && kinds[1][1] > 50);
 }
 
-/* ---- the rest ---- */
+/* ---- changes of friction, pieces ---- */
 
-/* Less friction under load: the path of the pieces goes anew, and the loss is what it stores less. More: nothing happens. */
+/* Friction that falls under load: the path of the pieces is followed again, and the dissipation is the decrease of
+ * the stored energy. Friction that rises changes nothing. */
 static void friction_changes(void) {
   const double x = 1e-6;
   struct exact it = exact_of(steel);
@@ -222,10 +226,10 @@ static void friction_changes(void) {
   CU_ASSERT_EQUAL(it.s.force, 0);
 }
 
-/* What the bench reads: from inside to outside, up to alpha, with the force that they make. */
-/* Of a friction of 1e-320 the inverse is infinite. It is none: the contact slides without a force, and reads nothing outside its
- * memory. Down to 1e-300 the contact slides at mu N, also when friction drops to that from 1e100 under load. */
-static void hardly_any_friction(void) {
+/* The inverse of the friction 1e-320 is infinite. It counts as no friction: the contact slides without a force, and
+ * the law reads nothing outside its history. With 1e-300 the contact slides at mu N, also when friction falls to it
+ * from 1e100 under load. */
+static void very_small_friction(void) {
   static const double friction[] = {1e-320, 1e-300};
   for (int k = 0; k < 2; k++)
     for (int from = 0; from < 2; from++) {
@@ -249,7 +253,8 @@ static void hardly_any_friction(void) {
     }
 }
 
-static void pieces_are_told(void) {
+/* pieces_of returns the pieces from inside to outside, up to alpha; their forces sum to T. */
+static void pieces_of_a_contact(void) {
   struct exact it = exact_of(steel);
   double x[16], d[16], force = 0, begin = 0;
   CU_ASSERT_EQUAL(it.law->pieces_of(it.pair, it.n, it.memory, x, d), 0);
@@ -270,12 +275,12 @@ static void pieces_are_told(void) {
 void suite_exact(void) {
   CU_pSuite suite = CU_add_suite("exact", NULL, NULL);
   CU_add_test(suite, "Mindlin's curves", mindlins_curves);
-  CU_add_test(suite, "loops and slides lose what they must", loops_lose);
+  CU_add_test(suite, "loss of cycles and of sliding", losses_in_cycles);
   CU_add_test(suite, "proportional loading is reversible", proportional_loading);
-  CU_add_test(suite, "parting loses what was held", parting_loses_what_was_held);
-  CU_add_test(suite, "steps of any length lose as much", steps_of_any_length_lose_as_much);
-  CU_add_test(suite, "polygons, by hand, at any step", polygons);
+  CU_add_test(suite, "unloading dissipates the stored energy", unloading_dissipates_the_stored_energy);
+  CU_add_test(suite, "dissipation does not depend on the step", dissipation_is_independent_of_the_step);
+  CU_add_test(suite, "random paths, against by_hand.h, at any step", random_paths);
   CU_add_test(suite, "friction changes under load", friction_changes);
-  CU_add_test(suite, "hardly any friction", hardly_any_friction);
-  CU_add_test(suite, "pieces are told", pieces_are_told);
+  CU_add_test(suite, "very small friction", very_small_friction);
+  CU_add_test(suite, "pieces of a contact", pieces_of_a_contact);
 }

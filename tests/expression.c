@@ -1,6 +1,6 @@
-/* Expressions: values in closed form, precedence, dimensions, rounding, and what is no expression.
+/* Expressions: values, precedence, dimensions, rounding, and errors.
  *
- * Where no tolerance is said values must agree to the last bit. Functions are the C library's, so a test compares with what it gives.
+ * Values must agree to the last bit. Functions are those of the C library, so the tests compare with its results.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -24,7 +24,7 @@ static const struct nb_binding names[] = {{.name = LONGEST, .value = 1},
                                           {.name = "m", .value = 4, .dimension = {0, 60, 0}},
                                           {.name = "law", .text = "linear", .value = NAN}};
 
-/* The value of the text, to be compared; NaN with the messages in *said, which is freed by the next call. */
+/* The value of the text, or NaN with the messages in *given, which the next call frees. */
 static struct nb_binding value_of(const char *text, bool unitless, const char **given) {
   static struct nb_mistakes mistakes;
   char path[] = "p", *lines[1];
@@ -55,7 +55,7 @@ static void values(void) {
     double value;
     int m, kg, s; /* dimension */
   } all[] = {
-      /* each operator beside each other one, both ways */
+      /* every pair of operators, in both orders */
       {"2 + 3 * 4", 14, 0, 0, 0},
       {"2 * 3 + 4", 10, 0, 0, 0},
       {"20 - 12 / 4", 17, 0, 0, 0},
@@ -86,7 +86,7 @@ static void values(void) {
       {"2^3^2", 512, 0, 0, 0},
       {"(2^3)^2", 64, 0, 0, 0},
       {"10 - (4 - 3)", 9, 0, 0, 0},
-      /* functions at values in closed form */
+      /* functions with values in closed form */
       {"sqrt(2)", sqrt(2), 0, 0, 0},
       {"sqrt(9 m2)", 3, 60, 0, 0},
       {"sin(pi/2)", 1, 0, 0, 0},
@@ -120,7 +120,7 @@ static void values(void) {
       {"90 deg", 1.5707963267948966, 0, 0, 0},
       {"50 %", 0.5, 0, 0, 0},
       {"(1 + 1) ppm", 2e-6, 0, 0, 0},
-      /* units and names: what stands behind a number is a unit, behind an operator a name */
+      /* units and names: a word after a number is a unit, after an operator a name */
       {"2 N", 2, 60, 60, -120},
       {"2*N", 14, 0, 0, 0},
       {"2 m", 2, 60, 0, 0},
@@ -155,14 +155,14 @@ static void values(void) {
     CU_ASSERT(right);
     if (!it.computed)
       continue;
-    char number[NB_NAME_SIZE]; /* what is written reads back to the same bits */
+    char number[NB_NAME_SIZE]; /* the text reads back to the same bits */
     double back = NAN;
     snprintf(number, sizeof number, "%.*s", (int)strcspn(it.text, " "), it.text);
     CU_ASSERT(nb_number_read(&back, number, 0) == NB_READ && back == it.value);
   }
 }
 
-static void texts(void) { /* a literal is kept as it is written; what is computed is in SI */
+static void texts(void) { /* a literal is kept as it is written; a computed value is in SI units */
   static const struct {
     const char *text, *written;
     bool computed;
@@ -225,7 +225,7 @@ static void mistakes(void) { /* the column, from 1, and the message */
       {"1 + 1e-400", "p:1:5: error: expected a number that a double can hold, from 4.9e-324, found `1e-400`", false},
       {"1e308 1/deg", "p:1:1: error: expected a number that a double can hold, up to 1.7e308, found `1e308`", false},
       {"1 + 5e-324 deg", "p:1:5: error: expected a number that a double can hold, from 4.9e-324", false},
-      /* what is longer than the longest name or unit is none, and not its beginning */
+      /* a name or unit that is too long is refused; its beginning is not used */
       {LONGEST "l + 1", "p:1:1: error: expected a name that a `let` or `sweep` above defines", false},
       {"2 m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.mm", "p:1:3: error: expected a unit", false},
       {"(2) m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.mm", "p:1:5: error: expected a unit",
@@ -273,7 +273,7 @@ static void mistakes(void) { /* the column, from 1, and the message */
   CU_ASSERT_EQUAL(value_of("2*N", true, &given).value, 14);
 }
 
-/* Parentheses, signs, powers and functions one within another: a hundred of them, and a line of them. */
+/* Nested parentheses, signs, powers and functions: a hundred levels, and more. */
 static void deep(void) {
   static const struct {
     const char *open, *close;
@@ -303,7 +303,7 @@ static void deep(void) {
   CU_ASSERT(isnan(value_of(text, false, &given).value) && strstr(given, "expected a number"));
   memset(long_name, 'n', sizeof long_name - 1);
   CU_ASSERT(isnan(value_of(long_name, false, &given).value) && strstr(given, "expected a name"));
-  value_of("", false, &given); /* frees what was said */
+  value_of("", false, &given); /* frees the messages */
 }
 
 static void reserved(void) {
@@ -311,7 +311,7 @@ static void reserved(void) {
   CU_ASSERT_FALSE(nb_name_reserved("N") || nb_name_reserved("e") || nb_name_reserved("PI"));
   char list[256] = "";
   snprintf(list, sizeof list, "%s", nb_function_names);
-  int count = 0; /* all that the manual names are there */
+  int count = 0; /* every function in the list of the manual is reserved */
   for (char *name = strtok(list, ", "); name; name = strtok(NULL, ", "), count++)
     CU_ASSERT(nb_name_reserved(name));
   CU_ASSERT_EQUAL(count, 14);
@@ -322,6 +322,6 @@ void suite_expression(void) {
   CU_add_test(suite, "values and dimensions", values);
   CU_add_test(suite, "how a value is written", texts);
   CU_add_test(suite, "mistakes", mistakes);
-  CU_add_test(suite, "one within another", deep);
-  CU_add_test(suite, "names that are taken", reserved);
+  CU_add_test(suite, "nesting", deep);
+  CU_add_test(suite, "reserved names", reserved);
 }

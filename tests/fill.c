@@ -1,5 +1,5 @@
-/* Random packings: the generator's published numbers, no overlap, all inside, evenly, in the order of size, the same bits
- * everywhere.
+/* Random packings: the published numbers of the generator; particles that do not overlap, lie inside, are uniformly
+ * distributed and are placed in the order of size; the same bits on every machine.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -37,18 +37,18 @@ static void published_numbers(void) {
   }
 }
 
-/* What no generator that is even does once in a million times, for any of the counts that are made here. */
-static void is_even(const int *counts, int cells, int total) {
+/* Chi-squared test of uniformity. A uniform generator fails it once in a million times on either side. */
+static void is_uniform(const int *counts, int cells, int total) {
   const double expected = (double)total / cells;
   double chi = 0;
   for (int c = 0; c < cells; c++)
     chi += (counts[c] - expected) * (counts[c] - expected) / expected;
   CU_ASSERT(chi < gsl_cdf_chisq_Qinv(1e-6, cells - 1));
-  CU_ASSERT(chi > gsl_cdf_chisq_Pinv(1e-6, cells - 1)); /* nor is it evener than chance */
+  CU_ASSERT(chi > gsl_cdf_chisq_Pinv(1e-6, cells - 1)); /* nor more uniform than random */
 }
 
-/* The first numbers of seeds 1, 2, 3, ... are as good as those of one seed, and neighbours are not alike. */
-static void seeds_are_apart(void) {
+/* The first numbers of the seeds 1, 2, 3, ... are uniform, and those of successive seeds are independent. */
+static void seeds_are_independent(void) {
   enum { SEEDS = 20000 };
   int counts[100] = {0}, pairs[100] = {0};
   for (int seed = 1; seed <= SEEDS; seed++) {
@@ -57,15 +57,15 @@ static void seeds_are_apart(void) {
     counts[(int)(100 * a)]++;
     pairs[10 * (int)(10 * a) + (int)(10 * b)]++;
   }
-  is_even(counts, 100, SEEDS);
-  is_even(pairs, 100, SEEDS);
+  is_uniform(counts, 100, SEEDS);
+  is_uniform(pairs, 100, SEEDS);
 }
 
-/* So small that hardly one in a million finds another one in its way: 0.4e-6 of the area is taken in the end. */
+/* So small that the particles exclude less than 1e-7 of the area: one attempt per particle is enough. */
 #define TINY ROCK "grading dust 1e-6 20000\n"
 enum { DUST = 20000 };
 
-static void evenly_in_a_circle(void) {
+static void uniform_in_a_circle(void) {
   for (int seed = 1; seed <= 3; seed++) {
     struct written it;
     char page[256];
@@ -78,24 +78,24 @@ static void evenly_in_a_circle(void) {
       const int ring = (int)(10 * (x * x + y * y)), octant = (x > 0) + 2 * (y > 0) + 4 * (fabs(x) > fabs(y));
       counts[8 * (ring < 10 ? ring : 9) + octant]++;
     }
-    is_even(counts, 80, DUST);
+    is_uniform(counts, 80, DUST);
     written_free(&it);
   }
 }
 
-static void evenly_in_a_box(void) {
+static void uniform_in_a_box(void) {
   struct written it;
   int counts[100] = {0};
   make(&it, TINY "fill discs box -1 4 to 9 5 dust rock seed 7 attempts 1 else stop\n");
   CU_ASSERT_EQUAL_FATAL(it.scene.particle_count, DUST);
   for (size_t k = 0; k < DUST; k++)
     counts[10 * (int)(it.scene.particles[k].x + 1) + (int)(10 * (it.scene.particles[k].y - 4))]++;
-  is_even(counts, 100, DUST);
+  is_uniform(counts, 100, DUST);
   written_free(&it);
 }
 
-/* By all pairs: nobody overlaps, as cycles reckon it, nobody is across the edge but for rounding, and nobody is larger than
- * the one before. */
+/* Checks all pairs: no overlap, computed as in a cycle; no particle across the edge except for rounding; no particle
+ * larger than the one before. */
 static void sound(const struct nb_scene *scene, size_t first) {
   const struct nb_fill *fill = &scene->fills[scene->fill_count - 1];
   size_t overlaps = 0, outside = 0;
@@ -117,7 +117,7 @@ static void sound(const struct nb_scene *scene, size_t first) {
   CU_ASSERT_EQUAL(outside, 0);
 }
 
-/* What was placed, by size, is what lies there. */
+/* The number placed of each size is the number of particles with this radius. */
 static void counted(const struct nb_scene *scene) {
   size_t all = 0;
   for (size_t s = 0; s < scene->gradings[0].size_count; s++) {
@@ -132,7 +132,7 @@ static void counted(const struct nb_scene *scene) {
   CU_ASSERT_EQUAL(all, scene->particle_count);
 }
 
-static void nobody_overlaps(void) {
+static void no_overlap(void) {
   static const char *const fills[] = {
       GRADED "fill spheres circle 0 0 radius 19.5 g rock seed %d attempts 10000 else skip\n",
       GRADED "fill spheres circle 500 -300 radius 17 g rock seed %d attempts 1000 else skip\n",
@@ -153,8 +153,8 @@ static void nobody_overlaps(void) {
     }
 }
 
-/* Two gradings beside each other in one circle, about a disc that was there. */
-static void what_is_there_stays_free(void) {
+/* Two gradings in one circle, around discs that are already there. */
+static void no_overlap_with_existing_particles(void) {
   struct written it;
   make(&it, ROCK "disc 0 0 radius 8 rock fixed\ndisc 30 0 radius 20 rock fixed\n" GRADED WIDE
                  "fill discs circle 0 0 radius 30 g rock seed 1 attempts 100 else skip\n"
@@ -166,7 +166,7 @@ static void what_is_there_stays_free(void) {
   sound(&it.scene, 2);
   it.scene.fill_count = 2;
   written_free(&it);
-  /* Dust that is a thousandth of what is to come lies in more boxes than there are grains. */
+  /* Dust a thousandth as large as the next grading lies in more search boxes than there are grains. */
   make(&it,
        ROCK "grading dust 0.01 300\n" WIDE "fill discs circle 0 0 radius 30 dust rock seed 1 attempts 9 else stop\n"
             "fill discs circle 0 0 radius 30 w rock seed 2 attempts 1000 else skip\n");
@@ -175,11 +175,12 @@ static void what_is_there_stays_free(void) {
   written_free(&it);
 }
 
-/* How often a place is free when a share q of the plane is taken, in powers of q [Schaaf and Talbot, J. Chem. Phys. 91
- * (1989) 4401], so how many tries N particles take in the mean: the sum of 1/p. Discs along the edge of the square that centres
- * may lie in, of side a, keep less of it from others: in the mean 1 - 8 d/(3 pi a) of pi d^2, d = 2 R. The tries of a particle are
- * geometric, of variance (1 - p)/p^2; four deviations. What is left out, q^4 and the edge in the second order, is 0.2 %. */
-static void as_many_tries_as_chance_takes(void) {
+/* The probability p that a random place is free when the fraction q of the plane is covered, in powers of q [Schaaf
+ * and Talbot, J. Chem. Phys. 91 (1989) 4401]. The expected number of attempts for N particles is the sum of 1/p. A
+ * disc near the edge of the square in which centres may lie, of side a, blocks less of it: on average 1 - 8 d/(3 pi
+ * a) of pi d^2, d = 2 R. The attempts of one particle are geometrically distributed with the variance (1 - p)/p^2;
+ * the tolerance is four standard deviations. The neglected terms, q^4 and the edge in second order, are 0.2 %. */
+static void expected_number_of_attempts(void) {
   enum { PARTICLES = 20000 };
   const double pi = acos(-1), side = 560, a = side - 2, edge = 1 - 8 * 2 / (3 * pi * a);
   double tries = 0, variance = 0;
@@ -201,9 +202,9 @@ static void as_many_tries_as_chance_takes(void) {
   }
 }
 
-/* The first one leaves no room for the second: so many tries, then the next size. One that is larger than the circle takes
- * no try. */
-static void tries_and_skips(void) {
+/* The first particle leaves no room, so the rest of its size and the next size take all their attempts. A particle
+ * larger than the circle takes no attempt. */
+static void attempts_and_skipped_sizes(void) {
   struct written it;
   make(&it, ROCK "grading g 1 3 2 1 0.1 4\nfill discs circle 5 5 radius 1 g rock seed 9 attempts 77 else skip\n");
   const struct nb_size *sizes = it.scene.gradings[0].sizes;
@@ -214,13 +215,13 @@ static void tries_and_skips(void) {
   CU_ASSERT(sizes[0].wanted == 1 && sizes[1].wanted == 3 && sizes[2].wanted == 4);
   written_free(&it);
   make(&it, ROCK "grading g 1 2 0.1 3\nfill discs circle 5 5 radius 1.3 g rock seed 9 attempts 1000 else skip\n");
-  CU_ASSERT_EQUAL(it.scene.particle_count, 4); /* the rest of a size is left, the next one is not */
+  CU_ASSERT_EQUAL(it.scene.particle_count, 4); /* the rest of the first size is skipped, the next size is placed */
   CU_ASSERT_EQUAL(it.scene.gradings[0].sizes[0].placed, 1);
   written_free(&it);
 }
 
-/* Boxes as wide, or as high, as the disc: its only place is x + r, rounded, from which one of the two edges is nearer than r
- * by a bit. Such a place counts as none, whichever edge it is. */
+/* Boxes as wide, or as high, as the disc. Its only place is x + r, and by rounding one of the two edges is nearer
+ * than r by the last bit. This place is refused, whichever edge it is. */
 static void across_the_edge_by_rounding(void) {
   static const struct {
     double from, radius, to;
@@ -244,7 +245,7 @@ static void across_the_edge_by_rounding(void) {
     }
 }
 
-/* FNV-1a of the very bits, the same for every compiler, option and machine. */
+/* FNV-1a hash of the bits, the same with every compiler, option and machine. */
 static uint64_t bits_of(const struct nb_scene *scene) {
   uint64_t hash = UINT64_C(14695981039346656037);
   for (size_t k = 0; k < scene->particle_count; k++) {
@@ -270,7 +271,7 @@ static void the_same_bits(void) {
 
 #define CELL ROCK "cell -3 2 to 47 32\n" /* 50 by 30 */
 
-/* By all pairs of images: no overlap, centres everywhere in the cell, also nearer than a radius to its edges. */
+/* All pairs of copies: no overlap; centres everywhere in the cell, also nearer than a radius to its edges. */
 static void no_overlap_across_edges(void) {
   for (int seed = 1; seed <= 3; seed++) {
     struct written it;
@@ -292,14 +293,15 @@ static void no_overlap_across_edges(void) {
     }
     CU_ASSERT_EQUAL(overlaps, 0);
     CU_ASSERT_EQUAL(outside, 0);
-    CU_ASSERT(across_x > 7 && across_y > 12); /* of 600, of mean radius 0.66: 2 R/50 and 2 R/30 of them are 16 and 26 */
+    CU_ASSERT(across_x > 7 && across_y > 12); /* 600 times 2 R/50 and 2 R/30, mean radius 0.66: 16 and 26 */
     counted(&it.scene);
     written_free(&it);
   }
 }
 
-/* Also in each hundredth of the width and of the height: a strip of 1 % at an edge that no centre reaches is seen. */
-static void evenly_in_a_cell(void) {
+/* Also uniform in each hundredth of the width and of the height, so that a strip of 1 % at an edge that no centre
+ * reaches is found. */
+static void uniform_in_a_cell(void) {
   struct written it;
   int counts[100] = {0}, columns[100] = {0}, rows[100] = {0};
   make(&it, TINY "cell -1 4 to 9 5\nfill discs cell dust rock seed 7 attempts 1 else stop\n");
@@ -309,14 +311,14 @@ static void evenly_in_a_cell(void) {
     CU_ASSERT_FATAL(x >= 0 && x < 1 && y >= 0 && y < 1);
     counts[10 * (int)(10 * x) + (int)(10 * y)]++, columns[(int)(100 * x)]++, rows[(int)(100 * y)]++;
   }
-  is_even(counts, 100, DUST);
-  is_even(columns, 100, DUST);
-  is_even(rows, 100, DUST);
+  is_uniform(counts, 100, DUST);
+  is_uniform(columns, 100, DUST);
+  is_uniform(rows, 100, DUST);
   written_free(&it);
 }
 
-/* Particles that are there already may be anywhere by whole periods. */
-static void periods_do_not_matter(void) {
+/* Existing particles may be given at any copy of the cell. */
+static void any_copy_of_existing_particles(void) {
   static const char *const there[] = {"disc 1 30 radius 6 rock fixed\ndisc 25 10 radius 5 rock fixed\n",
                                       "disc 51 0 radius 6 rock fixed\ndisc 25 10 radius 5 rock fixed\n",
                                       "disc -99 60 radius 6 rock fixed\ndisc 125 -50 radius 5 rock fixed\n"};
@@ -335,7 +337,7 @@ static void periods_do_not_matter(void) {
   }
 }
 
-/* A cell must be as wide as the particle, or that would overlap its own image. */
+/* A particle wider than the cell would overlap its own copy. */
 static void one_that_fills_the_cell(void) {
   struct written it;
   make(&it, CELL "grading g 15.1 1 15 1\nfill discs cell g rock seed 4 attempts 1000 else skip\n");
@@ -364,18 +366,18 @@ static void hexagonal(void) {
 void suite_fill(void) {
   CU_pSuite suite = CU_add_suite("fill", NULL, NULL);
   CU_add_test(suite, "SplitMix64 as published", published_numbers);
-  CU_add_test(suite, "seeds are apart", seeds_are_apart);
-  CU_add_test(suite, "evenly in a circle", evenly_in_a_circle);
-  CU_add_test(suite, "evenly in a box", evenly_in_a_box);
-  CU_add_test(suite, "nobody overlaps", nobody_overlaps);
-  CU_add_test(suite, "what is there stays free", what_is_there_stays_free);
-  CU_add_test(suite, "as many tries as chance takes", as_many_tries_as_chance_takes);
-  CU_add_test(suite, "tries and skips", tries_and_skips);
-  CU_add_test(suite, "a place across the edge by rounding is none", across_the_edge_by_rounding);
+  CU_add_test(suite, "seeds are independent", seeds_are_independent);
+  CU_add_test(suite, "uniform in a circle", uniform_in_a_circle);
+  CU_add_test(suite, "uniform in a box", uniform_in_a_box);
+  CU_add_test(suite, "no overlap", no_overlap);
+  CU_add_test(suite, "no overlap with existing particles", no_overlap_with_existing_particles);
+  CU_add_test(suite, "expected number of attempts", expected_number_of_attempts);
+  CU_add_test(suite, "attempts and skipped sizes", attempts_and_skipped_sizes);
+  CU_add_test(suite, "a place across the edge by rounding is refused", across_the_edge_by_rounding);
   CU_add_test(suite, "the same bits", the_same_bits);
   CU_add_test(suite, "in a cell no overlap across the edges", no_overlap_across_edges);
-  CU_add_test(suite, "in a cell uniform to the edges", evenly_in_a_cell);
-  CU_add_test(suite, "in a cell whole periods do not matter", periods_do_not_matter);
+  CU_add_test(suite, "in a cell uniform to the edges", uniform_in_a_cell);
+  CU_add_test(suite, "in a cell any copy of existing particles", any_copy_of_existing_particles);
   CU_add_test(suite, "in a cell no particle overlaps its own image", one_that_fills_the_cell);
   CU_add_test(suite, "hexagonal", hexagonal);
 }

@@ -1,4 +1,5 @@
-/* FRACC as R89 defines it, by hand: of one particle, of the largest of several, and of a force that turns.  [R89 4.35-4.40]
+/* FRACC as R89 defines it, compared with hand calculations: of one particle, the largest of several, and for a force
+ * that rotates. [R89 4.35-4.40]
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -9,14 +10,15 @@
 #include "suites.h"
 #include "written.h"
 
-/* [R89 4.36-4.40] as they stand: |SF| before and after a step, the velocity over it. */
+/* [R89 4.36-4.40] as printed: |SF|, the magnitude of the force sum, before and after a step, and the velocity in it. */
 static double by_hand(double mass, double dt, double before, double after, double vx, double vy) {
   const double way = hypot(vx, vy) * dt, critical = 2 * sqrt(mass * way / fabs(after - before));
   return dt / critical;
 }
 
-/* A of mass 1 slides along a floor of k_n = 1, B of mass 4 stands on it with k_n = 2; both sink under gravity, which is no
- * contact force. Overlaps are forces over k_n; the first kick is half a one, and one between two steps has their mean length.
+/* Disc A of mass 1 slides on a floor with k_n = 1, disc B of mass 4 stands on it with k_n = 2. Both move down under
+ * gravity, which is not a contact force. Forces are k_n times the overlap. The first kick lasts half a step, and the
+ * kick between two steps has their mean length.
  *
  *       t       A: v_y        y          |SF|         B: v_y       y            |SF|
  *       0                 0.9         0.1                   0.75           0.5
@@ -25,7 +27,8 @@ static double by_hand(double mass, double dt, double before, double after, doubl
  *       1.5   -0.38125    0.521875    0.478125    -0.34755859375
  *       1.75  -0.389453125  0.42451171875  0.57548828125
  *
- * B moves along its spring, of which K is the stiffness: FRACC = (dt/2) (k_n/M)^(1/2), the largest in the first step alone. */
+ * B moves along its spring, so K = |dSF|/dx is k_n and FRACC = (dt/2) (k_n/M)^(1/2). It exceeds that of A in the first
+ * step only. */
 static void as_defined(void) {
   struct words page = {0};
   struct written it;
@@ -56,9 +59,10 @@ static void as_defined(void) {
   written_free(&it);
 }
 
-/* In the step in which a disc at rest is hit it has a dSF and no dx, so no K; the one that hits it has both. It comes with
- * 1 and overlaps by 0.02 after the step, of which dSF = k_n 0.02; then by 0.03 more, less what both have given way. */
-static void without_a_way_there_is_none(void) {
+/* In the step in which a disc at rest is hit, its force sum changes but it does not move, so it has no FRACC; the
+ * disc that hits it has one. That disc has the speed 1 and the overlap 0.02 after the first step, so dSF = 0.02 k_n.
+ * In the second step the overlap grows by 0.03 less what the force moves both discs apart. */
+static void no_displacement_no_fracc(void) {
   struct words page = {0};
   struct written it;
   struct nb_error error;
@@ -69,16 +73,17 @@ static void without_a_way_there_is_none(void) {
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
   written_cycles(model, 1);
   NEAR(written_now(model, "step.fracc"), by_hand(1, 0.03, 0, 0.02, 1, 0), 1e-12);
-  written_cycles(model, 1); /* F dt/M = 6e-4 to each: closing 1 - 12e-4, the one that is hit moves with 6e-4 */
+  written_cycles(model, 1); /* each gets F dt/M = 6e-4: they approach with 1 - 12e-4, the disc that was hit has 6e-4 */
   NEAR(written_now(model, "step.fracc"), by_hand(1, 0.03, 0.02, 0.02 + 0.03 * (1 - 12e-4), 6e-4, 0), 1e-11);
   nb_model_free(model);
   written_free(&it);
 }
 
-/* A disc in a box that presses on it from four sides, F = -2 k_n r: on the cycle's own circle, x_n = r cos(n phi),
- * y_n = r sin(n phi) with sin(phi/2) = h = w dt/2, the force turns and keeps its size. With its change as a vector FRACC would be
- * h in every step; as it is there is nothing but rounding, an ulp of the places over r under a root. */
-static void a_force_that_turns_is_not_seen(void) {
+/* A disc in a box that presses on it from four sides, F = -2 k_n r. On the circular orbit of the scheme, x_n = r
+ * cos(n phi) and y_n = r sin(n phi) with sin(phi/2) = h = w dt/2, the force rotates with constant magnitude. With
+ * the change of the force as a vector FRACC would be h in every step. With the change of its magnitude FRACC is the
+ * square root of a rounding error, an ulp of the coordinates over r. */
+static void a_force_that_rotates_does_not_count(void) {
   static const double shares[] = {0.1, 0.5, 0.9, 0.999};
   for (int k = 0; k < 4; k++) {
     const double h = shares[k], dt = h * sqrt(2), r = 1e-3, phi = 2 * asin(h); /* w^2 = 2 k_n/m = 2 */
@@ -99,7 +104,7 @@ static void a_force_that_turns_is_not_seen(void) {
       CU_ASSERT(fabs(written_now(model, "D.y") - r * sin(n * phi)) < 1e-9 * r);
       CU_ASSERT(written_now(model, "step.fracc") < 1e-5 * h);
       const double vx = written_now(model, "D.vx.half"), vy = written_now(model, "D.vy.half");
-      const double change = 2 * hypot(vx, vy) * dt; /* |dF|, as a vector */
+      const double change = 2 * hypot(vx, vy) * dt; /* |dF| of the vector */
       NEAR(by_hand(1, dt, 0, change, vx, vy), h, 1e-9);
     }
     nb_model_free(model);
@@ -110,6 +115,6 @@ static void a_force_that_turns_is_not_seen(void) {
 void suite_fracc(void) {
   CU_pSuite suite = CU_add_suite("fracc", NULL, NULL);
   CU_add_test(suite, "as it is defined", as_defined);
-  CU_add_test(suite, "without a way there is none", without_a_way_there_is_none);
-  CU_add_test(suite, "a force that turns is not seen", a_force_that_turns_is_not_seen);
+  CU_add_test(suite, "no displacement, no FRACC", no_displacement_no_fracc);
+  CU_add_test(suite, "a force that rotates does not count", a_force_that_rotates_does_not_count);
 }

@@ -1,4 +1,4 @@
-/* The guards against passing through, at both edges of each limit.
+/* The guards against passing through each other and through walls, just below and just above each limit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -12,7 +12,7 @@
 
 #define HEAD "units none\nmaterial m density 1 kn 1\nallow unstable\nstep 0.5\n"
 
-/* Makes the model and runs one stage of so many cycles; the status, and how many cycles were done. */
+/* Makes the model and runs so many cycles of one stage. Returns the status; *done is the number of cycles made. */
 static enum nb_status outcome(struct nb_error *error, const char *statements, unsigned long cycles,
                               unsigned long *done) {
   struct words page = {0};
@@ -37,7 +37,8 @@ static bool has(const struct nb_error *error, const char *words) {
   return strstr(error->text, words) != NULL;
 }
 
-/* Radii 2 and 1 at a distance of 2: the overlap is the smaller radius, 1. Whichever comes first; of copies in a cell too. */
+/* Radii 2 and 1 at the distance 2: the overlap is the smaller radius, 1. In either order, and between copies in a
+ * cell. */
 static void overlap_at_the_start(void) {
   static const struct {
     const char *below, *above;
@@ -63,14 +64,15 @@ static void overlap_at_the_start(void) {
     CU_ASSERT(has(&error, "smaller radius, 1:"));
   }
   struct nb_error error;
-  unsigned long done; /* what is fixed cannot be pushed apart, and does not meet */
+  unsigned long done; /* two fixed particles form no contact */
   CU_ASSERT_EQUAL(
       outcome(&error, HEAD "disc 0 0 radius 1 m fixed\ndisc 0 0 radius 1 m fixed\ndisc 9 9 radius 1 m", 1, &done),
       NB_OK);
 }
 
-/* Radius 1, a step of 1/2: 2 m/s is the limit, in any direction, for what is fixed too; whatever the skin is. */
-static void way_in_a_step(void) {
+/* With the radius 1 and the step 1/2 the limit is 2 m/s, in any direction, also for fixed particles and with any
+ * skin. */
+static void displacement_in_a_step(void) {
   static const struct {
     const char *statements;
     bool broken;
@@ -103,7 +105,8 @@ static void way_in_a_step(void) {
   }
 }
 
-/* A cell carries its copies along, those that lie far out by more than a radius in each step: they move together. */
+/* A strained cell moves copies far from its centre by more than a radius in a step. This is allowed, because all
+ * copies move together. */
 static void imposed_by_a_cell(void) {
   struct nb_error error;
   unsigned long done;
@@ -116,13 +119,14 @@ static void imposed_by_a_cell(void) {
   CU_ASSERT_EQUAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
   CU_ASSERT_EQUAL(nb_cycle(model, &error), NB_OK);
   done = model->cycle;
-  CU_ASSERT(done == 1 && fabs(model->particles.position[0].x - 152) < 1e-12); /* 8 of it in one step */
+  CU_ASSERT(done == 1 && fabs(model->particles.position[0].x - 152) < 1e-12); /* moved by 8 in one step */
   nb_model_free(model);
   written_free(&it);
 }
 
-/* angle^2 h = 8 r is the limit; h is the distance of the far end, and at least r, which is 0.5 here. */
-static void turn_in_a_step(void) {
+/* The limit of the rotation in a step is angle^2 h = 8 r, with the smallest radius r = 0.5 and the distance h of the
+ * far end, which is at least r. */
+static void rotation_in_a_step(void) {
   static const struct {
     const char *wall;
     double h;
@@ -153,14 +157,13 @@ static void turn_in_a_step(void) {
   CU_ASSERT(
       has(&error, "wall `blade` (line 8): in cycle 1, at time 0.5, it turned by -1.4145 rad in one step of 0.5 and"));
   CU_ASSERT(has(&error, "smallest radius, 0.5:"));
-  CU_ASSERT_EQUAL(outcome(&error, BLADE "25.132741228718345", 2, &done),
-                  NB_BROKEN); /* two whole turns: its ends are back */
+  CU_ASSERT_EQUAL(outcome(&error, BLADE "25.132741228718345", 2, &done), NB_BROKEN); /* two revolutions in a step */
   CU_ASSERT_EQUAL(outcome(&error, HEAD "disc 90 0 radius 3 m fixed\nwall w -2 0 to 2 0 m spin 99", 2, &done), NB_OK);
 }
 
-/* A fixed disc moves slowly into one that is held as well as fixed by its mass: 1/16 in each step, so that the overlap is the radius
- * after 16 cycles and more than it after 17. Between two searches too, when the skin is wide. */
-static void overlap_later(void) {
+/* A fixed disc moves by 1/16 in each step into a disc too heavy to move: the overlap is the radius after 16 cycles
+ * and exceeds it after 17. With a wide skin this happens between two searches. */
+static void overlap_during_the_run(void) {
   static const char *const skins[] = {"", "skin 0.01\n", "skin 0.9\n", "skin 1\n", "skin 7\n"};
   for (size_t k = 0; k < sizeof skins / sizeof *skins; k++) {
     char text[512];
@@ -178,7 +181,7 @@ static void overlap_later(void) {
   }
 }
 
-/* What the scene and the model say of such a page, all in one text. */
+/* All warnings of the scene and of the model of this page, in one text. */
 static const char *warned(char text[2000], const char *statements) {
   struct words page = {0};
   struct written it;
@@ -217,7 +220,7 @@ static void friction_without_effect(void) {
        "m\nsphere 3 0 radius 1 m",
        NULL},
       {"material m density 1 kn 1 friction 0.5\nmaterial n density 1 kn 1\ndisc 0 0 radius 1 m\ndisc 3 0 radius 1 n",
-       NULL}, /* the smaller one, 0 */
+       NULL}, /* the smaller friction, 0, counts */
       {"material m density 1 kn 1 friction 0.5\ndisc 0 0 radius 1 m\ndisc 3 0 radius 1 m\nstep 1e-7\nstage a\nmaterial "
        "m ks 1\nshear linear\ncycles 1",
        NULL},
@@ -231,8 +234,8 @@ static void friction_without_effect(void) {
   }
 }
 
-/* ulp(2^23) = 2^-29: a thousandth of an overlap of 1000 x 2^-29. */
-static void digits(void) {
+/* ulp(2^23) = 2^-29 is a thousandth of the overlap 1000 x 2^-29. */
+static void resolution_of_coordinates(void) {
   char text[2000];
   static const struct {
     double overlap, at;
@@ -242,7 +245,7 @@ static void digits(void) {
       {900. / 536870912, 8388608, true},
       {900. / 536870912, -8388700, true},
       {900. / 536870912, 4194304 - 4, false},
-      {-0.5, 8388608, false}, /* to come: 1e-3, and its thousandth is above 2^-29 */
+      {-0.5, 8388608, false}, /* no overlap yet: 1e-3 is assumed, whose thousandth is above 2^-29 */
       {-0.5, 8589934592., true},
       {0, 0, false},
   };
@@ -260,8 +263,8 @@ static void digits(void) {
     }
 }
 
-/* Of three in a row, whose overlaps are 700 x 2^-29 each: the mean counts, not the sum. */
-static void digits_of_the_mean(void) {
+/* Three discs in a row with overlaps of 700 x 2^-29: the mean counts, not the sum. */
+static void resolution_and_mean_overlap(void) {
   char text[2000], statements[500];
   snprintf(statements, sizeof statements,
            "material m density 1 kn 1\ndisc 8388608 0 radius 1 m\ndisc %.17g 0 radius 1 m\ndisc %.17g 0 radius 1 m\n",
@@ -281,12 +284,12 @@ static void each_warning_once(void) {
 void suite_guard(void) {
   CU_pSuite suite = CU_add_suite("guard", NULL, NULL);
   CU_add_test(suite, "overlap at the start", overlap_at_the_start);
-  CU_add_test(suite, "way in a step", way_in_a_step);
-  CU_add_test(suite, "carried by a cell", imposed_by_a_cell);
-  CU_add_test(suite, "turn in a step", turn_in_a_step);
-  CU_add_test(suite, "overlap later", overlap_later);
+  CU_add_test(suite, "displacement in a step", displacement_in_a_step);
+  CU_add_test(suite, "displacement imposed by a cell", imposed_by_a_cell);
+  CU_add_test(suite, "rotation in a step", rotation_in_a_step);
+  CU_add_test(suite, "overlap during the run", overlap_during_the_run);
   CU_add_test(suite, "friction without effect", friction_without_effect);
-  CU_add_test(suite, "digits", digits);
-  CU_add_test(suite, "digits of the mean", digits_of_the_mean);
+  CU_add_test(suite, "resolution of coordinates", resolution_of_coordinates);
+  CU_add_test(suite, "resolution and mean overlap", resolution_and_mean_overlap);
   CU_add_test(suite, "each warning once", each_warning_once);
 }

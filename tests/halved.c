@@ -1,5 +1,6 @@
-/* Every page with each of its stages in two halves, of which the second says nothing, or all that its stage says once more: the same
- * numbers, whatever the stage has set. And from a state saved at the end of each half, the next half comes to the same bits.
+/* Every page with each of its stages cut into two halves. The second half has no statements, or repeats those of its
+ * stage: the results must be the same, whatever the stage sets. Continuing from the state at the end of a half must
+ * give the same bits at the end of the next half.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -13,7 +14,7 @@
 #include "every_page.h"
 #include "suites.h"
 
-/* What is there at the end of a stage. */
+/* The results at the end of a stage. */
 struct seen {
   char *state;
   double *values; /* of the columns */
@@ -42,7 +43,7 @@ static void forget(struct seen *seen, size_t count) {
   free(seen);
 }
 
-/* The stage, to its last cycle; false: what runs there is not physical. */
+/* Runs stage s to its last cycle; false if the run is aborted. */
 static bool run_stage(struct nb_model *model, size_t s) {
   struct nb_error error = {NB_OK, ""};
   const struct nb_stage *stage = &model->scene->stages[s];
@@ -54,7 +55,7 @@ static bool run_stage(struct nb_model *model, size_t s) {
   return status == NB_OK;
 }
 
-/* What is seen at the end of each stage of the scene; *count: of how many. */
+/* The results at the end of each stage; *count: the number of stages that ran. */
 static struct seen *run_all(const struct nb_scene *scene, size_t *count) {
   struct nb_error error = {NB_OK, ""};
   struct nb_model *model = nb_model_create(scene, &options, &error);
@@ -68,7 +69,7 @@ static struct seen *run_all(const struct nb_scene *scene, size_t *count) {
 
 /* ---- halves ---- */
 
-/* The second half says nothing: all is as before. A servo and a ramp end with their stage. */
+/* A second half without statements. A servo and a ramp end with their stage. */
 static struct nb_stage silent(const struct nb_stage *stage) {
   struct nb_stage half = *stage;
   half.motion_count = half.change_count = 0;
@@ -78,7 +79,8 @@ static struct nb_stage silent(const struct nb_stage *stage) {
   return half;
 }
 
-/* The stages of a scene, halved: s becomes 2 s and 2 s + 1. */
+/* The halved stages of a scene: s becomes 2 s and 2 s + 1. `again`: the second half repeats the statements of the
+ * stage. */
 static struct nb_stage *halves(const struct nb_scene *scene, bool again) {
   struct nb_stage *stages = calloc(2 * scene->stage_count, sizeof *stages);
   for (size_t s = 0; s < scene->stage_count; s++) {
@@ -89,13 +91,13 @@ static struct nb_stage *halves(const struct nb_scene *scene, bool again) {
     first->snapshot = false, first->snapshot_from = -1;
     second->snapshot_from = stage->snapshot_from < 0 ? -1 : 2 * stage->snapshot_from;
     second->rotation = NB_ROTATION_AS_BEFORE,
-    second->rotation_line = 0; /* said again, the half step behind is divided anew, and rounded */
+    second->rotation_line = 0; /* repeated, it would divide the last half step again, with other rounding */
     second->removal_count = 0, second->zero_velocities = second->reverse_velocities = false, second->circle.line = 0;
   }
   return stages;
 }
 
-/* At least, and none that ends otherwise. */
+/* At least two cycles per stage, and no `until` conditions. */
 static void two_cycles_each(struct nb_scene *scene) {
   for (size_t s = 0; s < scene->stage_count; s++) {
     struct nb_stage *stage = &scene->stages[s];
@@ -117,8 +119,8 @@ static bool ramps(const struct nb_stage *stage) {
 
 static bool begins(const char *text, const char *with) { return strncmp(text, with, strlen(with)) == 0; }
 
-/* What is counted from the start of a run, what a step must have shown, and what asks which pairs are listed: those that are near when
- * the search looks, which it does as soon as a run begins. */
+/* Quantities that a continued run does not reproduce: sums since the start of the run, quantities that need a step
+ * before them, and quantities that depend on which pairs are listed, because a run begins with a search. */
 static bool counted(const char *name) {
   const bool strain = strstr(name, ".strain.") && !begins(name, "cell.") && !begins(name, "boundary.");
   return strstr(name, ".new") || strstr(name, ".lost") || begins(name, "energy.") || begins(name, "work.") ||
@@ -126,7 +128,7 @@ static bool counted(const char *name) {
          strcmp(name, "step.stable") == 0;
 }
 
-/* The time is that at the beginning of the stage and its cycles. */
+/* Times are summed from the beginning of the stage, so they round differently. */
 static bool timed(const char *name) {
   return strcmp(name, "time") == 0 || strcmp(name, "impact.time") == 0 || strcmp(name, "impact.duration") == 0;
 }
@@ -144,12 +146,13 @@ static bool same_values(const struct nb_scene *scene, const struct seen *a, cons
       continue;
     held = same(a->values[c], b->values[c], timed(column) ? 1e-12 : 0);
     if (!held)
-      printf("# %s, %s: %s is %.17g, and %.17g in one\n", name, what, column, b->values[c], a->values[c]);
+      printf("# %s, %s: %s is %.17g, expected %.17g\n", name, what, column, b->values[c], a->values[c]);
   }
   return held;
 }
 
-/* Where two texts part, but for the sign of a 0: nothing else can tell that of it. */
+/* Compares two texts and moves both pointers to the first difference. The sign of a zero does not count, because it
+ * affects no other result. */
 static bool same_text(const char **a, const char **b) {
   static const char zero[] = "-0x0p+0";
   for (; **a && **b; ++*a, ++*b) {
@@ -160,7 +163,8 @@ static bool same_text(const char **a, const char **b) {
   return **a == **b;
 }
 
-/* All that is in them before the checksum; or from the record of units on, before which are names and times. */
+/* Compares all records before the checksum; without `times` only those from the record of units on, before which are
+ * names and times. */
 static bool same_states(const struct seen *a, const struct seen *b, const char *name, const char *what, bool times) {
   const char *one = times ? a->state : strstr(a->state, "\nunits"),
              *other = times ? b->state : strstr(b->state, "\nunits");
@@ -186,7 +190,7 @@ static void check_halves(struct nb_scene *scene, const char *name, bool again) {
   struct seen *seen = run_all(scene, &parts);
   for (size_t s = 0; s < whole && one_way && 2 * s + 1 < parts; s++) {
     char what[64];
-    snprintf(what, sizeof what, "stage %zu in two%s", s + 1, again ? ", said twice" : "");
+    snprintf(what, sizeof what, "stage %zu in two%s", s + 1, again ? ", statements repeated" : "");
     one_way = !ramps(&stages[s]);
     if (one_way) {
       CU_ASSERT(same_values(scene, &uncut[s], &seen[2 * s + 1], name, what, true, again));
@@ -212,7 +216,7 @@ static void every_stage_in_two(void) { every_page(halves_are_the_whole, 1.2e4); 
 
 /* ---- from a state ---- */
 
-/* From the end of stage s to that of the next one. */
+/* Continues from the state at the end of stage s, and compares the results at the end of the next one. */
 static void go_on(struct nb_scene *scene, const struct seen *from, const struct seen *to, size_t s, const char *name) {
   struct nb_saved saved;
   struct nb_error error = {NB_OK, ""};
@@ -242,7 +246,7 @@ static void go_on(struct nb_scene *scene, const struct seen *from, const struct 
   scene->start.stages = 0;
 }
 
-/* Records that stand in a state only where the scene has such a thing: each is in that of some page. */
+/* Optional records of a state. Each of them must occur in the state of some page. */
 static const char *const records[] = {"impact",   "rotation", "cell", "centre", "carrier", "pair",  "carried",
                                       "boundary", "members",  "wall", "fields", "contact", "shear", "inward"};
 enum { RECORDS = sizeof records / sizeof *records };
@@ -283,6 +287,6 @@ static void every_half_from_a_state(void) {
 
 void suite_halved(void) {
   CU_pSuite suite = CU_add_suite("halved", NULL, NULL);
-  CU_add_test(suite, "every stage of every page in two", every_stage_in_two);
-  CU_add_test(suite, "every half from the state that the one before has left", every_half_from_a_state);
+  CU_add_test(suite, "every stage of every page in two halves", every_stage_in_two);
+  CU_add_test(suite, "every half continued from the state of the half before", every_half_from_a_state);
 }

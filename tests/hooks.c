@@ -1,4 +1,4 @@
-/* The hooks of a cycle: a scene has those that it uses and no others, in their order, as long as it uses them.
+/* The hooks of a cycle: a scene has exactly those that it uses, in order, as long as it uses them.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -14,7 +14,7 @@
   "radius 1 m\nsphere 6 4 radius 1 m\n"
 #define RING DISC "disc 6 4 radius 1 m\nboundary circle 5 4 radius 0.5\n"
 
-/* All hooks, from before the motion to after the forces: "| stability check |". */
+/* All hooks in order, each with its place in the cycle: "3 stability check". */
 static void list(char *text, size_t size, const struct nb_model *model) {
   text[0] = 0;
   for (int when = 0; when < NB_WHENS; when++)
@@ -66,8 +66,8 @@ static void a_scene_has_what_it_uses(void) {
   }
 }
 
-/* Gravity that ramps over four cycles is changed in each of them and in no other, until a stage asks for it again. */
-static void what_is_done_is_not_done_again(void) {
+/* Gravity that ramps over four cycles changes in each of them and in no later one, until another stage changes it. */
+static void hooks_end_with_their_work(void) {
   struct words page = {0};
   struct written it;
   struct nb_error error;
@@ -95,5 +95,5 @@ static void what_is_done_is_not_done_again(void) {
 void suite_hooks(void) {
   CU_pSuite suite = CU_add_suite("hooks", NULL, NULL);
   CU_add_test(suite, "a scene has what it uses", a_scene_has_what_it_uses);
-  CU_add_test(suite, "what is done is not done again", what_is_done_is_not_done_again);
+  CU_add_test(suite, "hooks end with their work", hooks_end_with_their_work);
 }

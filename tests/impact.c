@@ -1,4 +1,5 @@
-/* `impact`: the sphere comes as it is told, touches when it is told, and is measured from any side alike.
+/* `impact`: the initial motion of the sphere, the time of first touch, and measured quantities that must not depend
+ * on the direction of the impact.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -13,7 +14,8 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* A ball of m = 4 pi/3 R^3 rho and q = 5/2 on springs, k_n = 400, k_s = 320, mu = 0.3: kappa = 1.25. */
+/* A sphere of m = 4 pi/3 R^3 rho and q = m R^2/I = 5/2 on springs k_n = 400, k_s = 320, mu = 0.3: kappa = k_n/k_s =
+ * 1.25. */
 #define BALL "units none\nnormal linear\nshear linear\nmaterial m density 0.25 kn 400 ks 320 friction 0.3\n"
 #define RECORD                                                                                                         \
   "record time B.x B.y B.vx B.vy B.spin C.overlap C.normal C.shear impact.psi1 impact.psi2 impact.angle impact.time "  \
@@ -28,7 +30,7 @@ static struct nb_model *made(struct written *it, const char *particle, const cha
   return written_model(it, NULL);
 }
 
-static void it_comes_as_it_is_told(void) {
+static void initial_motion(void) {
   struct written it;
   struct nb_model *model = made(&it, ON_FLOOR, "impact C speed 2 angle 0.5 phase 0.25");
   NEAR(written_now(model, "impact.angle"), 0.5, 1e-15);
@@ -46,7 +48,7 @@ static void it_comes_as_it_is_told(void) {
   nb_model_free(model), written_free(&it);
 }
 
-/* R w counts in psi1, in the sense of the tangent; the particle that is hit may move, and its spin counts too. */
+/* psi1 contains the surface speed R w. The particle that is hit may move, and its velocity and spin count too. */
 static void psi1_is_of_the_contact(void) {
   static const char *const particles[] = {
       "sphere 0 3 radius 0.5 m spin 0.8\nwall f -9 0 to 9 0 m\nmonitor B sphere 1\nmonitor C sphere 1 with wall f\n",
@@ -73,7 +75,7 @@ static void psi1_is_of_the_contact(void) {
   }
 }
 
-/* Unequal spheres of two materials, the second watch of three; and what is fixed weighs infinitely. */
+/* Unequal spheres of two materials, the second pair of three spheres; a fixed sphere has infinite mass. */
 #define TWO                                                                                                            \
   "units none\nnormal %s\nmaterial a density 0.25 kn 400 ks 320 friction 0.3 young 0.5 poisson 0.1\n"                  \
   "material b density 2 kn 100 ks 0.8 friction 0.2 young 7e3 poisson 0.4\n"                                            \
@@ -82,7 +84,7 @@ static void psi1_is_of_the_contact(void) {
   "impact C speed 2 psi1 %g\nstep 1e-4\nrecord energy.kinetic impact.energy.normal impact.energy.tangential "          \
   "impact.energy.rotational impact.angle impact.psi1\nstage s\ncycles 1\n"
 
-static void two_particles_count_as_one(void) {
+static void effective_constants_of_two_particles(void) {
   static const char *const laws[] = {"linear\nshear linear", "hertz\nshear none"};
   for (int k = 0; k < 4; k++) {
     struct written it;
@@ -114,7 +116,7 @@ static void two_particles_count_as_one(void) {
   }
 }
 
-/* The nearest point of a wall: beside it, off the point it turns about, past its ends. */
+/* The nearest point of a wall: on either side, with the point of `about` off the wall, beyond the ends. */
 static void impact_on_a_wall_at_its_nearest_point(void) {
   static const struct {
     const char *wall;
@@ -140,8 +142,8 @@ static void impact_on_a_wall_at_its_nearest_point(void) {
   }
 }
 
-/* Apart, nothing of it changes any more, and far away nothing presses. */
-static void it_is_over_when_they_part(void) {
+/* After separation the duration does not change, and the forces are 0. */
+static void an_impact_ends_at_separation(void) {
   struct written it;
   struct nb_model *model = made(&it, ON_FLOOR, "impact C speed 2 angle 0.5 phase 0.5");
   do {
@@ -159,7 +161,7 @@ static void it_is_over_when_they_part(void) {
   nb_model_free(model), written_free(&it);
 }
 
-/* Mistakes in the statement are said; on what, tests/bad holds. */
+/* Errors in the statement are reported; tests/bad has the messages. */
 static void wrong_impacts_are_refused(void) {
   static const char *const wrong[] = {"impact B speed 2 angle 0.5",
                                       "impact C speed 2",
@@ -188,8 +190,9 @@ static void wrong_impacts_are_refused(void) {
   }
 }
 
-/* Gross sliding on springs: N is half a sine, T = mu N, so V_T falls by 2 mu (1 + q) V_N, and all that follows from it. */
-static void it_measures_gross_sliding(void) {
+/* Gross sliding on linear springs: N is half a sine wave and T = mu N, so the tangential velocity of the point of
+ * contact falls by 2 mu (1 + q) V_N. The other values follow from this. */
+static void gross_sliding(void) {
   static const char *const places[] = {"", "\ntransform rotate 1.1 translate 3 4", "\ntransform mirror x",
                                        "\ntransform mirror y rotate 2.5"};
   static const char *const impacts[] = {"impact C speed 2 angle 1.2", "impact C speed 2 angle 1.2 phase 0.6"};
@@ -217,14 +220,14 @@ static void it_measures_gross_sliding(void) {
     NEAR(written_now(model, "impact.energy.normal"), m * vn * vn / 2, 1e-3);
     NEAR(written_now(model, "impact.energy.tangential"), m * after * after / 2, 1e-3);
     NEAR(written_now(model, "impact.energy.rotational"), 0.4 * m * spin * spin / 2, 2e-3);
-    /* by symmetry the mean of V_T over the contact is that of its ends */
+    /* by symmetry the mean of V_T over the contact is the mean of its values at both ends */
     NEAR(slipped, (2 * vt - 2 * 0.3 * 3.5 * vn) / 2 * lasts, 0.1);
     nb_model_free(model), written_free(&it);
   }
 }
 
-/* The kinds of energy are those of the particles where the one that is hit does not move. */
-static void energies_are_those_of_the_particles(void) {
+/* The energies of the impact sum to the kinetic energy if the partner does not move. */
+static void energies_sum_to_the_kinetic_energy(void) {
   struct written it;
   struct nb_model *model = made(&it, ON_FLOOR, "impact C speed 2 angle 0.4");
   for (int n = 0; n < 20; n++) {
@@ -236,8 +239,8 @@ static void energies_are_those_of_the_particles(void) {
   nb_model_free(model), written_free(&it);
 }
 
-/* Spheres of Hertz: duration and peak by 5.9 and 5.12, kappa by Poisson's ratio. */
-static void elastic_spheres_have_their_own_scale(void) {
+/* Elastic spheres: duration and peak force by [R89 5.9, 5.12], kappa from Poisson's ratio. */
+static void elastic_spheres(void) {
   struct written it;
   struct words page = {0};
   words_add(&page, "normal hertz\nshear none\n"
@@ -259,13 +262,13 @@ static void elastic_spheres_have_their_own_scale(void) {
 
 void suite_impact(void) {
   CU_pSuite suite = CU_add_suite("impact", NULL, NULL);
-  CU_add_test(suite, "it comes as it is told", it_comes_as_it_is_told);
-  CU_add_test(suite, "psi1 is of the contact", psi1_is_of_the_contact);
-  CU_add_test(suite, "two particles count as one", two_particles_count_as_one);
+  CU_add_test(suite, "initial motion", initial_motion);
+  CU_add_test(suite, "psi1 is that of the point of contact", psi1_is_of_the_contact);
+  CU_add_test(suite, "effective constants of two particles", effective_constants_of_two_particles);
   CU_add_test(suite, "impact on a wall at its nearest point", impact_on_a_wall_at_its_nearest_point);
-  CU_add_test(suite, "it is over when they part", it_is_over_when_they_part);
+  CU_add_test(suite, "an impact ends at separation", an_impact_ends_at_separation);
   CU_add_test(suite, "wrong impacts are refused", wrong_impacts_are_refused);
-  CU_add_test(suite, "it measures gross sliding", it_measures_gross_sliding);
-  CU_add_test(suite, "energies are those of the particles", energies_are_those_of_the_particles);
-  CU_add_test(suite, "elastic spheres have their own scale", elastic_spheres_have_their_own_scale);
+  CU_add_test(suite, "gross sliding", gross_sliding);
+  CU_add_test(suite, "energies sum to the kinetic energy", energies_sum_to_the_kinetic_energy);
+  CU_add_test(suite, "duration and peak force of elastic spheres", elastic_spheres);
 }

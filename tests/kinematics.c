@@ -1,4 +1,4 @@
-/* The geometry of contacts against [CS79 8-15], written out here once more in long double, and its signs.
+/* The kinematics of contacts, compared with [CS79 8-15] computed in long double, and its signs.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -11,7 +11,7 @@
 
 enum { N = NB_BLOCK_SIZE };
 
-/* What a geometry pass is given and answers, with nothing around it. */
+/* The input and output of a geometry pass, without a scene. */
 struct bench {
   struct nb_model model;
   struct nb_vec position[2 * N], velocity[2 * N];
@@ -61,7 +61,7 @@ static void bench_fill(struct bench *it, unsigned seed) {
     it->f[NB_RADIUS_SUM][c] = it->surface[2 * c].radius + (it->material_pair.wall ? 0 : it->surface[2 * c + 1].radius);
     const struct nb_vec faster = vec_sub(it->velocity[2 * c], it->velocity[2 * c + 1]);
     const double dn = vec_dot(faster, vec(cos(turn), sin(turn))) * it->model.previous_step;
-    const double since = chance_between(&chance, 0.1, 0.9); /* every fourth pair that closes has just met */
+    const double since = chance_between(&chance, 0.1, 0.9); /* every fourth approaching pair has touched in this step */
     const double apart = c % 4 == 0 && dn > 0 ? it->f[NB_RADIUS_SUM][c] - since * dn : reach * it->f[NB_RADIUS_SUM][c];
     it->position[2 * c] = vec(x, y);
     it->position[2 * c + 1] = vec(x + apart * cos(turn), y + apart * sin(turn));
@@ -78,7 +78,8 @@ static bool near(double computed, long double expected, double scale) {
   return fabsl(computed - expected) <= 16 * 2.2e-16L * (fabsl(expected) + scale);
 }
 
-/* [CS79 8-15] for disc c against a point at (qx, qy) with radius `other`, velocity (ux, uy) and surface speed `turning`. */
+/* [CS79 8-15] for disc c against a point at (qx, qy) with radius `other`, velocity (ux, uy) and surface speed
+ * `turning`. */
 static void compare(const struct bench *it, int c, const long double q[2], const long double u[2], long double other,
                     long double turning) {
   const struct nb_vec x = it->position[2 * c], v = it->velocity[2 * c];
@@ -87,12 +88,12 @@ static void compare(const struct bench *it, int c, const long double q[2], const
   const long double e1 = dx / distance, e2 = dy / distance, t1 = e2, t2 = -e1;
   const long double rx = v.x - u[0], ry = v.y - u[1], dt = it->model.previous_step;
   const long double overlap = surface.radius + other - distance;
-  const double blur = 2000 / (double)distance; /* a position is known to an epsilon of 1e3, so e to that over D */
+  const double blur = 2000 / (double)distance; /* coordinates of 1e3 have the error 1e3 epsilon, e has this over D */
   CU_ASSERT(near(it->f[NB_OVERLAP][c], overlap > 0 ? overlap : 0, 2000));
   CU_ASSERT(near(it->f[NB_EX][c], e1, blur) && near(it->f[NB_EY][c], e2, blur));
   const long double dn = (rx * e1 + ry * e2) * dt, slip = (rx * t1 + ry * t2 - (surface.speed + turning)) * dt;
   CU_ASSERT(near(it->f[NB_NORMAL_INCREMENT][c], dn, 8 * (1 + blur) * (double)dt));
-  const bool met = overlap > 0 && overlap < dn; /* in the step behind: slip counts for the rest of it */
+  const bool met = overlap > 0 && overlap < dn; /* in the last step: only the rest of its slip counts */
   const double fraction = met ? (double)(overlap / dn) : 1, share_blur = met ? 2000 / (double)dn : 0;
   CU_ASSERT(near(it->f[NB_TANGENTIAL_INCREMENT][c], fraction * slip,
                  80 * (1 + blur) * (double)dt + share_blur * fabs((double)slip)));
@@ -139,7 +140,7 @@ static void disc_wall(void) {
   free(it);
 }
 
-/* A form that finds out less answers the same about the rest, and every instruction set the same as plain. */
+/* A form of the pass that computes fewer quantities gives the same bits for these. */
 static void forms_agree(void) {
   for (int wall = 0; wall < 2; wall++) {
     struct bench *all = bench_create(wall), *some = bench_create(wall);
@@ -161,8 +162,8 @@ static void forms_agree(void) {
   }
 }
 
-/* Disc 1 west of disc 2: e is east, t is south (t clockwise of e). What moves along t, or turns so that its rim does
- * the opposite of t at the contact, slips as the paper says. */
+/* Disc 1 is west of disc 2: e points east, and t, clockwise of e, points south. The tangential increment has the
+ * signs of [CS79 15]. */
 static void signs_of_slip(void) {
   struct bench *it = bench_create(false);
   it->block.n = 4;
@@ -174,8 +175,8 @@ static void signs_of_slip(void) {
   }
   it->velocity[0] = vec(0, -3); /* disc 1 moves south: along t */
   it->velocity[3] = vec(0, 3);  /* disc 2 moves north: the same */
-  it->surface[4].speed = 5;     /* disc 1 turns counterclockwise: its rim goes north at the contact */
-  it->surface[7].speed = 5;     /* disc 2 turns counterclockwise: its rim goes south there */
+  it->surface[4].speed = 5;     /* disc 1 turns counterclockwise: its surface moves north at the contact */
+  it->surface[7].speed = 5;     /* disc 2 turns counterclockwise: its surface moves south there */
   nb_pass_disc_disc[NB_APPROACH_TANGENTIAL].run[NB_PLAIN](&it->model, &it->block);
   CU_ASSERT(it->f[NB_TANGENTIAL_INCREMENT][0] == 3 && it->f[NB_TANGENTIAL_INCREMENT][1] == 3);
   CU_ASSERT(it->f[NB_TANGENTIAL_INCREMENT][2] == -5 && it->f[NB_TANGENTIAL_INCREMENT][3] == -5);
@@ -193,7 +194,7 @@ static void force_in_components(void) {
       const double turn = chance_between(&chance, 0, 6.283);
       it->f[NB_EX][c] = cos(turn), it->f[NB_EY][c] = sin(turn);
       it->f[NB_TOTAL_NORMAL][c] = chance_between(&chance, -9, 9);
-      it->f[NB_TOTAL_SHEAR][c] = shear ? chance_between(&chance, -9, 9) : NAN; /* nobody may read it then */
+      it->f[NB_TOTAL_SHEAR][c] = shear ? chance_between(&chance, -9, 9) : NAN; /* must not be read */
     }
     nb_pass_resolve[shear].run[NB_PLAIN](&it->model, &it->block);
     for (int c = 0; c < N; c++) {
@@ -209,7 +210,7 @@ void suite_kinematics(void) {
   CU_pSuite suite = CU_add_suite("kinematics", NULL, NULL);
   CU_add_test(suite, "disc and disc", disc_disc);
   CU_add_test(suite, "disc and wall, inside and at both ends", disc_wall);
-  CU_add_test(suite, "forms that find out less agree", forms_agree);
+  CU_add_test(suite, "forms with fewer quantities agree", forms_agree);
   CU_add_test(suite, "signs of slip", signs_of_slip);
   CU_add_test(suite, "force in components", force_in_components);
 }

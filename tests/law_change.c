@@ -1,8 +1,8 @@
-/* Laws that jump between stages: two spheres, one fixed and one too heavy to move, 0.5 deep in each other, so every
+/* Laws that change between stages. Two spheres overlap by alpha = 0.5; one is fixed and one too heavy to move, so every
  * force and energy is known.
  *
- *   hertz   E* = 500, R* = 0.5, alpha = 0.5:   F_n = (4/3) E* (R* alpha^3)^(1/2) = 500/3,   U_n = (2/5) F_n alpha = 100/3
- *   linear  k_n = 100:                         F_n = 50,                                  U_n = 12.5
+ *   hertz   E* = 500, R* = 0.5:  F_n = (4/3) E* (R* alpha^3)^(1/2) = 500/3,  U_n = (2/5) F_n alpha = 100/3
+ *   linear  k_n = 100:           F_n = 50,                                   U_n = 12.5
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -36,6 +36,6 @@ static void the_force_jumps_and_the_energy_is_counted(void) {
 
 void suite_law_change(void) {
   CU_pSuite suite = CU_add_suite("law_change", NULL, NULL);
-  CU_add_test(suite, "the force is the new law's, and what is stored counts as changed",
+  CU_add_test(suite, "force of the new law, difference of the stored energies",
               the_force_jumps_and_the_energy_is_counted);
 }

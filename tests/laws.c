@@ -1,6 +1,7 @@
-/* The contract of a law, held by every one in the register: nothing here knows a law by name.
+/* The contract that every registered law must satisfy. No test here names a law.
  *
- * Each test goes over all laws, and many pairs and paths drawn by chance; a shear law on top of every normal law.
+ * Each test runs over all laws with many random material pairs and paths; shear laws are combined with every normal
+ * law.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -23,13 +24,14 @@ static void nothing_at_zero_overlap(struct contact it, struct chance *chance) {
   }
 }
 
-/* Where the overlap is the largest so far there is a force. A law that remembers may have lost it where the overlap has been larger. */
+/* At the largest overlap so far there is a repulsive force. A law with a history may have no force where the overlap
+ * has been larger. */
 static void pushes_and_never_pulls(struct contact it, struct chance *chance) {
   double deepest = 0;
   for (int k = 0; k < 20; k++) {
     const double overlap =
-        chance_scale(chance, it.normal->incremental ? 1e-100 : 1e-300, 1e3); /* it builds on the least */
-    /* then the force may be gone, but all of it */
+        chance_scale(chance, it.normal->incremental ? 1e-100 : 1e-300, 1e3); /* it sums up from the smallest overlap */
+    /* then the force may be 0, but not without the stiffness */
     const bool apart = it.normal->incremental ? overlap < it.overlap : it.normal->history > 0 && overlap < deepest;
     deepest = overlap > deepest ? overlap : deepest;
     contact_go(&it, overlap, 0);
@@ -39,8 +41,8 @@ static void pushes_and_never_pulls(struct contact it, struct chance *chance) {
   }
 }
 
-/* A force is known to an epsilon of it, so a difference over 2h to F epsilon/h; the step is far too short for curvature
- * to count. The stiffness of an incremental law is the slope of the step to come, whatever came before. */
+/* A force has the relative error epsilon, so a difference quotient over 2 h has the error F epsilon/h; h is so small
+ * that the curvature does not count. The stiffness of an incremental law is the slope of the next step. */
 static void stiffness_is_the_slope(struct contact it, struct chance *chance) {
   const double overlap = chance_scale(chance, 1e-9, 1e-3), h = ldexp(overlap, -17);
   contact_lead(&it, overlap - h, 0, 16);
@@ -52,8 +54,8 @@ static void stiffness_is_the_slope(struct contact it, struct chance *chance) {
   CU_ASSERT(fabs(slope - stiffness) <= tolerance);
 }
 
-/* Whatever came before, no step from here goes up or down more steeply than the law has said. The step is so short that the stiffness of
- * elastic spheres changes by 2^-17 of itself. */
+/* After any history, no step up or down is steeper than the largest stiffness that the law returns. The step is so
+ * short that the stiffness of elastic spheres changes by the fraction 2^-17. */
 static void never_stiffer_than_stated(struct contact it, struct chance *chance) {
   for (int k = 0; k < 20; k++) {
     const double overlap = chance_scale(chance, 1e-9, 1e-3), h = ldexp(overlap, -16);
@@ -61,7 +63,7 @@ static void never_stiffer_than_stated(struct contact it, struct chance *chance) 
     contact_lead(&it, overlap, 0, 16);
     const double most = nb_normal_max_stiffness(it.n) * (1 + ldexp(1, -16)) + 8 * DBL_EPSILON * it.n.force / h;
     if (it.normal->incremental && it.n.force == 0)
-      continue; /* it touches anew, and is as stiff as the step is long */
+      continue; /* the next step begins a new contact, whose stiffness depends on the step */
     CU_ASSERT(nb_normal_max_stiffness(it.n) > 0);
     for (int way = -1; way < 2; way += 2) {
       struct contact next = it;
@@ -71,10 +73,11 @@ static void never_stiffer_than_stated(struct contact it, struct chance *chance) 
   }
 }
 
-/* The slope over two steps is the mean of what the law answers in both: one that goes by increments answers that of its step. */
+/* The slope over two steps is the mean of the stiffnesses that the law returns in both, because an incremental law
+ * returns the slope of its step. */
 static void shear_stiffness_is_the_slope(struct contact it, struct chance *chance) {
   if (it.shear->dissipative)
-    return; /* it slips a little before it slides: tested below */
+    return; /* laws with micro-slip are tested below */
   contact_lead(&it, chance_scale(chance, 1e-9, 1e-3), 0, 16);
   const double sign = chance_between(chance, -1, 1) < 0 ? -1 : 1;
   const double slip = sign * it.overlap * it.pair.friction * chance_between(chance, 0.1, 0.5), h = ldexp(slip, -17);
@@ -90,8 +93,8 @@ static void shear_stiffness_is_the_slope(struct contact it, struct chance *chanc
     CU_ASSERT(fabs((it.s.force - before) / (2 * h) - (stiffness + it.s.stiffness) / 2) <= tolerance);
 }
 
-/* A law that loses energy before it slides as a whole has its stiffness where slip has just turned round, and less in
- * micro-slip: over a way h, of what would make the contact slide, it has lost a share of it of the order of h. */
+/* A law with micro-slip has the slope of its stiffness just after a reversal, and a smaller one during micro-slip.
+ * Over the fraction h of the displacement at gross sliding, the slope deviates by a fraction of the order of h. */
 static void shear_stiffness_is_the_slope_at_stick(struct contact it, struct chance *chance) {
   if (!it.shear->dissipative || it.pair.friction == 0)
     return;
@@ -132,7 +135,8 @@ static void mirrored_slip_gives_the_mirrored_force(struct contact it, struct cha
   }
 }
 
-/* A law has no size of its own: what is softer by a power of two, in stiffness and cohesion, has a force smaller by just that. */
+/* A law has no stiffness of its own: if all stiffnesses and the cohesion are scaled by a power of two, so are all
+ * forces, exactly. */
 static void forces_scale_with_the_stiffnesses(struct contact it, struct chance *chance) {
   const double fraction = ldexp(1, -60);
   struct contact soft = it;
@@ -160,7 +164,7 @@ static void memory_that_is_not_the_laws_own_is_left_alone(struct contact it, str
     CU_ASSERT_EQUAL(it.shear_history[m], untouched);
 }
 
-/* Whether the word is one of those of a list, "ks, friction". */
+/* Whether the word is in a list such as "ks, friction". */
 static bool is_listed(const char *list, const char *word) {
   const size_t length = strlen(word);
   for (; *list; list += strcspn(list, " "), list += strspn(list, " "))
@@ -169,7 +173,7 @@ static bool is_listed(const char *list, const char *word) {
   return false;
 }
 
-/* Changes a parameter of the materials by its number, and answers its name; NULL: there are no more. */
+/* Changes the material parameter with this number and returns its name; NULL after the last one. */
 static const char *change(struct nb_pair *pair, int number) {
   int k = 0;
 #define ROW(name, ...)                                                                                                 \
@@ -183,8 +187,8 @@ static const char *change(struct nb_pair *pair, int number) {
   return number == k ? "young" : "poisson";
 }
 
-/* A law's force along random histories depends on the parameters that its row states, and on no others. Only the law under test gets the
- * changed pair. */
+/* A law's force along random histories depends on the parameters that its row states, and on no others. Only the law
+ * under test gets the changed pair. */
 static void the_force_depends_on_the_stated_parameters(void) {
   for (const struct nb_law *const *law = nb_laws(); *law; law++) {
     const struct nb_law *normal = (*law)->normal ? *law : nb_law_find("normal", (*law)->elastic ? "hertz" : "linear");
@@ -208,7 +212,7 @@ static void the_force_depends_on_the_stated_parameters(void) {
       }
       CU_ASSERT_EQUAL(depends, is_listed((*law)->parameters, name));
       if (depends != is_listed((*law)->parameters, name))
-        printf("# by law %s %s and %s\n", (*law)->kind, (*law)->name, name);
+        printf("# failed for %s %s, parameter %s\n", (*law)->kind, (*law)->name, name);
     }
   }
 }
@@ -230,11 +234,12 @@ void suite_laws(void) {
   CU_add_test(suite, "the force depends on the stated parameters", the_force_depends_on_the_stated_parameters);
   CU_add_test(suite, "normal: pushes and never pulls", normal_pushes_and_never_pulls);
   CU_add_test(suite, "normal: stiffness is the slope", normal_stiffness_is_the_slope);
-  CU_add_test(suite, "normal: never stiffer than stated", normal_never_stiffer_than_stated);
+  CU_add_test(suite, "normal: never stiffer than the largest stiffness", normal_never_stiffer_than_stated);
   CU_add_test(suite, "shear: stiffness is the slope", shear_shear_stiffness_is_the_slope);
   CU_add_test(suite, "shear: stiffness is the slope at stick", shear_shear_stiffness_is_the_slope_at_stick);
   CU_add_test(suite, "shear: stays below its limit", shear_shear_stays_below_its_limit);
   CU_add_test(suite, "shear: mirrored slip, mirrored force", shear_mirrored_slip_gives_the_mirrored_force);
   CU_add_test(suite, "shear: forces scale with the stiffnesses", shear_forces_scale_with_the_stiffnesses);
-  CU_add_test(suite, "memory not declared is left alone", shear_memory_that_is_not_the_laws_own_is_left_alone);
+  CU_add_test(suite, "history slots that a law does not declare are unchanged",
+              shear_memory_that_is_not_the_laws_own_is_left_alone);
 }

@@ -1,6 +1,6 @@
-/* The forms of a law that go over a block of contacts: the same bits as the law itself, one contact at a time,
- * whatever the instruction set and the number of contacts; nothing is written past the end;
- * memory ends with the contact.
+/* The batch forms of a law, which compute a block of contacts: the same bits as the law computed for one contact at
+ * a time, with every instruction set and every number of contacts; nothing is written past the end; the history ends
+ * with the contact.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -13,7 +13,8 @@
 #include "laws/laws_now.h"
 #include "suites.h"
 
-/* A law of the tests alone: it fills all the memory there is and never empties it, touching or not. */
+/* A law for these tests only: it writes to all history slots and never resets them, whether the particles touch or
+ * not. */
 static inline struct nb_shear shear_scribble(struct nb_pair p, struct nb_normal n, double slip, double m[]) {
   for (int k = 0; k < NB_HISTORY; k++)
     m[k] += (k + 1) * slip;
@@ -29,7 +30,7 @@ static inline struct nb_shear shear_scribble(struct nb_pair p, struct nb_normal 
 #define BRANCHING
 #include "../src/laws/law_batch.h"
 
-/* All of the register, then that one; NULL past the last. */
+/* Law number k: the registered laws, then shear_scribble; NULL after the last. */
 static const struct nb_law *law_number(int k) {
   for (const struct nb_law *const *law = nb_laws(); *law; law++, k--)
     if (k == 0)
@@ -37,11 +38,11 @@ static const struct nb_law *law_number(int k) {
   return k == 0 ? &law_shear_scribble : NULL;
 }
 
-enum { ROOM = NB_BLOCK_SIZE + 8 }; /* what lies past the block is seen */
+enum { ROOM = NB_BLOCK_SIZE + 8 }; /* more than a block, to detect writes past its end */
 
-enum { MOST = 16 + 5 * 64 }; /* doubles of a law that remembers more than NB_MEMORY */
+enum { MOST = 16 + 5 * 64 }; /* doubles per contact of a law with more than NB_HISTORY history variables */
 
-/* What such a law remembers is made by itself alone. */
+/* A random history of such a law, made by the law itself. */
 static void row_of_chance(double *row, const struct nb_law *law, struct nb_pair pair, struct chance *chance) {
   row[0] = 0;
   for (int m = 1; m < MOST; m++)
@@ -55,11 +56,11 @@ static void row_of_chance(double *row, const struct nb_law *law, struct nb_pair 
   }
 }
 
-/* All that a law reads and writes, as the plan would lay it out. */
+/* All that a law reads and writes, in the layout of the plan. */
 struct fields {
   _Alignas(64) double f[NB_FIELDS][ROOM];
   _Alignas(64) double memory[NB_HISTORY][ROOM];
-  double rows[ROOM][MOST]; /* of a law that remembers more */
+  double rows[ROOM][MOST]; /* for laws with more history variables */
 };
 
 static void fill(struct fields *fields, const struct nb_law *law, struct nb_pair pair, struct chance *chance) {
@@ -80,7 +81,7 @@ static void fill(struct fields *fields, const struct nb_law *law, struct nb_pair
   }
 }
 
-/* One contact at a time, as law_batch.h promises. */
+/* One contact at a time, as law_batch.h specifies. */
 static void by_hand(const struct nb_law *law, struct nb_pair pair, struct fields *fields, size_t n) {
   const bool rows = nb_law_history(law, pair) > NB_HISTORY;
   for (size_t c = 0; c < n; c++) {
@@ -119,7 +120,7 @@ static void by_block(const struct nb_law *law, const struct nb_material_pair *ma
   for (int f = 0; f < NB_FIELDS; f++)
     block.f[f] = fields->f[f];
   if (!counts)
-    block.f[NB_DISSIPATED] = NULL; /* nobody asks */
+    block.f[NB_DISSIPATED] = NULL; /* not requested */
   struct nb_history *memory = law->normal ? &block.normal_history : &block.shear_history;
   memory->doubles = nb_law_history(law, material_pair->values);
   if (memory->doubles > NB_HISTORY)

@@ -1,4 +1,4 @@
-/* The contract of a law, energy: held by every one in the register, as in laws.c.
+/* The contract of a law for its energies. Every registered law must satisfy it, as in laws.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -8,11 +8,11 @@
 #include "suites.h"
 
 struct corner {
-  double overlap, slip; /* to this overlap, on by this slip */
+  double overlap, slip; /* overlap at the corner, slip on the way to it */
 };
 
-/* Three times around, from a contact that carries no shear. Steps are finite, so the work is wrong by something that
- * falls with them: what it changes by when there are twice as many is taken for it, four times over. */
+/* Three times around a closed path, from a contact without shear force: the work must not be negative. The error of
+ * the finite steps is estimated as four times the change of the work when the number of steps is doubled. */
 static void go_around(const struct contact *at, const struct corner *corners, int count) {
   struct contact coarse = *at, fine = *at;
   double work = 0, finer = 0, scale = 0;
@@ -42,10 +42,11 @@ static void closed_paths_give_no_energy(struct contact it, struct chance *chance
   go_around(&it, (struct corner[]){{0, reach}, {low, -reach}}, 2);
 }
 
-/* From step to step: never more than the work put in, and all of it while nothing slides. A law that says what it loses
- * stores the rest, sliding or not. What the steps make of it is taken to be sixteen times what the terms change by with
- * half as many of them: the work errs by a smooth part and by that of the step in which a slide begins, which may cancel in the change. One that joins pieces of its history, when it has no room for more, changes what it has stored by a
- * little, and says that too; 1e-3 is what these paths show. */
+/* In every segment the stored energy increases by at most the work, and by exactly the work while nothing slides. A
+ * law that returns its dissipation stores the rest, sliding or not. The error of the finite steps is estimated as
+ * sixteen times the change of all terms when the number of steps is halved: it has a smooth part and the part of the
+ * step in which sliding begins, and they may cancel in the change. A law that joins pieces of its history changes
+ * its stored energy slightly, and reports that as dissipation; on these paths it is below 1e-3. */
 static void stored_energy_is_the_work(struct contact it, struct chance *chance) {
   if (!it.normal->stored || (it.shear && !it.shear->stored))
     return;

@@ -1,4 +1,4 @@
-/* Nothing is global: models that live side by side, in turns and in threads, do what each does alone.
+/* There is no global state: models that run alternately, or in threads, give the same bits as each of them alone.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -8,7 +8,7 @@
 
 enum { MODELS = 4, CYCLES = 400 };
 
-/* Alike in shape, unlike in every number. */
+/* Scenes of the same shape, with different numbers. */
 static void make(struct written *it, int which) {
   struct words page = {0};
   words_add(
@@ -28,7 +28,7 @@ static void compare(const struct nb_model *a, const struct nb_model *b) {
     CU_ASSERT(written_now(a, names[k]) == written_now(b, names[k])); /* the same bits */
 }
 
-static void models_in_turns(void) {
+static void models_run_alternately(void) {
   struct written scenes[MODELS];
   struct nb_model *together[MODELS];
   for (int k = 0; k < MODELS; k++) {
@@ -78,6 +78,6 @@ static void runs_in_threads(void) {
 
 void suite_many(void) {
   CU_pSuite suite = CU_add_suite("many", NULL, NULL);
-  CU_add_test(suite, "models in turns", models_in_turns);
+  CU_add_test(suite, "models run alternately", models_run_alternately);
   CU_add_test(suite, "runs in threads", runs_in_threads);
 }

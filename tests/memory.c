@@ -1,4 +1,4 @@
-/* What laws remember of contacts: a field a number where there are few, a row a contact where there are many.
+/* The history of contacts: one field per variable if there are few variables, one row per contact if there are many.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -63,8 +63,9 @@ static void many(void) {
   nb_owner_free(&owner);
 }
 
-/* What there is no field for reads as 0; between memories of unlike length as much is copied as both have. */
-static void unlike(void) {
+/* A variable without a field reads as 0. Between histories of different length, the variables that both have are
+ * copied. */
+static void different_lengths(void) {
   static const int sizes[][2] = {{1, FEW}, {FEW, 1}, {FEW + 1, MANY}, {MANY, FEW + 1}};
   for (int k = 0; k < 4; k++) {
     double room[NB_HISTORY];
@@ -86,8 +87,8 @@ static void unlike(void) {
   }
 }
 
-/* Fields and rows have nothing in common. */
-static void unlike_in_kind(void) {
+/* Nothing is copied between fields and rows. */
+static void fields_and_rows(void) {
   for (int rows = 0; rows < 2; rows++) {
     struct nb_owner owner = {NULL};
     struct nb_history from = nb_history_create(&owner, rows ? MANY : FEW, 5);
@@ -102,8 +103,8 @@ static void unlike_in_kind(void) {
 
 void suite_memory(void) {
   CU_pSuite suite = CU_add_suite("memory", NULL, NULL);
-  CU_add_test(suite, "few numbers", few);
-  CU_add_test(suite, "many numbers", many);
-  CU_add_test(suite, "unlike lengths", unlike);
-  CU_add_test(suite, "unlike kinds", unlike_in_kind);
+  CU_add_test(suite, "few variables", few);
+  CU_add_test(suite, "many variables", many);
+  CU_add_test(suite, "different lengths", different_lengths);
+  CU_add_test(suite, "fields and rows", fields_and_rows);
 }

@@ -1,6 +1,7 @@
-/* The law of motion against what its recursions come to: [CS79 20-23a, 29-36], [R89 6.5.1].
+/* The equations of motion, compared with the solutions of their recursions: [CS79 20-23a, 29-36], [R89 6.5.1].
  *
- * One disc between two walls that both press it by p is a mass m on a spring 2k, exactly, while it moves less than p.
+ * One disc between two walls that it overlaps by p each is a mass m on a spring 2 k, exactly, while it moves by less
+ * than p.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -43,7 +44,7 @@ static void free_flight_is_exact(void) {
   written_run(&result, &it, NULL);
   const double *first = result.table.values + 1024 * result.table.column_count; /* at the end of the first stage */
   CU_ASSERT(first[0] == 1.5 && first[1] == 1.75 && first[2] == 3 && first[3] == 0.5 && first[4] == 3);
-  /* What is fixed goes on as it goes, damped or not, and through whatever is in its way. */
+  /* Fixed discs keep their velocity, damped or not, and pass through whatever is in their way. */
   CU_ASSERT(written_last(&result, "B.x") == 10 && written_last(&result, "B.y") == 13);
   CU_ASSERT(written_last(&result, "B.angle") == -4);
   CU_ASSERT(written_last(&result, "C.x") == 14 && written_last(&result, "C.y") == 9);
@@ -51,8 +52,8 @@ static void free_flight_is_exact(void) {
   written_free(&it);
 }
 
-/* x_N = x_0 cos(phi N) + v_0 dt sin(phi N)/sin(phi), sin(phi/2) = w dt/2: the first kick lasts half a step, or the
- * first term would be another. The velocity now is the central difference of the positions. */
+/* x_N = x_0 cos(phi N) + v_0 dt sin(phi N)/sin(phi) with sin(phi/2) = w dt/2, because the first kick lasts half a
+ * step. The velocity at t_N is the central difference of the positions. */
 static void one_mass_on_a_spring(void) {
   static const double start[][2] = {{0.05, 0}, {0, 0.4}, {-0.03, 0.2}};
   for (size_t s = 0; s < sizeof start / sizeof *start; s++)
@@ -75,7 +76,8 @@ static void one_mass_on_a_spring(void) {
     }
 }
 
-/* Each reading's recursion, as its source has it: u the velocity at the half step, f the force over the mass. */
+/* The recursion of each kind of mass-proportional damping, from its source: u is the velocity at the half step, f
+ * the force over the mass, g the number in the statement. */
 static double alpha(double g, double dt, double u, double f) {
   return (u * (1 - g * dt / 2) + f * dt) / (1 + g * dt / 2); /* [CS79 35] */
 }
@@ -98,7 +100,7 @@ static const struct reading {
     {"con1 0 as all", 0, con1_all},
 };
 
-static void global_damping_in_its_readings(void) {
+static void kinds_of_mass_damping(void) {
   for (size_t r = 0; r < sizeof readings / sizeof *readings; r++) {
     const struct reading *reading = &readings[r];
     struct written it;
@@ -122,7 +124,7 @@ static void global_damping_in_its_readings(void) {
   }
 }
 
-static void spin_is_damped_as_the_velocity_is(void) {
+static void spin_is_damped_like_the_velocity(void) {
   for (size_t r = 0; r < sizeof readings / sizeof *readings; r++) {
     const struct reading *reading = &readings[r];
     struct words page = {0};
@@ -146,10 +148,10 @@ static void spin_is_damped_as_the_velocity_is(void) {
   }
 }
 
-/* Three stages with steps dt, dt/3, dt/2 against the motion in continuous time: halving all steps leaves a quarter of
- * the error, in position and in velocity, damped or not. A first kick of a whole step, or one of the new step only,
- * would leave a half. */
-static void unlike_steps_keep_the_second_order(void) {
+/* Three stages with the steps dt, dt/3, dt/2, compared with the exact motion: with all steps halved, the errors of
+ * position and velocity fall to a quarter, damped or not. With a first kick of a whole step, or a kick of the new
+ * step only, they would fall to a half. */
+static void changes_of_the_step_keep_the_second_order(void) {
   for (int damped = 0; damped < 2; damped++) {
     const double rate = damped ? 2 : 0, w = omega(), turn = sqrt(w * w - rate * rate / 4), end = 6;
     const double decay = 0.05 * exp(-rate / 2 * end);
@@ -181,7 +183,7 @@ static void unlike_steps_keep_the_second_order(void) {
   }
 }
 
-/* The energy with the velocity now oscillates within (w dt)^2 of itself and does not drift. */
+/* The energy with the velocity at t_N oscillates by the fraction (w dt)^2 and does not drift. */
 static void energy_does_not_drift(void) {
   struct written it;
   char text[128];
@@ -199,8 +201,8 @@ static void energy_does_not_drift(void) {
   written_free(&it);
 }
 
-/* More particles than fit into one block of the motion, each of its own mass: all fall alike. */
-static void many_fall(void) {
+/* More particles than fit into one block of the motion, each with its own mass, fall by the same distance. */
+static void many_particles_fall(void) {
   struct words page = {0};
   struct written it;
   words_add(&page, "units none\nmaterial m density 1 kn 1\ngravity 0 -2\nskin 0.1\nstep 0.25\nrecord time\n");
@@ -218,11 +220,11 @@ static void many_fall(void) {
 
 void suite_motion(void) {
   CU_pSuite suite = CU_add_suite("motion", NULL, NULL);
-  CU_add_test(suite, "free flight is exact, and what is fixed goes on", free_flight_is_exact);
+  CU_add_test(suite, "free flight is exact, fixed discs keep their velocity", free_flight_is_exact);
   CU_add_test(suite, "one mass on a spring", one_mass_on_a_spring);
-  CU_add_test(suite, "global damping in its readings", global_damping_in_its_readings);
-  CU_add_test(suite, "spin is damped as the velocity is", spin_is_damped_as_the_velocity_is);
-  CU_add_test(suite, "unlike steps keep the second order", unlike_steps_keep_the_second_order);
+  CU_add_test(suite, "kinds of mass-proportional damping", kinds_of_mass_damping);
+  CU_add_test(suite, "spin is damped like the velocity", spin_is_damped_like_the_velocity);
+  CU_add_test(suite, "changes of the step keep the second order", changes_of_the_step_keep_the_second_order);
   CU_add_test(suite, "energy does not drift", energy_does_not_drift);
-  CU_add_test(suite, "many fall", many_fall);
+  CU_add_test(suite, "many particles fall", many_particles_fall);
 }

@@ -1,4 +1,4 @@
-/* Which pairs can touch, against all pairs; and what must not depend on when they were looked for.
+/* The neighbour list, compared with all pairs; and results that must not depend on when the searches were made.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -11,15 +11,15 @@
 
 enum { DISCS = 300 };
 
-/* Discs of unlike sizes and two materials around a place far from the origin, which move, rub and hit a ramp and each
- * other. */
+/* Discs of different sizes and two materials, far from the origin, that move, and hit a wall and each other with
+ * friction. */
 static void cloud(struct written *it, double x, double y, double speed, unsigned seed) {
   struct words page = {0};
   struct chance chance = chance_begin(seed);
   words_add(
       &page,
       "units none\nmaterial a density 1 kn 1e4 ks 8e3 friction 0.4\nmaterial b density 2 kn 3e4 ks 1e4 friction 0.2\n"
-      "material c kn 1 ks 90 friction 0.3\npair a c kn 1e5\npair b c kn 1e5\n" /* too hard to be gone through */
+      "material c kn 1 ks 90 friction 0.3\npair a c kn 1e5\npair b c kn 1e5\n" /* too stiff to be crossed */
       "shear linear\nstep 1e-4\nwall ramp %.17g %.17g to %.17g %.17g c velocity %.17g 0\n",
       x - 5, y - 5, x + 20, y - 0.8, speed);
   struct placed placed = {.fraction = 0.5};
@@ -48,8 +48,8 @@ static double gap(const struct nb_model *model, size_t i, size_t j, bool wall) {
   return vec_length(vec_sub(vec_add(p, vec_scale(s, along)), x)) - model->particles.surface[i].radius;
 }
 
-/* Every pair closer than `within` is listed, once, with its smaller number first and under its own materials; no pair
- * of fixed ones. */
+/* Every pair closer than `within` must be listed, with the smaller number first and with its own material pair,
+ * unless both are fixed. Returns the number of these pairs. */
 static size_t compare(const struct nb_model *model, double within) {
   const struct nb_particles *particles = &model->particles;
   size_t wanted = 0;
@@ -85,14 +85,14 @@ static void all_pairs_are_found(void) {
       cloud(&it, places[p][0], places[p][1], 1, p + 1);
       struct nb_model *model = written_model(&it, &(struct nb_options){.threads = 1, .shuffle = shuffle});
       const size_t wanted = compare(model, model->search.skin);
-      CU_ASSERT(wanted > DISCS / 2 && wanted == model->contacts.count); /* those, and no others */
+      CU_ASSERT(wanted > DISCS / 2 && wanted == model->contacts.count); /* these and no others */
       nb_model_free(model);
       written_free(&it);
     }
 }
 
-/* The list may be old, but whatever touches is on it, at each of many cycles between and after searches. */
-static void whatever_touches_is_listed(void) {
+/* In every cycle, between searches too, all pairs that touch are listed. */
+static void touching_pairs_are_listed(void) {
   struct written it;
   cloud(&it, 1e3, -1e3, 5, 5);
   struct nb_model *model = written_model(&it, NULL);
@@ -105,9 +105,9 @@ static void whatever_touches_is_listed(void) {
   written_free(&it);
 }
 
-/* Five large discs in a sea of small ones, radii from 30 to 0.01: all pairs are found, and few are measured. With cells as wide as
- * the largest disc, every small one would be measured against hundreds. */
-static void unlike_sizes(void) {
+/* Five large discs among small ones, radii from 30 to 0.01: all pairs are found, and few are measured. With boxes as
+ * wide as the largest disc every small one would be measured against hundreds. */
+static void different_sizes(void) {
   enum { SMALL = 1500 };
   struct words page = {0};
   struct chance chance = chance_begin(11);
@@ -126,7 +126,7 @@ static void unlike_sizes(void) {
     CU_ASSERT_EQUAL(model->search.skin, 0.02);
     const size_t wanted = compare(model, model->search.skin);
     CU_ASSERT(wanted > SMALL / 5 && wanted == model->contacts.count);
-    /* five large ones measure every small one at most; a small one its own neighbourhood, which is a few */
+    /* each of five large discs is measured against all small ones at most, a small one against its few neighbours */
     if (!(model->search.candidates < 5 * SMALL + 7 * SMALL))
       printf("# %llu candidates for %zu pairs\n", model->search.candidates, wanted);
     CU_ASSERT(model->search.candidates < 5 * SMALL + 7 * SMALL);
@@ -152,8 +152,9 @@ static unsigned long long searches_of(const char *statements, unsigned long long
   return searches;
 }
 
-/* One particle alone, or none that is free, can touch nothing. Two that stay where they are are searched once, without cells. */
-static void nothing_is_searched_for_nothing(void) {
+/* A single particle, or fixed particles only, are never searched. Two particles at rest are searched once, without
+ * boxes. */
+static void no_search_without_need(void) {
   unsigned long long candidates;
   CU_ASSERT_EQUAL(searches_of("disc 0 0 radius 1 m velocity 9 9", &candidates), 0);
   CU_ASSERT_EQUAL(searches_of("disc 0 0 radius 1 m velocity 9 9 fixed\ndisc 5 0 radius 1 m fixed\nwall w 0 9 to 9 9 m",
@@ -172,7 +173,7 @@ static void nothing_is_searched_for_nothing(void) {
 
 /* ---- the same bits ---- */
 
-/* All that has come of a model, in the order of numbers; frees it. */
+/* Positions, velocities and forces of a model by particle number; frees the model. */
 static void outcome(struct nb_model *model, double state[DISCS][8]) {
   for (size_t k = 0; k < DISCS; k++) {
     const size_t i = (size_t)model->particles.slot[k];
@@ -192,8 +193,8 @@ static void outcome(struct nb_model *model, double state[DISCS][8]) {
 
 static double wanted[DISCS][8], seen[DISCS][8];
 
-/* A wide skin is searched seldom, a narrow one at nearly every cycle: what contacts remember must come through every
- * search. */
+/* With a wide skin searches are rare, with a narrow one they happen in nearly every cycle. Contact histories must
+ * survive every search. */
 static void the_skin_changes_no_bit(void) {
   static const double skins[] = {0.1, 1e-3, 3};
   unsigned long long searches[3];
@@ -215,8 +216,8 @@ static void the_skin_changes_no_bit(void) {
   written_free(&it);
 }
 
-/* What laws remember of a contact outlives searches, that of normal laws too: the same bits with many as with none. */
-static void laws_remember_through_searches(void) {
+/* Histories of normal and shear laws survive searches: the same bits with many searches as with one. */
+static void histories_survive_searches(void) {
   static const char *const laws[] = {"normal hertz_increment\nshear mindlin\n",
                                      "normal hertz_increment\nshear mindlin_deresiewicz\n"};
   for (size_t n = 0; n < sizeof laws / sizeof *laws; n++) {
@@ -255,7 +256,7 @@ static void storage_threads_and_instructions_change_no_bit(void) {
   for (size_t o = 0; o < sizeof all / sizeof *all; o++) {
     struct nb_error error;
     struct nb_model *model = nb_model_create(&it.scene, &all[o], &error);
-    if (!model) { /* then for its instruction set alone, which this machine lacks */
+    if (!model) { /* only because this machine lacks the instruction set */
       CU_ASSERT(o > 0 && all[o].isa && strstr(error.text, all[o].isa));
       continue;
     }
@@ -272,10 +273,10 @@ static void storage_threads_and_instructions_change_no_bit(void) {
 void suite_near(void) {
   CU_pSuite suite = CU_add_suite("near", NULL, NULL);
   CU_add_test(suite, "all pairs are found, and no others", all_pairs_are_found);
-  CU_add_test(suite, "whatever touches is listed", whatever_touches_is_listed);
-  CU_add_test(suite, "a few large discs among many small ones", unlike_sizes);
-  CU_add_test(suite, "nothing is searched for nothing", nothing_is_searched_for_nothing);
+  CU_add_test(suite, "pairs that touch are listed", touching_pairs_are_listed);
+  CU_add_test(suite, "a few large discs among many small ones", different_sizes);
+  CU_add_test(suite, "no search without need", no_search_without_need);
   CU_add_test(suite, "the skin changes no bit", the_skin_changes_no_bit);
-  CU_add_test(suite, "laws remember through searches", laws_remember_through_searches);
+  CU_add_test(suite, "histories survive searches", histories_survive_searches);
   CU_add_test(suite, "storage, threads and instructions change no bit", storage_threads_and_instructions_change_no_bit);
 }

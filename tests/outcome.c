@@ -1,4 +1,4 @@
-/* A page carried out: what is reported while its runs go on, and the units of what is reported at the end.
+/* A page that is run: progress and notes during the runs, and the units of the results.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef _POSIX_C_SOURCE
@@ -12,7 +12,7 @@
 #include "report/outcome.h"
 #include "suites.h"
 
-/* What was reported, and how often; the last words of each. */
+/* The number of progress reports and of notes, and the last text of each. */
 struct heard {
   int calls, notes;
   char stage[512], note[1024];
@@ -33,7 +33,7 @@ static void note(void *data, const char *text) {
   heard->notes++;
 }
 
-/* A page of these statements and these expectations, carried out. */
+/* Runs a page with these statements and these expectations. */
 static void carry_out(struct nb_outcome *outcome, const char *scene, const char *expectations,
                       const struct nb_progress *progress) {
   char path[] = "/tmp/nineball-outcome-XXXXXX";
@@ -49,7 +49,7 @@ static void carry_out(struct nb_outcome *outcome, const char *scene, const char 
     printf("# %s", outcome->mistakes.text);
 }
 
-/* One disc, with other laws in its second stage; these sweeps, and these expectations. */
+/* Runs a page with one disc, another shear law in its second stage, these sweeps and these expectations. */
 static void make(struct nb_outcome *outcome, const char *sweep, const char *expectations,
                  const struct nb_progress *progress) {
   char scene[512];
@@ -61,7 +61,7 @@ static void make(struct nb_outcome *outcome, const char *sweep, const char *expe
   carry_out(outcome, scene, expectations, progress);
 }
 
-/* The share is that of all runs together, and both name the run where there are several. */
+/* The fraction is that of all runs together. Progress and notes name the run if there are several. */
 static void progress(void) {
   static const struct {
     const char *sweep, *stage, *note;
@@ -115,7 +115,7 @@ static void note_of_memory_size(void) {
   }
 }
 
-/* What has a unit is reported in it, in SI; what has none is not. */
+/* Values with a dimension are reported in SI units. */
 static void units(void) {
   struct nb_outcome outcome;
   make(&outcome, "",
@@ -131,8 +131,8 @@ static void units(void) {
   nb_outcome_free(&outcome);
 }
 
-/* Overlaps that are too deep are counted over all runs, 9 cycles and the forces at the start of each; the first of them is
- * named. Not deep, deep, deeper. */
+/* Deep contacts are counted over all runs, in 9 cycles and at the start of each; the first one is named. The contact
+ * is not deep in the first run, deep in the second and deeper in the third. */
 static void deep_overlaps_of_all_runs(void) {
   struct nb_outcome outcome;
   carry_out(
@@ -152,6 +152,6 @@ void suite_outcome(void) {
   CU_pSuite suite = CU_add_suite("outcome", NULL, NULL);
   CU_add_test(suite, "progress and notes of several runs", progress);
   CU_add_test(suite, "a note of the memory size that changes", note_of_memory_size);
-  CU_add_test(suite, "the units of what is reported", units);
-  CU_add_test(suite, "overlaps that are too deep, of all runs together", deep_overlaps_of_all_runs);
+  CU_add_test(suite, "units of reported values", units);
+  CU_add_test(suite, "deep contacts of all runs together", deep_overlaps_of_all_runs);
 }

@@ -1,12 +1,12 @@
-/* `place`: every word of the language that has a direction is mirrored and turned with the scene.
+/* `transform`: every statement that has a direction is mirrored and rotated with the scene.
  *
- * For each such word there is a short scene in which it matters: without its line the scene is none, or something moves
- * otherwise. The scene is run as it stands and in other places; particles and walls must end where the mirrored, turned and shifted
- * ones of the first run are. The words come from the table of keywords: one that is not in the list fails, and so does one that
- * is listed without a direction but takes values that have one.
+ * For each such statement there is a short scene in which it matters: without its line the page has an error, or
+ * particles move differently. The scene is run as it is and with several transforms; particles and walls must end at
+ * the transformed places of the first run. The keywords come from the table of the language: the test fails if one is
+ * in neither list, or if it is listed without a direction but takes values that have one.
  *
- * Tolerance: a turned scene differs by rounding alone, of 1e-16 of coordinates below 20; the runs are so short that contacts
- * make no more than 1e-10 of it. What the lines change is above 1e-6 in each scene.
+ * Tolerance: a transformed scene differs by rounding only, 1e-16 of coordinates below 20, and the runs are so short
+ * that contacts amplify this to 1e-10 at most. The effect of each line is above 1e-6.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -18,7 +18,7 @@
 #include "suites.h"
 #include "written.h"
 
-/* A page is HEAD, the lines before, the line of the word, and those after it. */
+/* A page consists of HEAD, `before`, the line under test and `after`. */
 #define HEAD                                                                                                           \
   "units none\nmaterial m density 2 kn 1000 ks 700 friction 0.3\nshear linear\ndamping ratio 0.1\nstep "               \
   "0.004\n"
@@ -98,8 +98,8 @@ static const struct row rows[] = {
 enum { ROWS = sizeof rows / sizeof *rows };
 
 static const unsigned wheres[] = {NB_IN_SCENE, NB_IN_STAGE, NB_IN_RAMP};
-/* Words that have no direction, in a scene, in a stage and behind `ramp`. A packing has places from a file, which then are those
- * of particles; `until` waits for what would be recorded, which is not turned, as the manual says. */
+/* Statements without a direction in a scene, in a stage and after `ramp`. `packing` reads places of particles, which
+ * transform like all others; `until` waits for recorded quantities, which are not transformed (docs/LANGUAGE.md). */
 static const char *const scalars[] = {
     ("|packing|units|let|sweep|start|material|pair|normal|shear|damping|grading|skin|monitor|"
      "step|allow|record|stage|"),
@@ -118,7 +118,7 @@ static const struct {
               {"transform mirror x rotate 2.5 translate -1 5\n", -1, 1, 2.5, -1, 5}};
 enum { PLACES = sizeof places / sizeof *places };
 
-/* Particles and walls at the end of the page; false: there is a mistake in it. */
+/* Runs the page; false if it has an error. */
 static bool ran(struct nb_result *result, const struct row *row, const char *line, const char *place) {
   struct words words = {0};
   struct nb_mistakes mistakes = {0};
@@ -148,7 +148,7 @@ static double column(const struct nb_table *table, size_t row, const char *name)
   return NAN;
 }
 
-/* The largest difference between what vectors `x`, `y` of table b are and what those of a become in that place. */
+/* The largest difference between the vectors (`x`, `y`) of table b and the transformed ones of table a. */
 static double vectors_off(const struct nb_table *a, const struct nb_table *b, const char *x, const char *y, int place,
                           bool shifted) {
   const double angle = places[place].angle;
@@ -187,11 +187,11 @@ static double farthest(const struct nb_result *one, const struct nb_result *othe
   return most;
 }
 
-/* Whether the line of the word matters to where particles go. */
+/* Whether the line affects the positions of particles. */
 static bool matters(const struct row *row, const struct nb_result *with) {
   struct nb_result without = {0};
   if (!ran(&without, row, "", ""))
-    return true; /* what follows cannot do without it */
+    return true; /* the rest of the page needs the line */
   const struct nb_table *a = &with->snapshots[0].particles, *b = &without.snapshots[0].particles;
   double off = a->row_count == b->row_count ? 0 : 1;
   for (size_t r = 0; r < a->row_count && r < b->row_count; r++)
@@ -200,14 +200,14 @@ static bool matters(const struct row *row, const struct nb_result *with) {
   return off > 1e-6;
 }
 
-static void whole_scenes_are_moved(void) {
+static void scenes_are_transformed_as_a_whole(void) {
   for (int r = 0; r < ROWS; r++) {
     const struct row *row = &rows[r];
     struct nb_result here = {0};
     CU_ASSERT_FATAL(ran(&here, row, row->line, ""));
     if (!matters(row, &here)) {
-      printf("# does not matter: %s", row->line);
-      CU_FAIL("a line of the list does nothing");
+      printf("# has no effect: %s", row->line);
+      CU_FAIL("a line of the list has no effect");
     }
     for (int place = 0; place < PLACES; place++) {
       struct nb_result there = {0};
@@ -215,7 +215,7 @@ static void whole_scenes_are_moved(void) {
       const double off = farthest(&here, &there, place);
       if (!(off < 1e-9)) {
         printf("# off by %g: %s# %s", off, places[place].line, row->line);
-        CU_FAIL("a scene is not moved as a whole");
+        CU_FAIL("a scene is not transformed as a whole");
       }
       nb_result_free(&there);
     }
@@ -223,8 +223,8 @@ static void whole_scenes_are_moved(void) {
   }
 }
 
-/* What references read of a wall of the box: the normal that points to its middle. */
-static void walls_of_the_box_point_central(void) {
+/* The inward normal of a wall of the box, which references use, points to the middle of the box. */
+static void normals_of_the_box_point_inward(void) {
   for (int place = 0; place < PLACES; place++) {
     struct words words = {0};
     struct written it;
@@ -240,7 +240,7 @@ static void walls_of_the_box_point_central(void) {
   }
 }
 
-/* ---- is the list whole? ---- */
+/* ---- completeness of the lists ---- */
 
 static bool one_of(const char *text, const char *const list[]) {
   for (; text && *list; list++)
@@ -255,7 +255,7 @@ static bool directed(const struct nb_argument *argument) {
   return argument->count > 1 || one_of(argument->value, values) || one_of(argument->word, words);
 }
 
-/* All lines of the list with this word in such a place, one after the other. */
+/* All lines of the list with this keyword in this context, concatenated. */
 static void lines_of(char *lines, size_t size, const char *word, unsigned where) {
   snprintf(lines, size, " ");
   for (int r = 0; r < ROWS; r++)
@@ -263,7 +263,7 @@ static void lines_of(char *lines, size_t size, const char *word, unsigned where)
       snprintf(lines + strlen(lines), size - strlen(lines), "%s", rows[r].line);
 }
 
-static void every_word_is_in_the_list(void) {
+static void every_keyword_is_in_a_list(void) {
   const struct nb_keyword *keyword;
   for (size_t k = 0; (keyword = nb_keyword_row(nb_keywords(), k)); k++)
     for (int w = 0; w < 3; w++) {
@@ -279,14 +279,14 @@ static void every_word_is_in_the_list(void) {
           listed = listed && lines[1] && (!argument->word || strstr(lines, clause));
       }
       if (!listed)
-        printf("# not in the list, or not with all that has a direction: %s\n", keyword->word);
+        printf("# in no list, or not with all clauses that have a direction: %s\n", keyword->word);
       CU_ASSERT(listed);
     }
 }
 
 void suite_place(void) {
   CU_pSuite suite = CU_add_suite("place", NULL, NULL);
-  CU_ADD_TEST(suite, whole_scenes_are_moved);
-  CU_ADD_TEST(suite, walls_of_the_box_point_central);
-  CU_ADD_TEST(suite, every_word_is_in_the_list);
+  CU_ADD_TEST(suite, scenes_are_transformed_as_a_whole);
+  CU_ADD_TEST(suite, normals_of_the_box_point_inward);
+  CU_ADD_TEST(suite, every_keyword_is_in_a_list);
 }

@@ -1,4 +1,5 @@
-/* Discs at random that overlap by no more than a share of the smaller radius: a model with deeper ones is not made.
+/* Discs at random positions that overlap by at most a given fraction of the smaller radius, because the program
+ * refuses deep overlaps at the start.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_PLACED_H
@@ -9,7 +10,7 @@
 #include "chance.h"
 
 struct placed {
-  double fraction, side; /* of the smaller radius; of a periodic square, 0: none */
+  double fraction, side; /* largest overlap over the smaller radius; side of a periodic square, or 0 */
   int count;
   double disc[2000][3]; /* x, y, radius */
 };

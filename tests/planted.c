@@ -1,4 +1,4 @@
-/* Tables that a test plants.
+/* Tables that a test gives to the runs of a page as their results.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef _POSIX_C_SOURCE

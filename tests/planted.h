@@ -1,8 +1,8 @@
-/* Tables that a test plants into the runs of a page, and what the verdict says of them. Nothing is simulated.
+/* Tables that a test gives to the runs of a page as their results, and the verdict on them. Nothing is simulated.
  *
- * The page has one disc A. Its columns are A.x, A.y, A.vx and energy.residual, beside time and cycle, and its stages `one` and
- * `two`. Row r has the cycle 10 r and the time r; rows 0 to 2 belong to stage one, the others to stage two. What a test
- * plants is A.x, and energy.residual is the same number; A.y is 1, 2, 4, 2, 1, 0 and A.vx is -4.
+ * The page has one disc A. Its columns are A.x, A.y, A.vx and energy.residual, beside time and cycle, and its stages
+ * are `one` and `two`. Row r has the cycle 10 r and the time r; rows 0 to 2 belong to stage one, the others to stage
+ * two. The test chooses A.x, and energy.residual equals it; A.y is 1, 2, 4, 2, 1, 0 and A.vx is -4.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_PLANTED_H
@@ -20,27 +20,27 @@ enum { PLANTED_MOST = 12 };
 void planted_page(struct nb_outcome *outcome, const char *statements, const char *expectations);
 /* A.x, row by row, of one run. */
 void planted_rows(struct nb_outcome *outcome, size_t run, int count, const double *x);
-/* The same A.x in the only row of each run. */
+/* A.x in the only row of each run. */
 void planted_runs(struct nb_outcome *outcome, const double *x);
-/* What the reference knows, of all runs. */
+/* The value that the reference returns for every run. */
 void planted_solution(struct nb_outcome *outcome, const char *name, double value);
-/* The curve of A.x along time: the known value at row r is the r-th of these. */
+/* The reference curve of A.x against time: its value at row r is values[r]. */
 void planted_curve(struct nb_outcome *outcome, int count, const double *values);
-/* The verdict; the test fails, and the words are printed, unless the first check has this mark. */
+/* Computes the verdict. The test fails, and prints the text of the checks, unless the first check has this mark. */
 void planted_is(struct nb_outcome *outcome, enum nb_mark mark);
-/* The test fails unless the words of the first check have this text in them. */
+/* The test fails unless the text of the first check contains this text. */
 void planted_says(const struct nb_outcome *outcome, const char *text);
 
-/* One expectation over sweeps, and what is to be said of it. The reference knows that A.x is 0. */
+/* One expectation over sweeps, and its verdict. The reference value of A.x is 0. */
 struct planted_sweep {
   const char *statements, *expectation;
-  double x[PLANTED_MOST]; /* of each run; the last sweep goes fastest */
+  double x[PLANTED_MOST]; /* of each run; the last sweep varies fastest */
   enum nb_mark mark;
-  const char *words; /* among those of the check */
+  const char *words; /* contained in the text of the check */
 };
 void planted_sweeps(const struct planted_sweep *list, size_t count);
 
-/* One expectation of one run; the reference knows one value, or nothing. */
+/* One expectation of one run; the reference returns one value, or none. */
 void planted_one(const char *expectation, const char *name, double value, int count, const double *x, enum nb_mark mark,
                  const char *words);
 

@@ -1,4 +1,5 @@
-/* What two materials make of a contact, and what stages make of both: rules for unlike ones, and what a page says instead.
+/* The properties of contacts between two materials: the rules for different materials, `pair`, and changes by
+ * stages.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -8,7 +9,7 @@
 #include "laws/laws_now.h"
 #include "suites.h"
 
-/* Numbers of which no product and no mean is another. */
+/* Numbers such that no product or mean of two of them equals another one. */
 static struct nb_material materials[] = {
     {.name = "a", .kn = 3, .ks = 5, .friction = 0.25, .cohesion = 7},
     {.name = "b", .kn = 11, .ks = 13, .friction = 0.5, .cohesion = 2},
@@ -26,15 +27,15 @@ static void same(struct nb_pair seen, struct nb_pair wanted) {
   CU_ASSERT_EQUAL(seen.cohesion, wanted.cohesion);
 }
 
-static void by_rule(void) {
+static void rules_for_two_materials(void) {
   const struct nb_scene scene = scene_of(NULL, 0);
   same(nb_scene_pair(&scene, 0, 1), both);
   same(nb_scene_pair(&scene, 1, 0), both);
   same(nb_scene_pair(&scene, 1, 1), (struct nb_pair){.kn = 11, .ks = 13, .friction = 0.5, .cohesion = 2});
 }
 
-/* Each of the four said alone, and all of them. */
-static void as_the_page_says(void) {
+/* Every combination of the four numbers of `pair`. */
+static void pair_replaces_the_rules(void) {
   for (int which = 0; which < 16; which++) {
     struct nb_pair_rule rule = {
         .a = which % 2, .b = 1 - which % 2, .kn = NAN, .ks = NAN, .friction = NAN, .cohesion = NAN};
@@ -53,7 +54,7 @@ static void as_the_page_says(void) {
   }
 }
 
-/* A pair with the first material of the page, by way of a rule and without one; then half of the way, and all of it. */
+/* Changes of a pair that has a rule and of one that has none, at half of the ramp and at its end. */
 static void stages_change_pairs(void) {
   struct nb_pair_rule rule = {.a = 0, .b = 0, .kn = 17, .ks = NAN, .friction = NAN, .cohesion = NAN};
   struct nb_change changes[] = {{.a = 0, .b = 0, .kn = 19, .ks = 25, .friction = NAN, .cohesion = NAN},
@@ -81,7 +82,7 @@ static void stages_change_pairs(void) {
   CU_ASSERT_PTR_NULL(now.rules);
 }
 
-/* All of the way is the very number that the page says, whatever it comes from. */
+/* At the end of the ramp the value is exactly that of the page, whatever the value before. */
 static void stages_change_materials(void) {
   struct nb_change change = {.a = 1, .b = -1, .kn = 1e17, .ks = NAN, .friction = 1, .cohesion = 4};
   struct nb_stage stage = {.changes = &change, .change_count = 1};
@@ -104,7 +105,7 @@ static void stages_change_materials(void) {
   nb_properties_free(&now);
 }
 
-/* As many rules as there are, for a page that has a thousand. */
+/* The number of rules is not limited. */
 static void many_rules(void) {
   enum { MANY = 1200 };
   static struct nb_pair_rule rules[MANY];
@@ -115,7 +116,7 @@ static void many_rules(void) {
   nb_properties_free(&now);
 }
 
-/* As many as the law likes best, or as the page says; none of a law that keeps none. */
+/* The number of pieces is the default of the law or that of the page, and 0 for a law without pieces. */
 static void pieces_of_history(void) {
   static const struct {
     const char *shear;
@@ -133,7 +134,8 @@ static void pieces_of_history(void) {
   }
 }
 
-/* 1/E* = (1 - nu_a^2)/E_a + (1 - nu_b^2)/E_b;  1/G* = (2 - nu_a)/G_a + (2 - nu_b)/G_b, G = E/2(1 + nu) [R89 4.7-4.10] */
+/* 1/E* = (1 - nu_a^2)/E_a + (1 - nu_b^2)/E_b;  1/G* = (2 - nu_a)/G_a + (2 - nu_b)/G_b, G = E/2(1 + nu) [R89
+ * 4.7-4.10] */
 static void elastic(void) {
   struct nb_material elastic[] = {
       {.young = 5, .poisson = 0.25}, {.young = 3, .poisson = 0.5}, {.young = INFINITY, .poisson = 0.4}, {.kn = 1}};
@@ -149,11 +151,11 @@ static void elastic(void) {
 
 void suite_properties(void) {
   CU_pSuite suite = CU_add_suite("properties", NULL, NULL);
-  CU_add_test(suite, "by rule", by_rule);
-  CU_add_test(suite, "as the page says", as_the_page_says);
+  CU_add_test(suite, "rules for two materials", rules_for_two_materials);
+  CU_add_test(suite, "pair replaces the rules", pair_replaces_the_rules);
   CU_add_test(suite, "stages change pairs", stages_change_pairs);
   CU_add_test(suite, "stages change materials", stages_change_materials);
   CU_add_test(suite, "many rules", many_rules);
   CU_add_test(suite, "pieces of history", pieces_of_history);
-  CU_add_test(suite, "elastic", elastic);
+  CU_add_test(suite, "effective moduli", elastic);
 }

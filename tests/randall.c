@@ -1,7 +1,8 @@
-/* R89's law: the curves of constant N, its fronts, all four ways of N and T, and what the text as it stands makes of them.
+/* The law of R89: the curves at constant N, the slip front, N and T rising and falling, the stored history.
  *
- * What it should be comes from the rings of the contact, T = mu Int D dN and delta = mu kappa Int D dx (docs/CONTACT.md, i), of
- * which [R89 3.25, 3.40, 3.50] are the cases of constant N. The law is of first order: an error halves with the step.
+ * Expected values come from the rings of the contact, T = mu Int D dN and delta = mu kappa Int D dx
+ * (docs/CONTACT.md, i); [R89 3.25, 3.40, 3.50] are the cases of constant N. The law is of first order: its error
+ * halves with the step.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -11,7 +12,8 @@
 
 /* ---- rings ---- */
 
-/* The contact whose rings slipped to one side and the other: fronts[0] the innermost, outside of it D = sign, and so on. */
+/* A contact whose rings have slipped in alternating directions. fronts[] are overlaps, from inside to outside: D = 0
+ * inside fronts[0], 1 up to fronts[1], then -1, and so on. */
 struct rings {
   double alpha, fronts[4];
   int count;
@@ -24,7 +26,8 @@ static double force(const struct rings *r) {
   return mu * t;
 }
 
-/* To this overlap and slip (in all), while the last front goes in or is overtaken by no other: it is the one unknown. */
+/* Advances to this overlap and this total displacement. The last front is the only unknown, as long as it does not
+ * overtake another one. */
 static void slip_to(struct rings *r, double alpha, double delta) {
   double inner = 0, side = 1;
   for (int k = 0; k + 1 < r->count; k++, side = -side)
@@ -36,7 +39,7 @@ static void slip_to(struct rings *r, double alpha, double delta) {
   r->alpha = alpha;
 }
 
-/* After these segments, each of which is a reversal. */
+/* The shear force after these segments, each of which begins with a reversal. */
 static double shear_force(double alpha, const struct segment *segments, int count) {
   const double a = slope() * alpha;
   struct rings r = {alpha, {alpha}, 0};
@@ -58,7 +61,7 @@ static double error_of(const char *law, const struct segment *segments, int coun
   return (it.s.force - shear_force(alpha, segments, count)) / (mu * N);
 }
 
-/* First order, and small: at 500 steps a segment it is below 1e-3 of mu N, at twice as many half of it. */
+/* The error is of first order: below 2e-3 mu N with 500 steps a segment, and half of it with twice as many. */
 static void expect_first_order(const struct segment *segments, int count) {
   const double coarse = error_of("randall", segments, count, 500), fine = error_of("randall", segments, count, 1000);
   CU_ASSERT(fabs(coarse) < 2e-3 && fabs(fine - coarse / 2) < 0.05 * fabs(coarse) + 1e-7);
@@ -77,9 +80,9 @@ static void curves_of_constant_normal_force(void) {
   }
 }
 
-/* Between T* and -T* a cycle loses  (24/5 (1 - (1-x)^(5/3)) - 4 x (1 + (1-x)^(2/3))) mu N A,  x = T*'/mu N: the area between 3.40 and its
- * mirror image. */
-static void loop_loses_what_it_should(void) {
+/* A cycle between T* and -T* loses (24/5 (1 - (1-x)^(5/3)) - 4 x (1 + (1-x)^(2/3))) mu N A, with x = T* / (mu N): the
+ * area between the curve [R89 3.40] and its mirror image. */
+static void loss_of_a_closed_loop(void) {
   const double x = 0.8, a = slope() * deep(N), star = a * (1 - pow(1 - x, 2. / 3));
   const double expected = (4.8 * (1 - pow(1 - x, 5. / 3)) - 4 * x * (1 + pow(1 - x, 2. / 3))) * mu * N * a;
   double errors[2];
@@ -96,7 +99,7 @@ static void loop_loses_what_it_should(void) {
   CU_ASSERT(expected > 0 && fabs(errors[0]) < 5e-3 && fabs(errors[1] - errors[0] / 2) < 0.1 * fabs(errors[0]));
 }
 
-/* Re-unloading goes back along the reloading curve: elastic, R89's approximation [R89 3.3]. */
+/* Unloading again retraces the reloading curve without loss, which is R89's approximation [R89 3.3]. */
 static void unloading_again_retraces_reloading(void) {
   double errors[2];
   for (int k = 0; k < 2; k++) {
@@ -120,7 +123,7 @@ static void unloading_again_retraces_reloading(void) {
 
 /* Loading, unloading and reloading, each with N rising and falling. */
 static void all_ways_of_normal_and_tangential_force(void) {
-  static const double alpha[3][2] = {{0.3, -0.15}, {0.2, -0.1}, {0.15, -0.05}}; /* more overlap */
+  static const double alpha[3][2] = {{0.3, -0.15}, {0.2, -0.1}, {0.15, -0.05}}; /* its increase, N rising or falling */
   static const double slip[3][2] = {{0.8, 0.3}, {-0.5, -0.4}, {0.3, 0.1}};
   for (int ways = 0; ways < 8; ways++) {
     struct segment segments[3];
@@ -133,10 +136,11 @@ static void all_ways_of_normal_and_tangential_force(void) {
   }
 }
 
-/* [R89 3.86] has mu (p0 + dp0)/c for a prefactor. N = 1, mu = 0.3, T = 0.2 mu. While N falls by 0.1 at
- * that T the front goes from c to c1, and the ring between has taken mu |dN| = 0.03, which mu (p0 + dp0)/a1 makes of it:
- * mu N1 (c^3 - c1^3)/a1^3. With the printed one it is 0.0312. The law says its fronts in dT/ds = 8 G* c. */
-static void front_takes_what_the_edge_gives_up(void) {
+/* [R89 3.86] is printed with the prefactor mu (p0 + dp0)/c; it should be mu (p0 + dp0)/a1. N = 1, mu = 0.3, T = 0.2
+ * mu N. While N falls by 0.1 at constant T, the front moves from c to c1, and the ring between them takes mu |dN| =
+ * 0.03. This is mu N1 (c^3 - c1^3)/a1^3 with the prefactor mu (p0 + dp0)/a1; the printed one gives 0.0312. The
+ * fronts of the law follow from its dT/ds = 8 G* c. */
+static void slip_front_while_N_falls(void) {
   double ring[2], printed = 0;
   for (int k = 0; k < 2; k++) {
     struct contact it = contact_of("randall");
@@ -165,13 +169,14 @@ static void front_takes_what_the_edge_gives_up(void) {
   CU_ASSERT(fabs(printed - 0.0312) < 5e-5);
 }
 
-/* ---- what is remembered ---- */
+/* ---- the history ---- */
 
 enum { M_N, M_T, M_STAR, M_STAR2, M_DEFICIT, M_CDF, M_BRANCH };
 
 static bool near(double is, double should, double scale) { return fabs(is - should) <= 1e-13 * fabs(scale); }
 
-/* One step, and the T, T*, T** that it must lead to: dT is what comes after, the others move with N [R89 4.20, 4.21]. */
+/* One step, compared with its T, T* and T**: dT with theta and the sign ufl of the branch; T* and T** shift with mu
+ * dN [R89 4.20, 4.21]. */
 static void expect_step(struct contact *it, double overlap, double slip, double theta, double ufl) {
   double was[7];
   memcpy(was, it->m, sizeof was);
@@ -187,15 +192,15 @@ static void expect_step(struct contact *it, double overlap, double slip, double 
     CU_ASSERT(near(it->m[M_STAR2] - was[M_STAR2], -cdf * rise, N));
 }
 
-/* Step by step through all that can happen, loading to either side. */
-static void what_is_remembered(void) {
+/* Step by step through all branches, with loading in both directions. */
+static void the_history(void) {
   for (int side = -1; side <= 1; side += 2) {
     struct contact it = contact_of("randall");
     const double *m = it.m, a = side * slope() * deep(N), x[] = {deep(N), 1.01 * deep(N), 1.02 * deep(N)};
-    double critical[3]; /* mu dN/(8 G* a) of the way up to x[1], to x[2], and down to x[1] */
+    double critical[3]; /* mu dN/(8 G* a) of the steps x[0] to x[1], x[1] to x[2], x[2] to x[1] */
     for (int k = 0; k < 3; k++)
       critical[k] = side * mu * (press(x[k == 1 ? 2 : 1]) - press(x[k])) / (8 * G * sqrt(R * x[k == 1 ? 2 : 1]));
-    go(&it, x[0], 0); /* square: all sticks, no sense yet */
+    go(&it, x[0], 0); /* normal force alone: the contact sticks and has no loading direction yet */
     CU_ASSERT(near(it.s.stiffness, 8 * G * sqrt(R * x[0]), 8 * G * R) && m[M_CDF] == 0);
     expect_step(&it, x[0], 0.2 * a, 1, 1);
     CU_ASSERT(m[M_CDF] == side && m[M_BRANCH] == 0 && m[M_DEFICIT] == 0);
@@ -205,7 +210,7 @@ static void what_is_remembered(void) {
     expect_step(&it, x[2], 0, 1, 1);
     CU_ASSERT(near(m[M_DEFICIT], 0.75 * fabs(critical[0]) + fabs(critical[1]), a));
     expect_step(&it, x[1], 0.1 * critical[2], 1,
-                1); /* one leaves, and slip goes back: DD + ds_c - ds with both negative */
+                1); /* a ring leaves while slip goes back: DD + ds_c - ds, ds_c and ds negative */
     CU_ASSERT(near(m[M_DEFICIT], 0.75 * fabs(critical[0]) + fabs(critical[1]) - 0.9 * fabs(critical[2]), a));
     const double made_up = side * m[M_DEFICIT];
     expect_step(&it, x[1], 0.4 * made_up, 1, 1);
@@ -213,7 +218,7 @@ static void what_is_remembered(void) {
     double theta = cbrt(1 - side * m[M_T] / (mu * press(x[1])));
     expect_step(&it, x[1], 0.6003 * made_up, theta, 1); /* enough for the front to go in */
     CU_ASSERT(m[M_DEFICIT] == 0 && m[M_BRANCH] == 0);
-    /* a reversal, at a T* that dN moves in the very step */
+    /* a reversal; dN shifts T* in the same step */
     double before = m[M_T];
     expect_step(&it, x[2], -0.25 * critical[1], 1, -1);
     CU_ASSERT(m[M_BRANCH] == 1 && near(m[M_STAR], before + side * mu * (press(x[2]) - press(x[1])), N));
@@ -222,7 +227,7 @@ static void what_is_remembered(void) {
     CU_ASSERT(m[M_DEFICIT] == 0 && m[M_BRANCH] == 1);
     theta = cbrt(1 - (side * (m[M_STAR] - m[M_T]) + 2 * mu * (press(x[1]) - press(x[2]))) / (2 * mu * press(x[1])));
     expect_step(&it, x[1], -0.05 * a, theta, -1);
-    /* slip goes on while N falls faster than the motion turns; then N has come to rest, and it is a reversal */
+    /* slip continues while N falls faster than the motion reverses; when N rises again, it is a reversal */
     theta = cbrt(1 - (side * (m[M_STAR] - m[M_T]) + 2 * mu * (press(x[0]) - press(x[1]))) / (2 * mu * press(x[0])));
     expect_step(&it, x[0], 0.5 * side * fabs(critical[0]), theta, -1);
     CU_ASSERT(m[M_BRANCH] == 1);
@@ -239,7 +244,8 @@ static void what_is_remembered(void) {
     CU_ASSERT(m[M_BRANCH] == 3);
     expect_step(&it, x[1], 0.01 * a, cbrt(1 - side * (m[M_T] - m[M_STAR2]) / (2 * mu * press(x[1]))), 1);
     CU_ASSERT(m[M_BRANCH] == 2 && m[M_CDF] == side);
-    /* up past T*: virgin loading; and sliding, which forgets all; with less friction T is above the limit, and no front is left */
+    /* beyond T*: virgin loading; then sliding, which erases the history; with less friction T exceeds the limit, and
+     * there is no front */
     lead(&it, x[1], 0.5 * a, 100);
     CU_ASSERT(m[M_BRANCH] == 0 && m[M_CDF] == side && it.s.sliding == 0);
     lead(&it, x[1], a, 100);
@@ -247,7 +253,7 @@ static void what_is_remembered(void) {
     it.pair.friction = mu / 2;
     go(&it, x[1], 0.01 * a);
     CU_ASSERT(it.s.sliding == 1 && it.s.stiffness == 0 && near(m[M_T], side * mu / 2 * press(x[1]), N));
-    go(&it, x[1], -0.01 * a); /* and back */
+    go(&it, x[1], -0.01 * a); /* unloading */
     CU_ASSERT(m[M_BRANCH] == 1 && it.s.sliding == 0);
     lead(&it, x[1], -2 * a, 200);
     CU_ASSERT(m[M_BRANCH] == 0 && m[M_CDF] == -side && it.s.sliding == 1);
@@ -262,9 +268,9 @@ static void what_is_remembered(void) {
 void suite_randall(void) {
   CU_pSuite suite = CU_add_suite("randall", NULL, NULL);
   CU_add_test(suite, "constant N: loading, unloading, reloading", curves_of_constant_normal_force);
-  CU_add_test(suite, "what is remembered", what_is_remembered);
-  CU_add_test(suite, "a closed loop loses what it should", loop_loses_what_it_should);
+  CU_add_test(suite, "the history", the_history);
+  CU_add_test(suite, "loss of a closed loop", loss_of_a_closed_loop);
   CU_add_test(suite, "re-unloading retraces reloading", unloading_again_retraces_reloading);
   CU_add_test(suite, "N and T rising and falling", all_ways_of_normal_and_tangential_force);
-  CU_add_test(suite, "the front takes what the edge gives up", front_takes_what_the_edge_gives_up);
+  CU_add_test(suite, "the slip front while N falls", slip_front_while_N_falls);
 }

@@ -1,4 +1,5 @@
-/* R89's FORD and THETA as the text stands, beside the best reading: what differs, as numbers. And what both laws are made of.
+/* R89's FORD and THETA as printed, compared with the corrected law: the numbers in which they differ; and functions
+ * that both laws share.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
@@ -9,10 +10,10 @@
 #include "spheres.h"
 #include "suites.h"
 
-/* theta of the step behind. */
+/* theta of the last step. */
 static double theta_of(const struct contact *it) { return it->s.stiffness / (8 * G * sqrt(R * it->overlap)); }
 
-static void text_as_it_stands(void) {
+static void theta_of_first_steps(void) {
   const double a = slope() * deep(N), h = 1e-4 * a;
   struct contact text = contact_of("randall_literal"), best = contact_of("randall");
   struct contact *both[] = {&text, &best};
@@ -20,7 +21,7 @@ static void text_as_it_stands(void) {
     go(both[k], deep(N), 0);
     lead(both[k], deep(N), 0.7 * a, 2000);
   }
-  CU_ASSERT(fabs(text.s.force - best.s.force) == 0); /* virgin loading at constant N is the same */
+  CU_ASSERT(fabs(text.s.force - best.s.force) == 0); /* virgin loading at constant N does not differ */
   const double t = text.s.force / (mu * N);
   go(&text, deep(N), -h), go(&best, deep(N), -h);
   CU_ASSERT(fabs(theta_of(&text) - cbrt(1 + t / 2)) < 1e-12 &&
@@ -32,14 +33,15 @@ static void text_as_it_stands(void) {
   }
   const double back = (text.m[2] - text.m[3]) / (mu * N); /* T* - T** */
   CU_ASSERT(fabs(theta_of(&text) - cbrt(1 + back / 2)) < 1e-12 &&
-            fabs(theta_of(&text) - 1.1225) < 1e-4); /* T* for T** in 4.24 */
+            fabs(theta_of(&text) - 1.1225) < 1e-4); /* 4.24 has T* in place of T** */
   CU_ASSERT_EQUAL(theta_of(&best), 1);
 }
 
-/* ---- the text, one step at a time ---- */
+/* ---- the printed law, one step at a time ---- */
 
-/* Where a contact is, T, T*, T** in mu N and DD in A, and a step from there, ds in A and dN in N; CDF is +1. Then what the text makes
- * of it: THE1, UFL, the equation of DD, and what becomes of T* and T**. */
+/* The state of a contact: T, T*, T** in units of mu N and DD in units of A; and a step, ds in units of A and dN in
+ * units of N, with CDF = 1. Then the result by the printed equations: THE1, UFL, the equation that changes DD (417,
+ * 418 or none), and what happens to T* and T**. */
 enum fate { NONE, SET, MOVED, KEPT, CLEARED };
 struct text_step {
   double t, star, star2, deficit, slip, more;
@@ -48,7 +50,8 @@ struct text_step {
 };
 
 static const struct text_step text_steps[] = {
-    /* N constant: virgin loading, unloading begun and going on, reloading begun and going on, re-unloading and past T** */
+    /* N constant: virgin loading, unloading (first and later steps), reloading (first and later steps), unloading
+     * again and past T** */
     {0.5, 0, 0, 0, 0.1, 0, 1, 1, 0, NONE, NONE},
     {0.5, 0, 0, 0, -0.1, 0, 2, -1, 417, SET, NONE},
     {0.2, 0.6, 0, 0, -0.1, 0, 2, -1, 417, KEPT, NONE},
@@ -58,7 +61,7 @@ static const struct text_step text_steps[] = {
     {0.3, 0.6, 0.1, 0, -0.2, 0, 3, -1, 417, KEPT, CLEARED},
     {0.05, 0.6, 0.1, 0, -0.05, 0, 2, -1, 417, KEPT, CLEARED},
     {-0.3, 0.6, -0.4, 0, -0.03, 0, 3, -1, 417, KEPT, KEPT},
-    /* |T| beside |T*|, and T beside T** */
+    /* |T| near |T*|, and T near T** */
     {0.5995, 0.6, 0.1, 0, 1e-4, 0, 3, 1, 0, KEPT, KEPT},
     {0.6005, 0.6, 0.1, 0, 1e-4, 0, 1, 1, 0, CLEARED, CLEARED},
     {-0.5995, 0.6, -0.7, 0, 1e-4, 0, 3, 1, 0, KEPT, KEPT},
@@ -67,7 +70,7 @@ static const struct text_step text_steps[] = {
     {0.0999, 0.6, 0.1, 0, -2e-5, 0, 2, -1, 417, KEPT, CLEARED},
     {0.599, 0.6, 0.1, 0, 0.1, 0, 3, 1, 0, CLEARED, CLEARED},
     {-0.5, 0.6, 0, 0, -0.2, 0, 2, -1, 417, CLEARED, NONE},
-    /* N rises: ds_c is more, 1 % of N is 0.0066 A; it takes mu ds_c + DD to get away from THE1 = 4 */
+    /* N rises by 1 %: ds_c = 0.0066 A; THE1 = 4 up to the slip mu ds_c + DD */
     {0.5, 0, 0, 0, 0.1, 0.01, 1, 1, 0, NONE, NONE},
     {0.5, 0, 0, 0, 0.004, 0.01, 1, 1, 417, NONE, NONE},
     {0.5, 0, 0, 0, 0.001, 0.01, 4, 1, 417, NONE, NONE},
@@ -86,7 +89,7 @@ static const struct text_step text_steps[] = {
     {0.2, 0.6, 0.1, 0, -0.03, 0.01, 4, -1, 417, MOVED, MOVED},
     {0.2, 0.6, 0.1, -0.2, -0.03, 0.01, 3, -1, 417, MOVED, MOVED},
     {0.2, 0.6, 0.1, 0, 0, 0.01, 0, 1, 0, MOVED, MOVED},
-    /* N falls: by the sense of ds alone */
+    /* N falls: the sign of ds alone decides */
     {0.5, 0, 0, 0, 0.1, -0.01, 1, 1, 418, NONE, NONE},
     {0.5, 0, 0, 0.3, 0.1, -0.01, 1, 1, 418, NONE, NONE},
     {0.5, 0, 0, 0, -0.001, -0.01, 2, -1, 418, SET, NONE},
@@ -95,7 +98,7 @@ static const struct text_step text_steps[] = {
     {0.2, 0.6, 0.1, 0.1, 0.1, -0.01, 3, 1, 418, MOVED, MOVED},
     {0.2, 0.6, 0.1, 0.1, -0.03, -0.01, 3, -1, 418, MOVED, MOVED},
     {0.2, 0.6, 0.1, 0.1, 0, -0.01, 0, 1, 0, MOVED, MOVED},
-    /* and it slides: at mu N either way */
+    /* sliding at mu N in both directions */
     {0.9, 0, 0, 0, 2, 0, 1, 1, 0, NONE, NONE},
     {-0.5, 0.6, 0, 0, -1, 0, 2, -1, 417, CLEARED, NONE},
 };
@@ -104,8 +107,8 @@ static double fate(enum fate of, double was, double before, double drift) {
   return of == SET ? before : of == MOVED ? was + drift : of == KEPT ? was : 0;
 }
 
-/* [R89 4.15-4.25] letter by letter, for both senses of the loading. */
-static void text_step_by_step(void) {
+/* [R89 4.15-4.25] literally, for both signs of CDF. */
+static void printed_law_step_by_step(void) {
   for (size_t k = 0; k < 2 * sizeof text_steps / sizeof *text_steps; k++) {
     const struct text_step *it = &text_steps[k / 2];
     const double cdf = k % 2 ? -1 : 1, f = mu * N * cdf, a = slope() * deep(N), n = (1 + it->more) * N;
@@ -135,9 +138,9 @@ static void text_step_by_step(void) {
   }
 }
 
-/* While N falls 4.18 takes |ds_c| from DD; the contact, which has no ring that sticks, lacks nothing. So much short of
- * nothing, the next rise of N lets slip begin where the new ring still sticks. */
-static void text_counts_what_falls(void) {
+/* While N falls, 4.18 subtracts |ds_c| from DD, although the contact has no ring that sticks and no deficit. With
+ * this negative DD, slip begins too early when N rises again, while the new ring still sticks. */
+static void deficit_while_N_falls(void) {
   struct contact text = contact_of("randall_literal"), best = contact_of("randall");
   const double a = slope() * deep(N);
   go(&text, deep(N), 0), go(&best, deep(N), 0);
@@ -145,26 +148,27 @@ static void text_counts_what_falls(void) {
   CU_ASSERT(fabs(text.m[4] / a + 0.1383) < 1e-4 && best.m[4] == 0);
 }
 
-/* Up to 2 N, out by `way` times A, down to N and back: the work of T in that round, as a share of mu N A. */
-static double square(struct contact *it, double way) {
+/* N up to 2 N, slip by `way` times A, N down, slip back: the work of T in this cycle over mu N A. */
+static double work_of_a_cycle(struct contact *it, double way) {
   const double a = slope() * deep(N), before = it->work;
   lead(it, deep(2 * N), 0, 2000), lead(it, deep(2 * N), way * a, 2000);
   lead(it, deep(N), 0, 2000), lead(it, deep(N), -way * a, 2000);
   return (it->work - before) / (mu * N * a);
 }
 
-/* What both declare with GAINS, measured: the best reading gains from the second round on, the text at once. */
-static void energy_from_nothing(void) {
+/* Both laws declare that they may gain energy. The corrected law gains from the second cycle on, the printed one in
+ * the first cycle too. */
+static void gain_of_energy(void) {
   struct contact best = contact_of("randall"), text = contact_of("randall_literal");
   go(&best, deep(N), 0), go(&text, deep(N), 0);
-  CU_ASSERT(fabs(square(&best, 0.2) - 0.0096) < 1e-4 && fabs(square(&best, 0.2) + 0.0074) < 1e-4);
-  CU_ASSERT(fabs(square(&text, 0.2) + 0.0067) < 1e-4 && fabs(square(&text, 0.2) + 0.0113) < 1e-4);
+  CU_ASSERT(fabs(work_of_a_cycle(&best, 0.2) - 0.0096) < 1e-4 && fabs(work_of_a_cycle(&best, 0.2) + 0.0074) < 1e-4);
+  CU_ASSERT(fabs(work_of_a_cycle(&text, 0.2) + 0.0067) < 1e-4 && fabs(work_of_a_cycle(&text, 0.2) + 0.0113) < 1e-4);
   struct contact more = contact_of("randall_literal");
   go(&more, deep(N), 0);
-  CU_ASSERT(square(&more, 0.4) < 0 && fabs(square(&more, 0.4) + 0.0471) < 1e-4);
+  CU_ASSERT(work_of_a_cycle(&more, 0.4) < 0 && fabs(work_of_a_cycle(&more, 0.4) + 0.0471) < 1e-4);
 }
 
-/* ---- what both are made of ---- */
+/* ---- parts of both laws ---- */
 
 static void cube_root_is_close(void) {
   struct chance chance = chance_begin(5);
@@ -177,13 +181,14 @@ static void cube_root_is_close(void) {
   CU_ASSERT(most < 4 * DBL_EPSILON && cube_root(0) == 0 && cube_root(1) == 1 && cube_root(8) == 2);
 }
 
-/* The first touch may be square: with nothing remembered but N, slip begins with all of the circle stuck. */
-static void touching_squarely_is_remembered(void) {
+/* A contact may begin with a normal force alone: then the history holds only N, and slip begins with the whole
+ * circle sticking. */
+static void first_touch_without_slip(void) {
   static const char *const laws[] = {"randall", "randall_literal"};
   for (int k = 0; k < 2; k++) {
     struct contact it = contact_of(laws[k]);
     for (int j = 1; j < 8; j++)
-      it.m[j] = 1e9; /* what was there: only m[0] = 0 counts */
+      it.m[j] = 1e9; /* old values: only m[0] = 0 counts */
     const double a = slope() * deep(N);
     go(&it, deep(N), 0);
     CU_ASSERT(it.s.force == 0 && it.s.sliding == 0 && it.m[0] > 0);
@@ -192,7 +197,7 @@ static void touching_squarely_is_remembered(void) {
     go(&it, deep(2 * N), 1e-6 * a);
     CU_ASSERT(fabs(it.s.force / (8 * G * sqrt(R * deep(2 * N)) * 1e-6 * a) - 1) < 1e-12);
     struct contact smooth = contact_of(laws[k]);
-    smooth.pair.friction = 0; /* it slides when it moves */
+    smooth.pair.friction = 0; /* it slides as soon as it moves */
     go(&smooth, deep(N), 0);
     CU_ASSERT(smooth.s.force == 0 && smooth.s.sliding == 0);
     go(&smooth, deep(N), 1e-6 * a);
@@ -202,10 +207,10 @@ static void touching_squarely_is_remembered(void) {
 
 void suite_randall_text(void) {
   CU_pSuite suite = CU_add_suite("randall_text", NULL, NULL);
-  CU_add_test(suite, "theta of first steps", text_as_it_stands);
-  CU_add_test(suite, "the text, one step at a time", text_step_by_step);
-  CU_add_test(suite, "DD while N falls", text_counts_what_falls);
-  CU_add_test(suite, "energy from nothing", energy_from_nothing);
+  CU_add_test(suite, "theta of first steps", theta_of_first_steps);
+  CU_add_test(suite, "the printed law, one step at a time", printed_law_step_by_step);
+  CU_add_test(suite, "DD while N falls", deficit_while_N_falls);
+  CU_add_test(suite, "gain of energy", gain_of_energy);
   CU_add_test(suite, "the cube root", cube_root_is_close);
-  CU_add_test(suite, "touching squarely is remembered", touching_squarely_is_remembered);
+  CU_add_test(suite, "first touch without slip", first_touch_without_slip);
 }

@@ -1,4 +1,5 @@
-/* R89's step: the speed of Rayleigh's wave, its fit, and what the step is of several unlike spheres.
+/* R89's time step: the speed of the Rayleigh wave, its fit, and the step of one sphere and of several different
+ * spheres.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -11,7 +12,8 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* To the digits that are known of them; the equation of the thesis, the square of Rayleigh's, is 0 there. */
+/* The root to its published digits, the relative error of the fit, and Rayleigh's equation in the squared form of
+ * the thesis. */
 static void the_root(void) {
   const struct {
     double nu, alpha, fit;
@@ -28,7 +30,7 @@ static void the_root(void) {
   }
 }
 
-/* Four steps of a scene: of the smallest and of the mean sphere, exact and by the fit. */
+/* The four Rayleigh steps of a scene: shortest and mean, exact and with the fit. */
 static void steps_of(const char *statements, double steps[4]) {
   static const char *const names[] = {"step.rayleigh", "step.rayleigh-mean", "step.rayleigh-fit",
                                       "step.rayleigh-fit-mean"};
@@ -52,7 +54,7 @@ static void the_step_of_steel(void) {
   CU_ASSERT(fabs(steps[2] - 1.050e-6) < 0.5e-9);
   CU_ASSERT(fabs(steps[0] / steps[2] * nb_rayleigh_root(0.28) / nb_rayleigh_fit(0.28) - 1) < 1e-14);
   CU_ASSERT(steps[1] == steps[0] && steps[3] == steps[2]);
-  /* Hertz's contact with a wall at 0.4 m/s gets 7.9 of them, with a like sphere 2^(1/5) times less */
+  /* a collision with a wall at 0.4 m/s takes 7.9 of these steps */
   struct words page = {0};
   struct written it;
   words_add(&page, "material m density 7800 kg/m3 young 210 GPa poisson 0.28\nnormal hertz\nsphere 0 m 0 m radius 1 mm "
@@ -65,8 +67,9 @@ static void the_step_of_steel(void) {
   written_free(&it);
 }
 
-/* Of unlike ones: the shortest need not be the smallest; means are of R, rho, G and nu; what is fixed or rigid is not counted. */
-static void unlike_spheres(void) {
+/* Different spheres: the smallest one need not have the shortest step. The means are those of R, rho, G and nu.
+ * Fixed and rigid particles do not count. */
+static void different_spheres(void) {
   double steps[4];
   steps_of(
       "units none\nmaterial a density 2 young 3 poisson 0\nmaterial b density 1 young 30 poisson 0.5\nmaterial r "
@@ -80,7 +83,7 @@ static void unlike_spheres(void) {
   CU_ASSERT(fabs(steps[3] * nb_rayleigh_fit(0.25) / mean - 1) < 1e-14);
 }
 
-static void without_waves(void) {
+static void without_elastic_moduli(void) {
   struct words page = {0};
   struct written it;
   struct nb_error error = {0};
@@ -98,6 +101,6 @@ void suite_rayleigh(void) {
   CU_pSuite suite = CU_add_suite("rayleigh", NULL, NULL);
   CU_add_test(suite, "the root", the_root);
   CU_add_test(suite, "the step of steel", the_step_of_steel);
-  CU_add_test(suite, "unlike spheres", unlike_spheres);
-  CU_add_test(suite, "without waves", without_waves);
+  CU_add_test(suite, "different spheres", different_spheres);
+  CU_add_test(suite, "a particle without elastic moduli", without_elastic_moduli);
 }

@@ -1,5 +1,5 @@
-/* When contacts are looked for anew: as soon as a particle, or the end of a wall, is farther than half the skin from where the last
- * search found it, and no sooner. Hundreds of them, each within a two-thousandth of that.
+/* The criterion for a new search: a particle, or the end of a wall, is farther than half the skin from its place at
+ * the last search. Hundreds of distances within 1/2000 of this limit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -12,7 +12,7 @@
 
 static const double half_skin = 0.25;
 
-/* A place that is about half the skin from `at`; *out counts those that are farther. */
+/* A place at about half the skin from `at`; *out counts those that are farther. */
 static struct nb_vec found_near(struct nb_vec at, struct chance *chance, int *out) {
   const double away = half_skin * (1 + chance_between(chance, -5e-4, 5e-4)), turn = chance_between(chance, 0, 6.283);
   *out += away > half_skin;
@@ -46,7 +46,7 @@ static void particles(void) {
   written_free(&it);
 }
 
-/* The other end is well within reach, so that each is seen to count. */
+/* One end of each wall is near the limit, and the other has not moved, so every end is tested alone. */
 static void walls(void) {
   enum { WALLS = 200 };
   struct words page = {0};

@@ -1,5 +1,5 @@
-/* The reader: numbers, pages and their blocks, names for values, and the scene that a page says. What it
- * answers to invalid pages is tested by tests/mistakes.sh.
+/* The reader: numbers, pages and their blocks, names of values, and the scene that a page describes. Messages about
+ * invalid pages are tested by tests/mistakes.sh.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef _POSIX_C_SOURCE
@@ -14,7 +14,7 @@
 #include "../src/input/reader.h"
 #include "suites.h"
 
-/* A page made of a text, and one run of it. */
+/* A page from a text, and one of its runs. */
 struct read {
   struct nb_page page;
   struct nb_scene scene;
@@ -111,7 +111,7 @@ static void line_ends(void) {
 static void product(void) {
   static const char good[] = "sweep R 1 mm 2 mm\nsweep c 10 20 30\nlet law linear\nnormal $law\n" ROCK
                              "disc -$R 0 m radius $R rock\nstep 1 us\nstage go\ncycles $c\n";
-  for (size_t run = 0; run < 6; run++) { /* the last sweep is the fastest */
+  for (size_t run = 0; run < 6; run++) { /* the last sweep varies fastest */
     struct read read = read_scene(good, run, NULL);
     CU_ASSERT_EQUAL_FATAL(read.status, NB_OK);
     CU_ASSERT_EQUAL(read.runs, 6);
@@ -192,7 +192,7 @@ static void columns(void) {
   free(reader);
 }
 
-static void order(void) { /* of mistakes: that of the page, whatever order they were found in */
+static void order(void) { /* mistakes are listed in the order of the page */
   char one[] = "one", two[] = "two", *lines[] = {one, two}, path[] = "p";
   unsigned char kinds[] = {1, 1};
   struct nb_mistakes mistakes = {0};
@@ -210,7 +210,7 @@ static void order(void) { /* of mistakes: that of the page, whatever order they 
   nb_mistakes_free(&mistakes);
 }
 
-static void caps(void) {
+static void limits_of_size(void) {
   size_t size = NB_PAGE_MAX + 1;
   char *large = malloc(size);
   CU_ASSERT_PTR_NOT_NULL_FATAL(large);
@@ -247,15 +247,15 @@ static void table(void) {
 
 void suite_reader(void) {
   CU_pSuite suite = CU_add_suite("reader", NULL, NULL);
-  CU_add_test(suite, "numbers are read whole", numbers);
+  CU_add_test(suite, "a number must be a whole word", numbers);
   CU_add_test(suite, "blocks of a page", blocks);
   CU_add_test(suite, "hash of a page", hash);
-  CU_add_test(suite, "lines end as on DOS", line_ends);
+  CU_add_test(suite, "line ends of DOS", line_ends);
   CU_add_test(suite, "sweeps make the product", product);
   CU_add_test(suite, "a sweep of several names", tuples);
   CU_add_test(suite, "--set", settings);
   CU_add_test(suite, "columns after $NAME", columns);
   CU_add_test(suite, "mistakes in line order", order);
-  CU_add_test(suite, "caps", caps);
+  CU_add_test(suite, "limits of size", limits_of_size);
   CU_add_test(suite, "the table of keywords", table);
 }

@@ -1,7 +1,7 @@
-/* What a region measures, counted again from the snapshot of the same moment: every sum over the region is made from the tables of
- * particles and contacts by its definition, in other words than the simulator's.
+/* The measures of a region, computed again from the snapshot of the same time: every sum over the region from the
+ * tables of particles and contacts, by its definition and not by the code of the simulator.
  *
- * Tolerance: 1e-11 of the size of what is summed, some hundred terms that are rounded to 1e-16.
+ * Tolerance: 1e-11 of the size of the sum, which has about a hundred terms rounded to 1e-16.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "recount.h"
@@ -78,7 +78,7 @@ static void spread_near(const struct nb_result *result, const char *stem, const 
   }
 }
 
-/* Ends of contacts on particles inside. */
+/* Contact ends at particles inside the region. */
 struct end {
   double ex, ey, arm, total_normal, total_shear, near;
 };

@@ -1,5 +1,5 @@
-/* An assembly whose measures are counted again from its snapshot: spheres of two sizes, walls, one particle fixed, one taken out,
- * contacts that slide and that do not.
+/* An assembly whose measures the tests compute again from its snapshot: spheres of several sizes, walls, a fixed
+ * particle, a removed particle, contacts that slide and contacts that stick.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_RECOUNT_H
@@ -62,7 +62,7 @@ struct particle {
 };
 struct particles {
   struct particle of[PARTICLES];
-  double thickness, radius, count, free; /* means and counts of those inside; the thickness is of all */
+  double thickness, radius, count, free; /* over the particles inside; thickness: over all */
 };
 
 static inline void read_particles(struct particles *all, const struct nb_table *table) {

@@ -1,11 +1,11 @@
-/* The contacts of a snapshot against the particles of the same moment: directions, overlaps, forces by Hertz, and their sums; and the
- * force chains of a region, found again from them.
+/* The contacts of a snapshot, computed again from its particles: directions, overlaps, Hertz's forces, and their
+ * sums; and the force chains of a region, found again from these contacts.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "recount.h"
 #include "suites.h"
 
-/* Overlaps are differences of places: rounded to 1e-15 of 1e-2. */
+/* Overlaps of 1e-2 are differences of coordinates, with rounding errors of 1e-15. */
 static void is(const struct nb_table *table, size_t row, const char *name, double wanted) {
   const double seen = of(table, row, name);
   if (!(fabs(seen - wanted) <= 1e-9 * (1 + fabs(wanted)))) {
@@ -14,15 +14,16 @@ static void is(const struct nb_table *table, size_t row, const char *name, doubl
   }
 }
 
-/* Each contact against its two particles, or its wall: direction, overlap, force by Hertz; and the sum of forces on a particle. */
-static void contacts_are_those_of_the_particles(void) {
+/* Each contact from its two particles or its wall: direction, overlap, Hertz's force; and the sum of forces on each
+ * particle. */
+static void contacts_follow_from_particles(void) {
   struct written it;
   struct nb_result result;
   struct particles all;
   double fx[PARTICLES] = {0}, fy[PARTICLES] = {0}, touching[PARTICLES] = {0};
   made(&it, &result);
   const struct nb_table *table = &result.snapshots[0].contacts;
-  const double ends[] = {0, 9.85, 9.9, 0}; /* south y, east x, north y, west x but for its motion */
+  const double ends[] = {0, 9.85, 9.9, 0}; /* y of south, x of east, y of north; west moves */
   read_particles(&all, &result.snapshots[0].particles);
   CU_ASSERT_EQUAL(result.snapshots[0].particles.row_count, 28);
   for (size_t k = 0; k < result.snapshots[0].walls.row_count; k++)
@@ -68,13 +69,13 @@ struct chained {
 
 static double major(const double s[3]) { return (s[0] + s[2]) / 2 + hypot((s[0] - s[2]) / 2, s[1]); }
 
-/* Whether a direction is within 45 degrees of the major axis, by their angles. */
+/* Whether a direction is within 45 degrees of the major axis, from their angles. */
 static bool along_axis(const double s[3], double ex, double ey) {
   const double off = atan2(ey, ex) - atan2(2 * s[1], s[0] - s[2]) / 2;
   return fabs(remainder(off, pi)) < pi / 4;
 }
 
-/* Discs and spheres, among which one is fixed, pressed together and sheared with much friction. */
+/* Discs and spheres with large friction, one of them fixed, compressed and sheared. */
 static void run_assembly(struct written *it, struct nb_result *result, int seed) {
   struct words page = {0};
   words_add(
@@ -154,7 +155,7 @@ static void force_chains(void) {
     CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "B.chains.length"), chains > 0 ? members / chains : 0, 1e-12);
     CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "B.chains.fraction"), members / particles, 1e-12);
     CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "B.chains.bend"), pairs > 0 ? rotates / pairs : 0,
-                           1e-6); /* acos near 1: a root */
+                           1e-6); /* the error of acos near 1 is a square root */
     nb_result_free(&result), written_free(&it);
   }
   CU_ASSERT(found >= 5 && turned >= 10);
@@ -162,6 +163,6 @@ static void force_chains(void) {
 
 void suite_recount_contacts(void) {
   CU_pSuite suite = CU_add_suite("recount contacts", NULL, NULL);
-  CU_ADD_TEST(suite, contacts_are_those_of_the_particles);
+  CU_ADD_TEST(suite, contacts_follow_from_particles);
   CU_ADD_TEST(suite, force_chains);
 }

@@ -1,4 +1,4 @@
-/* From rows to one number: every reducer, and what cannot be formed.
+/* Reducers, which compute one number from rows: every reducer, and measures that cannot be formed.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -39,10 +39,10 @@ static void reducers(void) {
       {"A.x amplitude", 3.5, 3, {-3, 1, 4}},
       {"A.x amplitude in all", 6, 6, {-3, 1, 4, 0, 9, 0}},
       {"A.x frequency in all", 0.5, 6, {-1, 1, -1, 1, -1, 1}},
-      {"A.x frequency in all", 1. / 3, 6, {-1, 0, 1, -1, 0, 1}}, /* a row that lies on the mean */
+      {"A.x frequency in all", 1. / 3, 6, {-1, 0, 1, -1, 0, 1}}, /* a row on the mean */
       {"A.x frequency in all", 0.5, 6, {1, -1, 1, -1, 1, -1}},
-      {"A.x frequency in all", 1 / 2.75, 6, {-3, 1, 1, -1, 1, 1}}, /* crossings at 0.75 and 3.5, and then none */
-      {"A.x frequency in all", 1. / 3, 6, {-1, -1, 1, -1, -1, 1}}, /* rows below the mean, one after the other */
+      {"A.x frequency in all", 1 / 2.75, 6, {-3, 1, 1, -1, 1, 1}}, /* crossings at 0.75 and 3.5 only */
+      {"A.x frequency in all", 1. / 3, 6, {-1, -1, 1, -1, -1, 1}}, /* successive rows below the mean */
       {"A.x at 10 cycles", 4, 3, {1, 4, 3}},
       {"A.x at 0 cycle", 1, 3, {1, 4, 3}},
       {"A.x at 0 cycles", 1, 3, {1, 4, 3}},
@@ -141,7 +141,7 @@ static void not_finite(void) {
 
 void suite_reducers(void) {
   CU_pSuite suite = CU_add_suite("reducers", NULL, NULL);
-  CU_add_test(suite, "every reducer, over a stage, the last one and all", reducers);
+  CU_add_test(suite, "every reducer over a stage, the last stage and all stages", reducers);
   CU_add_test(suite, "a measure that cannot be formed fails, with the reason", nothing_to_reduce);
-  CU_add_test(suite, "what is not finite fails every check", not_finite);
+  CU_add_test(suite, "values that are not finite fail every check", not_finite);
 }

@@ -1,4 +1,4 @@
-/* Common to all references: their solutions, the register, and scenes that they refuse.
+/* Functions that all references share: solutions, the register, refused scenes.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _POSIX_C_SOURCE 200809L /* fork */
@@ -241,9 +241,8 @@ static void friction_and_cohesion_at_a_wall(void) {
   it.scene.particles = it.particles, it.scene.particle_count = 1;
   it.scene.walls = it.walls, it.scene.wall_count = 1;
   it.materials[0].line = 12, it.materials[1].line = 13, it.walls[0].material = 1;
-  for (int b = 0; b < 2;
-       b++) /* the rule is for the material of the wall and that of the particle, or for the wall's twice */
-    for (int wall = 0; wall < 2; wall++) { /* the wall has the material of the particle, or the other one */
+  for (int b = 0; b < 2; b++) /* b = 0: the rule is for the two materials; b = 1: for the wall's material twice */
+    for (int wall = 0; wall < 2; wall++) { /* the material of the particle, or the other one */
       int lines[NB_FEATURES];
       it.rules[0] = (struct nb_pair_rule){.a = 1, .b = b, .kn = NAN, .ks = NAN, .friction = 0.5, .cohesion = 1};
       it.walls[0].material = wall;

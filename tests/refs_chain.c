@@ -1,4 +1,4 @@
-/* The reference `chain`: against the calculation cycle, disc by disc, and against Bessel functions.
+/* The reference `chain`, compared with the calculation cycle of every disc, and with Bessel functions.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

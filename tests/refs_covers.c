@@ -1,4 +1,5 @@
-/* Every reference with every feature of scenes: it refuses those that it does not list, and names the feature and its line.
+/* Every reference with every feature of a scene: it must refuse the features that it does not list, and name the
+ * feature and its line.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -8,7 +9,7 @@
 #include "suites.h"
 
 enum {
-  LINE = 12, /* of the page, that asks for the feature */
+  LINE = 12, /* line of the page that asks for the feature */
   NEEDS = sizeof((struct nb_reference *)0)->needs / sizeof(enum nb_feature)
 };
 

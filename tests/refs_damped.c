@@ -1,4 +1,5 @@
-/* The exact contact with dashpots, as springs: without damping, in gross sliding, and convergence.
+/* The reference of the exact contact with dashpots, an impact of springs: without damping, in gross sliding, and its
+ * convergence.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

@@ -1,4 +1,4 @@
-/* The features of a scene: each way to have one, in particles, laws, loading and stages.
+/* The features of a scene: every way in which particles, laws, loading and stages can have them.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -7,7 +7,7 @@
 #include "refs_scenes.h"
 #include "suites.h"
 
-enum { LINE = 12, LATER = 13 }; /* of the page */
+enum { LINE = 12, LATER = 13 }; /* lines of the page */
 
 /* A disc of the first of two materials, and two stages. */
 static struct refs_scene plain(void) {
@@ -64,7 +64,7 @@ static void features_of_particles_and_walls(void) {
       HAS_DISCS, HAS_FIXED_PARTICLES, HAS_NOTHING);
 }
 
-/* Only of pairs that can touch, and with a shear law. */
+/* Friction and cohesion are features only of pairs that can touch, and with a shear law. */
 static void features_of_contacts(void) {
   struct nb_change has_friction = {.friction = 1, .line = LINE}, sticks = {.cohesion = 1, .line = LINE};
   struct nb_change swells = {.friction = 0, .cohesion = 0, .ramp = true, .line = LINE};
@@ -158,7 +158,7 @@ static void features_of_loading(void) {
 void suite_refs_features(void) {
   CU_pSuite suite = CU_add_suite("refs_features", NULL, NULL);
   CU_add_test(suite, "features of particles and walls", features_of_particles_and_walls);
-  CU_add_test(suite, "friction and cohesion, from the start or from a stage on", features_of_contacts);
+  CU_add_test(suite, "friction and cohesion, from the start or from a stage", features_of_contacts);
   CU_add_test(suite, "rules for two materials", features_of_pairs);
   CU_add_test(suite, "damping, also of walls and in stages; 0 is no damping", features_of_damping);
   CU_add_test(suite, "strains, gravity, moving walls, steps and ramps", features_of_loading);

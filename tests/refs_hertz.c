@@ -1,4 +1,4 @@
-/* The references of Hertz's impact: against each other and closed forms, and the scenes that they refuse.
+/* The references of Hertz's impact, compared with each other and with closed forms, and the scenes that they refuse.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

@@ -95,7 +95,8 @@ static void errors_of_simplified_laws(void) {
     }
 }
 
-/* In gross sliding throughout, all of the dissipation (psi1^2 - psi2^2)/(5 chi) is by gross sliding; else a part of it. */
+/* In gross sliding throughout, all of the dissipation (psi1^2 - psi2^2)/(5 chi) is by gross sliding; else a part of
+ * it. */
 static void gross_sliding_is_part_of_dissipation(void) {
   for (double psi1 = 0.25; psi1 < 8; psi1 += 0.25) {
     struct impact_path path;

@@ -1,4 +1,5 @@
-/* Nine discs: the references against each other, closed forms, a plain leapfrog and a general ODE solver.
+/* The references of the nine discs, compared with each other, with closed forms, with a leapfrog scheme and with a
+ * general ODE solver.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -96,7 +97,8 @@ static void sliding_equals_closed_form(void) {
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs", &it).text, "slips"));
 }
 
-/* Leapfrog for the corner and middle discs, against the sum over the modes of 27 degrees of freedom. */
+/* The leapfrog scheme for the corner and middle discs, compared with the sum over the modes of 27 degrees of
+ * freedom. */
 static void check_leapfrog(double r, unsigned long load) {
   struct refs_scene it;
   refs_nine_discs(&it, r * kn, 2, load, 4000);
@@ -127,7 +129,7 @@ static void modes_equal_leapfrog(void) {
   check_leapfrog(2. / 3, 120);
 }
 
-/* The two waves of the centre contact in closed form, and the mean from the static reference. */
+/* The two modes of the centre contact in closed form, and the mean from the static reference. */
 static void mean_amplitude_and_frequency(void) {
   struct refs_scene it;
   refs_nine_discs(&it, kn, 2, 40, 4000);
@@ -169,7 +171,7 @@ static void mean_amplitude_and_frequency(void) {
   solution_free(&rest);
 }
 
-/* Forces of the nine discs directly from [CS79 12, 13, 16, 17]; contacts by index; 27 degrees of freedom. */
+/* Forces of the nine discs from [CS79 12, 13, 16, 17]; discs by index, 27 degrees of freedom. */
 struct ode {
   double r, square;   /* k_s/k_n, k_n/m */
   double east, south; /* displacement of two walls along x */
@@ -212,7 +214,8 @@ static int motion(double t, const double y[], double dy[], void *data) {
   return GSL_SUCCESS;
 }
 
-/* One wall moves inward and one along itself, so that all discs move and rotate; in continuous time, to 1e-12. */
+/* One wall moves inward and one along itself, so that all discs move and rotate; both solutions are in continuous
+ * time and agree to 1e-12. */
 static void modes_equal_ode(void) {
   struct refs_scene it;
   refs_nine_discs(&it, 0.7 * kn, 2, 40, 40);

@@ -1,4 +1,4 @@
-/* Two discs between two walls: the hand calculation, the modes and the series of springs against each other.
+/* Two discs between two walls: the hand calculation, the modes and springs in series, compared with each other.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -41,7 +41,8 @@ static double refs_value_at(const struct nb_solution *solution, const char *name
   return refs_value(solution, text);
 }
 
-/* Different springs and masses, all six cycles: the recursion in floating point, and the modes. */
+/* Different springs and masses, all six cycles of loading: the hand calculation, the recursion in long double, and
+ * the modes. */
 static void hand_equals_recursion_and_modes(void) {
   struct refs_scene it;
   refs_row(&it, k, m, v, step, 6, 100);
@@ -71,7 +72,7 @@ static void hand_equals_recursion_and_modes(void) {
   solution_free(&solution);
 }
 
-/* Values are returned only while the walls keep their velocity and nothing is damped. */
+/* The hand calculation returns values only while the walls keep their velocity and nothing is damped. */
 static void hand_ends_with_the_first_motion(void) {
   struct refs_scene it;
   refs_row(&it, k, m, v, step, 3, 100);
@@ -114,7 +115,7 @@ static void static_forces_of_springs_in_series(void) {
   REFS_NEAR(refs_value(&network, "B.normal"), force, 1e-12, force);
   solution_free(&solution);
   solution_free(&network);
-  it.stages[1].motion_count = 0; /* they keep moving */
+  it.stages[1].motion_count = 0; /* the walls keep moving */
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("two_wall_statics", &it).text, "stop"));
 }
 
@@ -122,6 +123,7 @@ void suite_refs_row(void) {
   CU_pSuite suite = CU_add_suite("refs_row", NULL, NULL);
   CU_add_test(suite, "first cycles equal the equations of CS79", first_cycles_equal_cs79);
   CU_add_test(suite, "the hand calculation equals recursion and modes", hand_equals_recursion_and_modes);
-  CU_add_test(suite, "the hand calculation ends with the first motion of the walls", hand_ends_with_the_first_motion);
+  CU_add_test(suite, "the hand calculation ends when the walls stop or damping begins",
+              hand_ends_with_the_first_motion);
   CU_add_test(suite, "static forces are those of springs in series", static_forces_of_springs_in_series);
 }

@@ -1,4 +1,5 @@
-/* Two spheres between floor and ceiling: the ODE against the modes of two equal masses on three equal springs.
+/* Two spheres between floor and ceiling: the reference's ODE, compared with the modes of two equal masses on three
+ * equal springs.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -36,8 +37,9 @@ static double at(const struct nb_solution *solution, const char *name, double t)
   return curve->at(curve->data, t);
 }
 
-/* The springs share the total overlap d = 0.4. The spheres oscillate symmetrically, at w^2 = 3 k/m without damping;
- * with ratio b, c = 2 b sqrt(m k) at a wall and sqrt(1/2) of it between: c_in = c (1 + 2 sqrt(1/2)). */
+/* The springs share the total overlap d = 0.4. The spheres oscillate symmetrically: without damping w^2 = 3 k/m.
+ * With the damping ratio b, c = 2 b sqrt(m k) at a wall and c sqrt(1/2) between the spheres, so c + 2 c sqrt(1/2)
+ * acts on the symmetric mode. */
 static void equal_spheres_oscillate_symmetrically(void) {
   for (int damped = 0; damped < 2; damped++) {
     struct refs_scene it;
@@ -56,7 +58,7 @@ static void equal_spheres_oscillate_symmetrically(void) {
   }
 }
 
-/* Damped and with weight, the springs carry F + (m_1 + m_2) g, F + m_2 g and F in equilibrium. */
+/* In the damped equilibrium under gravity the springs carry F + (m_1 + m_2) g, F + m_2 g and F. */
 static void equilibrium_under_weight(void) {
   struct refs_scene it;
   stack(&it, 3, 0.5);

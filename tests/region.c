@@ -1,4 +1,4 @@
-/* Measures of regions: assemblies of which every number is known by hand.
+/* Measures of regions: assemblies whose measures are known from hand calculations.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -23,8 +23,8 @@ static void done(struct written *it, struct nb_model *model) {
   written_free(it);
 }
 
-/* A disc with n others evenly round it: normals at 2 pi k/n + turn. */
-static void evenly_round(void) {
+/* A disc with n others at equal angles around it: normals at 2 pi k/n + turn. */
+static void contacts_at_equal_angles(void) {
   for (int n = 1; n <= 6; n++) {
     struct words page = {0};
     struct written it;
@@ -32,7 +32,7 @@ static void evenly_round(void) {
     words_add(&page, "units none\nmaterial m density 1 kn 7\nstep 0.001\ndisc 2 3 radius 1 m\n");
     for (int k = 0; k < n; k++) {
       const double c = cos(2 * pi * k / n + turn), s = sin(2 * pi * k / n + turn);
-      words_add(&page, "disc %.17g %.17g radius 0.98 m\n", 2 + 1.97 * c, 3 + 1.97 * s); /* larger ones would touch */
+      words_add(&page, "disc %.17g %.17g radius 0.98 m\n", 2 + 1.97 * c, 3 + 1.97 * s); /* larger ones would overlap */
       const double parts[] = {c * c * c * c, c * c * c * s, c * c * s * s, c * s * s * s, s * s * s * s};
       for (int p = 0; p < 5; p++)
         fourth[p] += parts[p] / n;
@@ -57,7 +57,7 @@ static void evenly_round(void) {
     CLOSE(model, "A.fabric.fourth.xxyy", fourth[2]);
     CLOSE(model, "A.fabric.fourth.xyyy", fourth[3]);
     CLOSE(model, "A.fabric.fourth.yyyy", fourth[4]);
-    if (n > 2) { /* all directions alike, of second order; of fourth too but for 4, which has a square's */
+    if (n > 2) { /* isotropic in second order; in fourth order too, except for n = 4 */
       CLOSE(model, "A.fabric.xx", 0.5);
       CLOSE(model, "A.fabric.anisotropy", 0);
       CLOSE(model, "A.fabric.fourth.xxxx", n == 4 ? 3. / 8 + cos(4 * turn) / 8 : 3. / 8);
@@ -73,7 +73,8 @@ static void evenly_round(void) {
   }
 }
 
-/* Chains, a loop and a disc alone: who rattles. Discs in a square loop of four hold each other; a tail on it does not. */
+/* Chains, a loop and a single disc: which of them are rattlers. Four discs in a square loop hold each other; a tail
+ * attached to it has rattlers. */
 static void rattlers(void) {
   struct words page = {0};
   struct written it;
@@ -81,8 +82,8 @@ static void rattlers(void) {
                    "lattice discs 2 by 2 from 0 0 radius 1 spacing 1.99 m\n" /* 1-4: a loop */
                    "disc 3.98 0 radius 1 m\ndisc 5.97 0 radius 1 m\n"        /* 5, 6: its tail */
                    "disc 20 20 radius 1 m\n"                                 /* 7: alone */
-                   "disc 30 0 radius 1 m fixed\ndisc 31.99 0 radius 1 m\n"   /* 8 fixed, 9 between it */
-                   "wall w 32.98 -1 to 32.98 1 m\n"                          /* and a wall: held */
+                   "disc 30 0 radius 1 m fixed\ndisc 31.99 0 radius 1 m\n"   /* 8 fixed; 9 between 8 */
+                   "wall w 32.98 -1 to 32.98 1 m\n"                          /* and a wall: no rattler */
                    "region A all\nregion B box -2 -2 to 3 3\n"
                    "record A.particles A.contacts A.coordination A.coordination.mechanical A.rattlers "
                    "B.particles B.contacts B.coordination B.coordination.mechanical B.rattlers\nstage s\ncycles 1\n");
@@ -121,8 +122,8 @@ static void volumes(void) {
   done(&it, model);
 }
 
-/* A box is turned and mirrored with the scene, and so are its corners, which cut surfaces. */
-static void a_box_that_is_turned(void) {
+/* A box and its corners, which cut the discs, are rotated and mirrored with the scene. */
+static void a_rotated_box(void) {
   static const char *const places[] = {"", "transform rotate 0.5\n", "transform mirror x rotate 2 translate 3 -2\n"};
   for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
     struct words page = {0};
@@ -138,7 +139,7 @@ static void a_box_that_is_turned(void) {
   }
 }
 
-/* Particles that fly as a velocity gradient says are strained by it times the time, to rounding. */
+/* Particles that move with a velocity gradient have the strain gradient times time, to rounding. */
 static void strain(void) {
   const struct nb_tensor rate = tensor(0.2, -0.3, 0.7, -0.5);
   struct words page = {0};
@@ -166,7 +167,7 @@ static void strain(void) {
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[1], &error), NB_OK);
   CU_ASSERT(written_now(model, "B.strain.xx") == 0);
   written_cycles(model, 10);
-  /* of lengths that have been strained: G = (1 + 0.3 L)(1 + 0.2 L)^-1 - 1 = 0.1 L (1 + 0.2 L)^-1 */
+  /* relative to the strained lengths: G = (1 + 0.3 L)(1 + 0.2 L)^-1 - 1 = 0.1 L (1 + 0.2 L)^-1 */
   const struct nb_tensor f = tensor(1 + 0.2 * rate.xx, 0.2 * rate.xy, 0.2 * rate.yx, 1 + 0.2 * rate.yy);
   const double det = f.xx * f.yy - f.xy * f.yx;
   CLOSE(model, "B.strain.xx", 0.1 * (rate.xx * f.yy - rate.xy * f.yx) / det);
@@ -175,7 +176,7 @@ static void strain(void) {
   done(&it, model);
 }
 
-/* A falling disc is not at rest: its weight is balanced by no contact. Without gravity no force acts. */
+/* A falling disc is not in equilibrium: no contact balances its weight. Without gravity no force acts. */
 static void imbalance_without_contacts(void) {
   for (int falls = 0; falls < 2; falls++) {
     struct words page = {0};
@@ -192,7 +193,7 @@ static void imbalance_without_contacts(void) {
   }
 }
 
-/* Discs on springs that stand on fixed ones, and Hertz's spheres: every number by hand. */
+/* Discs on linear springs that lie on fixed discs, and Hertz's spheres: every measure from a hand calculation. */
 static void loads(void) {
   struct words page = {0};
   struct written it;
@@ -213,9 +214,9 @@ static void loads(void) {
   CLOSE(model, "A.unbalanced.mean", ((2 - pi / 2) + (4 - pi / 8) + pi / 2) / 3 / 3);
   CLOSE(model, "B.unbalanced.mean", (2 - pi / 2) / 2);
   CLOSE(model, "F.normal.mean", 2);
-  CLOSE(model, "F.unbalanced.mean", 0); /* its one particle is fixed */
+  CLOSE(model, "F.unbalanced.mean", 0); /* its only particle is fixed */
   CLOSE(model, "B.normal.mean", 2);
-  CLOSE(model, "A.sliding.near", 0); /* nothing rubs: what has no limit is not at it */
+  CLOSE(model, "A.sliding.near", 0); /* no friction: a contact without a limit is not at it */
   CLOSE(model, "A.sliding", 0);
   CLOSE(model, "B.contacts", 1);
   done(&it, model);
@@ -240,7 +241,7 @@ static void loads(void) {
 }
 
 /* A disc that slides along a wall in x, and one that rests on a wall. */
-static void who_slides(void) {
+static void fabric_of_sliding_contacts(void) {
   struct words page = {0};
   struct written it;
   struct nb_error error;
@@ -251,7 +252,7 @@ static void who_slides(void) {
             "A.fabric.sliding.fourth.yyyy A.sliding.near A.obliquity.mean A.obliquity.min A.obliquity.max\nstage s\n"
             "cycles 9\n");
   struct nb_model *model = model_of(&it, &page);
-  CU_ASSERT(written_now(model, "A.fabric.sliding.yy") == 0); /* nothing has slipped yet */
+  CU_ASSERT(written_now(model, "A.fabric.sliding.yy") == 0); /* before any slip */
   CLOSE(model, "A.obliquity.max", 0);
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
   written_cycles(model, 5);
@@ -259,7 +260,7 @@ static void who_slides(void) {
   CLOSE(model, "A.sliding.near", 0.5);
   CLOSE(model, "A.obliquity.max", 1);
   CLOSE(model, "A.obliquity.min", 0);
-  CLOSE(model, "A.obliquity.mean", 0.5); /* who has a limit and no shear force counts */
+  CLOSE(model, "A.obliquity.mean", 0.5); /* a contact with a limit and without shear force counts */
   CLOSE(model, "A.fabric.sliding.xx", 0);
   CLOSE(model, "A.fabric.sliding.yy", 1);
   CLOSE(model, "A.fabric.sliding.fourth.yyyy", 1);
@@ -293,13 +294,13 @@ static void inside_a_boundary(void) {
 
 void suite_region(void) {
   CU_pSuite suite = CU_add_suite("region", NULL, NULL);
-  CU_add_test(suite, "contacts evenly round a disc: fabric of second and fourth order, stress", evenly_round);
-  CU_add_test(suite, "who rattles, and coordination with and without", rattlers);
+  CU_add_test(suite, "contacts at equal angles: fabric of second and fourth order, stress", contacts_at_equal_angles);
+  CU_add_test(suite, "rattlers, and coordination with and without them", rattlers);
   CU_add_test(suite, "porosity, thickness and areas", volumes);
-  CU_add_test(suite, "a box that is turned", a_box_that_is_turned);
+  CU_add_test(suite, "a rotated box", a_rotated_box);
   CU_add_test(suite, "strain is the velocity gradient times the time", strain);
-  CU_add_test(suite, "what contacts carry, on springs and by Hertz, and what is out of balance", loads);
-  CU_add_test(suite, "out-of-balance force without contacts", imbalance_without_contacts);
-  CU_add_test(suite, "which way contacts point that slide", who_slides);
-  CU_add_test(suite, "inside a share of the boundary", inside_a_boundary);
+  CU_add_test(suite, "contact forces of springs and of Hertz, unbalanced force", loads);
+  CU_add_test(suite, "unbalanced force without contacts", imbalance_without_contacts);
+  CU_add_test(suite, "fabric of sliding contacts", fabric_of_sliding_contacts);
+  CU_add_test(suite, "inside a fraction of the boundary", inside_a_boundary);
 }

@@ -1,4 +1,4 @@
-/* Measures of regions: sums over the same contacts in two ways, and numbers that must be each other's complement.
+/* Measures of regions: sums over the same contacts in two ways, and measures that must add up to 1.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -22,7 +22,7 @@
   "B.stress.xx "                                                                                                       \
   "B.stress.residual B.stress.mean B.porosity C.stress.residual C.stress.mean C.stress.xx"
 
-/* Pressed, sheared, sliding and damped: with walls, with particles outside. */
+/* An assembly that is compressed, sheared, sliding and damped, with walls and with particles outside the regions. */
 static void busy(struct words *page) {
   words_add(page, "units none\nmaterial m density 3 kn 4000 ks 2500 friction 0.2\nshear linear\nbox 0 0 to 12 12 m\n"
                   "lattice discs 6 by 6 m radius 0.98 spacing 1.95 from 1 1\ngravity 3 -9\nstep 0.002\n"
@@ -64,7 +64,7 @@ static void sums_agree(void) {
   written_free(&it);
 }
 
-/* Neither storage nor threads nor instruction sets change a bit. */
+/* Storage order, threads and instruction sets change no bit. */
 static void same_bits(void) {
   static const struct nb_options options[] = {
       {.threads = 1}, {.threads = 2}, {.threads = 1, .shuffle = true}, {.isa = "plain"}};

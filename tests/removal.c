@@ -1,4 +1,5 @@
-/* Particles that a stage takes out: what they carry away, what the others go on with, and that nothing of them is left.
+/* Particles that a stage removes: the energy that they take with them, the effect on the others, and that nothing of
+ * them remains.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -12,7 +13,8 @@
 
 #define CLOSE(value, wanted, of) CU_ASSERT_DOUBLE_EQUAL(value, wanted, 1e-14 * (of))
 
-/* Six discs that are pressed, sheared and pulled, two of them fixed; then two of them are taken out, which touch each other. */
+/* Six discs that are compressed and sheared, and a fixed disc that moves. Then two of the six are removed, which
+ * touch each other. */
 #define BUSY                                                                                                           \
   "units none\nmaterial m density 3 kn 4000 ks 2500 friction 0.3 cohesion 0.1\nshear linear\nbox 0 0 to 6 4 m\n"       \
   "lattice discs 3 by 2 m radius 0.98 spacing 1.95 from 1 1\ndisc 6.84 1.1 radius 0.9 m fixed velocity -0.1 0 spin "   \
@@ -25,11 +27,11 @@
 
 enum { KEPT = 13, GONE = 23, ALL = 35 };
 static const char *const names[ALL] = {
-    /* as it was */
+    /* unchanged */
     "A.vx", "A.vy", "A.spin", "C.vx", "C.vy", "C.spin", "D.vx", "D.vy", "D.spin", "B.x", "B.y", "B.angle", "E.x",
     /* 0 */
     "B.vx", "B.vy", "B.spin", "B.fx", "B.moment", "P.normal", "P.shear", "S.normal", "P.overlap", "B.vx.half",
-    /* and what else there is */
+    /* others */
     "V.vx", "energy.kinetic", "energy.stored", "energy.frictional", "energy.shear", "energy.damped", "energy.walls",
     "energy.gravity", "energy.changed", "energy.removed", "energy.residual", "work.residual"};
 enum { KINETIC = 24, STORED, FRICTIONAL, CHANGED = 31, REMOVED, RESIDUAL, WORK };
@@ -46,7 +48,7 @@ static const char *const dampings[] = {"",
                                        "damping con1 0.98 as velocity\n",
                                        "damping con1 0.97 as all\n"};
 
-/* Before the stage and after it has begun: all is read as it was but for what is gone. */
+/* Values before the stage and just after it has begun: only those of removed particles change. */
 static void at_the_moment(void) {
   for (size_t n = 0; n < sizeof dampings / sizeof *dampings; n++) {
     struct words page = {0};
@@ -70,7 +72,7 @@ static void at_the_moment(void) {
       CU_ASSERT_NOT_EQUAL(before[k], 0);
       CU_ASSERT_EQUAL(after[k], 0);
     }
-    CU_ASSERT_EQUAL(after[GONE], before[GONE]); /* what is fixed goes on */
+    CU_ASSERT_EQUAL(after[GONE], before[GONE]); /* the fixed disc keeps its velocity */
     const double level = before[KINETIC] + before[STORED];
     for (int k = FRICTIONAL; k <= CHANGED; k++)
       CLOSE(after[k], before[k], level);
@@ -84,8 +86,9 @@ static void at_the_moment(void) {
   }
 }
 
-/* What is taken out at time 0 has never been there: the same bits. With 7 particles and with 37, which are sought in cells. */
-static void never_there(void) {
+/* A particle removed at time 0 has no effect: the same bits as without it. With 7 particles, and with 37, which the
+ * search sorts into boxes. */
+static void removed_at_time_0(void) {
   for (int many = 0; many < 2; many++) {
     double seen[2][4];
     for (int with = 0; with < 2; with++) {
@@ -117,8 +120,8 @@ static void never_there(void) {
   }
 }
 
-/* Where nothing rubs, spins stay, of whatever is taken out beside them. */
-static void spins_stay(void) {
+/* Without friction the spin of a disc does not change when its neighbour is removed. */
+static void spins_do_not_change(void) {
   for (int first = 0; first < 2; first++) {
     struct words page = {0};
     struct written it;
@@ -137,8 +140,9 @@ static void spins_stay(void) {
   }
 }
 
-/* Of two unlike discs that roll on each other the one that is left turns as it did: each has its own arm. */
-static void unlike_radii(void) {
+/* When one of two touching discs with different radii is removed, the spin of the other at t_0 does not change: the
+ * moment on each has its own lever arm. */
+static void different_radii(void) {
   for (int first = 0; first < 2; first++) {
     struct words page = {0};
     struct written it;
@@ -161,8 +165,8 @@ static void unlike_radii(void) {
   }
 }
 
-/* Through the place of one that is gone, and of one that was fixed there, long after; no snapshot shows them. */
-static void nothing_in_the_way(void) {
+/* A disc passes through the places of two removed discs, one of which was fixed. Snapshots do not show them. */
+static void places_of_removed_particles_are_free(void) {
   struct words page = {0};
   struct written it;
   struct nb_result result;
@@ -185,8 +189,8 @@ static void nothing_in_the_way(void) {
   written_free(&it);
 }
 
-/* Steps as shares of something count what is left; it may go together with the other jumps of a stage. */
-static void with_what_is_left(void) {
+/* A step relative to a limit counts the remaining particles only. */
+static void steps_count_remaining_particles(void) {
   struct words page = {0};
   struct written it;
   struct nb_result result;
@@ -204,8 +208,9 @@ static void with_what_is_left(void) {
   written_free(&it);
 }
 
-/* One sphere flies at two, the one before the other; of these the first, by far the larger one, is taken out: what comes is the contact with the second. */
-static void met_by_none(void) {
+/* A sphere approaches two others, one behind the other. The nearer one, by far the larger, is removed: the predicted
+ * collision is that with the other one. */
+static void collision_prediction_without_removed_particles(void) {
   double steps[2];
   for (int with = 0; with < 2; with++) {
     struct words page = {0};
@@ -225,7 +230,7 @@ static void met_by_none(void) {
   CU_ASSERT_EQUAL(steps[1], steps[0]);
 }
 
-static void with_other_jumps(void) {
+static void removal_with_other_changes(void) {
   static const char *const jumps[] = {"zero velocities\n", "reverse velocities\n", "gravity 1 0\n",
                                       "material m kn 6000 ks 900\n"};
   for (size_t n = 0; n < sizeof jumps / sizeof *jumps; n++) {
@@ -254,12 +259,12 @@ static void with_other_jumps(void) {
 
 void suite_removal(void) {
   CU_pSuite suite = CU_add_suite("removal", NULL, NULL);
-  CU_add_test(suite, "the moment", at_the_moment);
-  CU_add_test(suite, "never there", never_there);
-  CU_add_test(suite, "unlike radii", unlike_radii);
-  CU_add_test(suite, "nothing in the way", nothing_in_the_way);
-  CU_add_test(suite, "spins stay", spins_stay);
-  CU_add_test(suite, "what is left", with_what_is_left);
-  CU_add_test(suite, "met by none", met_by_none);
-  CU_add_test(suite, "other jumps", with_other_jumps);
+  CU_add_test(suite, "values at the moment of removal", at_the_moment);
+  CU_add_test(suite, "removal at time 0", removed_at_time_0);
+  CU_add_test(suite, "different radii", different_radii);
+  CU_add_test(suite, "places of removed particles are free", places_of_removed_particles_are_free);
+  CU_add_test(suite, "spins do not change", spins_do_not_change);
+  CU_add_test(suite, "steps count remaining particles", steps_count_remaining_particles);
+  CU_add_test(suite, "collision prediction without removed particles", collision_prediction_without_removed_particles);
+  CU_add_test(suite, "removal with other changes of the stage", removal_with_other_changes);
 }

@@ -1,5 +1,5 @@
-/* Paths that are longer than the exact law's memory: T against a list that keeps all rings (by_hand.h), as a share of mu N. Steps of chance,
- * sines, and contacts that ring down and come back, as damped ones do.
+/* Paths that need more pieces than the exact law has: the error of T over mu N, compared with a list of all rings
+ * (by_hand.h). Random steps, sines, and decaying oscillations followed by large slip.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -8,7 +8,7 @@
 #include "contact.h"
 #include "suites.h"
 
-/* mu kappa = 1/4, R* = 1 m and E* = 4 G*: u is four times the slip, and x the overlap. */
+/* mu kappa = 1/4 with R* = 1 m and E* = 4 G*: u = slip/(mu kappa) is four times the slip; x is the overlap. */
 static const struct nb_pair plain = {.friction = 0.25, .young = 4e9, .shear = 1e9, .radius = 1};
 
 static struct by_hand hand_of_all;
@@ -32,7 +32,7 @@ static void go(struct off *off, struct contact *it, double x, double u) {
   off->worst = e > off->worst ? e : off->worst, off->square += e * e, off->count++;
 }
 
-/* Overlap and slip of every step by chance, N within a factor of 8. */
+/* Random overlap and slip in every step, N within a factor of 8. */
 static struct off rough(double pieces) {
   struct off off = {0};
   struct chance chance = chance_begin(6);
@@ -47,7 +47,7 @@ static struct off rough(double pieces) {
   return off;
 }
 
-/* Sines, so that every step of a rise is a ring of its own. */
+/* Sines: every step in which the overlap grows adds a ring. */
 static struct off smooth(double pieces) {
   struct off off = {0};
   struct chance chance = chance_begin(7);
@@ -78,13 +78,13 @@ static void pieces_of_memory(void) {
   }
 }
 
-/* ---- contacts that ring down ---- */
+/* ---- decaying oscillations ---- */
 
 enum shrinks { EVENLY, BY_A_FACTOR, BY_CHANCE };
 
-/* Slip to and fro between u and -u at one overlap, less at every turn until as many turns are done or next to nothing is left; then on, one
- * way, until it slides, and back. */
-static void ring_down(struct off *off, double pieces, enum shrinks shrinks, double rotates, double factor, int way) {
+/* Slip oscillates at constant overlap with an amplitude that decreases at every reversal, for `rotates` reversals or
+ * until it is below 1e-6. Then the contact slips in one direction until it slides, and back. */
+static void slip_decays(struct off *off, double pieces, enum shrinks shrinks, double rotates, double factor, int way) {
   struct contact it = begin(pieces);
   struct chance chance = chance_begin(13);
   double at = 0, size = 0.98;
@@ -101,8 +101,9 @@ static void ring_down(struct off *off, double pieces, enum shrinks shrinks, doub
     go(off, &it, 1, -way / 25.0);
 }
 
-/* Overlap and slip both ring down, at two frequencies, for 30 turns of slip in 20 steps each; then out and back, as above. */
-static void both_ring_down(struct off *off, double pieces, double decay, double frequency) {
+/* Overlap and slip are decaying oscillations of two frequencies, with 30 periods of slip of 20 steps each. Then slip
+ * in one direction and back, as above. */
+static void both_decay(struct off *off, double pieces, double decay, double frequency) {
   struct contact it = begin(pieces);
   double x = 0, u = 0;
   for (int k = 1; k <= 600; k++) {
@@ -116,9 +117,10 @@ static void both_ring_down(struct off *off, double pieces, double decay, double 
     go(off, &it, x, -2.2 * x / 60);
 }
 
-/* Held to what the law's file and docs/CONTACT.md say. With rings of the width w that are joined in pairs the area in which u is wrong
- * is w^2, T by (3/4) w^2, and half of that where it is shared out: 1e-4 wants w < 1/61, so no rule does it with fewer pieces than that. */
-static void they_come_back(void) {
+/* The errors must be those that the law's file and docs/CONTACT.md state. If rings of the width w are joined in
+ * pairs, u is wrong over the area w^2 and T by (3/4) w^2, or by half of that if the error is distributed. An error
+ * of 1e-4 needs w < 1/61, so no rule reaches it with fewer pieces. */
+static void oscillations_then_sliding(void) {
   static const struct {
     double pieces, evenly, others;
   } wanted[] = {{16, 7e-4, 2.5e-3}, {32, 3e-4, 5e-4}, {64, 1e-4, 1e-4}};
@@ -126,20 +128,20 @@ static void they_come_back(void) {
     struct off evenly = {0}, others = {0};
     for (int way = -1; way < 2; way += 2) {
       for (double rotates = 40; rotates < 1000; rotates *= 1.65)
-        ring_down(&evenly, wanted[k].pieces, EVENLY, floor(rotates), 0, way);
+        slip_decays(&evenly, wanted[k].pieces, EVENLY, floor(rotates), 0, way);
       for (double less = 0.1; less > 0.005; less /= 1.6) {
-        ring_down(&others, wanted[k].pieces, BY_A_FACTOR, 400, 1 - less, way);
-        ring_down(&others, wanted[k].pieces, BY_CHANCE, 400, 1 - less, way);
+        slip_decays(&others, wanted[k].pieces, BY_A_FACTOR, 400, 1 - less, way);
+        slip_decays(&others, wanted[k].pieces, BY_CHANCE, 400, 1 - less, way);
       }
     }
     for (double frequency = 0.3; frequency < 2.5; frequency *= 1.4)
-      both_ring_down(&others, wanted[k].pieces, 0.01, frequency);
+      both_decay(&others, wanted[k].pieces, 0.01, frequency);
     CU_ASSERT(evenly.worst < wanted[k].evenly && others.worst < wanted[k].others);
   }
 }
 
 void suite_ringing(void) {
   CU_pSuite suite = CU_add_suite("ringing", NULL, NULL);
-  CU_add_test(suite, "steps of chance, and sines", pieces_of_memory);
-  CU_add_test(suite, "contacts that ring down come back", they_come_back);
+  CU_add_test(suite, "random steps and sines", pieces_of_memory);
+  CU_add_test(suite, "decaying oscillations, then sliding", oscillations_then_sliding);
 }

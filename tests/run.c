@@ -1,5 +1,5 @@
-/* A scene from its first stage to its last: what is recorded when, what lasts from stage to stage, and how a run
- * ends badly.
+/* A scene from its first stage to its last: when rows are recorded, what lasts from stage to stage, and how a run is
+ * aborted.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -13,7 +13,7 @@
   "units none\nmaterial m density 1 kn 100\nstep 0.25\nbox 0 0 to 8 8 m\ndisc 4 4 radius 1 m\nmonitor W wall west\n"   \
   "monitor D disc 1\nmonitor C disc 1 with wall west\nrecord cycle time W.x W.y\n"
 
-static void rows_come_when_they_are_asked_for(void) {
+static void rows_are_recorded_as_requested(void) {
   struct words page = {0};
   struct written it;
   struct nb_result result;
@@ -21,7 +21,8 @@ static void rows_come_when_they_are_asked_for(void) {
                          "step 0.5\nallow unstable\ncycles 2\nstage d\nstep 0.25\nrecord every 4 cycles\ncycles 7\n");
   written_scene(&it, &page);
   written_run(&result, &it, NULL);
-  /* The start, every fourth cycle and the last of a; none of b; both of c; of d every fourth from its begin on, and the last. */
+  /* Stage a: the start, every fourth cycle and the last one; b: none; c: both; d: every fourth cycle from its
+   * beginning, and the last one. */
   static const double cycle[] = {0, 4, 8, 10, 14, 15, 19, 22};
   static const double time[] = {0, 1, 2, 2.5, 3.75, 4.25, 5.25, 6};
   static const int stage[] = {0, 0, 0, 0, 2, 2, 3, 3};
@@ -37,7 +38,7 @@ static void rows_come_when_they_are_asked_for(void) {
   written_free(&it);
 }
 
-static void walls_go_on_until_told_otherwise(void) {
+static void walls_keep_their_velocity(void) {
   struct words page = {0};
   struct written it;
   struct nb_result result;
@@ -68,7 +69,7 @@ static void a_stage_ends_when_all_conditions_hold(void) {
   written_free(&it);
 }
 
-/* Runs what must break; the words that say so. */
+/* Runs a scene that must be aborted, and returns the error. */
 static struct nb_error broken(const char *statements, size_t *rows) {
   struct words page = {0};
   struct written it;
@@ -97,11 +98,11 @@ static void a_stage_that_never_ends(void) {
   says(&error, "stage `slow`");
   says(&error, "7 cycles");
   says(&error, "time is 2 and should be above 100");
-  CU_ASSERT_EQUAL(rows, 9); /* what was seen until then is kept */
+  CU_ASSERT_EQUAL(rows, 9); /* rows recorded until then are kept */
 }
 
-/* An acceleration beyond all numbers; and a speed that is not far from it. */
-static void a_position_that_is_no_number(void) {
+/* An infinite acceleration, and a very large speed. */
+static void a_position_that_is_nan_or_infinite(void) {
   size_t rows;
   struct nb_error error =
       broken("units none\nmaterial m density 0.05 kn 1e308\ndisc 9 9 radius 1 m\ndisc 1 1 radius 1 m\n"
@@ -119,7 +120,7 @@ static void a_position_that_is_no_number(void) {
   CU_ASSERT_EQUAL(rows, 1);
 }
 
-static void a_snapshot_holds_what_touches(void) {
+static void a_snapshot_has_the_touching_contacts(void) {
   struct words page = {0};
   struct written it;
   struct nb_result result;
@@ -146,8 +147,9 @@ static void a_snapshot_holds_what_touches(void) {
   written_free(&it);
 }
 
-/* A stage that did not end in time is shown as it is then; one that broke is not, in its last cycle either. */
-static void a_broken_stage_has_no_snapshot(void) {
+/* A stage whose conditions do not hold in time has a snapshot of its last cycle. A stage that is aborted has none,
+ * even in its last cycle. */
+static void an_aborted_stage_has_no_snapshot(void) {
   for (int broken = 0; broken < 2; broken++) {
     struct words page = {0};
     struct written it;
@@ -167,8 +169,9 @@ static void a_broken_stage_has_no_snapshot(void) {
   }
 }
 
-/* Conditions hold from cycle 10 on; they are looked at every so many, and at the last that there may be. */
-static void looked_at_seldom(void) {
+/* The conditions hold from cycle 10 on. They are checked every so many cycles, and in the last cycle that is
+ * allowed. */
+static void conditions_checked_every_n_cycles(void) {
   static const struct {
     const char *every;
     unsigned long most, wanted;
@@ -189,9 +192,9 @@ static void looked_at_seldom(void) {
   }
 }
 
-/* Stages that are read again are those that would be there if they were written out: laws, steps and damping go on from one to the
- * next, each has the hash of a page of its own. */
-static void stages_once_more(void) {
+/* Stages made by `repeat` equal stages that are written out: laws, steps and damping continue from one to the next,
+ * and successive stages have different hashes. */
+static void repeated_stages(void) {
   static const char *const head =
       "units none\nmaterial m density 1 kn 1e3 ks 1e3 friction 0.3\nnormal linear\nshear linear\n"
       "disc 0 0 radius 1 m\ndisc 1.9 0.3 radius 1 m velocity -1 0.2\nbox -1.1 -1.1 to 3.2 1.5 m\n"
@@ -226,13 +229,13 @@ static void stages_once_more(void) {
 
 void suite_run(void) {
   CU_pSuite suite = CU_add_suite("run", NULL, NULL);
-  CU_add_test(suite, "rows come when they are asked for", rows_come_when_they_are_asked_for);
-  CU_add_test(suite, "walls go on until told otherwise", walls_go_on_until_told_otherwise);
+  CU_add_test(suite, "rows are recorded as requested", rows_are_recorded_as_requested);
+  CU_add_test(suite, "walls keep their velocity until a stage changes it", walls_keep_their_velocity);
   CU_add_test(suite, "a stage ends when all conditions hold", a_stage_ends_when_all_conditions_hold);
   CU_add_test(suite, "a stage that never ends", a_stage_that_never_ends);
-  CU_add_test(suite, "a position that is no number", a_position_that_is_no_number);
-  CU_add_test(suite, "a snapshot holds what touches", a_snapshot_holds_what_touches);
-  CU_add_test(suite, "a broken stage has no snapshot", a_broken_stage_has_no_snapshot);
-  CU_add_test(suite, "until ... every N cycles", looked_at_seldom);
-  CU_add_test(suite, "stages once more", stages_once_more);
+  CU_add_test(suite, "a position that is NaN or infinite", a_position_that_is_nan_or_infinite);
+  CU_add_test(suite, "a snapshot has the contacts that touch", a_snapshot_has_the_touching_contacts);
+  CU_add_test(suite, "an aborted stage has no snapshot", an_aborted_stage_has_no_snapshot);
+  CU_add_test(suite, "until ... every N cycles", conditions_checked_every_n_cycles);
+  CU_add_test(suite, "repeated stages", repeated_stages);
 }

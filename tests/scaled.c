@@ -1,12 +1,12 @@
-/* Every page with its lengths, masses and times 2^l, 2^m and 2^t times as large: powers of two change no digit of a product, a sum, a
- * quotient or a root, so every number that comes out must be what its unit says, to the bit. Exponents that are multiples of 6 hold for
- * square and cube roots as well.
+/* Every page with lengths, masses and times scaled by 2^l, 2^m and 2^t. Powers of two change no digit of a product, a
+ * sum, a quotient or a root, so every result must scale with its unit, to the bit. Exponents are multiples of 6, so
+ * this holds for square and cube roots too.
  *
- * The second run also stores particles in another order and has no wide instructions, which changes no bit either.
+ * The second run also stores particles in another order and uses no vector instructions, which changes no bit either.
  *
- * A disc is 1 m thick whatever the scale: its density is a mass per area and its stress a force per length. Of a scene with discs that
- * also gives a Young's modulus, or has spheres as well, only masses and times are scaled; so they are where the duration of an impact is
- * asked for, which takes a fifth root.
+ * A disc is 1 m thick at any scale: its density is a mass per area and its stress a force per length. In a scene
+ * with discs that also has a Young's modulus or spheres, only masses and times are scaled. The same holds where the
+ * duration of an impact is needed, which contains a fifth root.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -19,7 +19,7 @@
 #include "every_page.h"
 #include "suites.h"
 
-/* Powers of length, mass and time, and of 1 m where a disc's thickness stands for a length. */
+/* Powers of length, mass and time, and of the thickness of a disc, 1 m, where it takes the place of a length. */
 struct power {
   int l, m, t, thick;
 };
@@ -30,7 +30,7 @@ static const struct power of_kind[NB_UNIT_KINDS] = {
     [NB_UNIT_SPIN] = {0, 0, -1, 0},     [NB_UNIT_ANGLE] = {0, 0, 0, 0},      [NB_UNIT_ENERGY] = {2, 1, -2, 0},
     [NB_UNIT_MOMENT] = {2, 1, -2, 0},   [NB_UNIT_PRESSURE] = {-1, 1, -2, 1}, [NB_UNIT_ACCELERATION] = {1, 0, -2, 0},
 };
-/* Units that tables have and pages have not. */
+/* Units that only tables have. */
 static const struct {
   const char *unit;
   struct power power;
@@ -39,7 +39,7 @@ static const struct {
 static struct {
   int l, m, t;
   bool discs;
-} by; /* of the scene at hand */
+} by; /* for the present scene */
 
 static double times(double value, struct power p) {
   return ldexp(value, by.l * (p.l + (by.discs ? p.thick : 0)) + by.m * p.m + by.t * p.t);
@@ -163,7 +163,7 @@ static void scale_stage(struct nb_stage *stage) {
   scale_step(&stage->step), scale_damping(&stage->damping), scale_segment(&stage->segment);
 }
 
-/* The overlap of an impact is a power 0.4 of L^(5/2). */
+/* The overlap of an impact is a power 0.4, which does not scale exactly. */
 static bool requests_duration(const struct nb_scene *scene) {
   bool asks = scene->impact.line || scene->step.kind == NB_STEP_COLLISION;
   for (size_t s = 0; s < scene->stage_count; s++)
@@ -192,7 +192,7 @@ static void scale(struct nb_scene *scene) {
     scale_stage(&scene->stages[s]);
 }
 
-/* The first number that is not what its unit says. */
+/* False, with a message, at the first number that does not scale with its unit. */
 static bool scales(const struct nb_table *small, const struct nb_table *large, const char *name, const char *what) {
   if (small->row_count != large->row_count || small->column_count != large->column_count) {
     printf("# %s, %s: another number of rows\n", name, what);
@@ -219,7 +219,7 @@ static bool snapshots_scale(const struct nb_snapshot *small, const struct nb_sna
   return held;
 }
 
-static bool met[1024]; /* of the quantities, whether a page has had them */
+static bool met[1024]; /* quantities that some page has */
 
 static void note_quantities(const struct nb_scene *scene) {
   struct nb_quantity_row row;
@@ -235,11 +235,11 @@ static void note_quantities(const struct nb_scene *scene) {
 static void same_in_other_units(struct nb_scene *scene, const char *name) {
   struct nb_result small, large;
   struct nb_error error = {NB_OK, ""};
-  if (scene->start.stages > 0) /* from a state of its own scale */
+  if (scene->start.stages > 0) /* a saved state is not scaled */
     return;
   const struct nb_options as_ever = {.threads = 1}, otherwise = {.threads = 1, .shuffle = true, .isa = "plain"};
   note_quantities(scene);
-  scene->unitless = false; /* for the units of the table */
+  scene->unitless = false; /* so that tables have units */
   const enum nb_status first = nb_run(&small, scene, &as_ever, NULL, &error);
   scale(scene);
   const enum nb_status second = nb_run(&large, scene, &otherwise, NULL, &error);

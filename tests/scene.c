@@ -1,4 +1,4 @@
-/* What a page says, as a scene: particles, walls, materials, stages, and what holds when it says nothing.
+/* The scene that a page describes: particles, walls, materials, stages, and defaults.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef _POSIX_C_SOURCE
@@ -20,7 +20,7 @@ struct read {
   struct nb_mistakes mistakes;
 };
 
-/* Reads a page with these statements, and its scene. A mistake ends the test. */
+/* Reads a page with these statements, and its scene. An error ends the test. */
 static struct read read_scene(const char *statements) {
   struct read read = {0};
   char path[] = "/tmp/nineball-scene-XXXXXX";
@@ -139,7 +139,7 @@ static void stages(void) {
   const struct nb_stage *a = &read.scene.stages[0], *b = a + 1, *c = b + 1, *d = c + 1;
   static const double v[4][2] = {{0, 2}, {3, 4}, {0, -2}, {2, 0}};
   CU_ASSERT_EQUAL_FATAL(read.scene.stage_count, 4);
-  CU_ASSERT_EQUAL_FATAL(a->motion_count, 4); /* mid is no wall of the box */
+  CU_ASSERT_EQUAL_FATAL(a->motion_count, 4); /* mid is not a wall of the box */
   for (int i = 0; i < 4; i++)
     CU_ASSERT(a->motions[i].wall == i && a->motions[i].vx == v[i][0] && a->motions[i].vy == v[i][1]);
   CU_ASSERT(a->step.kind == NB_STEP_SINGLE_CONTACT && a->step.value == 0.1 && a->damping.contact == 0.05 &&
@@ -155,7 +155,7 @@ static void stages(void) {
   CU_ASSERT(c->damping.contact == 1e-6 && c->damping.global_kind == NB_GLOBAL_MASS); /* as the stage before */
   CU_ASSERT(d->damping.contact_kind == NB_CONTACT_UNDAMPED && d->damping.global_kind == NB_GLOBAL_UNDAMPED);
   CU_ASSERT(read.scene.step.kind == NB_STEP_SINGLE_CONTACT && read.scene.column_count == 2);
-  CU_ASSERT_STRING_EQUAL(read.scene.columns[1].name, "C.normal"); /* though C was named below */
+  CU_ASSERT_STRING_EQUAL(read.scene.columns[1].name, "C.normal"); /* although C is defined later */
   CU_ASSERT(read.scene.columns[1].quantity.monitor == 0 && read.scene.monitors[0].b == 1);
   done(&read);
 }

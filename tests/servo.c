@@ -1,7 +1,8 @@
-/* The servo on an assembly whose stiffness is known: six discs in a ring around a seventh.                     [R89 4.1]
+/* The servo on an assembly with known stiffness: six discs in a ring around a seventh. [R89 4.1]
  *
- * All particles follow the strain, so it is a recursion of the ring's radius alone, with springs k between the ring and the
- * disc in the middle: F = k (2r - R), A = 3 sqrt(3)/2 R^2, p = 3 F R/A, B = 3 k R^2/(2 A), T = 2 R (M/(A B))^(1/2).
+ * All particles follow the strain, so the radius R of the ring follows a recursion. With the springs k between the
+ * ring and the middle disc, and the radius r of a disc: F = k (2r - R), A = 3 sqrt(3)/2 R^2, p = 3 F R/A, B = 3 k
+ * R^2/(2 A), T = 2 R (M/(A B))^(1/2) (docs/METHOD.md).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -22,7 +23,8 @@ static double pressure(double radius) {
   return force > 0 ? 3 * force * radius / area : 0;
 }
 
-/* One cycle's strain; `gathered` over the looks before, each of which counts for so many cycles; NAN at first. */
+/* The strain of one cycle. *gathered: Z times the step (docs/METHOD.md), summed over the measurements before, each
+ * of which counts for `every` cycles; NAN at first. */
 static double strain(double radius, double wanted, double most, int every, double *gathered) {
   const double pi = 3.14159265358979323846, mass = 7 * 2 * pi, area = 1.5 * sqrt(3) * radius * radius, dt = 0.0125;
   const double stiffness = radius < 2 ? 1.5 * 1000 * radius * radius / area : 0;
@@ -44,8 +46,9 @@ static void run(struct nb_result *result, const char *stage) {
   written_free(&it);
 }
 
-/* By the largest rate at first, then as it is predicted; every fifth cycle is looked at. In the end p is held. */
-static void it_comes_to_its_stress_as_predicted(void) {
+/* First at the largest rate, then as the recursion predicts, with a measurement every fifth cycle. In the end the
+ * stress is at its target. */
+static void stress_follows_the_recursion(void) {
   struct nb_result result;
   run(&result,
       "stage s\nservo isotropic 12 on boundary through boundary at most 1e-4 per cycle every 5 cycles\ncycles 400\n");
@@ -67,7 +70,7 @@ static void it_comes_to_its_stress_as_predicted(void) {
   nb_result_free(&result);
 }
 
-/* What is wanted goes along a straight line to the end of the stage, from where it was. */
+/* The target goes linearly from the stress at the beginning of the stage to the final value. */
 static void a_ramp_is_followed(void) {
   struct nb_result result;
   run(&result,
@@ -85,8 +88,9 @@ static void a_ramp_is_followed(void) {
   nb_result_free(&result);
 }
 
-/* Against a steady dilatation: nothing stays off, and it goes as the two rates of the theory say. P alone would be wrong by B T e_v. */
-static void a_dilatation_leaves_nothing(void) {
+/* Under a steady dilatation no offset remains, and the error has the two decay rates of the theory. P alone would
+ * leave the offset B T e_v, with the dilatation rate e_v. */
+static void no_offset_under_a_dilatation(void) {
   struct nb_result result;
   run(&result,
       "stage s\nservo isotropic 9 on boundary through boundary at most 1e-3 per cycle every 1 cycle\ncycles 8000\n"
@@ -95,7 +99,7 @@ static void a_dilatation_leaves_nothing(void) {
   const double *row = result.table.values + 8000 * result.table.column_count, radius = row[0];
   const double pi = 3.14159265358979323846, dt = 0.0125, area = 1.5 * sqrt(3) * radius * radius;
   const double b = 1500 * radius * radius / area, t = 2 * radius * sqrt(14 * pi / (area * b)), d = 4e-6 / dt;
-  /* e' = -(e/T + y) - B d, y' = e/(16 T^2): e = -B d (exp(-s t) - exp(-f t))/(f - s), s and f the two rates */
+  /* e' = -(e/T + y) - B d, y' = e/(16 T^2): e = -B d (exp(-s t) - exp(-f t))/(f - s), decay rates s and f */
   const double slow = (1 - sqrt(0.75)) / 2 / t, fast = (1 + sqrt(0.75)) / 2 / t;
   double worst = 0;
   for (int n = 0; n <= 8000; n += 10) {
@@ -109,8 +113,9 @@ static void a_dilatation_leaves_nothing(void) {
   nb_result_free(&result);
 }
 
-/* Holding the mean, the shape goes on as the stage says; holding one component, the others do. */
-static void what_is_not_held_goes_on(void) {
+/* While the servo controls the mean, the strain rate of the stage changes the shape; while it controls one
+ * component, the strain rate of the stage acts on the others. */
+static void components_that_are_not_controlled(void) {
   struct nb_result result;
   run(&result,
       "stage s\nservo isotropic 9 on boundary through boundary at most 1e-3 per cycle every 1 cycle\ncycles 600\n"
@@ -128,7 +133,7 @@ static void what_is_not_held_goes_on(void) {
   nb_result_free(&result);
 }
 
-/* `isotropic` holds the shear stress at 0, which `mean` lets go as the stage strains it. */
+/* `isotropic` keeps the shear stress at 0; under `mean` it follows the strain of the stage. */
 static void isotropic_has_no_shear(void) {
   double shear[2];
   for (int mean = 0; mean < 2; mean++) {
@@ -149,7 +154,7 @@ static void isotropic_has_no_shear(void) {
   CU_ASSERT(fabs(shear[0]) < 0.01 * fabs(shear[1]));
 }
 
-/* Without a word every tenth cycle is looked at. */
+/* By default the stress is measured every tenth cycle. */
 static void every_tenth_cycle(void) {
   static const char *const words[] = {"", "every 10 cycles", "every 1 cycle"};
   double radius[3];
@@ -165,8 +170,8 @@ static void every_tenth_cycle(void) {
   CU_ASSERT(radius[0] == radius[1] && radius[0] != radius[2]);
 }
 
-/* A disc in the gap between three others, taken out, weighs nothing: the ring goes as if it had never been there, to the last bit. */
-static void what_is_removed_weighs_nothing(void) {
+/* A removed disc has no mass for the servo: the ring moves as if it had never been there, to the last bit. */
+static void removed_particles_have_no_mass(void) {
   static const char *const pages[] = {RING "stage s\n", RING "disc 1 0.577 radius 0.1 m\nstage s\nremove disc 8\n"};
   double radius[2];
   for (int k = 0; k < 2; k++) {
@@ -186,8 +191,9 @@ static void what_is_removed_weighs_nothing(void) {
   CU_ASSERT_EQUAL(radius[1], radius[0]);
 }
 
-/* `on` a region: what is held is its stress, not the boundary's. All contacts are in a circle of radius 2.5, so p there is the boundary's times A/(6.25 pi). */
-static void a_region_is_looked_at(void) {
+/* `on` a region controls the stress of the region, not of the boundary. All contacts are in the circle of radius
+ * 2.5, so its stress is that of the boundary times A/(6.25 pi). */
+static void stress_of_a_region(void) {
   const double pi = 3.14159265358979323846;
   struct nb_result result;
   struct words page = {0};
@@ -203,8 +209,8 @@ static void a_region_is_looked_at(void) {
   written_free(&it);
 }
 
-/* `through boundary affine`: a disc that touches nothing goes as the ring does; `through boundary`: it stays. */
-static void the_continuum_goes_along(void) {
+/* With `through boundary affine` a disc without contacts moves like the ring; with `through boundary` it stays. */
+static void servo_through_boundary_affine(void) {
   static const char *const by[] = {"boundary", "boundary affine"};
   for (int k = 0; k < 2; k++) {
     struct nb_result result;
@@ -226,9 +232,9 @@ static void the_continuum_goes_along(void) {
   }
 }
 
-/* A square lattice of springs k in a cell of side L: p = k (2r - s)/s, B = k/2, T = L (rho/B)^(1/2), so a recursion of the side. The
- * shape that the stage asks for goes on beside it. */
-static void a_cell_is_servoed_too(void) {
+/* A square lattice of discs with the spacing s and springs k in a cell of side L: p = k (2r - s)/s, B = k/2, T = L
+ * (rho/B)^(1/2), so the sides follow a recursion. The strain rate of the stage is added. */
+static void servo_through_a_cell(void) {
   const double pi = 3.14159265358979323846, dt = 0.0125, shear = 1e-7;
   struct nb_result result;
   struct words page = {0};
@@ -248,7 +254,7 @@ static void a_cell_is_servoed_too(void) {
     const double px = 1000 * (2 - x / 6) * (x / 6) / (x * y / 36), py = 1000 * (2 - y / 6) * (y / 6) / (x * y / 36);
     CU_ASSERT_DOUBLE_EQUAL(row[0], x, 1e-11);
     CU_ASSERT_DOUBLE_EQUAL(row[1], y, 1e-11);
-    if (n > 0) { /* before they touch there is none */
+    if (n > 0) { /* no stress before the first contact */
       CU_ASSERT_DOUBLE_EQUAL(row[2], px, 1e-8);
       CU_ASSERT_DOUBLE_EQUAL(row[3], py, 1e-8);
     }
@@ -274,14 +280,14 @@ static void a_cell_is_servoed_too(void) {
 
 void suite_servo(void) {
   CU_pSuite suite = CU_add_suite("servo", NULL, NULL);
-  CU_add_test(suite, "it comes to its stress as predicted", it_comes_to_its_stress_as_predicted);
+  CU_add_test(suite, "the stress follows the recursion to its target", stress_follows_the_recursion);
   CU_add_test(suite, "a ramp is followed", a_ramp_is_followed);
-  CU_add_test(suite, "a dilatation leaves nothing", a_dilatation_leaves_nothing);
-  CU_add_test(suite, "a cell is servoed too", a_cell_is_servoed_too);
-  CU_add_test(suite, "a region is looked at", a_region_is_looked_at);
-  CU_add_test(suite, "the continuum goes along", the_continuum_goes_along);
-  CU_add_test(suite, "what is gone weighs nothing", what_is_removed_weighs_nothing);
-  CU_add_test(suite, "what is not held goes on", what_is_not_held_goes_on);
-  CU_add_test(suite, "isotropic has no shear", isotropic_has_no_shear);
-  CU_add_test(suite, "every tenth cycle is looked at", every_tenth_cycle);
+  CU_add_test(suite, "no offset under a dilatation", no_offset_under_a_dilatation);
+  CU_add_test(suite, "servo through a cell", servo_through_a_cell);
+  CU_add_test(suite, "stress of a region", stress_of_a_region);
+  CU_add_test(suite, "servo through boundary affine", servo_through_boundary_affine);
+  CU_add_test(suite, "removed particles have no mass", removed_particles_have_no_mass);
+  CU_add_test(suite, "components that are not controlled", components_that_are_not_controlled);
+  CU_add_test(suite, "isotropic has no shear stress", isotropic_has_no_shear);
+  CU_add_test(suite, "measured every tenth cycle", every_tenth_cycle);
 }

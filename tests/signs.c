@@ -1,4 +1,4 @@
-/* Which way forces and moments point: pairs against the paper, assemblies against their mirror images.
+/* The signs of forces and moments: pairs compared with the paper, assemblies with their mirror images.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -28,7 +28,7 @@ static void forces_on_a_pair(void) {
     const double dy = written_now(model, "B.y") - written_now(model, "A.y"), d = hypot(dx, dy), e1 = dx / d,
                  e2 = dy / d;
     const double fn = written_now(model, "C.normal"), fs = written_now(model, "C.shear");
-    CU_ASSERT(fn > 0 && fs < 0); /* A turns counterclockwise, its rim goes against t: the slip is negative */
+    CU_ASSERT(fn > 0 && fs < 0); /* A's surface moves against t, so the slip is negative */
     CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.fx"), -(fn * e1 + fs * e2), 1e-12);
     CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.fy"), -(fn * e2 - fs * e1), 1e-12);
     CU_ASSERT(written_now(model, "A.fx") + written_now(model, "B.fx") == 0);
@@ -36,13 +36,13 @@ static void forces_on_a_pair(void) {
     CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.moment"), fs, 1e-13);
     CU_ASSERT_DOUBLE_EQUAL(written_now(model, "B.moment"), 2.1 * fs, 1e-13);
   }
-  /* As two gear wheels: the driver is slowed, the driven one turns the other way. */
+  /* Like gear wheels: A slows down, and B rotates the other way. */
   CU_ASSERT(written_now(model, "A.spin.half") < 2 && written_now(model, "B.spin.half") < 0);
   nb_model_free(model);
   written_free(&it);
 }
 
-/* A disc that turns counterclockwise on a floor is driven west, as a wheel is, and pushes the floor east. */
+/* A disc that rotates counterclockwise on a floor is pushed in -x, and pushes the floor in +x. */
 static void force_on_a_wall(void) {
   struct words page = {0};
   struct written it;
@@ -63,7 +63,7 @@ static void force_on_a_wall(void) {
 
 enum { DISCS = 40, CYCLES = 400 };
 
-/* (x, y) -> (xx x + xy y, yx x + yy y); spins change their sign with the determinant. */
+/* (x, y) -> (xx x + xy y, yx x + yy y); the sign of spins changes with that of the determinant. */
 struct turn {
   double xx, xy, yx, yy;
 };
@@ -96,7 +96,7 @@ static void assembly(struct written *it, struct turn t) {
   written_scene(it, &page);
 }
 
-/* Runs the assembly as it is and turned; answers by how much they differ at the end. */
+/* Runs the assembly and its transformed copy; returns the largest difference at the end. */
 static double differ(struct turn t) {
   struct written straight, turned;
   struct nb_result a, b;
@@ -116,16 +116,16 @@ static double differ(struct turn t) {
   return most;
 }
 
-/* Signs and the order of two terms change no rounding: not a bit may differ. */
-static void mirrors_and_quarter_turns(void) {
+/* Changes of sign, and of the order of two terms, do not change the rounding: no bit may differ. */
+static void mirrors_and_rotations_by_90_degrees(void) {
   CU_ASSERT_EQUAL(differ((struct turn){-1, 0, 0, 1}), 0);
   CU_ASSERT_EQUAL(differ((struct turn){1, 0, 0, -1}), 0);
   CU_ASSERT_EQUAL(differ((struct turn){0, 1, 1, 0}), 0);
   CU_ASSERT_EQUAL(differ((struct turn){0, -1, 1, 0}), 0);
 }
 
-/* Any other turn rounds otherwise. Collisions make the difference grow, here to 1e-11. */
-static void any_turn(void) {
+/* Other rotations change the rounding. Collisions amplify the difference, here to 1e-11. */
+static void any_rotation(void) {
   CU_ASSERT(differ((struct turn){cos(0.5), -sin(0.5), sin(0.5), cos(0.5)}) < 1e-10);
   CU_ASSERT(differ((struct turn){cos(2), sin(2), sin(2), -cos(2)}) < 1e-10);
 }
@@ -134,6 +134,6 @@ void suite_signs(void) {
   CU_pSuite suite = CU_add_suite("signs", NULL, NULL);
   CU_add_test(suite, "forces and moments on a pair", forces_on_a_pair);
   CU_add_test(suite, "force on a wall", force_on_a_wall);
-  CU_add_test(suite, "mirrors and quarter turns change no bit", mirrors_and_quarter_turns);
-  CU_add_test(suite, "any turn", any_turn);
+  CU_add_test(suite, "mirrors and rotations by 90 degrees change no bit", mirrors_and_rotations_by_90_degrees);
+  CU_add_test(suite, "any rotation", any_rotation);
 }

@@ -11,7 +11,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* A large sphere between two small ones, one of which is of another material; a fourth that touches nothing. */
+/* A large sphere in contact with two small ones, one of them of another material; a fourth sphere without contacts. */
 static void run(struct nb_result *result, struct written *it) {
   struct words page = {0};
   words_add(&page, "units none\nmaterial a density 1 young 1000 poisson 0.25\nmaterial b density 1 young 1000 poisson "
@@ -33,8 +33,7 @@ static void columns(void) {
   static const double touching[] = {2, 1, 1, 0}, fixed[] = {0, 1, 1, 0}, vy[] = {0, 0, 0, -2}, spin[] = {0, 3, 0, 0};
   for (size_t k = 0; k < 4; k++) {
     CU_ASSERT(written_cell(particles, k, "contacts") == touching[k] && written_cell(particles, k, "fixed") == fixed[k]);
-    CU_ASSERT_DOUBLE_EQUAL(written_cell(particles, k, "vy"), vy[k],
-                           1e-8); /* the large one has begun to turn and to move */
+    CU_ASSERT_DOUBLE_EQUAL(written_cell(particles, k, "vy"), vy[k], 1e-8); /* the large one has begun to move */
     CU_ASSERT_DOUBLE_EQUAL(written_cell(particles, k, "spin"), spin[k], 1e-8);
   }
   const double E = 1000 / (2 * (1 - 0.0625));
@@ -49,7 +48,7 @@ static void columns(void) {
                 {"normal_stress", n / (pi * a * a)},
                 {"ratio", a},
                 {"angle", k ? pi / 2 : 0},
-                {"limit", k ? 0.5 * n : 0}}; /* a does not rub on a */
+                {"limit", k ? 0.5 * n : 0}}; /* no friction between a and a */
     for (size_t r = 0; r < sizeof rows / sizeof *rows; r++)
       CU_ASSERT_DOUBLE_EQUAL(written_cell(contacts, k, rows[r].name), rows[r].expected, 1e-12 * (1 + rows[r].expected));
   }
@@ -57,8 +56,8 @@ static void columns(void) {
   written_free(&it);
 }
 
-/* Two that touch nothing: the free one is a rattler, what is fixed is not. */
-static void what_is_fixed_is_no_rattler(void) {
+/* Two discs without contacts: the free one is a rattler, the fixed one is not. */
+static void a_fixed_particle_is_no_rattler(void) {
   struct words page = {0};
   struct written it;
   struct nb_result result;
@@ -92,7 +91,7 @@ static void rings(void) {
                            1e-14);
   }
   CU_ASSERT_DOUBLE_EQUAL(written_cell(table, 3, "porosity"), 0,
-                         0.02); /* but for two slivers it is the large one's rim */
+                         0.02); /* rim of the large sphere; overlaps count twice */
   nb_result_free(&result);
   written_free(&it);
 }
@@ -101,5 +100,5 @@ void suite_snapshot(void) {
   CU_pSuite suite = CU_add_suite("snapshot", NULL, NULL);
   CU_add_test(suite, "the columns of particles and of contacts", columns);
   CU_add_test(suite, "porosity ring by ring", rings);
-  CU_add_test(suite, "what is fixed is no rattler", what_is_fixed_is_no_rattler);
+  CU_add_test(suite, "a fixed particle is no rattler", a_fixed_particle_is_no_rattler);
 }

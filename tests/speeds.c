@@ -1,4 +1,5 @@
-/* Speeds of a region beyond what carries its particles along, and what is out of balance under centripetal gravity.
+/* Speeds of the particles of a region relative to the imposed motion, and the unbalanced force under centripetal
+ * gravity.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -10,7 +11,8 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* Velocities of particles less the imposed motion, in either coding; the fixed particle is left out. */
+/* Velocities without the imposed motion, for `affine strain` with and without `accumulated`; the fixed particle does
+ * not count. */
 static void speeds(void) {
   static const char *const codings[] = {"apart", "accumulated"};
   for (int k = 0; k < 2; k++) {
@@ -26,13 +28,14 @@ static void speeds(void) {
     written_scene(&it, &page);
     struct nb_result result;
     written_run(&result, &it, NULL);
-    /* After one cycle u = v + c in both; c at t_1 is the mean of those at x_0 and x_1, and `literal` has added the second one. */
-    const double more = k ? 0.5 : 0; /* of what the kick after it adds */
+    /* After one cycle u = v + c in both; c at t_1 is the mean of those at x_0 and x_1. `accumulated` has also added
+     * half of the second one. */
+    const double more = k ? 0.5 : 0; /* fraction of c that the next kick adds */
     const double x = 3 + 0.125 * (0.3 + 0.03), y = 4 + 0.125 * (-0.4 - 0.08), x2 = -8 - 0.125 * 0.08,
                  y2 = 6 - 0.125 * 0.12;
     const double c1x = 0.01 * (3 + x) / 2, c1y = -0.02 * (4 + y) / 2;
     const double c2x = 0.01 * (-8 + x2) / 2, c2y = -0.02 * (6 + y2) / 2;
-    /* literal: u = (u- + u+)/2, u- = v + c_0, u+ = u- + c_1: w = v + c_0 + c_1/2 - (c_0 + c_1)/2 = v + c_0/2 */
+    /* accumulated: u = (u- + u+)/2, u- = v + c_0, u+ = u- + c_1: w = v + c_0 + c_1/2 - (c_0 + c_1)/2 = v + c_0/2 */
     const double w1 = hypot(0.3 + more * 0.01 * 3, -0.4 - more * 0.02 * 4),
                  w2 = hypot(more * 0.01 * 8, more * 0.02 * 6);
     const double c = hypot(c1x, c1y) + hypot(c2x, c2y);
@@ -65,8 +68,9 @@ static void imposed_before_the_first_step(void) {
   written_free(&it);
 }
 
-/* Weight towards a point counts as weight does: 0.5 from (0, -7) to each of two discs, one of which stands on a fixed one. */
-static void weighed_towards_a_point(void) {
+/* Centripetal gravity counts in the unbalanced force like a weight: 0.5 towards (0, -7) on each of two discs, one of
+ * which lies on a fixed disc. */
+static void unbalanced_under_centripetal_gravity(void) {
   struct words page = {0};
   struct written it;
   struct nb_result result;
@@ -84,7 +88,7 @@ static void weighed_towards_a_point(void) {
 
 void suite_speeds(void) {
   CU_pSuite suite = CU_add_suite("speeds", NULL, NULL);
-  CU_add_test(suite, "speeds beyond what carries along", speeds);
-  CU_add_test(suite, "carried before the first step", imposed_before_the_first_step);
-  CU_add_test(suite, "weight towards a point", weighed_towards_a_point);
+  CU_add_test(suite, "speeds relative to the imposed motion", speeds);
+  CU_add_test(suite, "imposed velocity before the first step", imposed_before_the_first_step);
+  CU_add_test(suite, "unbalanced force under centripetal gravity", unbalanced_under_centripetal_gravity);
 }

@@ -1,4 +1,4 @@
-/* A contact of two steel spheres under a shear law alone, Hertz's force given.
+/* A contact of two steel spheres with the shear law under test; the normal force is Hertz's.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_SPHERES_H
@@ -8,15 +8,17 @@
 
 #include "../src/laws/law.h"
 
-/* Two steel spheres of 10 mm, 88 N, nu = 0.3 [R89 figure 5.3]; mu only scales what is seen here. */
+/* Two steel spheres with the radius 10 mm, 88 N, nu = 0.3 [R89 figure 5.3]: E* and G* (Pa), R* (m), N (N). The
+ * results of these tests are divided by mu N. */
 static const double E = 210e9 / (2 * 0.91), G = 210e9 / 2.6 / (2 * 1.7), R = 5e-3, N = 88, mu = 0.2;
 
-/* The overlap of a normal force, and the force of an overlap: Hertz's. */
+/* Hertz: the overlap under the normal force n, and the force at the overlap x. */
 static inline double deep(double n) { return pow(0.75 * n / (E * sqrt(R)), 2. / 3); }
 static inline double press(double x) { return x > 0 ? 4. / 3 * E * sqrt(R) * x * sqrt(x) : 0; }
 static inline double slope(void) { return mu * E / (4 * G); } /* mu kappa */
 
-/* A segment of a path: to this share of the overlap at N, and slip in units of A = mu kappa alpha at N. */
+/* A segment of a path: the overlap at its end over the overlap at N, and its slip in units of A = mu kappa alpha at
+ * N. */
 struct segment {
   double alpha, slip;
 };
@@ -24,7 +26,7 @@ struct segment {
 struct contact {
   const struct nb_law *law;
   struct nb_pair pair;
-  double overlap, m[12 + 5 * 64], work; /* work: of T, by the mean force of each step, J */
+  double overlap, m[12 + 5 * 64], work; /* work of T, with the mean force of each step, J */
   struct nb_shear s;
 };
 

@@ -1,4 +1,4 @@
-/* Moments turn particles: [CS79 23, 23a, 34-36], written out once more here, between steps of unlike length.
+/* Moments rotate particles: [CS79 23, 23a, 34-36], computed here independently, with steps of different length.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -10,7 +10,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* What a kick of time t keeps of the old spin, and how much of the moment it lets through. */
+/* The factors of a kick of the duration t: keep (lambda) on the old spin, push (eta) on the moment (docs/METHOD.md). */
 struct shares {
   double keep, push;
 };
@@ -24,7 +24,7 @@ static const struct {
   struct shares (*over)(double t);
 } kinds[] = {{"none", undamped}, {"mass 30", alpha}, {"con1 0.9 as cs79", con1_cs79}, {"con1 0.9 as all", con1_all}};
 
-/* A disc that turns rubs on a sphere; each is watched by its own names. */
+/* A rotating disc in contact with a sphere, with friction. */
 static struct nb_model *gears(struct written *it, const char *damping) {
   struct words page = {0};
   words_add(
@@ -38,7 +38,7 @@ static struct nb_model *gears(struct written *it, const char *damping) {
   return written_model(it, NULL);
 }
 
-static void moments_turn(void) {
+static void moments_rotate_particles(void) {
   static const char *const names[2][4] = {{"A.moment", "A.spin", "A.spin.half", "A.angle"},
                                           {"B.moment", "B.spin", "B.spin.half", "B.angle"}};
   const double inertia[] = {0.5 * (pi * 0.7 * 0.7 * 2) * 0.7 * 0.7,
@@ -65,14 +65,14 @@ static void moments_turn(void) {
         CU_ASSERT_DOUBLE_EQUAL(written_now(model, names[b][3]), angle[b], 1e-13);
       }
     }
-    CU_ASSERT(most > 0.01); /* so a thousandth less would be seen */
+    CU_ASSERT(most > 0.01); /* so an error of a thousandth would show */
     nb_model_free(model);
     written_free(&it);
   }
 }
 
-/* And the contact uses it: the tangential increment is that of the surfaces as they move now. */
-static void surface_goes_with_its_particle(void) {
+/* The contact uses the present surface speed, spin times radius. */
+static void surface_speed_of_the_particle(void) {
   struct written it;
   struct nb_model *model = gears(&it, "mass 30");
   for (int cycle = 0; cycle < 9; cycle++) {
@@ -85,8 +85,9 @@ static void surface_goes_with_its_particle(void) {
   written_free(&it);
 }
 
-/* To turn round at t_N is to have behind what the next kick would have made, turned round; at the start, what the page says. */
-static void turned_round(void) {
+/* Reversal at t_N replaces the velocities of the last half step by minus those that the next kick would give; at the
+ * start, by minus those of the page. */
+static void reversal(void) {
   for (size_t n = 0; n < sizeof kinds / sizeof *kinds; n++)
     for (int cycles = 0; cycles < 30; cycles += 7) {
       struct written it;
@@ -106,8 +107,9 @@ static void turned_round(void) {
     }
 }
 
-/* Stopped, discs that turned as they touched rub no more when a later stage lets them rub. */
-static void surface_at_rest(void) {
+/* After `zero velocities`, discs that rotated in contact have no shear force when a later stage gives them a shear
+ * law. */
+static void surface_after_zero_velocities(void) {
   static const char *const still[] = {"", "zero velocities\n"};
   for (int k = 0; k < 2; k++) {
     struct words page = {0};
@@ -128,8 +130,8 @@ static void surface_at_rest(void) {
 
 void suite_spin(void) {
   CU_pSuite suite = CU_add_suite("spin", NULL, NULL);
-  CU_add_test(suite, "moments turn particles, damped or not", moments_turn);
-  CU_add_test(suite, "surface speed and particle", surface_goes_with_its_particle);
-  CU_add_test(suite, "turned round", turned_round);
-  CU_add_test(suite, "surface at rest", surface_at_rest);
+  CU_add_test(suite, "moments rotate particles, damped or not", moments_rotate_particles);
+  CU_add_test(suite, "surface speed and particle", surface_speed_of_the_particle);
+  CU_add_test(suite, "reversal", reversal);
+  CU_add_test(suite, "surface speed after zero velocities", surface_after_zero_velocities);
 }

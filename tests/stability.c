@@ -11,8 +11,9 @@
 #include "suites.h"
 #include "written.h"
 
-/* Runs the first stage until the watch stops it, and asks after each cycle whether it should have. Answers how many cycles were done. */
-static int watched(struct nb_model *model, const struct written *it, int cycles, struct nb_error *error) {
+/* Runs the first stage until the stability check stops it, and tests after each cycle whether it should have done
+ * so. Returns the number of cycles. */
+static int run_until_stopped(struct nb_model *model, const struct written *it, int cycles, struct nb_error *error) {
   enum nb_status status = nb_stage_begin(model, &it->scene.stages[0], error);
   int done = 0;
   double least = INFINITY;
@@ -28,11 +29,12 @@ static int watched(struct nb_model *model, const struct written *it, int cycles,
   return done;
 }
 
-/* A light sphere lies at a wall, a heavy one that is hard to stop comes: both of its springs stiffen, for more cycles than a step of
- * half its period has. E* = 1/2, k = 2 E* (R* alpha)^(1/2) with R* = 1/2 between the spheres and 1 at the wall; the light one, of mass 1,
- * is in balance, so that 2/3 E* (R*)^(1/2) alpha^(3/2) of both is the same F, and k = (6 F E*^2 R*)^(1/3). Then omega^2 is the sum of
- * both k, with 1e-6 of one for the heavy sphere, and the step is at its end as 2/omega has come to it. */
-static void an_impact_between_two_looks(void) {
+/* A light sphere touches a wall, and a heavy one approaches it that is hardly slowed down: both contacts stiffen for
+ * more cycles than half a period of the light sphere has. E* = 1/2, k = 2 E* (R* alpha)^(1/2) with R* = 1/2 between
+ * the spheres and 1 at the wall. The light sphere of mass 1 is in equilibrium, so 4/3 E* (R*)^(1/2) alpha^(3/2) = F
+ * at both contacts and k = (6 F E*^2 R*)^(1/3). Then omega^2 is the sum of both k, plus 1e-6 of one for the heavy
+ * sphere, and the run stops when 2/omega has fallen to the step. */
+static void an_impact_between_two_checks(void) {
   struct words page = {0};
   struct written it;
   struct nb_error error = {0};
@@ -43,7 +45,7 @@ static void an_impact_between_two_looks(void) {
             "wall w 0 -9 to 0 9 m\nmonitor C sphere 1 with sphere 2\nstep 3\nrecord C.normal\nstage s\ncycles 900\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
-  const int done = watched(model, &it, 900, &error);
+  const int done = run_until_stopped(model, &it, 900, &error);
   CU_ASSERT(done > 50 && done < 900 && error.status == NB_BROKEN);
   CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "the step 3 is above the guaranteed stable one"));
   CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "particle 1 (line 7): at cycle "));
@@ -55,7 +57,7 @@ static void an_impact_between_two_looks(void) {
   written_free(&it);
 }
 
-/* ---- how much is sure ---- */
+/* ---- the stable-overlap limit ---- */
 
 #define SPHERE "units none\nmaterial m density 0.238732414637843 young 1 poisson 0.3 friction 1\nnormal hertz\n"
 
@@ -63,12 +65,12 @@ static double overlap_stable(const struct nb_model *model, int contact) {
   return model->contacts.kept[NB_STABLE_OVERLAP][contact];
 }
 
-/* Of a pair alone all that is left is the one contact's: at the overlap that is sure its step is the bound. With dashpots h is a
- * little more than the ratio that they have, and so the guaranteed stable step is a little less. */
-static void a_pair_may_use_it_up(void) {
+/* A single pair may use up the whole limit: at its stable-overlap limit the guaranteed stable step equals the step.
+ * With shear and dashpots the stable-overlap limit is slightly too small. */
+static void a_pair_may_use_up_the_limit(void) {
   static const struct {
     const char *statements;
-    double within; /* a share of the step */
+    double within; /* fraction of the step */
   } cases[] = {
       {"shear none\n", 1e-9},
       {"shear mindlin\n", 1e-9},
@@ -97,7 +99,7 @@ static void a_pair_may_use_it_up(void) {
     }
     CU_ASSERT(step >= 2.4 * (1 - 1e-9) && step <= 2.4 * (1 + cases[k].within));
     if (!(step <= 2.4 * (1 + cases[k].within)))
-      printf("# with %s: step %.12g at the overlap that is sure, %g\n", cases[k].statements, step, overlap);
+      printf("# with %s: step %.12g at the stable-overlap limit %g\n", cases[k].statements, step, overlap);
   }
 }
 
@@ -108,8 +110,9 @@ static struct nb_normal yields(struct nb_pair p, double overlap, double dn, doub
   return n;
 }
 
-/* Their stiffest counts: it is as large at a quarter of the overlap, and the search for that halves. */
-static void a_stiffer_way_back_is_sure_earlier(void) {
+/* The largest stiffness counts. It has the same value at a quarter of the overlap, which the program finds by
+ * halving. */
+static void stiffer_unloading_lowers_the_limit(void) {
   struct nb_law law = *nb_law_find("normal", "hertz");
   double stable_overlap[2];
   law.normal = yields;
@@ -135,9 +138,9 @@ static void a_stiffer_way_back_is_sure_earlier(void) {
   CU_ASSERT_DOUBLE_EQUAL(stable_overlap[1], stable_overlap[0] / 4, 1e-5 * stable_overlap[0]);
 }
 
-/* What may get deep may come to have the dashpot of a deep contact: M = 1/2, and of the q that a pair alone may come to, 2, the
- * spring has what dt^2 k + 2 dt max(2 ratio, 2) (M k)^(1/2) = 2 leaves it. */
-static void it_may_get_deep(void) {
+/* A contact that may become deep must be stable with the dashpot of a deep contact. The mass is M* = 1/2 and the
+ * pair may use q = 2, so its stiffness k satisfies dt^2 k + 2 dt max(2 ratio, 2) (M* k)^(1/2) = 2. */
+static void a_contact_may_become_deep(void) {
   static const double ratios[] = {0.3, 1.5};
   for (size_t n = 0; n < 2; n++) {
     struct words page = {0};
@@ -159,8 +162,8 @@ static void it_may_get_deep(void) {
   }
 }
 
-/* What is held has nothing to share. */
-static void a_particle_that_is_held(void) {
+/* A fixed particle takes no part of the limit. */
+static void a_fixed_particle(void) {
   struct words page = {0};
   struct written it;
   struct nb_error error = {0};
@@ -177,9 +180,10 @@ static void a_particle_that_is_held(void) {
   written_free(&it);
 }
 
-/* Wall - A - B of masses 1 and 8, nothing but normal springs, with q = dt^2 k of both contacts: the wall's leaves 4 - (q1 + q2), the
- * other 4 - (q1 + q2) - q2/8, of which half is A's and half is B's. A has two contacts, B one. */
-static void three_share_it(void) {
+/* Wall - A - B with the masses 1 and 8 and normal springs only; dt^2 k is q0 at the contact A-B and q1 at the wall.
+ * The wall's contact leaves 4 - (q0 + q1), the contact A-B leaves 4 - (q0 + q1) - q0/8, half for A and half for B. A
+ * has two contacts, B one. */
+static void wall_and_two_spheres_share_the_limit(void) {
   struct words page = {0};
   struct written it;
   struct nb_error error = {0};
@@ -206,12 +210,12 @@ static void three_share_it(void) {
   written_free(&it);
 }
 
-/* ---- by chance ---- */
+/* ---- random assemblies ---- */
 
-/* Spheres of two materials, some pressed and some apart, that fly about in a box. */
+/* Moving spheres of two materials in a box, some in contact and some apart. */
 static void crowd(struct words *page, struct chance *chance, const char *shear) {
   words_add(page, "units none\nnormal hertz\nshear %s\nskin 0.3\n", shear);
-  for (int m = 0; m < 2; m++) { /* one after the other: the order of arguments is the compiler's */
+  for (int m = 0; m < 2; m++) { /* drawn one by one, because the order of arguments is up to the compiler */
     const double poisson = chance_between(chance, 0, 0.45);
     const double young = chance_scale(chance, 1, 30);
     const double density = chance_scale(chance, 0.1, 10);
@@ -228,7 +232,7 @@ static void crowd(struct words *page, struct chance *chance, const char *shear) 
   }
 }
 
-static void no_cycle_is_unsure(void) {
+static void every_cycle_is_guaranteed_stable(void) {
   static const char *const shears[] = {"none", "mindlin", "mindlin_deresiewicz", "randall"};
   static const char *const damped[] = {"", "damping ratio 0.2\n", "damping stiffness 0.01\n",
                                        "damping critical beyond overlap 0.02\n", "damping con1 0.9 as all\n"};
@@ -244,23 +248,23 @@ static void no_cycle_is_unsure(void) {
               chance_scale(&chance, 0.1, 0.95));
     written_scene(&it, &page);
     struct nb_model *model = written_model(&it, NULL);
-    const int done = watched(model, &it, 400, &error);
+    const int done = run_until_stopped(model, &it, 400, &error);
     ended += done < 400, went += done == 400;
     looks += model->stability->checks, cycles += (unsigned long)done;
     nb_model_free(model);
     written_free(&it);
   }
-  printf("# %d of 60 were stopped; a look every %.1f cycles\n", ended, (double)cycles / (double)looks);
+  printf("# %d of 60 were stopped; a check every %.1f cycles\n", ended, (double)cycles / (double)looks);
   CU_ASSERT(ended > 10 && went > 10);
 }
 
 void suite_stability(void) {
   CU_pSuite suite = CU_add_suite("stability", NULL, NULL);
-  CU_add_test(suite, "an impact between two looks", an_impact_between_two_looks);
-  CU_add_test(suite, "a pair may use it up", a_pair_may_use_it_up);
-  CU_add_test(suite, "a stiffer way back is sure earlier", a_stiffer_way_back_is_sure_earlier);
-  CU_add_test(suite, "it may get deep", it_may_get_deep);
-  CU_add_test(suite, "a particle that is held", a_particle_that_is_held);
-  CU_add_test(suite, "three share it", three_share_it);
-  CU_add_test(suite, "no cycle is unsure", no_cycle_is_unsure);
+  CU_add_test(suite, "an impact between two checks", an_impact_between_two_checks);
+  CU_add_test(suite, "a pair may use up the limit", a_pair_may_use_up_the_limit);
+  CU_add_test(suite, "stiffer unloading lowers the stable-overlap limit", stiffer_unloading_lowers_the_limit);
+  CU_add_test(suite, "a contact may become deep", a_contact_may_become_deep);
+  CU_add_test(suite, "a fixed particle", a_fixed_particle);
+  CU_add_test(suite, "a wall and two spheres share the limit", wall_and_two_spheres_share_the_limit);
+  CU_add_test(suite, "every cycle is guaranteed stable", every_cycle_is_guaranteed_stable);
 }

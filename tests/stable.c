@@ -1,5 +1,5 @@
-/* The safe step, which must never be longer than the longest one that the cycle stands: lattices in closed form, many
- * networks by chance with every kind of damping.
+/* The guaranteed stable step, which must never exceed the true limit of the cycle: lattices with closed forms, and
+ * many random networks with every kind of damping.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -12,11 +12,11 @@
 #include "suites.h"
 #include "written.h"
 
-/* All of one scene: what the program computes, and the references. */
+/* The steps of one scene by the program and by the references. */
 struct told {
-  double safe, critical; /* the program */
+  double safe, critical; /* the program: guaranteed stable, single-contact */
   double parts, modes,
-      cycle; /* the references: contact by contact; by theory; by eigenvalues of the cycle, 0: not asked */
+      cycle; /* the references: bound of contacts; limit of modes; limit of the cycle's eigenvalues, 0: none */
 };
 
 static struct told told(struct words *page, bool cycle) {
@@ -40,18 +40,18 @@ static struct told told(struct words *page, bool cycle) {
   return answer;
 }
 
-/* What every scene must answer. */
+/* Relations that hold for every scene. */
 static void in_order(const struct told *it) {
   NEAR(it->safe, it->parts, 1e-11);
   CU_ASSERT(it->safe <= it->modes * (1 + 1e-12));
   if (it->cycle > 0)
-    NEAR(it->cycle, it->modes, 3e-6); /* |z| = 1 + 1e-6 is called growing */
+    NEAR(it->cycle, it->modes, 3e-6); /* growth is |z| > 1 + 1e-6 */
 }
 
-static void lattices_are_the_closed_forms(void) {
+static void lattices_equal_closed_forms(void) {
   static const struct {
     const char *name, *statements;
-    double safe, limit; /* of critical */
+    double safe, limit; /* over the single-contact step */
   } cases[] = {
       {"a free pair, without shear", "lattice discs 2 by 1 radius 1 smooth\n", 0.7071067811865476, 0.7071067811865476},
       {"a free pair", "lattice discs 2 by 1 radius 1 rough\n", 0.40824829046386301, 0.40824829046386301},
@@ -77,9 +77,9 @@ static void lattices_are_the_closed_forms(void) {
   }
 }
 
-/* By how much the safe step is shorter than the longest one, at most: the two shares in the prose of cases/5-numerics/step-limit.md, to the
- * digits that it prints. */
-static void as_the_page_says(void) {
+/* The largest fractions by which the guaranteed stable step is below the true limit: the two numbers in the text of
+ * cases/5-numerics/step-limit.md, to their printed digits. */
+static void margins_stated_in_step_limit(void) {
   static const int rows[4][4] = {{5, 1, 10, 2}, {2, 2, 4, 4}, {3, 3, 6, 6}, {4, 4, 8, 8}};
   double free = 0, damped = 0;
   for (size_t k = 0; k < 4; k++)
@@ -97,8 +97,9 @@ static void as_the_page_says(void) {
   CU_ASSERT_DOUBLE_EQUAL(damped, 0.56, 0.005);
 }
 
-/* Nine discs that may not turn: omega^2 = 2 (2 + sqrt 2) k/m, rows and columns at once; spin doubles it. */
-static void rotation_costs_thirty_per_cent(void) {
+/* Nine discs that cannot rotate: omega^2 = 2 (2 + sqrt 2) k/m, from rows and columns together. With rotation it is
+ * twice as large. */
+static void rotation_lowers_the_limit(void) {
   struct words page = {0};
   struct written it;
   struct limit limit;
@@ -129,14 +130,15 @@ static void damping_has_its_formula(void) {
     const struct told it = told(&page, true);
     in_order(&it);
     NEAR(it.safe, 2 / omega * (sqrt(1 + xi * xi) - xi), 1e-12);
-    NEAR(it.modes, it.safe, 1e-12); /* a pair is its own part */
+    NEAR(it.modes, it.safe, 1e-12); /* for a pair the bound is the limit */
   }
 }
 
-/* ---- networks by chance ---- */
+/* ---- random networks ---- */
 
-/* Particles of unlike size, density and shape about a lattice that is bent, so that some overlap, some are only near, and
- * some stand apart; some are fixed; four materials of unlike stiffness; walls on two sides or none. */
+/* Particles of different size, density and shape near the sites of a distorted lattice: some overlap, some are
+ * within the skin, and some are apart. Some are fixed; four materials of different stiffness; walls on two sides or
+ * none. */
 static void network(struct words *page, struct chance *chance, size_t nx, size_t ny) {
   words_add(page, "units none\nshear linear\nskin 0.2\n");
   for (int m = 0; m < 4; m++) {
@@ -156,7 +158,8 @@ static void network(struct words *page, struct chance *chance, size_t nx, size_t
     words_add(page, "wall south -1 -0.5 to 9 -0.5 m1\nwall west -0.5 -1 to -0.5 9 m2\n");
 }
 
-/* Up to twice critical; a time for `damping stiffness`, where omega is about that of the stiffest contact. */
+/* Random damping, up to twice critical; `damping stiffness` has a random time, for the omega of about the stiffest
+ * contact. */
 static void damping(struct words *page, struct chance *chance) {
   const double size = chance_between(chance, 0, 2);
   switch ((int)chance_between(chance, 0, 4)) {
@@ -180,7 +183,7 @@ static void damping(struct words *page, struct chance *chance) {
     words_add(page, "damping mass %.17g\n", chance_scale(chance, 0.01, 10));
 }
 
-static void by_chance(unsigned seeds, size_t nx, size_t ny, bool cycle, double least) {
+static void random_networks(unsigned seeds, size_t nx, size_t ny, bool cycle, double least) {
   double sum = 0, lowest = 1;
   for (unsigned seed = 1; seed <= seeds; seed++) {
     struct chance chance = chance_begin(seed);
@@ -193,13 +196,14 @@ static void by_chance(unsigned seeds, size_t nx, size_t ny, bool cycle, double l
     sum += fraction;
     lowest = fraction < lowest ? fraction : lowest;
   }
-  printf("# %zu by %zu: safe/limit is %.3f in the mean of %u, %.3f at least\n", nx, ny, sum / seeds, seeds, lowest);
-  CU_ASSERT(lowest > least); /* and it is no idle bound */
+  printf("# %zu by %zu: stable step over limit is %.3f in the mean of %u, %.3f at least\n", nx, ny, sum / seeds, seeds,
+         lowest);
+  CU_ASSERT(lowest > least); /* and the bound is not much too small */
 }
 
-static void safe_is_safe(void) {
-  by_chance(40, 3, 2, true, 0.3);
-  by_chance(60, 5, 5, false, 0.3);
+static void random_networks_stay_below_the_limit(void) {
+  random_networks(40, 3, 2, true, 0.3);
+  random_networks(60, 5, 5, false, 0.3);
 }
 
 static void storage_changes_no_bit(void) {
@@ -221,8 +225,8 @@ static struct nb_normal yields(struct nb_pair p, double overlap, double dn, doub
   return (struct nb_normal){.force = p.kn * overlap, .stiffness = p.kn, .max_stiffness = 40 * p.kn};
 }
 
-/* The stiffest that a law can get counts, of discs that touch, that are near, and that are far from anything. */
-static void a_stiffer_way_back_counts(void) {
+/* The largest stiffness of a law counts, for discs that touch, that are within the skin and that are far apart. */
+static void stiffer_unloading_counts(void) {
   static const double places[] = {0.99, 1.001, 50};
   const struct nb_law law = {.kind = "normal", .name = "yields", .normal = yields};
   for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
@@ -245,11 +249,11 @@ static void a_stiffer_way_back_counts(void) {
 
 void suite_stable(void) {
   CU_pSuite suite = CU_add_suite("stable", NULL, NULL);
-  CU_add_test(suite, "lattices are the closed forms", lattices_are_the_closed_forms);
-  CU_add_test(suite, "as the page says", as_the_page_says);
-  CU_add_test(suite, "rotation costs thirty per cent", rotation_costs_thirty_per_cent);
+  CU_add_test(suite, "lattices equal closed forms", lattices_equal_closed_forms);
+  CU_add_test(suite, "margins stated in step-limit.md", margins_stated_in_step_limit);
+  CU_add_test(suite, "rotation lowers the limit by thirty per cent", rotation_lowers_the_limit);
   CU_add_test(suite, "damping has its formula", damping_has_its_formula);
-  CU_add_test(suite, "safe is safe, by chance", safe_is_safe);
-  CU_add_test(suite, "a stiffer way back counts", a_stiffer_way_back_counts);
+  CU_add_test(suite, "random networks stay below the limit", random_networks_stay_below_the_limit);
+  CU_add_test(suite, "stiffer unloading counts", stiffer_unloading_counts);
   CU_add_test(suite, "storage changes no bit", storage_changes_no_bit);
 }

@@ -1,5 +1,5 @@
-/* A run that goes on from a saved state comes to the very bits of the one that was not interrupted: whatever the laws, whatever has
- * happened before, and whichever way the second half is run.
+/* A run that continues from a saved state gives the same bits as the uninterrupted run, with every law and damping,
+ * after every kind of change, and with other options for the second half.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -11,8 +11,8 @@
 #include "run/plan.h"
 #include "suites.h"
 
-/* Twelve particles that are squeezed, dragged and pulled; a wall that turns, one that is ramped, a particle that is held and moves, one
- * that flies, one that spins, and one that is taken out. */
+/* Twelve particles that are compressed and sheared; a wall that rotates and one whose velocity ramps; a fixed
+ * particle that moves, a particle in flight with spin, and one that is removed. */
 static const char scene[] =
     "units none\nmaterial m density 3 kn 4000 ks 2500 friction 0.3 young 5000 poisson 0.2\nmaterial p density 3 kn "
     "6000 "
@@ -67,7 +67,7 @@ static void all_dampings(void) {
   }
 }
 
-/* What has been done since the state is counted from there, and closes. */
+/* The balances of a continued run count from the state on, and close. */
 static void balances_begin_anew(void) {
   static const char *const balance[] = {"work.residual", "energy.residual",   "energy.walls",
                                         "energy.damped", "energy.frictional", "energy.gravity"};
@@ -116,7 +116,8 @@ static void balances_begin_anew(void) {
   }
 }
 
-/* Rules of pairs that stages make are in the state, and fit the page that makes them; more than it can make do not. */
+/* Pair rules that a stage makes are in the state and fit the page. A state with more rules than the page can make
+ * does not. */
 static void rules_of_stages_fit(void) {
   struct words page = {0};
   struct written it;
@@ -150,7 +151,7 @@ static void capture(struct nb_saved *saved, struct written *it, const char *stat
   nb_model_free(model);
 }
 
-/* The state of other particles is refused: of another radius, shape, material or mobility, one by one. */
+/* A state with other particles is refused: another radius, shape, material or mobility, one at a time. */
 static void other_particles_do_not_fit(void) {
   struct written it;
   struct nb_saved saved;
@@ -168,7 +169,7 @@ static void other_particles_do_not_fit(void) {
   written_free(&it);
 }
 
-/* A material or a wall of another name, and a wall too few: whatever else is the same. */
+/* A state is refused if a material or a wall has another name, or if a wall is missing. */
 static void other_names_do_not_fit(void) {
   struct written it;
   struct nb_saved saved;
@@ -191,7 +192,7 @@ static void other_names_do_not_fit(void) {
   written_free(&it);
 }
 
-/* A contact of the state between what is far apart in it, with a particle and with a wall. */
+/* A state is refused if it has a contact between two particles, or a particle and a wall, that are far apart. */
 static void contacts_that_are_apart_do_not_fit(void) {
   struct written it;
   struct nb_saved saved;
@@ -213,7 +214,7 @@ static void contacts_that_are_apart_do_not_fit(void) {
   written_free(&it);
 }
 
-/* Without dashpots the total forces are those of the laws: a page that goes on with dashpots reads it. */
+/* Without dashpots the total forces are those of the laws. A page that continues with dashpots reads them. */
 static void contact_forces_without_dashpots(void) {
   struct written it;
   struct nb_saved saved;
@@ -238,9 +239,9 @@ static void contact_forces_without_dashpots(void) {
   written_free(&it);
 }
 
-/* What a contact was in the step before goes on with it: the shear stiffness, which the balance of energy reads, and which of two
- * contacts at a wall vertex is the one that has no force. */
-static void the_step_before_goes_on(void) {
+/* The state continues what a contact was in the last step: the shear stiffness, which the energy balance reads, and
+ * which of two contacts at a wall vertex is suppressed. */
+static void contacts_of_the_last_step_continue(void) {
   struct words page = {0};
   struct written it;
   struct nb_saved saved;
@@ -272,9 +273,9 @@ static void the_step_before_goes_on(void) {
   written_free(&it);
 }
 
-/* Of what a law remembers all is kept, also where the first number is 0: a contact under load that has not slipped. And a Poisson's
- * ratio may be all that it can be. */
-static void what_is_remembered_behind_a_0(void) {
+/* The whole history of a law is saved, also if its first variable is 0, as in a loaded contact that has not slipped.
+ * Poisson's ratio has its largest value. */
+static void a_history_that_begins_with_0(void) {
   struct words page = {0};
   struct written it;
   struct nb_saved saved;
@@ -297,14 +298,14 @@ static void what_is_remembered_behind_a_0(void) {
 
 void suite_state(void) {
   CU_pSuite suite = CU_add_suite("state", NULL, NULL);
-  CU_add_test(suite, "a run goes on to the same bits with every law", all_laws);
-  CU_add_test(suite, "and with every damping", all_dampings);
+  CU_add_test(suite, "continued runs have the same bits with every law", all_laws);
+  CU_add_test(suite, "continued runs have the same bits with every damping", all_dampings);
   CU_add_test(suite, "the balances count from the state on", balances_begin_anew);
-  CU_add_test(suite, "rules that stages make fit", rules_of_stages_fit);
+  CU_add_test(suite, "pair rules of stages fit", rules_of_stages_fit);
   CU_add_test(suite, "other particles do not fit", other_particles_do_not_fit);
   CU_add_test(suite, "other names do not fit", other_names_do_not_fit);
   CU_add_test(suite, "contacts that are apart do not fit", contacts_that_are_apart_do_not_fit);
   CU_add_test(suite, "total forces without dashpots", contact_forces_without_dashpots);
-  CU_add_test(suite, "the step before goes on", the_step_before_goes_on);
-  CU_add_test(suite, "what is remembered behind a 0", what_is_remembered_behind_a_0);
+  CU_add_test(suite, "contacts of the last step continue", contacts_of_the_last_step_continue);
+  CU_add_test(suite, "a history that begins with 0", a_history_that_begins_with_0);
 }

@@ -1,5 +1,5 @@
-/* Assemblies that go on from a saved state: with a boundary, imposed affine motion, a servo, and a cell. Every stage is followed by
- * one that says no more than another step, so that all that it has set must still be there.
+/* Assemblies that continue from a saved state: with a boundary, imposed affine motion, a servo, a cell, a box. Every
+ * stage is followed by one that only changes the step, so all that the first one set must be in the state.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -22,7 +22,7 @@ static void same(const char *what, const char *page, const char *damping) {
   "units none\nmaterial m density 3 friction 0.3 young 50000 poisson 0.2\nnormal hertz\nshear mindlin\n"               \
   "grading g 0.9 8 0.7 25 0.5 30\nstep 0.001\n%s\n"
 
-/* Sixty-three spheres. Each stage leaves contacts that rub. */
+/* Sixty-three spheres. After each stage there are contacts with shear forces. */
 static const char ring[] = GRAINS
     "fill spheres circle 0.1 0.2 radius 7 g m seed 1 attempts 100000 else skip\nboundary circle 0.1 0.2 radius 6.3\n"
     "region A inside 0.9\nrecord time A.stress.mean\n"
@@ -88,7 +88,7 @@ static void a_box(void) {
   same("box, ratio", box, "damping ratio 0.1");
 }
 
-/* Gravity that points away from a point, and then in a direction as well. */
+/* Centripetal gravity that points away from a point. */
 static void away_from_a_point(void) {
   same("away",
        "units none\nmaterial m density 3 kn 4000\nlattice discs 3 by 3 m radius 1 spacing 1.99 from -2 -2\n"
@@ -97,8 +97,8 @@ static void away_from_a_point(void) {
        "");
 }
 
-/* What the page does not have, or has otherwise, is no state of it; `drop` says what differs. */
-static void otherwise(const char *statements, int drop) {
+/* A state whose cell or boundary differs from the page is refused; `drop` selects the difference, 0 for none. */
+static void resume_with_difference(const char *statements, int drop) {
   struct words words = {0};
   struct written it;
   struct nb_saved saved;
@@ -134,19 +134,19 @@ static void otherwise(const char *statements, int drop) {
 
 static void others_are_refused(void) {
   for (int drop = 0; drop <= 5; drop++)
-    otherwise(state_plain, drop);
+    resume_with_difference(state_plain, drop);
   const int of_cells[] = {0, 1, 3}, of_rings[] = {0, 1, 3, 6};
   for (size_t k = 0; k < sizeof of_cells / sizeof *of_cells; k++)
-    otherwise(state_cell, of_cells[k]);
+    resume_with_difference(state_cell, of_cells[k]);
   for (size_t k = 0; k < sizeof of_rings / sizeof *of_rings; k++)
-    otherwise(state_ring, of_rings[k]);
+    resume_with_difference(state_ring, of_rings[k]);
 }
 
 void suite_state_driven(void) {
   CU_pSuite suite = CU_add_suite("state_driven", NULL, NULL);
-  CU_add_test(suite, "an assembly with a boundary goes on to the same bits from every stage", a_ring);
-  CU_add_test(suite, "and one in a periodic cell", a_cell);
-  CU_add_test(suite, "and one between walls that follow", a_box);
-  CU_add_test(suite, "and one that gravity drives apart", away_from_a_point);
-  CU_add_test(suite, "a state with a cell or a boundary otherwise than the page is refused", others_are_refused);
+  CU_add_test(suite, "continued runs have the same bits with a boundary", a_ring);
+  CU_add_test(suite, "continued runs have the same bits in a periodic cell", a_cell);
+  CU_add_test(suite, "continued runs have the same bits in a box", a_box);
+  CU_add_test(suite, "continued runs have the same bits with gravity away from a point", away_from_a_point);
+  CU_add_test(suite, "a state with another cell or boundary than the page is refused", others_are_refused);
 }

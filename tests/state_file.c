@@ -1,4 +1,4 @@
-/* The file of a saved state: what is wrong in it is found, and it is there whole or not at all.
+/* The file of a saved state: every error in it is found, and a file is complete or absent.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef _POSIX_C_SOURCE
@@ -45,7 +45,7 @@ static void every_length(void) {
   size_t size, unseen = 0;
   char *text = small(&size);
   for (size_t length = 0; length < size; length++) {
-    char *cut = malloc(length + 1); /* so that a sanitizer sees what is read behind its end */
+    char *cut = malloc(length + 1); /* so that a sanitizer detects reads past its end */
     memcpy(cut, text, length);
     unseen += reads(cut, length, &error) || strncmp(error.text, "a.state:", 8) != 0 ||
               !strstr(error.text, length < 17 ? "this is not a saved state" : "the file is cut off");
@@ -154,7 +154,7 @@ static void every_mistake(void) {
        "expected a cell with an area above 0"},
       {"\ncell ", "\ncell x ", "a.state:13:6: expected a number, found `x`"},
   };
-  /* The exact law's row: 2 pieces from 0 outwards. */
+  /* The history of the exact law: 2 pieces from 0 outwards. */
   static const struct mistake of_rows[] = {
       {"\nshear 0x1p+1 ", "\nshear 0x1p+9 ", "expected a contact history that the law can have, found `shear`"},
       {"\nshear 0x1p+1 ", "\nshear 0x1p+40 ", "expected a contact history that the law can have, found `shear`"},
@@ -182,8 +182,9 @@ static bool holds(const char *path, const char *text) {
   return same;
 }
 
-/* What was there stays until the new one is whole: not when the disk is full, not when the process ends while it writes. */
-static void whole_or_not_at_all(void) {
+/* The old file stays until the new one is complete, also when the disk is full or the process is killed while it
+ * writes. */
+static void complete_or_absent(void) {
   char folder[] = "/tmp/nineball-state-XXXXXX", path[64], command[64];
   struct nb_saved saved;
   struct nb_error error;
@@ -227,7 +228,7 @@ static void whole_or_not_at_all(void) {
   free(text);
 }
 
-/* 127 bytes of NAME=VALUE, and one more. */
+/* 127 bytes of NAME=VALUE are kept, one more is refused. */
 static void settings_are_not_cut(void) {
   struct nb_saved saved = {0};
   struct nb_error error = {NB_OK, ""};
@@ -245,7 +246,7 @@ void suite_state_file(void) {
   CU_pSuite suite = CU_add_suite("state_file", NULL, NULL);
   CU_add_test(suite, "every flipped bit is found", every_bit);
   CU_add_test(suite, "a file that is cut off anywhere is found", every_length);
-  CU_add_test(suite, "every mistake is said with file, line and column", every_mistake);
+  CU_add_test(suite, "every error is reported with file, line and column", every_mistake);
   CU_add_test(suite, "settings are kept whole, or refused", settings_are_not_cut);
-  CU_add_test(suite, "it is there whole or not at all", whole_or_not_at_all);
+  CU_add_test(suite, "a file is complete or absent", complete_or_absent);
 }

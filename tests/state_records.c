@@ -1,4 +1,5 @@
-/* The records of a saved state, field by field: whatever docs/STATE.md does not allow is an error at that field.
+/* The records of a saved state, field by field: every value that docs/STATE.md does not allow is an error at that
+ * field.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -21,7 +22,7 @@ static const char impact[] =
     "w\nimpact C speed 1 angle 0.5 phase 0.3\n"
     "step 0.001\nstage a\ncycles 20\n";
 
-/* What each field behind the word may be, one letter each. A field behind these is not looked at. */
+/* What each field after the word may be, one letter per field (see kinds). Further fields are not tested. */
 static const struct {
   const char *page, *record, *fields;
 } records[] = {
@@ -63,7 +64,7 @@ static const struct {
     {'f', {"", "x", "-", "inf", "-inf", "nan", "0x1p+0x"}},                             /* finite */
     {'n', {"", "x", "-", "inf", "-inf", "nan", "-0x1p+0"}},                             /* 0 or more */
     {'p', {"", "x", "-", "inf", "-inf", "nan", "-0x1p+0", "0x0p+0"}},                   /* above 0 */
-    {'m', {"", "x", "-inf", "nan", "-0x1p+0"}},                                         /* 0 or more, or not said */
+    {'m', {"", "x", "-inf", "nan", "-0x1p+0"}},                                         /* 0 or more, or none */
     {'y', {"", "x", "-", "-inf", "nan", "-0x1p+0"}},                                    /* E */
     {'v', {"", "x", "-", "inf", "nan", "-0x1p+0", "0x1.00001p-1"}},                     /* Poisson's ratio */
     {'u', {"", "x", "-", "inf", "nan", "0x1.00001p+0"}},                                /* of a unit vector */
@@ -136,11 +137,11 @@ static void every_field(void) {
   }
 }
 
-/* A record that must be there, taken away, and one that may be there once, doubled. */
+/* Every record removed, which is an error if it is required, and doubled, which is an error. */
 static void every_record(void) {
   static const struct {
     const char *page, *record;
-    const char *removed; /* what is said without it */
+    const char *removed; /* error without it, NULL: none */
   } rows[] = {
       {state_plain, "program", "expected a record `program` above"},
       {state_plain, "page", "expected a record `page` above"},
@@ -181,13 +182,13 @@ static void without_particles(void) {
       "end 0000000000000000\n";
   const struct nb_error error = read_changed(text, sizeof text - 1, text, text, "");
   CU_ASSERT_STRING_EQUAL(error.text, "a.state:12:1: expected a record `body` above, found `end`");
-  /* A last line without an end, and its right checksum. */
+  /* A last line without a line end, and with the right checksum. */
   const char *end = strstr(text, "\nend ");
   CU_ASSERT_PTR_NOT_NULL(
       strstr(read_changed(text, sizeof text - 1, end, end + 1, "").text, "expected another checksum"));
 }
 
-/* As many records, and as many numbers in one, as there may be; and one more. */
+/* The largest number of records, the largest number of numbers in one, and one more. */
 static void at_most(void) {
   size_t size;
   char *text = state_of(state_plain, &size), *end, *at = line_of(text, "units", &end);
@@ -212,8 +213,8 @@ static void at_most(void) {
 
 void suite_state_records(void) {
   CU_pSuite suite = CU_add_suite("state_records", NULL, NULL);
-  CU_add_test(suite, "what a field may not be is refused there", every_field);
-  CU_add_test(suite, "a record that is missing, or there twice", every_record);
-  CU_add_test(suite, "no particle, no end of the last line", without_particles);
-  CU_add_test(suite, "no more than there may be", at_most);
+  CU_add_test(suite, "invalid fields are refused at their place", every_field);
+  CU_add_test(suite, "missing and doubled records", every_record);
+  CU_add_test(suite, "no particle, no line end at the end", without_particles);
+  CU_add_test(suite, "largest numbers of records and of numbers", at_most);
 }

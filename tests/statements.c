@@ -1,4 +1,4 @@
-/* Statements of a page, one by one, where a small mistake in reading them would show nowhere else.
+/* Statements of a page, in cases where a small error in reading them would show nowhere else.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef _POSIX_C_SOURCE
@@ -28,7 +28,8 @@ static struct nb_wall wall_of(const char *statement) {
   return wall;
 }
 
-/* A point on the wall's line is on it whatever rounding says; one beside it is not, on walls of any size. */
+/* A point of `about` on the line of the wall counts as on it in spite of rounding, and a point beside the line does
+ * not, for walls of any size. */
 static void a_wall_turns_about_a_point(void) {
   static const double sizes[] = {1e-6, 1e-3, 1, 1e3, 1e6};
   for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++)
@@ -48,7 +49,7 @@ static void a_wall_turns_about_a_point(void) {
     }
 }
 
-/* Of two spheres that may touch one must give; a single rigid one may touch what gives. */
+/* Of two materials that may touch, one must be elastic: a single rigid sphere may touch an elastic wall. */
 static void one_rigid_sphere(void) {
   struct words page = {0};
   struct written it;
@@ -59,7 +60,8 @@ static void one_rigid_sphere(void) {
   written_free(&it);
 }
 
-/* The columns `a`, or `b`, and `c` of a file, of which c must be above 0: what of them, and how many mistakes. */
+/* Reads the columns `a` (or `b`) and `c` of a file; c must be above 0. Returns the number of rows; *sum is that of a
+ * + 1000 c, and *mistakes the number of errors. */
 static size_t columns(double *sum, size_t *mistakes, bool unitless, const char *text) {
   static const struct nb_wanted_column wanted[] = {{"a", "b", false}, {"c", NULL, true}};
   char path[] = "/tmp/nineball-columns-XXXXXX";
@@ -88,8 +90,8 @@ static void a_file_of_columns(void) {
     bool unitless;
   } files[] = {
       {"a/m\tc/m\n1\t2\n3\t4\n", 2, 0, 6004, false},
-      {"c/m\tx/-\ta/m\n2\t9\t1\n4\t9\t3\n", 2, 0, 6004, false},                   /* in any order, among others */
-      {"a/mm\tc/um\n1\t2\n", 1, 0, 1e-3 + 2e-3, false},                           /* each in a unit of its own */
+      {"c/m\tx/-\ta/m\n2\t9\t1\n4\t9\t3\n", 2, 0, 6004, false},                   /* in any order, between others */
+      {"a/mm\tc/um\n1\t2\n", 1, 0, 1e-3 + 2e-3, false},                           /* each in its own unit */
       {"b/km\tc/m\n1\t2\n", 1, 0, 3000, false},                                   /* the other name */
       {"# first\n\n  a/m  c/m\n 1 2\n# between\n\n  3   4\n", 2, 0, 6004, false}, /* blanks */
       {"a/-\tc/-\n1\t2\n", 1, 0, 2001, true},
@@ -136,7 +138,8 @@ static double step_of(const char *walls, const char *in_stage) {
   return step;
 }
 
-/* For the step of a contact a wall moves as the first stage sets it going, unless that is a ramp; another wall moves its own way. */
+/* In the collision prediction a wall moves with its velocity in the first stage, unless that ramps; other walls keep
+ * their own. */
 static void walls_of_the_first_stage(void) {
   const char *walls = "wall f -90 0 to 90 0 r\nwall g -90 90 to 90 90 r";
   const double slow = step_of("wall f -90 0 to 90 0 r velocity 0 0.1", "");
@@ -170,7 +173,7 @@ static const char *rightly(unsigned where, unsigned here) {
                                       : "before the first `segment`";
 }
 
-/* The line of the row's example that the row reads: its words, whatever blanks are between them. */
+/* The line of the row's example that the row reads, with any number of blanks between its words. */
 static void example_line(char *line, size_t size, const struct nb_keyword *row) {
   char words[128] = "";
   for (const char *at = row->example; *at && strcmp(words, row->word) != 0;
@@ -190,7 +193,8 @@ static void example_line(char *line, size_t size, const struct nb_keyword *row) 
   CU_ASSERT_STRING_EQUAL(words, row->word);
 }
 
-/* Every statement in every place where it does not belong: the message says where it does. A few are written alike in two places. */
+/* Every statement in every place where it does not belong: the message must say where it does. Statements that both
+ * kinds of block have are left out. */
 static void the_wrong_place(void) {
   static const char *const alike = "|material|pair|repeat|";
   const struct nb_keyword *row;
@@ -212,7 +216,8 @@ static void the_wrong_place(void) {
       nb_scene_read(&scene, &page, 0, NULL, &mistakes);
       snprintf(expected, sizeof expected, "belongs %s", rightly(row->where, here));
       if (!mistakes.text || !strstr(mistakes.text, expected)) {
-        printf("# no `%s` in what is said of `%s`:\n# %s\n", expected, line, mistakes.text ? mistakes.text : "nothing");
+        printf("# no `%s` in the message about `%s`:\n# %s\n", expected, line,
+               mistakes.text ? mistakes.text : "nothing");
         CU_FAIL("the message does not say where a statement belongs");
       }
       wrong++;
@@ -225,7 +230,7 @@ void suite_statements(void) {
   CU_pSuite suite = CU_add_suite("statements", NULL, NULL);
   CU_add_test(suite, "a wall turns about a point, on its line or beside it", a_wall_turns_about_a_point);
   CU_add_test(suite, "a file of columns", a_file_of_columns);
-  CU_add_test(suite, "walls that the first stage sets going", walls_of_the_first_stage);
+  CU_add_test(suite, "walls that the first stage moves", walls_of_the_first_stage);
   CU_add_test(suite, "a statement in the wrong place", the_wrong_place);
-  CU_add_test(suite, "one of two may be rigid", one_rigid_sphere);
+  CU_add_test(suite, "one of two materials may be rigid", one_rigid_sphere);
 }

@@ -1,4 +1,5 @@
-/* The step of a page as a share of what, and the watch that stops a run whose step is not safe any more.
+/* The time step of a page relative to a limit, and the stability check that stops a run whose step is above the
+ * limit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -24,15 +25,15 @@ static double step_of(const char *statements) {
   return step;
 }
 
-static void a_step_is_a_share(void) {
+static void a_step_relative_to_a_limit(void) {
   /* omega^2 = 2 k/m = 16 */
   NEAR(step_of(PAIR "lattice discs 2 by 1 radius 1 m\nstep 0.5 of stable\n"), 0.25, 1e-15);
   NEAR(step_of(PAIR "lattice discs 2 by 1 radius 1 m\nstep 50 % of stable\n"), 0.25, 1e-15);
-  /* near, though not touching, counts; two that are far apart count as if they met, and so does a wall alone */
+  /* pairs within the skin count; particles far apart count as if they touched, and so does a wall */
   NEAR(step_of(PAIR "lattice discs 2 by 1 radius 1 spacing 2.09 m\nstep 0.5 of stable\n"), 0.25, 1e-15);
   NEAR(step_of(PAIR "lattice discs 2 by 1 radius 1 spacing 5 m\nstep 0.5 of stable\n"), 0.25, 1e-15);
   NEAR(step_of(PAIR "disc 0 5 radius 1 m\nwall w -3 0 to 3 0 m\nstep 0.5 of stable\n"), sqrt(0.125), 1e-15);
-  /* pi sqrt(M/k): two equal masses, and two of which one is heavy; the lightest two of three; at a wall */
+  /* pi sqrt(M/k): two equal masses; a light and a heavy one; the lightest two of several; at a wall */
   const double pi = 3.14159265358979323846;
   NEAR(step_of(PAIR "lattice discs 2 by 1 radius 1 spacing 5 m\nstep 0.5 of collision\n"), pi / 8, 1e-15);
   NEAR(step_of(PAIR "disc 0 0 radius 1 m\ndisc 9 0 radius 3 m\nstep 1 of collision\n"), pi * sqrt(0.9 / 8), 1e-15);
@@ -43,16 +44,16 @@ static void a_step_is_a_share(void) {
   NEAR(step_of(PAIR "disc 9 0 radius 3 m\ndisc 0 0 radius 1 m\nstep 1 of collision\n"), pi * sqrt(0.9 / 8), 1e-15);
   NEAR(step_of(PAIR "lattice discs 2 by 1 radius 1 m\ndisc 30 0 radius 2 m\nstep 1 of collision\n"), pi / 4, 1e-15);
   NEAR(step_of(PAIR "disc 0 5 radius 1 m\nwall w -3 0 to 3 0 m\nstep 1 of collision\n"), pi / sqrt(8), 1e-15);
-  /* a lighter particle of another material does not stand for those of the pair */
+  /* a lighter particle of another material does not count for this pair */
   NEAR(step_of(PAIR
                "material b density 0.01 kn 8\npair m b kn 1e-6\npair b b kn 1e-6\nmaterial s kn 8\npair b s kn 1e-6\n"
                "disc 0 5 radius 1 m\ndisc 9 5 radius 1 b\nwall w -3 0 to 3 0 s\nstep 1 of collision\n"),
        pi / sqrt(8), 1e-15);
-  /* nor does one particle make a pair of its own */
+  /* a single particle is no pair */
   NEAR(step_of(PAIR
                "material s kn 8\npair m s kn 1e-4\ndisc 0 5 radius 1 m\nwall w -3 0 to 3 0 s\nstep 1 of collision\n"),
        pi * 100, 1e-15);
-  /* and the critical one, of springs however soft */
+  /* the single-contact step and the duration of a collision of very soft springs */
   NEAR(step_of("units none\nmaterial m density 0.31830988618379067 kn 1e-4\ndisc 0 0 radius 1 m\nstep 0.5 of "
                "single-contact\n"),
        100., 1e-15);
@@ -61,9 +62,9 @@ static void a_step_is_a_share(void) {
        pi * sqrt(0.5e4), 1e-15);
 }
 
-/* ---- elastic spheres: how long they stay together goes with their speed ---- */
+/* ---- elastic spheres: the duration of a collision depends on the speed ---- */
 
-/* E* = 1/2 of two unlike rigid and E = 1/2, nu = 0; of like ones E/2. A sphere of radius 1 has the mass 1. */
+/* E* is 1/2 for m with m, 1 for m with r, 1/3 for m with w. A sphere of radius 1 has the mass 1. */
 #define SPHERES                                                                                                        \
   "units none\nnormal hertz\nmaterial m density 0.238732414637843 young 1 poisson 0\nmaterial r density "              \
   "0.238732414637843 rigid\nmaterial w density 0.238732414637843 young 0.5 poisson 0\n"
@@ -73,9 +74,9 @@ static double hertz(double young, double radius, double mass, double speed) {
   return 0.8 * beta * pow(15 * mass * speed * speed / (16 * young * sqrt(radius)), 0.4) / speed;
 }
 
-static void a_contact_of_spheres(void) {
+static void duration_of_collisions(void) {
   NEAR(hertz(1, 1, 1, 1) * pow(16. / 15, 0.4), 2.9432751843247047, 1e-15);
-  /* two that fly at each other, one at a wall, a wall at one, in its first stage and before */
+  /* two spheres that approach each other, a sphere that approaches a wall, a wall that approaches a sphere */
   NEAR(step_of(SPHERES "sphere 0 0 radius 1 m velocity 0.2 0\nsphere 5 0 radius 1 m velocity -0.1 0\nstep 0.1 of "
                        "collision\n"),
        0.1 * hertz(0.5, 0.5, 0.5, 0.3), 1e-14);
@@ -87,7 +88,7 @@ static void a_contact_of_spheres(void) {
        hertz(1, 1, 1, 0.1) / 20, 1e-14);
   NEAR(step_of(SPHERES "sphere 3 1.5 radius 1 m\nwall w -90 0 to 90 0 r spin 0.1\nstep 20 per collision\n"),
        hertz(1, 1, 1, 0.3) / 20, 1e-14);
-  /* at an end of a wall, as at a point; what flies past it meets nothing, and what it leaves behind neither */
+  /* the end of a wall acts as a point; a sphere that passes it, or moves away from a wall, does not collide */
   const double bent = 0.2 * sqrt(1 - 0.36);
   NEAR(step_of(SPHERES "sphere 0.6 5 radius 1 m velocity 0 -0.2\nwall w -9 0 to 0 0 r\nstep 1 of collision\n"),
        hertz(1, 1, 1, bent), 1e-14);
@@ -96,18 +97,18 @@ static void a_contact_of_spheres(void) {
   NEAR(step_of(SPHERES "sphere 1.1 5 radius 1 m velocity 0 -0.2\nwall w -9 0 to 0 0 r\nwall v -9 9 to 9 9 r\n"
                        "sphere 5 8.2 radius 0.1 m velocity 0 0.001\nstep 1 of collision\n"),
        hertz(1, 0.1, 0.001, 0.001), 1e-14);
-  /* askew: they close along their centres when they touch, both ways round; the next one would be missed */
+  /* oblique: the speed along the line of centres at first touch, in both orders; a third sphere would be missed */
   NEAR(step_of(SPHERES "sphere 0 0 radius 1 m velocity 0.3 0\nsphere 5 0.8 radius 1 m\nstep 1 of collision\n"),
        hertz(0.5, 0.5, 0.5, 0.3 * sqrt(1 - 0.16)), 1e-14);
   NEAR(step_of(SPHERES "sphere 5 -0.8 radius 1 m\nsphere 0 0 radius 1 m velocity 0.3 0\nsphere 5 9 radius 1 m velocity "
                        "-9 0\nstep 1 of collision\n"),
        hertz(0.5, 0.5, 0.5, 0.3 * sqrt(1 - 0.16)), 1e-14);
-  /* what touches already, at a wall and at each other: as fast as it closes now */
+  /* contacts that touch already: the present approach speed */
   NEAR(step_of(SPHERES "sphere 0 0.99 radius 1 m velocity 4 -0.1\nwall w -9 0 to 9 0 r\nstep 1 of collision\n"),
        hertz(1, 1, 1, 0.1), 1e-14);
   NEAR(step_of(SPHERES "sphere 0 0 radius 1 m velocity 0.5 0\nsphere 1.2 1.59 radius 1 m\nstep 1 of collision\n"),
        hertz(0.5, 0.5, 0.5, 0.5 * 1.2 / hypot(1.2, 1.59)), 1e-14);
-  /* of several the shortest: small, hard, fast ones; what is fixed weighs without end; two that are fixed do not count */
+  /* the shortest of several collisions; a fixed particle has infinite mass; two fixed particles do not count */
   NEAR(step_of(SPHERES "sphere 0 0 radius 1 m velocity 1 0\nsphere 5 0 radius 1 m\nsphere 0 9 radius 0.5 m velocity 1 "
                        "0\nsphere 5 9 radius 0.5 m\nstep 1 of collision\n"),
        hertz(0.5, 0.25, 0.0625, 1), 1e-14);
@@ -117,8 +118,8 @@ static void a_contact_of_spheres(void) {
        hertz(1. / 3, 0.75, 1, 1), 1e-14);
 }
 
-/* Springs of no stiffness, or nothing that may move: no share of that is a step. */
-static void a_step_without_end(void) {
+/* Without stiffness, or without free particles, the limit is infinite, and no fraction of it is a step. */
+static void an_infinite_limit(void) {
   static const char *const particles[] = {"kn 0\ndisc 0 0 radius 1 m", "kn 8\ndisc 0 0 radius 1 m fixed"};
   for (size_t n = 0; n < 2; n++) {
     struct words page = {0};
@@ -135,7 +136,7 @@ static void a_step_without_end(void) {
   }
 }
 
-static void no_step_for_spheres(void) {
+static void steps_that_spheres_do_not_have(void) {
   static const struct {
     const char *statements, *words;
     int line; /* 0: any */
@@ -162,15 +163,16 @@ static void no_step_for_spheres(void) {
     CU_ASSERT_PTR_NOT_NULL(strstr(error.text, pages[n].words));
     written_free(&it);
   }
-  /* pressed, they have one: 2/omega, omega^2 = k/M*, k = 2 E* (R* overlap)^(1/2) */
+  /* with an overlap they have one: 2/omega, omega^2 = k/M*, k = 2 E* (R* overlap)^(1/2) */
   NEAR(step_of(SPHERES "lattice spheres 2 by 1 radius 1 spacing 1.9 m\nstep 0.5 of stable\n"), sqrt(0.5 / sqrt(0.05)),
        1e-14);
   NEAR(step_of(SPHERES "lattice spheres 2 by 1 radius 1e-3 spacing 1.9999e-3 m\nstep 0.5 of stable\n"),
        sqrt(5e-10 / sqrt(5e-11)), 1e-10);
 }
 
-/* A stage that says nothing keeps the step, though nothing approaches any more; one that says it again looks again. */
-static void the_step_of_a_contact_stays(void) {
+/* A stage without `step` keeps the step, although nothing approaches any more. A stage with the statement computes
+ * it again. */
+static void a_collision_step_is_kept(void) {
   struct words page = {0};
   struct written it;
   struct nb_result result;
@@ -190,9 +192,9 @@ static void the_step_of_a_contact_stays(void) {
   written_free(&it);
 }
 
-/* ---- the watch ---- */
+/* ---- the stability check ---- */
 
-/* How a run of these statements ends; its cycles, its last words. */
+/* The status of a run of these statements, its cycles and its message. */
 static enum nb_status ends(const char *statements, unsigned long *cycles, struct nb_error *error) {
   struct words page = {0};
   struct written it;
@@ -213,16 +215,17 @@ static void says(const struct nb_error *error, const char *words) {
   CU_ASSERT_PTR_NOT_NULL(strstr(error->text, words));
 }
 
-/* A third disc comes from 1 away; two that touch stand 0.5, three in a row 2/sqrt(24), 0.408. */
+/* A third disc approaches from the distance 1. The limit is 0.5 for two discs in contact, and 2/sqrt(24) = 0.408 for
+ * three in a row. */
 #define COMING(step, allow)                                                                                            \
   PAIR "lattice discs 2 by 1 radius 1 m\ndisc 6 1 radius 1 m velocity -0.025 0\nstep " step "\n" allow                 \
        "record time\nstage s\ncycles 200\n"
 
-static void a_bound_that_is_crossed_stops_the_run(void) {
+static void a_step_above_the_limit_stops_the_run(void) {
   unsigned long cycles;
   struct nb_error error;
   CU_ASSERT_EQUAL(ends(COMING("0.45", ""), &cycles, &error), NB_BROKEN);
-  CU_ASSERT(cycles >= 80 && cycles <= 85); /* listed at a gap of 0.1, when something has gone half of that */
+  CU_ASSERT(cycles >= 80 && cycles <= 85); /* listed at a gap of 0.1, at a search after half of that displacement */
   says(&error, "particle 1 (line 4)");
   says(&error, "normal motion of particles 1 and 2");
   says(&error, "the step 0.45 is");
@@ -235,7 +238,7 @@ static void a_bound_that_is_crossed_stops_the_run(void) {
   CU_ASSERT_EQUAL(cycles, 200);
 }
 
-static void a_stage_is_looked_at_as_it_begins(void) {
+static void a_stage_is_checked_as_it_begins(void) {
   unsigned long cycles;
   struct nb_error error;
 #define STAGES(first, second)                                                                                          \
@@ -255,9 +258,10 @@ static void a_stage_is_looked_at_as_it_begins(void) {
   CU_ASSERT_EQUAL(ends(STAGES("", "ramp material m kn 20\nstep 1 of stable\n"), &cycles, &error), NB_OK);
 }
 
-/* Nothing is searched here. The bound of three in a row, 3 k = 4/0.4^2, is crossed at k = 8.33, after 2424 cycles: the next look
- * finds it. That of a pair, 2 k, is not, or the stage would not begin. */
-static void it_looks_now_and_then(void) {
+/* There are no searches here. The limit of three discs in a row, 3 k = 4/0.4^2, is exceeded at k = 8.33, after 2424
+ * cycles, and the next check finds it. The limit of a pair, 2 k, is not exceeded, otherwise the stage would not
+ * begin. */
+static void a_check_every_1000_cycles(void) {
   unsigned long cycles;
   struct nb_error error;
   CU_ASSERT_EQUAL(ends(PAIR "lattice discs 3 by 1 radius 1 m\nstep 0.4\nrecord time\nstage a\nrecord none\n"
@@ -267,8 +271,8 @@ static void it_looks_now_and_then(void) {
   CU_ASSERT_EQUAL(cycles, 3000);
 }
 
-/* The watch reads, and writes nothing: the same bits with it and without it. */
-static void the_watch_changes_no_bit(void) {
+/* The check changes nothing: the same bits with it and without it. */
+static void the_check_changes_no_bit(void) {
   double last[2];
   for (int k = 0; k < 2; k++) {
     struct words page = {0};
@@ -292,13 +296,13 @@ static void the_watch_changes_no_bit(void) {
 
 void suite_steps(void) {
   CU_pSuite suite = CU_add_suite("steps", NULL, NULL);
-  CU_add_test(suite, "a step is a share", a_step_is_a_share);
-  CU_add_test(suite, "a contact of spheres", a_contact_of_spheres);
-  CU_add_test(suite, "no step for spheres", no_step_for_spheres);
-  CU_add_test(suite, "the step of a contact stays", the_step_of_a_contact_stays);
-  CU_add_test(suite, "a step without end", a_step_without_end);
-  CU_add_test(suite, "a bound that is crossed stops the run", a_bound_that_is_crossed_stops_the_run);
-  CU_add_test(suite, "a stage is looked at as it begins", a_stage_is_looked_at_as_it_begins);
-  CU_add_test(suite, "it looks now and then", it_looks_now_and_then);
-  CU_add_test(suite, "the watch changes no bit", the_watch_changes_no_bit);
+  CU_add_test(suite, "a step relative to a limit", a_step_relative_to_a_limit);
+  CU_add_test(suite, "duration of collisions of elastic spheres", duration_of_collisions);
+  CU_add_test(suite, "steps that elastic spheres do not have", steps_that_spheres_do_not_have);
+  CU_add_test(suite, "a collision step is kept", a_collision_step_is_kept);
+  CU_add_test(suite, "an infinite limit", an_infinite_limit);
+  CU_add_test(suite, "a step above the limit stops the run", a_step_above_the_limit_stops_the_run);
+  CU_add_test(suite, "a stage is checked as it begins", a_stage_is_checked_as_it_begins);
+  CU_add_test(suite, "a check every 1000 cycles", a_check_every_1000_cycles);
+  CU_add_test(suite, "the stability check changes no bit", the_check_changes_no_bit);
 }

@@ -1,5 +1,6 @@
-/* The suites of unit tests: a file of SUITES in build-aux/lists.mk, tests/X.c, defines `void suite_X(void)`, which adds its
- * suite and its tests to CUnit's register. The list is made from SUITES; nothing else has to know of a new suite.
+/* The suites of unit tests. A file of SUITES in build-aux/lists.mk, tests/X.c, defines `void suite_X(void)`, which
+ * adds its suite and its tests to CUnit's registry. The build makes suites-register.h from SUITES, so a new suite
+ * needs no other change.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_SUITES_H

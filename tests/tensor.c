@@ -1,4 +1,4 @@
-/* Tensors in the plane against what their definitions say.
+/* Plane tensors, compared with their definitions.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -77,8 +77,8 @@ static void largest_component(void) {
 
 void suite_tensor(void) {
   CU_pSuite suite = CU_add_suite("tensor", NULL, NULL);
-  CU_add_test(suite, "sums and products are component by component", sums_and_products);
+  CU_add_test(suite, "sums and products by components", sums_and_products);
   CU_add_test(suite, "principal values and direction are eigenvalues and eigenvector", principal);
-  CU_add_test(suite, "the direction is the major one's, whatever the quadrant", directions);
-  CU_add_test(suite, "the largest component, whichever it is", largest_component);
+  CU_add_test(suite, "direction of the major value in every quadrant", directions);
+  CU_add_test(suite, "the largest component", largest_component);
 }

@@ -1,7 +1,8 @@
-/* Whether a particle has gone through a wall in a step: by chance, and close to what decides it.
+/* Whether a particle has crossed a wall in a step: random steps, many of them close to the limits.
  *
- * A step is drawn in the frame of the wall, where the answer is plain: the centre comes from (x0, y0) to (x1, y1), through the
- * wall's line at x0 + (x1 - x0) y0/(y0 - y1). Then wall and particle are put somewhere, and move and turn as they like.
+ * A step is drawn in the frame of the wall, where the result is obvious: the centre moves from (x0, y0) to (x1, y1)
+ * and crosses the line of the wall at x0 + (x1 - x0) y0/(y0 - y1). Then wall and particle get random positions,
+ * velocities and rotations.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -13,19 +14,19 @@
 #include "suites.h"
 #include "written.h"
 
-/* By about one, or by hardly anything, to either side. */
+/* A random distance of about 1 or about 1e-4, with a random sign. */
 static double by(struct chance *chance) {
   const double sign = chance_between(chance, -1, 1) < 0 ? -1 : 1;
   return sign * chance_between(chance, 0.2, 1) * (chance_between(chance, 0, 1) < 0.5 ? 1 : 2e-4);
 }
 
-/* A point of the wall's frame, where the wall is at p and at this angle. */
+/* The place of the point (x, y) of the wall's frame, with the wall at p and at this angle. */
 static struct nb_vec place(struct nb_vec p, double angle, double h0, double x, double y) {
   const double c = cos(angle), s = sin(angle);
   return vec(p.x + c * x - s * (y + h0), p.y + s * x + c * (y + h0));
 }
 
-static void through_or_not(void) {
+static void random_steps(void) {
   struct words page = {0};
   struct written it;
   struct chance chance = chance_begin(7);
@@ -43,7 +44,7 @@ static void through_or_not(void) {
     const double spin = trial % 3 ? chance_between(&chance, -0.6, 0.6) / dt : trial % 2;
     const double h0 = walls->h0[0] = trial % 5 ? size * chance_between(&chance, -1, 1) : 0;
     const double h1 = walls->h1[0] = -size * chance_between(&chance, 0.5, 2), h2 = walls->h2[0] = h1 + 3 * size;
-    /* Where it goes through the line, about one of the ends; and from how far above it to how far below, or not so far. */
+    /* The crossing point near one of the ends; the heights before and after the step, on two sides or on one. */
     const double at = (chance_between(&chance, 0, 1) < 0.5 ? h1 : h2) + size * by(&chance);
     const double y0 = size * by(&chance), y1 = size * by(&chance), drift = size * by(&chance);
     const double fraction = y0 / (y0 - y1), x0 = at - fraction * drift, x1 = x0 + drift;
@@ -64,8 +65,8 @@ static void through_or_not(void) {
   written_free(&it);
 }
 
-/* A wall of length 2 along x, from h1 to h1 + 2 about the origin, where numbers near an end are told apart to the last bit; a disc of
- * radius 1 that is at (x, y) after a step of 1 by (dx, dy). */
+/* A wall of length 2 on the x axis from h1 to h1 + 2, so that one of its ends can be at the origin, where
+ * coordinates have the finest resolution. A disc of radius 1 is at (x, y) after a step of 1 by (dx, dy). */
 static const char *crossing(struct nb_error *error, double h1, bool fixed, double x, double y, double dx, double dy) {
   struct words page = {0};
   struct written it;
@@ -90,7 +91,8 @@ static bool crosses(double h1, double x, double y, double dx, double dy) {
   return crossing(&error, h1, false, x, y, dx, dy)[0];
 }
 
-/* Ends are 1e-12 of the wall longer than they are, 2e-12 here, lest something slips through where two walls meet. */
+/* In this test walls are longer by 1e-12 of their length at each end, 2e-12 here, so that nothing passes between two
+ * walls with a common end. */
 static void at_an_end(void) {
   static const double slack = 2e-12;
   CU_ASSERT(crosses(-2, 0.9995 * slack, -0.25, 0, -0.5));
@@ -103,8 +105,8 @@ static void at_an_end(void) {
   CU_ASSERT_FALSE(crosses(-2, -2 - 1.1 * slack, 0.25, 0, 0.5));
 }
 
-/* Who comes upon the line has crossed it, who leaves it has not. */
-static void upon_the_line(void) {
+/* A centre that arrives on the line has crossed it; a centre that leaves the line has not. */
+static void on_the_line(void) {
   CU_ASSERT(crosses(-2, 0, 0, 1, -1));
   CU_ASSERT_FALSE(crosses(-2, 0.01, 0, 1, -1));
   CU_ASSERT(crosses(0, 0, 0, -1, 1));
@@ -113,8 +115,9 @@ static void upon_the_line(void) {
   CU_ASSERT(crosses(-1, 0, 0, 0.5, 0)); /* along it */
 }
 
-/* What is said: the radius, and whether the step or the spring was to blame, by half of it. What is fixed goes through. */
-static void is_told(void) {
+/* The message names the radius, and advises a smaller step if the displacement exceeds half of it, otherwise a
+ * stiffer wall. Fixed particles may cross. */
+static void the_message(void) {
   struct nb_error error;
   CU_ASSERT_PTR_NOT_NULL(strstr(crossing(&error, -1, false, 0, -0.25, 0, -0.5001), "try a smaller step"));
   CU_ASSERT_PTR_NOT_NULL(strstr(crossing(&error, -1, false, 0, -0.25, 0, -0.4999), "try a stiffer wall"));
@@ -124,8 +127,8 @@ static void is_told(void) {
 
 void suite_through(void) {
   CU_pSuite suite = CU_add_suite("through", NULL, NULL);
-  CU_add_test(suite, "through a wall or not, by chance", through_or_not);
-  CU_add_test(suite, "at an end", at_an_end);
-  CU_add_test(suite, "upon the line", upon_the_line);
-  CU_add_test(suite, "what is told", is_told);
+  CU_add_test(suite, "random steps across a wall or not", random_steps);
+  CU_add_test(suite, "at an end of the wall", at_an_end);
+  CU_add_test(suite, "on the line of the wall", on_the_line);
+  CU_add_test(suite, "the message", the_message);
 }

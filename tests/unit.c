@@ -1,7 +1,8 @@
-/* Runs the CUnit suites and says it in TAP: one line for every test, `ok 3 - suite: test`; the assertions that failed
- * go before it as `# file:line: condition`. A test that crashes leaves lines short of the plan, which is a failure too.
+/* Runs the CUnit suites and reports in TAP: one line per test, `ok 3 - suite: test`, after the lines `# file:line:
+ * condition` of its failed assertions. After a test that crashes there are fewer lines than planned, which is a failure
+ * too.
  *
- * With names of suites as arguments, only those: `tests/unit motion damping`.
+ * Arguments select suites: `tests/unit motion damping`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "suites.h"
@@ -21,7 +22,7 @@ static void test_done(const CU_pTest test, const CU_pSuite suite, const CU_pFail
   printf("%s %u - %s: %s\n", failures ? "not ok" : "ok", CU_get_number_of_tests_run(), suite->pName, test->pName);
 }
 
-/* All suites, or those that are named; answers how many tests they have. */
+/* Selects all suites, or those that are named; returns their number of tests. */
 static unsigned choose(int count, char *names[]) {
   unsigned tests = 0;
   CU_set_fail_on_inactive(CU_FALSE);
@@ -36,7 +37,7 @@ static unsigned choose(int count, char *names[]) {
 }
 
 int main(int argc, char *argv[]) {
-  setvbuf(stdout, NULL, _IOLBF, 0); /* what was said before a crash is not lost */
+  setvbuf(stdout, NULL, _IOLBF, 0); /* output before a crash is not lost */
   if (CU_initialize_registry() != CUE_SUCCESS) {
     printf("Bail out! %s\n", CU_get_error_msg());
     return 1;

@@ -1,4 +1,4 @@
-/* Units: each is the power of ten and the dimension that its name says, and exact.
+/* Units: each has exactly the power of ten and the dimension of its name.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -53,7 +53,7 @@ static void units(void) {
     CU_ASSERT_FALSE(nb_unit_read(&unit, none[i]));
 }
 
-static void kinds(void) { /* every unit that a message names is one, of the dimension of the first */
+static void kinds(void) { /* every unit that a message lists exists, and has the dimension of the first one */
   enum nb_unit_kind kind = NB_UNIT_LENGTH;
   for (int k = 1; k < NB_UNIT_KINDS; k++) {
     struct nb_unit first = {0}, unit;
@@ -70,13 +70,13 @@ static void kinds(void) { /* every unit that a message names is one, of the dime
       CU_ASSERT(nb_dimension_same(first.dimension, unit.dimension) && first.angle == unit.angle);
     }
     CU_ASSERT(first.shift == 0 && first.factor == 1);
-    nb_dimension_unit(words, sizeof words, first.dimension); /* and is written so that it reads back */
+    nb_dimension_unit(words, sizeof words, first.dimension); /* the text of the unit reads back */
     CU_ASSERT(k == NB_UNIT_ANGLE ? !*words
                                  : nb_unit_read(&unit, words) && nb_dimension_same(unit.dimension, first.dimension));
   }
   CU_ASSERT(nb_unit_kind_of(&kind, "1") && kind == NB_UNIT_NUMBER);
   CU_ASSERT(nb_unit_kind_of(&kind, "N") && kind == NB_UNIT_FORCE);
-  CU_ASSERT_FALSE(nb_unit_kind_of(&kind, "kN")); /* is no SI unit */
+  CU_ASSERT_FALSE(nb_unit_kind_of(&kind, "kN")); /* not an SI unit */
 }
 
 static void written(void) {

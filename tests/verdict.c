@@ -9,7 +9,8 @@
 #include "planted.h"
 #include "suites.h"
 
-/* What is planted is on the edge and holds; a little further that way it does not. */
+/* The given x is exactly at the tolerance and passes. With x[which] changed by 1e-12 in the direction `outwards` it
+ * fails. */
 struct edge {
   const char *expectation;
   double reference[6]; /* of A.x; of a curve row by row */
@@ -53,7 +54,7 @@ static void within(void) {
       {"A.x within 25 % of A.y max", {8}, 3, {0, 0, 9}, 2, 1}, /* A.y max is 4 */
       {"A.x within 25 % of A.y max", {8}, 3, {0, 0, 7}, 2, -1},
       {"A.x within 0.25 of A.y max", {8}, 3, {0, 0, 9}, 2, 1},
-      {"A.x within 25 % of A.vx", {8}, 1, {9}, 0, 1}, /* A.vx is -4: a share of its size */
+      {"A.x within 25 % of A.vx", {8}, 1, {9}, 0, 1}, /* A.vx is -4: a fraction of its magnitude */
       {"A.x max within 0.5", {8}, 3, {1, 8.5, 3}, 1, 1},
       {"A.x max within 0.5", {8}, 3, {1, 7.5, 3}, 1, -1},
       {"A.x min within 0.5", {-8}, 3, {1, -8.5, 3}, 1, -1},
@@ -70,7 +71,7 @@ static void within(void) {
   edges(list, COUNT(list));
 }
 
-static void stated(void) {
+static void expected_values(void) {
   static const struct edge list[] = {
       {"A.x expected 8 within 0.5 [t]", {0}, 1, {8.5}, 0, 1},
       {"A.x expected 8 within 0.5 [t]", {0}, 1, {7.5}, 0, -1},
@@ -95,21 +96,21 @@ static void below_and_above(void) {
   planted_one("A.x above A.y", NULL, 0, 2, (double[]){0, 2 - 1e-12}, NB_FAIL, "and 2");
 }
 
-static void along(void) {
+static void versus(void) {
   static const struct edge list[] = {
       {"A.x versus time within 0.5", {1, 5, 2}, 3, {1.5, 5, 2}, 0, 1},
       {"A.x versus time within 0.5", {1, 5, 2}, 3, {1, 4.5, 2}, 1, -1},
       {"A.x versus time within 0.5", {1, 5, 2}, 3, {1, 5, 2.5}, 2, 1},
       {"A.x versus time within 25 %", {0, 8, -4}, 3, {0, 10, -4}, 1, 1},
       {"A.x versus time within 25 %", {0, 8, -4}, 3, {0, 8, -5}, 2, -1},
-      {"A.x versus time within 25 %", {0, 8, -4}, 3, {0, 8, -4}, 0, 1}, /* of a known 0 nothing is allowed */
+      {"A.x versus time within 25 %", {0, 8, -4}, 3, {0, 8, -4}, 0, 1}, /* at the reference 0 no error is allowed */
       {"A.x versus time within 25 % of peak", {0, 8, 2}, 3, {2, 8, 2}, 0, 1},
       {"A.x versus time within 25 % of peak",
        {0, 8, 2},
        3,
        {0, 10, 2},
        1,
-       1}, /* of the known peak, not of the seen one */
+       1}, /* peak of the reference, not of the computed rows */
       {"A.x versus time within 25 % of peak", {0, -8, 2}, 3, {0, -8, 4}, 2, 1},
       {"A.x versus time within 25 % of peak", {8, 1, 2}, 3, {8, 3, 2}, 1, 1},
       {"A.x versus time within 25 % of A.y max", {0, 8, 2}, 3, {0, 9, 2}, 1, 1},
@@ -120,7 +121,7 @@ static void along(void) {
   edges(list, COUNT(list));
 }
 
-/* The worst row is named, whatever came before it: a row in which both are 0 hid all later ones once. */
+/* The worst row is named, whatever rows come before it. A row in which both values are 0 once hid all later rows. */
 static void worst_row(void) {
   static const struct {
     const char *expectation, *words;
@@ -196,12 +197,12 @@ static void words(void) {
   planted_one("report A.x", NULL, 0, 1, (double[]){9}, NB_NOTE, "computed 9");
   planted_one("report A.x", NULL, 0, 1, (double[]){NAN}, NB_FAIL, "cannot be formed");
   planted_one("A.x within 1 of A.vx", "A.x", 8, 1, (double[]){9}, NB_PASS, "error 25 %, tolerance 100 % of A.vx");
-  /* below 1e-7 a share is no per cent, which would be a number of zeros */
+  /* below 1e-7 a fraction is not written in per cent, which would be mostly zeros */
   planted_one("A.x within 1e-9 of A.vx", "A.x", 8, 1, (double[]){9}, NB_FAIL, "error 0.25, tolerance 1e-09 of A.vx");
   planted_one("A.x within 1e-6 of A.vx", "A.x", 8, 1, (double[]){9}, NB_FAIL, "error 25 %, tolerance 0.0001 % of A.vx");
   struct nb_outcome outcome;
   planted_page(&outcome, "",
-               "A.x versus time within 9"); /* of the worst row only, though each is worse than the one before */
+               "A.x versus time within 9"); /* the worst row only, although each is worse than the one before */
   planted_rows(&outcome, 0, 3, (double[]){1, 2, 3});
   planted_curve(&outcome, 3, (double[]){0, 0, 0});
   planted_is(&outcome, NB_PASS);
@@ -215,7 +216,7 @@ static void words(void) {
   CU_ASSERT_STRING_EQUAL(outcome.checks[0].label, "A.x within 2");
   CU_ASSERT_EQUAL(outcome.page.lines[outcome.checks[0].line - 1][0], 'A');
   nb_outcome_free(&outcome);
-  char text[400] = "A.x expected 1 within 0 ["; /* a line is cut at 255 letters, and what it expects is not */
+  char text[400] = "A.x expected 1 within 0 ["; /* the label is cut at 255 characters, the expectation is not */
   memset(text + strlen(text), 'x', 300);
   strcat(text, "]");
   planted_page(&outcome, "", text);
@@ -225,7 +226,7 @@ static void words(void) {
   nb_outcome_free(&outcome);
 }
 
-/* A reference may know a measure of one stage, or of any. */
+/* A reference may return a measure of one stage, or of every stage. */
 static void reference_of_a_stage(void) {
   static const double x[] = {1, 2, 3, 4, 5, 6};
   planted_one("A.x in one within 0", "A.x in one", 3, 6, x, NB_PASS, "reference 3");
@@ -254,12 +255,12 @@ static void counted(void) {
 void suite_verdict(void) {
   CU_pSuite suite = CU_add_suite("verdict", NULL, NULL);
   CU_add_test(suite, "within: both edges of every kind of tolerance", within);
-  CU_add_test(suite, "stated: likewise, and shares of another measure", stated);
+  CU_add_test(suite, "expected: both edges, and fractions of another measure", expected_values);
   CU_add_test(suite, "below and above: equal is neither", below_and_above);
-  CU_add_test(suite, "along: the edge at the first, a middle and the last row", along);
-  CU_add_test(suite, "along: the worst row is found behind any other", worst_row);
+  CU_add_test(suite, "versus: the edge at the first, a middle and the last row", versus);
+  CU_add_test(suite, "versus: the worst row is found after any other", worst_row);
   CU_add_test(suite, "a percentage of 0 is explained", percentage_of_zero);
-  CU_add_test(suite, "the words of a check", words);
-  CU_add_test(suite, "what a reference knows of a stage", reference_of_a_stage);
+  CU_add_test(suite, "the text of a check", words);
+  CU_add_test(suite, "values of a reference for one stage", reference_of_a_stage);
   CU_add_test(suite, "checks are counted by their marks", counted);
 }

@@ -1,4 +1,5 @@
-/* The verdict on samples: the interval of confidence at its edges, and where a stated number lies among the draws.
+/* The verdict on samples: trends at the edges of the confidence interval, and the place of an expected value among
+ * the runs.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -8,11 +9,11 @@
 #include "planted.h"
 #include "suites.h"
 
-/* Of four pairs that differ by m -+ 1 the standard deviation is s = sqrt(4/3); with Student's t of 3 degrees of freedom and 95 %
- * confidence the mean lies within t s/sqrt(4) = HALF. t: Abramowitz and Stegun, table 26.10. */
+/* Four pairs differ by m -+ 1, with the standard deviation s = sqrt(4/3). By Student's t with 3 degrees of freedom,
+ * the 95 % confidence interval of their mean is +- t s/sqrt(4) = HALF. t: Abramowitz and Stegun, table 26.10. */
 static const double HALF = 3.182446305284263 * 1.1547005383792515 / 2;
 
-/* T is 1 and 2, seed 1 to 4; without a trend the runs scatter much more than their differences. */
+/* T is 1 and 2, seed 1 to 4. The runs scatter much more than the differences of pairs. */
 static void pairs(const char *expectation, double m, double level, enum nb_mark mark) {
   struct planted_sweep it = {
       "sweep T 1 2\nsweep seed 1 2 3 4", expectation, {0}, mark, "from 1 to 2: mean difference "};
@@ -82,7 +83,7 @@ static void samples(void) {
   planted_sweeps(list, COUNT(list));
 }
 
-/* Where a stated number lies among the draws: never a failure. */
+/* The place of an expected value among the runs is noted; it is never a failure. */
 static void among(void) {
   static const struct planted_sweep list[] = {
       {"sweep s 1 2 3 4",
@@ -136,5 +137,5 @@ static void among(void) {
 void suite_verdict_sample(void) {
   CU_pSuite suite = CU_add_suite("verdict_sample", NULL, NULL);
   CU_add_test(suite, "samples: the interval of 95 % confidence at its edges", samples);
-  CU_add_test(suite, "a expected number over a sample is noted", among);
+  CU_add_test(suite, "an expected value over a sample is noted", among);
 }

@@ -1,4 +1,4 @@
-/* What is expected and not checked is reported, with its line and the reason.
+/* Expectations that are not checked are reported with their line and the reason.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -8,7 +8,7 @@
 #include "planted.h"
 #include "suites.h"
 
-/* Nothing to compare: said once for a line, and neither passed nor failed. */
+/* An expectation with nothing to compare is reported once, neither passed nor failed. */
 static void skipped(void) {
   static const struct planted_sweep list[] = {
       {"sweep v 1", "A.x increases with v", {1}, NB_SKIP, "`v` has one value only"},
@@ -32,11 +32,11 @@ static void skipped(void) {
   nb_outcome_free(&outcome);
 }
 
-/* Blocks that are prose for Markdown: all their statements are reported. */
+/* Blocks in quotations, lists or indented text are prose for Markdown: all their statements are reported. */
 static void hidden(void) {
   static const struct {
     const char *text;
-    int skipped; /* line of what is reported, counted from the line behind the block; 0: nothing */
+    int skipped; /* line of the reported statement, counted from the first line of `text`; 0: none */
   } rows[] = {
       {"> ```expect\n> A.x expected 9 within 0 [t]\n> ```", 2},
       {">```expect\n>A.x expected 9 within 0 [t]\n>```", 2},
@@ -72,6 +72,6 @@ static void hidden(void) {
 
 void suite_verdict_skip(void) {
   CU_pSuite suite = CU_add_suite("verdict_skip", NULL, NULL);
-  CU_add_test(suite, "what has nothing to compare is not checked, and said", skipped);
-  CU_add_test(suite, "expect blocks that nobody reads are said", hidden);
+  CU_add_test(suite, "expectations with nothing to compare are reported", skipped);
+  CU_add_test(suite, "expect blocks that are prose are reported", hidden);
 }

@@ -1,4 +1,4 @@
-/* The verdict on several runs: trends and orders, at both edges of what is allowed.
+/* The verdict on several runs: trends and orders, at both edges of the tolerance.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -43,7 +43,7 @@ static void trends(void) {
   planted_sweeps(list, COUNT(list));
 }
 
-static void same(void) {
+static void constant(void) {
   static const struct planted_sweep list[] = {
       {"sweep v 1 2 3", "A.x constant with v within 1", {1, 2, 1.5}, NB_PASS, "computed 1 at v = 1, 2 at 2, 1.5 at 3"},
       {"sweep v 1 2 3", "A.x constant with v within 1", {1, 2 + NEXT, 1.5}, NB_FAIL, ""},
@@ -106,14 +106,14 @@ static void orders(void) {
       {"sweep h 1 ppm 0.1 %", "A.x order 1 in h within 1e-9", {1, 1000}, NB_PASS, "1e+03 at 0.001"},
   };
   planted_sweeps(list, COUNT(list));
-  struct nb_outcome outcome; /* the error is from what is known of each run */
+  struct nb_outcome outcome; /* the error of each run is from its own reference */
   planted_page(&outcome, "sweep h 1 2 4", "A.x order 1 in h within 1e-9");
   planted_runs(&outcome, (double[]){11, 22, 34});
   for (size_t r = 0; r < 3; r++)
     solution_value(&outcome.runs[r].solution, 10 * (double)(r + 1), "A.x");
   planted_is(&outcome, NB_PASS);
   nb_outcome_free(&outcome);
-  planted_page(&outcome, "sweep w 5 6\nsweep h 1 2", "A.x order 1 in h within 1e-9"); /* for each w apart */
+  planted_page(&outcome, "sweep w 5 6\nsweep h 1 2", "A.x order 1 in h within 1e-9"); /* for each w separately */
   planted_runs(&outcome, (double[]){1, 2, 1, 4});
   planted_solution(&outcome, "A.x", 0);
   planted_is(&outcome, NB_PASS);
@@ -132,7 +132,7 @@ static void orders(void) {
   nb_outcome_free(&outcome);
 }
 
-/* Runs that differ in another sweep are judged apart. */
+/* Runs that differ in another sweep are checked separately. */
 static void groups(void) {
   struct nb_outcome outcome;
   planted_page(&outcome, "sweep w 5 6\nsweep v 1 2 3", "A.x increases with v\nA.x decreases with w");
@@ -169,7 +169,7 @@ static void groups(void) {
 void suite_verdict_sweep(void) {
   CU_pSuite suite = CU_add_suite("verdict_sweep", NULL, NULL);
   CU_add_test(suite, "increases and decreases: from each value to the next", trends);
-  CU_add_test(suite, "same: both edges", same);
+  CU_add_test(suite, "constant: both edges", constant);
   CU_add_test(suite, "order: both edges of the slope", orders);
-  CU_add_test(suite, "other sweeps are judged apart", groups);
+  CU_add_test(suite, "other sweeps are checked separately", groups);
 }

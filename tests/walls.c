@@ -1,4 +1,4 @@
-/* Walls that move, turn and meet [CS79, Input parameters; figure 4], and particles that come through them.
+/* Walls that move, rotate and have common ends [CS79, Input parameters; figure 4], and particles that cross them.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -12,8 +12,8 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* One wall turns about its middle, one about a point far off its line that moves, through 100 stages of unlike spin. */
-static void a_wall_turns_exactly(void) {
+/* One wall rotates about its middle, one about a moving point off its line, through two stages with different spins. */
+static void rotation_is_exact(void) {
   struct words page = {0};
   struct written it;
   words_add(&page, "units none\nmaterial m density 1 kn 1\nstep 0.01\ndisc 90 90 radius 1 m\n"
@@ -39,7 +39,7 @@ static void a_wall_turns_exactly(void) {
     CU_ASSERT_DOUBLE_EQUAL(walls->along[0].x, cos(2 * t), 1e-10);
     CU_ASSERT_DOUBLE_EQUAL(walls->along[0].y, sin(2 * t), 1e-10);
     CU_ASSERT(walls->point[0].x == 1 && walls->point[0].y == 0);
-    const double x = -3 + 0.25 * t, y = -5 - 0.5 * t; /* its first end, (4, -1), turned about P */
+    const double x = -3 + 0.25 * t, y = -5 - 0.5 * t; /* its first end, (4, -1), rotated about P */
     const struct nb_vec end = nb_wall_end(walls, 1, 0);
     CU_ASSERT_DOUBLE_EQUAL(end.x, x + 7 * cos(angle) - 4 * sin(angle), 1e-9);
     CU_ASSERT_DOUBLE_EQUAL(end.y, y + 7 * sin(angle) + 4 * cos(angle), 1e-9);
@@ -50,7 +50,7 @@ static void a_wall_turns_exactly(void) {
   written_free(&it);
 }
 
-/* Where a wall meets a particle its velocity is the way of its point there over the step, however far it turns. */
+/* The velocity of a wall at a point is the displacement of its material point over the step, for any rotation. */
 static void velocity_of_a_point(void) {
   struct words page = {0};
   struct written it;
@@ -70,8 +70,9 @@ static void velocity_of_a_point(void) {
 
 /* ---- one contact at a common end ---- */
 
-/* A heavy disc rolls on a floor, pressed by gravity: the force on it and its shear, cycle by cycle, on one wall or on two. The
- * joint is in the middle; `turn` turns the whole scene, so that its co-ordinates are no round numbers. */
+/* A disc rolls on a floor under gravity: its position and moment, cycle by cycle, on a floor of one or several
+ * walls. `turn` rotates the scene, so that coordinates are not round numbers; `both` counts the cycles with two
+ * contacts. */
 struct rolled {
   double x[2000], moment[2000], normal[2000], shear[2000], both;
 };
@@ -96,9 +97,9 @@ static void roll(struct rolled *seen, const char *floor, const char *skin, doubl
   written_free(&it);
 }
 
-/* A disc beside the joint: the second wall's end says nothing as long as the walls meet. In the cycle in which it leaves the other,
- * and contacts are looked for, it is heard. */
-static void a_wall_that_leaves_is_heard_at_once(void) {
+/* A disc beside the common end of two walls. The end of the second wall has no contact as long as the ends coincide.
+ * It has one from the cycle on in which that wall moves away. */
+static void a_wall_that_moves_away_has_a_contact_at_once(void) {
   struct words page = {0};
   struct written it;
   words_add(&page, "units none\nmaterial m density 1e12 kn 400\nstep 0.01\nskin 1e-5\ndisc -0.2 0.95 radius 1 m\n"
@@ -123,14 +124,14 @@ static void a_wall_that_leaves_is_heard_at_once(void) {
 static void no_jump_on_a_straight_vertex(void) {
   static struct rolled one, two;
   static const char *const joined[] = {
-      "wall a -9 0 to 0.5 0 m\nwall b 0.5 0 to 9 0 m", /* and either wall the other way round, and in another order */
+      "wall a -9 0 to 0.5 0 m\nwall b 0.5 0 to 9 0 m", /* also with either wall reversed, and in another order */
       "wall b 9 0 to 0.5 0 m\nwall a -9 0 to 0.5 0 m",
       "wall a 0.5 0 to -9 0 m\nwall b 0.5 0 to 9 0 m",
       "wall a -9 0 to -0.3 0 m\nwall b -0.3 0 to 0.3 0 m\nwall c 0.3 0 to 0.6 0 m\nwall d 0.6 0 to 9 0 m",
   };
   for (int t = 0; t < 4; t++) {
     const double turn = t * 0.6;
-    const char *skin = t == 3 ? "skin 1e-5\n" : ""; /* so that contacts are looked for at every cycle */
+    const char *skin = t == 3 ? "skin 1e-5\n" : ""; /* a search in every cycle */
     roll(&one, "wall a -9 0 to 9 0 m", "", turn);
     CU_ASSERT(one.x[1999] > (t == 0 ? 1.5 : -9));
     double largest = 0;
@@ -144,13 +145,13 @@ static void no_jump_on_a_straight_vertex(void) {
       for (int n = 0; n < 2000; n++)
         off = fmax(off, fabs(two.moment[n] - one.moment[n]));
       if (off > 1e-9)
-        printf("# floor %zu turned by %g: off by %g of %g\n", j, turn, off, largest);
+        printf("# floor %zu rotated by %g: moment differs by %g of %g\n", j, turn, off, largest);
       CU_ASSERT(off < 1e-9);
     }
   }
 }
 
-/* The force on a disc at rest at (x, y): how many contacts, and how large. */
+/* The magnitude of the force on a disc at rest at (x, y), and its number of contacts. */
 static double push(const char *walls, double x, double y, double *contacts) {
   struct words page = {0};
   struct written it;
@@ -168,27 +169,27 @@ static double push(const char *walls, double x, double y, double *contacts) {
 }
 
 static void one_contact_at_a_corner(void) {
-  const char *corner = "wall a -9 0 to 0 0 m\nwall b 0 0 to 0 -9 m"; /* seen from outside, then from inside */
+  const char *corner = "wall a -9 0 to 0 0 m\nwall b 0 0 to 0 -9 m"; /* from outside, then from inside */
   double contacts;
-  for (double angle = -0.1; angle < pi / 2 + 0.1;
-       angle += 0.05) { /* all around it from above to the right: one force */
+  for (double angle = -0.1; angle < pi / 2 + 0.1; angle += 0.05) { /* around the corner, from above to the right */
     const double x = 0.9 * sin(angle), y = 0.9 * cos(angle);
     const double alpha = x < 0 ? 1 - y : y < 0 ? 1 - x : 0.1;
     CU_ASSERT_DOUBLE_EQUAL(push(corner, x, y, &contacts), 100 * alpha, 1e-9);
     CU_ASSERT_EQUAL(contacts, 1);
   }
-  CU_ASSERT_DOUBLE_EQUAL(push(corner, -0.9, -0.8, &contacts), 100 * hypot(0.1, 0.2), 1e-9); /* pressed into it: two */
+  CU_ASSERT_DOUBLE_EQUAL(push(corner, -0.9, -0.8, &contacts), 100 * hypot(0.1, 0.2), 1e-9); /* inner corner: two */
   CU_ASSERT_EQUAL(contacts, 2);
-  push("wall a -9 0 to 0 0 m\nwall b 0 0 to 9 0 m\nwall c 0 0 to 0 -9 m", 0, 0.9, &contacts); /* three meet */
+  push("wall a -9 0 to 0 0 m\nwall b 0 0 to 9 0 m\nwall c 0 0 to 0 -9 m", 0, 0.9,
+       &contacts); /* three walls with a common end */
   CU_ASSERT_EQUAL(contacts, 1);
-  push("wall a -9 0 to -1e-10 0 m\nwall b 1e-10 0 to 9 0 m", 0, 0.9, &contacts); /* a crack that rounding might leave */
+  push("wall a -9 0 to -1e-10 0 m\nwall b 1e-10 0 to 9 0 m", 0, 0.9,
+       &contacts); /* a gap of the size of rounding errors */
   CU_ASSERT_EQUAL(contacts, 1);
-  push("wall a -9 0 to -1e-6 0 m\nwall b 1e-6 0 to 9 0 m", 0, 0.9,
-       &contacts); /* and one that the page means: two edges */
+  push("wall a -9 0 to -1e-6 0 m\nwall b 1e-6 0 to 9 0 m", 0, 0.9, &contacts); /* a real gap: two ends */
   CU_ASSERT_EQUAL(contacts, 2);
   push("wall a -9 0 to 1 0 m", 1.1, 0.9, &contacts); /* a wall and its end */
   CU_ASSERT_EQUAL(contacts, 1);
-  /* Far from the origin, where the ends differ by what rounding adds, whichever ends they are. */
+  /* Far from the origin, where common ends differ by rounding, for all combinations of ends. */
   for (int k = 0; k < 80; k++) {
     char walls[512];
     const double x = 1e8 + 1.7 * k, y = -3e8 - 0.3 * k, ex = cos(0.3 * k), ey = sin(0.3 * k);
@@ -197,14 +198,14 @@ static void one_contact_at_a_corner(void) {
     snprintf(walls, sizeof walls, "wall a %.17g %.17g to %.17g %.17g m\nwall b %.17g %.17g to %.17g %.17g m",
              a[from_a][0], a[from_a][1], a[!from_a][0], a[!from_a][1], b[from_b][0], b[from_b][1], b[!from_b][0],
              b[!from_b][1]);
-    push(walls, x - 0.9 * ey, y + 0.9 * ex, &contacts); /* a straight joint, */
+    push(walls, x - 0.9 * ey, y + 0.9 * ex, &contacts); /* at a straight joint, */
     CU_ASSERT_EQUAL(contacts, 1);
     push(walls, x - 0.9 * ey + 0.1 * ex, y + 0.9 * ex + 0.1 * ey, &contacts); /* and a little beyond it */
     CU_ASSERT_EQUAL(contacts, 1);
   }
 }
 
-/* No angle is special, not even 1 in one step. */
+/* The rotation is exact for any angle, also 1 rad in one step. */
 static void one_radian(void) {
   struct words page = {0};
   struct written it;
@@ -220,7 +221,7 @@ static void one_radian(void) {
   written_free(&it);
 }
 
-/* ---- gone through ---- */
+/* ---- crossing a wall ---- */
 
 static void through(const char *statements, const char *wanted, long cycle) {
   struct words page = {0};
@@ -247,7 +248,7 @@ static void through(const char *statements, const char *wanted, long cycle) {
   written_free(&it);
 }
 
-static void nothing_goes_through_in_silence(void) {
+static void every_crossing_stops_the_run(void) {
   const char *passed = "particle 1 (line 5) passed through wall `w` (line 6)";
   through("disc 0 1.45 radius 1 m velocity 0 -99\nwall w -5 0 to 5 0 m", passed, 2); /* from afar, in one step */
   through("disc 0 0.95 radius 1 m velocity 0 -99\nwall w -5 0 to 5 0 m", passed, 1);
@@ -264,15 +265,15 @@ static void nothing_goes_through_in_silence(void) {
           "particle 1 (line 6) passed through wall `w` (line 7)", 556);
   through("disc 0 1e-3 radius 1e-6 m velocity 0 -30\nwall w -5 0 to 5 0 m about 1 -2\ndisc 50 50 radius 30 m", passed,
           1);
-  /* Both go by less than half the skin, so nothing is searched: 3 m at 1.8 m/s. */
+  /* Both move by less than half the skin, so there is no search: 3 m at 1.8 m/s. */
   through("skin 4\nmaterial h density 1e9 kn 10\ndisc 0 3 radius 0.02 h velocity 0 -0.9\n"
           "wall w -5 0 to 5 0 m velocity 0 0.9\ndisc 50 50 radius 30 m",
           "particle 1 (line 7) passed through wall `w` (line 8)", 167);
-  /* just beyond, and going away */
+  /* just beyond the wall, and moving away */
   through("disc 0 -1e-4 radius 1e-6 m velocity 0 -9e-5\nwall w -5 0 to 5 0 m\ndisc 50 50 radius 30 m", NULL, 1000);
   through("disc 0 -1e-4 radius 1e-6 m\nwall w -5 0 to 5 0 m velocity 0 30\ndisc 50 50 radius 30 m", NULL, 1000);
   through("disc 90 2 radius 1e-3 m\nwall w -100 0 to 100 0 m spin 5\ndisc 500 500 radius 30 m", passed,
-          1); /* a long one */
+          1); /* a long wall */
   through("disc 0 3 radius 1 m velocity 0 -999\nwall w -5 0 to 0 0 m\nwall v 0 0 to 5 0 m", "passed through wall", 1);
   through("disc 0 0 radius 1 m\nwall w -5 0 to 5 0 m", "on neither side", 0);
   through("disc 50 50 radius 1 m\ndisc 0 0 radius 1 m\nwall w -5 0 to 5 0 m",
@@ -282,17 +283,17 @@ static void nothing_goes_through_in_silence(void) {
   through("disc 0 3 radius 1 m velocity 0 -1\nwall w -5 0 to 5 0 m", NULL, 1000);  /* bounces */
   through("disc 7 3 radius 1 m velocity 0 -99\nwall w -5 0 to 5 0 m", NULL, 1000); /* past its end */
   through("disc 0 3 radius 1 m velocity 0 -999 fixed\nwall w -5 0 to 5 0 m", NULL,
-          1000); /* nothing stops what is fixed */
+          1000); /* fixed particles may cross */
   through("disc 0 3 radius 1 m velocity 5 -2\nwall w -5 0 to 5 0 m velocity 5 -2 spin 0.01", NULL, 1000);
 }
 
 void suite_walls(void) {
   CU_pSuite suite = CU_add_suite("walls", NULL, NULL);
-  CU_add_test(suite, "a wall turns exactly", a_wall_turns_exactly);
+  CU_add_test(suite, "rotation of a wall is exact", rotation_is_exact);
   CU_add_test(suite, "one radian", one_radian);
   CU_add_test(suite, "velocity of a point of a wall", velocity_of_a_point);
-  CU_ADD_TEST(suite, a_wall_that_leaves_is_heard_at_once);
+  CU_ADD_TEST(suite, a_wall_that_moves_away_has_a_contact_at_once);
   CU_add_test(suite, "no jump on a straight joint", no_jump_on_a_straight_vertex);
   CU_add_test(suite, "one contact at a corner", one_contact_at_a_corner);
-  CU_add_test(suite, "nothing goes through in silence", nothing_goes_through_in_silence);
+  CU_add_test(suite, "every crossing stops the run", every_crossing_stops_the_run);
 }

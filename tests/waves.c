@@ -1,4 +1,5 @@
-/* Waves in a lattice: what `wave` gives to particles, and that the reference's long waves go as the moduli say.
+/* Waves in a lattice: the velocities of `perturb wave`, and the speeds of long waves by the reference, which follow
+ * from the elastic moduli.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -10,7 +11,8 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* V sin(2 pi (NX (x - x_0)/width + NY (y - y_0)/height)) more for every free particle above; the sum of two waves. */
+/* `perturb wave` adds V sin(2 pi (NX (x - x_0)/width + NY (y - y_0)/height)) to the velocity of every free particle
+ * above it in the page. Two waves add up. */
 static void a_wave_is_a_sine_from_the_centre(void) {
   struct words page = {0};
   struct written it;
@@ -33,8 +35,8 @@ static void a_wave_is_a_sine_from_the_centre(void) {
   written_free(&it);
 }
 
-/* rho c^2 in any direction, q s = 1e-3: c_P^2 and c_S^2 are the eigenvalues of what the moduli make of q. What the length of
- * the wave adds is of the order of (q s)^2/12. */
+/* rho c^2 of both waves in the direction `angle`, with the wave number q and the spacing s, q s = 1e-3. The finite
+ * wavelength changes it by a fraction of about (q s)^2/12. */
 static void speeds(bool hexagonal, bool turns, double angle, double ks, double *slow, double *fast) {
   const double s = 2, q = 1e-3 / s, density = 4 / (s * s * (hexagonal ? sqrt(0.75) : 1));
   const struct waves_lattice lattice = {
@@ -45,10 +47,10 @@ static void speeds(bool hexagonal, bool turns, double angle, double ks, double *
   *fast = density * modes.omega[1] * modes.omega[1] / (q * q);
 }
 
-static void long_waves_go_as_the_moduli(void) {
+static void long_waves_follow_from_the_moduli(void) {
   const double kn = 7, ks = 3, third = sqrt(3) / 4;
   double slow, fast;
-  for (int k = 0; k < 7; k++) { /* hexagonal: alike in all directions */
+  for (int k = 0; k < 7; k++) { /* a hexagonal lattice is isotropic */
     speeds(true, true, k * 0.3, ks, &slow, &fast);
     CU_ASSERT_DOUBLE_EQUAL(fast, third * (3 * kn + ks), 1e-5);
     CU_ASSERT_DOUBLE_EQUAL(slow, third * (kn + ks), 1e-5);
@@ -62,12 +64,13 @@ static void long_waves_go_as_the_moduli(void) {
   speeds(false, false, pi / 2, ks, &slow, &fast);
   CU_ASSERT_DOUBLE_EQUAL(fast, kn, 1e-5);
   CU_ASSERT_DOUBLE_EQUAL(slow, ks, 1e-5);
-  speeds(false, true, pi / 4, ks, &slow, &fast); /* aslant: (C_11 + C_12)/2 + G, (C_11 - C_12)/2 */
+  speeds(false, true, pi / 4, ks, &slow, &fast); /* along a diagonal: (C_11 + C_12)/2 + G, (C_11 - C_12)/2 */
   CU_ASSERT_DOUBLE_EQUAL(fast, kn / 2 + ks / 2, 1e-5);
   CU_ASSERT_DOUBLE_EQUAL(slow, kn / 2, 1e-5);
 }
 
-/* A row at the edge of the zone: neighbours against each other, w^2 = 4 k_n/m; and all turning alike, w^2 = 16 k_s/m of discs. */
+/* At the edge of the Brillouin zone neighbours move against each other, w^2 = 4 k_n/m. At q = 0 all discs rotate
+ * alike, w^2 = 16 k_s/m. */
 static void short_waves(void) {
   const struct waves_lattice lattice = {
       .kn = 7, .ks = 3, .mass = 4, .inertia = 2, .radius = 1, .spacing = 2, .rotates = true};
@@ -87,6 +90,6 @@ static void short_waves(void) {
 void suite_waves(void) {
   CU_pSuite suite = CU_add_suite("waves", NULL, NULL);
   CU_add_test(suite, "a wave is a sine from the centre", a_wave_is_a_sine_from_the_centre);
-  CU_add_test(suite, "long waves go as the moduli", long_waves_go_as_the_moduli);
+  CU_add_test(suite, "speeds of long waves follow from the moduli", long_waves_follow_from_the_moduli);
   CU_add_test(suite, "short waves", short_waves);
 }

@@ -1,4 +1,4 @@
-/* Scenes that a test writes.
+/* Scenes that a test writes in the page language.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef _POSIX_C_SOURCE
