@@ -129,6 +129,24 @@ static void uncovered_particles_and_regions_are_refused(void) {
        "wall w -0.9 -2 to -0.9 2 a\nwall e 4.7 -2 to 4.7 2 a\nregion R box -0.9 -1 to 4.7 1\nstep 0.01\n"
        "stage s\ncycles 1\n",
        "equal discs", NULL},
+      {"fracc",
+       "normal linear\nmaterial c density 1 kn 5\ndisc 0.001 0 radius 1 a\nwall w -0.9 -5 to -0.9 5 a\n"
+       "wall e 0.9 -5 to 0.9 5 c\nwall s -5 -2 to 5 -2 a\nwall n -5 2 to 5 2 a\nstep 0.1 of single-contact\n"
+       "stage s\ncycles 1\n",
+       "one stiffness", NULL},
+      {"speed_of_loading",
+       "normal linear\ndamping mass 4\nbox 0 0 to 6 6 a\nlattice discs 3 by 3 radius 1 a\nstep 0.1\nstage s\n"
+       "wall west velocity 0.1 0\nwall east velocity 0.1 0\nwall south velocity 0 0.1\nwall north velocity 0 -0.1\n"
+       "cycles 9999\n",
+       "whose walls approach", NULL},
+      {"speed_of_loading",
+       "normal linear\ndamping mass 4\nbox 0 0 to 6 6 a\nlattice discs 3 by 1 from 1 1 radius 1 spacing 2 b\n"
+       "lattice discs 3 by 2 from 1 3 radius 1 spacing 2 a\nstep 0.1\nstage s\nwalls inward 0.1\ncycles 9999\n",
+       "equal discs", NULL},
+      {"literal_field",
+       "normal hertz\nshear mindlin\nsphere 0 0 radius 1 a\nsphere 3 0 radius 1 b\nregion R circle 0 0 radius 9\n"
+       "step 0.1 of rayleigh-fit-mean\nstage s\naffine strain 1e-6 per cycle -1e-6 per cycle accumulated\ncycles 1\n",
+       "one material", NULL},
   };
   for (size_t k = 0; k < sizeof scenes / sizeof *scenes; k++) {
     struct words page = {0};

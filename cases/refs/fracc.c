@@ -41,8 +41,11 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   const double h = stage->step.value * sqrt(2); /* two springs: w^2 = 2 k/m */
   const double dt = 2 * h / sqrt(2 * kn / matter_mass(scene, disc));
   double hy = 0; /* no walls that touch in y */
-  for (int w = 0; w < 4; w++)
+  for (int w = 0; w < 4; w++) {
+    if (matter_pair(scene, disc->material, scene->walls[w].material).kn != kn)
+      return nb_error_set(error, NB_BAD_USE, "reference fracc is for walls of one stiffness");
     hy = scene->walls[w].ex != 0 && fabs(scene->walls[w].y) < disc->radius ? h : hy;
+  }
   struct position before = {disc->x, 0}, now = {disc->x * (1 - 2 * h * h), disc->vy * dt};
   double largest_x = fmax(before.x, now.x), largest = fracc(h, before, now);
   for (unsigned long n = 1; n < stage->cycles; n++) {

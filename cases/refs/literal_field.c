@@ -28,8 +28,11 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
         "literal_field is for a last stage with `affine strain E -E accumulated` per cycle, a step that "
         "is a fraction of rayleigh-fit-mean, and no damping except at contacts");
   double mass = 0, radius = 0;
-  for (size_t k = 0; k < scene->particle_count; k++)
+  for (size_t k = 0; k < scene->particle_count; k++) {
+    if (scene->particles[k].material != scene->particles[0].material)
+      return nb_error_set(error, NB_BAD_USE, "literal_field is for particles of one material");
     mass += matter_mass(scene, &scene->particles[k]), radius += scene->particles[k].radius;
+  }
   mass /= (double)scene->particle_count, radius /= (double)scene->particle_count;
   const struct nb_material *glass = &scene->materials[scene->particles[0].material];
   const double shear = glass->young / (2 * (1 + glass->poisson));

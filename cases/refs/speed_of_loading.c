@@ -34,15 +34,29 @@ static enum nb_status refuse(struct nb_error *error) {
       "with equal speeds from the first stage on, with `damping mass` only");
 }
 
+/* Whether all discs are equal, and all walls move at v towards the disc in the middle. */
+static bool approaches(const struct nb_scene *scene, double v) {
+  const struct nb_particle *middle = &scene->particles[4];
+  for (int k = 0; k < 9; k++)
+    if (scene->particles[k].radius != middle->radius || scene->particles[k].material != middle->material)
+      return false;
+  for (int k = 0; k < 4; k++) {
+    const struct nb_wall_motion *motion = &scene->stages[0].motions[k];
+    const double x = middle->x - scene->walls[motion->wall].x, y = middle->y - scene->walls[motion->wall].y;
+    if (hypot(motion->vx, motion->vy) != v || motion->vx * x + motion->vy * y < (1 - 1e-9) * v * hypot(x, y))
+      return false;
+  }
+  return true;
+}
+
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   if (scene->particle_count != 9 || scene->wall_count != 4 || scene->stages[0].motion_count != 4)
     return refuse(error);
   const struct matter_pair pair = matter_pair(scene, scene->particles[0].material, scene->walls[0].material);
   const double m = matter_mass(scene, &scene->particles[0]), critical = 2 * sqrt(m / pair.kn);
   const double v = hypot(scene->stages[0].motions[0].vx, scene->stages[0].motions[0].vy);
-  for (int k = 0; k < 4; k++)
-    if (hypot(scene->stages[0].motions[k].vx, scene->stages[0].motions[k].vy) != v)
-      return refuse(error);
+  if (!approaches(scene, v))
+    return refuse(error);
   const double step = scene->step.value * (scene->step.kind == NB_STEP_SINGLE_CONTACT ? critical : 1);
   const double t = step * (double)scene->stages[0].cycles, alpha = scene->damping.global;
   if (!(alpha * t > 20))
