@@ -562,6 +562,8 @@ EXPLAIN = \
 
 # Expectations and verdict.
 VERDICT = \
+  src/report/advise.c \
+  src/report/advise.h \
   src/report/estimate.c \
   src/report/estimate.h \
   src/report/expect.c \
@@ -576,8 +578,6 @@ VERDICT = \
 # The command line.
 PROGRAM = \
   src/report/advice.c \
-  src/report/advise.c \
-  src/report/advise.h \
   src/report/commands.c \
   src/report/commands.h \
   src/report/figure.c \

@@ -1,14 +1,17 @@
-/* What `nineball advise` has found: some sentences, a table of all settings that were tried, and a figure of error
- * against cost.
+/* `nineball advise`: prints what the search has found, in some sentences; writes a table of all settings that were tried,
+ * and a figure of error against cost.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "advise.h"
+#include "commands.h"
 #include "core/clock.h"
 
-void nb_advice_options(char *text, size_t size, const struct nb_advice *advice, const struct nb_setting *setting) {
+/* The settings as options: "--set shear=mindlin --set refine=0.25". */
+static void options_of(char *text, size_t size, const struct nb_advice *advice, const struct nb_setting *setting) {
   const struct nb_law_pair *pair = &advice->pairs[setting->pair];
   size_t used = 0;
   text[0] = 0;
@@ -61,7 +64,7 @@ static void print_error_of(const struct nb_advice *advice, const struct nb_setti
 static void print_choice(const struct nb_advice *advice, const struct nb_setting *chosen) {
   char options[256];
   const struct nb_point *own = &advice->pairs[0].points[-NB_LEVEL_LOW], *point = nb_point_at(advice, chosen);
-  nb_advice_options(options, sizeof options, advice, chosen);
+  options_of(options, sizeof options, advice, chosen);
   printf("  the cheapest setting within the tolerance: %s\n", options);
   if (point->step > 0)
     printf("  mean step %.3g%s\n", point->step, advice->page.runs[0].scene.unitless ? "" : " s");
@@ -71,12 +74,12 @@ static void print_choice(const struct nb_advice *advice, const struct nb_setting
            point->updates, point->updates / own->updates, point->seconds, own->seconds);
   const struct nb_setting *cheaper = next_cheaper(advice, chosen);
   if (cheaper) {
-    nb_advice_options(options, sizeof options, advice, cheaper);
+    options_of(options, sizeof options, advice, cheaper);
     printf("  the next cheaper one misses the tolerance: %s\n", options);
     print_error_of(advice, cheaper, "    its claimed error:");
   }
-  nb_advice_options(options, sizeof options, advice, chosen);
-  printf("to run it: nineball run %s %s\n", advice->path, options);
+  options_of(options, sizeof options, advice, chosen);
+  printf("to run it: nineball run %s %s\n", advice->query->path, options);
 }
 
 static void print_conditions(const struct nb_advice *advice) {
@@ -105,7 +108,7 @@ static void print_left_out(const struct nb_advice *advice) {
            farther > 1 ? "s" : "", nearest->normal, nearest->shear, nearest->reason);
 }
 
-void nb_advice_print(const struct nb_advice *advice) {
+static void print_advice(const struct nb_advice *advice) {
   printf("%s: %s\n", advice->page.page.name, advice->text);
   if (advice->chosen >= 0) {
     print_choice(advice, &advice->settings[advice->chosen]);
@@ -115,7 +118,7 @@ void nb_advice_print(const struct nb_advice *advice) {
     char options[256];
     puts("  no setting that was tried is within the tolerance");
     if (best) {
-      nb_advice_options(options, sizeof options, advice, best);
+      options_of(options, sizeof options, advice, best);
       printf("  the most accurate one: %s\n", options);
       print_error_of(advice, best, "    its claimed error:");
     }
@@ -203,7 +206,9 @@ static void write_figure(FILE *out, const struct nb_outcome *page, const void *d
   fprintf(out, "%s%.9g with lines dt 2 lc rgb 'black' title 'tolerance'\n", between, advice->tolerance.value * factor);
 }
 
-enum nb_status nb_advice_save(const struct nb_advice *advice, const char *folder, struct nb_error *error) {
+/* FOLDER/advice.tsv, advice.gp, advice.svg and advice.png. */
+static enum nb_status save_advice(const struct nb_advice *advice, const char *folder, bool trust,
+                                  struct nb_error *error) {
   const struct nb_script script = {"advice", &advice->page, write_figure, advice};
   struct nb_save file;
   if (nb_folder_create(folder, error) || nb_save_begin_in(&file, error, folder, "advice.tsv"))
@@ -217,5 +222,59 @@ enum nb_status nb_advice_save(const struct nb_advice *advice, const char *folder
               advice->pairs[k].reason);
   if (nb_save_end(&file, error))
     return error->status;
-  return nb_script_draw(&script, folder, advice->call->trust, error);
+  return nb_script_draw(&script, folder, trust, error);
+}
+
+/* ---- the command ---- */
+
+static bool read_budget(double *seconds, const char *text) {
+  char *end;
+  *seconds = text ? strtod(text, &end) : 60;
+  if (!text)
+    return true;
+  if (strcmp(end, " s") == 0 || strcmp(end, "s") == 0)
+    end += strlen(end);
+  return end != text && !*end && *seconds > 0 && isfinite(*seconds);
+}
+
+static enum nb_status save_and_print(const struct nb_advice *advice, const struct nb_call *call) {
+  struct nb_error error;
+  char name[NB_NAME_SIZE + 8];
+  snprintf(name, sizeof name, "%s.out", advice->page.page.name);
+  const char *folder = call->folder ? call->folder : name;
+  print_advice(advice);
+  if (save_advice(advice, folder, call->trust, &error)) {
+    fprintf(stderr, "nineball: %s\n", error.text);
+    return error.status;
+  }
+  printf("look at %s/advice.svg; all settings that were tried are in %s/advice.tsv\n", folder, folder);
+  return advice->chosen < 0 ? NB_FAILED : NB_OK;
+}
+
+enum nb_status nb_command_advise(const struct nb_call *call) {
+  struct nb_progress_line line = {.page = call->pages[0]};
+  struct nb_advise_query query = {.path = call->pages[0],
+                                  .settings = call->settings,
+                                  .options = call->options,
+                                  .quantity = call->quantity,
+                                  .within = call->within,
+                                  .progress = nb_print_progress(&line)};
+  struct nb_advice advice;
+  struct nb_error error = {0};
+  if (call->page_count != 1 || !call->within || !read_budget(&query.budget, call->budget)) {
+    fputs("nineball: expected one page, --within TOLERANCE, and a --budget in seconds: nineball advise PAGE --within "
+          "'1 %'\n",
+          stderr);
+    return NB_BAD_USE;
+  }
+  enum nb_status status = nb_advise(&advice, &query, &error);
+  nb_print_progress_end(&line);
+  if (advice.page.status)
+    nb_print_errors(&advice.page, query.path);
+  else if (status)
+    nb_print_error(&error, &advice.page.page, query.path);
+  else
+    status = save_and_print(&advice, call);
+  nb_advice_free(&advice);
+  return status;
 }

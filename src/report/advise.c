@@ -1,4 +1,4 @@
-/* `nineball advise`: the cheapest step and contact laws whose error in one quantity is within a tolerance, found by
+/* Advice: the cheapest step and contact laws whose error in one quantity is within a tolerance, found by
  * running the page.
  *
  * The truth is the page itself, with its own laws and its step towards zero (the anchor of estimate.c). The
@@ -53,8 +53,8 @@ static void read_candidate(struct nb_outcome *outcome, const struct nb_advice *a
                            int level, size_t phase, const char **settings, char texts[][2 * NB_NAME_SIZE]) {
   const struct nb_scene *page = &advice->page.runs[0].scene;
   size_t count = 0;
-  while (advice->call->settings[count])
-    settings[count] = advice->call->settings[count], count++;
+  while (advice->query->settings[count])
+    settings[count] = advice->query->settings[count], count++;
   snprintf(texts[0], sizeof texts[0], "refine=%.17g", page->refine * exp2(level));
   snprintf(texts[1], sizeof texts[1], "normal=%s", pair->normal);
   snprintf(texts[2], sizeof texts[2], "shear=%s", pair->shear);
@@ -62,7 +62,7 @@ static void read_candidate(struct nb_outcome *outcome, const struct nb_advice *a
   if (pair->normal[0])
     settings[count++] = texts[1], settings[count++] = texts[2];
   settings[count] = NULL;
-  nb_outcome_read(outcome, advice->path, settings);
+  nb_outcome_read(outcome, advice->query->path, settings);
   nb_references_prepare();
   for (size_t r = 0; r < outcome->run_count; r++)
     set_phase(&outcome->runs[r].scene, (double)phase / NB_PHASES);
@@ -117,10 +117,10 @@ static bool is_affordable(struct nb_advice *advice, const struct nb_law_pair *pa
   double expected = point->done ? point->seconds : 0;
   if (!point->done && level > NB_LEVEL_LOW && point[-1].done)
     expected = 2 * point[-1].seconds;
-  if (now + expected > advice->budget)
+  if (now + expected > advice->query->budget)
     advice->exhausted = true;
-  if (advice->progress.call)
-    advice->progress.call(advice->progress.data, "search", now / advice->budget, now);
+  if (advice->query->progress.call)
+    advice->query->progress.call(advice->query->progress.data, "search", now / advice->query->budget, now);
   return !advice->exhausted;
 }
 
@@ -135,7 +135,7 @@ static bool run_phase(struct nb_advice *advice, struct nb_law_pair *pair, int le
     return true;
   if (!is_affordable(advice, pair, level))
     return false;
-  while (advice->call->settings[count])
+  while (advice->query->settings[count])
     count++;
   const char **settings = calloc(count + SETTINGS_EXTRA, sizeof *settings);
   if (!point->values)
@@ -151,7 +151,7 @@ static bool run_phase(struct nb_advice *advice, struct nb_law_pair *pair, int le
     fail(point, outcome.mistakes.text ? outcome.mistakes.text : outcome.error.text);
   else if (outcome.run_count != advice->runs)
     fail(point, "the page has another number of runs with this setting");
-  else if (take_references(point, pair, &outcome) && nb_outcome_run(&outcome, &advice->call->options, NULL))
+  else if (take_references(point, pair, &outcome) && nb_outcome_run(&outcome, &advice->query->options, NULL))
     fail(point, outcome.error.text);
   else if (!point->reason[0])
     done = take_values(point, advice, &outcome, phase);
@@ -371,14 +371,14 @@ static size_t phase_count(const struct nb_scene *scene) {
 /* The quantity of the caller, or that of the page's first expectation of one value. */
 static enum nb_status find_quantity(struct nb_advice *advice, struct nb_error *error) {
   const struct nb_page_run *run = &advice->page.runs[0];
-  const char *quantity = advice->call->quantity;
+  const char *quantity = advice->query->quantity;
   for (size_t k = 0; k < run->expectations.count && !quantity; k++)
     if (run->expectations.list[k].kind != NB_VERSUS)
       quantity = run->expectations.list[k].measure.label;
   if (!quantity)
     return nb_error_set(error, NB_BAD_USE, "the page expects nothing: name a quantity that it records, by --quantity");
   struct nb_expectation wanted;
-  snprintf(advice->text, sizeof advice->text, "%s within %s", quantity, advice->call->within);
+  snprintf(advice->text, sizeof advice->text, "%s within %s", quantity, advice->query->within);
   if (nb_expectation_read(&wanted, "quantity", advice->text, &run->scene, &advice->page.mistakes))
     return advice->page.status = NB_BAD_USE, nb_error_set(error, NB_BAD_USE, "see above");
   advice->tolerance = wanted.tolerance, advice->unit = wanted.measure.unit;
@@ -402,7 +402,10 @@ static enum nb_status check_page(const struct nb_advice *advice, struct nb_error
   return NB_OK;
 }
 
-static enum nb_status advise(struct nb_advice *advice, struct nb_error *error) {
+enum nb_status nb_advise(struct nb_advice *advice, const struct nb_advise_query *query, struct nb_error *error) {
+  *advice = (struct nb_advice){.query = query, .chosen = -1, .began = nb_clock()};
+  if (nb_outcome_read(&advice->page, query->path, query->settings))
+    return nb_error_set(error, advice->page.status, "%s", advice->page.error.text);
   if (check_page(advice, error) || find_quantity(advice, error))
     return error->status;
   advice->runs = advice->page.run_count;
@@ -418,56 +421,14 @@ static enum nb_status advise(struct nb_advice *advice, struct nb_error *error) {
   return NB_OK;
 }
 
-static void free_advice(struct nb_advice *advice) {
+bool nb_advice_run(struct nb_advice *advice, size_t pair, int level, size_t phase) {
+  return run_phase(advice, &advice->pairs[pair], level, phase);
+}
+
+void nb_advice_free(struct nb_advice *advice) {
   for (size_t k = 0; k < advice->pair_count && advice->pairs; k++)
     for (size_t l = 0; l < NB_LEVELS; l++)
       free(advice->pairs[k].points[l].values);
   free(advice->pairs), free(advice->settings), free(advice->scale), free(advice->allowed);
   nb_outcome_free(&advice->page);
-}
-
-static bool read_budget(double *seconds, const char *text) {
-  char *end;
-  *seconds = text ? strtod(text, &end) : 60;
-  if (!text)
-    return true;
-  if (strcmp(end, " s") == 0 || strcmp(end, "s") == 0)
-    end += strlen(end);
-  return end != text && !*end && *seconds > 0 && isfinite(*seconds);
-}
-
-enum nb_status nb_command_advise(const struct nb_call *call) {
-  struct nb_advice advice = {.call = call, .path = call->pages[0], .chosen = -1, .began = nb_clock()};
-  struct nb_error error = {0};
-  char name[NB_NAME_SIZE + 8];
-  if (call->page_count != 1 || !call->within || !read_budget(&advice.budget, call->budget)) {
-    fputs("nineball: expected one page, --within TOLERANCE, and a --budget in seconds: nineball advise PAGE --within "
-          "'1 %'\n",
-          stderr);
-    return NB_BAD_USE;
-  }
-  enum nb_status status = nb_outcome_read(&advice.page, advice.path, call->settings);
-  struct nb_progress_line line = {.page = advice.path};
-  advice.progress = nb_print_progress(&line);
-  if (!status)
-    status = advise(&advice, &error);
-  nb_print_progress_end(&line);
-  if (advice.page.status)
-    nb_print_errors(&advice.page, advice.path);
-  else if (status)
-    nb_print_error(&error, &advice.page.page, advice.path);
-  snprintf(name, sizeof name, "%s.out", advice.page.page.name);
-  const char *folder = call->folder ? call->folder : name;
-  if (!status) {
-    nb_advice_print(&advice);
-    status = nb_advice_save(&advice, folder, &error);
-    if (status)
-      fprintf(stderr, "nineball: %s\n", error.text);
-    else
-      printf("look at %s/advice.svg; all settings that were tried are in %s/advice.tsv\n", folder, folder);
-  }
-  if (!status && advice.chosen < 0)
-    status = NB_FAILED;
-  free_advice(&advice);
-  return status;
 }

@@ -1,11 +1,11 @@
-/* `nineball advise`: what the search (advise.c) finds and the report on it (advice.c) prints.
+/* The search for the cheapest setting within a tolerance, and what it finds.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_ADVISE_H
 #define NB_ADVISE_H
 
-#include "commands.h"
 #include "estimate.h"
+#include "outcome.h"
 
 /* The step of the page is divided by 2^level. */
 enum { NB_LEVEL_LOW = -7, NB_LEVEL_HIGH = 12, NB_LEVELS = NB_LEVEL_HIGH - NB_LEVEL_LOW + 1, NB_LAW_PAIRS = 40 };
@@ -38,9 +38,18 @@ struct nb_setting {
   size_t worst;      /* the run where it is */
 };
 
-struct nb_advice {
-  const struct nb_call *call;
+struct nb_advise_query {
   const char *path;
+  nb_settings settings; /* not NULL */
+  struct nb_options options;
+  const char *quantity; /* NULL: that of the first expectation */
+  const char *within;   /* "1 %", "0.01", "20 N" */
+  double budget;        /* s */
+  struct nb_progress progress;
+};
+
+struct nb_advice {
+  const struct nb_advise_query *query;
   char text[512];         /* "impact.psi2 within 1 %" */
   struct nb_outcome page; /* as read, with the settings of the caller */
   struct nb_tolerance tolerance;
@@ -53,23 +62,21 @@ struct nb_advice {
   size_t pair_count;
   struct nb_setting *settings; /* owned; all that were tried, and */
   size_t setting_count;
-  int chosen; /* the index of the cheapest one within the tolerance; -1: none */
-  struct nb_progress progress;
-  double began, budget; /* s */
-  bool exhausted;       /* the budget ended the search */
-  unsigned measured;    /* runs of the page */
+  int chosen;        /* the index of the cheapest one within the tolerance; -1: none */
+  double began;      /* s */
+  bool exhausted;    /* the budget ended the search */
+  unsigned measured; /* runs of the page */
 };
 
 static inline const struct nb_point *nb_point_at(const struct nb_advice *advice, const struct nb_setting *setting) {
   return &advice->pairs[setting->pair].points[setting->level - NB_LEVEL_LOW];
 }
 
-/* ---- advice.c ---- */
-
-/* The settings as options: "--set shear=mindlin --set refine=0.25". */
-void nb_advice_options(char *text, size_t size, const struct nb_advice *advice, const struct nb_setting *setting);
-void nb_advice_print(const struct nb_advice *advice);
-/* FOLDER/advice.tsv, advice.gp, advice.svg and advice.png. */
-enum nb_status nb_advice_save(const struct nb_advice *advice, const char *folder, struct nb_error *error);
+/* An error is a mistake in the page or the query, NB_BAD_USE, or NB_FAILED: the quantity is not known well enough. Mistakes are in
+ * advice->page. Free the advice in any case; the query must outlive it. */
+enum nb_status nb_advise(struct nb_advice *advice, const struct nb_advise_query *query, struct nb_error *error);
+void nb_advice_free(struct nb_advice *advice);
+/* Runs a pair of laws at a level and a phase, unless it has been run. False: it cannot be run, or the budget is used up. */
+bool nb_advice_run(struct nb_advice *advice, size_t pair, int level, size_t phase);
 
 #endif

@@ -32,7 +32,7 @@ enum nb_status nb_command_report(const struct nb_call *call);
 enum nb_status nb_command_explain(const struct nb_call *call);
 enum nb_status nb_command_state(const struct nb_call *call);
 enum nb_status nb_command_migrate(const struct nb_call *call);
-enum nb_status nb_command_advise(const struct nb_call *call); /* advise.c */
+enum nb_status nb_command_advise(const struct nb_call *call); /* advice.c */
 enum nb_status nb_command_laws(const struct nb_call *call);
 enum nb_status nb_command_list(const struct nb_call *call);
 
