@@ -143,7 +143,9 @@ sed 's/^units none/&\nlet refine = 2/' still.md >named.md
 run 2 advise named.md --quantity D.vx --within 0.1 && said 'the page has a value `refine`'
 result $? 'a page whose own value is called refine'
 sed 's/^until.*/record every 10 cycles\ncycles 7/' still.md >cycles.md
-run 0 advise cycles.md --quantity D.vx --within '1 %' && said '--set refine=1'
+run 0 advise cycles.md --quantity D.vx --within '1 %' -o cycles && said '--set refine=1' &&
+  said 'a step twice as long cannot be run: ' && said 'expected a whole number of cycles in `a` with --set refine=0.5, found 3.5' &&
+  grep -q '^# not run: refine=0.5: .*found 3.5$' cycles/advice.tsv
 result $? 'a page with a number of cycles, which no coarser step divides'
 run 2 check still.md --within 1 && said "does not use --within"
 result $? 'an option of another command'

@@ -21,12 +21,17 @@ static void options_of(char *text, size_t size, const struct nb_advice *advice, 
     snprintf(text + used, size - used, "--set refine=%.9g", advice->page.runs[0].scene.refine * exp2(setting->level));
 }
 
-/* The error: a percentage, or a number with its unit. */
+/* Of an error: "%", a unit, or nothing. */
+static const char *unit_of(const struct nb_advice *advice) {
+  if (advice->tolerance.kind == NB_RELATIVE)
+    return "%";
+  return advice->page.runs[0].scene.unitless || !advice->unit || strcmp(advice->unit, "1") == 0 ? "" : advice->unit;
+}
+
 static void error_text(char text[NB_NAME_SIZE], const struct nb_advice *advice, double ratio) {
-  const bool relative = advice->tolerance.kind == NB_RELATIVE;
-  const char *unit = relative ? " %" : advice->page.runs[0].scene.unitless || !advice->unit ? "" : advice->unit;
-  snprintf(text, NB_NAME_SIZE, "%.2g%s%s", ratio * advice->tolerance.value * (relative ? 100 : 1),
-           relative || !unit[0] || strcmp(unit, "1") == 0 ? "" : " ", strcmp(unit, "1") == 0 ? "" : unit);
+  const double factor = advice->tolerance.kind == NB_RELATIVE ? 100 : 1;
+  const char *unit = unit_of(advice);
+  snprintf(text, NB_NAME_SIZE, "%.2g%s%s", ratio * advice->tolerance.value * factor, unit[0] ? " " : "", unit);
 }
 
 static const char *label_of(const struct nb_advice *advice, size_t run) { return advice->page.runs[run].label; }
@@ -78,6 +83,9 @@ static void print_choice(const struct nb_advice *advice, const struct nb_setting
     printf("  the next cheaper one misses the tolerance: %s\n", options);
     print_error_of(advice, cheaper, "    its claimed error:");
   }
+  const struct nb_point *coarser = chosen->level > NB_LEVEL_LOW ? point - 1 : NULL;
+  if (!cheaper && coarser && coarser->reason[0])
+    printf("  a step twice as long cannot be run: %s\n", coarser->reason);
   options_of(options, sizeof options, advice, chosen);
   printf("to run it: nineball run %s %s\n", advice->query->path, options);
 }
@@ -169,7 +177,7 @@ static void write_figure(FILE *out, const struct nb_outcome *page, const void *d
   const struct nb_advice *advice = data;
   const struct nb_scene *scene = &page->runs[0].scene;
   const double factor = advice->tolerance.kind == NB_RELATIVE ? 100 : 1;
-  const char *unit = advice->tolerance.kind == NB_RELATIVE ? "%" : advice->unit ? advice->unit : "1";
+  const char *unit = unit_of(advice);
   const char *between = "plot ";
   for (size_t p = 0; p < advice->pair_count; p++)
     if (has_settings(advice, p)) {
@@ -190,8 +198,8 @@ static void write_figure(FILE *out, const struct nb_outcome *page, const void *d
     fprintf(out, "set xrange [%.9g:%.9g]\n", least / 2, 2 * most);
   fprintf(out,
           "set title '%s' noenhanced\nset xlabel 'contact and particle updates of all runs'\n"
-          "set ylabel 'claimed error, %s'\n",
-          advice->text, unit);
+          "set ylabel 'claimed error%s%s'\n",
+          advice->text, unit[0] ? ", " : "", unit);
   for (size_t p = 0; p < advice->pair_count; p++)
     if (has_settings(advice, p)) {
       fprintf(out, "%s$pair%zu using 5:($8*%g) with linespoints pt 7 lw 2 title 'normal %s, shear %s' noenhanced",
@@ -216,6 +224,10 @@ static enum nb_status save_advice(const struct nb_advice *advice, const char *fo
   nb_preamble_write(file.file, &advice->page);
   fprintf(file.file, "# %s\n%s", advice->text, head);
   write_rows(file.file, advice, ALL_PAIRS);
+  for (int level = NB_LEVEL_LOW; level <= NB_LEVEL_HIGH; level++)
+    if (advice->pairs[0].points[level - NB_LEVEL_LOW].reason[0])
+      fprintf(file.file, "# not run: refine=%.9g: %s\n", advice->page.runs[0].scene.refine * exp2(level),
+              advice->pairs[0].points[level - NB_LEVEL_LOW].reason);
   for (size_t k = 1; k < advice->pair_count; k++)
     if (advice->pairs[k].reason[0])
       fprintf(file.file, "# left out: normal %s, shear %s: %s\n", advice->pairs[k].normal, advice->pairs[k].shear,
