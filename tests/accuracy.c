@@ -123,7 +123,7 @@ static void measure_cost(struct draw *draw, struct nb_advice *advice, const doub
     draw->cost = nb_point_at(advice, &advice->settings[advice->chosen])->updates / cheapest;
 }
 
-static void judge(struct draw *draw, struct nb_advice *advice, double tolerance) {
+static void measure_errors(struct draw *draw, struct nb_advice *advice, double tolerance) {
   double *truth = calloc(advice->runs, sizeof *truth);
   const struct nb_advise_query *asked = advice->query;
   struct nb_advise_query query = *asked;
@@ -211,7 +211,7 @@ static void draw_one(const char *path, struct nb_outcome *page) {
   if (status <= NB_FAILED && advice.pairs) {
     kind_of(draw->kind, path, &page->runs[0].scene);
     if (status == NB_OK)
-      judge(draw, &advice, tolerance);
+      measure_errors(draw, &advice, tolerance);
     printf("%s\t%s\t%s\t%.3g\t%s\t%.3g\t%.3g\t%.3g\t%.3g\t%.3g\t%.3g\t%.2f\n", advice.page.page.name, quantity, label,
            tolerance, draw->answered ? "answered" : "no advice", draw->kept[WHOLE], draw->kept[ONE_PHASE],
            draw->kept[NO_ANCHOR], draw->kept[TWO_STEPS], draw->claim_over_true, draw->cost, draw->seconds);

@@ -196,10 +196,11 @@ static void write_figure(FILE *out, const struct nb_outcome *page, const void *d
   fputs("set datafile separator tab\nset logscale xy\nset format xy '10^{%T}'\n", out);
   if (most > 0)
     fprintf(out, "set xrange [%.9g:%.9g]\n", least / 2, 2 * most);
-  fprintf(out,
-          "set title '%s' noenhanced\nset xlabel 'contact and particle updates of all runs'\n"
-          "set ylabel 'claimed error%s%s'\n",
-          advice->text, unit[0] ? ", " : "", unit);
+  static const struct nb_escape quote[] = {{'\'', "''"}, {0, NULL}};
+  fputs("set title '", out);
+  nb_print_escaped(out, advice->text, quote);
+  fprintf(out, "' noenhanced\nset xlabel 'contact and particle updates of all runs'\nset ylabel 'claimed error%s%s'\n",
+          unit[0] ? ", " : "", unit);
   for (size_t p = 0; p < advice->pair_count; p++)
     if (has_settings(advice, p)) {
       fprintf(out, "%s$pair%zu using 5:($8*%g) with linespoints pt 7 lw 2 title 'normal %s, shear %s' noenhanced",
