@@ -556,10 +556,6 @@ RUN = \
   src/run/state.c \
   src/run/state.h
 
-# The plan of a page in words.
-EXPLAIN = \
-  src/report/explain.c
-
 # Expectations and verdict.
 VERDICT = \
   src/report/advise.c \
@@ -580,6 +576,9 @@ PROGRAM = \
   src/report/advice.c \
   src/report/commands.c \
   src/report/commands.h \
+  src/report/cost.c \
+  src/report/cost.h \
+  src/report/explain.c \
   src/report/figure.c \
   src/report/gnuplot.c \
   src/report/main.c \

@@ -551,12 +551,17 @@ struct nb_snapshot {
   struct nb_table lattice;          /* `snapshot from`: contacts kept, new and lost */
   struct nb_table traction, pieces; /* of a contact test: traction q(r), and D(x) of each piece */
 };
+struct nb_stage_cost {
+  unsigned long cycles;
+  unsigned long long updates; /* contact updates */
+  double step, seconds;       /* s; processor time of the cycles, with tests of conditions and rows */
+};
 struct nb_result {
   struct nb_table table;
   struct nb_snapshot *snapshots; /* owned */
   size_t snapshot_count;
   unsigned long cycles;              /* in all */
-  unsigned long *stage_cycles;       /* for each stage; owned */
+  struct nb_stage_cost *stages;      /* for each stage; owned */
   unsigned long long updates;        /* contact updates: contacts listed, summed over cycles */
   unsigned long long searches;       /* for neighbours, the first one included */
   unsigned long long deep;           /* contact updates with overlaps beyond the range of Hertz theory [R89 6.4.3] */
@@ -571,16 +576,12 @@ struct nb_progress {
   void (*call)(void *data, const char *stage, double fraction, double seconds); /* or NULL */
   void (*note)(void *data, const char *text); /* a message of interest to the user; or NULL */
   void *data;
+  double stage_seconds; /* a trial: each stage ends after this processor time; 0: it runs to its end */
 };
 
 /* Runs all stages of the scene. After NB_BROKEN the result holds everything recorded until then. */
 enum nb_status nb_run(struct nb_result *result, const struct nb_scene *scene, const struct nb_options *options,
                       const struct nb_progress *progress, struct nb_error *error);
 void nb_result_free(struct nb_result *result);
-
-/* What `nineball explain` prints: the plan and the lines that require it, memory, the step and what limits it; for a
- * contact test the contact, its laws and its segments. Adds the warnings of the plan. */
-enum nb_status nb_explain(FILE *out, const struct nb_scene *scene, const struct nb_options *options,
-                          struct nb_warnings *warnings, struct nb_error *error);
 
 #endif

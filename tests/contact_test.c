@@ -52,7 +52,7 @@ static void segments_go_along_straight_lines(void) {
   }
   CU_ASSERT(cell(&result, 3, 1) == 3e-6 && cell(&result, 3, 2) == 0.7e-6 && cell(&result, 6, 2) == -0.2e-6);
   CU_ASSERT(cell(&result, 4, 2) == 0.7e-6); /* slip is held */
-  CU_ASSERT(result.cycles == 6 && result.stage_cycles[0] == 3 && result.stage_cycles[2] == 2);
+  CU_ASSERT(result.cycles == 6 && result.stages[0].cycles == 3 && result.stages[2].cycles == 2);
   done(&result, &it);
 }
 

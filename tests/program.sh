@@ -294,7 +294,9 @@ out 'run friction=0.4'
 out 'disc-disc, overlap and both increments'
 out 'shear linear                             line 13'
 out '0.05 of it'
-out '1500 cycles'
+out '  1500 cycles, '
+out 'all 2 runs'
+out '  3000 cycles, '
 absent same-bits.out
 sed 's/kn 1  ks 1 //; s/^shear .*//' "$pages/passes.md" >soft.md
 run 0 explain soft.md
@@ -314,10 +316,63 @@ out '  line 9: boundary circle 0 0 radius 10'
 out '    line 15: boundary strain 1e-4 per cycle -1e-4 per cycle shear 2e-5 per cycle'
 out '    line 24: ramp servo mean 12 on boundary through boundary affine at most 1e-4 per cycle every 5 cycles'
 out 'there are no contacts yet'
-out '  c2, at most 10 cycles'
+out '  c2, 1 to 10 cycles: the condition on line 32 decides'
 out '  line 10: region A circle 1 2 radius 5 rings 3 from b: 1 particles now'
 grep -c 'line 30:' out | grep -qx 1 || echo 'a statement is shown in several stages' >>why
 verdict 'explain'
+
+# The clock alone ends all stages but `some`, so their lengths are known, or bounds behind `some`.
+cat >clock.md <<'END'
+# Stages that end by the clock
+```scene
+units none
+material m density 1 kn 1
+step 0.25
+disc 4 4 radius 1 m velocity 1 0
+disc 99 4 radius 1 m
+monitor D disc 1
+record cycle
+stage fall
+until time above 2 every 3 cycles at most 100 cycles
+stage on
+step 0.5
+until time above 5 at most 6 cycles
+stage more
+record none
+until cycle above 20 and time above 0 at most 7 cycles
+stage some
+until D.x above 3 at most 10 cycles
+stage last
+until time above 30 at most 100 cycles
+```
+END
+run 0 explain clock.md
+out '  fall, 9 cycles'
+out '  on, 6 cycles'
+out '  more, 6 cycles'
+out '  some, 1 to 10 cycles: the condition on line 19 decides'
+out '  last, 34 to 43 cycles: the condition on line 21 decides'
+out '  56 to 74 cycles, '
+run 0 run clock.md
+out '  65 cycles, 0 contact updates, '
+out ' s; expected 56 to 74 cycles'
+sed 's/step 0.5/step 0.2 of stable/; s/^stage some/stage never/; s/D.x above 3/time above 1e9/' clock.md >never.md
+run 0 explain never.md
+out '  on, about 6 cycles'
+out '  never, does not end: line 19 does not hold within 10 cycles'
+sed '/^stage some/,/^until/d; /^stage last/,/^until/d' clock.md >fixed.md
+run 0 run fixed.md
+out '  21 cycles, '
+grep -q '; expected' out && echo 'a fixed number of cycles is compared' >>why
+run 0 run "$cases/4-oblique/oblique-impact.md" # conditions on impact.time
+cycles=$(sed -n 's/^\(  [0-9]* cycles\), .* s$/\1/p' out)
+run 0 explain "$cases/4-oblique/oblique-impact.md"
+out "${cycles:-no cycles}, "
+run 0 explain "$pages/contact-test.md"
+out ' steps, '
+run 0 explain "$pages/too-long-a-step.md"
+out 'the time of a cycle cannot be measured: particle 1 '
+verdict 'explain: the number of cycles, contact updates and seconds; after a run what was expected'
 
 # ---- files of a run ----
 run 0 run "$pages/passes.md"

@@ -32,8 +32,8 @@ static void rows_are_recorded_as_requested(void) {
     CU_ASSERT(result.table.cycle[r] == cycle[r] && result.table.time[r] == time[r] &&
               result.table.stage[r] == stage[r]);
   }
-  CU_ASSERT(result.cycles == 22 && result.stage_cycles[0] == 10 && result.stage_cycles[1] == 3 &&
-            result.stage_cycles[2] == 2 && result.stage_cycles[3] == 7);
+  CU_ASSERT(result.cycles == 22 && result.stages[0].cycles == 10 && result.stages[1].cycles == 3 &&
+            result.stages[2].cycles == 2 && result.stages[3].cycles == 7);
   nb_result_free(&result);
   written_free(&it);
 }

@@ -138,8 +138,8 @@ enum {
 };
 
 static const struct nb_quantity_kind kinds[] = {
-    {"cycle", 0, "1", 0, cycle, "calculation cycles since the start"},
-    {"time", 0, "s", 0, time_, "time since the start"},
+    {"cycle", 0, "1", NB_REQUEST_CLOCK, cycle, "calculation cycles since the start"},
+    {"time", 0, "s", NB_REQUEST_CLOCK, time_, "time since the start"},
     {"contacts", 0, "1", NB_BIT(NB_OVERLAP), touching_count, "number of contacts with an overlap"},
     {"contacts.deep", 0, "1", 0, deep_count,
      "contacts of elastic spheres that overlap by more than 7 % of the smaller diameter, summed over all cycles "

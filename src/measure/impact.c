@@ -147,7 +147,7 @@ const struct nb_quantity_kind nb_impact_kinds[] = {
      "the same of V_T now, V_N still that of incidence; at the end that of the rebound"},
     {"impact.angle", NB_OF_IMPACT, "rad", 0, angle,
      "between velocity and normal at incidence, of the centre [R89 5.16]"},
-    {"impact.time", NB_OF_IMPACT, "1", 0, elapsed,
+    {"impact.time", NB_OF_IMPACT, "1", NB_REQUEST_CLOCK, elapsed,
      "since first touch, over the duration T_c of the elastic impact [R89 5.12]"},
     {"impact.duration", NB_OF_IMPACT, "s", 0, duration, "how long it has lasted, from first touch to parting"},
     {"impact.restitution", NB_OF_IMPACT, "1", 0, restitution, "speed of the centre now over that of incidence"},

@@ -76,6 +76,7 @@ static enum nb_status save_outputs(const struct nb_outcome *outcome, const struc
   if (actions & TABLES) {
     if (nb_tables_save(outcome, folder, &error))
       return print_error(&error);
+    fputs("  ", stdout), nb_cost_print_actual(stdout, outcome, &call->options);
     printf("tables are in %s%s\n", folder, incomplete);
     if (nb_page_has_figure(&outcome->page))
       printf("to draw the figure: nineball figure %s\n", path);
@@ -204,14 +205,21 @@ enum nb_status nb_command_explain(const struct nb_call *call) {
     nb_outcome_read(&outcome, call->pages[k], call->settings);
     nb_print_errors(&outcome, call->pages[k]);
     worst = worse(worst, outcome.status);
+    nb_references_prepare();
+    struct nb_cost sum = {0};
     for (size_t r = 0; r < outcome.run_count && !outcome.status; r++) {
       struct nb_error error;
       const struct nb_page_run *run = &outcome.runs[r];
       printf("%s%s%s%s\n", r ? "\n" : "", outcome.page.name, run->label[0] ? ", run " : "", run->label);
-      if (nb_explain(stdout, &run->scene, &call->options, &outcome.warnings, &error)) {
+      if (nb_explain(stdout, &run->scene, run, &call->options, &outcome.warnings, &sum, &error)) {
         nb_print_error(&error, &outcome.page, call->pages[k]);
         worst = worse(worst, error.status);
       }
+    }
+    if (outcome.run_count > 1 && sum.cycles.to > 0) {
+      printf("\nall %zu runs\n  ", outcome.run_count);
+      nb_cost_print(stdout, &sum, outcome.runs[0].scene.contact_test ? " steps, " : " cycles, ");
+      puts("");
     }
     nb_repeat_warnings("", call->pages[k], &outcome.warnings);
     nb_outcome_free(&outcome);

@@ -4,6 +4,7 @@
 #ifndef NB_COMMANDS_H
 #define NB_COMMANDS_H
 
+#include "cost.h"
 #include "outcome.h"
 #include "run/output_file.h"
 

@@ -3,9 +3,9 @@
  * contact test: the contact, its laws, its segments.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <stdlib.h>
 #include <string.h>
 
-#include "core/clock.h"
 #include "core/model.h"
 #include "core/names.h"
 #include "input/reader.h"
@@ -15,6 +15,7 @@
 #include "measure/balance.h"
 #include "measure/region.h"
 #include "measure/step.h"
+#include "report/cost.h"
 #include "run/contact_test.h"
 #include "run/restart.h"
 
@@ -358,39 +359,29 @@ static void explain_gain(FILE *out, const struct nb_model *model, const struct n
     fputs("B is the bulk stiffness, T the travel time of a wave across the assembly; there are no contacts yet\n", out);
 }
 
-/* Measures the time of a cycle, s, with a few cycles of a second model. 0 and an error if no cycle could be run. */
-static double seconds_a_cycle(const struct nb_scene *scene, const struct nb_model *model, struct nb_error *error) {
-  struct nb_model *trial =
-      nb_model_create(scene, &(struct nb_options){.threads = model->machine.threads, .states = model->states}, error);
-  const double began = nb_clock();
-  unsigned long cycles = 0;
-  while (trial && (cycles == 0 || nb_clock() - began < 0.02) && !nb_cycle(trial, error))
-    cycles++;
-  const double seconds = nb_clock() - began;
-  nb_model_free(trial);
-  return cycles ? seconds / (double)cycles : 0;
-}
-
-static bool explain_stages(FILE *out, const struct nb_model *model) {
+static void explain_stages(FILE *out, const struct nb_model *model, const struct nb_cost *cost) {
   const struct nb_scene *scene = model->scene;
-  unsigned long cycles = 0;
-  struct nb_error error = {NB_OK, ""};
   fputs("stages\n", out);
   for (size_t s = scene->start.stages; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
-    fprintf(out, "  %s, %s%lu cycles\n", stage->name, stage->condition_count ? "at most " : "", stage->cycles);
+    fprintf(out, "  %s, ", stage->name);
+    nb_cost_print_length(out, &cost->lengths[s], stage);
+    fputc('\n', out);
     explain_statements(out, scene, s);
     if (stage->servo.line)
       explain_gain(out, model, &stage->servo);
-    cycles += stage->cycles;
   }
-  const double each = seconds_a_cycle(scene, model, &error);
-  fprintf(out, "cost\n  %lu cycles", cycles);
-  if (each > 0)
-    fprintf(out, ", %.3g s (%.3g us a cycle, measured just now)\n", each * (double)cycles, 1e6 * each);
+}
+
+static void explain_cost(FILE *out, const struct nb_cost *cost, const struct nb_error *error, bool contact_test) {
+  const char *cycle = contact_test ? "step" : "cycle";
+  fputs("cost\n  ", out);
+  nb_cost_print(out, cost, contact_test ? " steps, " : " cycles, ");
+  if (cost->measured.to > 0)
+    fprintf(out, "\n  a %s with recording takes %.3g us, measured just now; start, reference and tables %.3g s\n",
+            cycle, 1e6 * cost->measured.to / cost->cycles.to, cost->seconds.to - cost->measured.to);
   else
-    fprintf(out, "; the time of a cycle cannot be measured: %s\n", error.text);
-  return error.status != NB_NO_MEMORY;
+    fprintf(out, "\n  the time of a %s cannot be measured: %s\n", cycle, error->text);
 }
 
 /* ---- contact test ---- */
@@ -424,8 +415,10 @@ static void explain_contact(FILE *out, const struct nb_scene *scene, const struc
             contact_test->pair.friction, contact_test->pair.cohesion);
 }
 
-static enum nb_status explain_contact_test(FILE *out, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status explain_contact_test(FILE *out, const struct nb_scene *scene, const struct nb_cost *cost,
+                                           struct nb_error *error) {
   struct nb_contact_test contact_test;
+  const struct nb_error unmeasured = *error;
   if (nb_contact_test_create(&contact_test, scene, error))
     return error->status;
   explain_contact(out, scene, &contact_test);
@@ -433,42 +426,57 @@ static enum nb_status explain_contact_test(FILE *out, const struct nb_scene *sce
   explain_contact_test_law(out, contact_test.normal, contact_test.normal_doubles, scene->normal_line);
   explain_contact_test_law(out, contact_test.shear, contact_test.shear_doubles, scene->shear_line);
   fprintf(out, "segments\n");
-  unsigned long steps = 0;
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     fprintf(out, "  %s, %lu steps%s\n", stage->name, stage->cycles, stage->segment.points ? ", read from a file" : "");
     explain_statements(out, scene, s);
-    steps += stage->cycles;
   }
-  fprintf(out, "cost\n  %lu steps; a step to a given force takes some hundred iterations\n", steps);
+  explain_cost(out, cost, &unmeasured, true);
   nb_contact_test_free(&contact_test);
   return NB_OK;
 }
 
 /* ---- nb_explain ---- */
 
-enum nb_status nb_explain(FILE *out, const struct nb_scene *scene, const struct nb_options *options,
-                          struct nb_warnings *warnings, struct nb_error *error) {
-  if (scene->contact_test)
-    return explain_contact_test(out, scene, error);
-  if (!nb_start_is_ready(scene, options)) {
-    explain_start(out, scene, options);
-    fprintf(out, "  `nineball check %s` computes that state; then `explain` shows the plan\n", scene->page->path);
-    return NB_OK;
-  }
+static enum nb_status explain_scene(FILE *out, const struct nb_scene *scene, const struct nb_page_run *run,
+                                    const struct nb_options *options, struct nb_warnings *warnings,
+                                    struct nb_cost *cost, struct nb_error *error) {
   struct nb_model *model = nb_model_create(scene, options, error);
   if (!model)
     return error->status;
   explain_start(out, scene, options);
   explain_particles(out, scene);
-  bool done = explain_plan(out, model);
-  if (done) {
+  enum nb_status status = explain_plan(out, model) ? NB_OK : nb_error_memory(error);
+  if (!status) {
     explain_regions(out, model);
     explain_step(out, model);
-    done = explain_stages(out, model);
+    status = nb_cost_expect(cost, run, model, options, error);
+  }
+  if (!status) {
+    explain_stages(out, model, cost);
+    explain_cost(out, cost, error, false);
   }
   for (size_t k = 0; k < model->warnings.count; k++)
     nb_warnings_add(warnings, &model->warnings.list[k]);
   nb_model_free(model);
-  return done ? NB_OK : nb_error_memory(error);
+  return status;
+}
+
+enum nb_status nb_explain(FILE *out, const struct nb_scene *scene, const struct nb_page_run *run,
+                          const struct nb_options *options, struct nb_warnings *warnings, struct nb_cost *sum,
+                          struct nb_error *error) {
+  struct nb_cost cost = {0};
+  enum nb_status status = NB_OK;
+  if (scene->contact_test) {
+    status = nb_cost_expect(&cost, run, NULL, options, error);
+    status = status ? status : explain_contact_test(out, scene, &cost, error);
+  } else if (nb_start_is_ready(scene, options)) {
+    status = explain_scene(out, scene, run, options, warnings, &cost, error);
+  } else {
+    explain_start(out, scene, options);
+    fprintf(out, "  `nineball check %s` computes that state; then `explain` shows the plan\n", scene->page->path);
+  }
+  nb_cost_add(sum, &cost);
+  free(cost.lengths);
+  return status;
 }

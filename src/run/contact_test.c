@@ -238,18 +238,23 @@ static bool add_snapshot(struct nb_result *result, const struct nb_contact_test 
 }
 
 static enum nb_status run_segment(struct nb_result *result, struct nb_contact_test *contact_test, int index,
-                                  struct nb_error *error) {
+                                  struct nb_reporter *reporter, struct nb_error *error) {
   const struct nb_stage *stage = &contact_test->scene->stages[index];
   const struct segment segment = segment_begin(contact_test, stage);
-  bool stored = true;
-  for (unsigned long step = 1; step <= stage->cycles && stored; step++) {
+  struct nb_stage_cost *cost = &result->stages[index];
+  const double segments = (double)contact_test->scene->stage_count;
+  bool stored = true, goes_on = true;
+  reporter->stage_began = nb_processor_clock();
+  for (unsigned long step = 1; step <= stage->cycles && stored && goes_on; step++) {
     const enum nb_status status = segment_step(contact_test, &segment, step, error);
     if (status)
       return status;
-    result->stage_cycles[index] = step;
+    cost->cycles = step, cost->updates = step;
     if (stage->record_interval && (step % stage->record_interval == 0 || step == stage->cycles))
       stored = add_row(&result->table, contact_test, index);
+    goes_on = nb_reporter_update(reporter, stage->name, (index + (double)step / (double)stage->cycles) / segments);
   }
+  cost->seconds = nb_processor_clock() - reporter->stage_began;
   if (stored && stage->snapshot)
     stored = add_snapshot(result, contact_test, index);
   return stored ? NB_OK : nb_error_memory(error);
@@ -267,10 +272,8 @@ enum nb_status nb_contact_test_run(struct nb_result *result, const struct nb_sce
     return status;
   if (!add_row(&result->table, &contact_test, 0))
     status = nb_error_memory(error);
-  for (size_t s = 0; s < scene->stage_count && !status; s++) {
-    status = run_segment(result, &contact_test, (int)s, error);
-    nb_reporter_update(&reporter, scene->stages[s].name, (double)(s + 1) / (double)scene->stage_count);
-  }
+  for (size_t s = 0; s < scene->stage_count && !status; s++)
+    status = run_segment(result, &contact_test, (int)s, &reporter, error);
   result->cycles = result->updates = contact_test.step;
   result->seconds = nb_clock() - reporter.began;
   nb_contact_test_free(&contact_test);

@@ -25,5 +25,7 @@ bool nb_start_is_ready(const struct nb_scene *scene, const struct nb_options *op
 /* run.c: runs the scene and returns the state at the end of its last stage */
 enum nb_status nb_run_to(struct nb_saved *saved, const struct nb_scene *scene, const struct nb_options *options,
                          const struct nb_progress *progress, struct nb_error *error);
+/* run.c: whether the condition holds now */
+bool nb_condition_met(const struct nb_condition *condition, const struct nb_model *model);
 
 #endif

@@ -1,6 +1,8 @@
 /* The table of a result, and reports of progress.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#define _POSIX_C_SOURCE 200809L
+
 #include "result.h"
 
 #include <stdlib.h>
@@ -29,8 +31,8 @@ unsigned nb_fields_requested(const struct nb_scene *scene) {
 
 bool nb_result_begin(struct nb_result *result, const struct nb_scene *scene) {
   struct nb_table *table = &result->table;
-  result->stage_cycles = calloc(scene->stage_count + 1, sizeof *result->stage_cycles);
-  if (!result->stage_cycles || !nb_table_create(table, scene->column_count))
+  result->stages = calloc(scene->stage_count + 1, sizeof *result->stages);
+  if (!result->stages || !nb_table_create(table, scene->column_count))
     return false;
   for (size_t c = 0; c < scene->column_count; c++) {
     memcpy(table->names[c], scene->columns[c].name, sizeof table->names[c]);
@@ -48,15 +50,25 @@ bool nb_result_add_row(struct nb_table *table, const struct nb_model *model, int
   return true;
 }
 
-struct nb_reporter nb_reporter_begin(const struct nb_progress *progress) {
-  const double now = nb_clock();
-  return (struct nb_reporter){progress, now, 0};
+double nb_processor_clock(void) {
+  struct timespec t = {0};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-void nb_reporter_update(struct nb_reporter *reporter, const char *stage, double fraction) {
+struct nb_reporter nb_reporter_begin(const struct nb_progress *progress) {
   const double now = nb_clock();
-  if (!reporter->progress || !reporter->progress->call || now - reporter->last_call < 0.1)
-    return;
-  reporter->last_call = now;
-  reporter->progress->call(reporter->progress->data, stage, fraction, now - reporter->began);
+  return (struct nb_reporter){progress, now, 0, nb_processor_clock()};
+}
+
+bool nb_reporter_update(struct nb_reporter *reporter, const char *stage, double fraction) {
+  const struct nb_progress *progress = reporter->progress;
+  if (!progress)
+    return true;
+  const double now = nb_clock();
+  if (progress->call && now - reporter->last_call >= 0.1) {
+    reporter->last_call = now;
+    progress->call(progress->data, stage, fraction, now - reporter->began);
+  }
+  return progress->stage_seconds <= 0 || nb_processor_clock() - reporter->stage_began < progress->stage_seconds;
 }

@@ -13,12 +13,15 @@ bool nb_result_add_row(struct nb_table *table, const struct nb_model *model, int
  * NB_REQUEST_ of model.h. */
 unsigned nb_fields_requested(const struct nb_scene *scene);
 
-/* Reports the progress of a run, at most ten times a second. `progress` may be NULL. */
+/* Reports the progress of a run, at most ten times a second. `progress` may be NULL. False: the stage of a trial has had its time. */
 struct nb_reporter {
   const struct nb_progress *progress;
   double began, last_call; /* s */
+  double stage_began;      /* by nb_processor_clock */
 };
 struct nb_reporter nb_reporter_begin(const struct nb_progress *progress);
-void nb_reporter_update(struct nb_reporter *reporter, const char *stage, double fraction);
+bool nb_reporter_update(struct nb_reporter *reporter, const char *stage, double fraction);
+/* Processor time of this thread, s. */
+double nb_processor_clock(void);
 
 #endif

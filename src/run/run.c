@@ -22,24 +22,32 @@ struct run {
   unsigned long planned;      /* largest number of cycles of all stages */
 };
 
-static void report_progress(struct run *run, const struct nb_stage *stage) {
+static bool is_trial(const struct run *run) {
+  return run->reporter.progress && run->reporter.progress->stage_seconds > 0;
+}
+
+/* False: the stage of a trial has had its time. */
+static bool report_progress(struct run *run, const struct nb_stage *stage) {
   if (run->until_report-- > 0)
-    return;
-  run->until_report = 100000 / (run->model->contacts.count + 20);
-  nb_reporter_update(&run->reporter, stage->name,
-                     (double)(run->model->cycle - run->first_cycle) / (double)run->planned);
+    return true;
+  const unsigned long done = run->model->stage_cycle, most = 100000 / (run->model->contacts.count + 20);
+  run->until_report = is_trial(run) && done < most ? done : most;
+  return nb_reporter_update(&run->reporter, stage->name,
+                            (double)(run->model->cycle - run->first_cycle) / (double)run->planned);
+}
+
+bool nb_condition_met(const struct nb_condition *condition, const struct nb_model *model) {
+  const double value = nb_quantity_value(condition->quantity, model);
+  return condition->relation == NB_BELOW ? value < condition->value : value > condition->value;
 }
 
 /* Conditions are evaluated every check_interval cycles and at the last cycle of the stage. */
 static bool conditions_met(const struct nb_stage *stage, const struct nb_model *model) {
   if (model->stage_cycle % stage->check_interval != 0 && model->stage_cycle < stage->cycles)
     return false;
-  for (size_t k = 0; k < stage->condition_count; k++) {
-    const struct nb_condition *condition = &stage->conditions[k];
-    const double value = nb_quantity_value(condition->quantity, model);
-    if (!(condition->relation == NB_BELOW ? value < condition->value : value > condition->value))
+  for (size_t k = 0; k < stage->condition_count; k++)
+    if (!nb_condition_met(&stage->conditions[k], model))
       return false;
-  }
   return stage->condition_count > 0;
 }
 
@@ -106,9 +114,16 @@ static enum nb_status run_stage(struct run *run, int index, struct nb_error *err
   enum nb_status status = nb_stage_begin(run->model, stage, error);
   note_laws(run, stage);
   int outcome = CONTINUES;
-  for (; !status && outcome == CONTINUES; report_progress(run, stage))
+  const unsigned long long updates = run->model->updates;
+  run->reporter.stage_began = nb_processor_clock(), run->until_report = is_trial(run) ? 0 : run->until_report;
+  while (!status && outcome == CONTINUES) {
     status = run_cycle(run, index, &outcome, error);
-  run->result->stage_cycles[index] = run->model->stage_cycle;
+    if (!report_progress(run, stage) && !status)
+      outcome = ENDED;
+  }
+  run->result->stages[index] =
+      (struct nb_stage_cost){run->model->stage_cycle, run->model->updates - updates, run->model->step,
+                             nb_processor_clock() - run->reporter.stage_began};
   if (outcome == CONTINUES || !stage->snapshot)
     return status;
   struct nb_error snapshot_error;
@@ -124,7 +139,7 @@ static enum nb_status run_scene(struct run *run, const struct nb_options *option
   struct nb_result *result = run->result;
   struct nb_saved start = {0};
   const size_t first = scene->start.stages;
-  if (first > 0 && nb_start_obtain(&start, scene, options, run->reporter.progress, true, error)) {
+  if (first > 0 && nb_start_obtain(&start, scene, options, run->reporter.progress, !is_trial(run), error)) {
     nb_saved_free(&start);
     return error->status;
   }
@@ -182,6 +197,6 @@ void nb_result_free(struct nb_result *result) {
   for (size_t s = 0; s < result->snapshot_count; s++)
     nb_snapshot_free(&result->snapshots[s]);
   free(result->snapshots);
-  free(result->stage_cycles);
+  free(result->stages);
   *result = (struct nb_result){0};
 }

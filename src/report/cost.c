@@ -1,0 +1,239 @@
+/* What a run is expected to cost.
+ *
+ * The number of cycles of a stage is fixed by `cycles`, or by conditions on the clock alone, such as `until time above 2 ms`: these
+ * are tested here as in the run, but without cycles. Any other condition gives bounds. The cost of a cycle is measured by a trial: a
+ * run whose stages end after a few milliseconds each. It tests conditions and records rows as the run does, but later stages begin
+ * from an early state. Rows and snapshots of the trial are written to measure the cost of the tables.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <stdlib.h>
+
+#include "commands.h"
+#include "core/model.h"
+#include "core/names.h"
+#include "measure/snapshot.h"
+#include "run/restart.h"
+#include "run/result.h"
+
+static const double trial_seconds = 0.05, least_stage_seconds = 1e-3;
+
+/* ---- lengths of the stages ---- */
+
+/* The clock when a stage begins: earliest and latest. */
+struct clock {
+  double cycle[2], time[2]; /* s */
+};
+
+static bool is_clock(const struct nb_condition *condition) {
+  return condition->relation == NB_ABOVE && condition->quantity.kind->fields & NB_REQUEST_CLOCK;
+}
+
+/* The cycle of the stage in which its conditions on the clock hold for the first time when they are tested; its largest number of
+ * cycles + 1: in none. */
+static unsigned long first_cycle(struct nb_model *model, const struct nb_stage *stage, const struct clock *begin,
+                                 int which, double step) {
+  const unsigned long most = stage->cycles, every = stage->check_interval, tests = (most - 1) / every + 1;
+  unsigned long from = 1, to = tests + 1;
+  while (from < to) {
+    const unsigned long middle = from + (to - from) / 2, n = middle < tests ? middle * every : most;
+    bool met = true;
+    model->cycle = (unsigned long)begin->cycle[which] + n;
+    model->time = begin->time[which] + (double)n * step;
+    for (size_t k = 0; k < stage->condition_count; k++)
+      met = met && (!is_clock(&stage->conditions[k]) || nb_condition_met(&stage->conditions[k], model));
+    if (met)
+      to = middle;
+    else
+      from = middle + 1;
+  }
+  return from < tests ? from * every : from == tests ? most : most + 1;
+}
+
+/* Whether the step is what it will be when the stage begins: it does not depend on the state of the particles, or the stage is the
+ * first one. */
+static bool step_is_known(const struct nb_scene *scene, size_t index) {
+  const enum nb_step_kind kind = scene->stages[index].step.kind;
+  bool changes = false;
+  for (size_t s = scene->start.stages; s < index; s++)
+    changes = changes || scene->stages[s].change_count > 0 || scene->stages[s].removal_count > 0;
+  return index == scene->start.stages || kind == NB_STEP_TIME ||
+         (kind != NB_STEP_STABLE && kind != NB_STEP_COLLISION && !changes);
+}
+
+/* Sets the lengths of the stages with the steps of the trial. The clock of the model is changed. */
+static void find_lengths(struct nb_cost *cost, const struct nb_scene *scene, struct nb_model *model,
+                         const struct nb_result *trial) {
+  struct clock now = {{(double)model->cycle, (double)model->cycle}, {model->time, model->time}};
+  double step = model->step;
+  bool about = false;
+  for (size_t s = scene->start.stages; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    struct nb_length *length = &cost->lengths[s];
+    bool decided = true, clock = false;
+    step = trial->stages && trial->stages[s].step > 0 ? trial->stages[s].step : step;
+    about = about || !step_is_known(scene, s);
+    for (size_t k = 0; k < stage->condition_count; k++) {
+      const bool is = is_clock(&stage->conditions[k]);
+      decided = decided && is, clock = clock || is;
+    }
+    *length = (struct nb_length){{(double)stage->cycles, (double)stage->cycles}, false, false};
+    if (stage->condition_count > 0) {
+      length->cycles.from = (double)first_cycle(model, stage, &now, 1, step);
+      length->cycles.to = decided ? (double)first_cycle(model, stage, &now, 0, step) : length->cycles.to;
+      length->about = about && clock;
+      length->endless = length->cycles.from > (double)stage->cycles;
+      length->cycles.from = fmin(length->cycles.from, (double)stage->cycles);
+      length->cycles.to = fmin(length->cycles.to, (double)stage->cycles);
+    }
+    now.cycle[0] += length->cycles.from, now.cycle[1] += length->cycles.to;
+    now.time[0] += length->cycles.from * step, now.time[1] += length->cycles.to * step;
+  }
+}
+
+/* ---- the trial ---- */
+
+/* Seconds to write one row of the table; *snapshots: to write all snapshots. */
+static double time_tables(const struct nb_page_run *trial, double *snapshots) {
+  FILE *out = fopen("/dev/null", "w");
+  const struct nb_table *table;
+  const char *name;
+  if (!out)
+    return 0;
+  const double began = nb_processor_clock();
+  nb_table_write_run(out, trial);
+  const double rows = nb_processor_clock() - began;
+  for (size_t k = 0; k < trial->result.snapshot_count; k++)
+    for (int part = 0; nb_snapshot_part(&trial->result.snapshots[k], part, &name, &table); part++)
+      nb_table_write(out, table);
+  fclose(out);
+  *snapshots = nb_processor_clock() - began - rows;
+  return trial->result.table.row_count ? rows / (double)trial->result.table.row_count : 0;
+}
+
+static void add(struct nb_bounds *sum, struct nb_bounds range, double factor) {
+  sum->from += range.from * factor, sum->to += range.to * factor;
+}
+
+/* Sums over the stages. A stage that the trial did not reach costs as much per cycle as the one before. */
+static void add_stages(struct nb_cost *cost, const struct nb_scene *scene, const struct nb_result *trial,
+                       double row_seconds) {
+  struct nb_stage_cost one = {0};
+  for (size_t s = scene->start.stages; s < scene->stage_count; s++) {
+    const struct nb_bounds cycles = cost->lengths[s].cycles;
+    const double every = (double)scene->stages[s].record_interval;
+    if (trial->stages && trial->stages[s].cycles > 0 && trial->stages[s].seconds > 0)
+      one = trial->stages[s];
+    const double n = one.cycles ? (double)one.cycles : 1;
+    add(&cost->cycles, cycles, 1);
+    add(&cost->updates, cycles, (double)one.updates / n);
+    add(&cost->seconds, cycles, one.seconds / n + (every > 0 ? row_seconds / every : 0));
+    add(&cost->measured, cycles, one.seconds / n);
+  }
+}
+
+enum nb_status nb_cost_expect(struct nb_cost *cost, const struct nb_page_run *run, struct nb_model *model,
+                              const struct nb_options *options, struct nb_error *error) {
+  const struct nb_scene *scene = &run->scene;
+  const double stages = (double)(scene->stage_count - scene->start.stages);
+  const struct nb_progress progress = {.stage_seconds = fmax(trial_seconds / stages, least_stage_seconds)};
+  struct nb_page_run trial = *run;
+  double spent = 0, snapshots = 0, began = nb_processor_clock();
+  *cost = (struct nb_cost){.lengths = calloc(scene->stage_count, sizeof *cost->lengths)};
+  if (!cost->lengths)
+    return nb_error_memory(error);
+  trial.result = (struct nb_result){0}, trial.solution = (struct nb_solution){0};
+  *error = (struct nb_error){NB_OK, ""};
+  enum nb_status status = NB_OK;
+  if (run->expectations.reference)
+    status = nb_reference_solve(run->expectations.reference, &trial.solution, scene, error);
+  cost->seconds.from = nb_processor_clock() - began, began = nb_processor_clock();
+  if (status != NB_NO_MEMORY)
+    status = nb_run(&trial.result, scene, options, &progress, error);
+  for (size_t s = scene->start.stages; s < scene->stage_count; s++) {
+    const double n = (double)scene->stages[s].cycles;
+    spent += trial.result.stages ? trial.result.stages[s].seconds : 0;
+    cost->lengths[s] = (struct nb_length){{n, n}, false, false};
+  }
+  cost->seconds.from += nb_processor_clock() - began - spent;
+  if (model)
+    find_lengths(cost, scene, model, &trial.result);
+  const double row = trial.result.table.row_count ? time_tables(&trial, &snapshots) : 0;
+  cost->seconds.to = cost->seconds.from += snapshots;
+  add_stages(cost, scene, &trial.result, row);
+  nb_result_free(&trial.result), solution_free(&trial.solution);
+  return status == NB_NO_MEMORY ? status : NB_OK;
+}
+
+/* ---- words ---- */
+
+static void print_bounds(FILE *out, struct nb_bounds range, int digits, const char *unit) {
+  fprintf(out, "%.*g", digits, range.from);
+  if (range.to > range.from)
+    fprintf(out, " to %.*g", digits, range.to);
+  fputs(unit, out);
+}
+
+void nb_cost_print(FILE *out, const struct nb_cost *cost, const char *cycles) {
+  print_bounds(out, cost->cycles, 15, cycles);
+  print_bounds(out, cost->updates, 3, " contact updates, ");
+  print_bounds(out, cost->seconds, 3, " s");
+}
+
+void nb_cost_print_length(FILE *out, const struct nb_length *length, const struct nb_stage *stage) {
+  const int line = stage->condition_count ? stage->conditions[0].line : 0;
+  if (length->endless) {
+    fprintf(out, "does not end: line %d does not hold within %lu cycles", line, stage->cycles);
+    return;
+  }
+  fputs(length->about ? "about " : "", out);
+  print_bounds(out, length->cycles, 15, " cycles");
+  if (length->cycles.to > length->cycles.from)
+    fprintf(out, ": the condition on line %d decides", line);
+}
+
+void nb_cost_add(struct nb_cost *sum, const struct nb_cost *cost) {
+  add(&sum->cycles, cost->cycles, 1), add(&sum->updates, cost->updates, 1), add(&sum->seconds, cost->seconds, 1);
+}
+
+/* ---- after the runs ---- */
+
+/* Adds what the runs are expected to cost, without references; false: unknown. */
+static bool expect_all(struct nb_cost *sum, const struct nb_outcome *outcome, const struct nb_options *options) {
+  struct nb_error error;
+  bool known = outcome->status <= NB_FAILED;
+  for (size_t r = 0; r < outcome->run_count && known; r++) {
+    struct nb_page_run run = outcome->runs[r];
+    struct nb_model *model = nb_model_create(&run.scene, options, &error);
+    struct nb_cost cost = {0};
+    run.expectations.reference = NULL;
+    known = model && !nb_cost_expect(&cost, &run, model, options, &error);
+    nb_cost_add(sum, &cost);
+    free(cost.lengths), nb_model_free(model);
+  }
+  return known;
+}
+
+void nb_cost_print_actual(FILE *out, const struct nb_outcome *outcome, const struct nb_options *options) {
+  const struct nb_scene *scene = &outcome->runs[0].scene;
+  struct nb_cost actual = {0}, expected = {0};
+  bool until = false;
+  for (size_t r = 0; r < outcome->run_count; r++) {
+    const struct nb_result *result = &outcome->runs[r].result;
+    const double cycles = (double)result->cycles, updates = (double)result->updates;
+    add(&actual.cycles, (struct nb_bounds){cycles, cycles}, 1),
+        add(&actual.updates, (struct nb_bounds){updates, updates}, 1);
+    add(&actual.seconds, (struct nb_bounds){result->seconds, result->seconds}, 1);
+  }
+  for (size_t s = scene->start.stages; s < scene->stage_count; s++)
+    until = until || scene->stages[s].condition_count > 0;
+  nb_cost_print(out, &actual, scene->contact_test ? " steps, " : " cycles, ");
+  const double seconds = actual.seconds.to;
+  const bool is_long = seconds > 20 * trial_seconds * (double)outcome->run_count; /* the trials take little of it */
+  if (!scene->contact_test && (until || is_long) && expect_all(&expected, outcome, options)) {
+    if (expected.cycles.to > expected.cycles.from)
+      fputs("; expected ", out), print_bounds(out, expected.cycles, 15, " cycles");
+    else if (is_long && fabs(seconds - expected.measured.to) > 0.2 * expected.measured.to)
+      fputs("; expected ", out), print_bounds(out, expected.measured, 3, " s");
+  }
+  fputc('\n', out);
+}

@@ -1,0 +1,42 @@
+/* What a run is expected to cost: cost.c. And its plan: explain.c.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_COST_H
+#define NB_COST_H
+
+#include "nineball.h"
+
+struct nb_page_run;
+struct nb_outcome; /* outcome.h */
+
+struct nb_bounds {
+  double from, to;
+};
+struct nb_length {
+  struct nb_bounds cycles;
+  bool about;   /* the step of the stage depends on the state when it begins */
+  bool endless; /* its conditions do not hold within the largest number of cycles */
+};
+struct nb_cost {
+  struct nb_bounds cycles, updates; /* contact updates */
+  struct nb_bounds seconds;         /* with reference and tables, without reading and figure; */
+  struct nb_bounds measured;        /* its cycles with conditions and rows. 0: could not be measured */
+  struct nb_length *lengths;        /* for each stage; owned */
+};
+/* The model is at the beginning of the run; its clock is changed. NULL: a contact test. NB_OK with error->text if the time of a cycle
+ * cannot be measured. The caller frees cost->lengths in any case. */
+enum nb_status nb_cost_expect(struct nb_cost *cost, const struct nb_page_run *run, struct nb_model *model,
+                              const struct nb_options *options, struct nb_error *error);
+void nb_cost_add(struct nb_cost *sum, const struct nb_cost *cost);
+void nb_cost_print(FILE *out, const struct nb_cost *cost, const char *cycles); /* " cycles, " or " steps, " */
+void nb_cost_print_length(FILE *out, const struct nb_length *length, const struct nb_stage *stage);
+/* One line: what the runs of an outcome have cost, beside what was expected if a condition decides or the time differs by a fifth. */
+void nb_cost_print_actual(FILE *out, const struct nb_outcome *outcome, const struct nb_options *options);
+
+/* Prints the plan and the lines that require it, memory, the step and what limits it, stages and cost; for a contact test the contact,
+ * its laws and its segments. Adds the warnings of the plan, and the cost to `sum`. */
+enum nb_status nb_explain(FILE *out, const struct nb_scene *scene, const struct nb_page_run *run,
+                          const struct nb_options *options, struct nb_warnings *warnings, struct nb_cost *sum,
+                          struct nb_error *error);
+
+#endif
