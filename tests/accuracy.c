@@ -316,23 +316,23 @@ static void write_quantiles(FILE *out) {
 }
 
 static void write_document(FILE *out, size_t pages) {
-  fprintf(
-      out,
-      "# How far the advice can be trusted\n\n"
-      "`make accuracy` writes this document ([tests/accuracy.c](../tests/accuracy.c)). For each of %zu pages it draws "
-      "a\n"
-      "quantity of the expectations, a condition (one run of the sweep, or all runs) and a relative tolerance between\n"
-      "%g and %g %d times, and asks for advice. The true error is the largest difference, over all\n"
-      "runs and phases, from the limit of the page for small steps. [METHOD](METHOD.md#the-accuracy-of-a-step) "
-      "defines\n"
-      "the terms.\n\n",
-      pages, lowest_tolerance, highest_tolerance, DRAWS);
+  fputs("# How far the advice can be trusted\n\n"
+        "`make accuracy` writes this document ([tests/accuracy.c](../tests/accuracy.c)). A draw is a page, a\n"
+        "quantity of its expectations, a condition (one run of the sweep, or all runs) and a relative tolerance.\n"
+        "For each draw the program is asked for advice. The true error of the advice is the largest difference,\n"
+        "over all runs and phases, from the limit of the page for small steps.\n"
+        "[METHOD](METHOD.md#the-accuracy-of-a-step) defines the terms.\n\n",
+        out);
+  fprintf(out,
+          "There are %d draws for each of %zu pages. The logarithm of the tolerance is uniform between %g and %g.\n"
+          "The search may take %g s.\n\n",
+          DRAWS, pages, lowest_tolerance, highest_tolerance, budget);
   write_kinds(out);
   fprintf(out,
-          "\nDraws without advice are those where the anchor is not known well enough, or the tolerance is not "
-          "reached. The\n"
-          "limit was not known well enough for %zu more draws, which are left out.\n",
-          unresolved);
+          "\nThere is no advice where the anchor is not known well enough, or where no setting is within the\n"
+          "tolerance. Of the other draws, the limit was not known well enough for %zu. %zu draws were refused, for\n"
+          "pages of more than fifty particles and for quantities that cannot be computed.\n",
+          unresolved, DRAWS * pages - draw_count - unresolved);
   write_quantiles(out);
   fputs("\nThe same draws with estimators that lack something:\n", out);
   write_controls(out);
