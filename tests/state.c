@@ -131,10 +131,16 @@ static void rules_of_stages_fit(void) {
   CU_ASSERT_EQUAL_FATAL(nb_saved_capture(&saved, model, &error), NB_OK);
   CU_ASSERT_EQUAL(saved.rule_count, 1);
   CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_OK);
+  it.scene.start.stages = 1;
+  struct nb_model *next = nb_model_resume(&it.scene, NULL, &saved, &error);
+  CU_ASSERT_PTR_NOT_NULL_FATAL(next);
+  CU_ASSERT(next->properties.rule_count == 1 && next->properties.rules[0].friction == 0.1);
+  CU_ASSERT(isnan(next->properties.rules[0].kn) && next->material_pairs[0].values.friction == 0.1);
+  it.scene.start.stages = 0;
   saved.rule_count++;
   CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_BAD_USE);
   nb_saved_free(&saved);
-  nb_model_free(model);
+  nb_model_free(next), nb_model_free(model);
   written_free(&it);
 }
 
@@ -165,11 +171,22 @@ static void other_particles_do_not_fit(void) {
     saved.particles[1] = others[k];
     CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_BAD_USE);
   }
-  nb_saved_free(&saved);
-  written_free(&it);
+  saved.particles[1] = was;
+  saved.particles[1].mobility = NB_REMOVED; /* allowed only if the page removes particles */
+  CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_BAD_USE);
+  it.scene.stages[1].removal_count = 1;
+  CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_OK);
+  it.scene.stages[1].removal_count = 0, saved.particles[1] = was;
+  struct written fewer;
+  struct nb_saved of_fewer;
+  capture(&of_fewer, &fewer, "material m density 1 kn 100\nmaterial n density 1 kn 100\ndisc 0 0 radius 1 m\n");
+  CU_ASSERT_EQUAL(nb_saved_fits(&saved, &fewer.scene, "a", &error), NB_BAD_USE);
+  CU_ASSERT_EQUAL(nb_saved_fits(&of_fewer, &it.scene, "a", &error), NB_BAD_USE);
+  nb_saved_free(&of_fewer), nb_saved_free(&saved);
+  written_free(&fewer), written_free(&it);
 }
 
-/* A state is refused if a material or a wall has another name, or if a wall is missing. */
+/* A state is refused if a material or a wall has another name, or if a wall or a material is missing. */
 static void other_names_do_not_fit(void) {
   struct written it;
   struct nb_saved saved;
@@ -186,8 +203,63 @@ static void other_names_do_not_fit(void) {
   }
   saved.wall_count = 1;
   CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_BAD_USE);
-  saved.wall_count = 2;
+  saved.wall_count = 2, saved.material_count = 1;
+  CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_BAD_USE);
+  saved.material_count = 2;
   CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_OK);
+  nb_saved_free(&saved);
+  written_free(&it);
+}
+
+static void refused(const struct nb_saved *saved, const struct written *it, const char *text) {
+  struct nb_error error;
+  CU_ASSERT_EQUAL(nb_saved_fits(saved, &it->scene, "a", &error), NB_BAD_USE);
+  CU_ASSERT_STRING_EQUAL(error.text, text);
+}
+
+/* A state is refused if its normal law, its shear law or its memory size is not that of the page at the end of the saved
+ * stage. */
+static void other_laws_do_not_fit(void) {
+  struct written it;
+  struct nb_saved saved;
+  struct nb_error error;
+  capture(&saved, &it,
+          "material m density 1 young 100 poisson 0.2 friction 0.5\nnormal hertz\nshear mindlin_deresiewicz memory 5\n"
+          "sphere 0 0 radius 1 m\n");
+  strcpy(saved.normal, "hertz_increment");
+  refused(&saved, &it, "a: expected the laws of the page, found normal hertz_increment and shear mindlin_deresiewicz");
+  strcpy(saved.normal, "hertz"), strcpy(saved.shear, "mindlin");
+  refused(&saved, &it, "a: expected the laws of the page, found normal hertz and shear mindlin");
+  strcpy(saved.shear, "mindlin_deresiewicz"), saved.pieces = 6;
+  refused(&saved, &it, "a: expected the laws of the page, found normal hertz and shear mindlin_deresiewicz");
+  saved.pieces = 5;
+  strcpy(it.scene.stages[0].laws.shear, "randall");
+  CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_OK); /* no stage has run */
+  it.scene.start.stages = 1;
+  refused(&saved, &it, "a: expected the laws of the page, found normal hertz and shear mindlin_deresiewicz");
+  it.scene.start.stages = 0;
+  nb_saved_free(&saved);
+  written_free(&it);
+}
+
+/* The message has the numbers of particles, walls and materials of the page. A state with an impact does not fit a page without one. */
+static void messages_about_states(void) {
+  struct written it;
+  struct nb_saved saved;
+  capture(&saved, &it,
+          "material m density 1 kn 100\nmaterial n density 1 kn 100\ndisc 0 5 radius 1 m\ndisc 4 5 radius 1 m\n"
+          "disc 8 5 radius 1 m\nwall w -1 0 to 1 0 n\n");
+  saved.particle_count--;
+  refused(&saved, &it,
+          "a: expected the state of 3 particles, 1 walls and 2 materials as the page has them, found another one");
+  saved.particle_count++, saved.walls[0].name[0] = 'x';
+  refused(&saved, &it,
+          "a: expected the state of 3 particles, 1 walls and 2 materials of the page's names, found another one");
+  saved.walls[0].name[0] = 'w', saved.impact.is = true;
+  refused(&saved, &it, "a: expected the state of a page without `impact`, found one with");
+  saved.impact.is = false, it.scene.impact.line = 1;
+  refused(&saved, &it, "a: expected the state of a page with `impact`, found one without");
+  it.scene.impact.line = 0;
   nb_saved_free(&saved);
   written_free(&it);
 }
@@ -209,6 +281,10 @@ static void contacts_that_are_apart_do_not_fit(void) {
     CU_ASSERT_EQUAL(error.status, NB_BAD_USE);
     CU_ASSERT(strstr(error.text, ends[wall]) != NULL);
   }
+  saved.contacts[0].wall = false, saved.contacts[0].b = 2, saved.contacts[0].field[NB_OVERLAP] = 0; /* ended */
+  struct nb_model *model = nb_model_resume(&it.scene, &(struct nb_options){.threads = 1}, &saved, &error);
+  CU_ASSERT_PTR_NOT_NULL(model);
+  nb_model_free(model);
   nb_saved_free(&saved);
   it.scene.start.stages = 0;
   written_free(&it);
@@ -304,6 +380,8 @@ void suite_state(void) {
   CU_add_test(suite, "pair rules of stages fit", rules_of_stages_fit);
   CU_add_test(suite, "other particles do not fit", other_particles_do_not_fit);
   CU_add_test(suite, "other names do not fit", other_names_do_not_fit);
+  CU_add_test(suite, "other laws do not fit", other_laws_do_not_fit);
+  CU_add_test(suite, "messages about states that do not fit", messages_about_states);
   CU_add_test(suite, "contacts that are apart do not fit", contacts_that_are_apart_do_not_fit);
   CU_add_test(suite, "total forces without dashpots", contact_forces_without_dashpots);
   CU_add_test(suite, "contacts of the last step continue", contacts_of_the_last_step_continue);

@@ -86,7 +86,7 @@ static void every_mistake(void) {
       {"gravity ", "gravity x ", "a.state:10:9: expected a number, found `x`"},
       {"gravity ", "gravity inf ", "a.state:10:9: expected a finite number, found `inf`"},
       {"law normal hertz_increment", "law normal glue", "a.state:11:12: expected a law of this program, found `glue`"},
-      {"cycle 20 20", "cycle 20 21", "a.state:7:10: expected a whole number from 0 to 20, found `21`"},
+      {"cycle 20 20", "cycle 20 21", "a.state:7:10: expected a whole number from 1 to 20, found `21`"},
       {"cycle 20 20", "cycle 20", "a.state:7:9: expected a whole number, found the end of the line"},
       {"pair m m", "pair m n", "a.state:14:8: expected the name of a material that stands above, found `n`"},
       {"body 2", "body 3", "a.state:16:6: expected a whole number from 2 to 2, found `3`"},
@@ -121,6 +121,11 @@ static void every_mistake(void) {
       {"law shear mindlin 0", "law shear glue 0", "expected a law of this program, found `glue`"},
       {"material m ", "material 3m ", "expected the name of a material, found `3m`"},
       {"wall w m ", "wall w! m ", "expected the name of a wall, found `w!`"},
+      {"body 1",
+       "material a 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0\n"
+       "material a 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0\nbody 1",
+       "expected the name of a material, each once, found `a`"},
+      {"law shear mindlin 0", "law shear mindlin 257", "expected a whole number from 0 to 256, found `257`"},
       {"body 1", "members 1\nbody 1", "expected a whole number from 1 to 0, found `1`"},
       {"\nfields ", "\nsetting ", "expected a record `fields` before the first contact"},
   };

@@ -29,8 +29,8 @@ static const struct {
     {state_plain, "program", "t"},
     {state_plain, "hash", "w"},
     {state_plain, "stage", "t"},
-    {state_plain, "cycle", "cc"},
-    {state_plain, "time", "np"},
+    {state_plain, "cycle", "oo"},
+    {state_plain, "time", "pp"},
     {state_plain, "units", "w"},
     {state_plain, "gravity", "ff"},
     {state_plain, "law normal", "w"},
@@ -67,8 +67,9 @@ static const struct {
     {'m', {"", "x", "-inf", "nan", "-0x1p+0"}},                                         /* 0 or more, or none */
     {'y', {"", "x", "-", "-inf", "nan", "-0x1p+0"}},                                    /* E */
     {'v', {"", "x", "-", "inf", "nan", "-0x1p+0", "0x1.00001p-1"}},                     /* Poisson's ratio */
-    {'u', {"", "x", "-", "inf", "nan", "0x1.00001p+0"}},                                /* of a unit vector */
+    {'u', {"", "x", "-", "inf", "nan", "0x1.0000001p+0"}},                              /* of a unit vector */
     {'c', {"", "x", "-", "-1", "+1", "1x", "1000000000001", "99999999999999999999"}},   /* a whole number */
+    {'o', {"", "x", "-", "-1", "+1", "1x", "0", "1000000000001"}},                      /* a number of cycles */
     {'k', {"", "x", "-", "-1", "+1", "1x", "0", "4000000000", "99999999999999999999"}}, /* from 1 on */
 };
 
@@ -133,6 +134,29 @@ static void every_field(void) {
       refused(text, size, at, length, word, false);
       at += length;
     }
+    free(text);
+  }
+}
+
+/* The largest and the smallest numbers that fields accept. */
+static void fields_at_their_limits(void) {
+  static const struct {
+    const char *page, *record, *by;
+  } rows[] = {
+      {impact, "impact", "impact 0x0p+0"}, /* before the first contact */
+      {state_plain, "law shear", "law shear mindlin 256"},
+      {state_plain, "cycle", "cycle 1000000000000 1"},
+      {state_plain, "cycle", "cycle 1000000000000 1000000000000"},
+      {state_plain, "wall",
+       "wall w m 0x0p+0 0x0p+0 0x1.00000004p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0"},
+  };
+  for (size_t r = 0; r < sizeof rows / sizeof *rows; r++) {
+    size_t size;
+    char *text = state_of(rows[r].page, &size), *end, *at = line_of(text, rows[r].record, &end);
+    const struct nb_error error = read_changed(text, size, at, end, rows[r].by);
+    if (error.status)
+      printf("# %s: %s\n", rows[r].by, error.text);
+    CU_ASSERT_EQUAL(error.status, NB_OK);
     free(text);
   }
 }
@@ -214,6 +238,7 @@ static void at_most(void) {
 void suite_state_records(void) {
   CU_pSuite suite = CU_add_suite("state_records", NULL, NULL);
   CU_add_test(suite, "invalid fields are refused at their place", every_field);
+  CU_add_test(suite, "fields at their limits", fields_at_their_limits);
   CU_add_test(suite, "missing and doubled records", every_record);
   CU_add_test(suite, "no particle, no line end at the end", without_particles);
   CU_add_test(suite, "largest numbers of records and of numbers", at_most);

@@ -258,12 +258,12 @@ static void setting(struct stream *stream) {
 
 static void cycle(struct stream *stream) {
   struct nb_saved *saved = stream->saved;
-  saved->cycle = whole_number(stream, saved->cycle, 0, 1000000000000UL);
-  saved->stage_cycle = whole_number(stream, saved->stage_cycle, 0, saved->cycle);
+  saved->cycle = whole_number(stream, saved->cycle, 1, 1000000000000UL);
+  saved->stage_cycle = whole_number(stream, saved->stage_cycle, 1, saved->cycle);
 }
 
 static void time_and_step(struct stream *stream) {
-  number(stream, &stream->saved->time, FROM_0), number(stream, &stream->saved->step, ABOVE_0);
+  number(stream, &stream->saved->time, ABOVE_0), number(stream, &stream->saved->step, ABOVE_0);
 }
 
 static void units(struct stream *stream) {

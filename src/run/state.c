@@ -262,7 +262,7 @@ static void restore_stage(struct nb_model *model) {
   model->properties.pieces = model->laws.pieces;
   model->stage = &scene->stages[scene->start.stages - 1];
   model->damping = model->stage->damping;
-  model->stability->step_line = model->stage->step.set ? 0 : model->stage->step.line;
+  model->stability->step_line = model->stage->step.line; /* never 0: --set step applies to stages of this page */
 }
 
 void nb_saved_restore(struct nb_model *model, const struct nb_saved *saved) {
@@ -329,7 +329,7 @@ static void restore_affine(struct nb_model *model, const struct nb_saved *saved)
   affine->centre = saved->centre;
   for (int c = 0; c < NB_AFFINE_SOURCES; c++) {
     affine->requested[c] = saved->sources[c].requested;
-    affine->rate[c] = affine->base_rate[c] = saved->sources[c].rate;
+    affine->rate[c] = saved->sources[c].rate;
     affine->separate[c] = saved->sources[c].accumulated ? 0 : 1;
   }
   for (size_t k = 0; k < saved->imposed_count; k++) {
