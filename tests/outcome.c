@@ -120,32 +120,145 @@ static void units(void) {
   struct nb_outcome outcome;
   make(&outcome, "",
        "A.x at 5 ms expected 5.5 mm within 1 mm [t]\ncycle expected 10 within 0 [t]\n"
-       "cycle expected 2 of cycle at 5 cycles within 0 [t]",
+       "cycle expected 2 of cycle at 5 cycles within 0 [t]\nA.x at 2 ms below A.x at 5 ms",
        NULL);
   CU_ASSERT_EQUAL(outcome.status, NB_OK);
-  CU_ASSERT_EQUAL_FATAL(outcome.check_count, 3);
+  CU_ASSERT_EQUAL_FATAL(outcome.check_count, 4);
   CU_ASSERT_STRING_EQUAL(outcome.checks[0].message,
                          "computed 0.005 m, expected 0.0055 m, error 0.0005 m, tolerance 0.001 m");
   CU_ASSERT_STRING_EQUAL(outcome.checks[1].message, "computed 10, expected 10, error 0, tolerance 0");
   CU_ASSERT_STRING_EQUAL(outcome.checks[2].message, "computed 2, expected 2, error 0, tolerance 0");
+  CU_ASSERT_STRING_EQUAL(outcome.checks[3].message, "computed 0.002 m and 0.005 m");
   nb_outcome_free(&outcome);
 }
 
-/* Deep contacts are counted over all runs, in 9 cycles and at the start of each; the first one is named. The contact
- * is not deep in the first run, deep in the second and deeper in the third. */
-static void deep_overlaps_of_all_runs(void) {
+/* The first stage records nothing. A reported value needs rows of its own stage only. A comparison with a stage without rows
+ * fails. The message about a curve has the units of both quantities. */
+static void stages_without_rows(void) {
   struct nb_outcome outcome;
-  carry_out(
-      &outcome,
-      "units none\nsweep d 1.9 1.8 1.7\nmaterial m density 0.24 young 1 poisson 0\nnormal hertz\nsphere 0 0 radius 1 "
-      "m fixed\nsphere $d 0 radius 1 m\nstep 1e-9\nrecord cycle\nstage s\ncycles 9",
-      "cycle expected 9 within 0 [t]", NULL);
-  CU_ASSERT_EQUAL(outcome.status, NB_OK);
-  CU_ASSERT_EQUAL_FATAL(outcome.warnings.count, 1);
-  CU_ASSERT_STRING_EQUAL(outcome.warnings.list[0].text, "overlaps beyond the range of the theory of elastic spheres, "
-                                                        "in 20 contact updates; first particle 1 and particle 2, "
-                                                        "cycle 0, time 0, run d=1.8 [R89 6.4.3]");
+  carry_out(&outcome,
+            "material m density 1 kg/m3 kn 1 N/m\nwall floor -1 m 0 m to 1 m 0 m m\ndisc 0 m 5 m radius 1 m m\n"
+            "gravity 0 m/s2 -10 m/s2\nmonitor D disc 1\nmonitor C disc 1 with wall floor\nstep 1 ms\nrecord D.y time\n"
+            "stage one\nrecord none\ncycles 5\nstage two\ncycles 5",
+            "reference free_fall\nreport D.y\nD.y in one below D.y\nD.y in two above D.y in one\n"
+            "D.y versus time within 1 mm",
+            NULL);
+  CU_ASSERT_EQUAL(outcome.status, NB_FAILED);
+  CU_ASSERT_EQUAL_FATAL(outcome.check_count, 4);
+  CU_ASSERT_EQUAL(outcome.checks[0].mark, NB_NOTE);
+  CU_ASSERT_STRING_EQUAL(outcome.checks[0].message, "computed 4.9995 m");
+  for (int k = 1; k < 3; k++) {
+    CU_ASSERT_EQUAL(outcome.checks[k].mark, NB_FAIL);
+    CU_ASSERT_STRING_EQUAL(outcome.checks[k].message, "`D.y in one` cannot be formed: no row was recorded there");
+  }
+  CU_ASSERT_EQUAL(outcome.checks[3].mark, NB_PASS);
+  const char *end = strstr(outcome.checks[3].message, "; the worst of 5 rows, at time = 0.0");
+  CU_ASSERT(end && strcmp(end + strlen(end) - 2, " s") == 0);
   nb_outcome_free(&outcome);
+}
+
+/* Deep contacts are counted over all runs, in 9 cycles and at the start of each. The first one is named, with its run if
+ * there are several runs. At a distance of 1.9 the contact is not deep. */
+static void deep_overlaps_of_all_runs(void) {
+  static const struct {
+    const char *distances, *where;
+    int updates; /* 0: no warning */
+  } rows[] = {{"sweep d 1.9 1.8 1.7", ", run d=1.8", 20},
+              {"sweep d 1.7 1.9 1.8", ", run d=1.7", 20},
+              {"sweep d 1.9 1.95 1.7", ", run d=1.7", 10},
+              {"let d = 1.7", "", 10},
+              {"let d = 1.9", NULL, 0}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    char scene[512], expected[256];
+    struct nb_outcome outcome;
+    snprintf(scene, sizeof scene,
+             "units none\n%s\nmaterial m density 0.24 young 1 poisson 0\nnormal hertz\nsphere 0 0 radius 1 m fixed\n"
+             "sphere $d 0 radius 1 m\nstep 1e-9\nrecord cycle\nstage s\ncycles 9",
+             rows[k].distances);
+    carry_out(&outcome, scene, "cycle expected 9 within 0 [t]", NULL);
+    CU_ASSERT_EQUAL(outcome.status, NB_OK);
+    CU_ASSERT_EQUAL_FATAL(outcome.warnings.count, rows[k].where ? 1 : 0);
+    snprintf(expected, sizeof expected,
+             "overlaps beyond the range of the theory of elastic spheres, in %d contact updates; first particle 1 and "
+             "particle 2, cycle 0, time 0%s [R89 6.4.3]",
+             rows[k].updates, rows[k].where ? rows[k].where : "");
+    if (rows[k].where)
+      CU_ASSERT_STRING_EQUAL(outcome.warnings.list[0].text, expected);
+    nb_outcome_free(&outcome);
+  }
+}
+
+/* The error of a run has the line of its particle, and the name of the run if there are several. No run is started after it. */
+static void error_of_a_run(void) {
+  static const struct {
+    const char *distances, *run;
+    int line;
+    size_t failed;
+  } rows[] = {{"sweep d 0.1 1.9 1.8\n", " (run d=0.1)", 6, 0},
+              {"sweep d 1.9 0.1 1.8\n", " (run d=0.1)", 6, 1},
+              {"sweep d 1.9 1.8 0.1\n\n", " (run d=0.1)", 7, 2},
+              {"let d = 0.1\n", "", 6, 0}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct nb_outcome outcome;
+    char scene[256], expected[256];
+    snprintf(scene, sizeof scene,
+             "units none\n%smaterial m density 1 kn 1\ndisc 0 0 radius 1 m\ndisc $d 0 radius 1 m\nstep 0.001\n"
+             "record cycle\nstage one\ncycles 5",
+             rows[k].distances);
+    carry_out(&outcome, scene, "cycle expected 5 within 0 [t]", NULL);
+    snprintf(
+        expected, sizeof expected,
+        "particle 2 overlaps particle 1 (line %d) by 1.9. Expected at most the smaller radius, 1: move them apart, "
+        "or make them smaller%s",
+        rows[k].line - 1, rows[k].run);
+    CU_ASSERT_EQUAL(outcome.status, NB_BAD_USE);
+    CU_ASSERT_STRING_EQUAL(outcome.error.text, expected);
+    CU_ASSERT_EQUAL(outcome.error.line, rows[k].line);
+    for (size_t r = 0; r < outcome.run_count; r++)
+      CU_ASSERT_EQUAL(outcome.runs[r].done, r <= rows[k].failed ? 1 : 0);
+    nb_outcome_free(&outcome);
+  }
+}
+
+/* A mistake that every run would report is reported once. A reference that does not cover the scene ends the run. */
+static void mistakes_of_all_runs(void) {
+  static const char scene[] =
+      "sweep v 1 2\nmaterial m density 1 kg/m3 kn 1 N/m\ndisc 0 m 0 m radius 1 m %s velocity $v "
+      "m/s 0 m/s\nmonitor D disc 1\nstep 1 ms\nrecord D.x\nstage one\ncycles 5";
+  for (int wrong = 0; wrong < 2; wrong++) {
+    struct nb_outcome outcome;
+    char text[512];
+    snprintf(text, sizeof text, scene, wrong ? "n" : "m");
+    carry_out(&outcome, text, "reference free_fall\nD.x within 1 mm", NULL);
+    CU_ASSERT_EQUAL(outcome.status, NB_BAD_USE);
+    CU_ASSERT_EQUAL(outcome.mistakes.total, wrong);
+    CU_ASSERT_EQUAL(outcome.run_count, wrong ? 1 : 2);
+    if (!wrong)
+      CU_ASSERT_STRING_EQUAL(outcome.error.text,
+                             "the reference `free_fall` does not cover `velocity` (line 4) (run v=1)");
+    nb_outcome_free(&outcome);
+  }
+}
+
+/* The outcome has the warnings of all runs, about the page and about the motion, each once. */
+static void warnings_of_all_runs(void) {
+  static const char *const places[] = {"sweep x 1e13 0 0.5\n", "sweep x 0 1e13 0.5\n", "sweep x 0 0.5 1e13\n",
+                                       "let x = 1e13\n"};
+  for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
+    struct nb_outcome outcome;
+    char scene[256];
+    snprintf(scene, sizeof scene,
+             "units none\n%smaterial m density 1 kn 1 friction 0.5\ndisc $x 0 radius 1 m\ndisc $x 9 radius 1 m\n"
+             "step 0.001\n"
+             "record cycle\nstage one\ncycles 5",
+             places[k]);
+    carry_out(&outcome, scene, "cycle expected 5 within 0 [t]", NULL);
+    CU_ASSERT_EQUAL(outcome.status, NB_OK);
+    CU_ASSERT_EQUAL_FATAL(outcome.warnings.count, 2);
+    CU_ASSERT_PTR_NOT_NULL(strstr(outcome.warnings.list[0].text, "friction between `m` and `m` has no effect"));
+    CU_ASSERT_PTR_NOT_NULL(strstr(outcome.warnings.list[1].text, "particle 1: its coordinate 1e+13"));
+    nb_outcome_free(&outcome);
+  }
 }
 
 void suite_outcome(void) {
@@ -153,5 +266,9 @@ void suite_outcome(void) {
   CU_add_test(suite, "progress and notes of several runs", progress);
   CU_add_test(suite, "a note of the memory size that changes", note_of_memory_size);
   CU_add_test(suite, "units of reported values", units);
+  CU_add_test(suite, "stages without rows", stages_without_rows);
+  CU_add_test(suite, "error of a run", error_of_a_run);
+  CU_add_test(suite, "mistakes in all runs, and the error of a reference", mistakes_of_all_runs);
+  CU_add_test(suite, "warnings of all runs", warnings_of_all_runs);
   CU_add_test(suite, "deep contacts of all runs together", deep_overlaps_of_all_runs);
 }

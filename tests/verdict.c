@@ -94,6 +94,13 @@ static void below_and_above(void) {
   planted_one("A.x above A.y", NULL, 0, 2, (double[]){0, 2 + 1e-12}, NB_PASS, "and 2");
   planted_one("A.x above A.y", NULL, 0, 2, (double[]){0, two}, NB_FAIL, "computed 2 and 2");
   planted_one("A.x above A.y", NULL, 0, 2, (double[]){0, 2 - 1e-12}, NB_FAIL, "and 2");
+  /* Both numbers have enough digits for the difference, 17 at most. */
+  planted_one("A.x below A.y", NULL, 0, 2, (double[]){0, 2 - 1e-9}, NB_PASS, "computed 1.999999999 and 2");
+  planted_one("A.x above A.y", NULL, 0, 2, (double[]){0, 2 + 1e-9}, NB_PASS, "computed 2.000000001 and 2");
+  planted_one("A.y above A.x", NULL, 0, 2, (double[]){0, 2 - 1e-9}, NB_PASS, "computed 2 and 1.999999999");
+  planted_one("A.y above A.x", NULL, 0, 2, (double[]){0, nextafter(2, 3)}, NB_FAIL,
+              "computed 2 and 2.0000000000000004");
+  planted_one("A.y above A.x", NULL, 0, 2, (double[]){0, 2.0 / 3}, NB_PASS, "computed 2 and 0.666667");
 }
 
 static void versus(void) {
@@ -194,6 +201,10 @@ static void words(void) {
               "computed 9, expected 8, error 1, tolerance 2");
   planted_one("A.x within 0", "A.x", 1, 1, (double[]){1.000000002}, NB_FAIL, /* enough digits to see the difference */
               "computed 1.000000002, reference 1, error 2e-09");
+  planted_one("A.x within 0", "A.x", -1, 1, (double[]){-1.0000000012}, NB_FAIL, /* two digits of the difference */
+              "computed -1.0000000012, reference -1, error 1.2e-09");
+  planted_one("A.x within 0", "A.x", 1.0000000012, 1, (double[]){1}, NB_FAIL,
+              "computed 1, reference 1.0000000012, error 1.2e-09");
   planted_one("report A.x", NULL, 0, 1, (double[]){9}, NB_NOTE, "computed 9");
   planted_one("report A.x", NULL, 0, 1, (double[]){NAN}, NB_FAIL, "cannot be formed");
   planted_one("A.x within 1 of A.vx", "A.x", 8, 1, (double[]){9}, NB_PASS, "error 25 %, tolerance 100 % of A.vx");

@@ -38,6 +38,11 @@ static void trends(void) {
       {"let a = 1\nsweep v 1 2\nlet b = v", "A.x increases with v", {1, 2}, NB_PASS, "computed 1 at v = 1, 2 at 2"},
       {"sweep v one two", "A.x increases with v", {1, 2}, NB_PASS, "computed 1 at v = one, 2 at two"},
       {"sweep v 1 2 3", "A.x increases with v", {1, NAN, 3}, NB_FAIL, "it is nan"},
+      {"sweep v with w  1 p  1 q  2 p", /* equal values keep the order of the runs */
+       "A.x increases with v",
+       {5, 4, 6},
+       NB_FAIL,
+       "computed 5 at v = 1, 4 at 1, 6 at 2"},
       {"sweep v 1 2 3", "A.x decreases with v", {3, 2, -INFINITY}, NB_FAIL, "it is -inf"},
   };
   planted_sweeps(list, COUNT(list));
