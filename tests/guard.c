@@ -214,6 +214,26 @@ static void friction_without_effect(void) {
       {"material m density 1 kn 1 ks 1 friction 0.5\nshear linear\ndisc 0 0 radius 1 m\ndisc 3 0 radius 1 m", NULL},
       {"material m density 1 kn 1 ks 0 friction 0.5\nshear linear\ndisc 0 0 radius 1 m\ndisc 3 0 radius 1 m",
        "has no effect: their shear stiffness `ks` is 0"},
+      {"material m density 1 kn 1 ks 1 friction 0.5\ndisc 0 0 radius 1 m\ndisc 3 0 radius 1 m",
+       "3: friction between `m` and `m` has no effect: there is no `shear` law"},
+      {"material m density 1 kn 1 ks 1 friction 0.5\nshear linear\nmaterial n density 1 kn 1 friction 0.5\n"
+       "disc 0 0 radius 1 m\ndisc 3 0 radius 1 m\ndisc 6 0 radius 1 n",
+       "3: friction between `m` and `n` has no effect: their shear stiffness `ks` is 0\n"}, /* the smaller one */
+      {"material m density 1 kn 1\nmaterial n density 1 kn 1\npair n m friction 0.5\ndisc 0 0 radius 1 m\n"
+       "wall w -9 -9 to 9 -9 n",
+       "5: friction between `m` and `n`"},
+      {"material m density 1 kn 1 friction 0.5\nmaterial n density 1 kn 1 friction 0.5\ndisc 0 0 radius 1 n\n"
+       "wall w -9 -9 to 9 -9 m",
+       "4: friction between `n` and `m`"},
+      {"material m density 1 kn 1\nmaterial n density 1 kn 1\npair m m friction 0\npair m n friction 0.5\n"
+       "disc 0 0 radius 1 m\ndisc 3 0 radius 1 m\ndisc 6 0 radius 1 n",
+       "6: friction between `m` and `n`"},
+      {"material m density 1 kn 1 friction 0.5\ndisc 0 0 radius 1 m\ndisc 3 0 radius 1 m\nstep 1e-7\nstage a\n"
+       "material m friction 0\ncycles 1", /* never used */
+       "3: friction between `m` and `m`"},
+      {"material m density 1 kn 1\nmaterial n density 1 kn 1 friction 0.5\ndisc 0 0 radius 1 m\n"
+       "wall v -9 -9 to 9 -9 n\nwall w -9 9 to 9 9 n", /* walls do not touch walls */
+       NULL},
       {"material m density 1 kn 1\npair m m friction 0.5\ndisc 0 0 radius 1 m\ndisc 3 0 radius 1 m",
        "4: friction between"},
       {"material m density 1 young 1 poisson 0.3 friction 0.5\nnormal hertz\nshear mindlin\nsphere 0 0 radius 1 "
@@ -229,6 +249,7 @@ static void friction_without_effect(void) {
     const char *wanted = cases[k].words;
     warned(text, cases[k].statements);
     CU_ASSERT(wanted ? strstr(text, wanted) != NULL : !text[0]);
+    CU_ASSERT(!wanted || strchr(text, '\n')[1] == 0); /* once for each pair */
     if (wanted ? !strstr(text, wanted) : text[0])
       printf("# %s: %s\n", cases[k].statements, text);
   }

@@ -45,6 +45,15 @@ static void a_scene_has_what_it_uses(void) {
       {DISC "record step.fracc\nstage a\ncycles 4\n", "3 stability check, 4 FRACC"},
       {SPHERES "record cycle\nstage a\ncycles 4\n",
        "3 stability check, 4 stability check of stiffening contacts, 4 count of deep overlaps"},
+      {"units none\nmaterial m density 1 young 100\nnormal hertz\nstep 1e-3\nsphere 4 4 radius 1 m\n"
+       "sphere 6 4 radius 1 m\nrecord cycle\nstage a\ncycles 4\n",
+       "3 stability check, 4 stability check of stiffening contacts, 4 count of deep overlaps"},
+      {"units none\nmaterial m density 1 young 100 ks 1\nnormal hertz\nshear linear\nstep 1e-3\nsphere 4 4 radius 1 m\n"
+       "sphere 6 4 radius 1 m\nrecord cycle\nstage a\ncycles 4\n",
+       "3 stability check, 4 count of deep overlaps"},
+      {"units none\nmaterial m density 1 young 100\nnormal hertz_increment\nstep 1e-3\nsphere 4 4 radius 1 m\n"
+       "sphere 6 4 radius 1 m\nrecord cycle\nstage a\ncycles 4\n",
+       "3 stability check, 4 count of deep overlaps"},
       {DISC "record D.x\nbox 0 0 to 8 8 m\nstage a\nbox strain 0.1 0.1\ncycles 4\n",
        "0 walls of the box follow its strain rate, 0 affine motion, 3 stability check"},
       {DISC "record D.x\nstage a\naffine strain 0.1 0.1\ncycles 4\n", "0 affine motion, 3 stability check"},
@@ -92,8 +101,78 @@ static void hooks_end_with_their_work(void) {
   written_free(&it);
 }
 
+/* The passes of every material pair, in their order, each with the line of the page that requires it. */
+static void list_passes(char *text, size_t size, const struct nb_model *model) {
+  text[0] = 0;
+  for (size_t p = 0; p < model->material_pair_count; p++) {
+    const struct nb_material_pair *pair = &model->material_pairs[p];
+    size_t length = strlen(text);
+    snprintf(text + length, size - length, "%s%d-%s%d:", p ? "; " : "", pair->a, pair->wall ? "wall " : "", pair->b);
+    for (int k = 0; k < pair->pass_count; k++) {
+      length = strlen(text);
+      snprintf(text + length, size - length, "%s %s %d", k ? "," : "", pair->passes[k].name, pair->passes[k].line);
+    }
+  }
+}
+
+static void passes_and_their_lines(void) {
+  static const struct {
+    const char *scene, *passes;
+  } rows[] = {
+      {DISC "cell 0 0 to 9 9\nrecord cycle\nstage a\ncycles 4\n",
+       "0-0: disc-image, overlap 7, normal linear 0, resolve, normal 0"},
+      {DISC "wall v 0 0 to 9 0 m\nwall w 9 0 to 9 9 m\nrecord cycle\nstage a\ncycles 4\n",
+       "0-0: disc-disc, overlap 0, normal linear 0, resolve, normal 0; 0-wall 0: disc-wall, overlap 0, single contact "
+       "at wall vertices 0, normal linear 0, resolve, normal 0"},
+      {SPHERES "record cycle\ndamping ratio 0.1\nwall w 9 0 to 9 9 m\nstage a\ncycles 4\n",
+       "0-0: disc-disc, overlap and both increments 0, normal hertz 4, shear mindlin 5, large overlaps 0, dashpots, "
+       "damping ratio 10, resolve, normal and shear 0; 0-wall 0: disc-wall, overlap and both increments 0, normal "
+       "hertz 4, shear mindlin 5, large overlaps 0, dashpots, damping ratio 10, resolve, normal and shear 0"},
+      {SPHERES "record cycle\nstage a\ncycles 4\nstage b\ndamping critical beyond overlap 0.1\ncycles 4\n",
+       "0-0: disc-disc, overlap and both increments 0, normal hertz 4, shear mindlin 5, large overlaps 13, dashpots, "
+       "critical beyond overlap 13, resolve, normal and shear 0"},
+      {SPHERES "record cycle\nstage a\ndamping critical beyond overlap 0.1\ncycles 4\n",
+       "0-0: disc-disc, overlap and both increments 0, normal hertz 4, shear mindlin 5, large overlaps 11, dashpots, "
+       "critical "
+       "beyond overlap 11, resolve, normal and shear 0"},
+      {DISC "damping ratio 0.1\nrecord cycle\nstage a\ncycles 4\nstage b\ndamping stiffness 0.1\ncycles 4\n",
+       "0-0: disc-disc, overlap and normal increment 0, normal linear 0, dashpots, damping ratio 7, resolve, normal 0"},
+      {DISC "record cycle\nstage a\ndamping ratio 0.1\ncycles 4\nstage b\ndamping stiffness 0.1\ncycles 4\n",
+       "0-0: disc-disc, overlap and normal increment 0, normal linear 0, dashpots, damping ratio 9, resolve, normal 0"},
+      {DISC "damping stiffness 0.1\ndamping walls ratio 0.1\nrecord cycle\nstage a\ncycles 4\n",
+       "0-0: disc-disc, overlap and normal increment 0, normal linear 0, dashpots, damping ratio 7, resolve, normal 0"},
+      {DISC "damping walls ratio 0.1\ndamping none\nrecord cycle\nstage a\ncycles 4\n",
+       "0-0: disc-disc, overlap 0, normal linear 0, resolve, normal 0"},
+      {DISC "damping ratio 0.1\ndamping walls none\nrecord cycle\nstage a\ncycles 4\n",
+       "0-0: disc-disc, overlap and normal increment 0, normal linear 0, dashpots, damping ratio 7, resolve, normal 0"},
+      {DISC "damping walls none\nrecord cycle\nstage a\ncycles 4\n",
+       "0-0: disc-disc, overlap 0, normal linear 0, resolve, normal 0"},
+      {DISC "damping mass 0.1\nrecord cycle\nstage a\ncycles 4\n",
+       "0-0: disc-disc, overlap 0, normal linear 0, resolve, normal 0"},
+      {DISC "shear linear\npair m m cohesion 2\nrecord cycle\nstage a\ncycles 4\n",
+       "0-0: disc-disc, overlap and both increments 0, normal linear 0, shear linear 7, resolve, normal and shear 0"},
+      {DISC "record cycle\nstage a\ncycles 4\nstage b\ndamping walls stiffness 0.1\ncycles 4\n",
+       "0-0: disc-disc, overlap and normal increment 0, normal linear 0, dashpots 11, resolve, normal 0"},
+  };
+  for (size_t r = 0; r < sizeof rows / sizeof *rows; r++) {
+    char text[1024];
+    struct words page = {0};
+    struct written it;
+    words_add(&page, "%s", rows[r].scene);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    list_passes(text, sizeof text, model);
+    if (strcmp(text, rows[r].passes) != 0)
+      printf("# %s\n# but expected: %s\n", text, rows[r].passes);
+    CU_ASSERT_STRING_EQUAL(text, rows[r].passes);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 void suite_hooks(void) {
   CU_pSuite suite = CU_add_suite("hooks", NULL, NULL);
   CU_add_test(suite, "a scene has what it uses", a_scene_has_what_it_uses);
   CU_add_test(suite, "hooks end with their work", hooks_end_with_their_work);
+  CU_add_test(suite, "passes of the material pairs, with their lines", passes_and_their_lines);
 }

@@ -8,7 +8,10 @@
 #include <CUnit/CUnit.h>
 #include <math.h>
 #include <stdbool.h>
+#include <string.h>
 
+#include "loading/loading.h"
+#include "run/plan.h"
 #include "suites.h"
 #include "written.h"
 
@@ -278,6 +281,84 @@ static void servo_through_a_cell(void) {
   written_free(&it);
 }
 
+/* With springs, densities and stresses multiplied by 1e-4 the motion is the same, although the bulk stiffness is below 1. */
+static void soft_springs_give_the_same_motion(void) {
+  static const double scales[] = {1, 1e-4};
+  double radius[2];
+  for (int k = 0; k < 2; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              RING "stage s\nmaterial m kn %.17g\nservo isotropic %.17g on boundary through boundary at most 1e-4 per "
+                   "cycle every 5 cycles\ncycles 400\n",
+              1000 * scales[k], 12 * scales[k]);
+    char *density = strstr(page.text, "density 2 kn 1000");
+    CU_ASSERT_PTR_NOT_NULL_FATAL(density);
+    memcpy(density, k ? "density 2e-4 kn 1" : "density 2 kn 1000", strlen("density 2 kn 1000"));
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    radius[k] = written_last(&result, "boundary.radius");
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "boundary.stress.mean"), 12 * scales[k], 0.005 * 12 * scales[k]);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+  CU_ASSERT_DOUBLE_EQUAL(radius[0], radius[1], 1e-12);
+}
+
+/* The target of a ramp begins at the measured stress. Without a ramp it is the final target from the start. */
+static void initial_targets(void) {
+  for (int ramp = 0; ramp < 2; ramp++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(&page,
+              RING "stage s\nboundary strain -1e-5 per cycle -2e-5 per cycle shear 1e-5 per cycle\ncycles 200\n"
+                   "stage r\n%sservo xx 9 yy 8 xy 1 on boundary through boundary at most 1e-4 per cycle\ncycles 100\n",
+              ramp ? "ramp " : "");
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+    written_cycles(model, 200);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[1], &error), NB_OK);
+    static const char *const parts[] = {"boundary.stress.xx", "boundary.stress.yy", "boundary.stress.xy"};
+    static const double targets[] = {9, 8, 1};
+    for (int k = 0; k < 3; k++) {
+      const double now = written_now(model, parts[k]);
+      CU_ASSERT(fabs(now) > 0.1);
+      CU_ASSERT_DOUBLE_EQUAL(model->affine->servo_state.stress[k], ramp ? now : targets[k], 1e-12 * fabs(now));
+    }
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
+/* B and T of one disc between the lower and the upper wall of a box that is wider than high, with a stiff and a soft spring.
+ * A scene without a box, a cell or a boundary has neither. */
+static void scales_of_a_box(void) {
+  static const double springs[] = {1000, 1};
+  const double pi = 3.14159265358979323846, area = 6 * 1.9;
+  for (int k = 0; k < 2; k++) {
+    struct words page = {0};
+    struct written it;
+    double b = 7, t = 7;
+    words_add(&page,
+              "units none\nmaterial m density 2 kn %g\nstep 0.001\nbox 0 0 to 6 1.9 m\ndisc 3 0.95 radius 1 m\n"
+              "record cycle\nstage s\nservo isotropic 12 on box through box at most 1e-4 per cycle\ncycles 1\n",
+              springs[k]);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT(nb_servo_scales(model, &it.scene.stages[0].servo, &b, &t));
+    const double expected = springs[k] * 2 * 0.95 * 0.95 / (4 * area);
+    CU_ASSERT_DOUBLE_EQUAL(b, expected, 1e-12 * expected);
+    CU_ASSERT_DOUBLE_EQUAL(t, sqrt(area) * sqrt(2 * pi / area / expected), 1e-12 * t);
+    CU_ASSERT_FALSE(nb_servo_scales(model, &(struct nb_servo){.every = 1}, &b, &t));
+    CU_ASSERT(b == 0 && t == 0);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 void suite_servo(void) {
   CU_pSuite suite = CU_add_suite("servo", NULL, NULL);
   CU_add_test(suite, "the stress follows the recursion to its target", stress_follows_the_recursion);
@@ -290,4 +371,7 @@ void suite_servo(void) {
   CU_add_test(suite, "components that are not controlled", components_that_are_not_controlled);
   CU_add_test(suite, "isotropic has no shear stress", isotropic_has_no_shear);
   CU_add_test(suite, "measured every tenth cycle", every_tenth_cycle);
+  CU_add_test(suite, "stiffness and travel time in a box", scales_of_a_box);
+  CU_add_test(suite, "soft springs give the same motion", soft_springs_give_the_same_motion);
+  CU_add_test(suite, "initial targets", initial_targets);
 }

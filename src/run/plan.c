@@ -87,7 +87,7 @@ static void plan_material_pair(struct nb_model *model, struct nb_material_pair *
   const struct nb_pass *geometry = geometry_pass(model, material_pair);
   const struct nb_pass *resolve = &nb_pass_resolve[material_pair->shear != NULL];
   const enum nb_isa isa = model->machine.isa;
-  add_pass(material_pair, geometry->run[isa], material_pair->wall ? 0 : scene->cell.line, "", geometry->name);
+  add_pass(material_pair, geometry->run[isa], scene->cell.line, "", geometry->name); /* a cell has no walls */
   if (material_pair->wall && model->vertices.any)
     add_pass(material_pair, nb_pass_vertices.run[isa], 0, "", nb_pass_vertices.name);
   add_pass(material_pair, normal->run[isa], model->laws.normal_line, "normal ", normal->name);
