@@ -337,14 +337,20 @@ static void any_copy_of_existing_particles(void) {
   }
 }
 
-/* A particle wider than the cell would overlap its own copy. */
+/* A particle wider or higher than the cell would overlap its own copy. */
 static void one_that_fills_the_cell(void) {
-  struct written it;
-  make(&it, CELL "grading g 15.1 1 15 1\nfill discs cell g rock seed 4 attempts 1000 else skip\n");
-  CU_ASSERT_EQUAL(it.scene.particle_count, 1);
-  CU_ASSERT_EQUAL(it.scene.gradings[0].sizes[1].placed, 1);
-  CU_ASSERT_EQUAL(it.scene.fills[0].attempts_made, 1);
-  written_free(&it);
+  static const char *const cells[] = {CELL, ROCK "cell 2 -3 to 32 47\n"};
+  for (int k = 0; k < 2; k++) {
+    struct written it;
+    char page[512];
+    snprintf(page, sizeof page, "%sgrading g 15.1 1 15 1\nfill discs cell g rock seed 4 attempts 1000000 else skip\n",
+             cells[k]);
+    make(&it, page);
+    CU_ASSERT_EQUAL(it.scene.particle_count, 1);
+    CU_ASSERT_EQUAL(it.scene.gradings[0].sizes[1].placed, 1);
+    CU_ASSERT_EQUAL(it.scene.fills[0].attempts_made, 1);
+    written_free(&it);
+  }
 }
 
 static void hexagonal(void) {
