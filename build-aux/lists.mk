@@ -333,6 +333,7 @@ SUITES = \
   tests/chains.c \
   tests/configuration.c \
   tests/speeds.c \
+  tests/advise.c \
   tests/estimate.c \
   tests/reducers.c \
   tests/verdict.c \

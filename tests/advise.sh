@@ -29,6 +29,13 @@ run 0 advise "$hertz" --set pair=equal --set h=0.04 --quantity impact.duration -
   said 'the cheapest setting within the tolerance: --set refine=' && said "to run it: nineball run $hertz"
 result $? 'advice on the duration of an impact'
 
+chosen=$(rows duration/advice.tsv | awk -F '\t' '$10 == "chosen" { print $3 }')
+before=$(rows duration/advice.tsv | awk -F '\t' -v chosen="$chosen" '$3 == chosen / 2 { print $3, 100 * $8 }')
+run 0 advise "$hertz" --set pair=equal --set h=0.04 --quantity impact.duration --within '0.05 %' --budget 0.5 -o again &&
+  grep -A 1 "the next cheaper one misses the tolerance: --set refine=${before% *}\$" "$why" |
+    awk -v claim="${before#* }" '/its claimed error: / { d = $4 / claim - 1; found = d * d < 0.01 } END { exit !found }'
+result $? 'the next cheaper setting and its error'
+
 # The largest true error of each setting over eight phases of the first touch, beside its claim.
 rows duration/advice.tsv | cut -f 3,8,10 >settings
 : >errors
@@ -51,7 +58,9 @@ result $? 'the chosen setting is within the tolerance'
 awk '{ worst[$1] = worst[$1] > $4 ? worst[$1] : $4 } $3 == "chosen" { chosen = $1 }
   END { for (r in worst) if (worst[r] <= 0.0005 && r + 0 < chosen / 2) exit 1; exit !(chosen > 0) }' errors
 result $? 'the chosen step is at most half as long as the longest one that would do'
-test -s duration/advice.svg && test -s duration/advice.png && grep -q "title 'the advice'" duration/advice.gp
+test -s duration/advice.svg && test -s duration/advice.png && grep -q '^plot \$pair0 using 5:' duration/advice.gp &&
+  grep -q "title 'the advice'" duration/advice.gp && grep -q "^     0.05 with lines .* title 'tolerance'" duration/advice.gp &&
+  test "$(sed -n '/^\$pair0 /,/^EOD/p' duration/advice.gp | grep -c '^hertz')" -eq "$(rows duration/advice.tsv | wc -l)"
 result $? 'the figure'
 rows duration/advice.tsv | awk -F '\t' '$10 == "chosen" { chosen = $5 } $10 == "within" && $5 < best { best = $5 } BEGIN { best = 1e99 }
   END { exit !(chosen > 0 && chosen <= best) }'

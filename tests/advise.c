@@ -1,0 +1,249 @@
+/* The search for advice: what it runs, and what it makes of the values. The same values are computed here from pages that
+ * have the phase, the step and the laws of a candidate as statements.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef _DEFAULT_SOURCE
+#define _DEFAULT_SOURCE /* mkstemps */
+#endif
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "../src/report/advise.h"
+#include "suites.h"
+#include "written.h"
+
+/* An oblique impact of a sphere on a fixed one. */
+#define IMPACT                                                                                                         \
+  "units none\n%smaterial soft density 1 young 1000 poisson 0.3 friction 0.5\nnormal hertz\nshear %s\n"                \
+  "sphere 0 0 radius 1 soft\nsphere 0 2 radius 1 soft fixed\nmonitor C sphere 1 with sphere 2\n"                       \
+  "impact C speed %s angle 0.4 phase %.17g\nrecord impact.psi2\nstep %.17g\n"                                          \
+  "stage a\nuntil impact.time above 1.02 at most 100000 cycles\n"
+
+/* A page in a file, removed by forget; no expect block. */
+struct page {
+  char path[64];
+};
+static struct page write_page(const char *scene) {
+  struct page page = {"/tmp/nineball-advise-XXXXXX.md"};
+  const int descriptor = mkstemps(page.path, 3);
+  CU_ASSERT_FATAL(descriptor >= 0);
+  FILE *file = fdopen(descriptor, "w");
+  CU_ASSERT_PTR_NOT_NULL_FATAL(file);
+  fprintf(file, "# A page\n\n```scene\n%s```\n", scene);
+  fclose(file);
+  return page;
+}
+
+/* The last value of a column of a scene. */
+static double value_of(const char *scene, const char *column) {
+  struct words words = {0};
+  struct written written;
+  struct nb_result result;
+  words_add(&words, "%s", scene);
+  written_scene(&written, &words);
+  written_run(&result, &written, NULL);
+  const double value = written_last(&result, column);
+  nb_result_free(&result);
+  written_free(&written);
+  return value;
+}
+
+static void impact_scene(char *text, size_t size, const char *speed, const char *shear, double phase, double step) {
+  snprintf(text, size, IMPACT, speed[0] == '$' ? "sweep v 0.3 0.6\n" : "", shear, speed, phase, step);
+}
+
+static const char *const no_settings[] = {NULL};
+static const double step_of_page = 0.02, phase_of_page = 0.3;
+
+/* Advice on the impact, at two speeds. */
+static void begin(struct nb_advice *advice, struct nb_advise_query *query, struct page *page, const char *within) {
+  char scene[2048];
+  struct nb_error error = {0};
+  impact_scene(scene, sizeof scene, "$v", "mindlin_deresiewicz", phase_of_page, step_of_page);
+  *page = write_page(scene);
+  *query = (struct nb_advise_query){page->path, no_settings, {.threads = 1, .jobs = 1}, "impact.psi2",
+                                    within,     60,          {NULL, NULL, NULL}};
+  CU_ASSERT_EQUAL_FATAL(nb_advise(advice, query, &error), NB_OK);
+  CU_ASSERT_EQUAL_FATAL(advice->runs, 2);
+  CU_ASSERT_EQUAL_FATAL(advice->phases, NB_PHASES);
+}
+
+static void finish(struct nb_advice *advice, const struct page *page) {
+  nb_advice_free(advice);
+  unlink(page->path);
+}
+
+static const char *const speeds[] = {"0.3", "0.6"};
+
+static void a_phase_of_an_impact_is_a_moment_of_first_touch(void) {
+  struct nb_advice advice;
+  struct nb_advise_query query;
+  struct page page;
+  char scene[2048];
+  begin(&advice, &query, &page, "1 %");
+  const struct nb_point *point = &advice.pairs[0].points[1 - NB_LEVEL_LOW];
+  for (size_t phase = 0; phase < NB_PHASES; phase++)
+    for (size_t r = 0; r < 2; r++) {
+      CU_ASSERT_FATAL(nb_advice_run(&advice, 0, 1, phase));
+      impact_scene(scene, sizeof scene, speeds[r], "mindlin_deresiewicz",
+                   fmod(phase_of_page + (double)phase / NB_PHASES, 1), step_of_page / 2);
+      CU_ASSERT_EQUAL(point->values[r * NB_PHASES + phase], value_of(scene, "impact.psi2"));
+    }
+  NEAR(point->step, step_of_page / 2, 1e-12);
+  finish(&advice, &page);
+}
+
+/* Anchor, tolerance, claims and distances, from the values alone. */
+static void claims_follow_from_the_values(void) {
+  struct nb_advice advice;
+  struct nb_advise_query query;
+  struct page page;
+  begin(&advice, &query, &page, "1 %");
+  const struct nb_point *own = advice.pairs[0].points;
+  double anchor[2];
+  for (size_t r = 0; r < 2; r++) {
+    const double *at = own[advice.anchor - NB_LEVEL_LOW].values + r * NB_PHASES;
+    anchor[r] = (at[0] + at[NB_PHASES / 2]) / 2;
+    NEAR(advice.allowed[r], 0.01 * fabs(anchor[r]), 1e-12);
+  }
+  CU_ASSERT(advice.setting_count > 2);
+  CU_ASSERT_FATAL(advice.chosen >= 0);
+  for (size_t k = 0; k < advice.setting_count; k++) {
+    const struct nb_setting *setting = &advice.settings[k];
+    const struct nb_point *point = nb_point_at(&advice, setting);
+    const int level = setting->level + 2 > advice.anchor ? setting->level + 2 : advice.anchor;
+    double worst = 0, step_of_worst = 0;
+    for (size_t r = 0; r < 2; r++) {
+      double at[2], before[2], step;
+      for (size_t j = 0; j < 2; j++) {
+        at[j] = own[level - NB_LEVEL_LOW].values[r * NB_PHASES + j * NB_PHASES / 2];
+        before[j] = own[level - 1 - NB_LEVEL_LOW].values[r * NB_PHASES + j * NB_PHASES / 2];
+      }
+      const double claim =
+          nb_estimate_claim(&step, point[0].values + r * NB_PHASES, point[1].values + r * NB_PHASES,
+                            point[2].values + r * NB_PHASES, NB_PHASES, nb_estimate_anchor(at, before, 2));
+      if (claim / advice.allowed[r] > worst)
+        worst = claim / advice.allowed[r], step_of_worst = step / advice.allowed[r];
+    }
+    NEAR(setting->ratio, worst, 1e-12);
+    NEAR(setting->step_ratio, step_of_worst, 1e-12);
+    if (setting->ratio <= 1)
+      CU_ASSERT(nb_point_at(&advice, &advice.settings[advice.chosen])->updates <= 1.1 * point->updates);
+  }
+  CU_ASSERT(advice.settings[advice.chosen].ratio <= 1);
+  finish(&advice, &page);
+}
+
+/* Other laws are compared with the anchor of the page at the level of its own laws. */
+static void laws_have_a_distance_from_the_anchor(void) {
+  struct nb_advice advice;
+  struct nb_advise_query query;
+  struct page page;
+  char scene[2048];
+  size_t left_out = 0;
+  begin(&advice, &query, &page, "0.01 %");
+  const struct nb_point *own = &advice.pairs[0].points[advice.anchor - NB_LEVEL_LOW];
+  for (size_t k = 1; k < advice.pair_count; k++) {
+    const struct nb_law_pair *pair = &advice.pairs[k];
+    if (!(pair->distance > 0) || strcmp(pair->normal, "hertz") != 0)
+      continue;
+    int level = NB_LEVEL_LOW;
+    while (!pair->points[level - NB_LEVEL_LOW].done)
+      level++;
+    double largest = 0;
+    for (size_t r = 0; r < 2; r++) {
+      impact_scene(scene, sizeof scene, speeds[r], pair->shear, phase_of_page, step_of_page / exp2(level));
+      const double anchor = (own->values[r * NB_PHASES] + own->values[r * NB_PHASES + NB_PHASES / 2]) / 2;
+      largest = fmax(largest, fabs(value_of(scene, "impact.psi2") - anchor) / advice.allowed[r]);
+    }
+    NEAR(pair->distance, largest, 1e-12);
+    CU_ASSERT(pair->distance > 2);
+    left_out++;
+  }
+  CU_ASSERT(left_out >= 3);
+  finish(&advice, &page);
+}
+
+/* The cost counts contacts and particles of all runs. */
+static void the_cost_is_counted(void) {
+  struct nb_advice advice;
+  struct nb_advise_query query;
+  struct page page;
+  begin(&advice, &query, &page, "1 %");
+  double updates = 0;
+  for (size_t r = 0; r < 2; r++) {
+    char scene[2048];
+    struct words words = {0};
+    struct written written;
+    struct nb_result result;
+    impact_scene(scene, sizeof scene, speeds[r], "mindlin_deresiewicz", phase_of_page, step_of_page);
+    words_add(&words, "%s", scene);
+    written_scene(&written, &words);
+    written_run(&result, &written, NULL);
+    updates += (double)result.updates + 2 * (double)result.cycles;
+    nb_result_free(&result);
+    written_free(&written);
+  }
+  CU_ASSERT(nb_advice_run(&advice, 0, 0, 0));
+  CU_ASSERT_DOUBLE_EQUAL(advice.pairs[0].points[-NB_LEVEL_LOW].updates, updates, 40); /* the last phase: a few cycles */
+  finish(&advice, &page);
+}
+
+/* Without `impact` the phases have steps that differ by up to 8 %, in every stage. */
+static void phases_of_other_pages_have_other_steps(void) {
+#define FLIGHT                                                                                                         \
+  "units none\nmaterial m density 1 kn 1000\ndisc 0 3 radius 1 m\nwall w -9 0 to 9 0 m\ngravity 0 -1\n"                \
+  "monitor D disc 1\nrecord D.y D.vy\nstep %.17g\nstage a\nuntil D.vy above 0 at most 100000 cycles\nstage b\n"        \
+  "step %.17g\nuntil D.vy below 0 at most 100000 cycles\n"
+  char text[1024];
+  struct nb_advice advice;
+  struct nb_error error = {0};
+  snprintf(text, sizeof text, FLIGHT, 0.01, 0.005);
+  const struct page page = write_page(text);
+  const struct nb_advise_query query = {page.path, no_settings, {.threads = 1, .jobs = 1}, "D.y",
+                                        "5 %",     60,          {NULL, NULL, NULL}};
+  CU_ASSERT_EQUAL_FATAL(nb_advise(&advice, &query, &error), NB_OK);
+  CU_ASSERT_EQUAL(advice.phases, NB_PHASES);
+  for (size_t phase = 0; phase < NB_PHASES; phase++) {
+    const double by = 1 + 0.08 * (double)phase / NB_PHASES;
+    snprintf(text, sizeof text, FLIGHT, 0.01 / by, 0.005 / by);
+    CU_ASSERT_FATAL(nb_advice_run(&advice, 0, 0, phase));
+    CU_ASSERT_EQUAL(advice.pairs[0].points[-NB_LEVEL_LOW].values[phase], value_of(text, "D.y"));
+  }
+  finish(&advice, &page);
+}
+
+/* Strains per cycle, or numbers of cycles, tie the page to its step. */
+static void other_pages_have_one_phase(void) {
+  static const char *const ends[] = {
+      "cycles 100\n", "box strain -1e-5 per cycle 0 per cycle\nuntil box.width below 7.99 at most 1000 cycles\n"};
+  for (size_t k = 0; k < 2; k++) {
+    char text[1024];
+    struct nb_advice advice;
+    struct nb_error error = {0};
+    snprintf(text, sizeof text,
+             "units none\nmaterial m density 3 kn 100\nbox 0 0 to 8 8 m\nlattice discs 4 by 4 from 1 1 radius 1 "
+             "spacing 2 m\n"
+             "record box.width time\nstep 0.001\nstage a\n%s",
+             ends[k]);
+    const struct page page = write_page(text);
+    const struct nb_advise_query query = {page.path, no_settings, {.threads = 1, .jobs = 1}, "time",
+                                          "5 %",     60,          {NULL, NULL, NULL}};
+    CU_ASSERT_EQUAL(nb_advise(&advice, &query, &error), NB_OK);
+    CU_ASSERT_EQUAL(advice.phases, 1);
+    finish(&advice, &page);
+  }
+}
+
+void suite_advise(void) {
+  CU_pSuite suite = CU_add_suite("advise", NULL, NULL);
+  CU_ADD_TEST(suite, a_phase_of_an_impact_is_a_moment_of_first_touch);
+  CU_ADD_TEST(suite, claims_follow_from_the_values);
+  CU_ADD_TEST(suite, laws_have_a_distance_from_the_anchor);
+  CU_ADD_TEST(suite, the_cost_is_counted);
+  CU_ADD_TEST(suite, phases_of_other_pages_have_other_steps);
+  CU_ADD_TEST(suite, other_pages_have_one_phase);
+}
