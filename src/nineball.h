@@ -32,8 +32,7 @@ struct nb_error {
   int line; /* of the page, where the message names it; 0: none */
 };
 
-/* ---- warning.c: warnings; they change no exit status
- * --------------------------------------------------------------- */
+/* ---- warning.c: warnings; they change no exit status ---- */
 
 enum { NB_WARNINGS = 16 };
 struct nb_warning {
@@ -44,8 +43,8 @@ struct nb_warnings {
   struct nb_warning list[NB_WARNINGS];
   size_t count;
 };
-/* ---- mistakes.c: the errors of a page, all reported at once
- * -------------------------------------------------------- */
+
+/* ---- mistakes.c: the errors of a page, all reported at once ---- */
 
 struct nb_mistakes {
   char *text;                        /* the messages, ready to print; NULL while there are none; owned here */
@@ -56,7 +55,7 @@ struct nb_mistakes {
 };
 void nb_mistakes_free(struct nb_mistakes *mistakes);
 
-/* ---- page.c: a Markdown file and its fenced blocks ---------------------------------------------------------------- */
+/* ---- page.c: a Markdown file and its fenced blocks ---- */
 
 struct nb_page {
   char *path;              /* as given, for messages; owned */
@@ -70,7 +69,7 @@ struct nb_page {
 enum nb_status nb_page_read(struct nb_page *page, const char *path, struct nb_mistakes *mistakes);
 void nb_page_free(struct nb_page *page);
 
-/* ---- names.c: dotted names ---------------------------------------------------------------------------------------- */
+/* ---- names.c: dotted names ---- */
 
 struct nb_model;
 struct nb_scene;
@@ -85,8 +84,8 @@ struct nb_quantity {
 bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene, const char *text); /* false: none */
 const char *nb_quantity_unit(struct nb_quantity quantity);                                           /* "N", "m", "1" */
 double nb_quantity_value(struct nb_quantity quantity, const struct nb_model *model);                 /* SI */
-/* ---- scene.c: the scene that a page describes
- * ---------------------------------------------------------------------- */
+
+/* ---- scene.c: the scene that a page describes ---- */
 
 enum nb_shape {
   NB_DISC,  /* a cylinder 1 m thick: m = pi R^2 rho, I = m R^2 / 2 */
@@ -151,7 +150,7 @@ struct nb_fill {
   double x, y;          /* m; centre of the circle, or lower left corner of the box */
   double radius;        /* m, of the circle */
   double x1, y1;        /* m, upper right corner of the box */
-  double width, height; /* m, of the periodic cell that is filled instead, its corners as those of a box; 0: none */
+  double width, height; /* m, of the periodic cell, if it is filled: x, y and x1, y1 are its corners; 0: none */
   int grading;
   unsigned long seed;
   unsigned long attempts;           /* at most, for each particle */
@@ -185,16 +184,16 @@ struct nb_wall {
 /* Damping of contacts and of motion. The papers use four conventions; see docs/METHOD.md. */
 enum nb_contact_damping {
   NB_CONTACT_UNDAMPED,
-  NB_CONTACT_STIFFNESS, /* c = beta k; beta is a time, s [CS79 28] */
-  NB_CONTACT_R89_FRACTION, /* c = beta k t_c / 2, t_c the single-contact step 2 sqrt(m/k): N dN beta/(2 FRAC) of [R89 4.3, 4.4] */
-  NB_CONTACT_RATIO /* c = beta 2 sqrt(M* k), beta a fraction of critical damping [R89 4.13] */
+  NB_CONTACT_STIFFNESS,    /* c = beta k; beta is a time, s [CS79 28] */
+  NB_CONTACT_R89_FRACTION, /* c = beta k t_c/2; t_c is the single-contact step 2 sqrt(m/k) [R89 4.3, 4.4] */
+  NB_CONTACT_RATIO         /* c = beta 2 sqrt(M* k); beta is the damping ratio [R89 4.13] */
 };
 enum nb_global_damping {
   NB_GLOBAL_UNDAMPED,
   NB_GLOBAL_MASS,          /* C = alpha m; alpha in 1/s [CS79 34-36] */
   NB_GLOBAL_CON1_CS79,     /* v = (CON1 v + F dt/m) / (2 - CON1): CS79 35 with CON1 = 1 - alpha dt/2 */
   NB_GLOBAL_CON1_VELOCITY, /* v = CON1 v + F dt/m */
-  NB_GLOBAL_CON1_ALL /* v = CON1 (v + F dt/m): the interpretation in which CON1 = 0 stops all motion [R89 6.5.1] */
+  NB_GLOBAL_CON1_ALL       /* v = CON1 (v + F dt/m): only here CON1 = 0 stops all motion [R89 6.5.1] */
 };
 struct nb_damping {
   enum nb_contact_damping contact_kind;
@@ -215,14 +214,16 @@ enum nb_contact_damping nb_damping_at(const struct nb_damping *damping, bool wal
 bool nb_damping_equal(const struct nb_damping *a, const struct nb_damping *b);
 bool nb_damping_none(const struct nb_damping *damping); /* neither contacts nor particles are damped */
 
+/* What the value of a step is multiplied by: measure/step.c, measure/rayleigh_step.c. MEAN: for a sphere with the means
+ * of radius, density, G and nu. FIT: with R89's fit of the wave speed. R89's own step is NB_STEP_RAYLEIGH_FIT_MEAN. */
 enum nb_step_kind {
-  NB_STEP_TIME,           /* value in s */
-  NB_STEP_SINGLE_CONTACT, /* value times 2 sqrt(m/k), smallest mass and largest stiffness [CS79, Motion] */
-  NB_STEP_STABLE, /* value times the step that is guaranteed stable when the stage begins, src/measure/stable_step.c */
-  NB_STEP_COLLISION, /* value times the duration of the shortest possible collision, src/measure/step.c */
-  NB_STEP_RAYLEIGH, /* value times the time of a Rayleigh wave around half the smallest sphere, src/measure/rayleigh_step.c */
+  NB_STEP_TIME,           /* 1 s */
+  NB_STEP_SINGLE_CONTACT, /* 2 sqrt(m/k) of the smallest mass and the largest stiffness [CS79, Motion] */
+  NB_STEP_STABLE,         /* the guaranteed stable step when the stage begins: measure/stable_step.c */
+  NB_STEP_COLLISION,      /* the duration of the shortest possible collision */
+  NB_STEP_RAYLEIGH,       /* the shortest travel time of a Rayleigh wave over half the circumference of a sphere */
   NB_STEP_RAYLEIGH_MEAN,
-  NB_STEP_RAYLEIGH_FIT, /* with R89's fit of the wave speed; MEAN: for a sphere of the mean radius, which is R89's step */
+  NB_STEP_RAYLEIGH_FIT,
   NB_STEP_RAYLEIGH_FIT_MEAN
 };
 struct nb_step {
@@ -258,7 +259,7 @@ struct nb_region {
   double ex, ey;           /* of a box, and of all: unit vector along one side; */
   double half_x, half_y;   /* half its length along e and across, m */
   int rings;               /* number of rings of equal width that a snapshot measures; 0: none */
-  char from[NB_NAME_SIZE]; /* stage whose begin is the reference of the strain; empty: the start */
+  char from[NB_NAME_SIZE]; /* stage at whose beginning the strain is 0; empty: the start */
   int stage;               /* its index; -1: the start */
   int line;
 };
@@ -316,7 +317,7 @@ struct nb_scene_cell {
 
 /* A velocity gradient: x' = xx x + xy y, y' = yx x + yy y, extension positive [R89 4.43, 4.44]. */
 struct nb_strain_rate {
-  double xx, xy, yx, yy; /* 1/s; or */
+  double xx, xy, yx, yy; /* 1/s; with per_cycle 1 */
   bool per_cycle;        /* strain per cycle: divided by the step when it is used */
 };
 
@@ -364,7 +365,7 @@ struct nb_circle {
 enum nb_control { NB_CONTROL_STRAIN, NB_CONTROL_STRESS, NB_CONTROL_NONE };
 struct nb_boundary {
   enum nb_control control;
-  struct nb_strain_rate strain; /* NB_CONTROL_STRAIN: imposed on its centres; `hold`: 0 */
+  struct nb_strain_rate strain; /* NB_CONTROL_STRAIN: imposed on its centres; `boundary fixed`: 0 */
   double sxx, syy, sxy;         /* Pa, compression positive. NB_CONTROL_STRESS: applied as forces on its particles */
   int line;                     /* 0: unchanged */
 };
@@ -503,15 +504,13 @@ enum nb_status nb_scene_read(struct nb_scene *scene, const struct nb_page *page,
                              struct nb_mistakes *mistakes);
 void nb_scene_free(struct nb_scene *scene);
 
-/* ---- model.c, cycle.c: a running simulation
- * ------------------------------------------------------------------------ */
+/* ---- model.c, cycle.c: a running simulation ---- */
 
 struct nb_options {
-  int threads;     /* 0: OpenMP's default */
-  const char *isa; /* "plain", "avx2", "avx512"; NULL: the best of this machine */
-  int jobs;        /* runs of a sweep in parallel; 0: as many as there are processors for `threads` each */
-  bool
-      shuffle; /* store the particles in another order than their numbers; for tests that results do not depend on it */
+  int threads;        /* 0: OpenMP's default */
+  const char *isa;    /* "plain", "avx2", "avx512"; NULL: the best of this machine */
+  int jobs;           /* runs of a sweep in parallel; 0: as many as there are processors for `threads` each */
+  bool shuffle;       /* tests: store the particles in another order than their numbers, which changes no result */
   bool keep_all;      /* keep all contact fields that a saved state contains */
   const char *states; /* folder of saved states; NULL: `states` */
 };
@@ -524,8 +523,7 @@ void nb_model_free(struct nb_model *model);
 /* One calculation cycle: motion from t_N to t_(N+1), then the forces at t_(N+1) [CS79, The calculation cycle]. */
 enum nb_status nb_cycle(struct nb_model *model, struct nb_error *error);
 
-/* ---- observe.c: results
- * ---------------------------------------------------------------------------------------------- */
+/* ---- table.c, run.c, explain.c: results ---- */
 
 /* A table of numbers with named columns. */
 struct nb_table {
@@ -538,8 +536,7 @@ struct nb_table {
 };
 
 bool nb_table_create(struct nb_table *table, size_t column_count);
-/* Adds a row of zeros at this stage, cycle and time. Returns NULL when memory ran out; the table is then unchanged.
- * */
+/* Adds a row of zeros at this stage, cycle and time. NULL: out of memory; the table is then unchanged. */
 double *nb_table_row(struct nb_table *table, int stage, double cycle, double time);
 void nb_table_free(struct nb_table *table);
 
@@ -570,10 +567,10 @@ struct nb_result {
   struct nb_warnings warnings;       /* found during the run */
 };
 
-/* Called about ten times a second during a run, with the completed fraction (0 to 1) and the seconds since its start.
- * */
 struct nb_progress {
-  void (*call)(void *data, const char *stage, double fraction, double seconds); /* or NULL */
+  /* Called about ten times a second during a run, with the completed fraction, 0 to 1, and the seconds since its start;
+   * or NULL. */
+  void (*call)(void *data, const char *stage, double fraction, double seconds);
   void (*note)(void *data, const char *text); /* a message of interest to the user; or NULL */
   void *data;
   double stage_seconds; /* a trial: each stage ends after this processor time; 0: it runs to its end */

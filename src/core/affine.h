@@ -1,4 +1,6 @@
-/* Affine (imposed) motion: a velocity c = L (x - x_0) besides the particle's own.      [R89 4.41]
+/* Affine (imposed) motion: a velocity c = L (x - x_0) besides the particle's own.                            [R89 4.41]
+ *
+ *   L   strain rate tensor, 1/s      x_0  the point that the motion leaves in place, m
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_AFFINE_H
@@ -21,7 +23,7 @@ enum nb_affine_source {
 struct nb_affine {
   struct nb_vec centre;                               /* x_0, m */
   struct nb_tensor rate[NB_AFFINE_SOURCES];           /* over the step ahead, 1/s */
-  struct nb_tensor base_rate[NB_AFFINE_SOURCES];      /* L of the stage before any servo, 1/s */
+  struct nb_tensor base_rate[NB_AFFINE_SOURCES];      /* L of the stage, without the part that a servo adds, 1/s */
   struct nb_strain_rate requested[NB_AFFINE_SOURCES]; /* as the page gives it */
   double separate[NB_AFFINE_SOURCES]; /* 1: c is kept apart from the particle's own velocity; 0: it is added to it */
   unsigned char *source;              /* per slot: enum nb_affine_source */
@@ -29,7 +31,7 @@ struct nb_affine {
   bool all, free_before;              /* all particles move affinely in this step; free ones did in the previous one */
   bool uniform;                       /* all particles have the same rate */
   struct nb_servo_state {
-    double stress[3];          /* Pa: of the controlled stresses when the servo began */
+    double stress[3];          /* the controlled stresses xx, yy, xy when the servo began, Pa */
     struct nb_tensor integral; /* Z of servo.c, 1/s */
     bool begun;                /* these are set */
   } servo_state;

@@ -32,10 +32,8 @@ void *nb_array_reserve(void *array, size_t count, size_t more, size_t element) {
 }
 
 bool nb_array_grow(void *array, size_t count, size_t element) {
-  void *things;
-  memcpy(
-      &things, array,
-      sizeof things); /* `array` points to a pointer of any type, which may have another representation than void * */
+  void *things; /* `array` points to a pointer of any type, which may have another representation than void * */
+  memcpy(&things, array, sizeof things);
   things = nb_array_reserve(things, count, 1, element);
   if (things)
     memcpy(array, &things, sizeof things);

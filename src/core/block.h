@@ -42,7 +42,7 @@ enum nb_field {
   NB_TOTAL_SHEAR,            /* F_s + D_s, N */
   NB_RADIUS_SUM,             /* R_x + R_y, m; this and the next two are constant while a pair is listed */
   NB_MASS,                   /* M*, reduced mass, kg [R89 4.6] */
-  NB_REDUCED,                /* R*, reduced radius, m [R89 4.5] */
+  NB_REDUCED,                /* R*, effective radius, m [R89 4.5] */
   NB_DEEP,                   /* 1 where the overlap is beyond the range of Hertz theory, else 0 */
   NB_STABLE_OVERLAP,         /* overlap up to which the step is guaranteed stable, m: stability.c */
   NB_SHEAR_BEFORE,           /* F_s a step ago, N, for the energy balance only */
@@ -79,8 +79,8 @@ struct nb_history {
 enum nb_isa { NB_PLAIN, NB_AVX2, NB_AVX512, NB_ISAS };
 struct nb_model;
 struct nb_block;
-typedef void nb_run_pass(const struct nb_model *model,
-                         const struct nb_block *block); /* a function type needs a typedef */
+/* A function type needs a typedef. */
+typedef void nb_run_pass(const struct nb_model *model, const struct nb_block *block);
 
 #define NB_FORM __attribute__((always_inline))
 #define NB_COLD __attribute__((noinline)) /* rare code, kept out of the loop that calls it */
@@ -102,10 +102,10 @@ typedef void nb_run_pass(const struct nb_model *model,
   { name##_plain, name##_plain, name##_plain }
 #endif
 
-/* Whether the contact began in the last step: the overlap is then smaller than the normal increment. And the fraction
- * of the step after the touch. Only displacement after the touch counts; otherwise the first step of a contact would be
- * of first order. */
+/* Whether the contact began in the last step: the overlap is then smaller than the normal increment. */
 static inline bool nb_touch_began(double overlap, double dn) { return overlap > 0 && overlap < dn; }
+/* The fraction of the last step after first touch, 1 if the contact is older. Only the displacement after the touch
+ * counts; with all of it the shear force would have an error of first order in the step. */
 static inline double nb_touch_fraction(double overlap, double dn) {
   return nb_touch_began(overlap, dn) ? overlap / dn : 1;
 }
@@ -114,8 +114,8 @@ static inline double nb_touch_fraction(double overlap, double dn) {
 /* An empty history of so many contacts; a failed allocation is recorded in the owner. */
 struct nb_history nb_history_create(struct nb_owner *owner, int doubles, size_t contacts);
 struct nb_history nb_history_from(const struct nb_history *history, size_t first); /* of the contacts from `first` on */
-void nb_history_copy(struct nb_history *to, size_t there, const struct nb_history *from,
-                     size_t here); /* of one contact */
+/* Copies the history of one contact. */
+void nb_history_copy(struct nb_history *to, size_t there, const struct nb_history *from, size_t here);
 void nb_history_forget(struct nb_history *history, size_t contact);
 /* The history of a contact as its law reads it, copied to `buffer` or in place. */
 const double *nb_history_read(const struct nb_history *history, size_t contact, double buffer[NB_HISTORY]);
@@ -130,7 +130,7 @@ struct nb_block {
   const struct nb_vec *image; /* as in struct nb_contacts */
   struct nb_vec *force;       /* on the first particle, N */
   struct nb_history normal_history, shear_history;
-  unsigned long *deep;                      /* counter of contacts that overlap too much */
+  unsigned long *deep;                      /* counter of deep contacts: pass/deep.c */
   struct nb_stable_overlap *stable_overlap; /* stability.c */
   const struct nb_material_pair *material_pair;
 };

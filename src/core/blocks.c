@@ -18,8 +18,8 @@ static struct nb_block block_of(const struct nb_model *model, size_t from, size_
   block.material_pair = &model->material_pairs[contacts->material_pair[from]];
   for (int f = 0; f < NB_FIELDS; f++)
     block.f[f] = contacts->kept[f] ? contacts->kept[f] + from : scratch + f * NB_BLOCK_SIZE;
-  block.f[NB_DISSIPATED] =
-      contacts->kept[NB_DISSIPATED] ? block.f[NB_DISSIPATED] : NULL; /* NULL: the laws do not compute it */
+  if (!contacts->kept[NB_DISSIPATED])
+    block.f[NB_DISSIPATED] = NULL; /* the laws do not compute it */
   if (!model->plan.dashpots)
     block.f[NB_TOTAL_NORMAL] = block.f[NB_NORMAL], block.f[NB_TOTAL_SHEAR] = block.f[NB_SHEAR];
   block.normal_history = nb_history_from(&contacts->normal_history, from);

@@ -8,15 +8,15 @@
 #include "affine.h"
 
 struct nb_ring {
-  bool exists, held;             /* there is a boundary; its particles follow the strain rate */
-  double radius;                 /* of the circle when the boundary began, m */
-  struct nb_tensor shape;        /* deformation of the circle since then: x = centre + shape X, |X| = radius; 1 */
-  int *member;                   /* slots of its particles, counterclockwise; capacity for all */
-  size_t count;                  /* number of its particles */
-  int *candidates;               /* slots of particles that may cross the circle before the next listing, by number */
-  size_t candidate_count;        /* capacity for all */
-  struct nb_tensor listed_shape; /* shape at the last listing */
-  unsigned long long listed_search; /* number of the search before it; 0: never */
+  bool exists, held;                /* there is a boundary; its particles follow the strain rate */
+  double radius;                    /* of the circle when the boundary began, m */
+  struct nb_tensor shape;           /* its deformation since then, 1: now x = centre + shape X, |X| = radius */
+  int *member;                      /* slots of its particles, counterclockwise; capacity for all */
+  size_t count;                     /* number of its particles */
+  int *candidates;                  /* slots of particles that may soon cross the circle, by number; capacity for all */
+  size_t candidate_count;           /* number of candidates */
+  struct nb_tensor listed_shape;    /* shape when the candidates were listed */
+  unsigned long long listed_search; /* number of searches made by then; 0: they must be listed again */
 };
 
 struct nb_boundary_state {

@@ -1,9 +1,10 @@
-/* The periodic cell.                                                      [R89 2.3, 4.5.2]
+/* The periodic cell.                                                                              [R89 2.3, 4.5.2]
  *
- *   H <- (1 + L dt) H                    L = c_ij, the strain rate tensor                    [R89 4.43, 4.44]
+ *   H <- (1 + L dt) H                    H  the two sides of the cell as columns, m;  L = c_ij  strain rate tensor, 1/s
+ *                                                                                                  [R89 4.43, 4.44]
  *   c_i = L (x_i - x_0)                  affine velocity of a particle, besides its own velocity v_i (affine.h)
- *   x_i <- x_i + (v_i + c_i) dt          so x_i - x_0 = H s keeps its s when v = 0: a uniform strain
- *   x_j + H m,   v_j + c_j + L H m       position and velocity of the image of j that i touches
+ *   x_i <- x_i + (v_i + c_i) dt          with v = 0, s in x_i - x_0 = H s is constant: the strain is uniform
+ *   x_j + H m,   v_j + c_j + L H m       position and velocity of the image of j that i touches, m two integers
  *
  * Forces change v only. It is the same for all images of a particle; their total velocities differ by L H m.
  *
@@ -11,12 +12,13 @@
  * particle. So positions and velocities never jump, contact histories stay valid, and the time of a search changes no
  * bit of the results. Figures show the image inside the cell.
  *
- * A pair has at most one contact if all images of a particle are farther apart than twice the range of a contact, which is
- * the largest diameter plus the skin. A sheared cell is equivalent to the reduced one with the same images (Lagrange, Gauss),
- * so the height of the reduced cell must be at least that large.
+ * A pair has at most one contact if all images of a particle are farther apart than twice the range of a contact, which
+ * is the largest diameter plus the skin. A sheared cell is equivalent to the reduced one with the same images
+ * (Lagrange, Gauss), so the height of the reduced cell must be at least that large.
  *
  * A pair that was a distance d apart at the last search, and not listed, is now apart by F d plus the two displacements
- * relative to the affine motion. So strain alone requires a search only when ||F - 1|| (D + skin) reaches the skin.
+ * relative to the affine motion, where F is the deformation gradient since then. So strain alone requires a search only
+ * when ||F - 1|| (D + skin) reaches the skin, D the largest diameter.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "affine.h"
@@ -62,8 +64,8 @@ int nb_cell_move(struct nb_model *model) {
 
 /* ---- images ---- */
 
-/* A side whose square shrinks by less than this fraction, 1, counts as shortest: rounding, 1e-16, could otherwise
- * repeat the reduction without end. */
+/* The reduction ends when the square of a side shrinks by less than this fraction. With 0, rounding (1e-16) could
+ * repeat it without end. */
 static const double reduction_tolerance = 1e-12;
 
 struct nb_wrap nb_cell_wrap(const struct nb_cell *cell) {

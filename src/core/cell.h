@@ -37,13 +37,13 @@ struct nb_wrap {
 struct nb_wrap nb_cell_wrap(const struct nb_cell *cell);
 double nb_wrap_width(const struct nb_wrap *wrap);                      /* its smaller height, m */
 struct nb_vec nb_wrapped(const struct nb_wrap *wrap, struct nb_vec x); /* the image of x inside it */
-struct nb_vec nb_cell_wrapped_position(const struct nb_model *model,
-                                       size_t slot); /* of a particle; without a cell its position */
-/* m, in sides of H, of the image nearest to a particle, for a particle `apart` from it. */
+/* The image of a particle inside the cell; without a cell its position. */
+struct nb_vec nb_cell_wrapped_position(const struct nb_model *model, size_t slot);
+/* The integers m of the image x_j + H m that is nearest to x_i, for `apart` = x_j - x_i. */
 struct nb_vec nb_wrap_image(const struct nb_wrap *wrap, struct nb_vec apart);
 
-double nb_cell_area(const struct nb_cell *cell),
-    nb_cell_area_first(const struct nb_cell *cell);          /* now, at time 0; m2 */
+double nb_cell_area(const struct nb_cell *cell);             /* now, m2 */
+double nb_cell_area_first(const struct nb_cell *cell);       /* at time 0, m2 */
 struct nb_tensor nb_cell_strain(const struct nb_cell *cell); /* symmetric part of H H_0^-1 - 1 */
 
 #endif

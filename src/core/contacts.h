@@ -26,8 +26,8 @@ struct nb_contacts {
   double *kept[NB_FIELDS]; /* the fields that are kept after the pass; else NULL */
   size_t wall_from;        /* first contact with a wall; all later ones are with walls */
   struct nb_incidence incidence; /* the contacts of each particle */
-  struct nb_history normal_history, shear_history,
-      slip_sum; /* m, tangential displacement since each reference stage, configuration.c */
+  struct nb_history normal_history, shear_history;
+  struct nb_history slip_sum; /* sliding displacement since each reference stage, m: measure/configuration.c */
 };
 
 /* The contacts of one particle in the order in which forces are summed: by the partner's number, walls last. */
@@ -57,8 +57,8 @@ bool nb_contacts_renew(struct nb_model *model, const struct nb_neighbour_pairs *
 static inline bool nb_touches(const struct nb_contacts *contacts, size_t contact) {
   return contacts->kept[NB_OVERLAP][contact] > 0;
 }
-static inline int nb_coordination_number(const struct nb_contacts *contacts,
-                                         size_t slot) { /* number of contacts that touch */
+/* Number of contacts of a particle that touch. */
+static inline int nb_coordination_number(const struct nb_contacts *contacts, size_t slot) {
   const struct nb_contact_range range = nb_contact_range(&contacts->incidence, slot);
   int count = 0;
   for (const int *c = range.first; c < range.end; c++)

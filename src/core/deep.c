@@ -1,7 +1,8 @@
-/* Counts contacts of elastic spheres with too large an overlap, and describes the first.                              [R89 6.4.3]
+/* Counts contacts of elastic spheres with too large an overlap, and describes the first.                   [R89 6.4.3]
  *
  * R89 assumes plastic flow above an overlap of 7 % of the smaller diameter, damps such a contact critically, and prints
- * their number as a warning. Hertz theory is inaccurate there too: a, by Hertz (R* alpha)^(1/2), exceeds a third of the radius.
+ * their number as a warning. Hertz theory is inaccurate there too: the contact radius a = (R* alpha)^(1/2) exceeds 0.26
+ * of the smaller radius, and 0.37 of it at a wall.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>

@@ -38,7 +38,7 @@ bool nb_grid_create(struct nb_grid *grid, size_t items, double largest_width);
 void nb_grid_free(struct nb_grid *grid);
 void nb_grid_add(struct nb_grid *grid, int item, struct nb_vec at, double width);
 
-/* Coordinates beyond the integers of a double share the last box: their order is kept, and distances decide. */
+/* All coordinates of more than 2^53 box widths share the last box; distances still tell the particles apart. */
 static inline int64_t nb_grid_place(const struct nb_grid *grid, int level, double x) {
   const double widths = x / grid->width[level], last = 9007199254740992;
   return (int64_t)(widths < -last ? -last : widths > last ? last : floor(widths));

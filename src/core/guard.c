@@ -1,25 +1,27 @@
 /* Guards: conditions under which particles could pass through each other, or through walls, without a force.
  *
  *   displacement  no particle moves by more than its radius in one step
- *   overlap       no two particles overlap by more than the smaller radius, that is, d >= max(R_i, R_j) for the distance d
- *   rotation      no wall rotates so far in one step that the arc of its far end, at a distance h from the centre of rotation,
- *                 is farther from the chord than the smallest radius r:  angle^2 h/8 <= r, with h at least r
+ *   overlap       no two particles overlap by more than the smaller radius: their distance d is at least max(R_i, R_j)
+ *   rotation      no wall rotates so far in one step that the arc of its far end, at the distance h from the centre of
+ *                 rotation, is farther from the chord than the smallest radius r:  angle^2 h/8 <= r, with h at least r
  *
- * Together they prevent two particles from changing sides. A step begins with a distance d >= max(R_i, R_j), and the two approach by
- * at most R_i + R_j. A pair that changed sides is then at a distance of at most R_i + R_j - d <= min(R_i, R_j), where the overlap
- * is too large and the run stops. walls.c tests whether a particle's centre crossed a wall, from its sides at both ends of the
- * step; that is valid while the wall rotates by less than pi per step, here by at most 8^(1/2).
+ * Together they prevent two particles from changing sides. A step begins with a distance d >= max(R_i, R_j), and the
+ * two approach by at most R_i + R_j. A pair that changed sides is then at a distance of at most R_i + R_j - d <=
+ * min(R_i, R_j), where the overlap is too large and the run stops. walls.c tests whether a particle's centre crossed a
+ * wall, from its sides at both ends of the step; that is valid while the wall rotates by less than pi per step, here by
+ * at most 8^(1/2).
  *
- * The guards cost almost nothing in a safe run. The motion reports particles that moved by half the skin since the last search. They
- * include all that moved by a radius in one step, as long as no radius is smaller than the skin. So steps are measured only at
- * a search, and in every cycle where the skin is wider than a radius. A search computes the distances of all pairs, and two particles
- * approach by at most the skin until the next one. So listed pairs are measured in every cycle only when the last search
- * found one within the skin of its limit.
+ * The guards cost almost nothing in a safe run. The motion reports particles that moved by half the skin since the last
+ * search. They include all that moved by a radius in one step, as long as no radius is smaller than the skin. So the
+ * displacements of a step are tested only at a search, and in every cycle if the skin is wider than a radius. A search
+ * computes the distances of all pairs, and two particles approach by at most the skin until the next one. So the
+ * overlaps of listed pairs are tested in every cycle only when the last search found a pair within the skin of its
+ * limit.
  *
- * An overlap is a difference of positions, and each coordinate is rounded to a multiple of its ulp, which grows with the distance from
- * the origin. The program warns when the ulp exceeds a thousandth of the mean overlap: the error of forces is then up to about 0.1 %.
- * Overlaps below 1e-9 of a radius come from rounding and do not count. Without any contact, a thousandth of the smallest
- * radius is used as the expected overlap.
+ * An overlap is a difference of positions, and each coordinate is rounded to a multiple of its ulp, which grows with
+ * the distance from the origin. The program warns when the ulp exceeds a thousandth of the mean overlap: the error of
+ * forces is then up to about 0.1 %. Overlaps below 1e-9 of a radius come from rounding and do not count. Without any
+ * contact, a thousandth of the smallest radius is used as the expected overlap.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "model.h"
@@ -129,8 +131,8 @@ static double coordinate(const struct nb_model *model, int i) {
 
 static double ulp(double x) { return nextafter(x, INFINITY) - x; }
 
-/* Coarsest resolution of a coordinate, as a fraction of the mean overlap, 1: the error of forces is then 0.1 %. Overlaps
- * below the second number, as a fraction of the radius, 1, come from rounding. */
+/* Coarsest resolution of a coordinate over the mean overlap: the error of forces is then 0.1 %. And the overlap over
+ * the radius up to which it comes from rounding. */
 static const double resolution_limit = 1e-3, touch_limit = 1e-9;
 
 void nb_guard_resolution(struct nb_model *model) {

@@ -15,8 +15,8 @@ struct nb_synonym {
   const char *note;         /* "there is no local damping"; NULL: no note */
 };
 const struct nb_synonym *nb_synonym(const char *word); /* NULL: not a term of another program */
-/* Writes "`ball` of other programs is `disc` or `sphere` here: …" to `hint`, of NB_HINT_SIZE bytes. NULL: not such a
- * term. */
+/* Writes "`ball` of other programs is `disc` or `sphere` here: …" to `hint`, of NB_HINT_SIZE bytes. NULL: the word is
+ * no term of another program. */
 const char *nb_synonym_hint(char *hint, const char *word);
 /* Copies the next item of a list like "disc, sphere" and advances the list; false: the list is empty. */
 bool nb_item(const char **list, char item[NB_NAME_SIZE]);
@@ -27,7 +27,7 @@ struct nb_guess {
   const struct nb_synonym *synonym; /* of the word; NULL: none */
   unsigned marked;                  /* bit i: keyword i of `synonym->ours` has been offered */
   char best[2 * NB_NAME_SIZE];      /* the most similar keyword so far */
-  int distance;                     /* edits between the word and `best`; 1: it begins or ends with the word */
+  int distance;                     /* edits between the word and `best`; 1 too if it begins or ends with the word */
   int related_count;                /* number of such keywords; the first ones are in `related`, in backticks */
   char related[NB_HINT_SIZE / 2 - 8];
 };

@@ -1,14 +1,15 @@
-/* Normal impact of two elastic spheres without damping: R*, greatest overlap and duration.              [R89 4.5, 5.9, 5.12]
+/* Normal impact of two elastic spheres without damping: largest overlap and duration.              [R89 4.5, 5.9, 5.12]
  *
- *   R* = R_1 R_2/(R_1 + R_2), R_1 for a sphere at a wall
+ *   R*  effective radius, R_1 R_2/(R_1 + R_2), or R_1 for a sphere at a wall, m      v  approach velocity, m/s
+ *   M*  reduced mass, kg      E*  effective Young's modulus, Pa      alpha_m  largest overlap, m
  *
- * The overlap A at which a pair with approach velocity v stops follows from the energy of [R89 3.13],
+ * alpha_m follows from the energy that the force [R89 3.13] stores,
  *
- *   M* v^2/2 = (8/15) E* R*^(1/2) A^(5/2),      A = (15 M* v^2/(16 E* R*^(1/2)))^(2/5)
+ *   M* v^2/2 = (8/15) E* R*^(1/2) alpha_m^(5/2),      alpha_m = (15 M* v^2/(16 E* R*^(1/2)))^(2/5)
  *
  * and the contact lasts
  *
- *   t = 2 integral from 0 to A of d(alpha)/(v (1 - (alpha/A)^(5/2))^(1/2)) = c A/v
+ *   t = 2 integral from 0 to alpha_m of d(alpha)/(v (1 - (alpha/alpha_m)^(5/2))^(1/2)) = c alpha_m/v
  *   c = (4/5) B(2/5, 1/2) = (4/5) pi^(1/2) Gamma(2/5)/Gamma(9/10) = 2.9432751843247047
  *
  * c is a literal because libraries round tgamma differently.
@@ -21,7 +22,7 @@
 
 static inline double nb_reduced_radius(double one, double other) { return one * other / (one + other); }
 
-/* A, m; E* in Pa, R* in m, M* in kg, v in m/s. */
+/* alpha_m, m */
 static inline double nb_hertz_depth(double young, double radius, double mass, double speed) {
   return pow(15 * mass * speed * speed / (16 * young * sqrt(radius)), 0.4);
 }

@@ -276,19 +276,18 @@ struct nb_force {
 };
 struct nb_force nb_force_on(const struct nb_model *model, size_t slot);           /* sum over its contacts */
 struct nb_velocities nb_velocity_half(const struct nb_model *model, size_t slot); /* at t_(N-1/2) */
-struct nb_velocities nb_velocity_now(const struct nb_model *model,
-                                     size_t slot); /* at t_N: mean of the half steps [CS79 31]; without affine motion */
+/* At t_N, the mean of the two half steps [CS79 31], without affine motion. */
+struct nb_velocities nb_velocity_now(const struct nb_model *model, size_t slot);
 struct nb_vec nb_imposed_now(const struct nb_model *model, size_t slot);    /* affine velocity at t_N, m/s */
 struct nb_vec nb_velocity_total(const struct nb_model *model, size_t slot); /* with affine motion, at t_N, m/s */
 
-struct nb_vec nb_weight(const struct nb_model *model, size_t slot,
-                        struct nb_vec x); /* weight of the particle at the position x, N */
-struct nb_vec nb_unbalanced_force(const struct nb_model *model,
-                                  size_t slot); /* unbalanced force on a free particle, N */
+struct nb_vec nb_weight(const struct nb_model *model, size_t slot, struct nb_vec x); /* at the position x, N */
+/* Sum of the contact forces, the weight and the force of a boundary stress on a free particle, N. */
+struct nb_vec nb_unbalanced_force(const struct nb_model *model, size_t slot);
 
 /* Sets a particle's velocities at t_N. */
 void nb_motion_set_velocity(struct nb_model *model, size_t slot, struct nb_velocities now);
-/* Adds the effect of a force and a moment that end at t_N to the half-step velocities, so that those at t_N stay. */
+/* A force and a moment cease at t_N: changes the half-step velocities so that the velocities at t_N stay the same. */
 void nb_motion_offset_force(struct nb_model *model, size_t slot, struct nb_force ending);
 
 /* walls.c */
@@ -304,8 +303,8 @@ void nb_vertices_suppress(struct nb_model *model);    /* before the force calcul
 
 /* deep.c: overlaps beyond the range of Hertz theory */
 enum { NB_DEEP_STRIDE = 8 }; /* in counters: two threads must not write to the same cache line */
-double nb_deep_fraction(
-    const struct nb_model *model); /* overlap limit over the smaller diameter, from the page or 0.07 [R89 6.4.3] */
+/* Overlap over the smaller diameter above which a contact is deep: from the page, or 0.07 [R89 6.4.3]. */
+double nb_deep_fraction(const struct nb_model *model);
 bool nb_deep_begin(struct nb_model *model, size_t blocks); /* new counters, after a search; false: out of memory */
 void nb_deep_end(struct nb_model *model);                  /* when the law of elastic spheres ends: keeps the count */
 void nb_deep_record_first(struct nb_model *model); /* after the force calculation: describes the first such contact */

@@ -3,7 +3,10 @@
  *   v_(N+1/2) = v_(N-1/2) + (sum F / m)_N dt,    x_(N+1) = x_N + v_(N+1/2) dt            22, 22a
  *   w_(N+1/2) = w_(N-1/2) + (sum M / I)_N dt,    theta_(N+1) = theta_N + w_(N+1/2) dt    23, 23a
  *
- * Gravity adds m g to sum F. Global damping multiplies the old velocity by `keep` and the force by `impulse`:
+ *   v, w  velocity, m/s, and angular velocity, rad/s      x, theta  position, m, and rotation, rad
+ *
+ * Gravity adds m g to sum F. Mass-proportional damping multiplies the old velocity by `keep` and the force by
+ * `impulse`; alpha (1/s) is alpha_g of docs/METHOD.md:
  *
  *   C = alpha m        keep = (1 - alpha dt/2)/(1 + alpha dt/2),   impulse = 1/(1 + alpha dt/2)     34-36
  *   CON1, as CS79      keep = CON1/(2 - CON1),   impulse = 1/(2 - CON1)       the same with alpha dt/2 = 1 - CON1
@@ -20,8 +23,8 @@
  * without c.
  *
  * A page's velocities belong to time 0, those of the scheme to half steps. So the first kick lasts half a step, and a
- * kick between two steps of unequal length lasts their mean. BALL starts from rest without forces, where both are the
- * same.
+ * kick between two steps of unequal length lasts their mean. CS79's program BALL starts from rest without forces, where
+ * the half kick changes nothing.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "motion.h"
@@ -75,12 +78,12 @@ struct task {
   const struct nb_affine *affine;      /* NULL: no affine motion */
   bool along;                          /* all particles move affinely */
   bool cell;                           /* periodic */
-  double time, step,
-      travel_limit; /* duration of the kick and of the drift, s; distance that requires a new search, m */
+  double time, step;                   /* duration of the kick and of the drift, s */
+  double travel_limit;                 /* displacement since the last search that requires a new one, m */
 };
 
-/* Own velocity v without c, and c of the next step. With `accumulated`, c stays part of v. `alike`: all particles
- * have the same rate. */
+/* Subtracts c of the last step from the velocities, which leaves v, and computes c of the next step. With `accumulated`
+ * c stays part of v. `alike`: all particles have the same rate. */
 static inline NB_FORM void add_affine(const struct task *task, struct batch *batch, size_t from, size_t n, bool alike) {
   struct nb_vec *velocity = task->particles.velocity + from, *imposed = task->particles.imposed + from;
   const struct nb_vec *position = task->particles.position + from;
@@ -96,7 +99,7 @@ static inline NB_FORM void add_affine(const struct task *task, struct batch *bat
 }
 
 /* Kick and drift, 22, 22a. Fixed particles keep their velocity: neither force nor damping acts on them. `along`: with
- * affine motion. Returns the number of particles that moved beyond the travel limit; NaN compares as beyond it. Vector
+ * affine motion. Returns the number of particles that moved beyond the travel limit, or to NaN. Vector
  * components are processed as one array, so the loops vectorise. */
 static inline NB_FORM int drift(const struct task *task, struct batch *batch, size_t from, size_t n, bool along) {
   const double *mass = task->particles.inverse_mass + from,
@@ -137,7 +140,7 @@ static inline NB_FORM bool any_spin(const double *spin, size_t n) {
   return count > 0;
 }
 
-/* The same for rotation, 23, 23a. */
+/* Kick and drift of the rotation, 23, 23a. */
 static inline NB_FORM void rotate(const struct task *task, const struct batch *batch, size_t from, size_t n) {
   const double *inertia = task->particles.inverse_inertia + from;
   double *spin = task->particles.spin + from, *angle = task->particles.angle + from;

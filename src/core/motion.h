@@ -8,8 +8,8 @@
 
 static inline double nb_kick_time(const struct nb_model *model) { return (model->previous_step + model->step) / 2; }
 
-/* What global damping removes in a kick of dt seconds, as fractions: of m v-, of m v+, and of the impulse of the
- * forces. */
+/* What mass-proportional damping removes in a kick of the duration dt: fractions of m v-, of m v+, and of the impulse
+ * of the forces; v- and v+ are the velocities before and after the kick. */
 struct nb_damping_losses {
   double old, new, impulse;
 };
@@ -31,8 +31,8 @@ static inline struct nb_damping_losses nb_damping_losses_of(const struct nb_damp
   return (struct nb_damping_losses){0, 0, 0};
 }
 
-/* In the kick around a stage's begin t_0 the part before t_0, the fraction `before`, has the damping of the previous
- * stage. */
+/* In the kick around t_0, where a stage begins, the part before t_0 has the damping of the previous stage; `before` is
+ * its fraction of the kick. */
 static inline struct nb_damping_losses nb_damping_losses(const struct nb_model *model, double dt, double before) {
   const struct nb_damping_losses now = nb_damping_losses_of(&model->damping, dt);
   if (model->stage_cycle > 0 || before == 0 ||

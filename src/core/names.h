@@ -57,7 +57,7 @@ const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const cha
 bool nb_quantity_is_residual(struct nb_quantity quantity); /* a residual, 0 by definition */
 /* The k-th quantity, for the manual; false past the last one. */
 struct nb_quantity_row {
-  const void *key; /* its own */
+  const void *key; /* identifies the quantity */
   char name[NB_NAME_SIZE], help[512];
   const char *unit, *of; /* the kind of monitor */
 };

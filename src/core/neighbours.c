@@ -19,7 +19,7 @@
 #include "grid.h"
 #include "model.h"
 
-enum { GRID_MIN_PARTICLES = 16 }; /* with fewer all pairs are tested */
+enum { GRID_MIN_PARTICLES = 16 }; /* up to this number there is no grid, and all pairs are tested */
 
 struct search {
   struct nb_grid grid;
@@ -123,10 +123,10 @@ static bool neighbours_around(struct nb_neighbour_pairs *pairs, struct nb_model 
   return true;
 }
 
-/* Images are searched for up to this fraction, 1, beyond the range of a contact: rounding, 1e-16, then misses none. */
+/* Images are searched for up to this fraction beyond the range of a contact, so that rounding (1e-16) misses none. */
 static const double image_margin = 1e-12;
 
-/* Searches from those of the nine images of i that are in the cell or within the range of a contact. */
+/* Searches from those of the nine images of i that are in the cell or near its edge, within the range of a contact. */
 static bool neighbour_copies(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct search *search,
                              int i) {
   const struct nb_wrap *wrap = &search->wrap;

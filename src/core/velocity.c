@@ -76,7 +76,8 @@ struct nb_vec nb_velocity_total(const struct nb_model *model, size_t slot) {
   return vec_add(nb_velocity_now(model, slot).velocity, nb_imposed_now(model, slot));
 }
 
-/* v_N = (v- + v+)/2 with v+ = keep v- + impulse (F/m) dt. When a force ceases, a larger v- makes up for it. */
+/* v_N = (v- + v+)/2 with v+ = keep v- + impulse (F/m) dt, so v_N stays the same if v- increases by
+ * impulse (F/m) dt/(1 + keep) when F ceases. */
 void nb_motion_offset_force(struct nb_model *model, size_t slot, struct nb_force ending) {
   struct nb_particles *particles = &model->particles;
   const double dt = model->previous_step;
@@ -88,7 +89,7 @@ void nb_motion_offset_force(struct nb_model *model, size_t slot, struct nb_force
     particles->spin[slot] += time * particles->inverse_inertia[slot] * ending.moment;
 }
 
-/* Solves for the half-step velocity behind that gives `now` at t_N under the current forces. */
+/* Solves for the velocity at t_(N-1/2) that gives `now` at t_N under the current forces. */
 void nb_motion_set_velocity(struct nb_model *model, size_t slot, struct nb_velocities now) {
   struct nb_particles *particles = &model->particles;
   const double dt = model->previous_step;

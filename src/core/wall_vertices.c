@@ -10,8 +10,8 @@
  * wall to the other, the contact that becomes suppressed passes its history to the one that becomes active. So neither
  * the normal nor the shear force jumps at a vertex of a straight line or at an outer corner.
  *
- * Two ends form a vertex while their distance is below `coincidence_limit` plus the rounding of coordinates far from
- * the origin. Ends that are apart at time 0 never do.
+ * Two ends form a vertex while their distance is at most `coincidence_limit` of the radius plus the rounding of
+ * coordinates far from the origin. Ends that are apart at time 0 never do.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
@@ -21,8 +21,7 @@
 
 enum { NOW = 1, BEFORE = 2 }; /* bits of `suppressed`: in the current forces, and in the previous ones */
 
-/* Ends closer than this fraction of the disc's radius, 1, form a vertex: the largest error this causes in an
- * overlap. */
+/* Ends closer than this fraction of the disc's radius form a vertex; the error of an overlap is no larger. */
 static const double coincidence_limit = 1e-9;
 
 static double coincidence_distance(struct nb_vec end, double radius) {

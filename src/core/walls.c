@@ -1,15 +1,19 @@
 /* Motion of walls, and the test that no particle passes through one.      [CS79, Input parameters; figure 4]
  *
- *   P <- P + v_P dt,    e <- e rotated by (dalpha/dt) dt about P
+ *   P <- P + v_P dt,    e_w <- e_w rotated by the angle w dt
  *
- * The rotation is exact: e is rotated by the angle and normalised, so a wall neither grows nor drifts. Contacts use the
- * velocity of the wall's point Q, v_P + (dalpha/dt) x (Q - P), averaged over the last step as the particle's velocity
- * is: the displacement of that point over the step, a chord and not a tangent.
+ *   P    point about which the wall rotates, m, with the velocity v_P, m/s
+ *   e_w  unit vector along the wall      w  angular velocity, rad/s, counterclockwise (CS79: dalpha/dt)
  *
- * A wall pushes a disc towards the side of its centre. If the centre crosses to the other side, the disc is pushed through:
- * it was too fast for the step, or its overlap exceeded its radius. The test compares the sides of the centre, in the frame
- * of the wall, at both ends of the step. It covers all pairs at each search. Between searches a particle and a wall approach by
- * at most the skin, so listed pairs are tested in every cycle only if a centre was within the skin of a wall at the last search.
+ * The rotation is exact: e_w is rotated by the angle and normalised, so a wall neither grows nor drifts. Contacts use
+ * the velocity of the wall's point Q, v_P + w x (Q - P), averaged over the last step as the particle's velocity is: the
+ * displacement of that point divided by the step.
+ *
+ * A wall pushes a disc towards the side of its centre. If the centre crosses to the other side, the disc is pushed
+ * through: it was too fast for the step, or its overlap exceeded its radius. The test compares the sides of the centre,
+ * in the frame of the wall, at both ends of the step. It covers all pairs at each search. Between searches a particle
+ * and a wall approach by at most the skin, so listed pairs are tested in every cycle only if a centre was within the
+ * skin of a wall at the last search.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -22,7 +26,7 @@ static struct nb_vec rotated(struct nb_vec e, struct nb_vec by) {
   return vec_scale(1 / vec_length(to), to);
 }
 
-/* The arc of the wall's far end departs from the chord by more than the smallest radius; see guard.c. */
+/* Whether the arc of the wall's far end departs from the chord by more than the smallest radius; see guard.c. */
 bool nb_rotates_too_far(const struct nb_model *model, size_t w, double angle) {
   const struct nb_walls *walls = &model->walls;
   const double end = fabs(walls->h0[w]) + fmax(fabs(walls->h1[w]), fabs(walls->h2[w]));
@@ -76,8 +80,8 @@ static inline bool may_cross(const struct nb_model *model, size_t i, size_t w) {
   return !(away > 2 * model->previous_step * (fabs(v.x) + fabs(v.y) + turn));
 }
 
-/* A crossing up to this fraction of a wall's length, 1, beyond its end counts: no particle slips through a vertex.
- * Far above the rounding of a coordinate, 1e-16, and far below any intended gap. */
+/* A crossing up to this fraction of a wall's length beyond its end counts, so that no particle slips through a vertex.
+ * It is far above the rounding of a coordinate (1e-16) and far below any intended gap. */
 static const double beyond_end = 1e-12;
 
 /* Whether the centre of particle i came from one side of wall w to the other between its ends, or onto it. */

@@ -1,4 +1,4 @@
-/* Walls: position and motion of the segments, and the point of a wall nearest to a particle.               [CS79 figure 4]
+/* Walls: position and motion of the segments, and the point of a wall nearest to a particle.          [CS79 figure 4]
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_WALLS_H

@@ -1,10 +1,10 @@
 /* The loading path (overlap against tangential displacement) that the exact law stores for a contact: corners, from the
  * centre outwards, joined by straight pieces. Symbols and units as in shear_mindlin_deresiewicz.c.
  *
- * Merging two pieces keeps delta at their outer ends and changes u between them by a triangle. An error du(x) changes T
- * by mu N Int du d2n, d2n = (3/4) x^(-1/2) dx^2, so the cost of a merge is the area of the triangle over x^(1/2). When
- * all pieces are in use, the corner with the lowest cost is removed; the cost includes the errors of earlier merges in
- * its pieces. A neighbouring corner then moves along u so that T is kept too, and the error stays within three pieces.
+ * Merging two pieces keeps u at their outer ends and changes it between them by a triangle. An error e(x) of u changes
+ * t by -Int e n'' dx, n'' = (3/4) x^(-1/2), so the cost of a merge is the area of the triangle over x^(1/2). When all
+ * pieces are in use, the corner with the lowest cost is removed; the cost includes the errors of earlier merges in its
+ * pieces. The u of a neighbouring corner then changes so that T is kept too, and the error stays within three pieces.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_CORNERS_H
@@ -12,11 +12,11 @@
 
 #include "law.h"
 
-/* The begin of piece k, and its line. The entry after the last piece is its end: x and u, with d and b of that
- * piece. */
+/* The inner end of piece k, and the line of the piece. The entry after the last piece is its outer end: x and u, with d
+ * and b of that piece. */
 struct corner {
   double x, u, d, b; /* on the piece u grows by d per unit of x, and t = b + d n */
-  double e;          /* twice the area between u and its value before merges; of older ones a fraction */
+  double e; /* twice the area by which merges have changed the path here; older merges count less: drop_corner */
 };
 
 /* Whether a path with |D| <= 1 leads from (x0, u0) to (x, u). */
@@ -47,7 +47,7 @@ static inline double mean_n(double x0, double x1) {
 }
 
 /* The energy lost in rings that the slip front passes on its way inwards from y1, at the overlap x1, to y0, at x0:
- * Int n(x) - n(y) - n'(y)(x - y) dy. */
+ * Int n(x) - n(y) - n'(y)(x - y) dy, where x(y) is the overlap when the front is at y. */
 static inline double front_loss(double y0, double x0, double y1, double x1) {
   const double slope = (x1 - x0) / (y1 - y0), foot = x0 - slope * y0; /* x = foot + slope y */
   const double n0 = n_of(y0), n1 = n_of(y1);
@@ -71,7 +71,7 @@ static inline bool corners_valid(const double m[], int doubles, int max_pieces) 
   return is;
 }
 
-/* Removes corner k by merging its two pieces. Returns the change of t behind them. */
+/* Removes corner k by merging its two pieces. Returns the change of t outside them. */
 static inline double merge(struct corner at[], int k, int pieces) {
   const struct corner one = at[k - 1], two = at[k], end = at[k + 1];
   const double x1 = two.x - one.x, x2 = end.x - two.x, d = (end.u - one.u) / (x1 + x2);
@@ -82,8 +82,8 @@ static inline double merge(struct corner at[], int k, int pieces) {
   return at[k - 1].b - two.b + (d - two.d) * n_of(end.x);
 }
 
-/* Moves corner k along u so that t behind piece k grows by `more`. False, without a change, if a ring would exceed
- * its friction limit. */
+/* Changes u of corner k so that t outside piece k grows by `more`. False, without a change, if a ring would exceed its
+ * friction limit. */
 static inline bool shift_corner(struct corner at[], int k, double more) {
   const double x1 = at[k].x - at[k - 1].x, x2 = at[k + 1].x - at[k].x;
   const double n0 = n_of(at[k - 1].x), n1 = n_of(at[k].x), n2 = n_of(at[k + 1].x);

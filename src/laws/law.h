@@ -4,13 +4,14 @@
  *   struct nb_normal normal_NAME(struct nb_pair p, double overlap, double dn, double m[])
  *   struct nb_shear  shear_NAME(struct nb_pair p, struct nb_normal n, double ds, double m[])
  *
- * overlap is never negative. It is 0 without contact; force and stiffness must then be 0. A law that yields may have no
- * force at an overlap smaller than an earlier one; the stable step uses the greatest stiffness that can follow
+ * overlap is never negative. It is 0 without contact; force and stiffness must then be 0. A law with plastic flow may
+ * have no force at an overlap smaller than an earlier one; the stable step uses the greatest stiffness that can follow
  * (measure/stable_step.c). dn and ds are the normal and tangential increments of this step, m. m is the history of this
  * contact, as many doubles as the law declares, 0 at first touch; the law updates it for the next step. Forces are
  * elastic; dashpots are added later, from the stiffnesses returned here.
  *
- * Straight-line laws use only + - x / sqrt fabs copysign and ?:, so that the compiler vectorises their loop.
+ * Straight-line laws, which have no branches, use only + - x / sqrt fabs copysign and ?:, so that the compiler
+ * vectorises their loop.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_LAW_H
@@ -44,24 +45,24 @@ struct nb_law {
   const char *title;      /* one line for `nineball laws` */
   const char *source;     /* equation tags */
   const char *parameters; /* material properties that its force depends on: "ks, friction, cohesion" */
-  int history, piece,
-      pieces; /* doubles per contact: `history`, plus `piece` for each of `pieces`, or of the page's number of pieces */
-  unsigned needs;        /* set of fields that it reads, besides overlap, normal force and normal stiffness */
-  bool elastic;          /* for elastic spheres: uses E*, G* and R* instead of k_n and k_s */
-  bool branching;        /* has loops or calls: its loop need not vectorise */
-  bool cohesionless;     /* does not support cohesion: a page with some is invalid */
-  bool dissipative;      /* dissipates energy before gross sliding, and returns how much */
-  bool non_conservative; /* may create energy in a closed path; its file says how much */
+  int history;            /* doubles per contact, besides those of the pieces: */
+  int piece, pieces;      /* doubles for each piece, and the number of pieces unless the page gives another */
+  unsigned needs;         /* set of fields that it reads, besides overlap, normal force and normal stiffness */
+  bool elastic;           /* for elastic spheres: uses E*, G* and R* instead of k_n and k_s */
+  bool branching;         /* has loops or calls: its loop need not vectorise */
+  bool cohesionless;      /* does not support cohesion: a page with some is invalid */
+  bool dissipative;       /* dissipates energy before gross sliding, and returns how much */
+  bool non_conservative;  /* may create energy in a closed path; its file says how much */
   /* Adds to the previous force: its stiffness is that of the next step, and the force may end before the overlap. */
   bool incremental;
   nb_run_pass *run[NB_ISAS]; /* for a block */
-  struct nb_normal (*normal)(struct nb_pair, double overlap, double dn,
-                             double m[]); /* for contact tests and unit tests */
+  /* The law itself, for contact tests, the stable step, energies and unit tests. */
+  struct nb_normal (*normal)(struct nb_pair, double overlap, double dn, double m[]);
   struct nb_shear (*shear)(struct nb_pair, struct nb_normal, double ds, double m[]);
   double (*stored)(struct nb_pair, struct nb_normal, const double m[]); /* elastic energy, J; NULL: none defined */
   int (*used)(const double m[]); /* doubles in use in a contact's row; NULL: all */
-  /* Whether so many doubles, read from a file, are a valid row with at most so many pieces. NULL: the declared number
-   * is. */
+  /* Whether these doubles, read from a file, are a valid row with at most that many pieces. NULL: any row of the
+   * declared length is. */
   bool (*valid)(const double m[], int doubles, int pieces);
   /* The pieces of a contact's history, for contact tests: up to p.pieces overlaps x, m, ascending to alpha, and D of
    * the piece that ends there, 1. Returns their number; NULL: the law has no pieces. */

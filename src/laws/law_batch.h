@@ -15,7 +15,7 @@
  *   #define COHESIONLESS                    does not support cohesion (optional)
  *   #define PREFETCH  ..._prefetch          prefetches the part of a row that it will read (optional)
  *   #define USED  ..._used                  returns the number of doubles in use in a row (optional)
- *   #define VALID ..._valid                 tells whether doubles from a file are a valid row (optional)
+ *   #define VALID ..._valid                 returns whether doubles from a file are a valid row (optional)
  *   #define PIECES_OF  ..._pieces           returns the pieces of its history (optional)
  *   #define STAGED                          split into three functions, see law_stages.h (optional; for laws with rows)
  *   #define BRANCHING, NON_CONSERVATIVE, INCREMENTAL   (optional, see law.h)
@@ -52,11 +52,11 @@
 #ifdef STAGED
 #include "law_stages.h"
 #else
-/* `counts`: stores the energy lost. A second loop, because few runs need it and it may be expensive. */
+/* `counts`: stores the energy lost. That is a second loop, because few runs need it and it may be expensive. */
 static inline NB_FORM void LAW_LOOP(const struct nb_block *block, bool counts) {
   (void)counts;
-  const struct nb_pair pair =
-      *(const struct nb_pair *)block->material_pair; /* a material pair begins with its parameters */
+  /* A material pair begins with its parameters. */
+  const struct nb_pair pair = *(const struct nb_pair *)block->material_pair;
   const double *overlap = block->f[NB_OVERLAP];
 #ifdef ELASTIC
   const double *reduced = block->f[NB_REDUCED];

@@ -1,7 +1,6 @@
 /* The loop of a law in three stages, for a law with a long row of history per contact. Reading and writing the row
  * needs branches, the computation between does not. Each stage is a loop over as many contacts as fit into the
- * first-level cache with their rows, so that the middle loop vectorises and the others do not wait for it. The law's
- * file defines
+ * first-level cache with their rows, so that the middle loop vectorises. The law's file defines
  *
  *   #define STAGED
  *   #define FETCHED  struct fetched         of doubles: what the first stage reads from the row
@@ -43,8 +42,8 @@ union law_solved {
 };
 
 static inline NB_FORM void LAW_LOOP(const struct nb_block *block, bool counts) {
-  const struct nb_pair pair =
-      *(const struct nb_pair *)block->material_pair; /* a material pair begins with its parameters */
+  /* A material pair begins with its parameters. */
+  const struct nb_pair pair = *(const struct nb_pair *)block->material_pair;
   const double *overlap = block->f[NB_OVERLAP], *reduced = block->f[NB_REDUCED],
                *ds = block->f[NB_TANGENTIAL_INCREMENT];
   const double *normal = block->f[NB_NORMAL], *normal_stiffness = block->f[NB_STIFFNESS], *radius = block->f[NB_RADIUS];

@@ -9,11 +9,13 @@
 
 struct nb_active_laws nb_laws_initial(const struct nb_scene *scene);
 struct nb_active_laws nb_laws_of(const struct nb_stage *stage, struct nb_active_laws before); /* from that stage on */
-bool nb_laws_normal_changes(const struct nb_model *model);                                    /* at the next forces; */
-bool nb_laws_shear_changes(const struct nb_model *model); /* the history is then discarded */
-bool nb_laws_elastic(const struct nb_scene *scene);       /* in some stage the normal law is for elastic spheres */
-bool nb_laws_shear(const struct nb_scene *scene);         /* in some stage there is a shear law */
-/* The first law without stored energy that a stage uses; NULL: none. */
+/* Whether the law changes at the next force calculation, which then discards its history. */
+bool nb_laws_normal_changes(const struct nb_model *model);
+bool nb_laws_shear_changes(const struct nb_model *model);
+bool nb_laws_elastic(const struct nb_scene *scene); /* in some stage the normal law is for elastic spheres */
+bool nb_laws_shear(const struct nb_scene *scene);   /* in some stage there is a shear law */
+/* The first law without stored energy that a stage brings in: by a change of law, or by friction for contacts that had
+ * none. NULL: none. */
 const struct nb_law *nb_laws_unstored(const struct nb_scene *scene, bool normal);
 void nb_laws_change(struct nb_model *model); /* makes the next laws the current ones */
 

@@ -16,7 +16,7 @@
  *            Interpretation here: no force while they separate, and a new first touch, by 4.11, if they approach again
  *            before the overlap has ended. An overlap at time 0 was never an increment and causes no force.
  * Range      as normal_hertz.c.
- * History    m[0]  N, N.
+ * History    m[0]  N of the previous step, N.
  * Stores     (2/5) N a^2/R*, the energy of Hertz's contact at the force N. No step returns more energy than it takes
  *            from the store: with the mean of N over the step the work exceeds the stored energy by a second-order
  *            term, on loading and unloading.
@@ -48,7 +48,7 @@ static double normal_hertz_increment_stored(struct nb_pair p, struct nb_normal n
 #define LAW normal_hertz_increment
 #define NORMAL
 #define ELASTIC
-#define TITLE "elastic spheres by increments, N += 2 E* a closing, as R89 coded it: loses 2-3 % of the speed"
+#define TITLE "elastic spheres by increments, N += 2 E* a dn, as R89 coded it: loses 2-3 % of the speed"
 #define SOURCE "[R89 4.11, 4.12, 4.14]"
 #define PARAMETERS "young, poisson"
 #define HISTORY 1

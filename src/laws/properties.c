@@ -89,7 +89,8 @@ struct nb_pair nb_properties_before(const struct nb_properties *now, const struc
 #undef ROW
 }
 
-/* The rule of a pair; a new one without values if there was none. `create` has reserved capacity for all stages. */
+/* The rule of a pair; a new one without values if there was none. nb_properties_create has allocated enough for all
+ * stages. */
 static struct nb_pair_rule *rule_of(struct nb_properties *now, int a, int b) {
   for (size_t i = 0; i < now->rule_count; i++)
     if (matches(&now->rules[i], a, b))

@@ -1,5 +1,4 @@
-/* Functions that shear_randall.c and shear_randall_literal.c share: the increment and the sticking fraction of the
- * radius.
+/* Functions that shear_randall.c and shear_randall_literal.c share: the increment of T and the slip factor theta.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_RANDALL_H
@@ -28,14 +27,14 @@ static inline double cube_root(double x) {
 /* x CDF or x UFL; `back`: that factor is -1. */
 static inline double flip_if(bool back, double x) { return back ? -x : x; }
 
-/* theta = c/a, c the radius of the sticking region, for a change of T by `force` since the last reversal: [R89 4.22]
- * from T = 0, times 1; [R89 4.23, 4.24] from a reversal, times 2. Forces are those before the step, limit = mu N after
- * it. */
+/* theta = c/a, c the radius of the stick region, after a change of T by `force` in virgin loading (times = 1, [R89
+ * 4.22]) or since the last reversal (times = 2, [R89 4.23, 4.24]). `force` is that before the step, `rise` is mu dN of
+ * the step, `limit` mu N after it. */
 static inline double stuck_fraction(double force, double times, double rise, double limit) {
   return cube_root(1 - (force + times * rise) / (times * limit));
 }
 
-/* dT [R89 4.15], which is [R89 3.94]: elastic = 8 G* a ds, frictional = CDF UFL mu dN, and CDF CDF = 1. */
+/* dT [R89 4.15], which equals [R89 3.94] because CDF CDF = 1: elastic = 8 G* a ds, frictional = CDF UFL mu dN. */
 static inline double increment(double theta, double elastic, double frictional) {
   return theta * (elastic - frictional) + frictional;
 }

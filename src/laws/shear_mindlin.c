@@ -13,7 +13,7 @@
  * Range      as normal_hertz.c.
  * History    m[0]  T, N.
  * Creates    energy, because T is kept when N falls, although a part of the contact area that carried it has separated.
- *            Around a closed square in (N, ds), up to a2, out by s, down to a1, back by s, the work is
+ *            In the cycle N up to the radius a2, displacement s, N down to the radius a1, displacement -s, the work is
  *            -4 G* (a2 - a1) s^2 (cases/4-oblique/closed-squares.md). So it has no stored energy.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -31,7 +31,7 @@ static inline struct nb_shear shear_mindlin(struct nb_pair p, struct nb_normal n
 #define LAW shear_mindlin
 #define SHEAR
 #define ELASTIC
-#define TITLE "elastic spheres, no slip but as a whole: T += 8 G* a slip, |T| <= mu N"
+#define TITLE "elastic spheres without micro-slip: T += 8 G* a ds, |T| <= mu N + c"
 #define SOURCE "[R89 3.27]"
 #define PARAMETERS "young, poisson, friction, cohesion"
 #define HISTORY 1

@@ -2,8 +2,9 @@
  *
  *   T = mu Int_0^alpha D dN(x),      delta = mu kappa Int_0^alpha D dx,      -1 <= D(x) <= 1,      kappa = E* / 4 G*
  *
- *   alpha, N  overlap, m, and Hertz's force at it, N(x) = N (x/alpha)^(3/2); alpha = a^2/R*, the overlap of the force
- *   delta     tangential displacement since the last gross sliding, m;  T  its force, N
+ *   alpha     a^2/R*, the overlap at which Hertz's law has the contact radius a, m
+ *   N(x)      normal force at the overlap x, N (x/alpha)^(3/2) with the present force N, N
+ *   delta     tangential displacement since the last gross sliding, m;  T  shear force, N
  *   D(x)      of the ring that joined the contact at the overlap x: its traction as a fraction of the friction limit; 1
  *             or -1 where it has slipped
  *   mu        the smaller friction of the two materials, 1
@@ -20,7 +21,7 @@
  * on the step size: a step is exact where (alpha, delta) moves on a straight line, and so is a path of as many segments
  * as there are pieces.
  *
- * A piece that changes delta(x) by less than 1e-7 mu kappa alpha is merged with the one before it, with delta kept.
+ * A new piece is merged with the one before it, with delta kept, if this changes T by less than 1e-7 mu N.
  * When all pieces are in use, two others are merged (corners.h). In contacts with decaying oscillations of 20 to 3000
  * reversals the measured error of T is at most 1.2e-4 mu N with 64 pieces, the default (docs/CONTACT.md). The change of
  * the stored energy by a merge counts as loss; it may be negative.
@@ -49,9 +50,9 @@
 
 #include "corners.h"
 
-static const double merge_tolerance = 1e-7 / 1.5; /* of x, in u: 1e-7 mu N in T */
-/* Upper limit of the ratio of old to new friction: the contact slides in any case, and the square of the ratio stays
- * finite. */
+/* Change of u over x up to which two pieces are merged; T then changes by at most 1.5 mu N times this. */
+static const double merge_tolerance = 1e-7 / 1.5;
+/* Upper limit of the ratio of old to new friction, so that its square stays finite. The contact slides in any case. */
 static const double max_friction_ratio = 1e150;
 
 static inline double mu_kappa(struct nb_pair p) { return p.friction * p.young / (4 * p.shear); }
@@ -60,7 +61,7 @@ static inline double u_increment(struct nb_pair p, double ds) { return ds * p.ra
 /* A friction whose inverse overflows counts as none. */
 static inline bool has_friction(struct nb_pair p) { return mu_kappa(p) >= DBL_MIN; }
 
-/* No tangential force without friction, nor where a normal law ends the force before the overlap. */
+/* No shear force without friction, nor where the normal force has ended before the overlap. */
 static inline bool can_slide(struct nb_pair p, struct nb_normal n) {
   return has_friction(p) && n.radius * n.radius * n.radius > 0;
 }
@@ -69,7 +70,7 @@ static inline bool can_slide(struct nb_pair p, struct nb_normal n) {
 struct base {
   double k;          /* index of the new piece; below 0: not found yet */
   double x, u, d, b; /* the corner */
-  double from;       /* begin of the piece before the new one */
+  double from;       /* x of the inner end of the piece before the new one */
 };
 
 /* The new piece, and u at its end. */
@@ -133,8 +134,8 @@ static int append_or_merge(struct corner at[], int k, double x, const struct pie
 }
 
 /* The energy lost in a step, as Int t du: at the front, which passes the end of the piece before the new one and all
- * pieces outside it, and by sliding. For a displacement in the sense s the front is at the y where y - s u(y)
- * equals g = x - s u of the edge, which falls during the step; below 0 the contact slides. */
+ * pieces outside it, and by sliding. For a displacement in the sense s the front is at the y where y - s u(y) equals
+ * g = x - s u at the edge. g falls during the step; where it is below 0 the contact slides. */
 static double energy_loss(const struct corner at[], int pieces, double x, double u, int index,
                           const struct piece *piece) {
   const double s =
@@ -292,7 +293,7 @@ static int shear_mindlin_deresiewicz_pieces(struct nb_pair p, struct nb_normal n
   return (int)m[0];
 }
 
-/* The last corners, and the place of a new one. */
+/* Prefetches the last corners, and the place of a new one. */
 static inline void shear_mindlin_deresiewicz_prefetch(const double m[]) {
   for (int line = -2; line < 2; line++)
     __builtin_prefetch(&m[m[0] > 2 ? HEAD + 5 * (int)m[0] + 8 * line + 1 : 0], 1);
@@ -306,7 +307,7 @@ static inline void shear_mindlin_deresiewicz_prefetch(const double m[]) {
 #define SOLVED struct piece
 #define DISSIPATIVE
 #define COHESIONLESS
-#define TITLE "exact law of elastic spheres, Cattaneo and Mindlin's, under any history"
+#define TITLE "exact law of elastic spheres by Cattaneo and Mindlin, for any loading history"
 #define SOURCE "[R89 3.2-3.5]"
 #define PARAMETERS "young, poisson, friction"
 #define HISTORY 12

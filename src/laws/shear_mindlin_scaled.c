@@ -1,4 +1,6 @@
-/* As shear_mindlin.c, but T falls with the radius when N falls: T <- T a/a_before + 8 G* a ds, limited to |T| <= mu N + c
+/* As shear_mindlin.c, but T decreases with the contact radius when N falls:
+ *
+ *   T <- T a/a_before + 8 G* a ds,  limited to  |T| <= mu N + c
  *
  *   a, a_before   radius of the contact circle at the end of this step and of the previous one, m; the ratio is 1
  *                 unless N fell
@@ -8,10 +10,10 @@
  * Order      exact at constant N, first order in the step while N changes, as shear_mindlin.c.
  * Range      as normal_hertz.c.
  * History    m[0]  T, N;   m[1]  a, m.
- * Energy     none is created in any closed path. T^2/(16 G* a), the work of applying T at this a, falls when a grows at
- *            constant T, falls with a when T is reduced with it, and otherwise changes by T ds: it never exceeds the
- *            work done. But it is no state function: a change of N loses energy without sliding. So no stored energy is
- *            declared, and shear work is recorded.
+ * Energy     none is created in any closed path. T^2/(16 G* a), the work of applying T at this a, decreases when a
+ *            grows at constant T and when T decreases in proportion to a; otherwise it changes by T ds. So it never
+ *            exceeds the work done. But a change of N loses energy without sliding, so there is no state function. The
+ *            law declares no stored energy, and the balance counts the shear work.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "law.h"
@@ -30,7 +32,7 @@ static inline struct nb_shear shear_mindlin_scaled(struct nb_pair p, struct nb_n
 #define LAW shear_mindlin_scaled
 #define SHEAR
 #define ELASTIC
-#define TITLE "as mindlin, but T goes with the contact's radius when N falls"
+#define TITLE "as mindlin, but T decreases with the contact radius when N falls"
 #define SOURCE "[R89 3.27]"
 #define PARAMETERS "young, poisson, friction, cohesion"
 #define HISTORY 2

@@ -4,12 +4,12 @@
  *   dT = CDF (theta (8 G* a ds CDF - mu dN UFL) + mu dN UFL),       |T| <= mu N       [R89 4.15]
  *
  *   ds, dN  tangential increment, m, and change of normal force, N, in this step;  a  the radius after it, m
- *   theta   c/a, c the slip front: [R89 4.22-4.24]; 1 while the step only makes up for rings that stick outside c
- *           [R89 4.25]
+ *   theta   slip factor c/a, c the radius of the stick region [R89 4.22-4.24]; 1 in a step that only loads rings that
+ *           stick outside c [R89 4.25]
  *   CDF     sense of the virgin loading;  UFL  -1 in unloading, else 1
  *   T*, T** forces at which unloading and reloading began; a change of N moves them to the curves of the new N
  *           [R89 4.20, 4.21]
- *   DD      deficit of the rings that stuck when they joined, m: what they lack to full slip in the sense of the motion
+ *   DD      deficit, m: tangential displacement that the rings outside c, which joined without slip, lack to full slip
  *           [R89 4.17]
  *   ds_c    mu dN/(8 G* a), the increment at which a new ring is just at its limit and the front stays in place
  *           [R89 4.16]
@@ -31,14 +31,14 @@
  *   - theta is never negative. Sliding means |T| > mu N, or no sticking region; it resets the history.
  *
  * Source     [R89 3.94-3.98, 4.15-4.25], FORD and THETA.
- * Order      first in the step, relative to its own limit of small steps: theta is that of the step's begin.
+ * Order      first in the step, relative to its own limit of small steps: theta is that of the beginning of the step.
  * Range      as normal_hertz.c; friction limits the traction, so no cohesion. In that limit exact while N is constant
  *            or falls, and where it rises more slowly than slip, |ds| > ds_c, for up to two nested reversals. Of
  *            further ones, the inner ones are elastic [R89 3.3]. Rings that stick as N grows are represented by DD
  *            alone, which a reversal resets.
  * History    m[0..6]  N of the previous step, 0: none; T, T*, T**, N; DD, m; CDF, 0 before the first motion; branch.
- * Creates    energy: around a closed square of N and ds, from N to 2 N and out by A/5, A = 3 mu N/(16 G* a), 0.0074
- *            mu N A in the second cycle and less in later ones. So it has no stored energy.
+ * Creates    energy: in the cycle N to 2 N, displacement A/5, 2 N to N, displacement -A/5, with A = 3 mu N/(16 G* a),
+ *            it creates 0.0074 mu N A the second time and less later. So it has no stored energy.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "randall.h"
@@ -49,7 +49,7 @@ struct history {
   double n, t, t_star, t_star2, deficit, cdf, branch;
 };
 
-/* With the sign of the virgin loading, CDF; and of UFL. */
+/* x CDF, and x UFL. */
 static inline double along_virgin(const struct history *h, double x) { return flip_if(h->cdf < 0, x); }
 static inline double unloading(const struct history *h, double x) { return flip_if(h->branch == UNLOADING, x); }
 
@@ -120,7 +120,7 @@ static inline struct nb_shear shear_randall(struct nb_pair p, struct nb_normal n
 #define BRANCHING
 #define COHESIONLESS
 #define NON_CONSERVATIVE
-#define TITLE "elastic spheres with micro-slip in increments, two reversals remembered, best reading"
+#define TITLE "R89's law with micro-slip, in increments, with two stored reversals, its errors corrected"
 #define SOURCE "[R89 3.94-3.98, 4.15-4.25]"
 #define PARAMETERS "young, poisson, friction"
 #define HISTORY 7

@@ -19,14 +19,14 @@
  *     theta is then 0; otherwise critical damping, which uses its root, would have no value [R89 4.19].
  *
  * With mu twice in the critical increment, a contact that should stick slides from first touch on: T = mu N to the last
- * bit of both, and that bit decides whether dT < mu dN. What follows then varies by a third of psi2
- * (tests/randall_exact.c).
+ * bit of both, and that bit decides whether dT < mu dN. In one impact psi2 is then 0.369 or 0.195; the exact value is
+ * 0.045 (tests/randall_exact.c).
  *
  * Source     [R89 4.15-4.25], FORD and THETA.
  * Range      as shear_randall.c. Exact in the limit of small steps in virgin loading at constant N, and hardly
  *            elsewhere.
  * History    m[0..4]  N of the previous step, 0: none; T, T*, T**, N; DD, m.
- * Creates    energy, from the first cycle on: around the square of shear_randall.c 0.0067, then 0.0113 mu N A in each.
+ * Creates    energy: in the cycle of shear_randall.c 0.0067 mu N A the first time, 0.0113 mu N A each later time.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "randall.h"
@@ -116,7 +116,7 @@ static inline struct nb_shear shear_randall_literal(struct nb_pair p, struct nb_
 #define BRANCHING
 #define COHESIONLESS
 #define NON_CONSERVATIVE
-#define TITLE "elastic spheres, R89's FORD and THETA as the text stands, for comparison"
+#define TITLE "R89's law exactly as the text of FORD and THETA is printed, for comparison"
 #define SOURCE "[R89 4.15-4.25]"
 #define PARAMETERS "young, poisson, friction"
 #define HISTORY 5

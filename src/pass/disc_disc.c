@@ -5,8 +5,8 @@
  *   dn = (v_x - v_y).e dt                                              14
  *   ds = ((v_x - v_y).t - (w_x R_x + w_y R_y)) dt                      15
  *
- * v, w are the velocities of the last step, so dn and ds are the increments since the last forces. A scene without
- * dashpots needs no dn, one without friction no ds: the loop exists in three forms.
+ * v (m/s) and w (rad/s, counterclockwise) are the velocities over the last step, so dn and ds are the increments since
+ * the last forces. A scene without dashpots needs no dn, one without friction no ds: the loop exists in three forms.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "disc_disc.h"

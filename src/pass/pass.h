@@ -16,7 +16,8 @@ extern const struct nb_pass nb_pass_vertices;
 extern const struct nb_pass nb_pass_deep;
 extern const struct nb_pass nb_pass_dashpots[3]; /* by enum nb_dashpot_kind */
 extern const struct nb_pass nb_pass_resolve[2];  /* without and with shear */
-/* Dashpot coefficients of a contact: D_n = time k_n dn/dt + ratio sqrt(M* k_n) dn/dt. */
+
+/* Dashpot coefficients of a contact, s and 1: D_n = time k_n dn/dt + ratio sqrt(M* k_n) dn/dt, D_s likewise. */
 struct nb_dashpot {
   double time, ratio;
 };

@@ -2,8 +2,8 @@
  *
  *   y + H m - x   instead of y - x,      v_y + L H m   instead of v_y
  *
- *   H   the cell's sides as columns, m       m   two integers: the image is m sides away
- *   L   strain rate of the cell in the last step, 1/s
+ *   v_y  velocity of y, including the affine motion, m/s      L  strain rate of the cell in the last step, 1/s
+ *   H    sides of the cell as columns, in metres              m  two integers: the image is m sides away
  *
  * Otherwise as disc_disc.c.
  *

@@ -1,4 +1,4 @@
-/* Suppressed contacts at vertices of walls (core/wall_vertices.c) get no overlap.
+/* Sets the overlap of suppressed contacts at vertices of walls (core/wall_vertices.c) to 0.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "pass.h"
