@@ -310,7 +310,7 @@ run 2 check --tap endless.md
 out "# line 12: the step is computed as inf: "
 printf '```scene\nunits none\nstart endless stage flight\nrecord time\nstage on\ncycles 1\n```\n' >from-endless.md
 run 2 check from-endless.md
-said "endless, line 12, from which this starts: the step is computed as inf: "
+said "endless, line 12, from which this page starts: the step is computed as inf: "
 run 0 explain "$pages/drives.md"
 out '  line 9: boundary circle 0 0 radius 10'
 out '    line 15: boundary strain 1e-4 per cycle -1e-4 per cycle shear 2e-5 per cycle'

@@ -37,7 +37,7 @@ enum nb_status nb_affine_create(struct nb_model *model, struct nb_error *error) 
   if (model->owner.failed)
     return nb_error_memory(error);
   affine->source = source;
-  affine->free_before = true; /* a saved state does not tell */
+  affine->free_before = true; /* a saved state does not contain it */
   affine->centre = model->cell ? model->cell->centre : vec(scene->origin_x, scene->origin_y);
   for (int c = 0; c < NB_AFFINE_SOURCES; c++)
     affine->separate[c] = 1;
@@ -49,7 +49,7 @@ enum nb_status nb_affine_create(struct nb_model *model, struct nb_error *error) 
   return NB_OK;
 }
 
-/* In 1/s. */
+/* L, 1/s. */
 static struct nb_tensor rate_of(const struct nb_model *model, const struct nb_strain_rate *strain) {
   return tensor_scale(strain->per_cycle ? 1 / model->step : 1, tensor(strain->xx, strain->xy, strain->yx, strain->yy));
 }
@@ -75,7 +75,7 @@ void nb_affine_begin(struct nb_model *model, const struct nb_stage *stage) {
     affine->rate[c] = affine->base_rate[c] = rate_of(model, &requested[c]);
 }
 
-/* Whether all particles with an imposed motion have the same L, and all of them accumulate c or none. */
+/* Whether all particles with an imposed motion have the same L, and either all or none of them accumulate c. */
 static bool same_rate(const struct nb_affine *affine, enum nb_affine_source reference) {
   for (int c = 0; c < NB_AFFINE_SOURCES; c++)
     if (affine->used[c] && (tensor_largest(tensor_sub(affine->rate[c], affine->rate[reference])) != 0 ||

@@ -2,25 +2,25 @@
  *
  * A circle defines the boundary when it begins: the free particles whose centres are on it or outside belong to it.
  * While they are held they follow the boundary's strain rate (affine.c) and have no velocity of their own. Their mass
- * counts as infinite, they do not rotate, and there is no force between two of them. With x at the beginning of a step
- * their centres move as
+ * counts as infinite, they do not rotate, and there is no force between two of them. Their centres move as
  *
  *   x_(N+1) - x_0 = (1 + L dt)(x_N - x_0)
  *
- * and the circle deforms with them into the ellipse x = x_0 + S X, |X| = R, with S_(N+1) = (1 + L dt) S_N. A particle
- * whose centre comes to lie on the ellipse or outside belongs to the boundary from then on.
+ * about the centre x_0 of the circle. The circle, of the radius R, deforms with them into the ellipse x = x_0 + S y
+ * with |y| = R and S_(N+1) = (1 + L dt) S_N. A particle whose centre is on the ellipse or outside belongs to the
+ * boundary from then on.
  *
  * After each search, and when the ellipse has moved by half the skin, the particles closer to it than the skin are
- * listed as candidates, because only they can cross it meanwhile. So each cycle checks few particles, and no result
- * depends on the skin.
+ * listed as candidates, because only they can cross it before the next list. So each cycle checks few particles, and no
+ * result depends on the skin.
  *
  * The polygon through the centres of the boundary's particles, counterclockwise, has the area
  *
  *   A = sum (x_i y_(i+1) - x_(i+1) y_i)/2
  *
- * and each particle represents half of its two sides: n l = ((x_(i+1) - x_(i-1))/2 rotated clockwise), n the outward
- * normal. A stress s on the boundary, compression positive, is the force -s n l h on each particle, h the thickness, m.
- * The sum of these forces is 0, and sum F_i X_j = -s A h. Area and stress are measured in measure/boundary.c.
+ * and each particle represents half of its two sides: n l is (x_(i+1) - x_(i-1))/2 rotated clockwise, n the outward
+ * normal. A stress s on the boundary, compression positive, is the force F = -s n l h on each particle, h the
+ * thickness, m. The sum of these forces is 0, and sum F_i (x - x_0)_j = -s_ij A h. Area and stress: measure/boundary.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -31,8 +31,8 @@
 
 /* ---- the circle ---- */
 
-/* A centre closer to the circle than this fraction of the radius is on it. A page may place particles there, with
- * rounding of 1e-16. */
+/* A centre closer to the circle than this fraction of the radius is on it. A page may place particles there, up to
+ * rounding (1e-16). */
 static const double on_circle = 1e-12;
 
 static bool is_outside(const struct nb_model *model, struct nb_vec x, double margin) {
@@ -194,14 +194,14 @@ enum nb_status nb_boundary_create(struct nb_model *model, struct nb_error *error
   }
   if (model->owner.failed)
     return nb_error_memory(error);
-  if (scene->circle.line && scene->start.stages == 0) /* else it is as the state has it */
+  if (scene->circle.line && scene->start.stages == 0) /* otherwise the state has the boundary */
     boundary_define(model, &scene->circle);
   return NB_OK;
 }
 
 /* ---- a stage ---- */
 
-/* The search is about to drop the pairs of held particles from the list, with the energy of their springs. */
+/* Counts the energy of the springs between held particles as removed: the next search drops these pairs. */
 static void count_removed_springs(struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
   const double *inverse = model->particles.inverse_mass;
@@ -312,7 +312,7 @@ enum nb_status nb_boundary_before_motion(struct nb_model *model, struct nb_error
     attach(model, ring->candidates[k]);
     add_member(model, ring->candidates[k]);
   }
-  ring->listed_search = 0; /* the new members are no candidates any more */
+  ring->listed_search = 0; /* the new members are no longer candidates */
   const enum nb_status status = search_again(model, error);
   if (!status)
     nb_balance_exclude(model, false);

@@ -1,21 +1,21 @@
 /* A box of four walls that follow a strain rate.
  *
- *   v_P = n n.L (P - x_0)         dh = e.L e h dt
+ *   v_P = (n.L n) (n.(P - x_0)) n         dh = (e.L e) h dt
  *
- *   P    point of a wall, its middle unless the page gives another, m
+ *   P    point of a wall, its middle unless the page gives another, m; v_P its velocity, m/s
  *   x_0  the middle between opposite walls, m
  *   n, e unit vectors normal to the wall and along it
  *   h    distance of an end of the wall from P, m
  *   L    strain rate, extension positive, 1/s
  *
- * With x at the beginning of a step the corners move as x_(N+1) - x_0 = (1 + L dt)(x_N - x_0), so they stay closed. The
- * walls grow or shrink at their ends; a particle that touches one sees the velocity v_P only.
+ * The corners move as x_(N+1) - x_0 = (1 + L dt)(x_N - x_0), so they stay closed. The walls grow or shrink at their
+ * ends; a particle that touches one sees the velocity v_P only.
  *
  * The stress of the box is computed from the forces F of its walls on particles, at the points of contact X:
  *
- *   s_ij = -(1/A h) sum F_i (X - x_0)_j        compression positive, A the box's area, m2, h the thickness, m
+ *   s_ij = -(1/V) sum F_i (X - x_0)_j        compression positive, V the box's area times the thickness, m3
  *
- * At rest and without gravity it equals the mean stress of the assembly inside.                       [R89 4.45]
+ * At rest and without gravity it equals the mean stress of the assembly inside.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "loading.h"

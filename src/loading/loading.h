@@ -13,7 +13,7 @@ enum nb_status nb_boundary_begin(struct nb_model *model, const struct nb_stage *
 enum nb_status nb_boundary_before_motion(struct nb_model *model, struct nb_error *error);
 void nb_boundary_after_motion(struct nb_model *model);
 void nb_boundary_remove(struct nb_model *model, size_t slot); /* a particle that is removed from the scene */
-/* Of a held boundary, before the motion, if no other particle has an imposed motion. */
+/* Sets the velocities of a held boundary before the motion, if no other particle has an imposed motion. */
 void nb_boundary_set_velocities(struct nb_model *model);
 void nb_boundary_set_forces(struct nb_model *model); /* of a stress on the boundary, at the present positions */
 
@@ -29,8 +29,8 @@ void nb_affine_remove(struct nb_model *model, size_t slot); /* a particle that i
 /* ---- box.c: four walls that follow a strain rate, and the stress on them ---- */
 /* Index of the first of its walls south, east, north, west; -1: no box. */
 int nb_box_first_wall(const struct nb_scene *scene);
-/* Whether the walls follow the box's strain rate in that stage: it or an earlier one has `box strain` or a servo
- * through the box, and no stage since then has moved one of the walls. */
+/* Whether the walls follow the box's strain rate in that stage: this stage or an earlier one has `box strain` or a
+ * servo through the box, and no later one has moved one of the walls. */
 bool nb_box_strained_in(const struct nb_scene *scene, size_t stage);
 bool nb_box_is_strained(const struct nb_model *model);    /* in the present stage */
 void nb_box_set_velocities(struct nb_model *model);       /* of its walls over the next step; before the motion */

@@ -22,8 +22,8 @@ static double difference_from_contacts(const struct nb_model *model) {
 BOUNDARY_QUANTITY(boundary_residual, difference_from_contacts(model))
 
 NB_TENSOR_QUANTITY(cell_sides, model->cell->h)
-/* -(1/V) sum f_i l_j over contacts, Pa, compression positive: f force on the first particle, l from its centre to that
- * of the copy of the second. */
+/* -(1/V) sum f_i l_j over contacts, Pa, compression positive: f is the force on the first particle, l the vector from
+ * its centre to that of the copy of the second. */
 NB_TENSOR_QUANTITY(cell_stress,
                    tensor_scale(1 / (nb_cell_area(model->cell) * nb_thickness(model)), nb_contacts_virial(model)))
 NB_TENSOR_QUANTITY(cell_strain, nb_cell_strain(model->cell))
@@ -40,34 +40,36 @@ NB_TENSOR_QUANTITY(box_stress, nb_box_stress(model))
 
 const struct nb_quantity_kind nb_loading_kinds[] = {
     {"boundary.particles", 0, "1", 0, boundary_particles, "number of particles of the boundary"},
-    {"boundary.radius", 0, "m", 0, boundary_radius, "mean distance of their centres from the centre of the circle"},
-    {"boundary.area", 0, "m2", 0, boundary_area, "of the polygon through their centres"},
+    {"boundary.radius", 0, "m", 0, boundary_radius,
+     "mean distance of the boundary particles' centres from the centre of the circle"},
+    {"boundary.area", 0, "m2", 0, boundary_area, "area of the polygon through the boundary particles' centres"},
     {"boundary.roughness", 0, "1", 0, boundary_roughness,
-     "standard deviation of their distances from the centre, over boundary.radius [R89 6.4.1]"},
+     "standard deviation of the distances whose mean is boundary.radius, over that mean [R89 6.4.1]"},
     TENSOR("boundary.stress", 0, "Pa", NB_STRESSES, boundary_stress,
-           "from the contact forces on the boundary's particles, sum F_i X_j over the polygon's area and the "
+           "stress by the contact forces on the boundary's particles, sum of F_i X_j over the polygon's area times the "
            "thickness, compression positive"),
     {"boundary.stress.residual", 0, "Pa", 0, boundary_residual,
-     "largest difference between it and the stress by all contacts over the same volume: sum F_i X_j of the "
-     "particles inside, 0 at rest"},
+     "largest difference between boundary.stress and the stress by all contacts over the same volume; 0 while the "
+     "particles inside are in equilibrium"},
 
     TENSOR("cell", NB_OF_CELL, "m", NB_COMPONENTS, cell_sides,
-           "sides of the cell: xx, yx of the one that was the southern one, xy, yy of the western one"),
+           "sides of the cell: xx and yx of the one that the page gives along x, xy and yy of the one along y"),
     TENSOR("cell.stress", NB_OF_CELL, "Pa", NB_STRESSES, cell_stress,
-           "by contacts, sum F_i l_j of forces and branches over the volume. Thickness 1 m of discs, the mean "
-           "diameter of spheres; compression positive, dashpots included"),
+           "stress by contacts, sum of F_i l_j over the volume (thickness 1 m for discs, mean diameter for spheres), "
+           "compression positive, dashpots included"),
     TENSOR("cell.strain", NB_OF_CELL, "1", NB_COMPONENTS, cell_strain,
            "of the cell since time 0, extension positive; xy is half the change of the right angle, while small"),
     {"cell.strain.volumetric", NB_OF_CELL, "1", 0, cell_strain_volume,
-     "relative change of its area since time 0, expansion positive"},
+     "relative change of the cell's area since time 0, expansion positive"},
 
     {"box.width", NB_OF_BOX, "m", 0, box_width, "from the box's wall `west` to `east`"},
     {"box.height", NB_OF_BOX, "m", 0, box_height, "from `south` to `north`"},
     TENSOR("box.stress", NB_OF_BOX, "Pa", NB_STRESSES, box_stress,
-           "from the forces on its walls, sum F_i X_j of the places where they act over the volume. Thickness 1 m "
-           "of discs, the mean diameter of spheres; compression positive, dashpots included"),
+           "from the forces F on the walls, sum F_i X_j/volume (discs 1 m thick, spheres their mean diameter), "
+           "compression positive, dashpots included"),
     {"box.strain.width", NB_OF_BOX, "1", 0, box_strain_width,
      "relative change of the box's width since time 0, extension positive"},
-    {"box.strain.height", NB_OF_BOX, "1", 0, box_strain_height, "the same of its height"},
+    {"box.strain.height", NB_OF_BOX, "1", 0, box_strain_height,
+     "relative change of the box's height since time 0, extension positive"},
     {.name = NULL},
 };

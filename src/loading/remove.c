@@ -15,7 +15,7 @@
 #include "loading.h"
 #include "measure/energy.h"
 
-/* Applies the first half kick of contact c to its particles and sets the contact's fields to those of an open one. */
+/* Applies the half kick of contact c before t_0 to its particles, and sets its fields to those of an open contact. */
 static void end_contact(struct nb_model *model, size_t c) {
   struct nb_contacts *contacts = &model->contacts;
   const struct nb_particles *particles = &model->particles;

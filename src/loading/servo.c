@@ -4,11 +4,11 @@
  *   P_ij = (s_ij - s0_ij)/(2 B T),           dZ_ij/dt = P_ij/(16 T)
  *
  *   s, s0  measured and target stress, compression positive, Pa
- *   B      stiffness against a change of area if all particles follow the strain, Pa: dp = -B tr(L) dt,
- *          B = sum k_n l^2/(4 A h) over the contacts that touch; k_n normal stiffness, l distance of the centres,
- *          of a box also from a centre to a wall, A area of the boundary, the cell or the box, h thickness
- *   T      time in which a pressure wave crosses the assembly, s: 2 R (rho/B)^(1/2), R the boundary's mean radius;
- *          for a cell or a box A^(1/2) replaces 2 R
+ *   B      stiffness against a change of area if all particles follow the strain, Pa: the mean stress p changes by
+ *          dp = -B tr(L) dt. B = sum k_n l^2/(4 A h) over the contacts that touch; k_n normal stiffness, l distance of
+ *          the centres, for a box also from a centre to a wall; A area of boundary, cell or box, h thickness
+ *   T      time in which a pressure wave crosses the assembly, s: 2 R (rho/B)^(1/2), R the boundary's mean radius, rho
+ *          the mass of all particles over A h; for a cell or a box A^(1/2) replaces 2 R
  *
  * Particles that give way make the assembly softer: its stiffness is f B with 0 < f <= 1, and the error e of the stress
  * obeys
@@ -23,8 +23,8 @@
  * Controlled components and the bound `at most` refer to the servo's own axes, which `transform` rotates and mirrors
  * with the scene.
  *
- * As B falls to 0 with the load, P would grow without bound. So no component of L exceeds `at most`: all are reduced by
- * the same factor, and Z begins again.
+ * As B falls to 0 with the load, P would grow without bound. So no component of the added strain rate exceeds `at
+ * most`: all are reduced by the same factor, and Z begins again.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "core/names.h"
@@ -48,7 +48,7 @@ static double stiffness(const struct nb_model *model, const struct nb_servo *ser
   return sum / (4 * volume);
 }
 
-/* kg/m3: mass of all particles over the volume. */
+/* rho, kg/m3. */
 static double density(const struct nb_model *model, double volume) {
   double sum = 0;
   for (size_t k = 0; k < model->particles.count; k++)

@@ -1,9 +1,9 @@
 /* The work balance and the energy balance of a run: sums since the start, each term computed from its own definition.
  *
- * work      K_(N-1/2) - K_0 = sum over kicks of the work of all forces. A kick changes a particle's velocity from v- to
- *           v+ by the impulse J = F tau and the loss by mass-proportional damping, hence its kinetic energy by
- *           J.(v- + v+)/2. This holds for any step, including the half kick at the start (tau = dt/2, v- = v_0); the
- *           residual is rounding.
+ * work      K_(N-1/2) - K_0 = sum over kicks of the work of all forces, K the kinetic energy. The impulse J = F tau of
+ *           the forces and the impulse J_d of mass-proportional damping change a particle's velocity from v- to v+,
+ *           and its kinetic energy by (J + J_d).(v- + v+)/2. This holds for any step, including the half kick at the
+ *           start (tau = dt/2, v- = v_0); the residual is rounding.
  *
  * energy    K + U - (K + U)_0 + frictional + damped + removed - walls - gravity - imposed - changed, at t_N. U is a
  *           state function (energy.c). Forces that depend on velocity or are prescribed act at t_N with the velocity
@@ -12,7 +12,7 @@
  *
  *             damped      D_n dn + D_s ds  of dashpots, C v.v tau of mass-proportional damping, over kicks
  *                                                                                                     [CS79 26-36]
- *             walls       F.V tau  of walls, and of fixed particles that move, over kicks
+ *             walls       F.V tau  of walls and of fixed particles that move with the velocity V, over kicks
  *             gravity     m g.(v + c) tau  over kicks
  *             imposed     work of the imposed motion; stress on a boundary times v tau, over kicks
  *             frictional  F_s (ds - dF_s/k_s)  of contacts that slide, or open with a loaded shear spring, over steps;
@@ -127,7 +127,7 @@ void nb_balance_free(struct nb_model *model) {
 struct kick {
   double first_half, second_half; /* parts before and after t_N that count, s */
   double time, fraction;          /* of the whole kick, s; counted fraction of it */
-  double fraction_before;         /* fraction of it with the damping of before the stage */
+  double fraction_before;         /* fraction of it that has the damping of the previous stage */
 };
 
 static struct kick whole_kick(const struct nb_model *model) {
@@ -135,7 +135,7 @@ static struct kick whole_kick(const struct nb_model *model) {
   return (struct kick){first_half, second_half, first_half + second_half, 1, nb_kick_fraction_before(model)};
 }
 
-/* The half before t_N, as if no stage followed. */
+/* The half of the kick before t_N; whatever stage follows does not matter. */
 static struct kick half_kick(const struct nb_model *model) {
   return (struct kick){model->previous_step / 2, 0, model->previous_step, 0.5, 1};
 }
@@ -154,7 +154,7 @@ static void set_imposed_displacements(const struct nb_model *model, struct kick 
                    tensor_scale(kick.second_half, tensor_product(model->affine->rate[NB_AFFINE_CELL], cell->h)));
 }
 
-/* Extra displacement of the copy that takes part in contact c, m. */
+/* Extra displacement of the copy of the second particle in contact c, m. */
 static struct nb_vec copy_displacement(const struct nb_model *model, size_t c) {
   return model->cell ? tensor_times(model->balance->copy_displacement, model->contacts.image[c]) : vec(0, 0);
 }

@@ -20,8 +20,8 @@ struct nb_balance {
   struct nb_active_laws laws; /* laws at t_N before the stage */
   struct nb_new_overlap {
     int a, b;
-  } * overlaps;                    /* slots of pairs that overlapped when they came to the list; NULL: none ever */
-  size_t overlap_count;            /* in the next step */
+  } * overlaps;                    /* slots of pairs that overlapped already when they were listed; NULL: none ever */
+  size_t overlap_count;            /* their number; 0 again after the next forces */
   bool changed, shear_law_changed; /* by the stage: constants or laws; the shear law */
   double initial_kinetic, initial_energy; /* K_0; (K + U)_0, J */
   struct nb_sum work;                     /* J */

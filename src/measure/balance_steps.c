@@ -2,18 +2,18 @@
  * loaded, and velocities that jump.
  *
  *   shear       (F_s' + F_s)/2 ds                             from t_N to t_(N+1), primes at its end
- *   frictional  (F_s' + F_s)/2 (ds - (F_s' - F_s)/k_s)        where it slides: slip less the elastic displacement
+ *   frictional  (F_s' + F_s)/2 (ds - (F_s' - F_s)/k_s)        where it slides: ds minus the elastic displacement
  *               the dissipation that the law returns         of a law with micro-slip
- *   sliding     the same of steps at whose end the contact slides as a whole
+ *   sliding     the part of frictional in steps at whose end the contact slides as a whole
  *
- * A contact that opens loses the energy of its shear spring: F_s' = 0, which counts as sliding. Without sliding the
- * bracket is 0 except for rounding, and nothing is added.
+ * A contact that opens loses the energy of its shear spring: F_s' = 0. This counts as frictional, not as sliding. Where
+ * a contact sticks the bracket is 0 except for rounding, and nothing is added.
  *
  * When a stage changes k_n or k_s, the energy of loaded springs changes by U_n(new) - U_n(old) at the same overlap and
  * U_s(new) - U_s(old) at the same force. The force of the step is the mean of an old and a new one, so the change of
  * the normal energy is the mean of those at the two ends; the shear spring is new for the whole step. A new normal law
- * counts likewise: U_n of the new law less U_n of the old one. A new shear law begins without displacement: U_s is lost
- * at t_N, and so is the work F_s ds/2 of the old force in the first half of the step.
+ * counts likewise: U_n of the new law minus U_n of the old one. A new shear law begins without displacement: U_s is
+ * lost at t_N, and so is the work F_s ds/2 of the old force in the first half of the step.
  *
  * Two particles of a boundary that is released may overlap although they were not listed. At t_N they overlap by alpha
  * without a force; at t_(N+1) the force is F_n(alpha'). The force of the step is the mean of 0 and that, so the energy
@@ -110,7 +110,8 @@ static double normal_energy_change(const struct nb_model *model) {
   return sum.sum + sum.rest;
 }
 
-/* U_s of all contacts, J: less if the stiffness increases, 0 if a stage removes friction or changes the law. */
+/* U_s of all contacts, J. A larger stiffness makes it smaller; a stage that removes friction or changes the law makes
+ * it 0. */
 static double shear_energy(const struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
   struct nb_sum sum = {0};

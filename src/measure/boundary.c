@@ -1,11 +1,13 @@
 /* Area of the boundary of an assembly, and the stress on it.             [R89 6.4.1]
  *
- * The polygon through the centres of its particles has the area A = sum (x_i y_(i+1) - x_(i+1) y_i)/2. The stress of
- * the assembly is computed from the contact forces F on the boundary's particles, compression positive:
+ * The polygon through the centres of its particles has the area A = sum (x_i y_(i+1) - x_(i+1) y_i)/2, m2. The stress
+ * of the assembly, compression positive, follows from the contact forces F on the boundary's particles at the positions
+ * X relative to the boundary's centre; h is the thickness, m:
  *
  *   s_ij = sum F_i X_j / (A h)
  *
- * It equals the stress from all contacts, sum f_i l_j / (A h), while the particles inside are in equilibrium.
+ * While the particles inside are in equilibrium, it equals the stress from all contacts, -sum f_i l_j / (A h), where f
+ * is the force on the first particle of a contact and l the vector from its centre to that of the second.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "boundary.h"

@@ -15,8 +15,8 @@ static inline struct nb_vec nb_boundary_position(const struct nb_model *model, s
   return vec_sub(model->particles.position[ring->member[k % ring->count]], model->affine->centre);
 }
 double nb_boundary_area(const struct nb_model *model); /* of the polygon through the centres, m2 */
-double
-nb_boundary_radius(const struct nb_model *model); /* mean distance of the centres from the boundary's centre, m */
+/* Mean distance of the particles' centres from the boundary's centre, m. */
+double nb_boundary_radius(const struct nb_model *model);
 double nb_boundary_roughness(const struct nb_model *model);        /* their standard deviation over the mean, 1 */
 struct nb_tensor nb_boundary_stress(const struct nb_model *model); /* from the forces on its particles, Pa */
 

@@ -7,8 +7,9 @@
  *   chain       three or more particles connected by links
  *
  *   bend        angle between two successive links, on opposite sides of the particle that they share; 0 is straight.
- *               At a branch every pair counts, so none is preferred
- *   length      particles of a chain          fraction      of the particles inside, those in chains
+ *               At a branch every pair of links counts
+ *   length      number of particles of a chain
+ *   fraction    number of particles in chains over the number of free particles inside
  *
  * Only free particles inside count. With d the angle from the major axis, d < 45 degrees is equivalent to cos 2d > 0,
  * which needs neither the axis nor the angle. Two links are on opposite sides of the particle if the angle between them
@@ -23,7 +24,8 @@
 struct nb_chain_particle {
   struct nb_tensor stress; /* Pa */
   bool strong;
-  int root, particles; /* slot of the chain's representative (union-find); there: particles of the chain */
+  int root;      /* slot of the particle that stands for the chain (union-find) */
+  int particles; /* of the chain, where root is the particle's own slot */
 };
 
 bool nb_chains_create(struct nb_model *model) {

@@ -7,7 +7,7 @@
  *   v = sqrt(w^2 - (w x d)^2/s^2)
  *
  * A wall is hit along its normal, or at an end like a particle without radius. A pair that touches already approaches
- * at v = w.d/D.
+ * at v = w.d/|d|.
  *
  * Walls move as in the first stage. The prediction neglects gravity, the rotation of walls on their way and particles
  * in between. It tries every moving particle with every other one once, so a gas of a million particles takes long.
@@ -25,7 +25,7 @@ struct approach {
 
 static struct approach no_collision(void) { return (struct approach){0, INFINITY}; }
 
-/* `apart`: from the first centre to the second, m; `relative`: velocity of the first less that of the second, m/s. */
+/* `apart`: d, m; `relative`: w, m/s. */
 static struct approach circles_approach(struct nb_vec apart, struct nb_vec relative, double radius_sum) {
   const double distance = vec_length(apart), along = vec_dot(relative, apart);
   if (!(along > 0))

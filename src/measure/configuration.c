@@ -1,12 +1,12 @@
 /* Changes since the beginning of a stage, for snapshots with `from`.                       [R89 4.2, figure 6.35]
  *
- *   displacement, rotation   of a particle: present position and angle less those at the beginning of the stage
+ *   displacement, rotation   of a particle: present position and angle minus those at the beginning of the stage
  *   slip                     of a contact: sum of |ds| over the steps at whose end it slides, since the stage began and
  *                            since the contact closed; the step in which sliding begins includes the elastic
  *                            displacement
  *   lattice                  the space lattice that is equivalent to the assembly: lines between the centres of
  *                            particles in contact, or from a centre to the nearest point of a wall, at the present
- *                            positions. kind: 0 for contacts of both times, 1 new, -1 lost
+ *                            positions. kind: 0 for contacts that exist at both times, 1 for new ones, -1 for lost ones
  *
  * A contact that opens and closes again in between is not lost; its slip counts from the last closing. The slip of a
  * contact is kept beside the history of its laws, one number for each such stage, and survives searches with it. A

@@ -7,8 +7,8 @@
 #include "core/contacts.h"
 #include "snapshot.h"
 
-bool nb_configuration_create(
-    struct nb_model *model); /* leaves model->configuration NULL without such snapshots; false: no memory */
+/* Leaves model->configuration NULL without such snapshots; false: no memory. */
+bool nb_configuration_create(struct nb_model *model);
 void nb_configuration_free(struct nb_configuration *configuration);
 size_t nb_configuration_count(const struct nb_configuration *configuration); /* number of such stages; 0 for NULL */
 bool nb_configuration_begin(struct nb_model *model, int stage);              /* a stage begins; false: no memory */
@@ -18,8 +18,8 @@ void nb_configuration_add_slip(struct nb_model *model);                      /* 
 struct nb_vec nb_configuration_displacement(const struct nb_model *model, int stage, size_t slot); /* m */
 double nb_configuration_rotation(const struct nb_model *model, int stage, size_t slot); /* rad, counterclockwise */
 double nb_configuration_slip(const struct nb_model *model, int stage, size_t contact);  /* m */
-bool nb_configuration_lattice(struct nb_table *table, const struct nb_model *model, int stage,
-                              int from); /* false: no memory */
+/* The table `lattice`; false: no memory. */
+bool nb_configuration_lattice(struct nb_table *table, const struct nb_model *model, int stage, int from);
 
 /* Walk over contacts that touch now or touched at the reference, in order. kind: 0 both, 1 now only, -1 then only. */
 struct nb_configuration_walk {
@@ -28,8 +28,8 @@ struct nb_configuration_walk {
   size_t now, past; /* indices in the contacts and in `reference` */
 };
 bool nb_configuration_next(struct nb_configuration_walk *walk, struct nb_neighbour_pair *pair, int *kind);
-bool nb_touching_pairs(struct nb_neighbour_pairs *touching,
-                       const struct nb_model *model); /* pairs that touch now; false: no memory */
+/* The pairs that touch now; false: no memory. */
+bool nb_touching_pairs(struct nb_neighbour_pairs *touching, const struct nb_model *model);
 /* From the first centre to the second one, in a cell to its nearest copy, or to the nearest point of the wall; m. */
 struct nb_vec nb_pair_branch(const struct nb_model *model, struct nb_neighbour_pair pair);
 

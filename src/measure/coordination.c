@@ -4,9 +4,9 @@
  *   coordination.mechanical             the same without rattlers and their contacts
  *
  * A rattler has fewer than two contacts, not counting contacts with other rattlers. Rattlers are found by removing
- * particles with fewer than two contacts, inside the region or not, until no more go. Fixed particles are no rattlers.
- * (Two contacts that are not opposite do not hold a particle either; without friction no loaded particle has such
- * contacts.)
+ * particles with fewer than two contacts, inside the region or not, until none is left. Fixed particles are no
+ * rattlers. A particle with two contacts that are not opposite counts as loaded, although without friction they cannot
+ * hold it.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "region.h"

@@ -2,7 +2,7 @@
  *
  *   K = sum (m v^2 + I w^2)/2                   v, w at t_N, the mean of the two half steps [CS79 31]
  *   U = sum (U_n + U_s)                         the laws' state functions: F_n^2/2k_n and F_s^2/2k_s for springs
- *   p = sum m v,   L = sum (m x x v + I w)      about the origin
+ *   p = sum m v,   L = sum (m (x cross v) + I w)      about the origin
  *
  * The velocities exclude the imposed motion (affine.c). The sums run over free particles, in the order of their
  * numbers.

@@ -19,8 +19,8 @@ double nb_energy_of_particle(const struct nb_model *model, size_t slot);   /* ki
 struct nb_vec nb_momentum(const struct nb_model *model);                   /* of free particles, kg m/s */
 double nb_momentum_angular(const struct nb_model *model); /* of free particles about the origin, kg m2/s */
 
-/* Largest force sum on a free particle, weight included, over the largest contact force: dF/F of [CS79 tables 1-3]; 0
- * without contacts. */
+/* Largest force sum on a free particle, weight included, over the largest contact force: dF/F of [CS79 tables 1-3]. 0
+ * if all force sums are 0, infinite if forces act but no contact carries any. */
 double nb_unbalanced_max(const struct nb_model *model);
 
 /* ---- balance.c: since the start. No effect if model->balance is NULL, unless noted ---- */
@@ -37,7 +37,9 @@ void nb_balance_change(struct nb_model *model, bool before); /* before and after
 void nb_balance_after_forces(struct nb_model *model);        /* after the forces */
 /* Before and after velocities jump when a stage begins: the kinetic energy counts as that term. */
 void nb_balance_jump(struct nb_model *model, enum nb_term term, bool before);
-void nb_balance_exclude(struct nb_model *model, bool before); /* before and after particles are removed or held */
+/* Before and after particles are removed, join a held boundary or are released: the kinetic energy does not count as
+ * work. */
+void nb_balance_exclude(struct nb_model *model, bool before);
 /* After the search: pairs of a released boundary that overlap at once. */
 enum nb_status nb_balance_new_overlaps(struct nb_model *model, struct nb_error *error);
 

@@ -12,10 +12,10 @@
  * contacts is the mean over those with |F_s| at 0.99 of its limit or above, as sliding.near of loads.c. The trace is 1
  * in all four cases.
  *
- * n contacts evenly spaced round a particle give Phi_ij = delta_ij/2 for n >= 3, and Phi_xxxx = 3/8 and Phi_xxyy = 1/8
- * for n = 3 and n >= 5.
+ * k contacts evenly spaced round a particle give Phi_ij = delta_ij/2 for k >= 3, and Phi_xxxx = 3/8 and Phi_xxyy = 1/8
+ * for k = 3 and k >= 5.
  *
- * Lost and new contacts [R89 figure 6.35] have the mean over their ends likewise:
+ * Phi of lost and of new contacts [R89 figure 6.35] is the mean over their ends:
  *
  *   lost   touched when the region's `from` stage began, or the run, and does not now
  *   new    touches now and did not then; a contact that opened and closed again in between is neither

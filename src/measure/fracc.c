@@ -4,9 +4,9 @@
  *   dSF = |SF|_new - |SF|_old                                          [R89 4.38, 4.39]
  *   FRACC = dt/(2 (M dx/|dSF|)^(1/2))                                  [R89 4.37, 4.40]
  *
- * SF is the sum of the contact forces on a particle, N; v the velocity over the step between the two forces, m/s. FRACC
- * is the largest value of all free particles in the last cycle. R89 does not treat dSF < 0 and dx = 0: here dSF has its
- * absolute value, and particles with dx = 0 do not count.
+ * SF is the sum of the contact forces on a particle of the mass M, N; v the velocity over the step between the two
+ * forces, m/s. FRACC is the largest value of all free particles in the last cycle. R89 does not treat dSF < 0 and dx =
+ * 0: here the absolute value of dSF is used, and particles with dx = 0 do not count.
  *
  * Range    dSF is a difference of magnitudes: it misses forces that rotate or change sign, and the oscillation that
  *          grows first when a step is too long changes its sign every cycle. A particle that hardly moves while its

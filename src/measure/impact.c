@@ -1,13 +1,12 @@
 /* Measures of an impact, in Maw's dimensionless numbers.                         [R89 5.9, 5.11, 5.12, 5.15]
  *
- *   psi = V_T/(mu kappa V_N)       V_T present tangential velocity of the contact, V_N normal velocity at incidence:
- *                                  psi1 at first touch, psi2 at the end
+ *   psi = V_T/(mu kappa V_N)       V_T present tangential velocity of the contact, V_N normal velocity at first touch;
+ *                                  psi1 is psi at first touch, psi2 is psi at the end
  *   kappa = (E* / G*)/4            between like materials (2 - nu)/(2 (1 - nu)); of linear springs k_n/k_s
  *   N_max = (5/4) M V_N^2/alpha_max;  alpha_max and T_c as in hertz_impact.h
  *   linear springs:  T_c = pi sqrt(M/k_n),   N_max = V_N sqrt(M k_n)
  *
- * M is the reduced mass, R* the reduced radius. All follow from the scene: a run stores nothing for them but the time
- * of first touch.
+ * M is the reduced mass. The state at first touch follows from the scene; a run stores only the time of first touch.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "impact.h"
@@ -121,7 +120,7 @@ static double psi(const struct nb_impact_state *s, double v) { return v / (s->fr
 static double along(const struct progress *it) {
   return it->direction * (vec_dot(it->v, it->incidence.tangent) + it->surface);
 }
-/* After the contact has opened, the gap over the speed is the time since then. */
+/* After the contact has opened, the gap over the speed of separation is the time since then. */
 static double duration_now(const struct progress *it) {
   const double gap = vec_dot(it->displacement, it->incidence.normal), v = vec_dot(it->v, it->incidence.normal);
   return it->elapsed - (gap > 0 && v > 0 ? gap / v : 0);
@@ -144,12 +143,12 @@ QUANTITY(energy_rotational, it.rotational_energy)
 const struct nb_quantity_kind nb_impact_kinds[] = {
     {"impact.psi1", NB_OF_IMPACT, "1", 0, psi_first, "V_T/(mu kappa V_N) of the contact at incidence [R89 5.15]"},
     {"impact.psi2", NB_OF_IMPACT, "1", 0, psi_now,
-     "the same of V_T now, V_N still that of incidence; at the end that of the rebound"},
+     "V_T/(mu kappa V_N) with the present V_T and the V_N of incidence; its last value is that of the rebound"},
     {"impact.angle", NB_OF_IMPACT, "rad", 0, angle,
-     "between velocity and normal at incidence, of the centre [R89 5.16]"},
+     "between the velocity of the centre and the normal, at incidence [R89 5.16]"},
     {"impact.time", NB_OF_IMPACT, "1", NB_REQUEST_CLOCK, elapsed,
      "since first touch, over the duration T_c of the elastic impact [R89 5.12]"},
-    {"impact.duration", NB_OF_IMPACT, "s", 0, duration, "how long it has lasted, from first touch to parting"},
+    {"impact.duration", NB_OF_IMPACT, "s", 0, duration, "duration of the impact so far, from first touch to parting"},
     {"impact.restitution", NB_OF_IMPACT, "1", 0, restitution, "speed of the centre now over that of incidence"},
     {"impact.normal", NB_OF_IMPACT, "1", NB_BIT(NB_NORMAL), normal,
      "normal force over its maximum in an elastic impact, N/N_max"},
@@ -157,8 +156,9 @@ const struct nb_quantity_kind nb_impact_kinds[] = {
      "shear force against the motion at incidence, T/(mu N_max)"},
     {"impact.slip", NB_OF_IMPACT, "m", 0, slip, "tangential displacement of the contact since first touch"},
     {"impact.energy.normal", NB_OF_IMPACT, "J", 0, energy_normal,
-     "of the relative motion along the normal of first touch"},
-    {"impact.energy.tangential", NB_OF_IMPACT, "J", 0, energy_tangential, "and along its tangent"},
-    {"impact.energy.rotational", NB_OF_IMPACT, "J", 0, energy_rotational, "of rotation"},
+     "kinetic energy of the relative motion along the normal at first touch"},
+    {"impact.energy.tangential", NB_OF_IMPACT, "J", 0, energy_tangential,
+     "kinetic energy of the relative motion along the tangent at first touch"},
+    {"impact.energy.rotational", NB_OF_IMPACT, "J", 0, energy_rotational, "kinetic energy of rotation"},
     {.name = NULL},
 };

@@ -8,11 +8,11 @@
 #include "nineball.h"
 
 struct nb_impact_state {
-  struct nb_vec point; /* of the other partner: centre of a particle, or nearest point of a wall, m */
-  struct nb_vec normal,
-      tangent;            /* unit vectors at first touch: from that point to the particle; normal rotated clockwise */
-  struct nb_vec velocity; /* of the particle's centre relative to that point, m/s */
-  double surface;         /* sum of R w, m/s */
+  struct nb_vec point;        /* of the other partner: centre of a particle, or nearest point of a wall, m */
+  struct nb_vec normal;       /* unit vector at first touch, from that point to the particle */
+  struct nb_vec tangent;      /* the normal rotated clockwise */
+  struct nb_vec velocity;     /* of the particle's centre relative to that point, m/s */
+  double surface;             /* sum of R w, m/s */
   double normal_v, tangent_v; /* V_N, and V_T of the contact along the tangent, m/s [R89 5.15] */
   double mass;                /* M, reduced, kg */
   double friction, kappa;     /* mu, and kappa: psi = V_T/(mu kappa V_N), 1 */

@@ -18,8 +18,8 @@
 #include "region.h"
 
 struct sums {
-  double sum, count, max, min, first,
-      square; /* square: sum of squared deviations from the first value, to avoid cancellation */
+  double sum, count, max, min, first;
+  double square; /* sum of squared deviations from the first value, which avoids cancellation */
 };
 
 static void add(struct sums *sums, double value) {
@@ -76,8 +76,8 @@ void nb_measure_loads(const struct nb_model *model, struct nb_region_state *regi
   loads->unbalanced_mean = loads->unbalanced_force > 0 ? loads->unbalanced_force / loads->normal.mean : 0;
 }
 
-/* A shear force at this fraction of its limit or above counts as near it. The value is a convention, which the
- * quantities' help states. With 1 only contacts that have not been unloaded at all would count. */
+/* A shear force at this fraction of its limit or above counts as near it: a convention, which the help of the
+ * quantities states. With 1 only contacts that have not been unloaded at all would count. */
 static const double near_limit = 0.99;
 
 struct nb_contact_load nb_contact_load(const struct nb_model *model, size_t contact) {

@@ -12,8 +12,8 @@
  *          between 0.87 (nu = 0: 0.874032) and 0.96 (nu = 0.5: 0.955313). [R89 4.32] is its square, which has other
  *          roots, too. R89 uses the line 0.1631 nu + 0.876605 [R89 4.34], 0.22 % too small to 0.30 % too large.
  *
- * Range      t_R does not depend on contacts. As a fraction of the duration of a collision it is proportional to
- *            speed^(1/5), see step.c. Fixed particles and rigid materials do not count.
+ * Range      t_R does not depend on contacts. Over the duration of a collision it is proportional to v^(1/5), v the
+ *            approach velocity (hertz_impact.h). Fixed particles and rigid materials do not count.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "step.h"

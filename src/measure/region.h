@@ -1,7 +1,7 @@
 /* Measures of a region: averages over the particles whose centres are in a part of the plane.
  *
  *   region.c        particles inside, area, volume and porosity; contact ends
- *   region_quantities.c  the quantities
+ *   region_quantities.c   the quantities
  *   areas.c         area of an outline inside
  *   stress.c        stress, by particles and by contacts, and its parts
  *   fabric.c        directions of contacts, also of lost and new ones
@@ -34,9 +34,10 @@ struct nb_anisotropy {
   double xxxx, xxxy, xxyy, xyyy, yyyy; /* Phi_ijkl */
 };
 struct nb_fabric {
-  struct nb_anisotropy plain, normal, shear,
-      sliding; /* unweighted; weighted by F_n; by |F_s|; of contacts near sliding */
-  double kk;   /* F_kk, 1/m2 */
+  struct nb_anisotropy plain;         /* of all contacts */
+  struct nb_anisotropy normal, shear; /* weighted by F_n, by |F_s| */
+  struct nb_anisotropy sliding;       /* of contacts near sliding */
+  double kk;                          /* F_kk, 1/m2 */
 };
 struct nb_changed_contacts {
   double count, ends;   /* contacts; their ends on particles inside */
@@ -106,7 +107,7 @@ struct nb_region_state {
   struct nb_chains chains;
   struct nb_changed_contacts lost, gained;
   struct nb_neighbour_pairs reference_pairs; /* pairs that touched when the reference stage began */
-  struct nb_vec *reference_position;         /* per particle number, less 1, m; NAN: outside; NULL: not needed */
+  struct nb_vec *reference_position;         /* by particle number - 1, m; NAN: outside; NULL: not needed */
 };
 struct nb_regions {
   struct nb_region_state *list;              /* of the scene */
@@ -127,8 +128,8 @@ void nb_regions_free(struct nb_regions *regions, size_t count);
 struct nb_region_state *nb_region_state(const struct nb_model *model, int region);
 /* Computes that measure, at most once a cycle. */
 const struct nb_region_state *nb_region_measured(const struct nb_model *model, int region, enum nb_measure which);
-bool nb_region_contains(const struct nb_model *model, const struct nb_region_state *region,
-                        size_t slot); /* its centre */
+/* Whether the centre of a particle is inside. */
+bool nb_region_contains(const struct nb_model *model, const struct nb_region_state *region, size_t slot);
 /* for (size_t k = 0, i; nb_region_next(model, region, &k, &i);): slot i of each particle inside, in the order of
  * numbers. */
 bool nb_region_next(const struct nb_model *model, const struct nb_region_state *region, size_t *k, size_t *slot);
@@ -140,8 +141,8 @@ struct nb_end {
   int partner;     /* slot; -1: a wall */
   struct nb_vec e; /* unit vector from the particle to its partner */
   double arm;      /* from its centre to the contact, m */
-  double total_normal,
-      total_shear; /* N, with dashpots: the force on the particle is -(total_normal e + total_shear t), t = (e2, -e1) */
+  /* With dashpots, N: the force on the particle is -(total_normal e + total_shear t), t = (e2, -e1). */
+  double total_normal, total_shear;
 };
 static inline struct nb_vec nb_end_force(const struct nb_end *end) { /* from the particle on its partner, N */
   return vec_add(vec_scale(end->total_normal, end->e), vec_scale(end->total_shear, vec_clockwise(end->e)));

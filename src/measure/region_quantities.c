@@ -41,7 +41,7 @@ const struct nb_quantity_kind nb_region_kinds[] = {
     PART("stress.normal", NB_STRESS_NORMAL, "normal forces"),
     PART("stress.shear", NB_STRESS_SHEAR, "shear forces"),
     PART("stress.fabric", NB_STRESS_FABRIC, "the mean normal force at every contact"),
-    PART("stress.variation", NB_STRESS_VARIATION, "normal forces less their mean"),
+    PART("stress.variation", NB_STRESS_VARIATION, "normal forces minus their mean"),
     ENDS("stress.residual", NB_SCALAR, "Pa", NB_STRESS_PARTS, stress.residual,
          "largest difference between stress by particles and by contacts, and between parts and what they sum to: "
          "rounding"),
@@ -57,9 +57,11 @@ const struct nb_quantity_kind nb_region_kinds[] = {
 
     OF("area", NB_SCALAR, "m2", 0, NB_POROSITY, area, "of the region"),
     OF("porosity", NB_SCALAR, "1", 0, NB_POROSITY, porosity.areal,
-       "areal porosity: fraction of the area that no particle covers; those cut by the edge count by the part inside"),
+       "areal porosity: fraction of the area that no particle covers; those cut by the edge count with the part "
+       "inside"),
     OF("porosity.volume", NB_SCALAR, "1", 0, NB_POROSITY, porosity.volume,
-       "porosity by volume, area times thickness: mean diameter of all spheres, 1 m of discs [R89 4.4]"),
+       "porosity by volume; the volume is the area times the thickness: mean diameter of spheres, 1 m for discs [R89 "
+       "4.4]"),
     OF("void_ratio", NB_SCALAR, "1", 0, NB_POROSITY, porosity.void_ratio,
        "void ratio e = n/(1 - n), n the areal porosity"),
 

@@ -5,8 +5,9 @@
  * A contact of elastic spheres stiffens with its overlap. So a check also computes how large each overlap may become
  * before the next check is needed. With
  *
- *   q = dt^2 k_n + 2 dt c_n        of a contact now, and h >= (dt k_s + 2 c_s)/(dt k_n + 2 c_n) of all at all times
- *   S = sum q over the n contacts of a particle, touching or not
+ *   q = dt^2 k_n + 2 dt c_n        of a contact now
+ *   h >= (dt k_s + 2 c_s)/(dt k_n + 2 c_n)        of all contacts at all times
+ *   S = sum of q over the n contacts of a particle, touching or not
  *
  * the step is stable as long as, for all contacts,
  *
@@ -17,11 +18,11 @@
  *
  *   min over its particles of  (smallest remainder)/n / max(1/m, h (1/m + R^2/I))
  *
- * and the step remains stable while every contact stays below its limit. NB_STABLE_OVERLAP is the overlap of that q. A
- * kernel compares overlaps with it (pass/deep.c). The first contact above it triggers a new check, before its force has
- * moved a particle.
+ * and the step remains stable while every contact stays below its limit. NB_STABLE_OVERLAP is the overlap of that q.
+ * pass/deep.c compares overlaps with it. The first contact above it triggers a new check, before its force has moved a
+ * particle.
  *
- * h is k_s/k_n = 4 G-star/E-star without dashpots; with dashpots of sqrt(M-star k) it lies between that and its root.
+ * h is k_s/k_n = 4 G* / E* without dashpots; with dashpots of sqrt(M* k) it lies between that and its root.
  *
  * Range     normal laws whose stiffness increases with the overlap, except Hertz's law by increments, whose stiffness
  *           follows from the force; and shear laws of elastic spheres, or none: the k_s of others is not proportional

@@ -5,7 +5,8 @@
  *
  *   z^2 - (1 + keep) z + keep  +  impulse dt^2 k z  +  impulse dt c (z - 1)  = 0,   k = u'K u/u'M u,  c = u'C u/u'M u
  *
- * K the springs, C the dashpots, which lag by half a step. No z leaves the unit circle as long as, for every u,
+ * M, K and C are the matrices of the masses, of the springs and of the dashpots, which lag by half a step; u' is u
+ * transposed. No z leaves the unit circle as long as, for every u,
  *
  *   dt^2 k + 2 dt c <= L,      L = 2 (1 + keep)/impulse = 4 undamped and with [CS79 34-36]
  *
@@ -17,16 +18,17 @@
  * distributed in proportion to k_n and moments of inertia in proportion to k_s R^2. Then the parts are single contacts
  * with a closed form: with
  *
- *   S = sum k_n,  Q = sum k_s R^2  over the contacts of a particle,      A = S_i/m_i + S_j/m_j      (0 for a wall)
+ *   S = sum k_n,  Q = sum k_s R^2  over the contacts of a particle
+ *   A = S_i/m_i + S_j/m_j,  with zero terms for a wall or a fixed particle
  *   omega^2 = max over contacts of  A  and  (k_s/k_n) A + Q_i/I_i + Q_j/I_j
  *
  *   dt = (2/omega) (sqrt(1 + xi^2) - xi),   xi = beta omega/2           for dashpots of beta k
  *
- * and for other dashpots the root of the same inequality with k + 2 c/dt in place of k, which has no closed form.
+ * For other dashpots dt is the root of the same inequality with k + 2 c/dt in place of k, which has no closed form.
  *
- * All listed pairs count, touching or not, so the bound holds until the next search whatever closes or opens; pairs
- * that do not touch count as if they just did. When a stage begins, pairs that could meet later count as well: the
- * lightest particles of every two materials, however far apart. Otherwise the step could be too long for the first
+ * All listed pairs count, touching or not, so the bound holds until the next search, whichever contacts open or close;
+ * pairs that do not touch count as if they just did. When a stage begins, pairs that could meet later count as well:
+ * the lightest particles of every two materials, however far apart. Otherwise the step could be too long for the first
  * contact that forms. The bound neglects the rotation of contacts, of the order of overlap over radius, and that
  * sliding contacts are softer.
  *
@@ -101,7 +103,7 @@ static struct nb_coefficients coefficients_of(const struct nb_model *model, size
     const int doubles = history->doubles > NB_HISTORY ? history->doubles : NB_HISTORY;
     const bool changes = shear ? nb_laws_shear_changes(model) : nb_laws_normal_changes(model);
     if (changes)
-      memset(to, 0, NB_HISTORY * sizeof *to); /* of a longer row laws read the first double only: 0 is no history */
+      memset(to, 0, NB_HISTORY * sizeof *to); /* in a longer row 0 in the first double means no history */
     else
       memcpy(to, nb_history_read(history, c, buffer), (size_t)doubles * sizeof *to);
   }
@@ -130,7 +132,8 @@ static double element_shear(const struct nb_element *element, double dt) {
 
 static double larger(double a, double b) { return a > b ? a : b; }
 
-/* Largest dt with both below L, at most that without dashpots. Both increase with dt. */
+/* Largest dt at which neither the normal nor the shear term exceeds L. Both terms increase with dt; dashpots lower the
+ * result. */
 static double largest_step(const struct nb_element *element, double limit) {
   const double ratio = element->own.ks / element->own.kn;
   const double square = larger(element->a, element->own.ks > 0 ? ratio * element->a + element->q : 0);

@@ -6,14 +6,14 @@
  *   stable     the guaranteed stable step with the contacts and the damping at the beginning of the stage, see
  *              stable_step.c
  *   collision  duration of the shortest possible head-on collision of two particles without damping:
- *              linear springs   pi sqrt(M/k_n), half an oscillation of the reduced mass M = m_x m_y/(m_x + m_y) on the
- *                               spring, the shortest over the lightest particles of every two materials
- *              elastic spheres  Hertz's 2.943 alpha_max/v, which depends on the speed: the shortest of the collisions
- *                               predicted at the beginning of the stage that sets the step, see collision.c
+ *              linear springs   pi sqrt(M* / k_n), half an oscillation of the reduced mass M* = m_x m_y/(m_x + m_y) on
+ *                               the spring, the shortest over the lightest particles of every two materials
+ *              elastic spheres  2.943 alpha_m/v (hertz_impact.h), which depends on the speed v: the shortest of the
+ *                               collisions predicted at the beginning of the stage that sets the step, see collision.c
  *   rayleigh   travel time of a surface wave half round a sphere, see rayleigh_step.c                   [R89 4.33]
  *
- * Elastic spheres that do not touch have no stiffness. So they have no single-contact step, and `stable` needs loaded
- * contacts. Later stages keep a step that was set `per collision`, whatever moves by then.
+ * The stiffness of elastic spheres depends on the overlap and is 0 without one. So they have no single-contact step,
+ * and `stable` needs loaded contacts. Later stages keep a step that was set from predicted collisions.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "step.h"
@@ -157,13 +157,15 @@ NB_QUANTITY(rayleigh_fit_mean, nb_step_rayleigh(model, true, true))
 
 const struct nb_quantity_kind nb_step_kinds[] = {
     {"step", 0, "s", 0, step, "the time step"},
-    {"step.single-contact", 0, "s", 0, critical, "2 sqrt(m/k), smallest mass over largest stiffness [CS79, Motion]"},
+    {"step.single-contact", 0, "s", 0, critical,
+     "2 sqrt(m/k) of the smallest mass and the largest stiffness [CS79, Motion]"},
     {"step.stable", 0, "s", 0, stable, "the largest step guaranteed stable with the present contacts and damping"},
     {"step.fracc", 0, "1", NB_REQUEST_FRACC, fracc,
      "FRACC, the largest of all particles in the last cycle: not a stability bound [R89 4.40]"},
-    {"step.rayleigh", 0, "s", 0, rayleigh, "travel time of a Rayleigh wave half round the smallest sphere [R89 4.33]"},
-    {"step.rayleigh-mean", 0, "s", 0, rayleigh_mean, "the same for the mean sphere"},
+    {"step.rayleigh", 0, "s", 0, rayleigh,
+     "travel time of a Rayleigh wave over half the circumference of a sphere, the shortest of all [R89 4.33]"},
+    {"step.rayleigh-mean", 0, "s", 0, rayleigh_mean, "the same for a sphere with the mean properties"},
     {"step.rayleigh-fit", 0, "s", 0, rayleigh_fit, "as step.rayleigh, with R89's fit of the wave's speed [R89 4.34]"},
-    {"step.rayleigh-fit-mean", 0, "s", 0, rayleigh_fit_mean, "R89's step: the fit, and the mean sphere"},
+    {"step.rayleigh-fit-mean", 0, "s", 0, rayleigh_fit_mean, "R89's step: as step.rayleigh-mean, with the fit"},
     {.name = NULL},
 };

@@ -39,8 +39,8 @@ double nb_stability_limit(const struct nb_damping *damping);         /* L of sta
 /* A contact with its part of the masses: the terms of dt^2 k + 2 dt c. */
 struct nb_element {
   struct nb_coefficients own;
-  double a, d; /* A, 1/s2, and the same of the dashpots, 1/s */
-  double q, p; /* Q_i/I_i + Q_j/I_j, and the same of the dashpots */
+  double a, d; /* A, 1/s2; the same with c_n in place of k_n, 1/s */
+  double q, p; /* Q_i/I_i + Q_j/I_j, 1/s2; the same with c_s in place of k_s, 1/s */
 };
 struct nb_element nb_element_of(const struct nb_model *model, size_t contact); /* after nb_stable_step */
 static inline double nb_element_normal(const struct nb_element *element, double dt) {
@@ -71,13 +71,13 @@ struct nb_collision nb_collision_shortest(const struct nb_model *model);
 /* rayleigh_step.c */
 double nb_rayleigh_root(double poisson); /* speed of Rayleigh waves over that of shear waves [R89 4.32] */
 double nb_rayleigh_fit(double poisson);  /* R89's fit of it [R89 4.34] */
-/* t_R of the smallest sphere or of the mean sphere, s; infinite without elastic spheres [R89 4.33]. */
+/* t_R, the shortest of all spheres or that of the mean sphere, s; infinite without elastic spheres [R89 4.33]. */
 double nb_step_rayleigh(const struct nb_model *model, bool fit, bool mean);
 
 /* fracc.c */
 struct nb_fracc {
   double largest;         /* of the last cycle */
-  double *previous_force; /* per slot |SF| then, N */
+  double *previous_force; /* per slot |SF| of the last cycle, N */
 };
 bool nb_fracc_create(struct nb_model *model);       /* false: no memory */
 void nb_fracc_after_forces(struct nb_model *model); /* after the forces */

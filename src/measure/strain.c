@@ -2,10 +2,11 @@
  *
  * The strain is fitted to the displacements by least squares:
  *
- *   u_i = a_i + G_ij X_j,   sum |u - a - G X|^2 least   =>   G = (sum u X')(sum X' X')^-1
+ *   d_i = a_i + G_ij X_j,   sum |d - a - G X|^2 least   =>   G = (sum d X')(sum X' X')^-1
  *
- *   X    position when strain began: at the start, or at the beginning of the stage after `from`, m
- *   X'   from the mean of all X, m      u  displacement since then, m      G  displacement gradient, 1
+ *   X   position when the strain began: at the start, or at the beginning of the stage that `from` names, m
+ *   X'  X minus the mean of all X, m      d  displacement since then, m
+ *   a   common displacement, m            G  displacement gradient, 1
  *
  * The particles are those that were inside then and have not been removed, wherever they are now. Strain is small
  * strain relative to that time, e_ij = (G_ij + G_ji)/2, extension positive as in a strain rate; stress is positive in
@@ -13,12 +14,13 @@
  *
  * Speeds are those of the free particles relative to the imposed motion:                        [R89 6.5.1]
  *
- *   w = u - c,   c = L (x - x_0)
+ *   v = u - c,   c = L (x - x_0)
  *
  *   u   velocity at t_N, m/s      c   imposed velocity at t_N, the mean over both half steps, m/s; 0 if none
  *
- * R89's perturbation velocities are w, its fixed imposed velocities c. `speed.ratio` is mean |w| over mean |c|. With
- * `accumulated`, where c is added to u permanently, w is still u - c, so both codings are measured alike.
+ * R89 calls v the perturbation velocity and c the fixed imposed velocity. `speed.ratio` is mean |v| over mean |c|. With
+ * `accumulated`, where c is added to the stored velocity in every cycle, v is still u - c, so both interpretations are
+ * measured alike.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "core/affine.h"
@@ -47,8 +49,8 @@ enum nb_status nb_strain_begin(struct nb_model *model, int stage, struct nb_erro
   return NB_OK;
 }
 
-/* Particles are collinear if 1 - r^2 is below this, r the correlation of their x and y: well above the rounding error
- * of 1e-15, and far below the value of any packing. */
+/* Particles count as collinear if 1 - r^2 is at most this, r the correlation of their x and y. It is well above the
+ * rounding error of 1e-15 and far below the value of any packing. */
 static const double collinear = 1e-12;
 
 static struct nb_tensor fit(const struct nb_model *model, const struct nb_vec reference[]) {

@@ -9,15 +9,17 @@
  * branch is the difference of two positions, the force the vector that moves the particles.
  *   sigma_ij = -(1/V) sum over contacts f_i d_j
  *
- * Parts, each summed separately. The contact force on the particle is -(N e + T t), e the outward normal, t = (e2,
- * -e1):
+ * Parts, each summed separately. The contact force on the particle is -(N e + T t), where e is the contact normal
+ * pointing out of the particle, and t = (e2, -e1):
  *   normal_ij  (1/V) sum N l e_i e_j      shear_ij     (1/V) sum T l t_i e_j          normal + shear = stress
  *   fabric_ij  (1/V) <N> sum l e_i e_j    variation_ij (1/V) sum (N - <N>) l e_i e_j  fabric + variation = normal
  * after Cundall and Strack (1983) and Barnes (1985). `fabric` is the stress if all normal forces were equal,
  * `variation` the contribution of their deviation from the mean.
  *
- *   f      force on the particle at a contact, N, with dashpots     l  from its centre to the contact, m, l = l e
- *   d      from the contact's first particle to the second, m       V  area times thickness, m3
+ *   f      force on the particle at a contact, with dashpots, N
+ *   l_i    vector l e_i from its centre to the contact, l its length, m
+ *   d      the part of the vector from the contact's first particle to the second that is inside, m
+ *   V      area of the region times thickness, m3
  *   <N>    mean over the contact ends on particles inside, N
  *
  * Fraction of a part: its deviator in the principal directions of the total stress, over the total deviator. Fractions
@@ -97,7 +99,8 @@ static double fraction(struct nb_tensor part, struct nb_tensor whole) {
   return square > 0 ? ((part.xx - part.yy) * difference + (part.xy + part.yx) * mixed) / square : 0;
 }
 
-/* Largest component of differences that should be 0: by particles less by contacts, sums of parts less their total. */
+/* Largest component of differences that should be 0: stress by particles minus by contacts, sums of parts minus their
+ * total. */
 static double residual(const struct nb_stress *stress) {
   const struct nb_tensor normal = stress->part[NB_STRESS_NORMAL].stress, shear = stress->part[NB_STRESS_SHEAR].stress;
   const struct nb_tensor fabric = stress->part[NB_STRESS_FABRIC].stress;

@@ -6,8 +6,9 @@
  * centre is drawn, up to `attempts` times per particle. If all attempts fail, R89's old generator stops (R89, section
  * 6.4.1), and the new one continues with the next smaller size (R89, section 4.4).
  *
- * There are no initial contacts (R89, section 6.4): d^2 >= (R_x + R_y)^2 as rounded, for the very positions in the
- * scene. Since the square root is correctly rounded, R_x + R_y - d is not positive there either.
+ * There are no initial contacts (R89, section 6.4): d^2 >= (R_x + R_y)^2 for the distance d of two centres, in rounded
+ * arithmetic and with the positions that the scene contains. The square root is correctly rounded, so R_x + R_y - d,
+ * which the force calculation computes, is not positive either.
  *
  * A centre in a circle is drawn by rejection from the surrounding square, which takes + - * / alone. With SplitMix64
  * the positions have the same bits on every machine.
@@ -22,7 +23,7 @@
 #include "packing.h"
 #include "random_numbers.h"
 
-/* x as many periods off as bring it to the period that begins at `from`; without a period x itself. */
+/* x shifted by whole periods into the period that begins at `from`; x itself if the period is 0. */
 static double wrapped(double x, double from, double period) {
   return period > 0 ? x - period * floor((x - from) / period) : x;
 }
@@ -45,7 +46,7 @@ static bool grid_create(struct nb_grid *grid, const struct nb_fill *fill, const 
   return true;
 }
 
-/* With the nearest image of b. */
+/* Whether a overlaps b or, in a cell, the nearest image of b. */
 static bool overlap(const struct nb_fill *fill, const struct nb_particle *a, const struct nb_particle *b) {
   const double dx = wrapped(a->x - b->x, -fill->width / 2, fill->width),
                dy = wrapped(a->y - b->y, -fill->height / 2, fill->height), apart = a->radius + b->radius;
@@ -59,7 +60,8 @@ static bool no_overlap_on_level(const struct nb_grid *grid, int level, const str
   const double range = particle->radius + grid->width[level] / 2;
   const int64_t west = nb_grid_place(grid, level, at.x - range), east = nb_grid_place(grid, level, at.x + range);
   const int64_t south = nb_grid_place(grid, level, at.y - range), north = nb_grid_place(grid, level, at.y + range);
-  if ((double)(east - west) * (double)(north - south) > (double)count) { /* it is far larger than those of the level */
+  /* A particle far larger than those of the level covers more boxes than there are particles. */
+  if ((double)(east - west) * (double)(north - south) > (double)count) {
     for (size_t k = 0; k < count; k++)
       if (overlap(fill, particle, &particles[k]))
         return false;

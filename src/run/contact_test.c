@@ -143,7 +143,7 @@ static bool find_displacement(double *place, double *reached, struct nb_contact_
   const double stiffness = unknown->shear ? contact_test->trial.s.stiffness : contact_test->trial.n.stiffness;
   double width = stiffness > 0 ? fabs(target - *reached) / stiffness : 0;
   if (!(width > 1e-12 * largest && width < largest))
-    width = 1e-12 * largest; /* the stiffness gives no usable estimate: start from some femtometres */
+    width = 1e-12 * largest; /* the stiffness gives no usable estimate */
   for (; sign * (*reached - target) < 0; width *= 2) {
     if (width > largest && fabs(*reached - target) > rounding * fabs(target))
       return false;
@@ -186,7 +186,7 @@ static enum nb_status force_unreachable(const struct nb_contact_test *contact_te
              contact_test->pair.friction * contact_test->trial.n.force, unit);
   return nb_error_set(
       error, NB_BROKEN,
-      "segment `%s` (line %d), step %lu of %lu: a %s force of %g%s cannot be reached, it comes to %g%s%s", stage->name,
+      "segment `%s` (line %d), step %lu of %lu: a %s force of %g%s cannot be reached; the force is %g%s%s", stage->name,
       stage->line, step, stage->cycles, shear ? "shear" : "normal", target, unit, reached, unit, limit);
 }
 

@@ -1,7 +1,7 @@
 /* Quantities and snapshots of a contact test.
  *
- * The traction over the contact circle, from the memory diagram D(x) of a law that keeps it in pieces (docs/CONTACT.md,
- * v).
+ * The traction over the contact circle follows from the memory diagram D(x) of a law that keeps it in pieces
+ * (docs/CONTACT.md, equation v).
  *
  *   p(r; x)  Hertz's pressure at the radius r and the overlap x, (2 E* / (pi R*)) sqrt(R* x - r^2) inside the circle,
  *            Pa

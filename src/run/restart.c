@@ -164,7 +164,8 @@ static enum nb_status lock_acquire(struct lock *lock, const char *path, const st
       close(lock->file);
       return status;
     }
-    /* The process that held the lock has removed the file: then the lock is on a file without a name, and worthless. */
+    /* If the process that held the lock has removed the file, this lock is on a file without a name and has no
+     * effect. */
     if (fstat(lock->file, &current) == 0 && stat(lock->path, &there) == 0 && current.st_ino == there.st_ino &&
         current.st_dev == there.st_dev)
       break;
@@ -203,7 +204,7 @@ static enum nb_status make_state(struct nb_saved *saved, const char *path, const
     char at[NB_NAME_SIZE] = "";
     if (cause.line)
       snprintf(at, sizeof at, ", line %d", cause.line);
-    return nb_error_set(error, status, "%s%s, from which this starts: %.400s", start->page->name, at, cause.text);
+    return nb_error_set(error, status, "%s%s, from which this page starts: %.400s", start->page->name, at, cause.text);
   }
   saved->hash = last_stage(scene)->hash;
   for (size_t k = 0; k < start->setting_count && !status; k++)
@@ -220,7 +221,7 @@ static enum nb_status read_state(struct nb_saved *saved, const char *path, const
   enum nb_status status = nb_saved_read(saved, path, error);
   if (!status && saved->hash != last_stage(scene)->hash)
     status = nb_error_set(error, NB_BAD_USE,
-                          "%.200s:4:6: expected the hash that is in the name of the file: it was renamed", path);
+                          "%.200s:4:6: expected the hash that is in the name of the file: the file was renamed", path);
   return status ? status : nb_saved_fits(saved, scene, path, error);
 }
 

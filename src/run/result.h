@@ -9,8 +9,8 @@
 /* Begins an empty table with the columns of the scene, and adds rows to it. Both return false when out of memory. */
 bool nb_result_begin(struct nb_result *result, const struct nb_scene *scene);
 bool nb_result_add_row(struct nb_table *table, const struct nb_model *model, int stage);
-/* Contact fields that columns, conditions, servos and snapshots of the scene read, and what else they request:
- * NB_REQUEST_ of model.h. */
+/* Contact fields that columns, conditions, servos and snapshots of the scene read, and the NB_REQUEST_ bits (model.h)
+ * of what else they need. */
 unsigned nb_fields_requested(const struct nb_scene *scene);
 
 /* Reports the progress of a run, at most ten times a second. `progress` may be NULL. False: the stage of a trial has had its time. */

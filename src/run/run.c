@@ -17,9 +17,10 @@ struct run {
   const struct nb_scene *scene;
   struct nb_model *model;
   struct nb_reporter reporter;
-  unsigned long first_cycle;  /* number of cycles done before this run */
-  unsigned long until_report; /* cycles until the clock is read again: reading it costs as much as a small cycle */
-  unsigned long planned;      /* largest number of cycles of all stages */
+  unsigned long first_cycle; /* number of cycles done before this run */
+  unsigned long
+      until_report;      /* cycles until the clock is read again; that costs as much as a cycle of a few contacts */
+  unsigned long planned; /* largest number of cycles of all stages */
 };
 
 static bool is_trial(const struct run *run) {

@@ -3,13 +3,13 @@
  * A stage of N cycles goes from t_0 to t_N. A ramp has covered the fraction
  *
  *   n/N          for properties of materials and pairs, in the forces at t_n
- *   n/N          for gravity, in the velocity update around t_n
+ *   n/N          for gravity, in the kick around t_n
  *   (n - 1/2)/N  for velocities of walls, over the step that ends at t_n: then the displacement of the wall is exact
  *
  * Without a ramp the change is made at t_0. The forces at t_0 have been computed with the old properties and laws; the
- * new ones apply from t_1 on. The velocity update around t_0 spans half the old step and half the new one, so it uses
- * the mean of old and new gravity, weighted with these times; so do mass-proportional damping (motion.h) and a stress
- * on a boundary (boundary.c). `zero velocities` is a start from rest: the next velocity update lasts half a step, and
+ * new ones apply from t_1 on. The kick around t_0 lasts half the old step and half the new one, so it has the mean of
+ * old and new gravity, weighted with these times. The same holds for mass-proportional damping (motion.h) and for a
+ * stress on a boundary (boundary.c). `zero velocities` is a start from rest: the next kick lasts half a step, and
  * dashpot forces are 0.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -21,7 +21,7 @@
 #include "measure/step.h"
 #include "plan.h"
 
-/* Values at the beginning of a stage, from which ramps start, and whether the stage still changes something. */
+/* The values at the beginning of a stage, from which ramps start, and what the stage still changes. */
 struct nb_changes {
   bool changing, ramping_walls;     /* properties, laws or gravity change; velocities of walls ramp */
   struct nb_pair *properties_from;  /* per change */
@@ -158,7 +158,7 @@ static void begin_property_changes(struct nb_model *model, struct nb_stable *apa
 
 /* ---- gravity ---- */
 
-/* Sets gravity when the ramp has covered this fraction. */
+/* Sets the gravity at which the ramp has covered this fraction. */
 static void interpolate_gravity(struct nb_model *model, double fraction) {
   const struct nb_gravity *to = &model->stage->gravity;
   const struct nb_central *from = &model->changes->central_from;
@@ -170,7 +170,7 @@ static void interpolate_gravity(struct nb_model *model, double fraction) {
     model->central.point = vec(to->about_x, to->about_y);
 }
 
-/* The velocity update around t_0 spans previous_step/2 before it and step/2 after it. */
+/* The kick around t_0 lasts previous_step/2 before t_0 and step/2 after it. */
 static void begin_gravity_change(struct nb_model *model) {
   const struct nb_gravity *to = &model->stage->gravity;
   model->changes->gravity_from = model->gravity;

@@ -227,7 +227,7 @@ enum nb_status nb_saved_fits(const struct nb_saved *saved, const struct nb_scene
                       "%.200s: expected the state of %zu particles, %zu walls and %zu materials%s, "
                       "found another one",
                       path, scene->particle_count, scene->wall_count, scene->material_count,
-                      named ? " as the page has them" : " of the page's names");
+                      named ? " like those of the page" : " with the names of the page");
 }
 
 static void restore_particles(struct nb_particles *particles, const struct nb_saved *saved) {
