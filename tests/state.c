@@ -251,10 +251,11 @@ static void messages_about_states(void) {
           "disc 8 5 radius 1 m\nwall w -1 0 to 1 0 n\n");
   saved.particle_count--;
   refused(&saved, &it,
-          "a: expected the state of 3 particles, 1 walls and 2 materials as the page has them, found another one");
+          "a: expected the state of 3 particles, 1 walls and 2 materials like those of the page, found another one");
   saved.particle_count++, saved.walls[0].name[0] = 'x';
-  refused(&saved, &it,
-          "a: expected the state of 3 particles, 1 walls and 2 materials of the page's names, found another one");
+  refused(
+      &saved, &it,
+      "a: expected the state of 3 particles, 1 walls and 2 materials with the names of the page, found another one");
   saved.walls[0].name[0] = 'w', saved.impact.is = true;
   refused(&saved, &it, "a: expected the state of a page without `impact`, found one with");
   saved.impact.is = false, it.scene.impact.line = 1;
