@@ -294,6 +294,10 @@ out 'run friction=0.4'
 out 'disc-disc, overlap and both increments'
 out 'shear linear                             line 13'
 out '0.05 of it'
+out '132 bytes a particle, 124 a contact'
+out '  shear forces (8 bytes a contact), balances of work and energy (96 bytes a particle), periodic cell, boundary, servo, regions'
+out '132 bytes a particle, 132 a contact'
+out '  balances of work and energy (96 bytes a particle), periodic cell, boundary, servo, regions'
 out '  1500 cycles, '
 out 'all 2 runs'
 out '  3000 cycles, '
@@ -313,6 +317,7 @@ run 2 check from-endless.md
 said "endless, line 12, from which this page starts: the step is computed as inf: "
 run 0 explain "$pages/drives.md"
 out '  line 9: boundary circle 0 0 radius 10'
+out '  rotation (16 bytes a particle), shear forces, dashpots, balances of work and energy (96 bytes a particle), periodic cell'
 out '    line 15: boundary strain 1e-4 per cycle -1e-4 per cycle shear 2e-5 per cycle'
 out '    line 24: ramp servo mean 12 on boundary through boundary affine at most 1e-4 per cycle every 5 cycles'
 out 'there are no contacts yet'

@@ -70,6 +70,21 @@ sed 's/^start .*/&\nmaterial rock friction 0/; /^```expect/,/^```$/d' "$pages/sa
   test "$(grep -c '^    from stage `rest` on (line [0-9]*): friction 0; no shear force without friction and cohesion$' "$work/said")" -eq 2
 result $? 'explain says which stage changes the friction, for each pair of materials'
 
+# plan PAGE: what `explain` prints except positions, contacts, step and seconds.
+plan() {
+  "$nineball" explain "$1" --states "$states" |
+    sed -n 's/ *[0-9]* pairs in the neighbour list//; /k_n\|bytes a \|^    [a-z(]\|^  [a-z]*, .*cycles/p' | grep -v '\.state: '
+}
+sed 's/^start .*/start smooth stage rest\nstep 0.05 of single-contact/; s/^stage .*/stage more/; s/^cycles .*/until time above 1e9 at most 9 cycles/; /^```expect/,/^```$/d' "$pages/saved-stage.md" >"$pages/smoother.md"
+plan "$pages/smoother.md" | sed 's/ 1 to 9 cycles.*/ does not end: line 32 does not hold within 9 cycles/' >"$work/before"
+"$nineball" explain "$pages/smoother.md" --states "$states" >"$work/out" && grep -q 'before stage `rest` of `smooth` is run' "$work/out" && grep -q '^  1 to 9 cycles$' "$work/out"
+result $? 'explain shows the plan before the state exists, with bounds of the cycles'
+step=$(sed -n '/^step$/{n;p}' "$work/out")
+"$nineball" run "$pages/smoother.md" --states "$states" -o "$work/smoother" >"$work/out" 2>"$work/said"
+plan "$pages/smoother.md" >"$work/after" && test "$(grep -c 'tan(phi) 0' "$work/after")" -eq 2 && diff "$work/before" "$work/after" >"$work/said" &&
+  "$nineball" explain "$pages/smoother.md" --states "$states" | grep -q "^$step, line"
+result $? 'the plan is that which it shows when the state exists'
+
 # The process that holds the lock may hang.
 rm "$states"/*.state
 : >"$states/$("$nineball" explain "$pages/saved-stage.md" --states "$states" | sed -n 's/.*\(nine-discs-load-[0-9a-f]*.state\).*/\1/p').lock"

@@ -218,7 +218,7 @@ enum nb_status nb_command_explain(const struct nb_call *call) {
     }
     if (outcome.run_count > 1 && sum.cycles.to > 0) {
       printf("\nall %zu runs\n  ", outcome.run_count);
-      nb_cost_print(stdout, &sum, outcome.runs[0].scene.contact_test ? " steps, " : " cycles, ");
+      nb_cost_print(stdout, &sum, outcome.runs[0].scene.contact_test ? " steps" : " cycles");
       puts("");
     }
     nb_repeat_warnings("", call->pages[k], &outcome.warnings);

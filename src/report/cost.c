@@ -76,7 +76,6 @@ static void find_lengths(struct nb_cost *cost, const struct nb_scene *scene, str
       const bool is = is_clock(&stage->conditions[k]);
       decided = decided && is, clock = clock || is;
     }
-    *length = (struct nb_length){{(double)stage->cycles, (double)stage->cycles}, false, false};
     if (stage->condition_count > 0) {
       length->cycles.from = (double)first_cycle(model, stage, &now, 1, step);
       length->cycles.to = decided ? (double)first_cycle(model, stage, &now, 0, step) : length->cycles.to;
@@ -118,6 +117,7 @@ static void add(struct nb_bounds *sum, struct nb_bounds range, double factor) {
 static void add_stages(struct nb_cost *cost, const struct nb_scene *scene, const struct nb_result *trial,
                        double row_seconds) {
   struct nb_stage_cost one = {0};
+  cost->cycles = (struct nb_bounds){0, 0};
   for (size_t s = scene->start.stages; s < scene->stage_count; s++) {
     const struct nb_bounds cycles = cost->lengths[s].cycles;
     const double every = (double)scene->stages[s].record_interval;
@@ -131,6 +131,19 @@ static void add_stages(struct nb_cost *cost, const struct nb_scene *scene, const
   }
 }
 
+enum nb_status nb_cost_bounds(struct nb_cost *cost, const struct nb_scene *scene, struct nb_error *error) {
+  *cost = (struct nb_cost){.lengths = calloc(scene->stage_count, sizeof *cost->lengths)};
+  if (!cost->lengths)
+    return nb_error_memory(error);
+  for (size_t s = scene->start.stages; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    const double most = (double)stage->cycles, least = fmin((double)stage->check_interval, most);
+    cost->lengths[s].cycles = (struct nb_bounds){stage->condition_count ? least : most, most};
+    add(&cost->cycles, cost->lengths[s].cycles, 1);
+  }
+  return NB_OK;
+}
+
 enum nb_status nb_cost_expect(struct nb_cost *cost, const struct nb_page_run *run, struct nb_model *model,
                               const struct nb_options *options, struct nb_error *error) {
   const struct nb_scene *scene = &run->scene;
@@ -138,9 +151,8 @@ enum nb_status nb_cost_expect(struct nb_cost *cost, const struct nb_page_run *ru
   const struct nb_progress progress = {.stage_seconds = fmax(trial_seconds / stages, least_stage_seconds)};
   struct nb_page_run trial = *run;
   double spent = 0, snapshots = 0, began = nb_processor_clock();
-  *cost = (struct nb_cost){.lengths = calloc(scene->stage_count, sizeof *cost->lengths)};
-  if (!cost->lengths)
-    return nb_error_memory(error);
+  if (nb_cost_bounds(cost, scene, error))
+    return error->status;
   trial.result = (struct nb_result){0}, trial.solution = (struct nb_solution){0};
   *error = (struct nb_error){NB_OK, ""};
   enum nb_status status = NB_OK;
@@ -149,11 +161,8 @@ enum nb_status nb_cost_expect(struct nb_cost *cost, const struct nb_page_run *ru
   cost->seconds.from = nb_processor_clock() - began, began = nb_processor_clock();
   if (status != NB_NO_MEMORY)
     status = nb_run(&trial.result, scene, options, &progress, error);
-  for (size_t s = scene->start.stages; s < scene->stage_count; s++) {
-    const double n = (double)scene->stages[s].cycles;
+  for (size_t s = scene->start.stages; s < scene->stage_count; s++)
     spent += trial.result.stages ? trial.result.stages[s].seconds : 0;
-    cost->lengths[s] = (struct nb_length){{n, n}, false, false};
-  }
   cost->seconds.from += nb_processor_clock() - began - spent;
   if (model)
     find_lengths(cost, scene, model, &trial.result);
@@ -175,6 +184,9 @@ static void print_bounds(FILE *out, struct nb_bounds range, int digits, const ch
 
 void nb_cost_print(FILE *out, const struct nb_cost *cost, const char *cycles) {
   print_bounds(out, cost->cycles, 15, cycles);
+  if (!(cost->measured.to > 0))
+    return;
+  fputs(", ", out);
   print_bounds(out, cost->updates, 3, " contact updates, ");
   print_bounds(out, cost->seconds, 3, " s");
 }
@@ -193,6 +205,7 @@ void nb_cost_print_length(FILE *out, const struct nb_length *length, const struc
 
 void nb_cost_add(struct nb_cost *sum, const struct nb_cost *cost) {
   add(&sum->cycles, cost->cycles, 1), add(&sum->updates, cost->updates, 1), add(&sum->seconds, cost->seconds, 1);
+  add(&sum->measured, cost->measured, 1);
 }
 
 /* ---- after the runs ---- */
@@ -219,14 +232,15 @@ void nb_cost_print_actual(FILE *out, const struct nb_outcome *outcome, const str
   bool until = false;
   for (size_t r = 0; r < outcome->run_count; r++) {
     const struct nb_result *result = &outcome->runs[r].result;
-    const double cycles = (double)result->cycles, updates = (double)result->updates;
-    add(&actual.cycles, (struct nb_bounds){cycles, cycles}, 1),
-        add(&actual.updates, (struct nb_bounds){updates, updates}, 1);
-    add(&actual.seconds, (struct nb_bounds){result->seconds, result->seconds}, 1);
+    const double cycles = (double)result->cycles, updates = (double)result->updates, seconds = result->seconds;
+    nb_cost_add(&actual, &(struct nb_cost){.cycles = {cycles, cycles},
+                                           .updates = {updates, updates},
+                                           .seconds = {seconds, seconds},
+                                           .measured = {seconds, seconds}});
   }
   for (size_t s = scene->start.stages; s < scene->stage_count; s++)
     until = until || scene->stages[s].condition_count > 0;
-  nb_cost_print(out, &actual, scene->contact_test ? " steps, " : " cycles, ");
+  nb_cost_print(out, &actual, scene->contact_test ? " steps" : " cycles");
   const double seconds = actual.seconds.to;
   const bool is_long = seconds > 20 * trial_seconds * (double)outcome->run_count; /* the trials take little of it */
   if (!scene->contact_test && (until || is_long) && expect_all(&expected, outcome, options)) {

@@ -27,8 +27,10 @@ struct nb_cost {
  * cannot be measured. The caller frees cost->lengths in any case. */
 enum nb_status nb_cost_expect(struct nb_cost *cost, const struct nb_page_run *run, struct nb_model *model,
                               const struct nb_options *options, struct nb_error *error);
+/* Bounds of the cycles alone, without a model: the clock of the first stage is not known. */
+enum nb_status nb_cost_bounds(struct nb_cost *cost, const struct nb_scene *scene, struct nb_error *error);
 void nb_cost_add(struct nb_cost *sum, const struct nb_cost *cost);
-void nb_cost_print(FILE *out, const struct nb_cost *cost, const char *cycles); /* " cycles, " or " steps, " */
+void nb_cost_print(FILE *out, const struct nb_cost *cost, const char *cycles); /* " cycles" or " steps" */
 void nb_cost_print_length(FILE *out, const struct nb_length *length, const struct nb_stage *stage);
 /* One line: what the runs of an outcome have cost, beside what was expected if a condition decides or the time differs by a fifth. */
 void nb_cost_print_actual(FILE *out, const struct nb_outcome *outcome, const struct nb_options *options);

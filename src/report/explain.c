@@ -17,6 +17,7 @@
 #include "measure/step.h"
 #include "report/cost.h"
 #include "run/contact_test.h"
+#include "run/plan.h"
 #include "run/restart.h"
 
 /* ---- statements of the page, with the values of this run ---- */
@@ -235,6 +236,42 @@ static void explain_hooks(FILE *out, const struct nb_model *model) {
       fprintf(out, "  %-18s %s\n", when[w], model->hooks[w].list[h].name);
 }
 
+/* What the scene does not use, and the memory that this saves. */
+static void explain_absent(FILE *out, const struct nb_model *model) {
+  const struct nb_scene *scene = model->scene;
+  bool changes = false, servo = false;
+  for (size_t s = scene->start.stages; s < scene->stage_count; s++) {
+    changes = changes || scene->stages[s].change_count > 0 || scene->stages[s].laws.shear[0];
+    servo = servo || scene->stages[s].servo.line;
+  }
+  const struct nb_pair none = {.pieces = model->laws.pieces};
+  const size_t shear =
+      (model->plan.kept & NB_BIT(model->plan.total_shear) ? 0 : 1) + (size_t)nb_law_history(model->laws.shear, none);
+  const struct {
+    bool present;
+    const char *name, *of;
+    size_t bytes; /* 0: none, or not known without it */
+  } parts[] = {{model->particles.spin, "rotation", "particle", 2 * sizeof(double)},
+               {model->plan.has_friction || changes, "shear forces", "contact", sizeof(double) * shear},
+               {model->plan.dashpots, "dashpots", "", 0},
+               {model->balance, "balances of work and energy", "particle", sizeof *model->balance->particles},
+               {model->search.skin < INFINITY, "search", "", 0},
+               {model->cell, "periodic cell", "", 0},
+               {model->boundary, "boundary", "", 0},
+               {servo, "servo", "", 0},
+               {scene->region_count, "regions", "", 0}};
+  const char *between = "not used\n  ";
+  for (size_t k = 0; k < sizeof parts / sizeof *parts; k++) {
+    if (parts[k].present)
+      continue;
+    fprintf(out, "%s%s", between, parts[k].name), between = ", ";
+    if (parts[k].bytes)
+      fprintf(out, " (%zu bytes a %s)", parts[k].bytes, parts[k].of);
+  }
+  if (between[0] == ',')
+    fputc('\n', out);
+}
+
 static bool explain_plan(FILE *out, const struct nb_model *model) {
   const char *m = nb_unit(model->scene, " m");
   if (model->search.skin < INFINITY)
@@ -256,6 +293,7 @@ static bool explain_plan(FILE *out, const struct nb_model *model) {
     fprintf(out, "balances\n  %s%s%s, updated every cycle by one thread\n",
             (model->plan.requested & NB_REQUEST_WORK) ? "work" : "",
             (model->plan.requested & NB_REQUEST_WORK) && model->terms ? " and " : "", model->terms ? "energy" : "");
+  explain_absent(out, model);
   return true;
 }
 
@@ -368,7 +406,7 @@ static void explain_stages(FILE *out, const struct nb_model *model, const struct
     nb_cost_print_length(out, &cost->lengths[s], stage);
     fputc('\n', out);
     explain_statements(out, scene, s);
-    if (stage->servo.line)
+    if (stage->servo.line && cost->seconds.to > 0)
       explain_gain(out, model, &stage->servo);
   }
 }
@@ -376,7 +414,7 @@ static void explain_stages(FILE *out, const struct nb_model *model, const struct
 static void explain_cost(FILE *out, const struct nb_cost *cost, const struct nb_error *error, bool contact_test) {
   const char *cycle = contact_test ? "step" : "cycle";
   fputs("cost\n  ", out);
-  nb_cost_print(out, cost, contact_test ? " steps, " : " cycles, ");
+  nb_cost_print(out, cost, contact_test ? " steps" : " cycles");
   if (cost->measured.to > 0)
     fprintf(out, "\n  a %s with recording takes %.3g us, measured just now; start, reference and tables %.3g s\n",
             cycle, 1e6 * cost->measured.to / cost->cycles.to, cost->seconds.to - cost->measured.to);
@@ -438,12 +476,68 @@ static enum nb_status explain_contact_test(FILE *out, const struct nb_scene *sce
 
 /* ---- nb_explain ---- */
 
+/* A model of a page whose state does not exist: particles at time 0 of the other page, laws and properties as its stages leave them. */
+static struct nb_model *model_before_start(const struct nb_scene *scene, const struct nb_options *options,
+                                           struct nb_error *error) {
+  struct nb_model *model = nb_model_resume(scene, options, NULL, error);
+  for (size_t s = 0; s < scene->start.stages && model; s++) {
+    model->next_laws = nb_laws_of(&scene->stages[s], model->next_laws);
+    for (size_t k = 0; k < scene->stages[s].change_count; k++) {
+      const struct nb_change *change = &scene->stages[s].changes[k];
+      nb_properties_change(&model->properties, change, nb_properties_before(&model->properties, change), 1);
+    }
+  }
+  for (size_t p = 0; model && p < model->material_pair_count; p++) {
+    struct nb_material_pair *pair = &model->material_pairs[p];
+    pair->values = nb_properties_pair(&model->properties, pair->a, pair->b);
+  }
+  if (!model)
+    return NULL;
+  nb_laws_change(model);
+  model->critical = nb_step_single_contact(model);
+  if (!nb_plan(model, error) && !nb_neighbours_search(model, error))
+    return model;
+  nb_model_free(model);
+  return NULL;
+}
+
+/* The plan of a page whose state does not exist, as far as it follows from the scene. */
+static enum nb_status explain_before_start(FILE *out, const struct nb_scene *scene, const struct nb_options *options,
+                                           struct nb_cost *cost, struct nb_error *error) {
+  const struct nb_start *start = &scene->start;
+  struct nb_model *model = model_before_start(scene, options, error);
+  explain_start(out, scene, options);
+  fprintf(out, "  `nineball check %s` computes that state; then `explain` shows contacts, step and seconds, too\n",
+          scene->page->path);
+  if (!model)
+    return error->status == NB_NO_MEMORY ? error->status : NB_OK;
+  fprintf(out, "before stage `%s` of `%s` is run: laws and materials of its end, positions at time 0\n",
+          start->scene->stages[start->scene->stage_count - 1].name, start->page->name);
+  explain_particles(out, scene);
+  enum nb_status status = explain_plan(out, model) ? nb_cost_bounds(cost, scene, error) : nb_error_memory(error);
+  if (!status) {
+    const struct nb_step *step = &scene->stages[start->stages].step;
+    struct nb_error unknown;
+    if (step->kind != NB_STEP_STABLE && !(step->kind == NB_STEP_COLLISION && nb_step_elastic(model)) &&
+        !nb_step_set(model, step, &unknown))
+      fprintf(out, "step\n  %g%s\n", model->step, nb_unit(scene, " s"));
+    else
+      fputs("step\n  follows from that state\n", out);
+    explain_stages(out, model, cost);
+    explain_cost(out, cost, &(struct nb_error){NB_OK, "it begins with a state that does not exist yet"}, false);
+  }
+  nb_model_free(model);
+  return status;
+}
+
 static enum nb_status explain_scene(FILE *out, const struct nb_scene *scene, const struct nb_page_run *run,
                                     const struct nb_options *options, struct nb_warnings *warnings,
                                     struct nb_cost *cost, struct nb_error *error) {
   struct nb_model *model = nb_model_create(scene, options, error);
   if (!model)
     return error->status;
+  struct nb_error unknown;
+  nb_step_set(model, &scene->stages[scene->start.stages].step, &unknown); /* that of a state is the step before */
   explain_start(out, scene, options);
   explain_particles(out, scene);
   enum nb_status status = explain_plan(out, model) ? NB_OK : nb_error_memory(error);
@@ -473,8 +567,7 @@ enum nb_status nb_explain(FILE *out, const struct nb_scene *scene, const struct 
   } else if (nb_start_is_ready(scene, options)) {
     status = explain_scene(out, scene, run, options, warnings, &cost, error);
   } else {
-    explain_start(out, scene, options);
-    fprintf(out, "  `nineball check %s` computes that state; then `explain` shows the plan\n", scene->page->path);
+    status = explain_before_start(out, scene, options, &cost, error);
   }
   nb_cost_add(sum, &cost);
   free(cost.lengths);
