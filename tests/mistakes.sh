@@ -58,7 +58,7 @@ limit 'names in a sweep' 'expected at most 16 names in a sweep'
 
 page "let $(many 63 a) = 1" >"$work/right.md"
 page "let $(many 64 a) = 1" >"$work/wrong.md"
-limit 'letters in a name' 'less than 64 in all'
+limit 'letters in a name' 'fewer than 64 characters'
 
 page "let a $(many 63 a)" >"$work/right.md"
 page "let a $(many 64 a)" >"$work/wrong.md"
@@ -74,7 +74,7 @@ numbered() { awk -v n="$1" -v line="$2" 'BEGIN { for (k = 1; k <= n; k++) { l = 
 counted() {
   page "$(numbered "$1" "$3")" >"$work/right.md"
   page "$(numbered $(($1 + 1)) "$3")" >"$work/wrong.md"
-  limit "$2" "expected at most ${4:-$1} $2, with this there are more"
+  limit "$2" "expected at most ${4:-$1} $2, found more"
 }
 counted 2000 'names for values' 'let a@ = 1'
 counted 199 'materials' 'material m@' 200 # one more is in the page
@@ -87,7 +87,7 @@ path() {
 }
 path "$(numbered 2000 'segment l@ slip by 1 um in 1 step')" >"$work/right.md"
 path "$(numbered 2001 'segment l@ slip by 1 um in 1 step')" >"$work/wrong.md"
-limit 'segments' 'expected at most 2000 segments, with this there are more'
+limit 'segments' 'expected at most 2000 segments, found more'
 
 # on FROM STAGE NAME: prints a page that starts from that stage and has one stage.
 on() { printf '```scene\nstart %s stage %s\nrecord time\nstage %s\ncycles 1\n```\n' "$1" "$2" "$3"; }
@@ -108,7 +108,7 @@ limit 'bytes in a page' 'expected at most 4194304 bytes, found 4194306'
 page '' >"$work/right.md"
 page "$(many 1200 'frobnicate
 ')" >"$work/wrong.md"
-limit 'mistakes of a page' 'more than 1000 mistakes: the others are left unsaid'
+limit 'mistakes of a page' 'more than 1000 mistakes; the others are not shown'
 test "$(grep -c ': error: ' "$work/said")" -eq 1001
 result $? 'only 1000 errors are reported'
 

@@ -68,9 +68,12 @@ static void progress(void) {
     int calls, runs;
     double fraction;
   } rows[] = {
-      {"", "one", "from stage `two` on shear none instead of linear: contact histories begin anew", 1, 1, 0},
+      {"", "one",
+       "stage `two` begins with empty contact histories, because its law is `shear none` instead of `linear`", 1, 1, 0},
       {"sweep v 1 2\nsweep w 3 4", "one of v=2, w=4",
-       "from stage `two` on shear none instead of linear: contact histories begin anew, run v=2, w=4", 4, 4, 0.75},
+       "stage `two` begins with empty contact histories, because its law is `shear none` instead of `linear`, run v=2, "
+       "w=4",
+       4, 4, 0.75},
   };
   for (size_t k = 0; k < 2; k++) {
     struct heard heard = {0};

@@ -282,7 +282,7 @@ result $? 'and no process waits for it'
 state=$(ls "$states"/*.state)
 sed 's/^body 3 disc/body 3 sphere/' "$state" >"$work/damaged" && cp "$work/damaged" "$state"
 run damaged "$pages/saved-stage.md"
-test $? -eq 2 && grep -q 'expected another checksum: something in the file has changed' "$work/said"
+test $? -eq 2 && grep -q 'expected the checksum of the lines above, found another one: the file has been changed' "$work/said"
 result $? 'a damaged state is not used'
 rm "$states"/*
 (ulimit -f 1 && trap '' XFSZ && run full "$pages/saved-stage.md")

@@ -209,7 +209,7 @@ static void without_particles(void) {
   /* A last line without a line end, and with the right checksum. */
   const char *end = strstr(text, "\nend ");
   CU_ASSERT_PTR_NOT_NULL(
-      strstr(read_changed(text, sizeof text - 1, end, end + 1, "").text, "expected another checksum"));
+      strstr(read_changed(text, sizeof text - 1, end, end + 1, "").text, "expected the checksum of the lines above"));
 }
 
 /* The largest number of records, the largest number of numbers in one, and one more. */

@@ -149,7 +149,7 @@ void nb_box_check(struct nb_scene_reading *reading) {
     if (moved)
       report(reading, line, NULL, "expected one statement that moves the walls of the box in this stage, found two");
     if (turned)
-      report(reading, line, NULL, "expected a box whose walls have no `spin`");
+      report(reading, line, NULL, "expected a box whose walls have no `spin`, found one that rotates");
   }
 }
 
@@ -160,8 +160,8 @@ static void check_cell(struct nb_scene_reading *reading) {
   for (size_t s = 0; s < scene->stage_count && !line; s++)
     line = scene->stages[s].circle.line ? scene->stages[s].circle.line : scene->stages[s].affine.line;
   if (scene->cell.line && line)
-    nb_line_mistake(&reading->reader, (size_t)line, "a periodic cell has neither: use `cell strain`",
-                    "expected a `boundary` or `affine` statement in a scene without a cell, found a cell on line %d",
+    nb_line_mistake(&reading->reader, (size_t)line, "a stage strains the cell with `cell strain`",
+                    "expected no `boundary` and no `affine` statement, because the scene has a periodic cell (line %d)",
                     scene->cell.line);
 }
 

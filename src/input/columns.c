@@ -113,7 +113,7 @@ static bool read_number(double *value, const struct table *table, size_t line, i
   }
   if (nb_number_read(value, text, table->columns[c].shift) == NB_READ && (*value > 0 || !wanted->positive))
     return true;
-  snprintf(text, sizeof text, "a number%s for the %.20s", wanted->positive ? " above 0" : "", wanted->name);
+  snprintf(text, sizeof text, "a number%s in the column `%.20s`", wanted->positive ? " above 0" : "", wanted->name);
   report(table, line, field, text);
   return false;
 }

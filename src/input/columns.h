@@ -1,5 +1,6 @@
-/* Lengths from a file of columns under a head line, as in the program's own tables: `slip/um`, in any unit of length. Tabs separate
- * the columns, or spaces if the head line has no tab. Other columns, empty lines and lines that begin with `#` are ignored.
+/* Lengths from a file of columns under a head line, as in the program's own tables: `slip/um`, in any unit of length.
+ * Tabs separate the columns, or spaces if the head line has no tab. Other columns, empty lines and lines that begin
+ * with `#` are ignored.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_COLUMNS_H
@@ -9,8 +10,9 @@
 
 enum { NB_COLUMNS_MAX = 3 };
 
-/* Finds the file that the token names; `path` has NB_PATH_SIZE bytes. False if the token is NULL, or, with a message, if the file
- * cannot be opened. The hint of the message is `hint`, or the folders that are searched if `hint` is NULL. */
+/* Finds the file that the token names; `path` has NB_PATH_SIZE bytes. False if the token is NULL, or, with a message,
+ * if the file cannot be opened. The hint of the message is `hint`, or the folders that are searched if `hint` is
+ * NULL. */
 bool nb_file_named(struct nb_reader *reader, const struct nb_token *token, const char *hint, char *path);
 
 struct nb_wanted_column {
@@ -18,7 +20,8 @@ struct nb_wanted_column {
   bool positive;                  /* above 0 */
 };
 
-/* Reads `count` columns row by row, in m. The caller frees *lengths in any case. False after a mistake, which has been reported. */
+/* Reads `count` columns row by row, in m. The caller frees *lengths in any case. False after a mistake, which has been
+ * reported. */
 bool nb_columns_read(double **lengths, size_t *rows, const char *path, const struct nb_wanted_column *wanted, int count,
                      bool unitless, struct nb_mistakes *mistakes);
 

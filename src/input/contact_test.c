@@ -1,6 +1,6 @@
-/* A contact test: `contact`, and the prescribed displacements or forces of each `segment`. Its particles, wall and stages (the segments)
- * are stored as in other scenes. A segment, or `--set follow=FILE`, may take its points from a file with columns `approach` (or `overlap`, as in
- * tables of the program) and `slip`.
+/* A contact test: `contact`, and the prescribed displacements or forces of each `segment`. Its particles, wall and
+ * stages (the segments) are stored as in other scenes. A segment, or `--set follow=FILE`, may take its points from a
+ * file with columns `approach` (or `overlap`, as in tables of the program) and `slip`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -250,7 +250,7 @@ NB_STATEMENTS(contact_test) = {
    "Prescribes the overlap or the normal force, and the slip or the shear force. Each changes linearly, `to` a value or `by` a difference; "
    "default 100 steps. Overlap and slip stay constant unless the segment names them; `hold` "
    "keeps a force constant instead. `follow` prescribes the points of a file with tab-separated columns `approach/m` and "
-   "`slip/m`, one step each; `start` tells where the program searches the file.",
+   "`slip/m`, one step each; `start` tells where the program searches for the file.",
    "segment   press  overlap to 10 um  in 5 steps\nsegment   load   shear to 15 N  hold normal\n"
    "segment   back   slip by -2 um  overlap by -1 um  in 1 step"},
   {0},

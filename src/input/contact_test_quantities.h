@@ -1,4 +1,5 @@
-/* Quantities of a contact test. contact_test.c reads their names and units, run/contact_test_quantities.c computes their values.
+/* Quantities of a contact test. contact_test.c reads their names and units, run/contact_test_quantities.c computes
+ * their values.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_CONTACT_TEST_QUANTITIES_H

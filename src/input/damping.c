@@ -57,8 +57,8 @@ static void take_damping(struct nb_reader *reader, struct given *given) {
   }
 }
 
-/* There is one statement each for all contacts, for contacts with walls, for deep contacts and for all particles; `none` sets all of
- * them. In a stage each replaces the inherited one. */
+/* There is one statement each for all contacts, for contacts with walls, for deep contacts and for all particles;
+ * `none` sets all of them. In a stage each replaces the inherited one. */
 NB_APPLY(apply_damping) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   struct nb_stage *stage = nb_current_stage(scene);
@@ -101,7 +101,7 @@ NB_STATEMENTS(damping) = {
    "con1 X as cs79|velocity|all | none",
    0, false, apply_damping,
    "Damping at contacts [CS79 28] [R89 4.3, 4.13] and of all particles [CS79 34] [R89 6.5.1], one statement for each; "
-   "default none. `ratio` is a fraction of critical damping. `walls` sets the damping of contacts with walls; without it they are damped as all others. `critical beyond overlap`: contacts "
+   "default none. `ratio` is a fraction of critical damping. `walls` sets the damping of contacts with walls; without it they are damped like all others. `critical beyond overlap`: contacts "
    "that overlap by more than that fraction of the smaller diameter are damped critically [R89 6.4.3]. In a stage: from this "
    "stage on.",
    "damping   ratio 0.1\ndamping   walls ratio 0.3\ndamping   mass 2 1/s"},

@@ -6,9 +6,10 @@
  *   power     operand {^ sign}               from right to left: 2^3^2 is 2^9; the exponent is a number
  *   operand   literal {unit} | ( sum ) {unit} | NAME | pi | FUNCTION( sum {, sum} )
  *
- * A unit is one word after a space: `2 N/m` is a stiffness, `2 N / m` is a force divided by the value named m. A number and a name side
- * by side are not a product. A literal is rounded once, together with the power of ten of its unit: `0.3 mm` is the double nearest to
- * 0.0003. All else is computed in double precision, in the written order. Powers and functions are those of the C library.
+ * A unit is one word after a space: `2 N/m` is a stiffness, `2 N / m` is a force divided by the value named m. A number
+ * and a name side by side are not a product. A literal is rounded once, together with the power of ten of its unit:
+ * `0.3 mm` is the double nearest to 0.0003. All else is computed in double precision, in the written order. Powers and
+ * functions are those of the C library.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <ctype.h>
@@ -44,9 +45,13 @@ static struct quantity sum(struct parser *p);
 static double smaller(double a, double b) { return a < b ? a : b; }
 static double larger(double a, double b) { return a > b ? a : b; }
 
-/* Dimension of a function's value: none, and none of its argument; the root of its argument's; none, of two arguments of the same one;
- * that of its arguments. */
-enum rule { OF_NUMBERS, OF_ROOT, OF_RATIO, OF_LIKE };
+/* Dimensions of a function's arguments and of its value. */
+enum rule {
+  OF_NUMBERS, /* arguments and value are numbers */
+  OF_ROOT,    /* value: the square root of the argument's dimension */
+  OF_RATIO,   /* two arguments of the same dimension; the value is a number */
+  OF_LIKE     /* arguments and value have the same dimension */
+};
 static const struct function {
   const char *name;
   enum rule rule;
@@ -125,7 +130,7 @@ static struct quantity expected(struct parser *p, const char *what) {
   return mistake(p, p->at, length ? length : 1, typed ? typed : otherwise, "expected %s, found `%s`", what, text);
 }
 
-/* The value of the text at `from`, with its dimension in sixtieths, after a check that both can be represented. */
+/* A value and its dimension, in sixtieths, after a check that both can be represented; messages are at `from`. */
 static struct quantity checked_value(struct parser *p, const char *from, size_t length, double value, double m,
                                      double kg, double s) {
   const double of[] = {m, kg, s};

@@ -6,12 +6,14 @@
 
 #include "reader.h"
 
-/* The value of an expression, which is part of a line of the page; false with a message. A lone literal keeps its text. */
+/* The value of an expression, which is part of a line of the page; false with a message. A lone literal keeps its
+ * text. */
 bool nb_expression(struct nb_reader *reader, const char *line, const char *at, const char *end,
                    struct nb_binding *value);
 /* The same for a number and its unit, which may be NULL. The text of a computed number is written again. */
 enum nb_reading nb_literal(struct nb_binding *value, const char *number, const char *unit, bool computed);
-/* Writes the text of a value: the shortest decimal number that reads back to the same bits, with the SI unit of its dimension. */
+/* Writes the text of a value: the shortest decimal number that reads back to the same bits, with the SI unit of its
+ * dimension. */
 void nb_binding_write(struct nb_binding *value);
 /* Whether two values of a sweep are the same number or the same word. */
 bool nb_binding_same(const struct nb_binding *a, const struct nb_binding *b);

@@ -112,7 +112,8 @@ static bool truncate_after_cases(char *path) {
   return end;
 }
 
-/* The nearest folder `cases` above a page, by the given path, else by the real path of its folder; false if there is none. */
+/* The nearest folder `cases` above a page, by the given path, else by the real path of its folder; false if there is
+ * none. */
 static bool find_cases(char *cases, const char *page) {
   const char *slash = strrchr(page, '/');
   snprintf(cases, NB_PATH_SIZE, "%.*s", slash ? (int)(slash - page) : 1, slash ? page : ".");

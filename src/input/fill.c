@@ -9,7 +9,7 @@
 #include "packing/packing.h"
 #include "statement.h"
 
-enum { ATTEMPTS_MAX = 1000000 }; /* about a second for each size that does not fit */
+enum { ATTEMPTS_MAX = 1000000 }; /* about one second for each size that does not fit */
 
 enum { AT_NAME };
 enum { AT_SHAPE, AT_CIRCLE, AT_RADIUS = AT_CIRCLE + 2, AT_BOX, AT_TO = AT_BOX + 2, AT_GRADING = AT_TO + 2 };
@@ -24,7 +24,7 @@ static const struct nb_argument fill_fields[] = {
   CLAUSE("box", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_BOX, 2, "|another place", "The corner of a box with the smallest x and y; a box to fill has no walls."),
   CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_TO, 2, "another place", "The opposite corner of the box."),
   FLAG("cell", AT_CELL, "|another place", "The periodic cell, across its edges: the packing has no wall effect."),
-  WORD("GRADING", AT_GRADING, "the name of a grading, which has sizes and numbers: `grading NAME RADIUS N …`; `radius R` is that of the circle"),
+  WORD("GRADING", AT_GRADING, "the name of a grading, which gives radii and numbers of particles: `grading NAME RADIUS N …`; `radius R` is that of the circle"),
   MATERIAL(AT_MATERIAL),
   COUNT("seed", "N", AT_SEED, NULL, "Seed of the random numbers."),
   COUNT("attempts", "N", AT_ATTEMPTS, NULL, "Largest number of random positions that are tried for each particle, up to 1000000."),
@@ -125,7 +125,7 @@ static void report_no_space(struct nb_reader *reader, const struct nb_scene *sce
       it->count, it->name, fill->attempts, list);
 }
 
-/* One of a circle, a box and the cell, whole. */
+/* Takes the place to fill: a circle, a box or the cell. */
 static void take_place(struct nb_reader *reader, const struct nb_scene *scene, const struct nb_value *value,
                        struct nb_fill *fill) {
   const bool circle = value[AT_CIRCLE].token, box = value[AT_BOX].token, cell = value[AT_CELL].token;
@@ -187,7 +187,7 @@ NB_STATEMENTS(fill) = {
   {"fill", NB_IN_SCENE, fill_fields, NULL, 0, false, apply_fill,
    "Discs or spheres of a grading, randomly placed in a circle, a box or the periodic cell, largest first, and numbered in this order (R89, sections 4.4 and 6.4). They lie wholly inside and touch neither each other nor particles "
    "defined above; walls are ignored. `fill discs cell …` places them across the edges of the cell too, and none touches an image of another one. A seed gives the same packing on every machine. If no position is found for a particle within the attempts, "
-   "`else stop` ends with an error, as the old generator of R89 does. `else skip` continues with the next smaller size; a quantity counts the skipped particles.",
+   "`else stop` ends with an error, as the old generator of R89 does. `else skip` continues with the next smaller size; the quantity `dropped` of a monitored grading counts the skipped particles.",
    "fill      spheres circle 200 mm 40 mm radius 30 mm  mixed steel  seed 1  attempts 1000  else skip\n"
    "fill      discs box 250 mm 100 mm to 320 mm 180 mm  mixed glass  seed 4  attempts 1000  else stop"},
   {0},

@@ -1,5 +1,5 @@
-/* "Did you mean": the known word nearest to a misspelt one, and words of other programs and textbooks with those of the page language,
- * for hints and for `nineball --help WORD`.
+/* "Did you mean": the known word nearest to a misspelt one, and words of other programs and textbooks with those of the
+ * page language, for hints and for `nineball --help WORD`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <ctype.h>
@@ -90,8 +90,8 @@ const char *nb_synonym_hint(char *hint, const char *word) {
 
 /* ---- the nearest word ---- */
 
-/* Number of insertions, deletions, changes and swaps of letters between a and b (optimal string alignment distance), upper and lower
- * case being equal. */
+/* Number of insertions, deletions, changes and swaps of letters between a and b (optimal string alignment distance),
+ * upper and lower case being equal. */
 static int distance(const char *a, const char *b) {
   enum { LONGEST = 2 * NB_NAME_SIZE };
   int row[3][LONGEST + 1];
@@ -139,8 +139,8 @@ static bool mark(struct nb_guess *guess, const char *known) {
   return found;
 }
 
-/* Whether the known word begins or ends with the other one, up to a dot: `energy.kinetic` with `energy` and `kinetic`, and
- * `M.normal.max` with `normal`. */
+/* Whether the known word begins or ends with the other one, up to a dot: `energy.kinetic` with `energy` and `kinetic`,
+ * and `M.normal.max` with `normal`. */
 static bool is_related(const char *known, const char *word, size_t length) {
   const char *const first = strchr(known, '.');
   if (length < 3 || !first)
@@ -163,7 +163,8 @@ void nb_guess_offer(struct nb_guess *guess, const char *known) {
   strcpy(guess->best, known);
 }
 
-/* Whether the best word is near: about one typing error in three letters, none in words of one or two letters. */
+/* Whether the best word is near enough: at most one typing error in words of 3 to 5 letters, two of 6 to 9, three in
+ * longer ones; none in words of one or two letters. */
 bool nb_guess_found(const struct nb_guess *guess) {
   size_t length = strlen(guess->word);
   int allowed = length < 3 ? 0 : length < 6 ? 1 : length < 10 ? 2 : 3;

@@ -1,9 +1,17 @@
 /* `impact`: position and velocity of a particle for an impact at a given speed and angle of incidence.
  *
- *   v = V (-cos(theta) n + sin(theta) t)        n  unit normal towards the particle, t  n rotated clockwise
- *   psi1 = V_T/(mu kappa V_N)                   V_T = V sin(theta) + sum R w  of the contact point [R89 5.15]
+ *   v = V (-cos(theta) n + sin(theta) t)
+ *   psi1 = V_T/(mu kappa V_N),   V_N = V cos(theta),   V_T = V sin(theta) + S          [R89 5.15]
  *
- * With m = psi1 mu kappa the angle is atan(m) - asin( sum R w / (V sqrt(1 + m^2)) ).
+ *   v, V     velocity of the particle's centre relative to the other particle or the wall, and its magnitude, m/s
+ *   theta    angle of incidence
+ *   n, t     unit normal towards the particle; n rotated clockwise through 90 deg
+ *   V_N, V_T normal and tangential relative velocity of the contact point
+ *   S        sum of R w over the particles of the contact, m/s: R radius, w angular velocity
+ *   mu       friction coefficient
+ *   kappa    compliance ratio, E* / (4 G*); of linear springs k_n/k_s
+ *
+ * With m = psi1 mu kappa the angle is theta = atan(m) - asin(S / (V sqrt(1 + m^2))).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -98,7 +106,7 @@ void nb_impact_set(struct nb_scene_reading *reading) {
 NB_STATEMENTS(impact) = {
   {"impact", NB_IN_SCENE, impact_fields, NULL, 0, false, apply_impact,
    "Lets the first particle of a monitored contact hit the other one, or the wall. It is moved along the normal until it just touches, on the side where the page has placed it, and gets this velocity; "
-   "its spin stays. On top of a floor, its tangential velocity points in x. The quantities of the impact are called `impact.NAME`.",
+   "its spin stays. Above a horizontal wall its tangential velocity points in x. The quantities of the impact are called `impact.NAME`.",
    "impact    F  speed 0.4 m/s  angle 20 deg  phase 0.5"},
   {0},
 };

@@ -162,7 +162,8 @@ static void check_laws(struct nb_scene_reading *reading, const struct nb_active_
 
 /* ---- friction without a shear force ---- */
 
-/* A pair of materials has friction in some stage; and a shear law and stiffness that use it. */
+/* Bits of a pair of materials. FRICTION: it has friction in some stage. TRANSMITTED: in such a stage it also has a
+ * shear law and a shear stiffness. */
 enum { FRICTION = 1, TRANSMITTED = 2 };
 
 static void find_friction(unsigned char pairs[NB_MATERIALS_MAX][NB_MATERIALS_MAX], const struct nb_scene *scene,

@@ -1,7 +1,8 @@
 /* Named values: `units`, `let`, `sweep`, and --set, which overrides them.
  *
- * A sweep is a small table: each row is one run, each column a name. The runs of a page are all combinations of the rows of its
- * sweeps; the last sweep varies fastest. The row of a run depends on the lengths of the sweeps below, so a page is read twice.
+ * A sweep is a small table: each row is one run, each column a name. The runs of a page are all combinations of the
+ * rows of its sweeps; the last sweep varies fastest. The row of a run depends on the lengths of the sweeps below, so a
+ * page is read twice.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -76,7 +77,8 @@ size_t nb_setting_find(const struct nb_scene_reading *reading, const char *name)
   return 0;
 }
 
-/* Whether a --set gives the value of that name; then *value has it. An invalid one is reported, and the statement is bad. */
+/* Whether a --set gives the value of that name; then *value has it. An invalid one is reported, and the statement is
+ * bad. */
 static bool set_value(struct nb_scene_reading *reading, struct nb_reader *reader, const char *name, bool number,
                       struct nb_binding *value) {
   struct nb_reader *setting = &reading->setting;
@@ -157,18 +159,19 @@ static bool same_type(struct nb_reader *reader, const struct nb_binding *first, 
   const bool like = nb_dimension_same(first->dimension, value->dimension);
   double number;
   if (isnan(first->value))
-    return isnan(value->value) || nb_expected_at(reader, token, NULL, "a word as the value before it");
+    return isnan(value->value) || nb_expected_at(reader, token, NULL, "a word like the value before it");
   if (!isnan(value->value) && like)
     return true;
   nb_dimension_words(words, sizeof words, first->dimension);
   if (!isnan(value->value) && (!next || nb_number_read(&number, next->text, 0) == NB_READ))
-    return nb_token_mistake(reader, token, NULL, "expected %s as the value before it, found `%s`", words, value->text);
+    return nb_token_mistake(reader, token, NULL, "expected %s like the value before it, found `%s`", words,
+                            value->text);
   token = isnan(value->value) ? token : next;
   struct nb_guess guess = nb_guess_begin(token->text);
   for (int kind = 0; kind < NB_UNIT_KINDS; kind++)
     nb_unit_offer(&guess, nb_unit_list((enum nb_unit_kind)kind));
   return nb_expected_at(reader, token, nb_guess_hint(&guess, hint),
-                        "a number or a unit, as the value before it is a number");
+                        "a number or a unit, because the value before it is a number");
 }
 
 /* No two rows may be equal: a sample would count the run twice. */
@@ -228,8 +231,8 @@ static size_t take_rows(struct nb_reader *reader, struct nb_binding *values, siz
   return 0;
 }
 
-/* A name that --set gives a value selects the rows with this value; if no row has it, it replaces the value in all rows. Returns the
- * number of selected rows, which are moved to the front. */
+/* A name that --set gives a value selects the rows with this value; if no row has it, it replaces the value in all
+ * rows. Returns the number of selected rows, which are moved to the front. */
 static size_t select_rows(struct nb_binding *values, size_t rows, size_t columns, const bool is_set[],
                           const struct nb_binding *set) {
   for (size_t i = 0; i < columns; i++) {
@@ -309,7 +312,7 @@ static void read_setting(struct nb_scene_reading *reading, size_t line) {
     nb_mistake(mistakes, &reading->settings, line, 1, (int)length, NULL, "expected NAME=VALUE, found `%.80s`", text);
   } else if (NB_FIND(scene->bindings, scene->binding_count, name) >= 0 ||
              nb_name_suppressed(reading->reader.mistakes, name)) {
-    return; /* which `let` or `sweep` looks for */
+    return; /* its `let` or `sweep` reads it */
   } else if (NB_FIND(settable, OVERRIDDEN, name) >= 0) {
     if (line == nb_setting_find(reading, name) && nb_line_read(&reading->setting, line))
       nb_statement_read(&reading->setting, nb_keywords(), reading->here, reading);

@@ -1,5 +1,5 @@
-/* The tokens of a line: words separated by white space, up to a `#`, each with its column, and $NAME replaced by its value. Messages at
- * tokens, and hints for syntax of other languages.
+/* The tokens of a line: words separated by white space, up to a `#`, each with its column, and $NAME replaced by its
+ * value. Messages at tokens, and hints for syntax of other languages.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <ctype.h>

@@ -74,7 +74,7 @@ NB_APPLY(apply_material) {
   };
   snprintf(one.name, sizeof one.name, "%s", name->text);
   if (value[AT_RIGID].token && value[AT_YOUNG].token)
-    nb_token_mistake(reader, value[AT_RIGID].token, NULL, "expected `rigid` or `young`, not both");
+    nb_token_mistake(reader, value[AT_RIGID].token, NULL, "expected `rigid` or `young`, found both");
   else
     NB_APPEND(reader, scene->materials, scene->material_count, one);
 }

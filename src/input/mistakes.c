@@ -59,8 +59,8 @@ static int bytes_of(const char *c, int n) {
   return bytes;
 }
 
-/* Adds the line, and a caret below `column`. Tabs are copied so that the two stay aligned. Of a long line only the part around the
- * caret is shown. */
+/* Adds the line, and a caret below `column`. Tabs are copied so that the two stay aligned. Of a long line only the part
+ * around the caret is shown. */
 static void add_line(struct nb_text *text, const char *line, size_t number, int column, int length) {
   enum { WIDEST = 110 };
   int first = column > WIDEST - 30 ? column - 60 : 1;
@@ -148,7 +148,7 @@ void nb_mistake(struct nb_mistakes *mistakes, const struct nb_page *page, size_t
     nb_text_add(&message, "  hint: %s\n", hint);
   if (!message.failed && mistakes->count == MISTAKES_MAX) {
     line = page->line_count + 1, message.length = 0;
-    nb_text_add(&message, "%s: error: more than %d mistakes: the others are left unsaid\n", page->path, MISTAKES_MAX);
+    nb_text_add(&message, "%s: error: more than %d mistakes; the others are not shown\n", page->path, MISTAKES_MAX);
   }
   if (message.failed)
     mistakes->no_memory = true;

@@ -1,7 +1,7 @@
 /* Quantities by their names, one row each, for `record`, `until` and expectations.
  *
- * `MONITOR.PART` is a quantity of a monitored object, a plain name one of the whole scene. Velocities are those at the time of positions
- * and forces, the mean of two half steps [CS79 31]; those of the last half step end in `.half`.
+ * `MONITOR.PART` is a quantity of a monitored object, a plain name one of the whole scene. Velocities are those at the
+ * time of positions and forces, the mean of two half steps [CS79 31]; those of the last half step end in `.half`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdio.h>
@@ -147,9 +147,9 @@ static const struct nb_quantity_kind kinds[] = {
     {"unbalanced.max", 0, "1", 0, unbalanced_max,
      "largest unbalanced force on a particle over largest contact force, dF/F of [CS79 table 1]; infinite without "
      "contacts, 0 where no force acts"},
-    {"energy.kinetic", 0, "J", 0, kinetic_energy, "of all free particles, rotation included"},
+    {"energy.kinetic", 0, "J", 0, kinetic_energy, "kinetic energy of all free particles, rotation included"},
     {"energy.stored", 0, "J", NB_OF_STORED | NB_REQUEST_STORED, stored_energy,
-     "in all springs, from the laws' state functions"},
+     "elastic energy of all contacts, from the laws' state functions"},
     {"energy.frictional", 0, "J", NB_OF_BALANCE | NB_REQUEST_STORED, frictional_dissipation,
      "dissipated by friction since the start: shear force times sliding displacement; micro-slip included"},
     {"energy.sliding", 0, "J", NB_OF_BALANCE | NB_REQUEST_STORED, sliding_dissipation,
@@ -172,10 +172,10 @@ static const struct nb_quantity_kind kinds[] = {
      "the error of time integration"},
     {"work.residual", 0, "J", NB_REQUEST_WORK, work_residual,
      "kinetic energy at the half step, less its initial value and the work of all forces: rounding"},
-    {"momentum.x", 0, "kg.m/s", 0, momentum_x, "of all free particles"},
-    {"momentum.y", 0, "kg.m/s", 0, momentum_y, "of all free particles"},
+    {"momentum.x", 0, "kg.m/s", 0, momentum_x, "momentum of all free particles"},
+    {"momentum.y", 0, "kg.m/s", 0, momentum_y, "momentum of all free particles"},
     {"momentum.angular", 0, "kg.m2/s", 0, momentum_angular,
-     "of all free particles, about the origin, counterclockwise"},
+     "angular momentum of all free particles about the origin, counterclockwise"},
     {"x", PARTICLE, "m", 0, particle_x, "position of the centre"},
     {"y", PARTICLE, "m", 0, particle_y, "position of the centre"},
     {"angle", PARTICLE, "rad", 0, particle_angle, "rotation since the start, counterclockwise"},
@@ -305,7 +305,7 @@ bool nb_quantity_is_residual(struct nb_quantity quantity) {
   return end && strcmp(end, ".residual") == 0;
 }
 
-/* Whose quantities they are, and the statement for such a thing, with the name that it gives to it. */
+/* Owners of quantities: a statement that defines one, and the beginning of the names of its quantities. */
 static const struct owner {
   unsigned monitors; /* bit set */
   const char *of, *statement, *name;
@@ -343,7 +343,7 @@ bool nb_quantity_row(struct nb_quantity_row *it, size_t k) {
   return false;
 }
 
-/* "`c` is a contact; its quantities are overlap, normal, …", as many as fit. */
+/* "`c` is a contact; its quantities are overlap, normal, …", up to the length of a hint. */
 static const char *list_quantities(char *hint, const struct nb_scene *scene, int w) {
   size_t used = 0, k = 0;
   for (; kind_at(k) && used < NB_HINT_SIZE - 2 * NB_NAME_SIZE; k++) {
@@ -358,7 +358,8 @@ static const char *list_quantities(char *hint, const struct nb_scene *scene, int
   return hint;
 }
 
-/* "`normal.max` is a quantity of a region: `region M all`, then `M.normal.max`". NULL: the name is of no such thing. */
+/* "`normal.max` is a quantity of a region: `region M all`, then `M.normal.max`". NULL: no owner
+ * has a quantity of this name. */
 static const char *owner_hint(char *hint, const char *text) {
   const struct nb_suffix *suffix;
   char name[NB_NAME_SIZE];

@@ -1,19 +1,20 @@
-/* Words of the page language of version 0.3 and their replacements, for `nineball migrate`, for hints, and for `--help OLDWORD`. Old
- * words are listed nowhere else.
+/* Words of the page language of version 0.3 and their replacements, for `nineball migrate`, for hints, and for `--help
+ * OLDWORD`. Old words are listed nowhere else.
  *
  * To rename something, add a row. A row of statements or expectations is matched from the first word of the line:
  *
  *   small words     stand for themselves
- *   CAPITALS        any one word but `=`, NUMBER a number; the same CAPITALS in the new form is that word
- *   …               words, none or more; likewise
+ *   CAPITALS        any one word except `=`; NUMBER: a number. In the new form the same CAPITALS stand for this word
+ *   …               any number of words, also none. In the new form it stands for these words
  *
- * So {NB_OLD_STATEMENT, "step F of safe", "step F of stable"} renames one word of one statement, {NB_OLD_STATEMENT, "fill … tries",
- * "fill … attempts"} a clause in any place; words after the matched ones stay. Rows are applied from the top, each until it no longer
- * matches or its new form does. New forms must match no row, which a test checks.
+ * So {NB_OLD_STATEMENT, "step F of safe", "step F of stable"} renames one word of one statement, {NB_OLD_STATEMENT,
+ * "fill … tries", "fill … attempts"} a clause in any place; words after the matched ones stay. Rows are applied from
+ * the top, each until it no longer matches or its new form does. New forms must match no row, which a test checks.
  *
- * A row of quantities is one part or several of a name between dots: {NB_OLD_QUANTITY, "deviation", "std"} makes `A.stress.std` of
- * `A.stress.deviation`. With a dot before it (".unbalance") the name must have an owner. `"A.stress.deviation/Pa"` and
- * A_stress_deviation in a figure follow, and the data block $load_bodies. A plain row is of a quantity without an owner.
+ * A row of quantities is one part or several of a name between dots: {NB_OLD_QUANTITY, "deviation", "std"} makes
+ * `A.stress.std` of `A.stress.deviation`. With a dot before it (".unbalance") the name must have an owner.
+ * `"A.stress.deviation/Pa"` and A_stress_deviation in a figure follow, and the data block $load_bodies. A plain row is
+ * of a quantity without an owner.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "old_words.h"
@@ -173,7 +174,8 @@ static size_t index_of(const char *pattern, const char *word, size_t length) {
   return k;
 }
 
-/* Rewrites the line by a row that matches at `at`. A new word takes the position of the old word with the same index. */
+/* Rewrites the line by a row that matches at `at`. A new word takes the position of the old word with the same
+ * index. */
 static bool rewrite(struct line *line, const struct nb_old_word *row, const size_t *at) {
   struct line made = {.rest = line->rest};
   const size_t matched = index_of(row->old, "", 1);
@@ -251,7 +253,8 @@ static bool has_unit(const char *behind) {
   return behind[n] == '/' && (n == 0 || (*behind == ' ' && behind[n - 1] != ' '));
 }
 
-/* The row of the word before a column of a figure, `known C.normal/N`, or before a variable, known_C_normal; NULL: none. */
+/* The row of the word before a column of a figure, `known C.normal/N`, or before a variable, known_C_normal; NULL:
+ * none. */
 static const struct nb_old_word *figure_row(const char *run, size_t length, bool quoted) {
   const struct nb_old_word *row = nb_old_words();
   for (; row->old; row++) {

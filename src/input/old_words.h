@@ -24,12 +24,12 @@ struct nb_old_word {
 };
 const struct nb_old_word *nb_old_words(void); /* the last row has no words */
 
-/* Adds a rewritten line to the text. Spacing and comments are kept, and columns where possible; a line without old words is not
- * changed. */
+/* Adds a rewritten line to the text. Spacing and comments are kept, and columns where possible; a line without old
+ * words is not changed. */
 enum nb_old_block { NB_OLD_STATEMENTS, NB_OLD_EXPECTATIONS, NB_OLD_GNUPLOT, NB_OLD_OPENING, NB_OLD_PROSE };
 void nb_old_line(struct nb_text *text, const char *line, enum nb_old_block block);
-/* The hint for the old word in a line of a page, written to a text of NB_HINT_SIZE; NULL: it has none. The same for the first line of
- * a block. */
+/* The hint for the old word in a line of a page, written to a text of NB_HINT_SIZE; NULL: it has none. The same for the
+ * first line of a block. */
 const char *nb_old_hint(char *hint, const struct nb_page *page, size_t line);
 const char *nb_old_fence(char *hint, const char *line);
 const char *nb_old_name(char *hint, const char *name); /* the same for the name of a quantity */

@@ -1,7 +1,7 @@
 /* `packing`: particles from a file.
  *
- * The file is a saved state (docs/STATE.md), of which only the particles are used, or a list of columns `x/m`, `y/m` and `radius/m`.
- * Numbers are taken to the last bit.
+ * The file is a saved state (docs/STATE.md), of which only the particles are used, or a list of columns `x/m`, `y/m`
+ * and `radius/m`. Numbers are taken to the last bit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -42,7 +42,8 @@ static int material_named(const struct nb_scene *scene, struct nb_reader *reader
   return m;
 }
 
-/* Adds the particles of a saved state except removed ones; `all`, if not NULL, gives shape and material of free particles. */
+/* Adds the particles of a saved state except removed ones. `all`, if not NULL, gives shape and material of each, and
+ * makes it free. */
 static void from_state(struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *file, const char *path,
                        const struct nb_particle *all) {
   struct nb_saved saved;
@@ -139,7 +140,7 @@ NB_APPLY(apply_packing) {
 NB_STATEMENTS(packing) = {
   {"packing", NB_IN_SCENE | NB_OWN_EXAMPLE, packing_fields, NULL, 0, false, apply_packing,
    "Particles from a file that `nineball state` has written (docs/STATE.md), in its order. Shape, position, radius, material by its name, and whether a particle is fixed come from the file, to the last bit. "
-   "The particles are at rest, and their contacts have no history. `start` tells where the program searches the file. With `discs` or `spheres` all particles are free, of that shape and that material. "
+   "The particles are at rest, and their contacts have no history. `start` tells where the program searches for the file. With `discs` or `spheres` all particles are free, of that shape and that material. "
    "Then the file may also be a list under a head line with columns `x/m`, `y/m` and `radius/m`, in any unit of length, separated by tabs or by spaces. "
    "Other columns and lines that begin with `#` are ignored. STAGE-particles.tsv of any run is such a list.",
    "material  rock  density 2000 kg/m3  kn 1 MN/m\npacking   heap.state\npacking   heap.tsv discs rock\npacking   heap.tsv spheres rock"},

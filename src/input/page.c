@@ -1,8 +1,8 @@
 /* A page: a Markdown file and its fenced blocks.
  *
- * A fence is a line of three or more backticks or tildes, indented by at most three spaces. The block ends at a line with at least as
- * many of the same sign; without one the page is invalid (CommonMark 0.30, section 4.5, would close it at the end of the file). The
- * first word after the opening fence is the kind. Blocks of other kinds are prose.
+ * A fence is a line of three or more backticks or tildes, indented by at most three spaces. The block ends at a line
+ * with at least as many of the same sign; without one the page is invalid (CommonMark 0.30, section 4.5, would close it
+ * at the end of the file). The first word after the opening fence is the kind. Blocks of other kinds are prose.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _POSIX_C_SOURCE 200809L
@@ -94,7 +94,8 @@ static const char *near_kind(const char *word) {
   return NULL;
 }
 
-/* The kind of block that an opening fence begins; -1: none. A misspelt kind is reported, because its block would be ignored. */
+/* The kind of block that an opening fence begins; -1: none. A misspelt kind is reported, because its block would be
+ * ignored. */
 static int kind_of_info(const struct nb_page *page, size_t line, const char *info, struct nb_mistakes *mistakes) {
   char word[NB_NAME_SIZE], hint[NB_HINT_SIZE];
   const size_t signs = strspn(info, "{."), length = strcspn(info + signs, " \t}");
@@ -116,7 +117,8 @@ static int kind_of_info(const struct nb_page *page, size_t line, const char *inf
   return -1;
 }
 
-/* The length of the fence of an expect block that is not read: in a quote, in a list, or indented by more than three spaces. */
+/* The length of the fence of an expect block that is not read: in a quote, in a list, or indented by more than three
+ * spaces. */
 static size_t hidden_fence(const char *line, char *sign) {
   const char *info;
   const size_t n = nb_fence(line + strspn(line, " \t>*+-"), sign, &info);

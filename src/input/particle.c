@@ -23,7 +23,7 @@ static const struct nb_argument particle_fields[] = {
 static const struct nb_argument lattice_fields[] = {
   SHAPE(AT_SHAPE),
   FLAG("square", AT_SQUARE, "square unless `hexagonal`", "Rows above each other."),
-  FLAG("hexagonal", AT_HEXAGONAL, "square", "Every second row is shifted by half a spacing in x, and rows are sqrt(3)/2 of it apart: six neighbours at equal distance."),
+  FLAG("hexagonal", AT_HEXAGONAL, "square", "Every second row is shifted by half a spacing in x, and the distance of rows is sqrt(3)/2 of the spacing: six neighbours at equal distance."),
   COUNT(NULL, "NX", AT_NX, NULL, "Number in x."),
   COUNT("by", "NY", AT_NY, NULL, "Number of rows, in y."),
   CLAUSE("from", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X, 2, "R R", "Centre of the first one, which has the smallest x and y."),

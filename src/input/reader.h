@@ -1,10 +1,12 @@
-/* The reader of pages: a line is split into tokens, each with its column, and a row of a table of keywords says which tokens its
- * statement takes; others are mistakes, reported with a caret. A statement stops at its first mistake, and reading continues with the
- * next one. An unknown name is reported once, and not at all if the statement that should define it has a mistake.
+/* The reader of pages: a line is split into tokens, each with its column, and a row of a table of keywords says which
+ * tokens its statement takes; others are mistakes, reported with a caret. A statement stops at its first mistake, and
+ * reading continues with the next one. An unknown name is reported once, and not at all if the statement that should
+ * define it has a mistake.
  *
- *   mistakes.c    messages, suppressed names                            value.c      values from tokens
- *   line.c        tokens; expression.c evaluates those in parentheses   statement.c  a statement from tokens by a row of a table
- *   units.c       numbers and units                                     guess.c      the nearest known word
+ *   mistakes.c     messages, suppressed names       value.c      values from tokens
+ *   line.c         tokens                           statement.c  a statement from tokens, by a row of a table
+ *   expression.c   expressions in parentheses       guess.c      the nearest known word
+ *   units.c        numbers and units
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_READER_H
@@ -29,8 +31,9 @@ enum {
 
 /* ---- mistakes.c ---- */
 
-/* Reports a mistake, sorted by line among those of the page. line and column count from 1, length characters; line 0: the whole page.
- * hint may be NULL. A page without kind_of consists of --set texts and shows no line number. At most a thousand are reported. */
+/* Reports a mistake, sorted by line among those of the page. line and column count from 1, length characters; line 0:
+ * the whole page. hint may be NULL. A page without kind_of consists of --set texts and shows no line number. At most a
+ * thousand are reported. */
 void nb_mistake(struct nb_mistakes *mistakes, const struct nb_page *page, size_t line, int column, int length,
                 const char *hint, const char *format, ...) __attribute__((format(printf, 7, 8)));
 
@@ -38,8 +41,8 @@ void nb_mistake_memory(struct nb_mistakes *mistakes); /* memory ran out */
 /* The status of the mistakes made since there were `before`. */
 enum nb_status nb_mistakes_status(const struct nb_mistakes *mistakes, size_t before);
 
-/* Suppresses messages about a name that a mistake leaves undefined, or that is reported already; and whether messages about a name, or its
- * part before the dot, are suppressed. */
+/* Suppresses messages about a name that a mistake leaves undefined, or that is reported already. nb_name_suppressed:
+ * whether messages about a name, or about its part before the dot, are suppressed. */
 void nb_suppress_name(struct nb_mistakes *mistakes, const char *name);
 #define NB_ANYTHING "*" /* all names */
 bool nb_name_suppressed(const struct nb_mistakes *mistakes, const char *name);
@@ -73,7 +76,8 @@ struct nb_binding {
 };
 
 struct nb_keyword;
-/* The state of the reader: set page, mistakes, unitless and the bindings, zero the rest. It owns nothing. About 60 kB. */
+/* The state of the reader: set page, mistakes, unitless and the bindings, zero the rest. It owns nothing. About 60
+ * kB. */
 struct nb_reader {
   const struct nb_page *page;
   struct nb_mistakes *mistakes;
@@ -106,8 +110,8 @@ bool nb_token_is(const struct nb_reader *reader, const char *word);   /* whether
 bool nb_token_skip(struct nb_reader *reader, const char *word);       /* takes it if so */
 bool nb_is_name(const char *text); /* a letter, then letters, digits, _ and -; shorter than NB_NAME_SIZE */
 
-/* The functions that report a mistake of a statement return false, so that callers can return their result. Only the first mistake of a
- * statement is reported; each moves to the end of the line. */
+/* The functions that report a mistake of a statement return false, so that callers can return their result. Only the
+ * first mistake of a statement is reported; each moves to the end of the line. */
 
 /* At a token; NULL: after the last one. */
 bool nb_token_mistake(struct nb_reader *reader, const struct nb_token *token, const char *hint, const char *format, ...)
@@ -129,7 +133,8 @@ bool nb_fail_silently(struct nb_reader *reader);
 /* nb_mistake_memory; marks the statement as bad. */
 bool nb_no_memory(struct nb_reader *reader);
 
-/* ---- value.c: each function takes one value from the line; if it cannot, it reports what it expected and returns false ---- */
+/* ---- value.c: each function takes one value from the line; if it cannot, it reports what it expected and returns
+ * false ---- */
 
 enum nb_range { NB_ANY, NB_POSITIVE, NB_NOT_NEGATIVE, NB_FRACTION, NB_HALF }; /* all, > 0, >= 0, 0 to 1, 0 to 0.5 */
 
@@ -145,7 +150,8 @@ int nb_take_choice(struct nb_reader *reader, const char *words); /* index of one
 /* Any token; a new name. NULL with a message, which says `what`. */
 const struct nb_token *nb_take_token(struct nb_reader *reader, const char *what);
 const struct nb_token *nb_take_name(struct nb_reader *reader, const char *what);
-/* Index of the structure that a token names, as nb_find; -1 with a message, whose hint is the nearest name, else `otherwise`. */
+/* Index of the structure that a token names, as nb_find; -1 with a message, whose hint is the nearest name, else
+ * `otherwise`. */
 int nb_named(struct nb_reader *reader, const struct nb_token *token, const void *things, size_t count, size_t size,
              const char *what, const char *otherwise);
 #define NB_NAMED(reader, token, things, count, what, otherwise)                                                        \
@@ -257,14 +263,15 @@ enum {
   NB_PATH_SIZE = 4096
 };
 
-/* Finds the file that a page names: in the folder of the page; else, unless the name begins with `/` or has `..`, in the nearest folder
- * `cases` above the page and all folders below that. If there is none, `path` is in the folder of the page, and opening it fails. False
- * with a message if several folders have it. `path` has NB_PATH_SIZE bytes. */
+/* Finds the file that a page names: in the folder of the page; else, unless the name begins with `/` or has `..`, in
+ * the nearest folder `cases` above the page and all folders below that. If there is none, `path` is in the folder of
+ * the page, and opening it fails. False with a message if several folders have it. `path` has NB_PATH_SIZE bytes. */
 bool nb_file_find(struct nb_reader *reader, const struct nb_token *token, const char *ending, char *path);
-/* Opens a regular file for reading; NULL with an error, "cannot be read: …", without the path. Pipes and devices are refused because
- * they may never end. */
+/* Opens a regular file for reading; NULL with an error, "cannot be read: …", without the path. Pipes and devices are
+ * refused because they may never end. */
 FILE *nb_file_open(const char *path, struct nb_error *error);
-/* Reads a regular file of at most so many bytes and adds a terminating zero; the caller frees it. NULL with an error. */
+/* Reads a regular file of at most so many bytes and adds a terminating zero; the caller frees it. NULL with an
+ * error. */
 char *nb_file_read(const char *path, size_t most, size_t *size, struct nb_error *error);
 
 /* ---- line.c: arrays that grow by nb_array_reserve ---- */

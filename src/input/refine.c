@@ -3,13 +3,14 @@
  *   step                        divided by R, whatever its unit
  *   cycles N, in N steps        N R
  *   at most N cycles            N R, rounded up
- *   every N (record, until, servo)  N R, rounded, at least 1; every cycle stays every cycle
+ *   every N cycles              of record, until and servo: N R, rounded, at least 1; `every 1 cycle` stays
  *   until cycle above N         N R
- *   strains per cycle           divided by R
- *   damping con1 X as cs79      1 - (1 - X)/R, so that alpha = 2 (1 - X)/dt stays [CS79 34-36]
- *   damping con1 X as velocity, all   X^(1/R), so that a free velocity decays as fast in time
+ *   at N cycles                 in an expectation: N R (report/expect.c)
+ *   strains per cycle           divided by R, also the largest rate of a servo
+ *   damping con1 X as cs79      X becomes 1 - (1 - X)/R, so that alpha_g = 2 (1 - X)/dt stays [CS79 34-36]
+ *   damping con1 X as velocity  and as all: X becomes X^(1/R), so that free motion decays at the same rate in time
  *
- * A page that starts from another one refines its own stages only.
+ * Of a page that starts from another one, only its own stages are refined.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -18,7 +19,8 @@
 #include "core/names.h"
 #include "statement.h"
 
-/* Sets a count to its product with R; `what` is counted. False with a message if the product is not a whole number. */
+/* Sets a count to `product`, its product with R; `what`: the plural noun of what is counted. False with a message if
+ * it is too large or not a whole number. */
 static bool multiply(struct nb_scene_reading *reading, const struct nb_stage *stage, const char *what, double product,
                      unsigned long *count) {
   const double whole = nearbyint(product), refine = reading->scene->refine;
@@ -34,7 +36,7 @@ static bool multiply(struct nb_scene_reading *reading, const struct nb_stage *st
   return true;
 }
 
-/* Rows and tests lie between two moments of the page where the product is not whole. */
+/* An interval is rounded, because rows and checks need not lie at the same times as those of the page. */
 static unsigned long interval(unsigned long cycles, double refine) {
   const double product = nearbyint((double)cycles * refine);
   return cycles <= 1 || product < 1 ? (cycles > 0) : (unsigned long)fmin(product, NB_COUNT_MAX);
@@ -58,7 +60,7 @@ static void refine_servo(struct nb_servo *servo, double refine) {
     servo->max_rate /= refine;
 }
 
-/* The end of the stage. */
+/* Multiplies the number of cycles at which the stage ends. */
 static bool refine_end(struct nb_scene_reading *reading, struct nb_stage *stage) {
   const double refine = reading->scene->refine, cycles = (double)stage->cycles * refine;
   for (size_t k = 0; k < stage->condition_count; k++)

@@ -71,7 +71,8 @@ NB_APPLY(apply_region) {
     NB_APPEND(reader, scene->regions, scene->region_count, one);
 }
 
-/* Finds the stage that `from` names, when all stages are known. It must be a stage of this page, not of the page that it starts from. */
+/* Finds the stage that `from` names, when all stages are known. It must be a stage of this page, not of the page that
+ * it starts from. */
 void nb_regions_check(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
   struct nb_reader *reader = &reading->reader;
@@ -93,7 +94,7 @@ void nb_regions_check(struct nb_scene_reading *reading) {
 NB_STATEMENTS(region) = {
   {"region", NB_IN_SCENE | NB_IN_START, region_fields, "circle X Y radius R {rings N} | box X1 Y1 to X2 Y2 | inside F {rings N} | all {from STAGE}", 0, false, apply_region,
    "Names a region of the plane for averages: `A.stress.mean`. A particle is inside if its centre is. `inside` is a circle about the boundary's centre, whose radius is the fraction F of the boundary's mean radius. "
-   "`all` is the cell, or the smallest box round all particles; `transform` rotates this box. With `rings` a snapshot has the porosity of that many rings of equal width about the centre. "
+   "`all` is the cell, or the smallest box around all particles; `transform` rotates this box. With `rings` a snapshot has the porosity of that many rings of equal width about the centre. "
    "Strain, and lost and new contacts, are relative to the beginning of the stage that `from` names, else to the start of the run.",
    "region    M  circle 40 mm 40 mm radius 30 mm  rings 6"},
   {0},

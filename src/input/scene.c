@@ -1,7 +1,8 @@
 /* Reads a page's scene blocks into a struct nb_scene, with all names resolved and all numbers in SI.
  *
- * There are two passes. The first reads `units`, `let` and `sweep`, because the lengths of the sweeps determine the values of a run. The
- * second reads every statement. Then the whole scene is checked: the kind of page, its columns, missing statements.
+ * There are two passes. The first reads `units`, `let` and `sweep`, because the lengths of the sweeps determine the
+ * values of a run. The second reads every statement. Then the whole scene is checked: the kind of page, its columns,
+ * missing statements.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "scene.h"
@@ -36,7 +37,7 @@ bool nb_given_twice(struct nb_reader *reader, int line) {
 
 bool nb_too_many(struct nb_reader *reader, size_t count, int most, const char *what) {
   if (count >= (size_t)most)
-    nb_token_mistake(reader, &reader->tokens[0], NULL, "expected at most %d %s, with this there are more", most, what);
+    nb_token_mistake(reader, &reader->tokens[0], NULL, "expected at most %d %s, found more", most, what);
   return reader->bad;
 }
 

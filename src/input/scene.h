@@ -1,8 +1,9 @@
 /* A scene while it is read, for the files of statements.
  *
- * Each file has a statement or a family of them: the rows of their arguments, the functions that apply them, and at its end the table
- * NB_STATEMENTS (statement.h) with their words, help and examples. STATEMENTS in build-aux/lists.mk lists these files, in the order of the
- * manual. scene.c has the common parts: the two passes over a page, and the checks at its end.
+ * Each file has a statement or a family of them: the rows of their arguments, the functions that apply them, and at its
+ * end the table NB_STATEMENTS (statement.h) with their words, help and examples. STATEMENTS in build-aux/lists.mk lists
+ * these files, in the order of the manual. scene.c has the common parts: the two passes over a page, and the checks at
+ * its end.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_SCENE_H
@@ -88,9 +89,11 @@ void nb_scene_mistake(struct nb_scene_reading *reading, const char *statement, c
 /* Index of the material or wall that the token names; -1 with a message if there is none. */
 int nb_material_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token);
 int nb_wall_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token);
-/* Takes NAME {radius R} after `grading`: index of the grading, or -1 with a message; *size: index of the size, or -1. */
+/* Takes NAME {radius R} after `grading`: index of the grading, or -1 with a message; *size: index of the size, or
+ * -1. */
 int nb_take_grading(const struct nb_scene *scene, struct nb_reader *reader, int *size);
-/* Takes the name of a quantity, with its position; finds the quantity of that name: false with a message if there is none. */
+/* Takes the name of a quantity, with its position; finds the quantity of that name: false with a message if there is
+ * none. */
 bool nb_take_requested(struct nb_reader *reader, struct nb_requested *requested);
 bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *quantity,
                        const struct nb_requested *requested);
@@ -99,8 +102,8 @@ enum { NB_AT_XX, NB_AT_YY, NB_AT_XY, NB_AT_C12, NB_AT_C21, NB_AT_AFTER_STRAIN };
 struct nb_strain_rate nb_strain_rate_of(struct nb_reader *reader, const struct nb_value value[]);
 /* Whether the unit of a value is `per cycle`. */
 bool nb_value_per_cycle(const struct nb_reader *reader, const struct nb_value *value);
-/* A particle at (0, 0) for a statement that adds `count` of them; checks the count, and that the material of a free particle has a
- * density. */
+/* A particle at (0, 0) for a statement that adds `count` of them; checks the count, and that the material of a free
+ * particle has a density. */
 struct nb_particle nb_particle_of(struct nb_reader *reader, const struct nb_scene *scene, enum nb_shape shape,
                                   const struct nb_token *material, bool fixed, size_t count);
 /* Adds a monitor; false with a message if the name exists or there are too many. */

@@ -1,5 +1,5 @@
-/* Stages: `stage`, `cycles`, `until`, `ramp`, `zero velocities`, `reverse velocities`, `rotation`; and `repeat from NAME N times`, which
- * reads their lines again.
+/* Stages: `stage`, `cycles`, `until`, `ramp`, `zero velocities`, `reverse velocities`, `rotation`; and `repeat from
+ * NAME N times`, which reads their lines again.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -24,8 +24,8 @@ void nb_stage_name(struct nb_stage *stage, const struct nb_scene_reading *readin
   snprintf(stage->name, sizeof stage->name, "%.*s%s", (int)(length < most ? length : most), name->text, number);
 }
 
-/* A stage begins with the step and damping of the previous one, the first one with those of the scene. A line with a mistake begins a
- * stage, too, because the lines below belong to it. */
+/* A stage begins with the step and damping of the previous one, the first one with those of the scene. A line with a
+ * mistake begins a stage, too, because the lines below belong to it. */
 NB_APPLY(apply_stage) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
@@ -164,9 +164,11 @@ bool nb_misplaced_after_repeat(struct nb_scene_reading *reading) {
   if (reading->repeat.now || reading->repeat.until == 0 || strcmp(verb, begins) == 0 || strcmp(verb, "repeat") == 0 ||
       (size_t)nb_current_stage(scene)->line > reading->repeat.until)
     return false;
-  nb_token_mistake(reader, &reader->tokens[0],
-                   "above the `repeat` it belongs to all repeated stages or segments, here only to the last one",
-                   "expected `%s` below the `repeat` of line %zu", begins, reading->repeat.until);
+  char hint[NB_HINT_SIZE];
+  snprintf(hint, sizeof hint, "move it above the `repeat`: there it belongs to each repeated %s, here only to the last",
+           begins);
+  nb_token_mistake(reader, &reader->tokens[0], hint, "expected `%s` below the `repeat` of line %zu, found `%s`", begins,
+                   reading->repeat.until, verb);
   return true;
 }
 

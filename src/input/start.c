@@ -1,7 +1,8 @@
 /* `start PAGE stage NAME`: continues the scene of another page from the end of one of its stages.
  *
- * The scene has the other page's materials, particles, walls, laws and stages, so that references see all of them; their line is that
- * of `start`. Regions, monitors and columns are its own. Statements before the first stage of the page belong to this stage.
+ * The scene has the other page's materials, particles, walls, laws and stages, so that references see all of them;
+ * their line is that of `start`. Regions, monitors and columns are its own. Statements before the first stage of the
+ * page belong to this stage.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _XOPEN_SOURCE 700
@@ -178,9 +179,9 @@ static bool find_page(const struct nb_scene_reading *reading, struct nb_reader *
     return false;
   const int parent = nesting_depth(reading, path);
   if (parent >= CHAIN_MAX)
-    return nb_token_mistake(
-        reader, word, "save a state of one of them with `nineball state`, and take its particles with `packing`",
-        "expected at most %d pages that start one from another, with this there are more", CHAIN_MAX);
+    return nb_token_mistake(reader, word,
+                            "save a state of one of them with `nineball state`, and take its particles with `packing`",
+                            "expected at most %d pages that start one from another, found more", CHAIN_MAX);
   if (parent < 0)
     return nb_token_mistake(reader, word, NULL, "expected another page, `%.200s` would start from itself", path);
   return true;
@@ -196,8 +197,8 @@ static void read_scene(const struct nb_scene_reading *reading, struct nb_reader 
   if (mistakes->total == before && start->scene->contact_test)
     nb_token_mistake(reader, word, NULL, "expected a page with a scene, found a contact test");
   else if (mistakes->total == before && runs > 1)
-    nb_token_mistake(reader, word, "choose one run: `with NAME=VALUE`", "expected a page of one run, found one of %zu",
-                     runs);
+    nb_token_mistake(reader, word, "choose one run: `with NAME=VALUE`",
+                     "expected a page of one run, found one of %zu runs", runs);
 }
 
 static bool read_other(const struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_start *start,
@@ -248,7 +249,7 @@ NB_APPLY(apply_start) {
   reading->start_failed = true; /* until it has succeeded */
   if (scene->start.line || reading->first_line != reader->line) {
     nb_token_mistake(reader, &reader->tokens[0], NULL,
-                     "expected `start` once, before all but `units`, `let` and `sweep`");
+                     "expected one `start`, above all statements except `units`, `let` and `sweep`");
     return;
   }
   start->line = (int)reader->line;
@@ -283,7 +284,8 @@ void nb_start_free(struct nb_start *start) {
 
 /* ---- hash of everything that a state depends on ---- */
 
-/* Begins with the program, and settings that override statements; settings of values are in the statements that use them. */
+/* Begins with the program, and settings that override statements; settings of values are in the statements that use
+ * them. */
 unsigned long long nb_hash_settings(nb_settings settings) {
   static const char *const statements[] = {"normal=", "shear=", "step=", "refine="};
   unsigned long long hash = nb_hash(NB_HASH_BEGIN, NB_VERSION, sizeof NB_VERSION);
@@ -309,7 +311,7 @@ void nb_hash_line(struct nb_scene_reading *reading) {
 /* clang-format off */
 NB_STATEMENTS(start) = {
   {"start", NB_IN_SCENE | NB_OWN_EXAMPLE, start_fields, "{with NAME=VALUE …}", 0, false, apply_start,
-   "Continues from the end of a stage of another page, PAGE.md; `with` sets values of that page, as --set does. The program searches the page in the folder of this page, then in the nearest "
+   "Continues from the end of a stage of another page, PAGE.md; `with` sets values of that page, as --set does. The program searches for the page in the folder of this page, then in the nearest "
    "folder `cases` above it and all folders below that, where only one file may have that name. A name that begins with `../` or `/` is a path from this page's folder or from the root. "
    "Particles, walls, a boundary or a cell, materials, laws, damping, gravity and step are those at the end of that stage; cycles and time continue. Monitors and columns are this page's own. Statements "
    "before the first stage hold from that stage on. The other page is run up to there once, and its state is saved in a "

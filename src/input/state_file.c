@@ -1,9 +1,10 @@
-/* Writes and reads a saved state. Each record is a line: a word and its fields, separated by one space. The last line is the checksum
- * of all others. Numbers are written by %a, which reads back to the same bits.
+/* Writes and reads a saved state. Each record is a line: a word and its fields, separated by one space. The last line
+ * is the checksum of all others. Numbers are written by %a, which reads back to the same bits.
  *
- * One function per kind of record both writes and reads its fields in order: it writes them if there is an output text, else it reads
- * and checks them. A file that is truncated or changed is refused. Every other deviation from docs/STATE.md is an error with file,
- * line, column and what was expected. A new record needs a row in the table below, and one in docs/STATE.md.
+ * One function per kind of record both writes and reads its fields in order: it writes them if there is an output text,
+ * else it reads and checks them. A file that is truncated or changed is refused. Every other deviation from
+ * docs/STATE.md is an error with file, line, column and what was expected. A new record needs a row in the table below,
+ * and one in docs/STATE.md.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "state_file.h"
@@ -498,8 +499,8 @@ static void shear(struct stream *stream) { read_history(stream, true); }
 
 /* ---- the whole ---- */
 
-/* Word, function, how often it must stand in a file, and how many are written: none of what the scene does not have, and none of a
- * default. The history that a law keeps is written with its contact. */
+/* Word, function, how often it must stand in a file, and how many are written: none of what the scene does not have,
+ * and none of a default. The history that a law keeps is written with its contact. */
 #define RECORDS(X)                                                                                                     \
   X("program", program, ONCE, 1)                                                                                       \
   X("page", page, ONCE, 1)                                                                                             \
@@ -632,7 +633,8 @@ enum nb_status nb_saved_read_text(struct nb_saved *saved, const char *path, cons
     return damaged(path, text, size, size, "expected a last line `end` with its checksum: the file is cut off", error);
   snprintf(end, sizeof end, "end %016llx\n", nb_hash(NB_HASH_BEGIN, text, last));
   if (text[last - 1] != '\n' || memcmp(text + last, end, NB_STATE_END) != 0)
-    return damaged(path, text, size, last, "expected another checksum: something in the file has changed", error);
+    return damaged(path, text, size, last,
+                   "expected the checksum of the lines above, found another one: the file has been changed", error);
 
   struct stream stream = {.saved = saved, .path = path, .number = 1, .error = error, .line = text + sizeof head - 1};
   while (stream.line < text + last && !stream.bad) {

@@ -1,5 +1,5 @@
-/* A saved state: all variables of a model at the end of a stage that the next stage needs. docs/STATE.md describes the file, record by
- * record. run/state.h copies a state from a model and into one.
+/* A saved state: all variables of a model at the end of a stage that the next stage needs. docs/STATE.md describes the
+ * file, record by record. run/state.h copies a state from a model and into one.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_STATE_FILE_H
@@ -9,8 +9,8 @@
 #include "core/block.h"
 #include "hash.h"
 
-/* Saved fields of a contact, with their names in the file and their ranges. Other fields are computed from them, from particles and
- * materials, or concern the last step only. */
+/* Saved fields of a contact, with their names in the file and their ranges. Other fields are computed from them, from
+ * particles and materials, or concern the last step only. */
 #define NB_SAVED_FIELDS(X)                                                                                             \
   X(NB_OVERLAP, "overlap", FROM_0)                                                                                     \
   X(NB_NORMAL_INCREMENT, "closing", FINITE)                                                                            \
@@ -130,8 +130,8 @@ enum nb_status nb_saved_setting(struct nb_saved *saved, const char *text, struct
 bool nb_saved_is(FILE *file); /* whether it begins as a state of any version; reads its first bytes */
 /* The text of the file, which the caller frees; NULL: no memory. Equal states give equal bytes. */
 char *nb_saved_text(const struct nb_saved *saved, size_t *size);
-/* Reads a state. Every deviation from docs/STATE.md is an error with file, line, column and what was expected; then `saved` owns
- * nothing. */
+/* Reads a state. Every deviation from docs/STATE.md is an error with file, line, column and what was expected; then
+ * `saved` owns nothing. */
 enum nb_status nb_saved_read_text(struct nb_saved *saved, const char *path, const char *text, size_t size,
                                   struct nb_error *error);
 enum nb_status nb_saved_read(struct nb_saved *saved, const char *path, struct nb_error *error);

@@ -1,6 +1,6 @@
-/* Reads one statement by its row in a table of keywords: the row with most words that the statement begins with. If there is none, a
- * message suggests one. Positional arguments are read in the order of the row, clauses in any order. Then the row's apply is called,
- * which may read more tokens if the row has a tail.
+/* Reads one statement by its row in a table of keywords: the row with most words that the statement begins with. If
+ * there is none, a message suggests one. Positional arguments are read in the order of the row, clauses in any order.
+ * Then the row's apply is called, which may read more tokens if the row has a tail.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -107,8 +107,9 @@ static void syntax_hint(char *hint, const struct nb_keyword *keyword, const stru
            name ? name->value : "", name ? name->help : "");
 }
 
-/* Reports a line whose first words match some rows and whose next word matches none: `fill sphres`. Returns one of these rows; NULL if
- * `whole`, a row of another place, matches completely and no row of this place is near, unless a word follows: `cell shear`. */
+/* Reports a line whose first words match some rows and whose next word matches none: `fill sphres`. Returns one of
+ * these rows; NULL if `whole`, a row of another place, matches completely and no row of this place is near, unless a
+ * word follows: `cell shear`. */
 static const struct nb_keyword *wrong_word(struct nb_reader *reader, const struct nb_family *table, unsigned here,
                                            const struct nb_keyword *whole) {
   char list[256] = "", hint[NB_HINT_SIZE], word[NB_NAME_SIZE];
@@ -292,7 +293,8 @@ static bool is_incomplete(const struct nb_reader *reader, bool clause) {
   return field->count > 0;
 }
 
-/* `raduis 5`: a word and a number where one word is expected are a mistyped clause; `1 m`: a clause without its word. */
+/* `raduis 5`: a word and a number where one word is expected are a mistyped clause; `1 m`: a clause without its
+ * word. */
 static bool mistyped_clause(const struct nb_reader *reader, const struct nb_argument *positional) {
   const struct nb_token *token = nb_token_peek(reader);
   double number;
@@ -318,8 +320,9 @@ static size_t given_count(const struct nb_reader *reader) {
   return count;
 }
 
-/* The hint for a statement of another place with the same words, such as `wall` in the scene and in a stage, if that one has more
- * positional arguments and this line too many, or if it has as many as this line, which has too few. NULL: there is none. */
+/* The hint for a statement of another place with the same words, such as `wall` in the scene and in a stage, if that
+ * one has more positional arguments and this line too many, or if it has as many as this line, which has too few. NULL:
+ * there is none. */
 static const char *namesake_hint(const struct nb_reader *reader, char *hint, const struct nb_argument *missing) {
   const size_t count = reader->namesake ? positional_count(reader->namesake) : 0;
   const bool fits = nb_token_peek(reader) ? count > positional_count(reader->keyword)
@@ -404,8 +407,8 @@ static void read_fields(struct nb_reader *reader, struct nb_record *record) {
 
 /* ---- statements ---- */
 
-/* The row with most words that all match, of this place or of another one; of two, the one of this kind of block. A row of this place
- * without words matches every line. */
+/* The row with most words that all match, of this place or of another one; of two, the one of this kind of block. A row
+ * of this place without words matches every line. */
 static const struct nb_keyword *whole_match(const struct nb_reader *reader, const struct nb_family *table,
                                             unsigned here, bool elsewhere, size_t *most) {
   const struct nb_keyword *found = NULL, *row;
@@ -422,7 +425,8 @@ static const struct nb_keyword *whole_match(const struct nb_reader *reader, cons
   return found;
 }
 
-/* The row of a statement, with reader->next after its words; or, with a message, the one that was probably meant, or NULL. */
+/* The row of a statement, with reader->next after its words; or, with a message, the one that was probably meant, or
+ * NULL. */
 static const struct nb_keyword *find_row(struct nb_reader *reader, const struct nb_family *table, unsigned here) {
   size_t words, other = 0;
   const struct nb_keyword *found = whole_match(reader, table, here, false, &words);
@@ -434,7 +438,8 @@ static const struct nb_keyword *find_row(struct nb_reader *reader, const struct 
   return found ? found : wrong_row(reader, table, here, whole);
 }
 
-/* Suppresses messages about what a bad statement leaves undefined: its first word stands for its effect, and the names that it defines. */
+/* Suppresses messages about what a bad statement leaves undefined: its first word stands for its effect, and the names
+ * that it defines. */
 static void suppress_names(struct nb_reader *reader, const struct nb_keyword *keyword) {
   const bool sweep = strcmp(reader->tokens[0].text, "sweep") == 0;
   const bool names = !keyword || keyword->arguments->kind == NB_ARGUMENT_NAME;

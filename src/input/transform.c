@@ -2,10 +2,11 @@
  *
  *   x' = S + Q M x        v' = Q M v        w' = w det M
  *
- *   M  changes the sign of x or of y     Q  rotates by the angle, counterclockwise     S  translation, m
+ *   x position, m     v velocity, m/s     w angular velocity (spin), rad/s
+ *   M changes the sign of x or of y     Q rotates by the angle, counterclockwise     S translation, m
  *
- * Vectors are not translated, and mirroring changes the sign of a spin. Rotations by multiples of 90 deg are exact: Q consists of 0, 1 and
- * -1, and a run has the same bits except for signs and exchange of x and y.
+ * Vectors are not translated, and mirroring changes the sign of a spin. Rotations by multiples of 90 deg are exact: Q
+ * consists of 0, 1 and -1, and a run has the same bits except for signs and exchange of x and y.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>

@@ -1,10 +1,10 @@
 /* Units: any product of powers of base units, with prefixes; and decimal numbers.
  *
- *   unit     `1` or factor, then `.` factor (times) or `/` factor (over), from left to right: `kg/m3`, `N.m`, `1/s`, `kg.m/s`
+ *   unit     `1` or factor, then `.` factor (times) or `/` factor (over), from left to right: `kg/m3`, `1/s`, `kg.m/s`
  *   factor   {prefix} base unit {power from 1 to 9}
  *
- * All units but the degree are powers of ten of the SI unit. This power is added to the exponent of the decimal number before its
- * conversion, so `0.3 mm` is the double nearest to 0.0003, not 0.3 * 0.001.
+ * All units but the degree are powers of ten of the SI unit. This power is added to the exponent of the decimal number
+ * before its conversion, so `0.3 mm` is the double nearest to 0.0003, not 0.3 * 0.001.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef _POSIX_C_SOURCE
@@ -22,7 +22,7 @@
 
 /* ---- names ---- */
 
-enum { SIXTIETHS = 60 }; /* sixtieths */
+enum { SIXTIETHS = 60 }; /* in a power of 1: see struct nb_dimension */
 
 static const struct {
   const char *name;

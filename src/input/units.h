@@ -26,7 +26,7 @@ enum nb_unit_kind {
   NB_UNIT_KINDS
 };
 
-/* Powers of metre, kilogram and second, in sixtieths, so that roots have a dimension, too. */
+/* Powers of metre, kilogram and second, in sixtieths, because the square root of a dimension has fractional powers. */
 struct nb_dimension {
   int m, kg, s;
 };
@@ -62,8 +62,8 @@ bool nb_unit_kind_of(enum nb_unit_kind *kind, const char *si);
 void nb_unit_offer(struct nb_guess *guess, const char *list);
 
 enum nb_reading { NB_READ, NB_NO_NUMBER, NB_TOO_LARGE, NB_TOO_SMALL };
-/* The double nearest to text times 10^shift. The whole text must be a decimal number, such as `-1.5e3`, not hex, inf or nan. The decimal
- * point is `.` in every locale. */
+/* The double nearest to text times 10^shift. The whole text must be a decimal number, such as `-1.5e3`, not hex, inf or
+ * nan. The decimal point is `.` in every locale. */
 enum nb_reading nb_number_read(double *value, const char *text, int shift);
 /* A number with its unit, in SI. A computed number is converted to a double before the multiplication by the unit. */
 enum nb_reading nb_quantity_read(double *value, const char *text, bool computed, const struct nb_unit *unit);

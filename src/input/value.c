@@ -84,7 +84,8 @@ static bool is_clause(const struct nb_reader *reader, const struct nb_token *tok
   return false;
 }
 
-/* Whether the words after a number are positional arguments of the row, such as the material of a disc, and not a unit. */
+/* Whether the words after a number are positional arguments of the row, such as the material of a disc, and not a
+ * unit. */
 static bool are_words_of_row(const struct nb_reader *reader) {
   const struct nb_argument *const fields = reader->keyword ? reader->keyword->arguments : NULL;
   size_t wanted = 0, words = 0;
@@ -101,7 +102,7 @@ static const char *without_comma(char bare[NB_NAME_SIZE], const char *text) {
   return bare;
 }
 
-/* Whether a token is a unit, or one of those in messages but for upper and lower case. */
+/* Whether a token is a unit, or one of those in messages apart from upper and lower case. */
 static bool resembles_unit(const char *text) {
   struct nb_unit unit;
   char bare[NB_NAME_SIZE];
@@ -127,7 +128,8 @@ static bool names_angle(const struct wanted *it, const char *text) {
   return is_dimensionless(it) && nb_unit_read(&unit, text) && unit.angle;
 }
 
-/* ", as in `gravity 0 m/s2 -9.81 m/s2`", the statement's example; and the way out of a page without any unit. */
+/* ", as in `gravity 0 m/s2 -9.81 m/s2`", the statement's example; on a page without any unit so far also
+ * ", or begin the scene with `units none`". */
 static void add_advice(char *text, const struct nb_reader *reader, bool example) {
   const char *at = example && reader->keyword && reader->keyword->example ? reader->keyword->example : "";
   at += strspn(at, " ");
@@ -283,8 +285,7 @@ const struct nb_token *nb_take_name(struct nb_reader *reader, const char *what) 
   if (token && nb_is_name(token->text))
     return nb_take_token(reader, what);
   nb_expected(reader,
-              token ? "a name is a letter, then letters, digits, `_` and `-`, less than 64 in all; the letters are a "
-                      "to z and A to Z"
+              token ? "a name is a letter (a to z, A to Z), then letters, digits, `_` and `-`; fewer than 64 characters"
                     : NULL,
               "%s", what);
   return NULL;

@@ -210,7 +210,7 @@ NB_STATEMENTS(wall) = {
    "A straight wall between two ends; particles touch it from both sides.",
    "wall      shelf  10 mm 48 mm to 60 mm 48 mm  glass"},
   {"walls", NB_IN_STAGE | NB_IN_RAMP, walls_fields, NULL, 0, false, apply_walls,
-   "Velocity of all walls of a box, or stop of all walls, from this stage on.",
+   "`inward`: the walls of the box move inward from this stage on. `stop`: all walls stop.",
    "  walls   inward 1 mm/s"},
   {"wall", NB_IN_STAGE | NB_IN_RAMP, wall_motion_fields, NULL, 0, false, apply_wall_motion,
    "Velocity of a wall's point P, spin about P, or both, from this stage on.",

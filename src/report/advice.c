@@ -1,5 +1,5 @@
-/* `nineball advise`: prints what the search has found, in some sentences; writes a table of all settings that were tried,
- * and a figure of error against cost.
+/* `nineball advise`: prints the result of the search; writes a table of all settings with a claimed error, and a figure
+ * of this error against cost.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -21,7 +21,7 @@ static void options_of(char *text, size_t size, const struct nb_advice *advice, 
     snprintf(text + used, size - used, "--set refine=%.9g", advice->page.runs[0].scene.refine * exp2(setting->level));
 }
 
-/* Of an error: "%", a unit, or nothing. */
+/* The unit of an error: "%", that of the quantity, or "". */
 static const char *unit_of(const struct nb_advice *advice) {
   if (advice->tolerance.kind == NB_RELATIVE)
     return "%";
@@ -36,7 +36,7 @@ static void error_text(char text[NB_NAME_SIZE], const struct nb_advice *advice, 
 
 static const char *label_of(const struct nb_advice *advice, size_t run) { return advice->page.runs[run].label; }
 
-/* The dearest setting that costs less than this one; NULL: none. */
+/* The most expensive setting that is cheaper than this one; NULL: none. */
 static const struct nb_setting *next_cheaper(const struct nb_advice *advice, const struct nb_setting *setting) {
   const struct nb_setting *found = NULL;
   for (size_t k = 0; k < advice->setting_count; k++) {
@@ -75,8 +75,9 @@ static void print_choice(const struct nb_advice *advice, const struct nb_setting
     printf("  mean step %.3g%s\n", point->step, advice->page.runs[0].scene.unitless ? "" : " s");
   print_error_of(advice, chosen, "  claimed error: at most");
   if (own->done)
-    printf("  cost: %.3g contact and particle updates, %.3g of the page's own setting (%.3g s and %.3g s)\n",
-           point->updates, point->updates / own->updates, point->seconds, own->seconds);
+    printf(
+        "  cost: %.3g contact and particle updates, %.3g times those of the page's own setting (%.3g s and %.3g s)\n",
+        point->updates, point->updates / own->updates, point->seconds, own->seconds);
   const struct nb_setting *cheaper = next_cheaper(advice, chosen);
   if (cheaper) {
     options_of(options, sizeof options, advice, cheaper);
@@ -92,13 +93,14 @@ static void print_choice(const struct nb_advice *advice, const struct nb_setting
 
 static void print_conditions(const struct nb_advice *advice) {
   if (advice->runs > 1)
-    printf("  this holds for the %zu runs of the page; other values of the sweep may need another setting\n",
+    printf("  this holds for the %zu runs of the page; with other values another setting may be the cheapest\n",
            advice->runs);
   else
-    puts("  this holds for the conditions of this page alone; a sweep in the page, or --set, shows others");
+    puts("  this holds for this page alone; with other values another setting may be the cheapest");
 }
 
-/* Of the pairs of laws that were left out: those that change nothing, and the one nearest to the page. */
+/* Prints how many pairs of laws were left out, because they change nothing or are too far from the anchor; of the
+ * latter the nearest one. */
 static void print_left_out(const struct nb_advice *advice) {
   const struct nb_law_pair *nearest = NULL;
   size_t equal = 0, farther = 0;
@@ -142,7 +144,7 @@ static void print_advice(const struct nb_advice *advice) {
 
 static const char *word(const char *law, const char *own) { return law[0] ? law : own; }
 
-/* All settings; those of one pair of laws; or the chosen one. */
+/* Writes all settings, those of the pair of laws with index `which`, or the chosen one. */
 enum { ALL_PAIRS = -1, CHOSEN = -2 };
 static void write_rows(FILE *out, const struct nb_advice *advice, int which) {
   const struct nb_scene *scene = &advice->page.runs[0].scene;

@@ -1,16 +1,17 @@
 /* Advice: the cheapest step and contact laws whose error in one quantity is within a tolerance, found by
  * running the page.
  *
- * The truth is the page itself, with its own laws and its step towards zero (the anchor of estimate.c). The
- * reference of the page is not used: a candidate with other laws would be compared with another solution. A setting
- * is a pair of laws and a level: the page with --set refine=2^level. Each is run at several phases, which are
- * moments of first touch within a step. `impact` sets them; a page whose stages all end by `until` is run with
- * slightly different steps instead. Any other page has one phase.
+ * Errors are relative to the limit of the page for a step towards zero, with its own laws; the anchor of estimate.c
+ * approximates it. The reference of the page is not used, because for a candidate with other laws it would return
+ * another solution. A setting is a pair of laws and a level: the page with --set refine=2^level. Each setting is run at
+ * several phases, which are moments of first touch within a step. `impact` sets them; a page whose stages all end by
+ * `until` is run with slightly different steps instead. Any other page has one phase.
  *
- * The claim of a level needs this level, the two finer ones, and an anchor that is at least two levels finer.
- * Levels are tried from the coarsest one on; the first one within the tolerance is the cheapest of its pair of
- * laws. A pair is left out if the page or its reference refuses it, if its values are those of another pair, or if
- * they are farther than twice the tolerance from the anchor at the level of the page's own laws.
+ * The claimed error of a setting needs the results at its level, at the two finer ones, and an anchor that is at least
+ * two levels finer. Levels are tried from the coarsest one on; the first one within the tolerance is the cheapest of
+ * its pair of laws. A pair is left out if the page or its reference refuses it, if it gives the values of another pair,
+ * or if they differ from the anchor by more than twice the tolerance at the level that was found for the page's own
+ * laws.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "advise.h"
@@ -25,9 +26,10 @@
 #include "laws/law.h"
 
 enum { PARTICLES_MAX = 50, SETTINGS_EXTRA = 4 };
-static const double anchor_share = 0.5;  /* of the tolerance: largest uncertainty of the anchor */
-static const double phase_spread = 0.08; /* steps of the phases of a page without `impact` differ by at most this */
-static const double law_distance = 2;    /* of the tolerance: a pair of laws farther from the anchor is left out */
+static const double anchor_share = 0.5; /* largest uncertainty of the anchor, as a fraction of the tolerance */
+static const double phase_spread =
+    0.08; /* of a page without `impact`: largest relative difference of the steps of two phases */
+static const double law_distance = 2; /* over the tolerance: a pair of laws farther from the anchor is left out */
 
 /* ---- one run of the page ---- */
 
@@ -37,7 +39,7 @@ static bool fail(struct nb_point *point, const char *text) {
   return false;
 }
 
-/* `phase`: 0 to 1. */
+/* `phase`: a fraction of a step, 0 to 1. */
 static void set_phase(struct nb_scene *scene, double phase) {
   if (scene->impact.line) {
     scene->impact.phase = fmod(scene->impact.phase + phase, 1);
@@ -48,7 +50,7 @@ static void set_phase(struct nb_scene *scene, double phase) {
     scene->stages[s].step.value /= 1 + phase_spread * phase;
 }
 
-/* The settings of the caller, then those of the candidate. */
+/* Reads the page with the settings of the caller and then those of the candidate, and sets the phase. */
 static void read_candidate(struct nb_outcome *outcome, const struct nb_advice *advice, const struct nb_law_pair *pair,
                            int level, size_t phase, const char **settings, char texts[][2 * NB_NAME_SIZE]) {
   const struct nb_scene *page = &advice->page.runs[0].scene;
@@ -68,8 +70,8 @@ static void read_candidate(struct nb_outcome *outcome, const struct nb_advice *a
     set_phase(&outcome->runs[r].scene, (double)phase / NB_PHASES);
 }
 
-/* Whether `nineball run` accepts the laws: the reference of the page may not cover them. The search itself uses no
- * reference. */
+/* Whether the reference of the page covers the laws; otherwise `nineball run` would refuse the setting. The runs of the
+ * search use no reference. */
 static bool take_references(struct nb_point *point, struct nb_law_pair *pair, struct nb_outcome *outcome) {
   for (size_t r = 0; r < outcome->run_count; r++) {
     struct nb_page_run *run = &outcome->runs[r];
@@ -86,7 +88,7 @@ static bool take_references(struct nb_point *point, struct nb_law_pair *pair, st
   return true;
 }
 
-/* Takes the quantity of each run, and the cost. */
+/* Stores the quantity of each run, and the cost of the setting. */
 static bool take_values(struct nb_point *point, const struct nb_advice *advice, struct nb_outcome *outcome,
                         size_t phase) {
   double seconds = 0, updates = 0;
@@ -95,7 +97,7 @@ static bool take_values(struct nb_point *point, const struct nb_advice *advice, 
     struct nb_expectation wanted;
     struct nb_error error;
     if (nb_expectation_read(&wanted, "quantity", advice->text, &run->scene, &outcome->mistakes))
-      return fail(point, outcome->mistakes.text ? outcome->mistakes.text : "memory");
+      return fail(point, outcome->mistakes.text ? outcome->mistakes.text : "memory ran out");
     if (!nb_measure_value(&point->values[r * NB_PHASES + phase], &wanted.measure, &run->result.table, &error))
       return fail(point, error.text);
     seconds += run->result.seconds;
@@ -110,7 +112,7 @@ static bool take_values(struct nb_point *point, const struct nb_advice *advice, 
   return true;
 }
 
-/* Whether a run that takes twice as long as the one of the next coarser level would end within the budget. */
+/* Whether the run would end within the budget, if it takes twice as long as the one of the next coarser level. */
 static bool is_affordable(struct nb_advice *advice, const struct nb_law_pair *pair, int level) {
   const double now = nb_clock() - advice->began;
   const struct nb_point *point = &pair->points[level - NB_LEVEL_LOW];
@@ -221,13 +223,13 @@ static enum nb_status find_anchor(struct nb_advice *advice, struct nb_error *err
   const char *label = advice->page.runs[worst].label;
   return nb_error_set(
       error, NB_FAILED,
-      "the value of `%s` is not known well enough: with the step divided by %g its uncertainty is %.2g "
+      "`%s`: the value is not known well enough: with the step divided by %g its uncertainty is %.2g "
       "times the tolerance%s%s. Choose a larger tolerance, an absolute one if the value is near 0, or a "
       "larger --budget",
       advice->text, exp2(advice->anchor - 1), ratio, label[0] ? ", in run " : "", label);
 }
 
-/* Whether the setting has a claim; then it is added to the list. */
+/* Adds the setting and its claimed error to the list; false: it has none. */
 static bool add_claim(struct nb_advice *advice, size_t index, int level) {
   struct nb_law_pair *pair = &advice->pairs[index];
   struct nb_setting setting = {.pair = index, .level = level};
@@ -255,7 +257,8 @@ static bool add_claim(struct nb_advice *advice, size_t index, int level) {
 
 /* ---- the search ---- */
 
-/* Counts decide; where they are nearly equal, which is the case for laws at the same step, time does. */
+/* The numbers of updates decide. If they are nearly equal, as those of different laws with the same step, the times of
+ * computation do. */
 static bool is_cheaper(const struct nb_advice *advice, const struct nb_setting *a, const struct nb_setting *b) {
   const struct nb_point *one = nb_point_at(advice, a), *other = nb_point_at(advice, b);
   const double same = 0.1;
@@ -277,8 +280,8 @@ static void search_levels(struct nb_advice *advice, size_t pair, int highest) {
   }
 }
 
-/* Whether a pair before this one gives the same values, to the last bit and in every run: then the scene does not use
- * what distinguishes the laws. */
+/* Whether a pair before this one gives the same values, to the last bit and in every run, because the scene does not
+ * use what distinguishes the laws. */
 static bool gives_same_values(const struct nb_advice *advice, const struct nb_law_pair *pair, int level) {
   const struct nb_point *point = &pair->points[level - NB_LEVEL_LOW];
   for (const struct nb_law_pair *other = advice->pairs; other < pair; other++) {
@@ -300,7 +303,7 @@ static bool is_near(struct nb_advice *advice, struct nb_law_pair *pair, int leve
     return false;
   }
   if (gives_same_values(advice, pair, level)) {
-    snprintf(pair->reason, sizeof pair->reason, "the same values as with a pair before it");
+    snprintf(pair->reason, sizeof pair->reason, "it gives the same values as a pair before it");
     pair->equal = true;
     return false;
   }
@@ -358,7 +361,8 @@ static bool has_strain_per_cycle(const struct nb_stage *stage) {
          stage->box.per_cycle || stage->servo.per_cycle;
 }
 
-/* Phases are set by `impact`, or by slightly different steps where no number of cycles has a meaning in time. */
+/* The number of phases. Slightly different steps are possible only if no duration and no strain depends on a number of
+ * cycles. */
 static size_t phase_count(const struct nb_scene *scene) {
   if (scene->impact.line)
     return NB_PHASES;
@@ -376,7 +380,9 @@ static enum nb_status find_quantity(struct nb_advice *advice, struct nb_error *e
     if (run->expectations.list[k].kind != NB_VERSUS)
       quantity = run->expectations.list[k].measure.label;
   if (!quantity)
-    return nb_error_set(error, NB_BAD_USE, "the page expects nothing: name a quantity that it records, by --quantity");
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "the page has no expectation of a single value: name a quantity that it records, by --quantity");
   struct nb_expectation wanted;
   snprintf(advice->text, sizeof advice->text, "%s within %s", quantity, advice->query->within);
   if (nb_expectation_read(&wanted, "quantity", advice->text, &run->scene, &advice->page.mistakes))
@@ -394,7 +400,7 @@ static enum nb_status check_page(const struct nb_advice *advice, struct nb_error
   if (scene->particle_count > PARTICLES_MAX)
     return nb_error_set(error, NB_BAD_USE,
                         "expected a page of at most %d particles, found %zu: the motion of many particles is chaotic, "
-                        "so one run has no limit for a step towards zero",
+                        "so the results of one run have no limit for a step towards zero",
                         PARTICLES_MAX, scene->particle_count);
   for (size_t k = 0; k < scene->binding_count; k++)
     if (strcmp(scene->bindings[k].name, "refine") == 0)

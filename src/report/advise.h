@@ -12,7 +12,7 @@ enum { NB_LEVEL_LOW = -7, NB_LEVEL_HIGH = 12, NB_LEVELS = NB_LEVEL_HIGH - NB_LEV
 
 /* One law pair at one step, run at some of the phases. */
 struct nb_point {
-  unsigned done;    /* set of phases that were run */
+  unsigned done;    /* bit set of the phases that were run */
   double *values;   /* of the quantity: NB_PHASES for each run of the page; owned */
   double seconds;   /* shortest of the phases, all runs of the page */
   double updates;   /* of contacts and particles, all runs */
@@ -25,16 +25,16 @@ struct nb_law_pair {
   struct nb_point points[NB_LEVELS];
   bool covered;     /* the reference of the page, if it has one, accepts the laws */
   bool equal;       /* it gives the same values as a pair before it */
-  double distance;  /* of its values from the anchor, over the tolerance, if that is why it was left out; else 0 */
+  double distance;  /* from the anchor, over the tolerance, if it was left out for this reason; else 0 */
   char reason[512]; /* why the pair was left out; empty: it was not */
 };
 
-/* A setting whose error is known. */
+/* A setting with its claimed error. */
 struct nb_setting {
   size_t pair;
   int level;
   double ratio;      /* the largest claimed error over the tolerance, of all runs */
-  double step_ratio; /* its part that is the error of the step */
+  double step_ratio; /* the part of it that is due to the step */
   size_t worst;      /* the run where it is */
 };
 
@@ -60,7 +60,7 @@ struct nb_advice {
   int anchor;                /* level of the coarsest anchor */
   struct nb_law_pair *pairs; /* owned; the first one is the page's own */
   size_t pair_count;
-  struct nb_setting *settings; /* owned; all that were tried, and */
+  struct nb_setting *settings; /* owned; all that have a claimed error */
   size_t setting_count;
   int chosen;        /* the index of the cheapest one within the tolerance; -1: none */
   double began;      /* s */
@@ -72,11 +72,12 @@ static inline const struct nb_point *nb_point_at(const struct nb_advice *advice,
   return &advice->pairs[setting->pair].points[setting->level - NB_LEVEL_LOW];
 }
 
-/* An error is a mistake in the page or the query, NB_BAD_USE, or NB_FAILED: the quantity is not known well enough. Mistakes are in
- * advice->page. Free the advice in any case; the query must outlive it. */
+/* Searches. NB_BAD_USE: a mistake in the query, or in the page; the latter are in advice->page. NB_FAILED: the quantity
+ * is not known well enough. Free the advice in any case; the query must outlive it. */
 enum nb_status nb_advise(struct nb_advice *advice, const struct nb_advise_query *query, struct nb_error *error);
 void nb_advice_free(struct nb_advice *advice);
-/* Runs a pair of laws at a level and a phase, unless it has been run. False: it cannot be run, or the budget is used up. */
+/* Runs a pair of laws at a level and a phase, unless it has been run. False: it cannot be run, or the budget is used
+ * up. */
 bool nb_advice_run(struct nb_advice *advice, size_t pair, int level, size_t phase);
 
 #endif

@@ -39,10 +39,11 @@ enum nb_status nb_command_list(const struct nb_call *call);
 
 /* ---- manual.c ---- */
 
-/* The manual of the page language: as Markdown with arguments and examples, for a terminal with one sentence for each word. */
+/* The manual of the page language: as Markdown with arguments and examples, for a terminal with one sentence for each
+ * word. */
 void nb_manual(FILE *out, bool markdown);
-/* All about a word of pages, of version 0.3 or of another program, or about several words. False: there is none; then `hint` (NB_HINT_SIZE bytes) holds the
- * nearest one, or is empty. */
+/* All about a word of pages, of version 0.3 or of another program, or about several words. False: there is none; then
+ * `hint` (NB_HINT_SIZE bytes) holds the nearest one, or is empty. */
 bool nb_manual_word(FILE *out, const char *text, char *hint);
 
 /* ---- print.c: verdicts and progress on the terminal ---- */
@@ -74,24 +75,24 @@ void nb_print_escaped(FILE *out, const char *text, const struct nb_escape *list)
 /* Begins the output file FOLDER/NAME. */
 enum nb_status nb_save_begin_in(struct nb_save *file, struct nb_error *error, const char *folder, const char *format,
                                 ...) __attribute__((format(printf, 4, 5)));
-/* Writes into the folder: table.tsv, values.tsv, verdict.tsv; for each snapshot STAGE-particles.tsv, -walls.tsv, -contacts.tsv, and
- * of a contact test SEGMENT-traction.tsv, -pieces.tsv. */
+/* Writes into the folder: table.tsv, values.tsv, verdict.tsv; for each snapshot STAGE-particles.tsv, -walls.tsv,
+ * -contacts.tsv, and of a contact test SEGMENT-traction.tsv, -pieces.tsv. */
 enum nb_status nb_tables_save(const struct nb_outcome *outcome, const char *folder, struct nb_error *error);
 /* A head row and the rows of one run, with reference curves beside the computed quantities. */
 void nb_table_write_run(FILE *out, const struct nb_page_run *run);
 /* One row for each run: swept values, then every measure of the expect blocks, computed and reference. */
 void nb_values_write(FILE *out, const struct nb_outcome *outcome);
 void nb_table_write(FILE *out, const struct nb_table *table);
-/* The first lines of every file, after `# `: program, page, settings, the hash of page and settings, and whether the file is
- * incomplete. */
+/* The first lines of every file, after `# `: program, page, settings, the hash of page and settings, and whether the
+ * file is incomplete. */
 void nb_preamble_write(FILE *out, const struct nb_outcome *outcome);
 
 /* ---- figure.c ---- */
 
 bool nb_page_has_figure(const struct nb_page *page); /* whether it has a `gnuplot` block */
-/* Writes NAME.gp into the folder, and by gnuplot NAME.svg and NAME.png. If the page has no figure it does nothing, and *drawn is
- * false. Only `figure` and `report` draw, because gnuplot runs code of the page: confined (sandbox.h), or unconfined if the page is
- * trusted and the system cannot confine it. */
+/* Writes NAME.gp into the folder, and by gnuplot NAME.svg and NAME.png. If the page has no figure it does nothing, and
+ * *drawn is false. Only `figure` and `report` draw, because gnuplot runs code of the page: confined (sandbox.h), or
+ * unconfined if the page is trusted and the system cannot confine it. */
 enum nb_status nb_figure_draw(const struct nb_outcome *outcome, const char *folder, bool trust, bool *drawn,
                               struct nb_error *error);
 
@@ -104,8 +105,8 @@ struct nb_script {
 };
 enum nb_status nb_script_draw(const struct nb_script *script, const char *folder, bool trust, struct nb_error *error);
 
-/* gnuplot.c: runs `commands`, then FOLDER/NAME.gp, which may read `recipes`. The drawing goes to `figure`, messages of gnuplot to
- * stderr if `verbose`. */
+/* gnuplot.c: runs `commands`, then FOLDER/NAME.gp, which may read `recipes`. The drawing goes to `figure`, messages of
+ * gnuplot to stderr if `verbose`. */
 struct nb_gnuplot {
   const char *folder, *name, *recipes, *commands;
   int figure; /* file descriptor */

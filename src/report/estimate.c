@@ -1,15 +1,20 @@
 /* Estimates of the error of a quantity Q that was computed with several time steps.
  *
- *   Richardson   With Q(n) = Q + C/n^p, d_1 = Q(n) - Q(2n) and d_2 = Q(2n) - Q(4n):  p = log2(|d_1|/|d_2|), and the error
- *                of Q(n) is |d_1| 2^p/(2^p - 1). p is limited to 0.5 ... 2, the orders that the cycle and its events have.
- *                Where the differences do not shrink, no order is visible: 3 max(|d_1|, |d_2|).
- *   G            the largest one of all phases: the moment of first touch within a step is not known, so Q(n) is computed
- *                with several of them
- *   anchor A     a finer step with the laws of the page; Q(A) is the mean over its phases, and its uncertainty
- *                U = 3 |Q(A) - Q(A/2)| + (largest - smallest over the phases at A), A/2 the doubled step
- *   claim        max(G, 1.25 max over the phases of |Q(n) - Q(A)| + U)
+ * Q(n) is the result with n steps per unit of time; p is the order of its error, Q(n) = Q + C/n^p.
  *
- * The factors 3 and 1.25 allow for what the differences do not show; they are calibrated, not derived.
+ *   d_1 = Q(n) - Q(2n),   d_2 = Q(2n) - Q(4n),   p = log2(|d_1|/|d_2|), limited to the range 0.5 to 2
+ *   G = |d_1| 2^p/(2^p - 1)                  error of Q(n) by Richardson's extrapolation
+ *   G = 3 max(|d_1|, |d_2|)                  where |d_2| >= |d_1|, because no order is visible
+ *
+ * The moment of first touch within a step changes Q(n). So Q(n) is computed for several such moments, the phases, and
+ * the largest G counts. The anchor is a result with the laws of the page and a smaller step:
+ *
+ *   Q_A                                      mean over the phases of the anchor
+ *   U = 3 |Q_A - Q_A'| + spread              its uncertainty. Q_A': the same with twice the step; spread: largest minus
+ *                                            smallest value over the phases of the anchor
+ *   max(G, 1.25 max |Q(n) - Q_A| + U)        the claimed error; the inner maximum is over the phases
+ *
+ * The factors 3 and 1.25 are calibrated (make accuracy), not derived.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "estimate.h"

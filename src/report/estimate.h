@@ -8,18 +8,19 @@
 
 enum { NB_PHASES = 8 };
 
-/* The error of Q(n) of the step, from Q at n, 2n and 4n steps (estimate.c). Not finite if one of them is not. */
+/* The estimate G of the error of Q(n) that is due to the step, from Q(n), Q(2n) and Q(4n), where n is the number of
+ * steps per unit of time (estimate.c). Infinite if one of them is not finite. */
 double nb_estimate_step(double n, double n2, double n4);
 
-/* The anchor: the value towards which the error of a setting is measured, and its uncertainty. */
+/* The anchor: the value from which the error of a setting is measured, and its uncertainty. */
 struct nb_anchor {
   double value, uncertainty;
 };
 /* From Q at the phases of the anchor, and at those of twice its step. */
 struct nb_anchor nb_estimate_anchor(const double at_anchor[], const double at_double_step[], size_t phases);
 
-/* The claimed error of a setting: Q at `phases` phases with n steps, and likewise with 2n and 4n steps. *step receives the part
- * that is the error of the step. */
+/* The claimed error of a setting, from Q(n), Q(2n) and Q(4n), each at `phases` phases, and from the anchor. *step
+ * receives the largest G. */
 double nb_estimate_claim(double *step, const double n[], const double n2[], const double n4[], size_t phases,
                          struct nb_anchor anchor);
 

@@ -309,7 +309,7 @@ static const struct nb_expectation_row rows[] = {
    "order in the sweep. With `over` the runs of the sweep SAMPLE are realizations of one case: the mean difference is above 0 with 95 % "
    "confidence (Student).",
    "C.normal max in strike  increases with speed"},
-  {"decreases", NB_DECREASES, "MEASURE decreases with NAME {over SAMPLE}", take_trend, "The same for a decrease.",
+  {"decreases", NB_DECREASES, "MEASURE decreases with NAME {over SAMPLE}", take_trend, "As `increases`, for a measure that decreases.",
    "A.vx in strike  decreases with speed"},
   {"constant", NB_CONSTANT, "MEASURE constant with NAME {over SAMPLE} within TOLERANCE", take_constant,
    "The difference between the largest and the smallest value over the sweep NAME is within TOLERANCE; a percentage is of their mean. "

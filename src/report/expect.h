@@ -93,8 +93,8 @@ struct nb_family;
 /* The statements of expect blocks: `reference NAME`, `report MEASURE`, and expectations. */
 const struct nb_family *nb_expect_keywords(void);
 
-/* Reads the expect blocks of the page for one run; empty if there are mistakes. The scene may have mistakes: names that they
- * leave undefined are not reported again. */
+/* Reads the expect blocks of the page for one run; empty if there are mistakes. The scene may have mistakes: names that
+ * they leave undefined are not reported again. */
 enum nb_status nb_expectations_read(struct nb_expectations *expectations, const struct nb_page *page,
                                     const struct nb_scene *scene, struct nb_mistakes *mistakes);
 /* Reads "MEASURE within TOLERANCE" from a text that is no line of a page; messages call it `name`. */

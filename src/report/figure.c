@@ -1,5 +1,6 @@
-/* The figure of a page: one gnuplot script with the style, all computed and reference values, and the gnuplot blocks of the page.
- * The script can be edited and run by hand. `nineball --help gnuplot` (manual.c) lists the variables and data that it defines.
+/* The figure of a page: one gnuplot script with the style, all computed and reference values, and the gnuplot blocks of
+ * the page. The script can be edited and run by hand. `nineball --help gnuplot` (manual.c) lists the variables and data
+ * that it defines.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _XOPEN_SOURCE 700
@@ -61,8 +62,8 @@ static bool has_sweep(const struct nb_scene *scene) {
   return k < scene->binding_count;
 }
 
-/* Values and tables of a run have its number behind their names if the page has a sweep, also when --set leaves one value of it: the
- * figure needs no change then. */
+/* Values and tables of a run have its number behind their names if the page has a sweep, also when --set leaves one
+ * value of it: the figure needs no change then. */
 static void write_run(FILE *out, const struct nb_outcome *outcome, size_t r) {
   const struct nb_page_run *run = &outcome->runs[r];
   char number[32] = "";
@@ -86,8 +87,8 @@ static void write_run(FILE *out, const struct nb_outcome *outcome, size_t r) {
   }
 }
 
-/* Finds the folder of style and recipes, never one of the page: beside the program in the build tree, else where both were
- * installed. Empty with an error if not found. */
+/* Finds the folder of style and recipes, never one of the page: beside the program in the build tree, else where both
+ * were installed. Empty with an error if not found. */
 static void find_plots(char *plots, size_t size, struct nb_error *error) {
   char program[2048], style[4096];
   const ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);

@@ -1,8 +1,8 @@
 /* Runs gnuplot confined: it reads one script and the recipes, and writes the figure to its standard output.
  *
- * The script contains code of the page. So gnuplot has only the rights of sandbox.c, reads no start-up files (-d), and control
- * characters are removed from its messages. No file name is part of a gnuplot command: the script is a separate argument, and it
- * begins with `./`, because gnuplot would run `<NAME` as a shell command.
+ * The script contains code of the page. So gnuplot has only the rights of sandbox.c, reads no start-up files (-d), and
+ * control characters are removed from its messages. No file name is part of a gnuplot command: the script is a separate
+ * argument, and it begins with `./`, because gnuplot would run `<NAME` as a shell command.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _DEFAULT_SOURCE
@@ -15,9 +15,9 @@
 #include "core/clean.h"
 #include "sandbox.h"
 
-/* Copies the messages of gnuplot to stderr if verbose. `reason` receives the error message: the last line that is not blank. A
- * missing column is only a warning for gnuplot, but the figure then lacks a curve: `reason` receives that warning, and the function
- * returns true. */
+/* Copies the messages of gnuplot to stderr if verbose. `reason` receives the error message: the last line that is not
+ * blank. A missing column is only a warning for gnuplot, but the figure then lacks a curve: `reason` receives that
+ * warning, and the function returns true. */
 static bool copy_messages(FILE *messages, bool verbose, char *reason, size_t size) {
   char line[1024];
   unsigned byte;

@@ -50,8 +50,8 @@ static const struct option_row {
     {"output", "FOLDER", 'o', TEXT, AT(folder), "run, figure, report, advise, state",
      "output folder (default: NAME.out; report: report); for `state` a FILE (NAME-STAGE.state)"},
     {"set", "NAME=VALUE", 0, SETTING, 0, ALL,
-     "replaces the value of the page's `let` or `sweep` NAME; also normal, shear, step, refine: a number that "
-     "divides the step and multiplies the cycles, and follow: a FILE with the segments of a contact test"},
+     "replaces the value of the page's `let` or `sweep` NAME. NAME may also be normal, shear or step; refine, a number "
+     "that divides the step and multiplies the cycles; follow, a FILE with the points of a contact test"},
     {"stage", "NAME", 0, TEXT, AT(stage), "state", "the stage at whose end the state is taken (default: the last one)"},
     {"states", "FOLDER", 0, TEXT, AT(options.states), ALL,
      "folder of the saved states from which pages start (default: $NINEBALL_STATES, or states)"},
@@ -71,7 +71,7 @@ static const struct option_row {
     {"in-place", NULL, 0, FLAG, AT(in_place), "migrate", "write into the pages (default: to standard output)"},
     {"tap", NULL, 0, FLAG, AT(tap), "check", "verdicts as TAP, which `make check` reads"},
     {"help", NULL, 'h', FLAG, AT(help), NULL,
-     "this; all words of pages: nineball --help scene; one of them, or of another program: nineball --help disc; "
+     "this text; all words of pages: nineball --help scene; one word, also of another program: nineball --help disc; "
      "topics: expect, gnuplot, quantities, units, expressions"},
     {"version", NULL, 0, FLAG, AT(version), NULL, "version and licence"},
 };

@@ -1,6 +1,6 @@
-/* The manual of the page language, made from the tables by which the program reads pages: statements, expectations, quantities,
- * units. As Markdown it is docs/LANGUAGE.md, from which docs/man.sh makes the manual page. On a terminal it is `nineball --help
- * scene`, and for one word `nineball --help WORD`.
+/* The manual of the page language, made from the tables by which the program reads pages: statements, expectations,
+ * quantities, units. As Markdown it is docs/LANGUAGE.md, from which docs/man.sh makes the manual page. On a terminal it
+ * is `nineball --help scene`, and for one word `nineball --help WORD`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -31,7 +31,8 @@ static bool is_new(const struct manual *to, const void *row) {
 
 /* ---- formatting ---- */
 
-/* Prints the text in lines of at most 100 characters; the first line begins at the column `first`, the others at `other`. */
+/* Prints the text in lines of at most 100 characters; the first line begins at the column `first`, the others at
+ * `other`. */
 static void wrapped(FILE *out, int first, int other, const char *text) {
   enum { WIDEST = 100 };
   int column = first;
@@ -108,7 +109,7 @@ static int first_sentence(const char *help) {
   return (int)(end ? (size_t)(end - help) : all - (all > 0 && help[all - 1] == '.'));
 }
 
-/* "a length above 0; without it: 2R. From centre to centre; 2R: touching." */
+/* "a length above 0; without it: 2R. Distance of the centres; at 2R they touch." */
 static void argument(const struct manual *to, const struct nb_argument *field) {
   char name[128], text[512];
   snprintf(name, sizeof name, "%s%s%s", field->word ? field->word : "", field->word && field->value ? " " : "",
@@ -125,13 +126,14 @@ static void argument(const struct manual *to, const struct nb_argument *field) {
   part(to, name, NULL, text);
 }
 
-/* Examples of scenes and expectations together make docs/LANGUAGE.md a page that can be run; other examples are blocks of text. */
+/* Examples of scenes and expectations together make docs/LANGUAGE.md a page that can be run; other examples are blocks
+ * of text. */
 static const char *block_of(const struct nb_keyword *keyword) {
   return keyword->where == NB_IN_EXPECT                 ? "expect"
          : keyword->where & NB_IN_CELL                  ? "text of a scene with a cell"
          : keyword->where & NB_OWN_EXAMPLE              ? "text of another page"
          : keyword->where & (NB_IN_SCENE | NB_IN_STAGE) ? "scene"
-                                                        : "text of a path";
+                                                        : "text of a contact test";
 }
 
 static void statement(const struct manual *to, const struct nb_keyword *keyword) {
@@ -192,7 +194,7 @@ static void figures(const struct manual *to) {
        "one row for each run: the swept values, then every measure of the expect blocks, computed and reference"},
       {"runs", "the number of runs; `run[i]` are the swept values of run i: \"v=0.12, n=40\""},
       {"C_normal_max",
-       "a variable for each measure of the expect blocks, here `C.normal max`: what is no letter or digit "
+       "a variable for each measure of the expect blocks, here `C.normal max`: any character but a letter or a digit "
        "becomes `_`. With a sweep `C_normal_max_1`, …"},
       {"reference_C_normal_max", "a variable for each value that the reference returns, likewise. A name of more than "
                                  "49 characters, which gnuplot would cut, has none"},
@@ -201,8 +203,9 @@ static void figures(const struct manual *to) {
        "`$STAGE_lattice`, of a contact test `$SEGMENT_traction` and `$SEGMENT_pieces`. With a sweep "
        "`$STAGE_particles_1`, …"},
       {"plots", "the folder of the recipes: `load plots.'force-chains.gp'`"},
-      {"terminal", "SVG, then PNG, of 840 by 560 points; the program sets it, and the file. `eval canvas(1100, 760)` "
-                   "sets another size"},
+      {"terminal",
+       "SVG, then PNG, of 840 by 560 points; the program sets it and the output file. `eval canvas(1100, 760)` "
+       "sets another size"},
   };
   section(to, "Figures");
   paragraph(to, "The blocks `gnuplot` of a page are a gnuplot script, which `nineball figure` and `report` run. Before "
@@ -218,24 +221,35 @@ static void figures(const struct manual *to) {
   end(to);
 }
 
-static void quantities(const struct manual *to) {
+/* The quantities of one owner, from row k on. */
+static void quantities_of(const struct manual *to, const char *owner, size_t k) {
   struct nb_quantity_row row;
-  const char *before = "";
+  char text[64];
+  snprintf(text, sizeof text, "Of %s:", owner);
+  paragraph(to, text);
+  for (; nb_quantity_row(&row, k); k++)
+    if (strcmp(row.of, owner) == 0)
+      part(to, row.name, strcmp(row.unit, "1") == 0 ? NULL : row.unit, row.help);
+  end(to);
+}
+
+static void quantities(const struct manual *to) {
+  enum { OWNERS_MAX = 16 };
+  struct nb_quantity_row row;
+  const char *owners[OWNERS_MAX]; /* those that are printed */
+  size_t count = 0;
   section(to, "Quantities");
   paragraph(to, "Quantities for `record`, `until` and expectations: the name alone for the whole scene, `MONITOR.NAME` "
                 "for what `monitor` has named.");
   for (size_t k = 0; nb_quantity_row(&row, k); k++) {
-    if (strcmp(row.of, before) != 0) {
-      char text[64];
-      snprintf(text, sizeof text, "Of %s:", row.of);
-      if (before[0])
-        end(to);
-      paragraph(to, text);
-    }
-    part(to, row.name, strcmp(row.unit, "1") == 0 ? NULL : row.unit, row.help);
-    before = row.of;
+    size_t o = 0;
+    while (o < count && strcmp(owners[o], row.of) != 0)
+      o++;
+    if (o < count || count == OWNERS_MAX)
+      continue;
+    owners[count++] = row.of;
+    quantities_of(to, row.of, k);
   }
-  end(to);
 }
 
 static void values(const struct manual *to) {
@@ -243,7 +257,7 @@ static void values(const struct manual *to) {
   section(to, "Numbers, units and expressions");
   paragraph(to, "A value in a statement is a number with its sign, `$NAME` or `-$NAME`, or an expression in "
                 "parentheses; one unit may follow "
-                "each. What computes is in parentheses: `radius (R/2)`, `cycles (2*n)`, `velocity "
+                "each. Operators and functions stand in parentheses: `radius (R/2)`, `cycles (2*n)`, `velocity "
                 "(v*cos(angle)) m/s 0 m/s`.");
   paragraph(to, "A unit is one word after a space. It is made of m, s, g, N, Pa, J, rad and deg, with a prefix n, u or "
                 "µ, m, c, k, M, G (deg has "
@@ -254,9 +268,9 @@ static void values(const struct manual *to) {
                 "powers of ten of the SI unit. "
                 "With `units none` all numbers are bare; `%` and `ppm` may still follow them, and angles are radians.");
   snprintf(text, sizeof text,
-           "Expressions are in parentheses, after `let NAME =` and in `--set NAME=`. Names are bare in it, and "
-           "stand for what "
-           "`let` and `sweep` give them. There is `pi`, and there are the functions %s. Operators, highest precedence "
+           "Expressions are in parentheses, after `let NAME =` and in `--set NAME=`. In them NAME without `$` is the "
+           "value that `let` or `sweep` gives to it. There is `pi`, and there are the functions %s. Operators, highest "
+           "precedence "
            "first: "
            "a unit; `^`, from right "
            "to left; a sign, so that -2^2 is -4; `*` and `/`; `+` and `-`. A number and a name side by side are no "
@@ -264,13 +278,14 @@ static void values(const struct manual *to) {
            "newtons, and `2*N` is twice what the name N stands for.",
            nb_function_names);
   paragraph(to, text);
-  paragraph(to, "Dimensions are checked: both sides of `+` and `-` have the same one, and so have the values of hypot, "
-                "atan2, min and max. "
-                "Exponents and the values of other functions are numbers, except those of sqrt and abs. Where an angle "
-                "or an angular velocity is wanted, a literal "
-                "has its unit, `30 deg` or `2 rad/s`; an expression may as well be a number, or one in 1/s. "
-                "Expressions are computed in double, operation by operation "
-                "as they are written, functions and powers by the C library. A value that is not finite is a mistake.");
+  paragraph(to,
+            "Dimensions are checked: both sides of `+` and `-` must have the same one, and so must the arguments of "
+            "hypot, atan2, min and max. "
+            "Exponents and the arguments of other functions are numbers, except those of sqrt and abs. Where an angle "
+            "or an angular velocity is wanted, a literal "
+            "has its unit, `30 deg` or `2 rad/s`; an expression may as well be a number, or one in 1/s. "
+            "Expressions are computed in double, operation by operation "
+            "as they are written, functions and powers by the C library. A value that is not finite is a mistake.");
   paragraph(to, "Units that are usual for each kind of number:");
   for (int kind = 0; kind < NB_UNIT_KINDS; kind++)
     part(to, nb_unit_kind_name((enum nb_unit_kind)kind), NULL,
@@ -290,7 +305,7 @@ static void grammar(const struct manual *to) {
             "its values) may be in any order. `$NAME` is the value that `let` or `sweep` gives to NAME above.");
   snprintf(
       text, sizeof text,
-      "A name is a letter, then letters, digits, `_` and `-`, less than %d in all; the letters are a to z and A to Z. "
+      "A name is a letter (a to z, A to Z), then letters, digits, `_` and `-`; fewer than %d characters. "
       "A number is decimal: `-1.5e3`. A "
       "page may have %d MB, lines of %d bytes and %d words, %d runs, %d particles, %d materials, and %d of each other "
       "thing that has a name. All mistakes of a page are reported at once, each with its line, what was expected and, "
@@ -363,7 +378,8 @@ static void statement_part(const struct manual *to, const struct nb_keyword *row
       argument(to, field);
 }
 
-/* Statements that begin with the word. For statements with the word in their syntax: the syntax and the argument, or the help. */
+/* Statements that begin with the word. For statements with the word in their syntax: the syntax and the argument, or
+ * the help. */
 static bool find_statement(const struct manual *to, const char *word, struct nb_guess *guess) {
   const struct nb_family *const tables[] = {nb_keywords(), nb_expect_keywords()};
   const struct nb_keyword *row;

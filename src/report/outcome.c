@@ -109,8 +109,8 @@ static int job_count(const struct nb_outcome *outcome, const struct nb_options *
   return jobs > 0 ? jobs : 1;
 }
 
-/* After a failed run no other run is started. Runs before it in the sweep have been started by then, so the run that is reported
- * does not depend on the number of jobs. */
+/* After a failed run no other run is started. Runs before it in the sweep have been started by then, so the run that is
+ * reported does not depend on the number of jobs. */
 enum nb_status nb_outcome_run(struct nb_outcome *outcome, const struct nb_options *options,
                               const struct nb_progress *progress) {
   const size_t runs = outcome->run_count;

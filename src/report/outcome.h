@@ -49,8 +49,8 @@ struct nb_outcome {
   struct nb_error error;                    /* the message, if status is NB_BAD_USE without mistakes, or NB_BROKEN */
 };
 
-/* Reads the page, runs it, options->jobs runs at a time, and checks its expectations. After an error the outcome has what was
- * computed before; free it in any case. */
+/* Reads the page, runs it, options->jobs runs at a time, and checks its expectations. After an error the outcome has
+ * what was computed before; free it in any case. */
 enum nb_status nb_outcome_make(struct nb_outcome *outcome, const char *path, nb_settings settings,
                                const struct nb_options *options, const struct nb_progress *progress);
 /* Only reads the page: scenes and expectations of all runs. */
@@ -71,7 +71,8 @@ void nb_measure_rows(const struct nb_measure *measure, const struct nb_table *ta
 /* The value that the reference returns for the measure's label, with the stage or without; NULL: none. */
 const double *nb_measure_solution(const struct nb_measure *measure, const struct nb_solution *solution);
 
-/* The swept values of the run, "v=0.12, n=40", without those of the sweeps that the expectation spans; it may be NULL. */
+/* The swept values of the run, "v=0.12, n=40", without those of the sweeps that the expectation spans; it may be
+ * NULL. */
 void nb_sweep_label(char *text, size_t size, const struct nb_page_run *run, const struct nb_expectation *expectation);
 
 /* ---- verdict.c ---- */

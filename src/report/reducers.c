@@ -2,8 +2,9 @@
  *
  *   mean        sum of the rows divided by their number
  *   amplitude   half the difference of largest and smallest value
- *   frequency   number of upward crossings of the mean, minus one, divided by the time from the first to the last crossing; the
- *               time of a crossing is interpolated linearly between two rows
+ *   frequency   number of upward crossings of the mean, minus one, divided by the time from the first to the last
+ *               crossing; the time of a crossing is interpolated linearly between two rows
+ *   at N cycles the row of that cycle
  *   at TIME     interpolated linearly between two rows
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */

@@ -1,10 +1,12 @@
-/* Confines a program that runs code of a page, by Landlock (Linux 5.13 and later, landlock(7)) or bubblewrap (bwrap(1)).
+/* Confines a program that runs code of a page, by Landlock (Linux 5.13 and later, landlock(7)) or bubblewrap
+ * (bwrap(1)).
  *
- * The program can read the libraries and fonts of the system, one file and one folder. It can write no file. It can execute only
- * itself and its ELF loader, so it has no shell. It has no network and no environment variables of the user.
+ * The program can read the libraries and fonts of the system, one file and one folder. It can write no file. It can
+ * execute only itself and its ELF loader, so it has no shell. It has no network and no environment variables of the
+ * user.
  *
- * Both methods grant the same rights, from the list below. The system's headers may be older than the kernel, so the constants of
- * Landlock are defined here, and the program asks the kernel for the version of the interface.
+ * Both methods grant the same rights, from the list below. The system's headers may be older than the kernel, so the
+ * constants of Landlock are defined here, and the program asks the kernel for the version of the interface.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _GNU_SOURCE

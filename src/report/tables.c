@@ -1,5 +1,5 @@
-/* Tables as tab-separated text: preamble lines that begin with `#`, one head row `name/unit`, numbers as %.17g, from which the same
- * double is read back.
+/* Tables as tab-separated text: preamble lines that begin with `#`, one head row `name/unit`, numbers as %.17g, from
+ * which the same double is read back.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -27,8 +27,8 @@ void nb_preamble_write(FILE *out, const struct nb_outcome *outcome) {
     fprintf(out, "# incomplete: %s\n", outcome->error.text);
 }
 
-/* The swept values: "0.12 m/s" becomes 0.12 in the column v/(m/s). A sweep that --set reduces to one value keeps its column, since
- * figures use it. */
+/* The swept values: "0.12 m/s" becomes 0.12 in the column v/(m/s). A sweep that --set reduces to one value keeps its
+ * column, since figures use it. */
 static void write_swept_values(FILE *out, const struct nb_page_run *run, bool names) {
   for (size_t k = 0; k < run->scene.binding_count; k++) {
     const struct nb_binding *binding = &run->scene.bindings[k];

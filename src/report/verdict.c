@@ -63,7 +63,8 @@ void nb_check_error(struct nb_check *check, const char *what, double error, doub
               tolerance->kind == NB_OF_PEAK ? "peak" : tolerance->of.label);
 }
 
-/* Compares two numbers. The message has both, the error and the tolerance, or why there is no error. `unit` begins with a space. */
+/* Compares two numbers. The message has both, the error and the tolerance, or why there is no error. `unit` begins with
+ * a space. */
 static void compare(struct nb_check *check, const struct nb_tolerance *tolerance, double computed, double reference,
                     double scale, const char *unit, const char *from) {
   const bool relative = tolerance->kind != NB_ABSOLUTE;
@@ -83,7 +84,8 @@ static void compare(struct nb_check *check, const struct nb_tolerance *tolerance
   }
 }
 
-/* The value of which the tolerance is a fraction: the measure that it names, or `own`; false with a message if it is undefined. */
+/* The value of which the tolerance is a fraction: the measure that it names, or `own`; false with a message if it is
+ * undefined. */
 static bool find_scale(double *scale, double own, struct nb_check *check, const struct nb_page_run *run,
                        const struct nb_tolerance *tolerance) {
   struct nb_error error;

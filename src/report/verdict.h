@@ -9,15 +9,17 @@
 /* Sets mark and message. */
 void nb_check_result(struct nb_check *check, bool passed, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-/* |computed - reference| over the tolerance: at most 1 if the check passes. A relative tolerance is a fraction of `scale`. Infinite
- * if a number is not finite. */
+/* |computed - reference| over the tolerance: at most 1 if the check passes. A relative tolerance is a fraction of
+ * `scale`. Infinite if a number is not finite. */
 double nb_error_ratio(const struct nb_tolerance *tolerance, double computed, double reference, double scale);
 /* The unit of the measure after a space, or nothing; `text` has NB_NAME_SIZE bytes. */
 const char *nb_check_unit(char *text, const struct nb_page_run *run, const struct nb_expectation *expectation);
-/* Appends the error, called `what`, and the tolerance: with the unit, or as fractions of the scale, in per cent unless tiny. */
+/* Appends the error, called `what`, and the tolerance: with the unit, or as fractions of the scale, in per cent unless
+ * tiny. */
 void nb_check_error(struct nb_check *check, const char *what, double error, double scale,
                     const struct nb_tolerance *tolerance, const char *unit);
-/* The computed value of the measure, or its ratio to the measure that the expectation names; false with a message if undefined. */
+/* The computed value of the measure, or its ratio to the measure that the expectation names; false with a message if
+ * undefined. */
 bool nb_check_computed(double *value, struct nb_check *check, const struct nb_page_run *run,
                        const struct nb_expectation *expectation);
 /* The value of the reference, or 0 for a residual; NULL: none. */

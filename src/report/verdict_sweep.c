@@ -6,13 +6,13 @@
  *
  * Over S, a sweep whose runs are realizations of one case, such as assemblies with different seeds:
  *
- *   expected X over S                the percentile of X: the fraction of the runs below X, plus half of those equal to X
- *   increases, decreases with N over S   d is the difference from one value of N to the next, for each run of S: the 95 %
- *                                    confidence interval mean(d) -+ t s/sqrt(n) lies above 0, or below 0
- *   constant with N over S within    that interval, between every two values of N, lies within -+ the tolerance
+ *   expected X over S                percentile of X: fraction of the runs below X, plus half of those equal to X
+ *   increases, decreases             d is the difference from one value of N to the next, for each run of S: the 95 %
+ *     with N over S                  confidence interval mean(d) -+ t s/sqrt(n) lies above 0, or below 0
+ *   constant with N over S within    this interval, for every two values of N, lies within -+ the tolerance
  *
- * s is the standard deviation of the n differences, t the 0.975 quantile of Student's distribution with n - 1 degrees of freedom.
- * Runs are paired because two runs with the same seed share most of their scatter.
+ * s is the standard deviation of the n differences, t the 0.975 quantile of Student's distribution with n - 1 degrees
+ * of freedom. Runs are paired because two runs with the same seed share most of their scatter.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -248,8 +248,8 @@ static size_t paired_run(const struct group *group, size_t r, size_t as) {
   return other;
 }
 
-/* Whether the paired differences between runs with the value of `from` and those with the value of `to` meet the expectation;
- * appends them to the message. *is_defined: false if a value is undefined. */
+/* Whether the paired differences between runs with the value of `from` and those with the value of `to` meet the
+ * expectation; appends them to the message. *is_defined: false if a value is undefined. */
 static bool check_difference(const struct group *group, size_t from, size_t to, bool *is_defined) {
   const struct nb_expectation *e = group->e;
   struct sample d = {.count = 0}, level = {.count = 0};

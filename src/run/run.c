@@ -81,8 +81,9 @@ static void note_laws(const struct run *run, const struct nb_stage *stage) {
       snprintf(memory, sizeof memory, " memory %g", next->pieces);
       snprintf(old, sizeof old, "memory %g", before->pieces);
     }
-    snprintf(text, sizeof text, "from stage `%s` on %s %s%s instead of %s: contact histories begin anew", stage->name,
-             shear ? "shear" : "normal", law->name, memory, old);
+    snprintf(text, sizeof text,
+             "stage `%s` begins with empty contact histories, because its law is `%s %s%s` instead of `%s`",
+             stage->name, shear ? "shear" : "normal", law->name, memory, old);
     progress->note(progress->data, text);
   }
 }
