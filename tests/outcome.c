@@ -108,8 +108,8 @@ static void note_of_memory_size(void) {
     char text[sizeof scene + 32], expected[256];
     snprintf(text, sizeof text, scene, given ? " memory 9" : "");
     snprintf(expected, sizeof expected,
-             "from stage `two` on shear mindlin_deresiewicz memory 6 instead of memory %d: contact histories begin "
-             "anew",
+             "stage `two` begins with empty contact histories, because its law is `shear mindlin_deresiewicz memory 6` "
+             "instead of `memory %d`",
              given ? 9 : 64);
     carry_out(&outcome, text, "A.x expected 10 mm within 1e-12 m [t]", &progress);
     CU_ASSERT_EQUAL(heard.notes, 1);

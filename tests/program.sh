@@ -436,7 +436,7 @@ out '`follow` replaces the segments of the page'
 said 'no expectation of this page could fail'
 printf 'approach/m\tslip/m\n1e-6\tnought\n' >path.tsv
 run 2 run "$pages/contact-test.md" --set follow=path.tsv -o bad
-said 'path.tsv:2:6: error: expected a number for the slip, found `nought`'
+said 'path.tsv:2:6: error: expected a number in the column `slip`, found `nought`'
 absent bad
 run 2 run "$pages/passes.md" --set follow=path.tsv
 said 'expected a page with a contact test for `follow`'

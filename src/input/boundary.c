@@ -54,8 +54,9 @@ struct nb_strain_rate nb_strain_rate_of(struct nb_reader *reader, const struct n
     nb_token_mistake(reader, value[NB_AT_XY].token, NULL, "expected `shear`, or `c12` and `c21`, found both");
   for (int k = NB_AT_YY; k <= NB_AT_C21; k++)
     if (value[k].token && nb_value_per_cycle(reader, &value[k]) != rate.per_cycle)
-      nb_token_mistake(reader, value[k].token, NULL,
-                       "expected all strain rates of a statement in one kind of unit, `per cycle` or `1/s`");
+      nb_token_mistake(
+          reader, value[k].token, NULL,
+          "expected all strain rates of a statement in one kind of unit, `per cycle` or `1/s`, found both");
   return rate;
 }
 

@@ -56,7 +56,7 @@ NB_APPLY(apply_wave) {
     return;
   if (nx != round(nx) || ny != round(ny) || fabs(nx) > most || fabs(ny) > most)
     nb_token_mistake(reader, &reader->tokens[reader->next - 1], NULL,
-                     "expected whole numbers of periods, from -1e6 to 1e6");
+                     "expected whole numbers of periods, from -1e6 to 1e6, found %g and %g", nx, ny);
   for (size_t i = 0; i < scene->particle_count && !reader->bad; i++) {
     struct nb_particle *particle = &scene->particles[i];
     const double sine = sin(2 * NB_PI *

@@ -306,8 +306,8 @@ static struct quantity sign(struct parser *p) {
   struct quantity it = {0};
   const bool minus = peek(p) == '-';
   if (++p->depth > DEPTH_MAX)
-    mistake(p, p->at, 1, "define a part of it with `let`", "expected at most %d levels of parentheses and signs",
-            DEPTH_MAX);
+    mistake(p, p->at, 1, "define a part of it with `let`",
+            "expected at most %d levels of parentheses and signs, found more", DEPTH_MAX);
   else
     it = skip(p, '-') || skip(p, '+') ? sign(p) : power(p);
   it.value = minus ? -it.value : it.value;

@@ -53,7 +53,7 @@ int nb_take_grading(const struct nb_scene *scene, struct nb_reader *reader, int 
     if (it->sizes[s].radius == radius)
       *size = (int)s;
   if (*size < 0)
-    nb_token_mistake(reader, at, NULL, "expected a radius of the grading `%s`", it->name);
+    nb_token_mistake(reader, at, NULL, "expected one of the radii of the grading `%s`, found another one", it->name);
   return index;
 }
 
@@ -162,8 +162,8 @@ NB_APPLY(apply_fill) {
       .line = (int)reader->line,
   };
   if (fill.attempts > ATTEMPTS_MAX)
-    nb_token_mistake(reader, value[AT_ATTEMPTS].token, NULL, "expected at most %d attempts for each particle",
-                     ATTEMPTS_MAX);
+    nb_token_mistake(reader, value[AT_ATTEMPTS].token, NULL,
+                     "expected at most %d attempts for each particle, found %lu", ATTEMPTS_MAX, fill.attempts);
   take_place(reader, scene, value, &fill);
   const struct nb_particle like =
       nb_particle_of(reader, scene, (enum nb_shape)value[AT_SHAPE].number, value[AT_MATERIAL].token, false,

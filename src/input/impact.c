@@ -77,7 +77,7 @@ static const char *set_incidence(struct nb_scene *scene) {
   if (particle->vx != 0 || particle->vy != 0)
     return "expected a particle without `velocity`: `impact` gives it one";
   if (!isfinite(incidence.normal.x))
-    return "expected a particle at a distance from what it hits, found its centre on it";
+    return "expected a particle on one side of the wall or of the other particle, found its centre on it";
   const double slope = it->psi1 > 0 ? it->psi1 * incidence.friction * incidence.kappa : 0;
   if (it->psi1 > 0 && !(slope > 0))
     return "expected a contact with friction and a shear stiffness for `psi1`, found none";

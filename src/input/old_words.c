@@ -13,8 +13,8 @@
  *
  * A row of quantities is one part or several of a name between dots: {NB_OLD_QUANTITY, "deviation", "std"} makes
  * `A.stress.std` of `A.stress.deviation`. With a dot before it (".unbalance") the name must have an owner.
- * `"A.stress.deviation/Pa"` and A_stress_deviation in a figure follow, and the data block $load_bodies. A plain row is
- * of a quantity without an owner.
+ * In figures the column "A.stress.deviation/Pa", the variable A_stress_deviation and the data block $load_bodies are
+ * rewritten, too. A plain row is of a quantity without an owner.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "old_words.h"

@@ -76,8 +76,8 @@ struct nb_binding {
 };
 
 struct nb_keyword;
-/* The state of the reader: set page, mistakes, unitless and the bindings, zero the rest. It owns nothing. About 60
- * kB. */
+/* The state of the reader: set page, mistakes, unitless and the bindings, zero the rest. It owns nothing; it has about
+ * 60 kB. */
 struct nb_reader {
   const struct nb_page *page;
   struct nb_mistakes *mistakes;
@@ -133,8 +133,9 @@ bool nb_fail_silently(struct nb_reader *reader);
 /* nb_mistake_memory; marks the statement as bad. */
 bool nb_no_memory(struct nb_reader *reader);
 
-/* ---- value.c: each function takes one value from the line; if it cannot, it reports what it expected and returns
- * false ---- */
+/* ---- value.c ---- */
+
+/* Each function takes one value from the line; if it cannot, it reports what it expected and returns false. */
 
 enum nb_range { NB_ANY, NB_POSITIVE, NB_NOT_NEGATIVE, NB_FRACTION, NB_HALF }; /* all, > 0, >= 0, 0 to 1, 0 to 0.5 */
 

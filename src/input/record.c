@@ -52,7 +52,7 @@ NB_APPLY(apply_columns) {
       return;
     const int same = NB_FIND(reading->requested, reading->requested_count, one.name);
     if (same >= 0)
-      nb_token_mistake(reader, &reader->tokens[reader->next - 1], NULL, "`%s` is recorded already, by line %zu",
+      nb_token_mistake(reader, &reader->tokens[reader->next - 1], NULL, "`%s` is recorded already, on line %zu",
                        one.name, reading->requested[same].line);
     else
       NB_APPEND(reader, reading->requested, reading->requested_count, one);

@@ -69,7 +69,7 @@ NB_APPLY(apply_remove) {
     nb_token_mistake(reader, &reader->tokens[1], NULL, "expected a %s for each number, particle %zu is a %s",
                      names[shape], other + 1, names[scene->particles[other].shape]);
   else if (line)
-    nb_token_mistake(reader, &reader->tokens[1], NULL, "particle %zu is removed already, by line %d", which + 1, line);
+    nb_token_mistake(reader, &reader->tokens[1], NULL, "particle %zu is removed already, on line %d", which + 1, line);
   else
     NB_APPEND(reader, stage->removals, stage->removal_count, removal);
 }

@@ -128,7 +128,7 @@ void nb_hash_line(struct nb_scene_reading *reading);
 
 /* Requirements of the laws for materials and particles. */
 void nb_laws_check(struct nb_scene_reading *reading, bool complete);
-/* Regions name stages of the page; stores these. */
+/* Regions name stages of this page only; stores the index of each. */
 void nb_regions_check(struct nb_scene_reading *reading);
 /* A cell is wide enough, and has no walls. */
 void nb_cell_check(struct nb_scene_reading *reading);

@@ -215,6 +215,12 @@ static const struct nb_keyword *wrong_row(struct nb_reader *reader, const struct
 
 /* ---- the fields of a row ---- */
 
+static void expected_second(struct nb_reader *reader, const struct nb_argument *field) {
+  char hint[NB_HINT_SIZE];
+  syntax_hint(hint, reader->keyword, NULL);
+  nb_expected(reader, hint, "the second value of `%s %s`", field->word, field->value);
+}
+
 static void read_field(struct nb_reader *reader, const struct nb_argument *field, struct nb_record *record) {
   reader->given |= 1U << (field - reader->keyword->arguments);
   for (int i = 0; i < field->count && !reader->bad; i++) {
@@ -224,7 +230,7 @@ static void read_field(struct nb_reader *reader, const struct nb_argument *field
     switch (field->kind) {
     case NB_ARGUMENT_NUMBER:
       if (i > 0 && !number_next(reader))
-        nb_expected(reader, field->help, "the second value of `%s %s`", field->word, field->value);
+        expected_second(reader, field);
       nb_take_number(reader, field->unit, field->range, &value->number);
       break;
     case NB_ARGUMENT_COUNT:
@@ -385,13 +391,19 @@ static void expected_fields(struct nb_reader *reader) {
   nb_expected(reader, missing || near ? hint : NULL, "%s%s", list, end);
 }
 
+static void given_again(struct nb_reader *reader, const struct nb_token *token, const struct nb_argument *clause) {
+  char hint[NB_HINT_SIZE];
+  syntax_hint(hint, reader->keyword, NULL);
+  nb_token_mistake(reader, token, hint, "expected `%s` once, found it twice", clause->word);
+}
+
 static void read_fields(struct nb_reader *reader, struct nb_record *record) {
   const struct nb_token *token;
   while ((token = nb_token_peek(reader))) {
     size_t words = 0;
     const struct nb_argument *clause = next_clause(reader, &words), *positional = next_positional(reader);
     if (clause && given(reader, clause))
-      nb_token_mistake(reader, token, clause->help, "expected `%s` once, found it twice", clause->word);
+      given_again(reader, token, clause);
     else if (clause)
       reader->next += words, read_field(reader, clause, record);
     else if (positional && !mistyped_clause(reader, positional))

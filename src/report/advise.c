@@ -318,7 +318,7 @@ static bool is_near(struct nb_advice *advice, struct nb_law_pair *pair, int leve
     return true;
   const char *label = advice->page.runs[worst].label;
   pair->distance = largest;
-  snprintf(pair->reason, sizeof pair->reason, "its value is %.2g times the tolerance from that of the page%s%s",
+  snprintf(pair->reason, sizeof pair->reason, "its value differs from that of the page by %.2g times the tolerance%s%s",
            largest, label[0] ? ", in run " : "", label);
   return false;
 }
