@@ -57,13 +57,14 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
     TENSOR("cell.stress", NB_OF_CELL, "Pa", NB_STRESSES, cell_stress,
            "stress by contacts, sum of F_i l_j over the volume (thickness 1 m for discs, mean diameter for spheres), "
            "compression positive, dashpots included"),
-    TENSOR("cell.strain", NB_OF_CELL, "1", NB_COMPONENTS, cell_strain,
-           "of the cell since time 0, extension positive; xy is half the change of the right angle, while small"),
+    TENSOR(
+        "cell.strain", NB_OF_CELL, "1", NB_COMPONENTS, cell_strain,
+        "strain of the cell since time 0, extension positive; xy is half the change of the right angle, while small"),
     {"cell.strain.volumetric", NB_OF_CELL, "1", 0, cell_strain_volume,
      "relative change of the cell's area since time 0, expansion positive"},
 
-    {"box.width", NB_OF_BOX, "m", 0, box_width, "from the box's wall `west` to `east`"},
-    {"box.height", NB_OF_BOX, "m", 0, box_height, "from `south` to `north`"},
+    {"box.width", NB_OF_BOX, "m", 0, box_width, "distance from the box's wall `west` to `east`"},
+    {"box.height", NB_OF_BOX, "m", 0, box_height, "distance from the box's wall `south` to `north`"},
     TENSOR("box.stress", NB_OF_BOX, "Pa", NB_STRESSES, box_stress,
            "from the forces F on the walls, sum F_i X_j/volume (discs 1 m thick, spheres their mean diameter), "
            "compression positive, dashpots included"),
