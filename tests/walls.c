@@ -121,6 +121,41 @@ static void a_wall_that_moves_away_has_a_contact_at_once(void) {
   written_free(&it);
 }
 
+/* The force of wall b on a disc near the end 0 of wall a, at the end of two stages. In stage k the end of b moves to
+ * `to[k]` in `cycles[k]` cycles. The walls c and d, far away, have a common end. */
+static void move_end(double from, const double to[2], const int cycles[2], const double wanted[2], const char *skin) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page,
+            "units none\nmaterial m density 1e12 kn 400\nstep 0.01\n%sdisc -0.2 0.95 radius 1 m\nwall a -9 0 to 0 0 m\n"
+            "wall b %g 0 to 9 0 m\nwall c 50 0 to 60 0 m\nwall d 60 0 to 60 9 m\nmonitor B disc 1 with wall b\n"
+            "record B.normal\nstage one\nwall b velocity %g 0\ncycles %d\nstage two\nwall b velocity %g 0\ncycles %d\n",
+            skin, from, (to[0] - from) / (0.01 * cycles[0]), cycles[0], (to[1] - to[0]) / (0.01 * cycles[1]),
+            cycles[1]);
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  struct nb_error error;
+  for (int k = 0; k < 2; k++) {
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[k], &error), NB_OK);
+    written_cycles(model, cycles[k]);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "B.normal"), wanted[k], 1e-9);
+  }
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* Ends that are apart at time 0 never become common; ends that coincide at time 0 are common when they meet again. The
+ * second call has the last search with b at 0.04, where the ends do not coincide. */
+static void common_ends_are_those_of_time_0(void) {
+  const double at_end = 400 * (1 - hypot(0.2, 0.95));
+  const int equal[2] = {10, 10}, unequal[2] = {15, 3};
+  static const char *const skins[] = {"", "skin 1e-5\n"};
+  for (int k = 0; k < 2; k++) {
+    move_end(0.12, (const double[]){0, 0.12}, equal, (const double[]){at_end, 0}, skins[k]);
+    move_end(0, (const double[]){0.12, 0}, unequal, (const double[]){0, 0}, skins[k]);
+  }
+}
+
 static void no_jump_on_a_straight_vertex(void) {
   static struct rolled one, two;
   static const char *const joined[] = {
@@ -293,6 +328,7 @@ void suite_walls(void) {
   CU_add_test(suite, "one radian", one_radian);
   CU_add_test(suite, "velocity of a point of a wall", velocity_of_a_point);
   CU_ADD_TEST(suite, a_wall_that_moves_away_has_a_contact_at_once);
+  CU_add_test(suite, "common ends are those of time 0", common_ends_are_those_of_time_0);
   CU_add_test(suite, "no jump on a straight joint", no_jump_on_a_straight_vertex);
   CU_add_test(suite, "one contact at a corner", one_contact_at_a_corner);
   CU_add_test(suite, "every crossing stops the run", every_crossing_stops_the_run);

@@ -54,13 +54,14 @@ bool nb_vertices_exist(const struct nb_scene *scene) {
 /* Adds the vertices of the walls of contacts c and d, of one particle, that it may touch before the next search. */
 static bool find_vertices(struct nb_model *model, int c, int d) {
   const struct nb_contacts *contacts = &model->contacts;
+  const struct nb_wall *first = &model->scene->walls[contacts->b[c]], *second = &model->scene->walls[contacts->b[d]];
   const int i = contacts->a[c];
   const double radius = model->particles.surface[i].radius;
   for (int ends = 0; ends < 4; ends++) {
-    const struct nb_vec one = nb_wall_end(&model->walls, contacts->b[c], ends & 1);
-    const struct nb_vec other = nb_wall_end(&model->walls, contacts->b[d], ends >> 1);
-    const double distance = vec_length(vec_sub(one, model->particles.position[i]));
-    if (!coincident(one, other, radius) || !(distance < radius + model->search.skin))
+    const struct nb_vec end = nb_wall_end(&model->walls, contacts->b[c], ends & 1);
+    const double distance = vec_length(vec_sub(end, model->particles.position[i]));
+    if (!coincident(initial_end(first, ends & 1), initial_end(second, ends >> 1), radius) ||
+        !(distance < radius + model->search.skin))
       continue;
     struct nb_vertex *vertex = NB_ARRAY_APPEND(model->vertices.list, model->vertices.count);
     if (!vertex)
