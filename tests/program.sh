@@ -210,7 +210,7 @@ said 'found `many`'
 run 2 check --threads 0 "$pages/passes.md"
 said 'after --threads'
 run 2 check --isa mmx "$pages/passes.md"
-said 'instruction set `mmx`'
+said 'expected `--isa plain`, `avx2` or `avx512`, found `mmx`'
 run 2 check --set v "$pages/passes.md"
 said 'expected NAME=VALUE after --set, found `v`'
 run 2 run -o both "$pages/passes.md" "$pages/swept.md"

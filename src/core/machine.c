@@ -26,8 +26,11 @@ enum nb_status nb_machine_choose(struct nb_model *model, const struct nb_options
     enum nb_isa isa = NB_PLAIN;
     while (isa < NB_ISAS && strcmp(isa_names[isa], options->isa) != 0)
       isa = (enum nb_isa)(isa + 1);
+    if (isa == NB_ISAS)
+      return nb_error_set(error, NB_BAD_USE, "expected `--isa plain`, `avx2` or `avx512`, found `%s`", options->isa);
     if (isa > model->machine.isa)
-      return nb_error_set(error, NB_BAD_USE, "this machine does not run instruction set `%s`", options->isa);
+      return nb_error_set(error, NB_BAD_USE, "this machine does not run `--isa %s`; the widest that it runs is `%s`",
+                          options->isa, isa_names[model->machine.isa]);
     model->machine.isa = isa;
   }
   model->machine.threads = options ? options->threads : 1;
