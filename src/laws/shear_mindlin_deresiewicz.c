@@ -2,16 +2,17 @@
  *
  *   T = mu Int_0^alpha D dN(x),      delta = mu kappa Int_0^alpha D dx,      -1 <= D(x) <= 1,      kappa = E* / 4 G*
  *
- *   alpha     a^2/R*, the overlap at which Hertz's law has the contact radius a, m
- *   N(x)      normal force at the overlap x, N (x/alpha)^(3/2) with the present force N, N
- *   delta     tangential displacement since the last gross sliding, m;  T  shear force, N
+ *   alpha     a^2/R*, the overlap at which Hertz's law has the contact radius a, m;  R* effective radius, m
+ *   N(x)      N (x/alpha)^(3/2), Hertz's force at the overlap x; N the present normal force, in newtons
+ *   delta     tangential displacement since the last gross sliding, m;  T  shear force, in newtons
+ *   E*, G*    effective moduli, Pa: normal_hertz.c, shear_mindlin.c
  *   D(x)      of the ring that joined the contact at the overlap x: its traction as a fraction of the friction limit; 1
  *             or -1 where it has slipped
  *   mu        the smaller friction of the two materials, 1
  *
  * D is piecewise constant: delta(x) = mu kappa Int_0^x D is a polygonal path, the shortest loading path that leads to
- * the present state of the contact. A step to a new alpha and delta keeps those corners k from which a path with
- * |D| <= 1 leads there:
+ * the present state of the contact. A step to a new alpha and delta keeps those corners k, at x_k and delta_k, from
+ * which a path with |D| <= 1 leads there:
  *
  *   |delta - delta_k| <= mu kappa (alpha - x_k)
  *
@@ -21,10 +22,10 @@
  * on the step size: a step is exact where (alpha, delta) moves on a straight line, and so is a path of as many segments
  * as there are pieces.
  *
- * A new piece is merged with the one before it, with delta kept, if this changes T by less than 1e-7 mu N.
- * When all pieces are in use, two others are merged (corners.h). In contacts with decaying oscillations of 20 to 3000
- * reversals the measured error of T is at most 1.2e-4 mu N with 64 pieces, the default (docs/CONTACT.md). The change of
- * the stored energy by a merge counts as loss; it may be negative.
+ * A new piece is merged with the one before it, with delta kept, if this changes T by less than 1e-7 mu N. When all
+ * pieces are in use, two others are merged (corners.h). In contacts with decaying oscillations of 20 to 3000 reversals
+ * the measured error of T is at most 1.2e-4 mu N with 64 pieces, the default (docs/CONTACT.md). The change of the stored
+ * energy by a merge counts as loss; it may be negative.
  *
  * Stores     Int_0^alpha T(x) d(delta). The tractions are a sum of flat punches of radius a(x), each displaced
  *            by d(delta)(x), with forces 8 G* a(x) d(delta). A punch of radius a(x) displaces the whole area of a
@@ -38,8 +39,8 @@
  * Source     Jaeger (1993-1998); Aleshin, Bou Matar and Van Den Abeele (2015). All cases of Mindlin and Deresiewicz
  *            (1953) follow: [R89 3.25, 3.40, 3.50, 3.94].
  * Range      slip along one line; no coupling of normal and tangential motion; friction limits the traction, so no
- *            cohesion. When the friction changes, the path of the pieces is computed again; where it grows nothing
- *            moves.
+ *            cohesion. When the friction changes, the path of the pieces is computed again; no ring slips where the
+ *            friction grows.
  * History    in variables that do not contain mu, E* and N. x stands for x R*, the square of a radius, m2;
  *            n = x^(3/2), m3; u = R* delta/(mu kappa), m2; t = Int D dn, m3, so that T/mu N = t/n at alpha
  *            m[0]  number of pieces; 0: none;  m[1]  mu kappa of these pieces
