@@ -523,7 +523,7 @@ void nb_model_free(struct nb_model *model);
 /* One calculation cycle: motion from t_N to t_(N+1), then the forces at t_(N+1) [CS79, The calculation cycle]. */
 enum nb_status nb_cycle(struct nb_model *model, struct nb_error *error);
 
-/* ---- table.c, run.c, explain.c: results ---- */
+/* ---- table.c, run.c: results ---- */
 
 /* A table of numbers with named columns. */
 struct nb_table {

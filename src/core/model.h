@@ -225,7 +225,7 @@ enum nb_status nb_machine_choose(struct nb_model *model, const struct nb_options
 enum nb_status nb_blocks_create(struct nb_model *model, struct nb_error *error);
 
 /* What columns and conditions request besides fields, in model->plan.requested: */
-#define NB_REQUEST_CLOCK (1u << 24)  /* nothing: the quantity follows from the number of cycles and the step alone */
+#define NB_REQUEST_CLOCK (1u << 24)  /* no field: the quantity depends on the number of cycles and the step alone */
 #define NB_REQUEST_FRACC (1u << 27)  /* fracc.c */
 #define NB_REQUEST_STRAIN (1u << 28) /* strain.c */
 #define NB_REQUEST_WORK (1u << 29)   /* the work balance, energy.h */

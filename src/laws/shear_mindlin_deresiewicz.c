@@ -24,8 +24,8 @@
  *
  * A new piece is merged with the one before it, with delta kept, if this changes T by less than 1e-7 mu N. When all
  * pieces are in use, two others are merged (corners.h). In contacts with decaying oscillations of 20 to 3000 reversals
- * the measured error of T is at most 1.2e-4 mu N with 64 pieces, the default (docs/CONTACT.md). The change of the stored
- * energy by a merge counts as loss; it may be negative.
+ * the measured error of T is at most 1.2e-4 mu N with 64 pieces, the default (docs/CONTACT.md). The change of the
+ * stored energy by a merge counts as loss; it may be negative.
  *
  * Stores     Int_0^alpha T(x) d(delta). The tractions are a sum of flat punches of radius a(x), each displaced
  *            by d(delta)(x), with forces 8 G* a(x) d(delta). A punch of radius a(x) displaces the whole area of a

@@ -13,7 +13,8 @@ bool nb_result_add_row(struct nb_table *table, const struct nb_model *model, int
  * of what else they need. */
 unsigned nb_fields_requested(const struct nb_scene *scene);
 
-/* Reports the progress of a run, at most ten times a second. `progress` may be NULL. False: the stage of a trial has had its time. */
+/* Reports the progress of a run, at most ten times a second. `progress` may be NULL. A trial, which has stage_seconds,
+ * ends each stage after this time; nb_reporter_update then returns false. */
 struct nb_reporter {
   const struct nb_progress *progress;
   double began, last_call; /* s */

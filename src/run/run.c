@@ -27,7 +27,7 @@ static bool is_trial(const struct run *run) {
   return run->reporter.progress && run->reporter.progress->stage_seconds > 0;
 }
 
-/* False: the stage of a trial has had its time. */
+/* False: the stage of a trial has used up its time. */
 static bool report_progress(struct run *run, const struct nb_stage *stage) {
   if (run->until_report-- > 0)
     return true;
