@@ -218,22 +218,29 @@ static void phases_of_other_pages_have_other_steps(void) {
 
 /* Strains per cycle, or numbers of cycles, tie the page to its step. */
 static void other_pages_have_one_phase(void) {
-  static const char *const ends[] = {
-      "cycles 100\n", "box strain -1e-5 per cycle 0 per cycle\nuntil box.width below 7.99 at most 1000 cycles\n"};
-  for (size_t k = 0; k < 2; k++) {
-    char text[1024];
+#define MATERIAL "units none\nmaterial m density 3 kn 100\n"
+#define LATTICE "lattice discs 4 by 4 from 1 1 radius 1 spacing 2 m\n"
+#define RUN "record time\nstep 0.001\nstage a\n"
+#define UNTIL "until time above 0.01 at most 1000 cycles\n"
+  static const char *const scenes[] = {
+      MATERIAL LATTICE RUN "cycles 100\n",
+      MATERIAL LATTICE RUN UNTIL "stage b\ncycles 100\n",
+      MATERIAL "box 0 0 to 8 8 m\n" LATTICE RUN "box strain -1e-5 per cycle 0 per cycle\n" UNTIL,
+      MATERIAL "cell 0 0 to 8 8\n" LATTICE RUN "cell strain -1e-5 per cycle 0 per cycle\n" UNTIL,
+      MATERIAL LATTICE RUN "affine strain -1e-5 per cycle 0 per cycle\n" UNTIL,
+      MATERIAL "boundary circle 4 4 radius 4\n" LATTICE RUN "boundary strain -1e-5 per cycle 0 per cycle\n" UNTIL,
+      MATERIAL "box 0 0 to 8 8 m\n" LATTICE RUN "servo mean 1 on box through box at most 1e-6 per cycle\n" UNTIL,
+      MATERIAL "box 0 0 to 8 8 m\n" LATTICE RUN "box strain -0.01 0\n" UNTIL,
+  };
+  for (size_t k = 0; k < sizeof scenes / sizeof *scenes; k++) {
+    const bool last = k + 1 == sizeof scenes / sizeof *scenes; /* the only one without a strain per cycle */
     struct nb_advice advice;
     struct nb_error error = {0};
-    snprintf(text, sizeof text,
-             "units none\nmaterial m density 3 kn 100\nbox 0 0 to 8 8 m\nlattice discs 4 by 4 from 1 1 radius 1 "
-             "spacing 2 m\n"
-             "record box.width time\nstep 0.001\nstage a\n%s",
-             ends[k]);
-    const struct page page = write_page(text);
+    const struct page page = write_page(scenes[k]);
     const struct nb_advise_query query = {page.path, no_settings, {.threads = 1, .jobs = 1}, "time",
                                           "5 %",     60,          {NULL, NULL, NULL}};
     CU_ASSERT_EQUAL(nb_advise(&advice, &query, &error), NB_OK);
-    CU_ASSERT_EQUAL(advice.phases, 1);
+    CU_ASSERT_EQUAL(advice.phases, last ? NB_PHASES : 1);
     finish(&advice, &page);
   }
 }

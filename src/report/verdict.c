@@ -52,8 +52,8 @@ static int digit_count(double a, double b) {
 
 void nb_check_error(struct nb_check *check, const char *what, double error, double scale,
                     const struct nb_tolerance *tolerance, const char *unit) {
-  const bool relative = tolerance->kind != NB_ABSOLUTE,
-             percent = relative && !(tolerance->value > 0 && tolerance->value < 1e-7);
+  const bool relative = tolerance->kind != NB_ABSOLUTE; /* in per cent, unless that would be mostly zeros */
+  const bool percent = relative && !(tolerance->value > 0 && (tolerance->value < 1e-7 || tolerance->value > 1e7));
   const double of = relative ? fabs(scale) : 1, factor = percent ? 100 : 1;
   const char *in = percent ? " %" : relative ? "" : unit;
   nb_append(check->message, sizeof check->message, ", %s %.3g%s, tolerance %.3g%s", what,
