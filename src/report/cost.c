@@ -3,7 +3,7 @@
  * The number of cycles of a stage is fixed by `cycles`, or by conditions on the clock alone, such as `until time above 2 ms`: these
  * are tested here as in the run, but without cycles. Any other condition gives bounds. The cost of a cycle is measured by a trial: a
  * run whose stages end after a few milliseconds each. It tests conditions and records rows as the run does, but later stages begin
- * from an early state. Rows and snapshots of the trial are written to measure the cost of the tables.
+ * from an early state. Its rows and snapshots are written and checked, which measures the cost of tables and verdict.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -91,8 +91,9 @@ static void find_lengths(struct nb_cost *cost, const struct nb_scene *scene, str
 
 /* ---- the trial ---- */
 
-/* Seconds to write one row of the table; *snapshots: to write all snapshots. */
-static double time_tables(const struct nb_page_run *trial, double *snapshots) {
+/* Seconds to write one row of the table and to check it against the expectations; *snapshots: to write all snapshots. */
+static double time_tables(struct nb_page_run *trial, double *snapshots) {
+  struct nb_outcome outcome = {.page = *trial->scene.page, .runs = trial, .run_count = 1};
   FILE *out = fopen("/dev/null", "w");
   const struct nb_table *table;
   const char *name;
@@ -100,6 +101,7 @@ static double time_tables(const struct nb_page_run *trial, double *snapshots) {
     return 0;
   const double began = nb_processor_clock();
   nb_table_write_run(out, trial);
+  nb_verdict(&outcome), nb_values_write(out, &outcome), free(outcome.checks);
   const double rows = nb_processor_clock() - began;
   for (size_t k = 0; k < trial->result.snapshot_count; k++)
     for (int part = 0; nb_snapshot_part(&trial->result.snapshots[k], part, &name, &table); part++)
@@ -210,8 +212,10 @@ void nb_cost_add(struct nb_cost *sum, const struct nb_cost *cost) {
 
 /* ---- after the runs ---- */
 
-/* Adds what the runs are expected to cost, without references; false: unknown. */
-static bool expect_all(struct nb_cost *sum, const struct nb_outcome *outcome, const struct nb_options *options) {
+/* Adds what the runs are expected to cost, without references: bounds of the cycles with the steps that they have had, or all by
+ * trials. False: unknown. */
+static bool expect_all(struct nb_cost *sum, const struct nb_outcome *outcome, bool bounds,
+                       const struct nb_options *options) {
   struct nb_error error;
   bool known = outcome->status <= NB_FAILED;
   for (size_t r = 0; r < outcome->run_count && known; r++) {
@@ -219,7 +223,12 @@ static bool expect_all(struct nb_cost *sum, const struct nb_outcome *outcome, co
     struct nb_model *model = nb_model_create(&run.scene, options, &error);
     struct nb_cost cost = {0};
     run.expectations.reference = NULL;
-    known = model && !nb_cost_expect(&cost, &run, model, options, &error);
+    known = model &&
+            !(bounds ? nb_cost_bounds(&cost, &run.scene, &error) : nb_cost_expect(&cost, &run, model, options, &error));
+    if (known && bounds) {
+      find_lengths(&cost, &run.scene, model, &run.result);
+      add_stages(&cost, &run.scene, &run.result, 0);
+    }
     nb_cost_add(sum, &cost);
     free(cost.lengths), nb_model_free(model);
   }
@@ -239,11 +248,12 @@ void nb_cost_print_actual(FILE *out, const struct nb_outcome *outcome, const str
                                            .measured = {seconds, seconds}});
   }
   for (size_t s = scene->start.stages; s < scene->stage_count; s++)
-    until = until || scene->stages[s].condition_count > 0;
+    for (size_t k = 0; k < scene->stages[s].condition_count; k++)
+      until = until || !is_clock(&scene->stages[s].conditions[k]);
   nb_cost_print(out, &actual, scene->contact_test ? " steps" : " cycles");
   const double seconds = actual.seconds.to;
   const bool is_long = seconds > 20 * trial_seconds * (double)outcome->run_count; /* the trials take little of it */
-  if (!scene->contact_test && (until || is_long) && expect_all(&expected, outcome, options)) {
+  if (!scene->contact_test && (until || is_long) && expect_all(&expected, outcome, until, options)) {
     if (expected.cycles.to > expected.cycles.from)
       fputs("; expected ", out), print_bounds(out, expected.cycles, 15, " cycles");
     else if (is_long && fabs(seconds - expected.measured.to) > 0.2 * expected.measured.to)

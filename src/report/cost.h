@@ -19,7 +19,7 @@ struct nb_length {
 };
 struct nb_cost {
   struct nb_bounds cycles, updates; /* contact updates */
-  struct nb_bounds seconds;         /* with reference and tables, without reading and figure; */
+  struct nb_bounds seconds;         /* with reference, tables and verdict, without reading and figure; */
   struct nb_bounds measured;        /* its cycles with conditions and rows. 0: could not be measured */
   struct nb_length *lengths;        /* for each stage; owned */
 };

@@ -416,7 +416,8 @@ static void explain_cost(FILE *out, const struct nb_cost *cost, const struct nb_
   fputs("cost\n  ", out);
   nb_cost_print(out, cost, contact_test ? " steps" : " cycles");
   if (cost->measured.to > 0)
-    fprintf(out, "\n  a %s with recording takes %.3g us, measured just now; start, reference and tables %.3g s\n",
+    fprintf(out,
+            "\n  a %s with recording takes %.3g us, measured just now; start, reference, tables and verdict %.3g s\n",
             cycle, 1e6 * cost->measured.to / cost->cycles.to, cost->seconds.to - cost->measured.to);
   else
     fprintf(out, "\n  the time of a %s cannot be measured: %s\n", cycle, error->text);
