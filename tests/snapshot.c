@@ -96,9 +96,26 @@ static void rings(void) {
   written_free(&it);
 }
 
+/* A disc that has left the cell counts with its copy near the region's centre, as for A.porosity. */
+static void rings_in_a_cell(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\ncell 0 0 to 10 10\nmaterial m density 1 kn 1\ndisc 9 5 radius 1 m velocity 9 0\n"
+                   "region A circle 5 5 radius 4 rings 1\nstep 0.1\nrecord A.porosity\nstage s\ncycles 5\nsnapshot\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "A.porosity"), 15 / 16., 1e-14);
+  CU_ASSERT_EQUAL_FATAL(result.snapshots[0].rings.row_count, 1);
+  CU_ASSERT_DOUBLE_EQUAL(written_cell(&result.snapshots[0].rings, 0, "within"), 15 / 16., 1e-14);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 void suite_snapshot(void) {
   CU_pSuite suite = CU_add_suite("snapshot", NULL, NULL);
   CU_add_test(suite, "the columns of particles and of contacts", columns);
   CU_add_test(suite, "porosity ring by ring", rings);
+  CU_add_test(suite, "rings in a cell", rings_in_a_cell);
   CU_add_test(suite, "a fixed particle is no rattler", a_fixed_particle_is_no_rattler);
 }

@@ -127,8 +127,7 @@ struct nb_region_state *nb_region_state(const struct nb_model *model, int region
 
 /* ---- particles inside ---- */
 
-/* In a periodic cell the position of the copy nearest to the region's centre, m. */
-static struct nb_vec position_of(const struct nb_model *model, const struct nb_region_state *region, size_t slot) {
+struct nb_vec nb_region_position(const struct nb_model *model, const struct nb_region_state *region, size_t slot) {
   if (!model->cell)
     return model->particles.position[slot];
   struct nb_wrap wrap = nb_cell_wrap(model->cell);
@@ -139,7 +138,7 @@ static struct nb_vec position_of(const struct nb_model *model, const struct nb_r
 bool nb_region_contains(const struct nb_model *model, const struct nb_region_state *region, size_t slot) {
   if (nb_removed(model, slot))
     return false;
-  const struct nb_vec x = vec_sub(position_of(model, region, slot), region->centre);
+  const struct nb_vec x = vec_sub(nb_region_position(model, region, slot), region->centre);
   if (region->definition->kind == NB_REGION_ALL)
     return true;
   if (region->radius > 0 || region->definition->kind == NB_REGION_INSIDE)
@@ -161,7 +160,7 @@ bool nb_region_next(const struct nb_model *model, const struct nb_region_state *
 /* Area of a particle's outline inside the region, m2. */
 static double area_inside(const struct nb_model *model, const struct nb_region_state *region, size_t slot) {
   const double radius = model->particles.surface[slot].radius;
-  const struct nb_vec x = position_of(model, region, slot);
+  const struct nb_vec x = nb_region_position(model, region, slot);
   if (nb_removed(model, slot))
     return 0;
   if (region->definition->kind == NB_REGION_ALL)

@@ -128,6 +128,8 @@ void nb_regions_free(struct nb_regions *regions, size_t count);
 struct nb_region_state *nb_region_state(const struct nb_model *model, int region);
 /* Computes that measure, at most once a cycle. */
 const struct nb_region_state *nb_region_measured(const struct nb_model *model, int region, enum nb_measure which);
+/* Position of a particle; in a periodic cell that of the copy nearest to the region's centre, m. */
+struct nb_vec nb_region_position(const struct nb_model *model, const struct nb_region_state *region, size_t slot);
 /* Whether the centre of a particle is inside. */
 bool nb_region_contains(const struct nb_model *model, const struct nb_region_state *region, size_t slot);
 /* for (size_t k = 0, i; nb_region_next(model, region, &k, &i);): slot i of each particle inside, in the order of

@@ -131,13 +131,13 @@ static bool contacts_table(struct nb_table *table, const struct nb_model *model,
 }
 
 /* Area that particles cover inside a circle about the region's centre, m2. */
-static double covered_area(const struct nb_model *model, struct nb_vec centre, double radius) {
+static double covered_area(const struct nb_model *model, const struct nb_region_state *region, double radius) {
   double area = 0;
   for (size_t k = 0; k < model->particles.count; k++) {
     const size_t i = (size_t)model->particles.slot[k];
     if (!nb_removed(model, i))
       area += nb_area_of_lens(model->particles.surface[i].radius, radius,
-                              vec_length(vec_sub(model->particles.position[i], centre)));
+                              vec_length(vec_sub(nb_region_position(model, region, i), region->centre)));
   }
   return area;
 }
@@ -151,7 +151,7 @@ static bool rings_table(struct nb_table *table, const struct nb_model *model, in
     const int rings = region->definition->rings;
     double inner = 0, before = 0;
     for (int k = 1; complete && k <= rings; k++) {
-      const double outer = region->radius * k / rings, now = covered_area(model, region->centre, outer);
+      const double outer = region->radius * k / rings, now = covered_area(model, region, outer);
       const double all = nb_area_of_disc(outer), ring = all - nb_area_of_disc(inner);
       complete = nb_snapshot_row(
           table, model, stage, (const double[]){(double)r + 1, inner, outer, 1 - (now - before) / ring, 1 - now / all});
