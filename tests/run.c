@@ -4,8 +4,12 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
 #include <math.h>
+#ifdef _OPENMP
+#include <omp.h>
+#endif
 #include <string.h>
 
+#include "core/model.h"
 #include "suites.h"
 #include "written.h"
 
@@ -227,6 +231,40 @@ static void repeated_stages(void) {
   written_free(&it), written_free(&full);
 }
 
+/* The number of threads is that of the options, at most NB_THREADS; 0 stands for OpenMP's default, and without options it is 1. The
+ * instruction set is the widest one, or the one that the options name, if this machine has it. */
+static void threads_and_instruction_set(void) {
+  static const struct {
+    int given, chosen;
+  } rows[] = {{1, 1}, {3, 3}, {NB_THREADS, NB_THREADS}, {NB_THREADS + 1, NB_THREADS}};
+  static const char *const names[] = {"plain", "avx2", "avx512", "mmx"};
+  struct nb_model model;
+  struct nb_error error;
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    CU_ASSERT_EQUAL(nb_machine_choose(&model, &(struct nb_options){.threads = rows[k].given}, &error), NB_OK);
+    CU_ASSERT_EQUAL(model.machine.threads, rows[k].chosen);
+  }
+  int number = 1;
+#ifdef _OPENMP
+  const int before = omp_get_max_threads();
+  omp_set_num_threads(5), number = 5;
+#endif
+  CU_ASSERT_EQUAL(nb_machine_choose(&model, &(struct nb_options){.threads = 0}, &error), NB_OK);
+  CU_ASSERT_EQUAL(model.machine.threads, number);
+  CU_ASSERT_EQUAL(nb_machine_choose(&model, NULL, &error), NB_OK);
+  CU_ASSERT_EQUAL(model.machine.threads, 1);
+#ifdef _OPENMP
+  omp_set_num_threads(before);
+#endif
+  const int widest = (int)model.machine.isa;
+  for (int isa = 0; isa < 4; isa++) {
+    const enum nb_status status = nb_machine_choose(&model, &(struct nb_options){.isa = names[isa]}, &error);
+    CU_ASSERT_EQUAL(status, isa <= widest ? NB_OK : NB_BAD_USE);
+    CU_ASSERT(status || (int)model.machine.isa == isa);
+  }
+  CU_ASSERT_STRING_EQUAL(error.text, "expected `--isa plain`, `avx2` or `avx512`, found `mmx`");
+}
+
 void suite_run(void) {
   CU_pSuite suite = CU_add_suite("run", NULL, NULL);
   CU_add_test(suite, "rows are recorded as requested", rows_are_recorded_as_requested);
@@ -238,4 +276,5 @@ void suite_run(void) {
   CU_add_test(suite, "an aborted stage has no snapshot", an_aborted_stage_has_no_snapshot);
   CU_add_test(suite, "until ... every N cycles", conditions_checked_every_n_cycles);
   CU_add_test(suite, "repeated stages", repeated_stages);
+  CU_add_test(suite, "threads and instruction set", threads_and_instruction_set);
 }
