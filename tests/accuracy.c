@@ -304,7 +304,7 @@ static void write_quantiles(FILE *out) {
   write_share(out, met_answered, met);
   fputs(" are answered.\n\n| | 5 % | median | 90 % |\n| --- | --- | --- | --- |\n", out);
   double *const lists[] = {ratio, cost, seconds};
-  static const char *const names[] = {"claimed error over true error",
+  static const char *const names[] = {"estimated error over true error",
                                       "cost over that of the cheapest setting that would do", "time of the search, s"};
   for (int k = 0; k < 3; k++) {
     static const double fractions[] = {0.05, 0.5, 0.9};

@@ -23,6 +23,19 @@ static void report_unknown(struct nb_reader *reader, const char *kind, const str
   nb_expected_at(reader, token, near ? near : "`nineball laws` lists them", what);
 }
 
+/* What readers write after the name of a law, because other programs want it there. */
+static const struct {
+  char name[NB_NAME_SIZE];
+} properties[] = {
+#define ROW(name, ...) {#name},
+    NB_PAIR_ROWS(ROW)
+#undef ROW
+        {"young"},
+    {"poisson"},
+    {"stiffness"},
+    {"mu"},
+    {"k"}};
+
 /* variant 0: normal, 1: shear */
 NB_APPLY(apply_law) {
   struct nb_scene_reading *reading = subject;
@@ -38,8 +51,13 @@ NB_APPLY(apply_law) {
   char *name = stage ? shear ? stage->laws.shear : stage->laws.normal : shear ? scene->shear : scene->normal;
   const struct nb_law *law = nb_law_find(kind, token->text);
   bool *set = &reading->law_set[shear];
+  const struct nb_token *next = nb_token_peek(reader);
   if (!law)
     report_unknown(reader, kind, token);
+  else if (next && NB_FIND(properties, sizeof properties / sizeof *properties, next->text) >= 0)
+    nb_token_mistake(reader, next,
+                     "it is a property of the material: `material rock  density 2000 kg/m3  kn 1 MN/m  ks 1 MN/m`",
+                     "expected the end of the line, found `%s`", next->text);
   else if (shear && nb_token_is(reader, "memory") && law->piece == 0)
     nb_token_mistake(reader, nb_token_peek(reader), NULL, "`shear %s` keeps no history, so it takes no `memory`",
                      token->text);

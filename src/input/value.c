@@ -132,7 +132,12 @@ static bool names_angle(const struct wanted *it, const char *text) {
  * ", or begin the scene with `units none`". */
 static void add_advice(char *text, const struct nb_reader *reader, bool example) {
   const char *at = example && reader->keyword && reader->keyword->example ? reader->keyword->example : "";
+  char word[NB_NAME_SIZE] = "";
   at += strspn(at, " ");
+  if (*at && reader->keyword->word)
+    nb_first_word(word, reader->keyword->word);
+  while (strncmp(at, word, strlen(word)) != 0 && strchr(at, '\n')) /* the line of this statement */
+    at = strchr(at, '\n') + 1, at += strspn(at, " ");
   snprintf(text, NB_HINT_SIZE / 2, "%s%.*s%s%s", *at ? ", as in `" : "", (int)strcspn(at, "\n"), at, *at ? "`" : "",
            reader->has_units ? "" : ", or begin the scene with `units none`");
 }

@@ -1,4 +1,4 @@
-/* `nineball advise`: prints the result of the search; writes a table of all settings with a claimed error, and a figure
+/* `nineball advise`: prints the result of the search; writes a table of all settings with a estimated error, and a figure
  * of this error against cost.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -34,6 +34,8 @@ static void error_text(char text[NB_NAME_SIZE], const struct nb_advice *advice, 
   snprintf(text, NB_NAME_SIZE, "%.2g%s%s", ratio * advice->tolerance.value * factor, unit[0] ? " " : "", unit);
 }
 
+static const char *word(const char *law, const char *own) { return law[0] ? law : own; }
+
 static const char *label_of(const struct nb_advice *advice, size_t run) { return advice->page.runs[run].label; }
 
 /* The most expensive setting that is cheaper than this one; NULL: none. */
@@ -58,37 +60,65 @@ static const struct nb_setting *most_accurate(const struct nb_advice *advice) {
   return found;
 }
 
-static void print_error_of(const struct nb_advice *advice, const struct nb_setting *setting, const char *words) {
+/* "0.0076, in run psi1=1; by the step alone 0.0062" */
+static void print_error_of(const struct nb_advice *advice, const struct nb_setting *setting) {
   char claim[NB_NAME_SIZE], step[NB_NAME_SIZE];
   const char *label = label_of(advice, setting->worst);
   error_text(claim, advice, setting->ratio);
   error_text(step, advice, setting->step_ratio);
-  printf("%s %s%s%s; error of the step alone: %s\n", words, claim, label[0] ? ", in run " : "", label, step);
+  printf("%s%s%s; by the step alone %s\n", claim, label[0] ? ", in run " : "", label, step);
+}
+
+/* The step and the laws in words. */
+static void print_setting(const struct nb_advice *advice, const struct nb_setting *setting) {
+  const struct nb_scene *scene = &advice->page.runs[0].scene;
+  const struct nb_law_pair *pair = &advice->pairs[setting->pair];
+  const double step = nb_point_at(advice, setting)->step, times = exp2(abs(setting->level));
+  char length[NB_NAME_SIZE] = "";
+  if (step > 0)
+    snprintf(length, sizeof length, " (%.3g%s)", step, scene->unitless ? "" : " s");
+  printf("    the step%s is ", length);
+  if (setting->level == 0)
+    fputs("that of the page", stdout);
+  else
+    printf("%g times as %s as that of the page", times, setting->level < 0 ? "long" : "short");
+  printf("; normal %s, shear %s%s\n", word(pair->normal, scene->normal), word(pair->shear, scene->shear),
+         setting->pair == 0 ? ", as in the page" : "");
+}
+
+static void print_cost(const struct nb_advice *advice, const struct nb_point *point) {
+  const struct nb_point *own = &advice->pairs[0].points[-NB_LEVEL_LOW];
+  printf("  cost: %.0f contact and particle updates", point->updates);
+  if (advice->runs > 1)
+    printf(" in all %zu runs of the page", advice->runs);
+  if (own->done)
+    printf(", %.3g %% of the %.0f with the page's own setting; %.2g s instead of %.2g s",
+           100 * point->updates / own->updates, own->updates, point->seconds, own->seconds);
+  putchar('\n');
 }
 
 static void print_choice(const struct nb_advice *advice, const struct nb_setting *chosen) {
   char options[256];
-  const struct nb_point *own = &advice->pairs[0].points[-NB_LEVEL_LOW], *point = nb_point_at(advice, chosen);
+  const struct nb_point *point = nb_point_at(advice, chosen);
   options_of(options, sizeof options, advice, chosen);
   printf("  the cheapest setting within the tolerance: %s\n", options);
-  if (point->step > 0)
-    printf("  mean step %.3g%s\n", point->step, advice->page.runs[0].scene.unitless ? "" : " s");
-  print_error_of(advice, chosen, "  claimed error: at most");
-  if (own->done)
-    printf(
-        "  cost: %.3g contact and particle updates, %.3g times those of the page's own setting (%.3g s and %.3g s)\n",
-        point->updates, point->updates / own->updates, point->seconds, own->seconds);
+  print_setting(advice, chosen);
+  fputs("  estimated error: at most ", stdout);
+  print_error_of(advice, chosen);
+  print_cost(advice, point);
   const struct nb_setting *cheaper = next_cheaper(advice, chosen);
   if (cheaper) {
     options_of(options, sizeof options, advice, cheaper);
-    printf("  the next cheaper one misses the tolerance: %s\n", options);
-    print_error_of(advice, cheaper, "    its claimed error:");
+    printf("  the next cheaper one misses the tolerance: %s\n    estimated error: ", options);
+    print_error_of(advice, cheaper);
   }
   const struct nb_point *coarser = chosen->level > NB_LEVEL_LOW ? point - 1 : NULL;
   if (!cheaper && coarser && coarser->reason[0])
     printf("  a step twice as long cannot be run: %s\n", coarser->reason);
   options_of(options, sizeof options, advice, chosen);
   printf("to run it: nineball run %s %s\n", advice->query->path, options);
+  if (chosen->level < 0 || chosen->pair > 0)
+    puts("  checks of the page that have tighter tolerances may fail then");
 }
 
 static void print_conditions(const struct nb_advice *advice) {
@@ -103,19 +133,24 @@ static void print_conditions(const struct nb_advice *advice) {
  * latter the nearest one. */
 static void print_left_out(const struct nb_advice *advice) {
   const struct nb_law_pair *nearest = NULL;
-  size_t equal = 0, farther = 0;
+  size_t equal = 0, farther = 0, refused = 0;
   for (size_t k = 1; k < advice->pair_count; k++) {
     const struct nb_law_pair *pair = &advice->pairs[k];
     equal += pair->equal, farther += pair->distance > 0;
+    refused += pair->reason[0] && !pair->equal && !(pair->distance > 0);
     if (pair->distance > 0 && (!nearest || pair->distance < nearest->distance))
       nearest = pair;
   }
   if (equal)
-    printf("  %zu pair%s of laws not tried, because %s the same values as another pair\n", equal, equal > 1 ? "s" : "",
-           equal > 1 ? "they give" : "it gives");
+    printf("  %zu other pair%s of laws give%s the same values as another pair\n", equal, equal > 1 ? "s" : "",
+           equal > 1 ? "" : "s");
+  if (refused)
+    printf("  %zu other pair%s of laws cannot be run with this page\n", refused, refused > 1 ? "s" : "");
   if (nearest)
-    printf("  %zu pair%s of laws left out; the nearest one is normal %s, shear %s: %s\n", farther,
-           farther > 1 ? "s" : "", nearest->normal, nearest->shear, nearest->reason);
+    printf("  %zu other pair%s of laws give%s too different values; the one with the smallest difference is normal %s, "
+           "shear "
+           "%s: %s\n",
+           farther, farther > 1 ? "s" : "", farther > 1 ? "" : "s", nearest->normal, nearest->shear, nearest->reason);
 }
 
 static void print_advice(const struct nb_advice *advice) {
@@ -129,20 +164,18 @@ static void print_advice(const struct nb_advice *advice) {
     puts("  no setting that was tried is within the tolerance");
     if (best) {
       options_of(options, sizeof options, advice, best);
-      printf("  the most accurate one: %s\n", options);
-      print_error_of(advice, best, "    its claimed error:");
+      printf("  the most accurate one: %s\n    estimated error: ", options);
+      print_error_of(advice, best);
     }
     puts(advice->exhausted ? "  the budget was used up: choose a larger --budget or a larger tolerance"
                            : "  choose a larger tolerance");
   }
   print_left_out(advice);
-  printf("  %u runs of the page in %.1f s%s\n", advice->measured, nb_clock() - advice->began,
+  printf("  %u trials in %.1f s%s\n", advice->measured, nb_clock() - advice->began,
          advice->exhausted ? ", the whole budget: not all settings were tried" : "");
 }
 
 /* ---- table and figure ---- */
-
-static const char *word(const char *law, const char *own) { return law[0] ? law : own; }
 
 /* Writes all settings, those of the pair of laws with index `which`, or the chosen one. */
 enum { ALL_PAIRS = -1, CHOSEN = -2 };
@@ -201,7 +234,7 @@ static void write_figure(FILE *out, const struct nb_outcome *page, const void *d
   static const struct nb_escape quote[] = {{'\'', "''"}, {0, NULL}};
   fputs("set title '", out);
   nb_print_escaped(out, advice->text, quote);
-  fprintf(out, "' noenhanced\nset xlabel 'contact and particle updates of all runs'\nset ylabel 'claimed error%s%s'\n",
+  fprintf(out, "' noenhanced\nset xlabel 'contact and particle updates of all runs'\nset ylabel 'estimated error%s%s'\n",
           unit[0] ? ", " : "", unit);
   for (size_t p = 0; p < advice->pair_count; p++)
     if (has_settings(advice, p)) {

@@ -7,7 +7,7 @@
  * several phases, which are moments of first touch within a step. `impact` sets them; a page whose stages all end by
  * `until` is run with slightly different steps instead. Any other page has one phase.
  *
- * The claimed error of a setting needs the results at its level, at the two finer ones, and an anchor that is at least
+ * The estimated error of a setting needs the results at its level, at the two finer ones, and an anchor that is at least
  * two levels finer. Levels are tried from the coarsest one on; the first one within the tolerance is the cheapest of
  * its pair of laws. A pair is left out if the page or its reference refuses it, if it gives the values of another pair,
  * or if they differ from the anchor by more than twice the tolerance at the level that was found for the page's own
@@ -229,7 +229,7 @@ static enum nb_status find_anchor(struct nb_advice *advice, struct nb_error *err
       advice->text, exp2(advice->anchor - 1), ratio, label[0] ? ", in run " : "", label);
 }
 
-/* Adds the setting and its claimed error to the list; false: it has none. */
+/* Adds the setting and its estimated error to the list; false: it has none. */
 static bool add_claim(struct nb_advice *advice, size_t index, int level) {
   struct nb_law_pair *pair = &advice->pairs[index];
   struct nb_setting setting = {.pair = index, .level = level};

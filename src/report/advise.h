@@ -29,11 +29,11 @@ struct nb_law_pair {
   char reason[512]; /* why the pair was left out; empty: it was not */
 };
 
-/* A setting with its claimed error. */
+/* A setting with its estimated error. */
 struct nb_setting {
   size_t pair;
   int level;
-  double ratio;      /* the largest claimed error over the tolerance, of all runs */
+  double ratio;      /* the largest estimated error over the tolerance, of all runs */
   double step_ratio; /* the part of it that is due to the step */
   size_t worst;      /* the run where it is */
 };
@@ -60,7 +60,7 @@ struct nb_advice {
   int anchor;                /* level of the coarsest anchor */
   struct nb_law_pair *pairs; /* owned; the first one is the page's own */
   size_t pair_count;
-  struct nb_setting *settings; /* owned; all that have a claimed error */
+  struct nb_setting *settings; /* owned; all that have a estimated error */
   size_t setting_count;
   int chosen;        /* the index of the cheapest one within the tolerance; -1: none */
   double began;      /* s */

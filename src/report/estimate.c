@@ -12,7 +12,7 @@
  *   Q_A                                      mean over the phases of the anchor
  *   U = 3 |Q_A - Q_A'| + spread              its uncertainty. Q_A': the same with twice the step; spread: largest minus
  *                                            smallest value over the phases of the anchor
- *   max(G, 1.25 max |Q(n) - Q_A| + U)        the claimed error; the inner maximum is over the phases
+ *   max(G, 1.25 max |Q(n) - Q_A| + U)        the estimated error; the inner maximum is over the phases
  *
  * The factors 3 and 1.25 are calibrated (make accuracy), not derived.
  *

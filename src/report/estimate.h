@@ -19,7 +19,7 @@ struct nb_anchor {
 /* From Q at the phases of the anchor, and at those of twice its step. */
 struct nb_anchor nb_estimate_anchor(const double at_anchor[], const double at_double_step[], size_t phases);
 
-/* The claimed error of a setting, from Q(n), Q(2n) and Q(4n), each at `phases` phases, and from the anchor. *step
+/* The estimated error of a setting, from Q(n), Q(2n) and Q(4n), each at `phases` phases, and from the anchor. *step
  * receives the largest G. */
 double nb_estimate_claim(double *step, const double n[], const double n2[], const double n4[], size_t phases,
                          struct nb_anchor anchor);

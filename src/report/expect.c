@@ -10,6 +10,7 @@
 #include "expect.h"
 
 #include <stdlib.h>
+#include <math.h>
 #include <string.h>
 
 #include "core/clean.h"
@@ -113,7 +114,11 @@ static bool take_time(struct nb_reader *reader, const struct nb_scene *scene, st
     if (!nb_take_count(reader, 0, NB_COUNT_MAX, &count))
       return false;
     reader->next++;
-    measure->reducer = NB_AT_CYCLE, measure->at = (double)count * scene->refine;
+    measure->reducer = NB_AT_CYCLE, measure->at = nearbyint((double)count * scene->refine);
+    if (fabs(measure->at - (double)count * scene->refine) > 1e-9 * measure->at) /* 1e-9: rounding of R */
+      return nb_token_mistake(reader, number, "choose another number for `refine`",
+                              "expected a whole number of %s with --set refine=%g, found %g", words[0], scene->refine,
+                              (double)count * scene->refine);
     nb_append(measure->label, sizeof measure->label, " at %lu %s", count, words[0]);
     return true;
   }
