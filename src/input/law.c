@@ -36,6 +36,19 @@ static const struct {
     {"mu"},
     {"k"}};
 
+/* What follows the name of a law: nothing, or `memory K`. */
+static void take_options(struct nb_reader *reader, const struct nb_law *law, bool shear, unsigned long *pieces) {
+  const struct nb_token *next = nb_token_peek(reader);
+  if (next && NB_FIND(properties, sizeof properties / sizeof *properties, next->text) >= 0)
+    nb_token_mistake(reader, next,
+                     "it is a property of the material: `material rock  density 2000 kg/m3  kn 1 MN/m  ks 1 MN/m`",
+                     "expected the end of the line, found `%s`", next->text);
+  else if (shear && nb_token_is(reader, "memory") && law->piece == 0)
+    nb_token_mistake(reader, next, NULL, "`shear %s` keeps no history, so it takes no `memory`", law->name);
+  else if (shear && next && nb_take_word(reader, "memory"))
+    nb_take_count(reader, 2, NB_PIECES_MAX, pieces);
+}
+
 /* variant 0: normal, 1: shear */
 NB_APPLY(apply_law) {
   struct nb_scene_reading *reading = subject;
@@ -51,18 +64,10 @@ NB_APPLY(apply_law) {
   char *name = stage ? shear ? stage->laws.shear : stage->laws.normal : shear ? scene->shear : scene->normal;
   const struct nb_law *law = nb_law_find(kind, token->text);
   bool *set = &reading->law_set[shear];
-  const struct nb_token *next = nb_token_peek(reader);
-  if (!law)
+  if (law)
+    take_options(reader, law, shear, &pieces);
+  else
     report_unknown(reader, kind, token);
-  else if (next && NB_FIND(properties, sizeof properties / sizeof *properties, next->text) >= 0)
-    nb_token_mistake(reader, next,
-                     "it is a property of the material: `material rock  density 2000 kg/m3  kn 1 MN/m  ks 1 MN/m`",
-                     "expected the end of the line, found `%s`", next->text);
-  else if (shear && nb_token_is(reader, "memory") && law->piece == 0)
-    nb_token_mistake(reader, nb_token_peek(reader), NULL, "`shear %s` keeps no history, so it takes no `memory`",
-                     token->text);
-  else if (shear && nb_token_peek(reader) && nb_take_word(reader, "memory"))
-    nb_take_count(reader, 2, NB_PIECES_MAX, &pieces);
   if (reader->bad || (!setting && (nb_given_twice(reader, *line) || *set)))
     return;
   *set = setting;

@@ -234,7 +234,8 @@ static void write_figure(FILE *out, const struct nb_outcome *page, const void *d
   static const struct nb_escape quote[] = {{'\'', "''"}, {0, NULL}};
   fputs("set title '", out);
   nb_print_escaped(out, advice->text, quote);
-  fprintf(out, "' noenhanced\nset xlabel 'contact and particle updates of all runs'\nset ylabel 'estimated error%s%s'\n",
+  fprintf(out,
+          "' noenhanced\nset xlabel 'contact and particle updates of all runs'\nset ylabel 'estimated error%s%s'\n",
           unit[0] ? ", " : "", unit);
   for (size_t p = 0; p < advice->pair_count; p++)
     if (has_settings(advice, p)) {

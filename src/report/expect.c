@@ -9,8 +9,8 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "expect.h"
 
-#include <stdlib.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "core/clean.h"
