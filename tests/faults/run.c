@@ -86,7 +86,8 @@ static size_t without_times(char *text) {
     end = line + strcspn(line, "\n"), end += *end == '\n';
     const char kept = *end;
     *end = 0;
-    const bool timed = strstr(line, "measured just now") && !strstr(line, ", 0 s");
+    const bool timed =
+        (strstr(line, "measured just now") || strstr(line, " contact updates, ")) && !strstr(line, ", 0 s");
     *end = kept;
     for (char *c = line; c < end; c++)
       if (!timed || !strchr("0123456789.e+-", *c))
