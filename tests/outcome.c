@@ -234,7 +234,7 @@ static void mistakes_of_all_runs(void) {
     snprintf(text, sizeof text, scene, wrong ? "n" : "m");
     carry_out(&outcome, text, "reference free_fall\nD.x within 1 mm", NULL);
     CU_ASSERT_EQUAL(outcome.status, NB_BAD_USE);
-    CU_ASSERT_EQUAL(outcome.mistakes.total, wrong);
+    CU_ASSERT_EQUAL(outcome.mistakes.total, (size_t)wrong);
     CU_ASSERT_EQUAL(outcome.run_count, wrong ? 1 : 2);
     if (!wrong)
       CU_ASSERT_STRING_EQUAL(outcome.error.text,
