@@ -138,7 +138,7 @@ tags() {
     }'
 }
 
-# One line for each item of a tag: PAPER|KIND|SORT KEY|NAME|FILE; KIND is 1 for equations, 2 for everything else.
+# One line for each item of a tag: PAPER|KIND|SORT KEY|NAME|FILE; KIND is 1 for equations, 2 for all others.
 named() {
   awk '
     function key(text) { split(text, part, "."); return sprintf("%05d%05d%s", part[1], part[2], text ~ /a$/ ? "a" : "0") }

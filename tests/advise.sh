@@ -9,16 +9,6 @@ pages=$(pwd)/tests/pages
 cases=$(pwd)/cases
 cd "$work" || exit 1
 
-# run STATUS ARGUMENT ...: the program must end with this status; its output is in $why.
-run() {
-  wanted=$1
-  shift
-  "$nineball" "$@" >"$why" 2>&1 </dev/null
-  status=$?
-  echo "status $status, expected $wanted" >>"$why"
-  test $status -eq "$wanted"
-}
-said() { grep -qF -e "$1" "$why"; }
 # table: the rows of a table without its first lines.
 rows() { grep -v '^#' "$1" | tail -n +2; }
 

@@ -83,7 +83,7 @@ static inline struct nb_pair pair_by(struct chance *chance) {
   return pair;
 }
 
-/* Calls `test` PAIRS times for every normal law alone (shear NULL), or with every shear law. */
+/* Calls `test` PAIRS times for each normal law alone (shear NULL), or with every shear law. */
 static inline void every_law(bool shears, void (*test)(struct contact it, struct chance *chance)) {
   int tried = 0;
   for (const struct nb_law *const *normal = nb_laws(); *normal; normal++) {

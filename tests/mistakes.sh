@@ -9,7 +9,7 @@
 . "${srcdir:-.}/tests/tap"
 why=$work/why
 
-# ---- one page for every error ----
+# ---- one page for each error ----
 
 : >"$work/heard"
 for page in tests/bad/*.md; do

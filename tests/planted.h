@@ -22,7 +22,7 @@ void planted_page(struct nb_outcome *outcome, const char *statements, const char
 void planted_rows(struct nb_outcome *outcome, size_t run, int count, const double *x);
 /* A.x in the only row of each run. */
 void planted_runs(struct nb_outcome *outcome, const double *x);
-/* The value that the reference returns for every run. */
+/* The value that the reference returns for each run. */
 void planted_solution(struct nb_outcome *outcome, const char *name, double value);
 /* The reference curve of A.x against time: its value at row r is values[r]. */
 void planted_curve(struct nb_outcome *outcome, int count, const double *values);

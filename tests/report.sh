@@ -8,17 +8,6 @@
 pages=$(pwd)/tests/pages
 cd "$work" || exit 1
 
-# run STATUS ARGUMENT ...: the program must end with this status; its output is in $why.
-run() {
-  wanted=$1
-  shift
-  "$nineball" "$@" >"$why" 2>&1 </dev/null
-  status=$?
-  echo "status $status, expected $wanted" >>"$why"
-  test $status -eq "$wanted"
-}
-said() { grep -qF -e "$1" "$why"; }
-
 # ---- names ----
 
 bell=$(printf 'a\033]0;b\007.md')

@@ -40,7 +40,7 @@ static struct told told(struct words *page, bool cycle) {
   return answer;
 }
 
-/* Relations that hold for every scene. */
+/* Relations that hold for each scene. */
 static void in_order(const struct told *it) {
   NEAR(it->safe, it->parts, 1e-11);
   CU_ASSERT(it->safe <= it->modes * (1 + 1e-12));

@@ -1,5 +1,5 @@
 #!/bin/sh
-# docs/THESIS.md has a row for every figure of chapter 6 of R89, and its links lead to cases. If a row has a verdict,
+# docs/THESIS.md has a row for each figure of chapter 6 of R89, and its links lead to cases. If a row has a verdict,
 # one of its cases cites the figure below its title. TAP. $srcdir is the top of the source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
@@ -27,7 +27,7 @@ grep -E '^\| ([0-9]|section)' $table >"$work/rows" # the rows of figures, and of
 { echo 4.1 && awk 'BEGIN { for (f = 1; f <= 43; f++) print "6." f }'; } >"$work/wanted"
 grep '^| [0-9]' "$work/rows" | cut -d '|' -f 2 | figures >"$work/there"
 diff "$work/wanted" "$work/there" >"$work/said"
-result $? "one row for every figure, in their order"
+result $? "one row for each figure, in their order"
 
 while IFS= read -r row; do
   mine=$(echo "$row" | grep '^| [0-9]' | cut -d '|' -f 2 | figures)

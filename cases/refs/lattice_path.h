@@ -6,7 +6,7 @@
 
 #include "lattice.h"
 
-/* Called for every point of the path, at `fraction` (0 to 1) of a stage, with the forces k_n n, F_s of all contacts. */
+/* Called for each point of the path, at `fraction` (0 to 1) of a stage, with the forces k_n n, F_s of all contacts. */
 typedef void lattice_path_point(void *data, size_t stage, double fraction, const gsl_vector *forces);
 
 /* NB_BAD_USE when the states of the contacts cannot be found. */

@@ -9,7 +9,7 @@
  *                                 and A2 a run of W cycles gives about 2 pi sqrt(A1 A2) / W less
  *   C.normal frequency            how often it rises through its mean per unit time, in the long run; returned only
  *                                 when one wave has a larger amplitude and slope than all others together
- * Mean, amplitude and frequency are also returned `in STAGE` for every stage in which the walls are at rest.
+ * Mean, amplitude and frequency are also returned `in STAGE` for each stage in which the walls are at rest.
  *
  * Refuses scenes in which a contact opens, slips or closes. The error is due to the rotation of contacts, of the order
  * of overlap over radius. For nine discs it is 0.01 (overlap / radius) of the mean force and of the frequencies; in a

@@ -9,7 +9,7 @@
 /* Fills `error` as printf would. Returns the status, so that a function can end with this call. */
 enum nb_status nb_error_set(struct nb_error *error, enum nb_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-enum nb_status nb_error_memory(struct nb_error *error); /* NB_NO_MEMORY; called for every allocation that fails */
+enum nb_status nb_error_memory(struct nb_error *error); /* NB_NO_MEMORY; called for each allocation that fails */
 /* "WHAT: reason", the reason from errno. */
 enum nb_status nb_error_system(struct nb_error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
 

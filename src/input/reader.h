@@ -257,6 +257,11 @@ enum nb_status nb_page_read_limited(struct nb_page *page, const char *path, size
 enum nb_status nb_page_read_bytes(struct nb_page *page, const char *path, const char *bytes, size_t size,
                                   struct nb_mistakes *mistakes);
 
+/* ---- refine.c ---- */
+
+/* Whether a number of cycles that `--set refine=R` has multiplied is whole, apart from rounding of R; *whole: the nearest one. */
+bool nb_refined_is_whole(double product, double *whole);
+
 /* ---- file.c ---- */
 
 enum {

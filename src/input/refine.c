@@ -19,16 +19,24 @@
 #include "core/names.h"
 #include "statement.h"
 
+static const double rounding = 1e-9; /* relative, of R as it is written */
+
+bool nb_refined_is_whole(double product, double *whole) {
+  *whole = nearbyint(product);
+  return fabs(product - *whole) <= rounding * *whole;
+}
+
 /* Sets a count to `product`, its product with R; `what`: the plural noun of what is counted. False with a message if
  * it is too large or not a whole number. */
 static bool multiply(struct nb_scene_reading *reading, const struct nb_stage *stage, const char *what, double product,
                      unsigned long *count) {
-  const double whole = nearbyint(product), refine = reading->scene->refine;
+  const double refine = reading->scene->refine;
+  double whole;
   if (product > NB_COUNT_MAX)
     return nb_line_mistake(&reading->reader, (size_t)stage->line, NULL,
                            "expected at most %d %s in `%s` with --set refine=%g, found %g", NB_COUNT_MAX, what,
                            stage->name, refine, product);
-  if (!(whole >= 1 && fabs(product - whole) <= 1e-9 * whole)) /* 1e-9: rounding of R */
+  if (!(nb_refined_is_whole(product, &whole) && whole >= 1))
     return nb_line_mistake(&reading->reader, (size_t)stage->line, "choose another number for `refine`",
                            "expected a whole number of %s in `%s` with --set refine=%g, found %g", what, stage->name,
                            refine, product);
@@ -67,7 +75,7 @@ static bool refine_end(struct nb_scene_reading *reading, struct nb_stage *stage)
     if (strcmp(stage->conditions[k].quantity.kind->name, "cycle") == 0)
       stage->conditions[k].value *= refine;
   return multiply(reading, stage, reading->scene->contact_test ? "steps" : "cycles",
-                  stage->condition_count > 0 ? ceil(cycles * (1 - 1e-9)) : cycles, &stage->cycles);
+                  stage->condition_count > 0 ? ceil(cycles * (1 - rounding)) : cycles, &stage->cycles);
 }
 
 static bool refine_stage(struct nb_scene_reading *reading, struct nb_stage *stage) {

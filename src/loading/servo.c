@@ -15,7 +15,7 @@
  *
  *   e'' + f e'/T + f e/(16 T^2) = 0          with decay rates r = f (1 -+ (1 - 1/(4f))^(1/2))/(2T)
  *
- * This is stable for every f and does not oscillate for f >= 1/4. T is the shortest time in which the middle of the
+ * This is stable for each f and does not oscillate for f >= 1/4. T is the shortest time in which the middle of the
  * assembly can respond. P alone would leave the error B T e_v at a steady dilatation rate e_v; Z removes it. Z begins
  * at -a P, a = (1 - (3/4)^(1/2))/2, which selects the faster decay for f = 1, exp(-0.93 t/T), so that Z does not
  * overshoot.

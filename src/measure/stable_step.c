@@ -6,7 +6,7 @@
  *   z^2 - (1 + keep) z + keep  +  impulse dt^2 k z  +  impulse dt c (z - 1)  = 0,   k = u'K u/u'M u,  c = u'C u/u'M u
  *
  * M, K and C are the matrices of the masses, of the springs and of the dashpots, which lag by half a step; u' is u
- * transposed. No z leaves the unit circle as long as, for every u,
+ * transposed. No z leaves the unit circle as long as, for all u,
  *
  *   dt^2 k + 2 dt c <= L,      L = 2 (1 + keep)/impulse = 4 undamped and with [CS79 34-36]
  *

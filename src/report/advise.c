@@ -33,6 +33,12 @@ static const double law_distance = 2; /* over the tolerance: a pair of laws fart
 
 /* ---- one run of the page ---- */
 
+/* Memory that ran out ends the search; other reasons belong to the candidate. */
+static bool fail_memory(struct nb_advice *advice) {
+  advice->no_memory = advice->exhausted = true;
+  return false;
+}
+
 static bool fail(struct nb_point *point, const char *text) {
   const size_t length = strcspn(text, "\n");
   snprintf(point->reason, sizeof point->reason, "%.*s", (int)(length < 240 ? length : 240), text);
@@ -72,7 +78,8 @@ static void read_candidate(struct nb_outcome *outcome, const struct nb_advice *a
 
 /* Whether the reference of the page covers the laws; otherwise `nineball run` would refuse the setting. The runs of the
  * search use no reference. */
-static bool take_references(struct nb_point *point, struct nb_law_pair *pair, struct nb_outcome *outcome) {
+static bool take_references(struct nb_advice *advice, struct nb_point *point, struct nb_law_pair *pair,
+                            struct nb_outcome *outcome) {
   for (size_t r = 0; r < outcome->run_count; r++) {
     struct nb_page_run *run = &outcome->runs[r];
     const struct nb_reference *reference = run->expectations.reference;
@@ -82,22 +89,21 @@ static bool take_references(struct nb_point *point, struct nb_law_pair *pair, st
     const enum nb_status status = nb_reference_solve(reference, &run->solution, &run->scene, &run->error);
     solution_free(&run->solution);
     if (status)
-      return fail(point, run->error.text);
+      return status == NB_NO_MEMORY ? fail_memory(advice) : fail(point, run->error.text);
   }
   pair->covered = true;
   return true;
 }
 
 /* Stores the quantity of each run, and the cost of the setting. */
-static bool take_values(struct nb_point *point, const struct nb_advice *advice, struct nb_outcome *outcome,
-                        size_t phase) {
+static bool take_values(struct nb_advice *advice, struct nb_point *point, struct nb_outcome *outcome, size_t phase) {
   double seconds = 0, updates = 0;
   for (size_t r = 0; r < advice->runs; r++) {
     const struct nb_page_run *run = &outcome->runs[r];
     struct nb_expectation wanted;
     struct nb_error error;
     if (nb_expectation_read(&wanted, "quantity", advice->text, &run->scene, &outcome->mistakes))
-      return fail(point, outcome->mistakes.text ? outcome->mistakes.text : "memory ran out");
+      return outcome->mistakes.text ? fail(point, outcome->mistakes.text) : fail_memory(advice);
     if (!nb_measure_value(&point->values[r * NB_PHASES + phase], &wanted.measure, &run->result.table, &error))
       return fail(point, error.text);
     seconds += run->result.seconds;
@@ -126,6 +132,22 @@ static bool is_affordable(struct nb_advice *advice, const struct nb_law_pair *pa
   return !advice->exhausted;
 }
 
+/* Runs all runs of a candidate that has been read, and stores their values. */
+static bool run_candidate(struct nb_advice *advice, struct nb_law_pair *pair, struct nb_point *point,
+                          struct nb_outcome *outcome, size_t phase) {
+  if (!outcome->status && outcome->run_count != advice->runs)
+    return fail(point, "the page has another number of runs with this setting");
+  if (!outcome->status && !take_references(advice, point, pair, outcome))
+    return false;
+  if (!outcome->status)
+    outcome->status = nb_outcome_run(outcome, &advice->query->options, NULL);
+  if (outcome->status == NB_NO_MEMORY)
+    return fail_memory(advice);
+  if (outcome->status)
+    return fail(point, outcome->mistakes.text ? outcome->mistakes.text : outcome->error.text);
+  return take_values(advice, point, outcome, phase);
+}
+
 /* Runs a pair of laws at a level and a phase, unless it has been run. */
 static bool run_phase(struct nb_advice *advice, struct nb_law_pair *pair, int level, size_t phase) {
   struct nb_point *point = &pair->points[level - NB_LEVEL_LOW];
@@ -144,19 +166,11 @@ static bool run_phase(struct nb_advice *advice, struct nb_law_pair *pair, int le
     point->values = calloc(advice->runs * NB_PHASES, sizeof *point->values);
   if (!settings || !point->values) {
     free(settings);
-    return fail(point, "memory ran out");
+    return fail_memory(advice);
   }
   struct nb_outcome outcome;
   read_candidate(&outcome, advice, pair, level, phase, settings, texts);
-  bool done = false;
-  if (outcome.status)
-    fail(point, outcome.mistakes.text ? outcome.mistakes.text : outcome.error.text);
-  else if (outcome.run_count != advice->runs)
-    fail(point, "the page has another number of runs with this setting");
-  else if (take_references(point, pair, &outcome) && nb_outcome_run(&outcome, &advice->query->options, NULL))
-    fail(point, outcome.error.text);
-  else if (!point->reason[0])
-    done = take_values(point, advice, &outcome, phase);
+  const bool done = run_candidate(advice, pair, point, &outcome, phase);
   advice->measured++;
   nb_outcome_free(&outcome);
   free(settings);
@@ -198,10 +212,10 @@ static double anchor_ratio(struct nb_advice *advice, int level, size_t *worst) {
   double largest = 0;
   for (size_t r = 0; r < advice->runs; r++) {
     const struct nb_anchor anchor = anchor_of(advice, level, r);
-    advice->scale[r] = advice->tolerance.kind == NB_ABSOLUTE ? 1 : fabs(anchor.value);
-    advice->allowed[r] = advice->tolerance.value * advice->scale[r];
+    advice->allowed[r] = advice->tolerance.value * (advice->tolerance.kind == NB_ABSOLUTE ? 1 : fabs(anchor.value));
     /* a percentage of 0 allows no error: 0/0 */
-    const double ratio = anchor.uncertainty == 0 && advice->scale[r] > 0 ? 0 : anchor.uncertainty / advice->allowed[r];
+    const double ratio =
+        anchor.uncertainty == 0 && advice->allowed[r] > 0 ? 0 : anchor.uncertainty / advice->allowed[r];
     if (!(ratio <= largest))
       largest = ratio, *worst = r;
   }
@@ -250,9 +264,10 @@ static bool add_claim(struct nb_advice *advice, size_t index, int level) {
       setting.ratio = ratio, setting.step_ratio = step / advice->allowed[r], setting.worst = r;
   }
   struct nb_setting *added = NB_ARRAY_APPEND(advice->settings, advice->setting_count);
-  if (added)
-    *added = setting;
-  return added != NULL;
+  if (!added)
+    return fail_memory(advice);
+  *added = setting;
+  return true;
 }
 
 /* ---- the search ---- */
@@ -356,18 +371,18 @@ static bool list_pairs(struct nb_advice *advice) {
   return true;
 }
 
-static bool has_strain_per_cycle(const struct nb_stage *stage) {
-  return stage->boundary.strain.per_cycle || stage->affine.strain.per_cycle || stage->cell.per_cycle ||
-         stage->box.per_cycle || stage->servo.per_cycle;
+static bool acts_per_cycle(const struct nb_stage *stage) {
+  return stage->damping.global_kind >= NB_GLOBAL_CON1_CS79 || stage->boundary.strain.per_cycle ||
+         stage->affine.strain.per_cycle || stage->cell.per_cycle || stage->box.per_cycle || stage->servo.per_cycle;
 }
 
-/* The number of phases. Slightly different steps are possible only if no duration and no strain depends on a number of
- * cycles. */
+/* The number of phases. Slightly different steps are possible only if no duration, strain or damping depends on a number
+ * of cycles. */
 static size_t phase_count(const struct nb_scene *scene) {
   if (scene->impact.line)
     return NB_PHASES;
   for (size_t s = scene->start.stages; s < scene->stage_count; s++)
-    if (scene->stages[s].condition_count == 0 || has_strain_per_cycle(&scene->stages[s]))
+    if (scene->stages[s].condition_count == 0 || acts_per_cycle(&scene->stages[s]))
       return 1;
   return NB_PHASES;
 }
@@ -402,9 +417,8 @@ static enum nb_status check_page(const struct nb_advice *advice, struct nb_error
                         "expected a page of at most %d particles, found %zu: the motion of many particles is chaotic, "
                         "so the results of one run have no limit for a step towards zero",
                         PARTICLES_MAX, scene->particle_count);
-  for (size_t k = 0; k < scene->binding_count; k++)
-    if (strcmp(scene->bindings[k].name, "refine") == 0)
-      return nb_error_set(error, NB_BAD_USE, "the page has a value `refine`, which hides --set refine=R: rename it");
+  if (NB_FIND(scene->bindings, scene->binding_count, "refine") >= 0)
+    return nb_error_set(error, NB_BAD_USE, "the page has a value `refine`, which hides --set refine=R: rename it");
   return NB_OK;
 }
 
@@ -416,15 +430,15 @@ enum nb_status nb_advise(struct nb_advice *advice, const struct nb_advise_query 
     return error->status;
   advice->runs = advice->page.run_count;
   advice->phases = phase_count(&advice->page.runs[0].scene);
-  advice->scale = calloc(advice->runs, sizeof *advice->scale);
   advice->allowed = calloc(advice->runs, sizeof *advice->allowed);
-  if (!advice->scale || !advice->allowed || !list_pairs(advice))
+  if (!advice->allowed || !list_pairs(advice))
     return nb_error_memory(error);
-  if (find_anchor(advice, error))
-    return error->status;
-  run_phases(advice, &advice->pairs[0], 0, 1);
-  search(advice);
-  return NB_OK;
+  enum nb_status status = find_anchor(advice, error);
+  if (!status) {
+    run_phases(advice, &advice->pairs[0], 0, 1);
+    search(advice);
+  }
+  return advice->no_memory ? nb_error_memory(error) : status;
 }
 
 bool nb_advice_run(struct nb_advice *advice, size_t pair, int level, size_t phase) {
@@ -435,6 +449,6 @@ void nb_advice_free(struct nb_advice *advice) {
   for (size_t k = 0; k < advice->pair_count && advice->pairs; k++)
     for (size_t l = 0; l < NB_LEVELS; l++)
       free(advice->pairs[k].points[l].values);
-  free(advice->pairs), free(advice->settings), free(advice->scale), free(advice->allowed);
+  free(advice->pairs), free(advice->settings), free(advice->allowed);
   nb_outcome_free(&advice->page);
 }

@@ -56,7 +56,7 @@ struct nb_advice {
   const char *unit;
   size_t runs;
   size_t phases;             /* NB_PHASES, or 1: the page has no first touch whose moment could vary */
-  double *scale, *allowed;   /* for each run: the value that a percentage refers to; the tolerance; owned */
+  double *allowed;           /* the tolerance, for each run; owned */
   int anchor;                /* level of the coarsest anchor */
   struct nb_law_pair *pairs; /* owned; the first one is the page's own */
   size_t pair_count;
@@ -65,6 +65,7 @@ struct nb_advice {
   int chosen;        /* the index of the cheapest one within the tolerance; -1: none */
   double began;      /* s */
   bool exhausted;    /* the budget ended the search */
+  bool no_memory;    /* memory ran out, which ended the search, too */
   unsigned measured; /* runs of the page */
 };
 

@@ -9,7 +9,6 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "expect.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -114,8 +113,8 @@ static bool take_time(struct nb_reader *reader, const struct nb_scene *scene, st
     if (!nb_take_count(reader, 0, NB_COUNT_MAX, &count))
       return false;
     reader->next++;
-    measure->reducer = NB_AT_CYCLE, measure->at = nearbyint((double)count * scene->refine);
-    if (fabs(measure->at - (double)count * scene->refine) > 1e-9 * measure->at) /* 1e-9: rounding of R */
+    measure->reducer = NB_AT_CYCLE;
+    if (!nb_refined_is_whole((double)count * scene->refine, &measure->at))
       return nb_token_mistake(reader, number, "choose another number for `refine`",
                               "expected a whole number of %s with --set refine=%g, found %g", words[0], scene->refine,
                               (double)count * scene->refine);

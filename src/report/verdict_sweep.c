@@ -9,7 +9,7 @@
  *   expected X over S                percentile of X: fraction of the runs below X, plus half of those equal to X
  *   increases, decreases             d is the difference from one value of N to the next, for each run of S: the 95 %
  *     with N over S                  confidence interval mean(d) -+ t s/sqrt(n) lies above 0, or below 0
- *   constant with N over S within    this interval, for every two values of N, lies within -+ the tolerance
+ *   constant with N over S within    this interval, for any two values of N, lies within -+ the tolerance
  *
  * s is the standard deviation of the n differences, t the 0.975 quantile of Student's distribution with n - 1 degrees
  * of freedom. Runs are paired because two runs with the same seed share most of their scatter.

@@ -94,7 +94,7 @@ static void make_walls(struct nb_walls *w, const struct nb_scene *scene, struct 
   w->spin = numbers(owner, n), w->angle = numbers(owner, n);
 }
 
-/* One material pair for every two materials of particles, and for every material of particles with every one of
+/* One material pair for any two materials of particles, and for each material of particles with each one of
  * walls. */
 static bool make_material_pairs(struct nb_model *model) {
   const struct nb_scene *scene = model->scene;

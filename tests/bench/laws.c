@@ -1,6 +1,6 @@
 /* Measures the cost of shear laws: spheres in a box, a dense triangular lattice that is compressed by 1e-4 of the
  * diameter and shaken. Contacts load and unload, stick, slip partly and slide, and a few open. Prints nanoseconds per
- * contact update, million updates per second, and the ratio to the law without micro-slip, for every shear law, in two
+ * contact update, million updates per second, and the ratio to the law without micro-slip, for each shear law, in two
  * sizes. A contact update is one cycle of one pair of the neighbour list, including the motion of the particles.
  *
  * Times are processor times. The laws take turns, so other processes affect all of them equally; medians of eleven

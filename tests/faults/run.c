@@ -1,5 +1,5 @@
 /* Makes every call fail that can fail. nineball runs small pages, each time in a new process and folder, and the n-th
- * call fails, for every n. The run may have the status of the undisturbed run only if all files are the same to the
+ * call fails, for each n. The run may have the status of the undisturbed run only if all files are the same to the
  * last byte. Otherwise it must have another status, a message, and no incomplete file. Signals, reports of a sanitizer
  * and leaks are failures.
  *
