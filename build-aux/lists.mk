@@ -351,6 +351,7 @@ SHELL_TESTS = \
   tests/confine.sh \
   tests/report.sh \
   tests/advise.sh \
+  tests/cost.sh \
   tests/same-bits.sh \
   tests/start.sh \
   tests/packing.sh \

@@ -40,7 +40,7 @@ void nb_forces(struct nb_model *model) {
 /* Returns the number of particles and walls that require a new search. */
 static int motion(struct nb_model *model) {
   const int threads = model->machine.threads_used;
-  int out = nb_motion_walls(model);
+  int out = model->walls.count ? nb_motion_walls(model) : 0;
   if (model->cell)
     out += nb_cell_move(model);
   if (threads == 1)

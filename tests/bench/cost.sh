@@ -1,0 +1,580 @@
+#!/bin/sh
+# Measures what each feature costs in a cycle, and proves that a page which does not use a feature does not pay for it.
+#
+#   cost.sh -o FILE             all pages, with times: writes the document FILE
+#   cost.sh --proof PAGE ...    the proof alone, for these pages of the table below ("all": every page)
+#
+#   NINEBALL   the program, built with -g            srcdir   top of the source tree
+#   SIDE       particles on a side, 32               CYCLES   cycles of the measured window, 200
+#   FLAGS      the compiler and its flags, for the document
+#
+# Exit status: 0 the proof holds, 1 it does not, 2 wrong use, 77 something that it needs is missing.
+#
+# Every page runs twice under callgrind, with CYCLES and with twice as many cycles. The difference of the two profiles is the cost of
+# the second half: reading, start, the stages after it and the end are the same in both. Callgrind attributes each instruction to its
+# source line, of inlined functions too. A line of a file that belongs to features none of which the page uses is an error. So is a file
+# of the simulator that belongs to no feature, and a feature whose page executes none of its lines.
+#
+# Counts repeat exactly. Callgrind 3.19 knows AVX2 but not AVX-512.
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+set -eu
+LC_ALL=C
+export LC_ALL
+awk=${AWK:-awk}
+nineball=$(cd "$(dirname "${NINEBALL:-./nineball}")" && pwd)/$(basename "${NINEBALL:-./nineball}")
+top=$(cd "${srcdir:-.}" && pwd)
+side=${SIDE:-32} cycles=${CYCLES:-200}
+OMP_NUM_THREADS=1 OMP_WAIT_POLICY=passive
+export OMP_NUM_THREADS OMP_WAIT_POLICY
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
+
+stop() {
+  echo "cost.sh: $*" >&2
+  exit 2
+}
+
+# ---- the pages ----
+#
+# NAME | page it is compared with | features it uses | particles | clauses of the material | lines of the scene | lines of the stage |
+# lines after the stage | text of the table
+#
+# In lines, `;` separates statements. $M and $E are the middle and the edge of the lattice, mm. A page whose features are those of the
+# page it is compared with declares something that the measured stage does not use.
+pages() {
+  cat <<'PAGES'
+base | - | | frame discs | | | | | base page
+spheres | base | | frame spheres | | | | | spheres instead of discs
+spins | base | rotation | frame discs spins | | | | | rotation, without shear forces
+rotation-off | linear | friction linear rotation boundary | frame discs | ks 10 MN/m friction 0.5 | shear linear | rotation off | | `rotation off`, with `shear linear`
+linear | base | rotation friction linear | frame discs | ks 10 MN/m friction 0.5 | shear linear | | | `shear linear`, with rotation
+hertz | spheres | elastic hertz | frame spheres | young 20 GPa poisson 0.2 | normal hertz | | | `normal hertz`
+hertz-increment | spheres | elastic hertz_increment | frame spheres | young 20 GPa poisson 0.2 | normal hertz_increment | | | `normal hertz_increment`
+mindlin | hertz | elastic hertz rotation friction mindlin | frame spheres | young 20 GPa poisson 0.2 friction 0.5 | normal hertz; shear mindlin | | | `shear mindlin`
+mindlin-scaled | hertz | elastic hertz rotation friction mindlin_scaled | frame spheres | young 20 GPa poisson 0.2 friction 0.5 | normal hertz; shear mindlin_scaled | | | `shear mindlin_scaled`
+randall | hertz | elastic hertz rotation friction randall | frame spheres | young 20 GPa poisson 0.2 friction 0.5 | normal hertz; shear randall | | | `shear randall`
+randall-literal | hertz | elastic hertz rotation friction randall_literal | frame spheres | young 20 GPa poisson 0.2 friction 0.5 | normal hertz; shear randall_literal | | | `shear randall_literal`
+exact | hertz | elastic hertz rotation friction mindlin_deresiewicz | frame spheres | young 20 GPa poisson 0.2 friction 0.5 | normal hertz; shear mindlin_deresiewicz | | | `shear mindlin_deresiewicz`
+dashpots | base | dashpots | frame discs | | damping stiffness 1e-5 s | | | `damping stiffness`
+dashpots-ratio | base | dashpots | frame discs | | damping ratio 0.01 | | | `damping ratio`
+dashpots-shear | linear | rotation friction linear dashpots | frame discs | ks 10 MN/m friction 0.5 | shear linear; damping stiffness 1e-5 s | | | `damping stiffness`, with `shear linear`
+mass | base | | frame discs | | damping mass 1 1/s | | | `damping mass`
+gravity | base | gravity | frame discs | | gravity 0 m/s2 -9.81 m/s2 | | | `gravity`
+central | base | central | frame discs | | | gravity centripetal 9.81 m/s2 about $M $M | | `gravity centripetal`
+ramp | base | changes gravity | frame discs | | | ramp gravity 1e-3 m/s2 0 m/s2 | | `ramp gravity`
+walls | base | walls vertices | free discs | | box -9.975 mm -9.975 mm to $E $E m | | | four walls
+walls-ramp | walls | walls vertices changes | free discs | | box -9.975 mm -9.975 mm to $E $E m | ramp walls inward 1 um/s | | `ramp walls`
+box | walls | walls vertices box | free discs | | box -9.975 mm -9.975 mm to $E $E m | box strain -1e-9 per cycle -1e-9 per cycle | | `box strain`
+box-servo | walls | walls vertices box servo measures | free discs | | box -9.975 mm -9.975 mm to $E $E m | servo xx 1 MPa yy 1 MPa on box through box at most 1e-9 per cycle | | servo through the box, every 10 cycles
+cell | base | cell affine | cell discs | | cell $C $C to $D $D | | | periodic cell
+cell-strain | cell | cell affine | cell discs | | cell $C $C to $D $D | cell strain -1e-9 per cycle -1e-9 per cycle | | `cell strain`
+cell-servo | cell | cell affine servo measures | cell discs | | cell $C $C to $D $D | servo mean 1 MPa on cell through cell at most 1e-9 per cycle | | servo through the cell, every 10 cycles
+affine | base | affine | frame discs | | | affine strain -1e-9 per cycle -1e-9 per cycle | | `affine strain`
+boundary-fixed | base | boundary | frame discs | | boundary circle $M $M radius $R | boundary fixed | | `boundary fixed`
+boundary-strain | boundary-fixed | boundary affine | frame discs | | boundary circle $M $M radius $R | boundary strain -1e-9 per cycle -1e-9 per cycle | | `boundary strain`
+boundary-stress | boundary-fixed | boundary | frame discs slow | | boundary circle $M $M radius $R | boundary stress 25 kPa 25 kPa | | `boundary stress`
+boundary-servo | boundary-fixed | boundary affine servo measures | frame discs | | boundary circle $M $M radius $R | boundary fixed; servo isotropic 1 MPa on boundary through boundary at most 1e-9 per cycle | | servo through the boundary, every 10 cycles
+search | cell | cell affine search stability | cell discs moving | | cell $C $C to $D $D | | | a search every 10 cycles
+work | base | balance | frame discs | | record work.residual | | | balance of work
+energy | base | balance | frame discs | | record energy.residual | | | balance of energy
+energy-shear | linear | rotation friction linear balance | frame discs | ks 10 MN/m friction 0.5 | shear linear; record energy.residual | | | balance of energy, with `shear linear`
+energy-dashpots | dashpots-shear | rotation friction linear dashpots balance | frame discs | ks 10 MN/m friction 0.5 | shear linear; damping stiffness 1e-5 s; record energy.residual | | | balance of energy, with `shear linear` and dashpots
+fracc | mindlin | elastic hertz rotation friction mindlin fracc | frame spheres | young 20 GPa poisson 0.2 friction 0.5 | normal hertz; shear mindlin; record step.fracc | | | FRACC
+sliding | linear | rotation friction linear configuration | frame discs | ks 10 MN/m friction 0.5 | shear linear | snapshot from measured | | sliding since a stage
+until | base | conditions | frame discs | | | until time above $T at most 100000000 cycles | | `until`, a condition on time
+record-time | base | records | frame discs | | record cycle time | record every 10 cycles | | `cycle time`
+record-particle | base | records monitors | frame discs | | monitor A disc $P; record A.x A.vx | record every 10 cycles | | position and velocity of a particle
+record-contact | base | records monitors | frame discs | | monitor C disc $P with disc $Q; record C.overlap C.normal | record every 10 cycles | | overlap and force of a contact
+record-kinetic | base | records measures balance | frame discs | | record energy.kinetic | record every 10 cycles | | `energy.kinetic`
+record-unbalanced | base | records measures | frame discs | | record unbalanced.max | record every 10 cycles | | `unbalanced.max`
+record-stress | base | records measures | frame discs | | region A all; record A.stress.mean | record every 10 cycles | | `A.stress.mean`
+record-stress-all | base | records measures | frame discs | | region A all; record A.stress.xx A.stress.xy A.stress.yy A.stress.mean A.stress.deviator | record every 10 cycles | | five components of the stress
+record-fabric | base | records measures | frame discs | | region A all; record A.fabric.xx | record every 10 cycles | | `A.fabric.xx`
+record-coordination | base | records measures | frame discs | | region A all; record A.coordination | record every 10 cycles | | `A.coordination`
+record-porosity | base | records measures | frame discs | | region A circle $M $M radius $R; record A.porosity | record every 10 cycles | | `A.porosity` of a circle
+record-strain | base | records measures | frame discs | | region A all; record A.strain.xx | record every 10 cycles | | `A.strain.xx`
+record-chains | base | records measures | frame discs | | region A all; record A.chains | record every 10 cycles | | `A.chains`
+unused-friction | base | | frame discs | ks 10 MN/m friction 0.5 | | | | friction, but no shear law
+later-frictionless | base | rotation | frame discs | ks 10 MN/m | shear linear | | | `shear linear`, but no friction in any stage
+unused-region | base | | frame discs | | region A all; monitor B disc $P; monitor C disc $P with disc $Q | | | a region and monitors, not recorded
+unused-record | base | | frame discs | | region A all; monitor C disc $P with disc $Q; record time C.normal A.stress.mean A.fabric.xx unbalanced.max | | | quantities to record, with `record none`
+later-record | base | | frame discs still | | record time unbalanced.max | | stage later; record every 1 cycle; cycles 1 | `record`
+later-shear | base | rotation | frame discs still | ks 10 MN/m friction 0.5 | | | stage later; shear linear; cycles 1 | `shear linear`
+later-dashpots | base | dashpots | frame discs still | | | | stage later; damping stiffness 1e-5 s; cycles 1 | `damping stiffness`
+later-mass | base | | frame discs still | | | | stage later; damping mass 1 1/s; cycles 1 | `damping mass`
+later-gravity | base | | frame discs still | | | | stage later; gravity 0 m/s2 -9.81 m/s2; cycles 1 | `gravity`
+later-affine | base | affine | frame discs still | | | | stage later; affine strain -1e-9 per cycle -1e-9 per cycle; cycles 1 | `affine strain`
+later-boundary | base | boundary | frame discs still | | | | stage later; boundary circle $M $M radius $R; boundary strain -1e-9 per cycle -1e-9 per cycle; cycles 1 | `boundary strain`
+later-remove | base | | frame discs still | | | | stage later; remove disc 1; cycles 1 | `remove`
+later-ramp | base | | frame discs still | | | | stage later; ramp material m kn 20 MN/m; cycles 1 | `ramp material`
+later-snapshot | base | | frame discs still | | | | stage later; snapshot; cycles 1 | `snapshot`
+PAGES
+}
+
+# ---- the features and their files ----
+#
+# FEATURE ... : FILE or FILE:FUNCTION ... ; a function overrides its file, with `*` for every one of a file. A file of several features may
+# be executed on the pages of any of them. `cycle` is used by every page, `never` by no cycle.
+features() {
+  cat <<'FEATURES'
+cycle : core/cycle.c core/motion.c core/motion.h core/guard.c core/model.h core/block.h core/vec.h core/clock.h core/cell.h core/boundary.h core/affine.h
+cycle : run/hooks.c run/run.c run/result.c run/result.h
+cycle : pass/disc_disc.c pass/disc_disc.h pass/pass.h pass/resolve.c laws/law.h laws/law_batch.h
+cycle : laws/normal_linear.c
+rotation : core/motion.c:rotate core/motion.c:any_spin
+friction : pass/resolve.c:with_shear laws/shear_none.c
+linear : laws/shear_linear.c
+hertz : laws/normal_hertz.c
+hertz_increment : laws/normal_hertz_increment.c
+mindlin : laws/shear_mindlin.c
+mindlin_scaled : laws/shear_mindlin_scaled.c
+randall : laws/shear_randall.c
+randall_literal : laws/shear_randall_literal.c
+randall randall_literal : laws/randall.h
+mindlin_deresiewicz : laws/shear_mindlin_deresiewicz.c laws/corners.h laws/law_stages.h
+elastic : pass/deep.c
+elastic search : core/deep.c
+dashpots : pass/dashpots.c core/damping.c
+gravity : core/motion.c:add_weight
+central : core/motion.c:add_central core/motion.h:nb_central_force
+changes : run/stage.c
+walls : core/walls.h pass/disc_wall.c
+walls search : core/walls.c
+vertices : pass/wall_vertices.c
+vertices search : core/wall_vertices.c
+cell : core/cell.c pass/periodic.c core/motion.c:move_list
+affine boundary box : loading/affine.c
+affine : core/motion.c:add_affine
+boundary : loading/boundary.c core/motion.c:add_boundary_force
+boundary measures : measure/boundary.c measure/boundary.h
+box : loading/box.c
+box changes : loading/box.c:nb_box_is_strained
+servo : loading/servo.c
+balance : measure/balance.c measure/balance.h measure/balance_steps.c core/energy_terms.h
+balance measures : measure/energy.c measure/energy.h
+balance monitors measures fracc : core/velocity.c
+fracc : measure/fracc.c
+configuration : measure/configuration.c measure/configuration.h
+conditions : run/run.c:nb_condition_met run/run.c:conditions_met
+records : run/result.c:nb_result_add_row core/table.c
+records conditions servo : input/names.c core/families.c
+measures : measure/areas.c measure/areas.h measure/chains.c measure/coordination.c measure/fabric.c
+measures : measure/loads.c measure/region.c measure/region.h measure/region_quantities.c measure/snapshot.c measure/snapshot.h
+measures : measure/strain.c measure/stress.c measure/impact.c measure/impact.h core/names.h loading/loading_quantities.c
+search : core/neighbours.c core/grid.c core/grid.h core/blocks.c
+search records : core/array.h core/array.c
+search servo balance fracc configuration measures monitors elastic boundary : core/contacts.h
+search stability measures monitors : core/contacts.c core/history.c
+stability search elastic : measure/stability.c measure/stable_step.c laws/properties.c core/hertz_impact.h
+stability search elastic changes : laws/laws_now.c laws/laws_now.h
+stability search elastic fracc : measure/step.h
+cell affine boundary box walls measures search balance : core/tensor.h
+measures servo boundary : core/materials.c
+stability : core/guard.c:nb_guard_resolution core/guard.c:coordinate core/guard.c:ulp measure/step.c
+never : core/clean.c core/clean.h core/error.c core/error.h core/guess.h core/machine.c core/warning.c laws/register.c loading/loading.h
+never : loading/remove.c measure/collision.c measure/rayleigh_step.c packing/* run/contact_test.c run/contact_test.h run/contact_test_quantities.c
+never : run/model.c run/output_file.c run/output_file.h run/plan.c run/plan.h run/restart.c run/restart.h run/state.c run/state.h
+FEATURES
+}
+
+# Field $2 of page $1.
+field() { pages | $awk -F ' *[|] *' -v name="$1" -v k="$2" '$1 == name { print $k }'; }
+
+# Page $1, whose measured stage has $2 cycles.
+write_page() {
+  pages | $awk -F ' *[|] *' -v name="$1" -v cycles="$2" -v n="$side" '
+    function lines(text, list, count, k) {
+      count = split(text, list, / *; */)
+      for (k = 1; k <= count; k++) if (list[k] != "") print list[k]
+    }
+    function replaced(text) {
+      gsub(/[$]M/, sprintf("%.3f mm", (n - 1) * d / 2), text)
+      gsub(/[$]E/, sprintf("%.3f mm", (n - 0.5) * d), text)
+      gsub(/[$]C/, sprintf("%.3f mm", -d / 2), text)
+      gsub(/[$]D/, sprintf("%.3f mm", (n - 0.5) * d), text)
+      gsub(/[$]R/, sprintf("%.3f mm", (n - 3) * d / 2), text)
+      gsub(/[$]P/, int(n / 2) * n + int(n / 2), text)
+      gsub(/[$]Q/, int(n / 2) * n + int(n / 2) + 1, text)
+      gsub(/[$]T/, sprintf("%.17g s", (cycles - 0.5) * dt), text)
+      return text
+    }
+    # the same velocities on every machine: a linear congruence below 2^16
+    function next_random() { seed = (seed * 1103 + 12345) % 65536; return seed / 65536 - 0.5 }
+    BEGIN { d = 19.95; dt = 1e-5; seed = 12345 } # spacing of the lattice, mm, of particles of radius 10 mm; step, s
+    $1 == name {
+      if ($4 ~ /slow/) dt = 1e-7
+      kind = $4 ~ /spheres/ ? "sphere" : "disc"
+      print "# " name "\n\n```scene\nmaterial m density " (kind == "disc" ? 2000 : 150000) " kg/m3 kn 10 MN/m " $5
+      for (j = 0; j < n; j++)
+        for (i = 0; i < n; i++) {
+          edge = i == 0 || j == 0 || i == n - 1 || j == n - 1
+          vx = next_random() * 0.1; vy = next_random() * 0.1
+          if ($4 ~ /moving/) { vx = 5.2; vy = 0 } # half the skin, 0.5 mm, in ten steps
+          if ($4 ~ /still/) vx = vy = 0 # so that the later stage costs the same after N and after 2 N cycles
+          motion = sprintf("velocity %.5f m/s %.5f m/s", vx, vy)
+          if ($4 ~ /spins/) motion = motion sprintf(" spin %.5f rad/s", next_random())
+          print kind, i * d " mm", j * d " mm", "radius 10 mm m", $4 ~ /frame/ && edge ? "fixed" : motion
+        }
+      lines(replaced($6))
+      print "step " dt " s\nstage measured"
+      if ($7 !~ /record/) print "record none"
+      if ($7 !~ /until/) print "cycles " cycles
+      lines(replaced($7))
+      if ($8 != "") { if ($8 !~ /record/) $8 = $8 "; record none"; lines(replaced($8)) }
+      print "```"
+    }'
+}
+
+# ---- one page under callgrind ----
+
+# The profile: one line for each source line, `FILE:LINE INSTRUCTIONS`. Files of the tree are relative to src/.
+profile() {
+  $awk '
+    function file_name(text, id) {
+      sub(/^c?f[a-z]=/, "", text)
+      if (match(text, /^\([0-9]+\)/)) {
+        id = substr(text, 1, RLENGTH)
+        if (length(text) > RLENGTH) named[id] = substr(text, RLENGTH + 2)
+        return named[id]
+      }
+      return text
+    }
+    # The part of the path after the last src/, if a folder of the simulator follows.
+    function short(text, at, rest) {
+      for (at = length(text) - 3; at > 0 && !rest; at--) if (substr(text, at, 4) == "src/" && (at == 1 || substr(text, at - 1, 1) == "/")) rest = substr(text, at + 4)
+      return rest ~ /^(core|input|laws|loading|measure|packing|pass|report|run)\// ? rest : "system"
+    }
+    /^f[lie]=/ { file = short(file_name($0)); next }
+    /^cf[li]=/ { file_name($0); next }
+    /^calls=/ { inclusive = 1; next }
+    /^[0-9+*-]/ {
+      if ($1 ~ /^[+]/) line += substr($1, 2); else if ($1 ~ /^-/) line -= substr($1, 2); else if ($1 != "*") line = $1 + 0
+      if (!inclusive) cost[file == "system" ? file ":0" : file ":" line] += $2
+      inclusive = 0
+    }
+    END { for (place in cost) printf "%s %.0f\n", place, cost[place] }' "$1"
+}
+
+# Runs page $1 with $2 cycles; the profile is in $3.
+callgrind() {
+  write_page "$1" "$2" >"$work/page.md"
+  (cd "$work" && valgrind --tool=callgrind --callgrind-out-file="$work/callgrind" "$nineball" figure page.md --isa avx2 --jobs 1 \
+    >"$work/said" 2>&1) || {
+    grep -v '^==' "$work/said" >&2
+    stop "page $1 failed"
+  }
+  profile "$work/callgrind" >"$3"
+}
+
+# Instructions of the measured window of page $1, per source line, in $work/$1.cost.
+measure() {
+  test ! -e "$work/$1.cost" || return 0
+  callgrind "$1" "$cycles" "$work/one"
+  callgrind "$1" $((2 * cycles)) "$work/two"
+  $awk 'NR == FNR { before[$1] = $2; next }
+    { more = $2 - before[$1]; if (more != 0) printf "%s %.0f\n", $1, more }' "$work/one" "$work/two" | sort >"$work/$1.cost"
+}
+
+# ---- the proof ----
+
+# One line for each function: FILE:FUNCTION FIRST LAST, of those that the list of features names.
+functions() {
+  features | tr ' ' '\n' | grep ':.' | sort -u | while IFS=: read -r file name; do
+    $awk -v file="$file" -v name="$name" '
+      !first && $0 ~ "^[a-z].*[ *]" name "\\(" && !/;$/ { first = FNR }
+      first && !last && (/^}/ || (FNR == first && /}$/)) { last = FNR }
+      END { if (last) print file ":" name, first, last; else { print "cost.sh: src/" file " has no function " name >"/dev/stderr"; exit 1 } }' \
+      "$top/src/$file" || exit 1
+  done
+}
+
+# Every file of the simulator belongs to a feature, and every file of the list is there.
+complete() {
+  features | sed 's/.* : //' | tr ' ' '\n' | sed 's/:.*//' | sort -u >"$work/listed"
+  (cd "$top/src" && ls core/*.[ch] laws/*.[ch] pass/*.[ch] measure/*.[ch] loading/*.[ch] packing/*.[ch] run/*.[ch]) |
+    $awk 'NR == FNR { listed[$1] = 1; next }
+      { folder = $1; sub(/\/.*/, "/*", folder); there[$1] = there[folder] = 1
+        if (!($1 in listed) && !(folder in listed)) print "src/" $1 " belongs to no feature of tests/bench/cost.sh" }
+      END { for (file in listed) if (!(file in there) && file !~ /^input/) print "src/" file " of tests/bench/cost.sh is not there" }' "$work/listed" -
+}
+
+# What page $1 executed of features that it does not use, and which of its features it did not execute.
+#
+# The compiler moves some instructions of an inlined function, such as the computation of an address, out of its condition. They are
+# executed once for each batch of 128 particles. Up to 12 of them are allowed for each batch.
+violations() {
+  features | $awk -v page="$1" -v uses="cycle $(field "$1" 3)" -v allowed=$((12 * cycles * (side * side + 127) / 128)) '
+    FILENAME == "-" {
+      for (k = 1; $k != ":"; k++) if (!index(feature_of[""], " " $k " ")) feature_of[""] = feature_of[""] " " $k " "
+      owners = $0; sub(/ : .*/, "", owners); sub(/^.* : /, "")
+      for (k = 1; k <= NF; k++) feature_of[$k] = feature_of[$k] " " owners " "
+      next
+    }
+    FILENAME ~ /functions$/ { place = $1; sub(/:.*/, "", place); n++; file[n] = place; name[n] = $1; first[n] = $2; last[n] = $3; next }
+    {
+      place = $1; line = $1; sub(/:.*/, "", place); sub(/.*:/, "", line)
+      if (place == "system") next
+      sources++
+      key = place
+      for (k = 1; k <= n; k++) if (file[k] == place && line + 0 >= first[k] && line + 0 <= last[k]) key = name[k]
+      if (!(key in feature_of)) { folder = key; sub(/\/.*/, "/*", folder); key = folder in feature_of ? folder : key }
+      used = 0
+      count = split(uses, used_list, " ")
+      for (k = 1; k <= count; k++) if (index(feature_of[key], " " used_list[k] " ")) { used = 1; executed[used_list[k]] = 1 }
+      if (!used) { cost[key] += $2; where[key] = where[key] " " line }
+    }
+    END {
+      for (key in cost) {
+        if (key ~ /:/ && cost[key] <= allowed) continue
+        owners = key in feature_of ? "a file of: " feature_of[key] : "a file of no feature"
+        gsub(/ +/, " ", owners)
+        print "page " page " executes src/" key ", " owners ": " cost[key] " instructions, lines" where[key]
+      }
+      count = split(uses, used_list, " ")
+      for (k = 1; k <= count; k++) if (!(used_list[k] in executed)) print "page " page " executes nothing of " used_list[k]
+      if (!sources) print "page " page " executes no line of src: is the program built with -g?"
+    }' - "$work/functions" "$work/$1.cost"
+}
+
+# ---- requirements ----
+
+# Status 77: the proof cannot be made here.
+lack() {
+  echo "cost.sh: $*" >&2
+  exit 77
+}
+if [ "${1:-}" != --page ]; then
+  command -v valgrind >/dev/null || lack "valgrind is missing: install it, on Debian with apt install valgrind"
+  test -x "$nineball" || stop "there is no program $nineball: run make first"
+  if grep -q __asan_init "$nineball"; then lack "valgrind cannot run a program that is built with a sanitizer"; fi
+  grep -q '[.]debug_line' "$nineball" || lack "the program has no debugging information: configure with -g in CFLAGS"
+  grep -qw avx2 /proc/cpuinfo 2>/dev/null || lack "the pages run with AVX2, which this machine lacks"
+  valgrind --tool=none "$nineball" --version >"$work/said" 2>&1 || lack "valgrind cannot run the program: $(tail -n 1 "$work/said")"
+  if grep -q 'unhandled dwarf' "$work/said"; then
+    lack "this valgrind cannot read the debugging information of this compiler; with clang, add -gdwarf-4 to CFLAGS"
+  fi
+fi
+functions >"$work/functions" || exit 1
+
+status=0
+prove() {
+  complete >"$work/wrong"
+  for page in "$@"; do
+    test ! -t 2 || printf '%s\r' "$page             " >&2
+    measure "$page"
+    violations "$page" >>"$work/wrong"
+  done
+  if [ -s "$work/wrong" ]; then
+    cat "$work/wrong" >&2
+    status=1
+  fi
+}
+
+if [ "${1:-}" = --proof ]; then
+  shift
+  [ "$*" != all ] || set -- $(pages | cut -d ' ' -f 1)
+  prove "$@"
+  exit $status
+fi
+if [ "${1:-}" = --page ]; then
+  write_page "$2" "$cycles"
+  exit
+fi
+[ "${1:-}" = -o ] && [ $# -eq 2 ] || stop "usage: cost.sh -o FILE | --proof all|PAGE ... | --page PAGE"
+document=$2
+
+# ---- the document ----
+
+# One line for each page: name, instructions a cycle, contacts, bytes a particle and a contact, us a cycle.
+describe() {
+  measure "$1"
+  write_page "$1" "$cycles" >"$work/page.md"
+  for k in 1 2 3 4 5; do
+    "$nineball" explain "$work/page.md" --isa avx2 >"$work/plan" 2>"$work/said" || stop "page $1 cannot be explained"
+    sed -n 's/^  a cycle .*takes \([0-9.e+]*\) us, .*/\1/p' "$work/plan"
+  done | sort -g | sed -n 3p >"$work/time"
+  $awk -v name="$1" -v cycles="$cycles" -v us="$(cat "$work/time")" '
+    FILENAME ~ /[.]cost$/ { sum += $2; next }
+    / pairs in the neighbour list;/ { sub(/.*: /, ""); contacts += $1 }
+    / bytes a particle/ { particle = $1; sub(/.*, /, ""); contact = $1 }
+    END { printf "%s %.17g %d %d %d %s\n", name, sum / cycles, contacts, particle, contact, us }' "$work/$1.cost" "$work/plan"
+}
+
+# Rows of the main table for these pages.
+rows() {
+  for page in "$@"; do
+    echo "$page|$(field "$page" 2)|$(field "$page" 9)"
+  done | $awk -F '|' -v n=$((side * side)) '
+    FILENAME != "-" { split($0, part, " "); for (k = 2; k <= 6; k++) value[part[1], k] = part[k]; next }
+    FNR == 1 {
+      print "| page | adds | to | instructions a contact | more | instructions a particle | bytes a particle | bytes a contact | ns a contact |"
+      print "| --- | --- | --- | --- | --- | --- | --- | --- | --- |"
+    }
+    {
+      cost = value[$1, 2] / value[$1, 3]
+      more = "-"
+      if ($2 != "-") more = sprintf("%+.1f (%+.0f %%)", cost - value[$2, 2] / value[$2, 3], 100 * (cost / (value[$2, 2] / value[$2, 3]) - 1))
+      printf "| %s | %s | %s | %.1f | %s | %.1f | %d | %d | %.2f |\n", $1, $3, $2, cost, more, value[$1, 2] / n, value[$1, 4], value[$1, 5],
+        1000 * value[$1, 6] / value[$1, 3]
+    }' "$work/table" -
+}
+
+# Rows for what is measured when a row is recorded, every ten cycles.
+record_rows() {
+  for page in "$@"; do
+    echo "$page|$(field "$page" 2)|$(field "$page" 9)"
+  done | $awk -F '|' -v n=$((side * side)) '
+    FILENAME != "-" { split($0, part, " "); for (k = 2; k <= 6; k++) value[part[1], k] = part[k]; next }
+    FNR == 1 {
+      print "| page | records | instructions a row | a particle | cycles of the base page | more bytes a contact |"
+      print "| --- | --- | --- | --- | --- | --- |"
+    }
+    {
+      row = 10 * (value[$1, 2] - value[$2, 2])
+      printf "| %s | %s | %.0f | %.1f | %.2f | %d |\n", $1, $3, row, row / n, row / value["base", 2], value[$1, 5] - value[$2, 5]
+    }' "$work/table" -
+}
+
+# Rows for what is declared and not used in the measured stage.
+unused_rows() {
+  for page in "$@"; do
+    echo "$page|$(field "$page" 2)|$(field "$page" 9)"
+  done | $awk -F '|' -v n=$((side * side)) '
+    FILENAME != "-" { split($0, part, " "); for (k = 2; k <= 6; k++) value[part[1], k] = part[k]; next }
+    FNR == 1 {
+      print "| page | declares | to | more instructions a cycle | a contact | more bytes a particle | more bytes a contact |"
+      print "| --- | --- | --- | --- | --- | --- | --- |"
+    }
+    {
+      more = value[$1, 2] - value[$2, 2]
+      printf "| %s | %s | %s | %.0f | %.1f | %d | %d |\n", $1, $3, $2, more, more / value[$1, 3], value[$1, 4] - value[$2, 4], value[$1, 5] - value[$2, 5]
+    }' "$work/table" -
+}
+
+# more A B: by how many percent an update of page A costs more than one of page B. value PAGE COLUMN.
+more() { $awk -v a="$1" -v b="$2" '$1 == a { x = $2 / $3 } $1 == b { y = $2 / $3 } END { printf "%.0f %%", 100 * (x / y - 1) }' "$work/table"; }
+ratio() { $awk -v a="$1" -v b="$2" '$1 == a { x = $2 / $3 } $1 == b { y = $2 / $3 } END { printf "%.1f", x / y }' "$work/table"; }
+value() { $awk -v a="$1" -v k="$2" '$1 == a { print $k }' "$work/table"; }
+cycle_of() { $awk -v cycles="$cycles" '{ sum += $2 } END { printf "%.17g\n", sum / cycles }' "$work/$1.cost"; }
+
+laws="base spheres spins rotation-off linear hertz hertz-increment mindlin mindlin-scaled randall randall-literal exact dashpots dashpots-ratio
+  dashpots-shear mass gravity central"
+loading="walls walls-ramp box box-servo cell cell-strain cell-servo affine boundary-fixed boundary-strain boundary-stress boundary-servo ramp search"
+measures="work energy energy-shear energy-dashpots fracc sliding until"
+records=$(pages | cut -d ' ' -f 1 | grep '^record-')
+unused=$(pages | cut -d ' ' -f 1 | grep '^unused-')
+later=$(pages | cut -d ' ' -f 1 | grep '^later-')
+
+prove $(pages | cut -d ' ' -f 1)
+for page in $laws $loading $measures $records $unused $later; do
+  describe "$page" >>"$work/table"
+done
+
+# A cycle costs a + b N, to the instruction: periodic lattices of N particles whose blocks and batches are full.
+for side in 16 32 48; do
+  rm -f "$work/cell.cost"
+  measure cell
+  cycle_of cell
+done >"$work/sizes"
+side=${SIDE:-32}
+linear=$(tr '\n' ' ' <"$work/sizes" | $awk '{ printf "%.17g %.17g\n", ($2 - $1) / (32 * 32 - 16 * 16), ($3 - $2) / (48 * 48 - 32 * 32) }')
+fixed=$(tr '\n' ' ' <"$work/sizes" | $awk '{ printf "%.0f", $1 - 256 * ($2 - $1) / (32 * 32 - 16 * 16) }')
+if [ "${linear% *}" != "${linear#* }" ]; then
+  echo "the cost of a particle depends on the size of the scene: $linear instructions" >&2
+  status=1
+fi
+
+# One stability check: the window from cycle 501 to 1000 contains one.
+rm -f "$work/base.cost"
+cycles=500
+measure base
+check=$(cycle_of base | $awk -v base="$(value base 2)" '{ printf "%.0f", 500 * ($1 - base) }')
+cycles=${CYCLES:-200}
+unequal=$(for page in $unused; do
+  $awk -v a="$page" -v b="$(field "$page" 2)" '$1 == a { x = $2 } $1 == b { y = $2 } END { if (x != y) print a }' "$work/table"
+done)
+if [ "$unequal" ]; then
+  echo "these pages declare what they do not use, and pay for it:" $unequal >&2
+  status=1
+fi
+[ $status -eq 0 ] || exit $status
+
+percent() { $awk -v a="$1" -v b="$2" 'BEGIN { printf "%.2g %%", 100 * a / b }'; }
+cat >"$work/document" <<DOCUMENT
+# What each feature costs
+
+\`make cost\` writes this document ([tests/bench/cost.sh](../tests/bench/cost.sh)). It counts the instructions of a cycle
+with callgrind, and fails if a page pays for a feature that it does not use.
+
+## Method
+
+The base page has $((side * side)) discs in a square lattice. They overlap by 0.5 % of their radius, the outermost ones are fixed, and the
+others begin with random velocities. The normal law is linear, and there is no friction. Each other page adds
+one feature to the page in the column \`to\`. Every listed pair touches. All pages run with
+\`--isa avx2 --threads 1\`; callgrind does not know AVX-512.
+
+Each page runs with $cycles and with $((2 * cycles)) cycles. The difference of the two counts, divided by $cycles, is the cost of
+a cycle. So reading, start and printing cancel. Counts repeat exactly on one machine. They depend on the compiler: here $FLAGS.
+Bytes are those of \`nineball explain\`. Times are processor times of \`explain\`'s trial run, the median of five, on one core of
+$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1). The machine was shared, so only ratios of times mean something, and differences below a tenth do not.
+A contact update is the work of a cycle for one contact, including its fraction of the motion of the particles.
+
+## Laws and forces
+
+$(rows $laws)
+
+The laws that branch (\`randall\`, \`randall_literal\`, \`mindlin_deresiewicz\`) cost more where contacts reverse often. Here the particles
+oscillate, and most contacts stick.
+
+## Loading
+
+$(rows $loading)
+
+## Measures of every cycle
+
+$(rows $measures)
+
+## Records
+
+The pages write a row every ten cycles. The cost of a row is ten times the difference from the base page.
+
+$(record_rows $records)
+
+## What is declared and not used
+
+The proof has three parts. \`make cost\` fails if one of them does not hold.
+
+1. Callgrind attributes each instruction to its source line, also within inlined functions. On each page, no line is executed of a
+   file that belongs to a feature which the page does not use. Each file of the simulator belongs to a feature, and each feature's
+   lines are executed on its own page. Where a feature is a function in a shared loop, the compiler may move the
+   computation of an address out of its condition; up to 12 such instructions are allowed for each batch of 128 particles.
+2. A page that declares something without using it executes exactly as many instructions as the page without it:
+
+$(unused_rows $unused)
+
+3. An update costs as much in a large scene as in a small one. Periodic lattices of 16, 32 and 48 discs on a side need
+   $(tr '\n' ' ' <"$work/sizes" | sed 's/ $//; s/ /, /; s/ / and /') instructions a cycle. These are $fixed + ${linear% *} N for N discs, to the instruction.
+
+A feature that only a later stage uses can cost something in the stages before, because memory and passes are planned for the whole run.
+In the measured stage, the following pages equal the page in the column \`to\`:
+
+$(unused_rows $later)
+
+## What follows
+
+- **Rotation** costs $(more spins base) without shear forces.
+- **\`shear linear\`** with rotation costs $(more linear base) more than the frictionless page, and $(more linear rotation-off) more than without rotation.
+- **Hertz's law** costs $(more hertz spheres) more than the linear spring.
+- **Shear laws of elastic spheres**, with rotation: an update with \`mindlin\` costs $(ratio mindlin hertz) times that of the frictionless Hertz page, with
+  \`mindlin_scaled\` $(ratio mindlin-scaled hertz), \`randall\` $(ratio randall hertz), and with the exact law $(ratio exact hertz) times.
+- **Dashpots** cost $(more dashpots base) without shear forces and $(more dashpots-shear linear) with them. Mass-proportional damping costs $(more mass base).
+- **The balance of energy** costs $(more energy base) on the base page, and $(more energy-shear linear) with \`shear linear\`. It is the most expensive option, so
+  record it where it is needed.
+- **Recording** costs little if rows are rare: a row with time is $(percent "$($awk -v a="$(value record-time 2)" -v b="$(value base 2)" 'BEGIN { print 10 * (a - b) }')" "$(value base 2)") of a cycle, and one with the whole stress of a region about $($awk -v a="$(value record-stress-all 2)" -v b="$(value base 2)" 'BEGIN { printf "%.0f", 10 * (a - b) / b }') cycles.
+- **A search** every ten cycles costs $(more search cell) more than the same page without. One search costs as much as $($awk -v a="$(value search 2)" -v b="$(value cell 2)" 'BEGIN { printf "%.0f", 10 * (a - b) / b }') cycles, the stability check
+  after it included.
+- **The stability check** of a page that needs no search is made every 1000 cycles. It takes $check instructions, $(percent "$check" "$($awk -v b="$(value base 2)" 'BEGIN { print 1000 * b }')") of these cycles.
+DOCUMENT
+mv "$work/document" "$document"
