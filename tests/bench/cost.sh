@@ -351,10 +351,12 @@ if [ "${1:-}" != --page ]; then
   if grep -q __asan_init "$nineball"; then lack "valgrind cannot run a program that is built with a sanitizer"; fi
   grep -q '[.]debug_line' "$nineball" || lack "the program has no debugging information: configure with -g in CFLAGS"
   grep -qw avx2 /proc/cpuinfo 2>/dev/null || lack "the pages run with AVX2, which this machine lacks"
-  valgrind --tool=none "$nineball" --version >"$work/said" 2>&1 || lack "valgrind cannot run the program: $(tail -n 1 "$work/said")"
+  runs=true
+  valgrind --tool=none "$nineball" --version >"$work/said" 2>&1 || runs=false
   if grep -q 'unhandled dwarf' "$work/said"; then
     lack "this valgrind cannot read the debugging information of this compiler; with clang, add -gdwarf-4 to CFLAGS"
   fi
+  $runs || lack "valgrind cannot run the program: $(grep -v '^==[0-9]*== *$' "$work/said" | tail -n 1)"
 fi
 functions >"$work/functions" || exit 1
 
