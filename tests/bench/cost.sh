@@ -389,19 +389,20 @@ document=$2
 
 # ---- the document ----
 
-# One line for each page: name, instructions a cycle, contacts, bytes a particle and a contact, us a cycle.
-describe() {
-  measure "$1"
+# The processor time of a cycle of page $1, us.
+time_cycle() {
   write_page "$1" "$cycles" >"$work/page.md"
-  for k in 1 2 3 4 5; do
-    "$nineball" explain "$work/page.md" --isa avx2 >"$work/plan" 2>"$work/said" || stop "page $1 cannot be explained"
-    sed -n 's/^  a cycle .*takes \([0-9.e+]*\) us, .*/\1/p' "$work/plan"
-  done | sort -g | sed -n 3p >"$work/time"
-  $awk -v name="$1" -v cycles="$cycles" -v us="$(cat "$work/time")" '
+  "$nineball" explain "$work/page.md" --isa avx2 >"$work/$1.plan" 2>"$work/said" || stop "page $1 cannot be explained"
+  echo "$1" "$(sed -n 's/^  a cycle .*takes \([0-9.e+]*\) us, .*/\1/p' "$work/$1.plan")"
+}
+
+# One line for page $1: name, instructions a cycle, contacts, bytes a particle and a contact, us a cycle.
+describe() {
+  $awk -v name="$1" -v cycles="$cycles" -v us="$(sed -n "s/^$1 //p" "$work/times" | sort -g | sed -n 3p)" '
     FILENAME ~ /[.]cost$/ { sum += $2; next }
     / pairs in the neighbour list;/ { sub(/.*: /, ""); contacts += $1 }
-    / bytes a particle/ { particle = $1; sub(/.*, /, ""); contact = $1 }
-    END { printf "%s %.17g %d %d %d %s\n", name, sum / cycles, contacts, particle, contact, us }' "$work/$1.cost" "$work/plan"
+    / bytes a particle/ { particle = $1; match($0, /[0-9]+ a contact/); contact = substr($0, RSTART) + 0 }
+    END { printf "%s %.17g %d %d %d %s\n", name, sum / cycles, contacts, particle, contact, us }' "$work/$1.cost" "$work/$1.plan"
 }
 
 # Rows of the main table for these pages.
@@ -411,14 +412,18 @@ rows() {
   done | $awk -F '|' -v n=$((side * side)) '
     FILENAME != "-" { split($0, part, " "); for (k = 2; k <= 6; k++) value[part[1], k] = part[k]; next }
     FNR == 1 {
-      print "| page | adds | to | instructions a contact | more | instructions a particle | bytes a particle | bytes a contact | ns a contact |"
-      print "| --- | --- | --- | --- | --- | --- | --- | --- | --- |"
+      print "| page | adds | to | contacts | instructions a contact | more | instructions a particle | bytes a particle | bytes a contact | ns a contact |"
+      print "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |"
     }
     {
       cost = value[$1, 2] / value[$1, 3]
       more = "-"
-      if ($2 != "-") more = sprintf("%+.1f (%+.0f %%)", cost - value[$2, 2] / value[$2, 3], 100 * (cost / (value[$2, 2] / value[$2, 3]) - 1))
-      printf "| %s | %s | %s | %.1f | %s | %.1f | %d | %d | %.2f |\n", $1, $3, $2, cost, more, value[$1, 2] / n, value[$1, 4], value[$1, 5],
+      if ($2 != "-") {
+        from = value[$2, 2] / value[$2, 3]
+        more = sprintf("%+.1f (%+.0f %%)", cost - from, 100 * (cost / from - 1))
+        gsub(/[-+]0 %/, "0 %", more); sub(/^[-+]0[.]0 /, "0.0 ", more)
+      }
+      printf "| %s | %s | %s | %d | %.1f | %s | %.1f | %d | %d | %.2f |\n", $1, $3, $2, value[$1, 3], cost, more, value[$1, 2] / n, value[$1, 4], value[$1, 5],
         1000 * value[$1, 6] / value[$1, 3]
     }' "$work/table" -
 }
@@ -455,10 +460,18 @@ unused_rows() {
     }' "$work/table" -
 }
 
-# more A B: by how many percent an update of page A costs more than one of page B. value PAGE COLUMN.
-more() { $awk -v a="$1" -v b="$2" '$1 == a { x = $2 / $3 } $1 == b { y = $2 / $3 } END { printf "%.0f %%", 100 * (x / y - 1) }' "$work/table"; }
+# more A B: by how much an update of page A costs more than one of page B, in percent; ratio A B: how many times as much.
+more() { $awk -v a="$1" -v b="$2" '$1 == a { x = $2 / $3 } $1 == b { y = $2 / $3 } END { printf "%.0f %%", 100 * (x / y - 1) }' "$work/table" | sed 's/^-0/0/'; }
 ratio() { $awk -v a="$1" -v b="$2" '$1 == a { x = $2 / $3 } $1 == b { y = $2 / $3 } END { printf "%.1f", x / y }' "$work/table"; }
 value() { $awk -v a="$1" -v k="$2" '$1 == a { print $k }' "$work/table"; }
+difference() { $awk -v a="$1" -v b="$2" '$1 == a { x = $2 } $1 == b { y = $2 } END { printf "%.0f", x - y }' "$work/table"; }
+# How many cycles of page B one record of page A costs; it is made every ten cycles.
+in_cycles() { $awk -v a="$1" -v b="$2" '$1 == a { x = $2 } $1 == b { y = $2 } END { printf "%.2g", 10 * (x - y) / y }' "$work/table"; }
+# Longest over shortest time of the pages that execute as many instructions as the base page.
+spread() {
+  $awk '$1 == "base" { cost = $2 } $2 == cost { if (!least || $6 < least) least = $6; if ($6 > most) most = $6 } END { printf "%.2f", most / least }' \
+    "$work/table"
+}
 cycle_of() { $awk -v cycles="$cycles" '{ sum += $2 } END { printf "%.17g\n", sum / cycles }' "$work/$1.cost"; }
 
 laws="base spheres spins rotation-off linear hertz hertz-increment mindlin mindlin-scaled randall randall-literal exact dashpots dashpots-ratio
@@ -470,21 +483,25 @@ unused=$(pages | cut -d ' ' -f 1 | grep '^unused-')
 later=$(pages | cut -d ' ' -f 1 | grep '^later-')
 
 prove $(pages | cut -d ' ' -f 1)
-for page in $laws $loading $measures $records $unused $later; do
-  describe "$page" >>"$work/table"
-done
+all="$laws $loading $measures $records $unused $later"
+for k in 1 2 3 4 5; do
+  for page in $all; do time_cycle "$page"; done
+done >"$work/times"
+for page in $all; do describe "$page"; done >"$work/table"
 
-# A cycle costs a + b N, to the instruction: periodic lattices of N particles whose blocks and batches are full.
+# A cycle costs a + b N: periodic lattices of N particles whose blocks and batches are full. Reports of progress read the clock, which
+# costs a few instructions in some cycles.
 for side in 16 32 48; do
   rm -f "$work/cell.cost"
   measure cell
   cycle_of cell
 done >"$work/sizes"
 side=${SIDE:-32}
-linear=$(tr '\n' ' ' <"$work/sizes" | $awk '{ printf "%.17g %.17g\n", ($2 - $1) / (32 * 32 - 16 * 16), ($3 - $2) / (48 * 48 - 32 * 32) }')
-fixed=$(tr '\n' ' ' <"$work/sizes" | $awk '{ printf "%.0f", $1 - 256 * ($2 - $1) / (32 * 32 - 16 * 16) }')
-if [ "${linear% *}" != "${linear#* }" ]; then
-  echo "the cost of a particle depends on the size of the scene: $linear instructions" >&2
+tr '\n' ' ' <"$work/sizes" | $awk '{
+  one = ($2 - $1) / (32 * 32 - 16 * 16); two = ($3 - $2) / (48 * 48 - 32 * 32)
+  printf "%.0f, %.0f and %.0f|%.0f + %.2f N|%d\n", $1, $2, $3, $1 - 256 * one, one, (two / one > 0.9999 && two / one < 1.0001) }' >"$work/line"
+if ! grep -q '|1$' "$work/line"; then
+  echo "the cost of a particle depends on the size of the scene: $(cat "$work/line")" >&2
   status=1
 fi
 
@@ -503,7 +520,6 @@ if [ "$unequal" ]; then
 fi
 [ $status -eq 0 ] || exit $status
 
-percent() { $awk -v a="$1" -v b="$2" 'BEGIN { printf "%.2g %%", 100 * a / b }'; }
 cat >"$work/document" <<DOCUMENT
 # What each feature costs
 
@@ -512,27 +528,35 @@ with callgrind, and fails if a page pays for a feature that it does not use.
 
 ## Method
 
-The base page has $((side * side)) discs in a square lattice. They overlap by 0.5 % of their radius, the outermost ones are fixed, and the
-others begin with random velocities. The normal law is linear, and there is no friction. Each other page adds
-one feature to the page in the column \`to\`. Every listed pair touches. All pages run with
-\`--isa avx2 --threads 1\`; callgrind does not know AVX-512.
+The base page has $((side * side)) discs in a square lattice. They overlap by 0.5 % of their radius. The outermost ones are
+fixed, and the others begin with random velocities. The normal law is linear, and there is no friction. Each
+other page adds one feature to the page in the column \`to\`. Every pair in the neighbour list touches. A contact
+update is the work of one cycle for one contact, including its fraction of the motion of the particles.
 
-Each page runs with $cycles and with $((2 * cycles)) cycles. The difference of the two counts, divided by $cycles, is the cost of
-a cycle. So reading, start and printing cancel. Counts repeat exactly on one machine. They depend on the compiler: here $FLAGS.
-Bytes are those of \`nineball explain\`. Times are processor times of \`explain\`'s trial run, the median of five, on one core of
-$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1). The machine was shared, so only ratios of times mean something, and differences below a tenth do not.
-A contact update is the work of a cycle for one contact, including its fraction of the motion of the particles.
+Each page runs with $cycles and with $((2 * cycles)) cycles. The difference of the two counts, divided by $cycles, is the cost
+of a cycle. So reading, start and printing cancel. All pages run with \`--isa avx2\` and one thread, because callgrind
+does not know AVX-512. Counts repeat exactly on one machine. They depend on the compiler, here
+$FLAGS.
+
+Bytes are those that \`nineball explain\` prints. Times are processor times of its trial run: the median of five, on one
+core of a machine with $(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1). Other programs ran at the same
+time. Pages that execute exactly as many instructions as the base page differ in time by a factor of up to $(spread), so smaller
+differences of time mean nothing.
 
 ## Laws and forces
 
 $(rows $laws)
 
-The laws that branch (\`randall\`, \`randall_literal\`, \`mindlin_deresiewicz\`) cost more where contacts reverse often. Here the particles
-oscillate, and most contacts stick.
+The cost of \`randall\`, \`randall_literal\` and \`mindlin_deresiewicz\` depends on the history of the contacts, because these
+laws branch. Here the particles oscillate, the mean shear force is an eighth of its limit, and no contact slides as a
+whole.
 
 ## Loading
 
 $(rows $loading)
+
+Pairs of particles that a boundary holds are not in the neighbour list. So the pages with a boundary have fewer
+contacts, and each contact has a larger fraction of the motion.
 
 ## Measures of every cycle
 
@@ -544,39 +568,53 @@ The pages write a row every ten cycles. The cost of a row is ten times the diffe
 
 $(record_rows $records)
 
-## What is declared and not used
+## The proof
 
-The proof has three parts. \`make cost\` fails if one of them does not hold.
+\`make cost\` fails if one of these three statements does not hold.
 
-1. Callgrind attributes each instruction to its source line, also within inlined functions. On each page, no line is executed of a
-   file that belongs to a feature which the page does not use. Each file of the simulator belongs to a feature, and each feature's
-   lines are executed on its own page. Where a feature is a function in a shared loop, the compiler may move the
-   computation of an address out of its condition; up to 12 such instructions are allowed for each batch of 128 particles.
-2. A page that declares something without using it executes exactly as many instructions as the page without it:
+**No foreign lines.** Callgrind attributes each instruction to its source line, also within inlined functions. A list
+says to which features each file of the simulator belongs. No page executes a line of a file that belongs only to
+features that the page does not use. Every page executes lines of each feature that it uses. Some features are
+functions in a shared loop, such as the rotation in [motion.c](../src/core/motion.c). The compiler may move the computation
+of an address out of the condition of such a function. Up to 12 such instructions are allowed for each batch of 128
+particles.
+
+**No cost of declarations.** A page that declares something without using it executes exactly as many instructions as
+the page without it:
 
 $(unused_rows $unused)
 
-3. An update costs as much in a large scene as in a small one. Periodic lattices of 16, 32 and 48 discs on a side need
-   $(tr '\n' ' ' <"$work/sizes" | sed 's/ $//; s/ /, /; s/ / and /') instructions a cycle. These are $fixed + ${linear% *} N for N discs, to the instruction.
+**No cost of size.** Periodic lattices of 16, 32 and 48 discs on a side need $(cut -d '|' -f 1 "$work/line") instructions
+a cycle. Within 0.01 %, these are $(cut -d '|' -f 2 "$work/line") for N discs.
 
-A feature that only a later stage uses can cost something in the stages before, because memory and passes are planned for the whole run.
-In the measured stage, the following pages equal the page in the column \`to\`:
+### Where a page pays for what it does not use
+
+Memory and force passes are planned for the whole run. So a feature of a later stage can cost something in the
+stages before. The measured stage of the following pages does not use the feature. The table shows its difference from
+the page in the column \`to\`:
 
 $(unused_rows $later)
 
+- \`damping\` at contacts in a later stage costs as much before as in that stage.
+- A shear law keeps the memory of rotation and tests whether a particle rotates, even if no pair has friction.
+- \`rotation off\` saves nothing: the spins stay 0 but are computed ($(difference rotation-off linear) instructions a cycle more than with rotation).
+- A periodic cell computes an affine motion even without strain: \`cell strain\` costs $(difference cell-strain cell) instructions a cycle more.
+
 ## What follows
 
-- **Rotation** costs $(more spins base) without shear forces.
-- **\`shear linear\`** with rotation costs $(more linear base) more than the frictionless page, and $(more linear rotation-off) more than without rotation.
-- **Hertz's law** costs $(more hertz spheres) more than the linear spring.
-- **Shear laws of elastic spheres**, with rotation: an update with \`mindlin\` costs $(ratio mindlin hertz) times that of the frictionless Hertz page, with
-  \`mindlin_scaled\` $(ratio mindlin-scaled hertz), \`randall\` $(ratio randall hertz), and with the exact law $(ratio exact hertz) times.
+- **Rotation** costs $(more spins base) without shear forces. Spheres cost as much as discs.
+- **\`shear linear\`**, rotation included, costs $(more linear base).
+- **Hertz's law** costs $(more hertz spheres) more than the linear spring, and Hertz's law by increments $(more hertz-increment spheres) more.
+- **Simple shear laws of elastic spheres** cost little: \`mindlin\` $(more mindlin hertz) and \`mindlin_scaled\` $(more mindlin-scaled hertz) more than
+  Hertz's law without friction, rotation included.
+- **Laws with micro-slip** are expensive. An update with \`randall\` costs $(ratio randall hertz) times that of Hertz's law without
+  friction, and one with the exact law, \`mindlin_deresiewicz\`, $(ratio exact hertz) times.
 - **Dashpots** cost $(more dashpots base) without shear forces and $(more dashpots-shear linear) with them. Mass-proportional damping costs $(more mass base).
-- **The balance of energy** costs $(more energy base) on the base page, and $(more energy-shear linear) with \`shear linear\`. It is the most expensive option, so
-  record it where it is needed.
-- **Recording** costs little if rows are rare: a row with time is $(percent "$($awk -v a="$(value record-time 2)" -v b="$(value base 2)" 'BEGIN { print 10 * (a - b) }')" "$(value base 2)") of a cycle, and one with the whole stress of a region about $($awk -v a="$(value record-stress-all 2)" -v b="$(value base 2)" 'BEGIN { printf "%.0f", 10 * (a - b) / b }') cycles.
-- **A search** every ten cycles costs $(more search cell) more than the same page without. One search costs as much as $($awk -v a="$(value search 2)" -v b="$(value cell 2)" 'BEGIN { printf "%.0f", 10 * (a - b) / b }') cycles, the stability check
-  after it included.
-- **The stability check** of a page that needs no search is made every 1000 cycles. It takes $check instructions, $(percent "$check" "$($awk -v b="$(value base 2)" 'BEGIN { print 1000 * b }')") of these cycles.
+- **The balance of energy** multiplies the cost by $(ratio energy base) on the base page and by $(ratio energy-shear linear) with \`shear linear\`. The balance of
+  work multiplies it by $(ratio work base).
+- **Rows** of a particle or a contact cost $(in_cycles record-particle base) cycles of the base page or less. A row with the stress of all particles costs
+  $(in_cycles record-stress base) cycles, with the fabric $(in_cycles record-fabric base). Other components of the same tensor cost almost nothing more.
+- **A search**, with the stability check after it, costs as much as $(in_cycles search cell) cycles.
+- **The stability check** is made every 1000 cycles. It takes $check instructions, $($awk -v a="$check" -v b="$(value base 2)" 'BEGIN { printf "%.1f %%", a / b / 10 }') of the cycles between two checks.
 DOCUMENT
-mv "$work/document" "$document"
+cp "$work/document" "$document"
