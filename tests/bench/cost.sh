@@ -3,6 +3,7 @@
 #
 #   cost.sh -o FILE             all pages, with times: writes the document FILE
 #   cost.sh --proof PAGE ...    the proof alone, for these pages of the table below ("all": every page)
+#   cost.sh --page PAGE         prints this page
 #
 #   NINEBALL   the program, built with -g            srcdir   top of the source tree
 #   SIDE       particles on a side, 32               CYCLES   cycles of the measured window, 200
@@ -345,19 +346,21 @@ lack() {
   echo "cost.sh: $*" >&2
   exit 77
 }
-if [ "${1:-}" != --page ]; then
-  command -v valgrind >/dev/null || lack "valgrind is missing: install it, on Debian with apt install valgrind"
-  test -x "$nineball" || stop "there is no program $nineball: run make first"
-  if grep -q __asan_init "$nineball"; then lack "valgrind cannot run a program that is built with a sanitizer"; fi
-  grep -q '[.]debug_line' "$nineball" || lack "the program has no debugging information: configure with -g in CFLAGS"
-  grep -qw avx2 /proc/cpuinfo 2>/dev/null || lack "the pages run with AVX2, which this machine lacks"
-  runs=true
-  valgrind --tool=none "$nineball" --version >"$work/said" 2>&1 || runs=false
-  if grep -q 'unhandled dwarf' "$work/said"; then
-    lack "this valgrind cannot read the debugging information of this compiler; with clang, add -gdwarf-4 to CFLAGS"
-  fi
-  $runs || lack "valgrind cannot run the program: $(grep -v '^==[0-9]*== *$' "$work/said" | tail -n 1)"
+if [ "${1:-}" = --page ]; then
+  write_page "$2" "$cycles"
+  exit
 fi
+command -v valgrind >/dev/null || lack "valgrind is missing: install it, on Debian with apt install valgrind"
+test -x "$nineball" || stop "there is no program $nineball: run make first"
+if grep -q __asan_init "$nineball"; then lack "valgrind cannot run a program that is built with a sanitizer"; fi
+grep -q '[.]debug_line' "$nineball" || lack "the program has no debugging information: configure with -g in CFLAGS"
+grep -qw avx2 /proc/cpuinfo 2>/dev/null || lack "the pages run with AVX2, which this machine lacks"
+runs=true
+valgrind --tool=none "$nineball" --version >"$work/said" 2>&1 || runs=false
+if grep -q 'unhandled dwarf' "$work/said"; then
+  lack "this valgrind cannot read the debugging information of this compiler; with clang, add -gdwarf-4 to CFLAGS"
+fi
+$runs || lack "valgrind cannot run the program: $(grep -v '^==[0-9]*== *$' "$work/said" | tail -n 1)"
 functions >"$work/functions" || exit 1
 
 status=0
@@ -380,18 +383,14 @@ if [ "${1:-}" = --proof ]; then
   prove "$@"
   exit $status
 fi
-if [ "${1:-}" = --page ]; then
-  write_page "$2" "$cycles"
-  exit
-fi
 [ "${1:-}" = -o ] && [ $# -eq 2 ] || stop "usage: cost.sh -o FILE | --proof all|PAGE ... | --page PAGE"
 document=$2
 
 # ---- the document ----
 
-# The processor time of a cycle of page $1, us.
+# The processor time of a cycle of page $1, us: a trial run takes some milliseconds of these cycles.
 time_cycle() {
-  write_page "$1" "$cycles" >"$work/page.md"
+  write_page "$1" 100000 >"$work/page.md"
   "$nineball" explain "$work/page.md" --isa avx2 >"$work/$1.plan" 2>"$work/said" || stop "page $1 cannot be explained"
   echo "$1" "$(sed -n 's/^  a cycle .*takes \([0-9.e+]*\) us, .*/\1/p' "$work/$1.plan")"
 }
@@ -401,7 +400,7 @@ describe() {
   $awk -v name="$1" -v cycles="$cycles" -v us="$(sed -n "s/^$1 //p" "$work/times" | sort -g | sed -n 3p)" '
     FILENAME ~ /[.]cost$/ { sum += $2; next }
     / pairs in the neighbour list;/ { sub(/.*: /, ""); contacts += $1 }
-    / bytes a particle/ { particle = $1; match($0, /[0-9]+ a contact/); contact = substr($0, RSTART) + 0 }
+    /^  [0-9]+ bytes a particle/ { particle = $1; match($0, /[0-9]+ a contact/); contact = substr($0, RSTART) + 0 }
     END { printf "%s %.17g %d %d %d %s\n", name, sum / cycles, contacts, particle, contact, us }' "$work/$1.cost" "$work/$1.plan"
 }
 
