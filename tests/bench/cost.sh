@@ -537,10 +537,10 @@ of a cycle. So reading, start and printing cancel. All pages run with \`--isa av
 does not know AVX-512. Counts repeat exactly on one machine. They depend on the compiler, here
 $FLAGS.
 
-Bytes are those that \`nineball explain\` prints. Times are processor times of its trial run: the median of five, on one
+Bytes are those that \`nineball explain\` prints under \`memory\`, without the arrays of balances and of an affine motion. Times are processor times of its trial run: the median of five, on one
 core of a machine with $(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1). Other programs ran at the same
 time. Pages that execute exactly as many instructions as the base page differ in time by a factor of up to $(spread), so smaller
-differences of time mean nothing.
+differences of time mean nothing, and a single time can be an outlier.
 
 ## Laws and forces
 
@@ -604,7 +604,7 @@ $(unused_rows $later)
 - **Rotation** costs $(more spins base) without shear forces. Spheres cost as much as discs.
 - **\`shear linear\`**, rotation included, costs $(more linear base).
 - **Hertz's law** costs $(more hertz spheres) more than the linear spring, and Hertz's law by increments $(more hertz-increment spheres) more.
-- **Simple shear laws of elastic spheres** cost little: \`mindlin\` $(more mindlin hertz) and \`mindlin_scaled\` $(more mindlin-scaled hertz) more than
+- **Simple shear laws of elastic spheres**: \`mindlin\` costs $(more mindlin hertz) and \`mindlin_scaled\` $(more mindlin-scaled hertz) more than
   Hertz's law without friction, rotation included.
 - **Laws with micro-slip** are expensive. An update with \`randall\` costs $(ratio randall hertz) times that of Hertz's law without
   friction, and one with the exact law, \`mindlin_deresiewicz\`, $(ratio exact hertz) times.
