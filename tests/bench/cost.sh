@@ -539,7 +539,7 @@ $FLAGS.
 
 Bytes are those that \`nineball explain\` prints under \`memory\`, without the arrays of balances and of an affine motion. Times are processor times of its trial run: the median of five, on one
 core of a machine with $(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1). Other programs ran at the same
-time. Pages that execute exactly as many instructions as the base page differ in time by a factor of up to $(spread), so smaller
+time. Pages that execute exactly as many instructions as the base page differ in time by a factor of up to $(spread). Smaller
 differences of time mean nothing, and a single time can be an outlier.
 
 ## Laws and forces
