@@ -569,6 +569,7 @@ VERDICT = \
   src/report/outcome.c \
   src/report/outcome.h \
   src/report/reducers.c \
+  src/report/trials.c \
   src/report/verdict.c \
   src/report/verdict.h \
   src/report/verdict_sweep.c

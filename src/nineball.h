@@ -447,6 +447,14 @@ struct nb_start {
 
 /* One run of a page: every name resolved, every number in SI. nb_scene_read fills it; it is constant from then on.
  * References read the same structure. It owns everything its pointers reach. */
+/* `trade NAME VALUE …`: other values that `nineball advise` may give to a name. */
+enum { NB_TRADED_MAX = 16 };
+struct nb_trade {
+  char name[NB_NAME_SIZE];
+  char values[NB_TRADED_MAX][NB_NAME_SIZE]; /* as --set takes them */
+  size_t count;
+};
+
 struct nb_scene {
   const struct nb_page *page; /* not owned */
   bool unitless;              /* `units none` */
@@ -490,6 +498,9 @@ struct nb_scene {
   size_t stage_count;
   struct nb_binding *bindings; /* values of $NAME in this run: input/reader.h */
   size_t binding_count;
+  struct nb_trade *trades;
+  size_t trade_count;
+  enum { NB_TRADE_LAWS_DEFAULT, NB_TRADE_LAWS_ALL, NB_TRADE_LAWS_NONE } trade_laws;
   struct nb_warnings warnings; /* found while the page was read */
 };
 

@@ -44,7 +44,7 @@ static size_t below(size_t count) { return gsl_rng_uniform_int(generator, count)
 /* ---- the truth ---- */
 
 static const struct nb_point *point_of(const struct nb_advice *advice, size_t pair, int level) {
-  return &advice->pairs[pair].points[level - NB_LEVEL_LOW];
+  return &advice->variants[pair].points[level - NB_LEVEL_LOW];
 }
 
 /* The limit for a small step, for each run; false: it is not known well enough. */
@@ -54,8 +54,8 @@ static bool find_truth(struct nb_advice *advice, double *truth, double share) {
     if (!enough)
       return false;
     for (size_t r = 0; r < advice->runs; r++) {
-      truth[r] = point_of(advice, 0, level)->values[r * NB_PHASES];
-      enough = enough && fabs(truth[r] - point_of(advice, 0, level - 1)->values[r * NB_PHASES]) <=
+      truth[r] = point_of(advice, 0, level)->values[r * NB_TRIALS];
+      enough = enough && fabs(truth[r] - point_of(advice, 0, level - 1)->values[r * NB_TRIALS]) <=
                              share * truth_share * fabs(truth[r]);
     }
     if (enough)
@@ -67,11 +67,11 @@ static bool find_truth(struct nb_advice *advice, double *truth, double share) {
 /* The largest error of a setting over all runs and phases, over the tolerance; NAN: it cannot be run. */
 static double true_error(struct nb_advice *advice, size_t pair, int level, const double *truth, double tolerance) {
   double largest = 0;
-  for (size_t phase = 0; phase < NB_PHASES; phase += NB_PHASES / advice->phases) {
+  for (size_t phase = 0; phase < NB_PHASES; phase += NB_PHASES / advice->trials) {
     if (!nb_advice_run(advice, pair, level, phase))
       return NAN;
     for (size_t r = 0; r < advice->runs; r++)
-      largest = fmax(largest, fabs(point_of(advice, pair, level)->values[r * NB_PHASES + phase] - truth[r]) /
+      largest = fmax(largest, fabs(point_of(advice, pair, level)->values[r * NB_TRIALS + phase] - truth[r]) /
                                   (tolerance * fabs(truth[r])));
   }
   return largest;
@@ -81,17 +81,17 @@ static double true_error(struct nb_advice *advice, size_t pair, int level, const
 
 static double claim_of(const struct nb_advice *advice, enum control control, int level, size_t r) {
   const struct nb_point *point = point_of(advice, 0, level);
-  const double *n = point[0].values + r * NB_PHASES, *n2 = point[1].values + r * NB_PHASES,
-               *n4 = point[2].values + r * NB_PHASES;
+  const double *n = point[0].values + r * NB_TRIALS, *n2 = point[1].values + r * NB_TRIALS,
+               *n4 = point[2].values + r * NB_TRIALS;
   const int finer = level + 2 > advice->anchor ? level + 2 : advice->anchor;
-  const double *fine = point_of(advice, 0, finer)->values + r * NB_PHASES,
-               *coarse = point_of(advice, 0, finer - 1)->values + r * NB_PHASES;
+  const double *fine = point_of(advice, 0, finer)->values + r * NB_TRIALS,
+               *coarse = point_of(advice, 0, finer - 1)->values + r * NB_TRIALS;
   double step;
   if (control == TWO_STEPS)
     return fabs(n[0] - n2[0]);
   if (control == ONE_PHASE)
     return nb_estimate_claim(&step, n, n2, n4, 1, nb_estimate_anchor(fine, coarse, 1));
-  nb_estimate_claim(&step, n, n2, n4, advice->phases, (struct nb_anchor){n[0], 0});
+  nb_estimate_claim(&step, n, n2, n4, advice->trials, (struct nb_anchor){n[0], 0});
   return step;
 }
 
@@ -115,7 +115,7 @@ static void measure_cost(struct draw *draw, struct nb_advice *advice, const doub
   double cheapest = INFINITY;
   for (size_t k = 0; k < advice->setting_count; k++) {
     const struct nb_setting *setting = &advice->settings[k];
-    if (true_error(advice, setting->pair, setting->level, truth, tolerance) <= 1)
+    if (true_error(advice, setting->variant, setting->level, truth, tolerance) <= 1)
       cheapest = fmin(cheapest, nb_point_at(advice, setting)->updates);
   }
   draw->met = isfinite(cheapest);
@@ -138,11 +138,11 @@ static void measure_errors(struct draw *draw, struct nb_advice *advice, double t
     measure_cost(draw, advice, truth, tolerance);
     if (draw->answered) {
       const struct nb_setting *chosen = &advice->settings[advice->chosen];
-      draw->kept[WHOLE] = true_error(advice, chosen->pair, chosen->level, truth, tolerance);
+      draw->kept[WHOLE] = true_error(advice, chosen->variant, chosen->level, truth, tolerance);
       draw->claim_over_true = chosen->ratio / draw->kept[WHOLE];
       int own = advice->anchor; /* the level that the whole estimator chose for the laws of the page */
       for (size_t k = 0; k < advice->setting_count; k++)
-        if (advice->settings[k].pair == 0 && advice->settings[k].ratio <= 1)
+        if (advice->settings[k].variant == 0 && advice->settings[k].ratio <= 1)
           own = advice->settings[k].level;
       for (int control = ONE_PHASE; control < CONTROLS; control++)
         draw->kept[control] = true_error(advice, 0, choose(advice, control, own), truth, tolerance);
@@ -208,7 +208,7 @@ static void draw_one(const char *path, struct nb_outcome *page) {
   *draw = (struct draw){.kept = {NAN, NAN, NAN, NAN}, .claim_over_true = NAN, .cost = NAN};
   const enum nb_status status = nb_advise(&advice, &query, &error);
   draw->seconds = nb_clock() - advice.began;
-  if (status <= NB_FAILED && advice.pairs) {
+  if (status <= NB_FAILED && advice.variants) {
     kind_of(draw->kind, path, &page->runs[0].scene);
     if (status == NB_OK)
       measure_errors(draw, &advice, tolerance);

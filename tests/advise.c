@@ -6,6 +6,8 @@
 #define _DEFAULT_SOURCE /* mkstemps */
 #endif
 #include <CUnit/CUnit.h>
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -64,11 +66,15 @@ static void begin(struct nb_advice *advice, struct nb_advise_query *query, struc
   struct nb_error error = {0};
   impact_scene(scene, sizeof scene, "$v", "mindlin_deresiewicz", phase_of_page, step_of_page);
   *page = write_page(scene);
-  *query = (struct nb_advise_query){page->path, no_settings, {.threads = 1, .jobs = 1}, "impact.psi2",
-                                    within,     60,          {NULL, NULL, NULL}};
+  *query = (struct nb_advise_query){.path = page->path,
+                                    .settings = no_settings,
+                                    .options = {.threads = 1, .jobs = 1},
+                                    .quantity = "impact.psi2",
+                                    .within = within,
+                                    .budget = 60};
   CU_ASSERT_EQUAL_FATAL(nb_advise(advice, query, &error), NB_OK);
   CU_ASSERT_EQUAL_FATAL(advice->runs, 2);
-  CU_ASSERT_EQUAL_FATAL(advice->phases, NB_PHASES);
+  CU_ASSERT_EQUAL_FATAL(advice->trials, NB_PHASES);
 }
 
 static void finish(struct nb_advice *advice, const struct page *page) {
@@ -84,13 +90,13 @@ static void a_phase_of_an_impact_is_a_moment_of_first_touch(void) {
   struct page page;
   char scene[2048];
   begin(&advice, &query, &page, "1 %");
-  const struct nb_point *point = &advice.pairs[0].points[1 - NB_LEVEL_LOW];
+  const struct nb_point *point = &advice.variants[0].points[1 - NB_LEVEL_LOW];
   for (size_t phase = 0; phase < NB_PHASES; phase++)
     for (size_t r = 0; r < 2; r++) {
       CU_ASSERT_FATAL(nb_advice_run(&advice, 0, 1, phase));
       impact_scene(scene, sizeof scene, speeds[r], "mindlin_deresiewicz",
                    fmod(phase_of_page + (double)phase / NB_PHASES, 1), step_of_page / 2);
-      CU_ASSERT_EQUAL(point->values[r * NB_PHASES + phase], value_of(scene, "impact.psi2"));
+      CU_ASSERT_EQUAL(point->values[r * NB_TRIALS + phase], value_of(scene, "impact.psi2"));
     }
   NEAR(point->step, step_of_page / 2, 1e-12);
   finish(&advice, &page);
@@ -98,7 +104,7 @@ static void a_phase_of_an_impact_is_a_moment_of_first_touch(void) {
 
 /* The anchor of a run of the page's own laws: the mean over its two phases. */
 static double anchor(const struct nb_advice *advice, size_t run) {
-  const double *values = advice->pairs[0].points[advice->anchor - NB_LEVEL_LOW].values + run * NB_PHASES;
+  const double *values = advice->variants[0].points[advice->anchor - NB_LEVEL_LOW].values + run * NB_TRIALS;
   return (values[0] + values[NB_PHASES / 2]) / 2;
 }
 
@@ -108,7 +114,7 @@ static void claims_follow_from_the_values(void) {
   struct nb_advise_query query;
   struct page page;
   begin(&advice, &query, &page, "1 %");
-  const struct nb_point *own = advice.pairs[0].points;
+  const struct nb_point *own = advice.variants[0].points;
   for (size_t r = 0; r < 2; r++)
     NEAR(advice.allowed[r], 0.01 * fabs(anchor(&advice, r)), 1e-12);
   CU_ASSERT(advice.setting_count > 2);
@@ -121,12 +127,12 @@ static void claims_follow_from_the_values(void) {
     for (size_t r = 0; r < 2; r++) {
       double at[2], before[2], step;
       for (size_t j = 0; j < 2; j++) {
-        at[j] = own[level - NB_LEVEL_LOW].values[r * NB_PHASES + j * NB_PHASES / 2];
-        before[j] = own[level - 1 - NB_LEVEL_LOW].values[r * NB_PHASES + j * NB_PHASES / 2];
+        at[j] = own[level - NB_LEVEL_LOW].values[r * NB_TRIALS + j * NB_PHASES / 2];
+        before[j] = own[level - 1 - NB_LEVEL_LOW].values[r * NB_TRIALS + j * NB_PHASES / 2];
       }
       const double claim =
-          nb_estimate_claim(&step, point[0].values + r * NB_PHASES, point[1].values + r * NB_PHASES,
-                            point[2].values + r * NB_PHASES, NB_PHASES, nb_estimate_anchor(at, before, 2));
+          nb_estimate_claim(&step, point[0].values + r * NB_TRIALS, point[1].values + r * NB_TRIALS,
+                            point[2].values + r * NB_TRIALS, NB_PHASES, nb_estimate_anchor(at, before, 2));
       if (claim / advice.allowed[r] > worst)
         worst = claim / advice.allowed[r], step_of_worst = step / advice.allowed[r];
     }
@@ -147,8 +153,8 @@ static void laws_have_a_distance_from_the_anchor(void) {
   char scene[2048];
   size_t left_out = 0;
   begin(&advice, &query, &page, "0.01 %");
-  for (size_t k = 1; k < advice.pair_count; k++) {
-    const struct nb_law_pair *pair = &advice.pairs[k];
+  for (size_t k = 1; k < advice.variant_count; k++) {
+    const struct nb_variant *pair = &advice.variants[k];
     if (!(pair->distance > 0) || strcmp(pair->normal, "hertz") != 0)
       continue;
     int level = NB_LEVEL_LOW;
@@ -188,7 +194,8 @@ static void the_cost_is_counted(void) {
     written_free(&written);
   }
   CU_ASSERT(nb_advice_run(&advice, 0, 0, 0));
-  CU_ASSERT_DOUBLE_EQUAL(advice.pairs[0].points[-NB_LEVEL_LOW].updates, updates, 40); /* the last phase: a few cycles */
+  CU_ASSERT_DOUBLE_EQUAL(advice.variants[0].points[-NB_LEVEL_LOW].updates, updates,
+                         40); /* the last phase: a few cycles */
   finish(&advice, &page);
 }
 
@@ -203,15 +210,19 @@ static void phases_of_other_pages_have_other_steps(void) {
   struct nb_error error = {0};
   snprintf(text, sizeof text, FLIGHT, 0.01, 0.005);
   const struct page page = write_page(text);
-  const struct nb_advise_query query = {page.path, no_settings, {.threads = 1, .jobs = 1}, "D.y",
-                                        "5 %",     60,          {NULL, NULL, NULL}};
+  const struct nb_advise_query query = {.path = page.path,
+                                        .settings = no_settings,
+                                        .options = {.threads = 1, .jobs = 1},
+                                        .quantity = "D.y",
+                                        .within = "5 %",
+                                        .budget = 60};
   CU_ASSERT_EQUAL_FATAL(nb_advise(&advice, &query, &error), NB_OK);
-  CU_ASSERT_EQUAL(advice.phases, NB_PHASES);
+  CU_ASSERT_EQUAL(advice.trials, NB_PHASES);
   for (size_t phase = 0; phase < NB_PHASES; phase++) {
     const double by = 1 + 0.08 * (double)phase / NB_PHASES;
     snprintf(text, sizeof text, FLIGHT, 0.01 / by, 0.005 / by);
     CU_ASSERT_FATAL(nb_advice_run(&advice, 0, 0, phase));
-    CU_ASSERT_EQUAL(advice.pairs[0].points[-NB_LEVEL_LOW].values[phase], value_of(text, "D.y"));
+    CU_ASSERT_EQUAL(advice.variants[0].points[-NB_LEVEL_LOW].values[phase], value_of(text, "D.y"));
   }
   finish(&advice, &page);
 }
@@ -238,12 +249,139 @@ static void other_pages_have_one_phase(void) {
     struct nb_advice advice;
     struct nb_error error = {0};
     const struct page page = write_page(scenes[k]);
-    const struct nb_advise_query query = {page.path, no_settings, {.threads = 1, .jobs = 1}, "time",
-                                          "5 %",     60,          {NULL, NULL, NULL}};
+    const struct nb_advise_query query = {.path = page.path,
+                                          .settings = no_settings,
+                                          .options = {.threads = 1, .jobs = 1},
+                                          .quantity = "time",
+                                          .within = "5 %",
+                                          .budget = 60};
     CU_ASSERT_EQUAL(nb_advise(&advice, &query, &error), NB_OK);
-    CU_ASSERT_EQUAL(advice.phases, last ? NB_PHASES : 1);
+    CU_ASSERT_EQUAL(advice.trials, last ? NB_PHASES : 1);
     finish(&advice, &page);
   }
+}
+
+/* ---- means over realizations ---- */
+
+/* Random discs that fly about in a periodic cell and collide. */
+#define GAS                                                                                                            \
+  "units none\n%s%smaterial m density 1 kn 1000 ks 500 friction 0.5\nnormal linear\nshear %s\ncell 0 0 to 9 9\n"       \
+  "grading g 1 6 0.7 8\nfill discs cell g m seed %s attempts 10000 else skip\nregion A all\nrecord "                   \
+  "A.porosity energy.kinetic\nstep %.17g\nstage a\ncell strain (-%s) -0.01\nuntil time above %s at most 100000 "       \
+  "cycles\n"
+
+static void gas_scene(char *text, size_t size, const char *names, const char *trade, const char *shear,
+                      const char *seed, double step, const char *rate, const char *time) {
+  snprintf(text, size, GAS, names, trade, shear, seed, step, rate, time);
+}
+
+static const char *const times[] = {"2", "3"}, *const rates[] = {"0.01", "0.02"};
+static const double gas_step = 0.004;
+
+static void begin_mean(struct nb_advice *advice, struct nb_advise_query *query, struct page *page, const char *trade) {
+  char scene[2048];
+  struct nb_error error = {0};
+  gas_scene(scene, sizeof scene, "sweep seed 1 2 3\nlet rate = 0.01\nsweep T 2 3\n", trade, "linear", "$seed", gas_step,
+            "rate", "$T");
+  *page = write_page(scene);
+  *query = (struct nb_advise_query){.path = page->path,
+                                    .settings = no_settings,
+                                    .options = {.threads = 1, .jobs = 2},
+                                    .quantity = "energy.kinetic",
+                                    .within = "1000 %",
+                                    .over = "seed",
+                                    .realizations = 9,
+                                    .budget = 600};
+  CU_ASSERT_EQUAL_FATAL(nb_advise(advice, query, &error), NB_OK);
+  CU_ASSERT_EQUAL_FATAL(advice->runs, 2);
+  CU_ASSERT_EQUAL_FATAL(advice->trials, 9);
+}
+
+static double energy_of(const struct nb_variant *variant, size_t run, size_t trial, int level) {
+  char scene[2048], seed[8];
+  snprintf(seed, sizeof seed, "%zu", trial + 1);
+  gas_scene(scene, sizeof scene, "", "", variant->shear[0] ? variant->shear : "linear", seed, gas_step / exp2(level),
+            rates[variant->value[0]], times[run]);
+  return value_of(scene, "energy.kinetic");
+}
+
+/* Trial k is the page with the value k + 1 of the name, for each run that is left, and for each variant. */
+static void a_trial_of_a_mean_is_a_realization(void) {
+  struct nb_advice advice;
+  struct nb_advise_query query;
+  struct page page;
+  begin_mean(&advice, &query, &page, "trade rate 0.02\n");
+  CU_ASSERT_EQUAL_FATAL(advice.variant_count, 2);
+  for (size_t v = 0; v < 2; v++)
+    for (size_t trial = 0; trial < 9; trial += 4)
+      for (size_t r = 0; r < 2; r++) {
+        CU_ASSERT_FATAL(nb_advice_run(&advice, v, 0, trial));
+        CU_ASSERT_EQUAL(advice.variants[v].points[-NB_LEVEL_LOW].values[r * NB_TRIALS + trial],
+                        energy_of(&advice.variants[v], r, trial, 0));
+      }
+  finish(&advice, &page);
+}
+
+/* Anchor, tolerance and claim are those of the mean and of its paired differences. */
+static void claims_of_a_mean_follow_from_its_realizations(void) {
+  struct nb_advice advice;
+  struct nb_advise_query query;
+  struct page page;
+  begin_mean(&advice, &query, &page, "trade rate 0.02\n");
+  const double *fine = advice.variants[0].points[1 - NB_LEVEL_LOW].values;
+  CU_ASSERT_EQUAL(advice.anchor, 1);
+  for (size_t r = 0; r < 2; r++)
+    NEAR(advice.allowed[r], 10 * gsl_stats_mean(fine + r * NB_TRIALS, 1, 9), 1e-12);
+  size_t of_variant[2] = {0};
+  for (size_t k = 0; k < advice.setting_count; k++) {
+    const struct nb_setting *setting = &advice.settings[k];
+    double worst = 0, difference = 0;
+    for (size_t r = 0; r < 2; r++) {
+      double d[9];
+      for (size_t i = 0; i < 9; i++)
+        d[i] = nb_point_at(&advice, setting)->values[r * NB_TRIALS + i] - fine[r * NB_TRIALS + i];
+      const double mean = fabs(gsl_stats_mean(d, 1, 9)),
+                   claim = mean + gsl_cdf_tdist_Pinv(0.975, 8) * gsl_stats_sd(d, 1, 9) / 3;
+      if (claim / advice.allowed[r] > worst)
+        worst = claim / advice.allowed[r], difference = mean / advice.allowed[r];
+    }
+    NEAR(setting->ratio, worst, 1e-10);
+    NEAR(setting->step_ratio, difference, 1e-10);
+    CU_ASSERT(setting->level <= 0);
+    of_variant[setting->variant]++;
+  }
+  CU_ASSERT(of_variant[0] > 0 && of_variant[1] > 0);
+  finish(&advice, &page);
+}
+
+/* Laws are variants too, if the page asks for them; all combinations with the values. */
+static void variants_are_all_combinations(void) {
+  static const struct {
+    const char *trade;
+    size_t count;
+  } rows[] = {{"", 1}, {"trade rate 0.02 0.03\n", 3}, {"trade laws none\ntrade rate 0.02\n", 2}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct nb_advice advice;
+    struct nb_advise_query query;
+    struct page page;
+    begin_mean(&advice, &query, &page, rows[k].trade);
+    CU_ASSERT_EQUAL(advice.variant_count, rows[k].count);
+    finish(&advice, &page);
+  }
+  struct nb_advice advice;
+  struct nb_advise_query query;
+  struct page page;
+  begin_mean(&advice, &query, &page, "trade laws all\ntrade rate 0.02\n");
+  const size_t pairs = advice.variant_count / 2;
+  CU_ASSERT_EQUAL(advice.variant_count, 2 * pairs);
+  CU_ASSERT(pairs > 10);
+  for (size_t k = 0; k < advice.variant_count; k++) { /* each pair of laws with each value, once */
+    CU_ASSERT_EQUAL(advice.variants[k].value[0], k / pairs);
+    for (size_t j = 0; j < k; j++)
+      CU_ASSERT(strcmp(advice.variants[j].normal, advice.variants[k].normal) != 0 ||
+                strcmp(advice.variants[j].shear, advice.variants[k].shear) != 0 || j + pairs == k);
+  }
+  finish(&advice, &page);
 }
 
 void suite_advise(void) {
@@ -254,4 +392,7 @@ void suite_advise(void) {
   CU_ADD_TEST(suite, the_cost_is_counted);
   CU_ADD_TEST(suite, phases_of_other_pages_have_other_steps);
   CU_ADD_TEST(suite, other_pages_have_one_phase);
+  CU_ADD_TEST(suite, a_trial_of_a_mean_is_a_realization);
+  CU_ADD_TEST(suite, claims_of_a_mean_follow_from_its_realizations);
+  CU_ADD_TEST(suite, variants_are_all_combinations);
 }

@@ -48,9 +48,9 @@ result $? 'the chosen setting is within the tolerance'
 awk '{ worst[$1] = worst[$1] > $4 ? worst[$1] : $4 } $3 == "chosen" { chosen = $1 }
   END { for (r in worst) if (worst[r] <= 0.0005 && r + 0 < chosen / 2) exit 1; exit !(chosen > 0) }' errors
 result $? 'the chosen step is at most half as long as the longest one that would do'
-test -s duration/advice.svg && test -s duration/advice.png && grep -q '^plot \$pair0 using 5:' duration/advice.gp &&
+test -s duration/advice.svg && test -s duration/advice.png && grep -q '^plot \$variant0 using 5:' duration/advice.gp &&
   grep -q "title 'the advice'" duration/advice.gp && grep -q "^     0.05 with lines .* title 'tolerance'" duration/advice.gp &&
-  test "$(sed -n '/^\$pair0 /,/^EOD/p' duration/advice.gp | grep -c '^hertz')" -eq "$(rows duration/advice.tsv | wc -l)"
+  test "$(sed -n '/^\$variant0 /,/^EOD/p' duration/advice.gp | grep -c '^hertz')" -eq "$(rows duration/advice.tsv | wc -l)"
 result $? 'the figure'
 rows duration/advice.tsv | awk -F '\t' '$10 == "chosen" { chosen = $5 } $10 == "within" && $5 < best { best = $5 } BEGIN { best = 1e99 }
   END { exit !(chosen > 0 && chosen <= best) }'
@@ -61,7 +61,7 @@ result $? 'no setting within the tolerance has fewer updates'
 # The shear laws differ in an oblique impact. `shear none` passes a reference that knows of no friction, which is not the truth of the page.
 oblique=$cases/4-oblique/oblique-impact.md
 run 0 advise "$oblique" --set poisson=0.3 --set psi1=2 --quantity impact.psi2 --within 0.01 -o oblique &&
-  said "$(grep -c '^# left out: .* times the tolerance' oblique/advice.tsv) other pairs of laws give too different values; the one with the smallest difference is normal hertz"
+  said "$(grep -c '^# left out: .* times the tolerance' oblique/advice.tsv) other variants give too different values; the one with the smallest difference is normal hertz"
 result $? 'advice on an oblique impact'
 cp oblique/advice.tsv "$why"
 grep -q '^# left out: normal hertz, shear none: ' oblique/advice.tsv &&
@@ -87,7 +87,7 @@ until C.normal below 1e-300 at most 100000 cycles
 ```
 EOF
 run 0 advise head-on.md --quantity 'C.normal max in b' --within '5 %' -o head-on &&
-  said 'other pairs of laws give the same values as another pair' &&
+  said 'other variants give the same values as another one' &&
   test "$(rows head-on/advice.tsv | cut -f 1,2 | sort -u | wc -l)" -eq 2
 result $? 'laws that change nothing are not tried'
 
@@ -148,4 +148,80 @@ run 0 advise cycles.md --quantity D.vx --within '1 %' -o cycles && said '--set r
 result $? 'a page with a number of cycles, which no coarser step divides'
 run 2 check still.md --within 1 && said "does not use --within"
 result $? 'an option of another command'
+
+# ---- traded values, and means over realizations ----
+
+cat >gas.md <<'EOF'
+# Discs that collide in a periodic cell
+
+```scene
+units none
+sweep seed 1 2 3
+let rate = 0.01
+let dt = 0.004
+trade rate 0.02 0.005
+material m density 1 kn 1000 ks 500 friction 0.5
+normal linear
+shear linear
+cell 0 0 to 9 9
+grading g 1 6 0.7 8
+fill discs cell g m seed $seed attempts 10000 else skip
+region A all
+record energy.kinetic A.porosity
+step $dt
+stage a
+cell strain (-rate) -0.01
+until time above 2 at most 100000 cycles
+```
+EOF
+run 0 advise gas.md --over seed --quantity energy.kinetic --within '10 %' -o gas &&
+  said 'this holds for the mean over realizations (seed = 1 to 8), with 95 % confidence; a single run is not covered, since runs scatter with a standard deviation of 0.0'
+result $? 'advice on a mean over realizations'
+cp gas/advice.tsv "$why"
+grep -qx '# energy.kinetic within 10 %, mean over seed = 1 to 8' gas/advice.tsv &&
+  test "$(rows gas/advice.tsv | cut -f 12 | sort -u | tr '\n' ' ')" = '- rate=0.005 rate=0.02 ' &&
+  test "$(rows gas/advice.tsv | cut -f 1,2 | sort -u)" = "$(printf 'linear\tlinear')"
+result $? 'traded values are tried, laws are not'
+# The setting in the table gives the mean whose difference from that of half the step is printed.
+rows gas/advice.tsv | awk -F '\t' '$12 == "rate=0.02" { print $3, $9 }' | head -n 1 >setting
+mean() {
+  for seed in 1 2 3 4 5 6 7 8; do
+    "$nineball" run gas.md --set "seed=$seed" "$@" -o run >/dev/null 2>&1
+    rows=$(grep -v '^#' run/table.tsv | sed -n '1p;$p')
+    echo "$rows" | awk -F '\t' 'NR == 1 { while ($++k !~ /^energy/); } NR == 2 { print $k }'
+  done | awk '{ sum += $1 } END { printf "%.17g\n", sum / NR }'
+}
+read -r refine difference <setting
+echo "$(mean --set refine=2) $(mean --set rate=0.02 --set "refine=$refine") $difference" >"$why"
+awk '{ d = ($2 - $1) / $1; d = d < 0 ? -d : d; exit !($3 > 0.001 && d / $3 > 0.999 && d / $3 < 1.001) }' "$why"
+result $? 'the difference of the means'
+run 0 advise gas.md --over seed --realizations 12 --set trade='rate 0.04' --quantity energy.kinetic --within '10 %' -o set &&
+  said '(seed = 1 to 12)' && rows set/advice.tsv | cut -f 12 >"$why" && grep -qx rate=0.04 "$why" && grep -qx rate=0.02 "$why"
+result $? 'a trade on the command line adds to those of the page'
+run 0 advise gas.md --over seed --set dt=0.002 --quantity energy.kinetic --within '10 %' -o own && said 'nineball run gas.md --set dt=0.002 --set refine='
+result $? 'the command to run has the settings of the caller'
+run 1 advise gas.md --over seed --quantity energy.kinetic --within '0.001 %' && said 'the mean over 8 realizations is not known well enough' &&
+  said 'Choose more --realizations'
+result $? 'a mean that is not known well enough'
+run 2 advise gas.md --over seed --set seed=2 --quantity energy.kinetic --within '10 %' && said '--over seed and --set seed=2 exclude each other'
+result $? 'realizations of one seed'
+run 2 advise gas.md --over sead --quantity energy.kinetic --within '10 %' && said 'did you mean `seed`?'
+result $? 'realizations of an unknown name'
+run 2 advise gas.md --over seed --realizations 4 --quantity energy.kinetic --within '10 %' && said 'expected 8 to 32 --realizations' &&
+  run 2 advise gas.md --realizations 9 --quantity energy.kinetic --within '10 %' && said 'with --over NAME'
+result $? 'too few realizations'
+sed 's/^let rate/let stiff = 1000\n&/; s/kn 1000/kn $stiff/; s/^trade .*/trade stiff 1000 500/' gas.md >soft.md
+run 0 advise soft.md --set seed=1 --quantity energy.kinetic --within '20 %' -o soft && said 'other variants give the same values as another one' &&
+  rows soft/advice.tsv | cut -f 12 | grep -qx stiff=500
+result $? 'a traded value of a single run; that of the page itself is left out'
+sed 's/^trade .*/trade laws none/' gas.md >no-laws.md
+run 0 advise no-laws.md --set seed=1 --quantity A.porosity --within '1 %' -o no-laws && test "$(rows no-laws/advice.tsv | cut -f 1,2 | sort -u | wc -l)" -eq 1
+result $? 'a page that does not trade its laws'
+many='trade rate 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16'
+for names in 'a b' 'a b c d e f g h i'; do
+  awk -v names="$names" -v many="$many" '/^trade/ { n = split(names, name, " "); for (k = 1; k <= n; k++) { print "let", name[k], "= 1"
+    row = many; sub("rate", name[k], row); if (n > 2) row = "trade " name[k] " 2"; print row } next } { print }' gas.md >many.md
+  run 2 advise many.md --set seed=1 --quantity A.porosity --within '1 %' && said 'expected at most 8 statements `trade` and 500 combinations' || break
+done
+result $? 'too many combinations'
 echo "1..$n"

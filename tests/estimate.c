@@ -2,6 +2,9 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_randist.h>
+#include <gsl/gsl_rng.h>
 #include <math.h>
 
 #include "../src/report/estimate.h"
@@ -79,6 +82,41 @@ static void a_claim_is_that_of_the_worst_phase(void) {
   CU_ASSERT_EQUAL(step, 0);
 }
 
+/* Differences 1, 3, 2, 6: mean 3, s^2 = 14/3, s/m^(1/2) = (7/6)^(1/2). */
+static void the_error_of_a_mean(void) {
+  const double n[] = {11, 23, 32, 46}, anchor[] = {10, 20, 30, 40};
+  double difference;
+  NEAR(nb_estimate_mean(&difference, n, anchor, 4, 2), 3 + 2 * sqrt(7.0 / 6), 1e-14);
+  CU_ASSERT_EQUAL(difference, 3);
+  NEAR(nb_estimate_mean(&difference, anchor, n, 4, 2), 3 + 2 * sqrt(7.0 / 6), 1e-14);
+  CU_ASSERT_EQUAL(difference, 3);
+  CU_ASSERT_EQUAL(nb_estimate_mean(&difference, n, n, 4, 2), 0);
+  const double bad[] = {11, NAN, 32, 46};
+  CU_ASSERT_EQUAL(nb_estimate_mean(&difference, bad, anchor, 4, 2), INFINITY);
+  CU_ASSERT_EQUAL(nb_estimate_mean(&difference, n, bad, 4, 2), INFINITY);
+}
+
+/* Realizations that share most of their scatter, with a difference of 0.3 between the means. The interval is two-sided
+ * and the claim one-sided, so at least 95 % of the claims hold; 0.004: four standard errors of this share. */
+static void most_claims_of_a_mean_hold(void) {
+  enum { SAMPLES = 20000, COUNT = 8 };
+  gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+  const double quantile = gsl_cdf_tdist_Pinv(0.975, COUNT - 1), shift = 0.3;
+  size_t held = 0, held_by_mean_alone = 0;
+  for (size_t k = 0; k < SAMPLES; k++) {
+    double n[COUNT], anchor[COUNT], difference;
+    for (size_t i = 0; i < COUNT; i++) {
+      anchor[i] = gsl_ran_gaussian(random, 5);
+      n[i] = anchor[i] + shift + gsl_ran_gaussian(random, 1);
+    }
+    held += nb_estimate_mean(&difference, n, anchor, COUNT, quantile) >= shift;
+    held_by_mean_alone += difference >= shift;
+  }
+  CU_ASSERT(held >= (0.95 - 0.004) * SAMPLES);
+  CU_ASSERT(held_by_mean_alone < 0.7 * SAMPLES);
+  gsl_rng_free(random);
+}
+
 void suite_estimate(void) {
   CU_pSuite suite = CU_add_suite("estimate", NULL, NULL);
   CU_ADD_TEST(suite, richardson_finds_the_error_of_a_power);
@@ -87,4 +125,6 @@ void suite_estimate(void) {
   CU_ADD_TEST(suite, what_is_not_finite_has_no_estimate);
   CU_ADD_TEST(suite, the_anchor_has_an_uncertainty);
   CU_ADD_TEST(suite, a_claim_is_that_of_the_worst_phase);
+  CU_ADD_TEST(suite, the_error_of_a_mean);
+  CU_ADD_TEST(suite, most_claims_of_a_mean_hold);
 }

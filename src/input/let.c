@@ -184,10 +184,9 @@ static bool rows_differ(struct nb_reader *reader, const struct nb_binding *value
         equal++;
       if (equal < columns)
         continue;
-      return nb_token_mistake(
-          reader, tokens[row], NULL,
-          "expected different values in each run, found the same ones in runs %zu and %zu of this sweep",
-          above / columns + 1, row / columns + 1);
+      return nb_token_mistake(reader, tokens[row], NULL,
+                              "expected different values, found the same ones in places %zu and %zu",
+                              above / columns + 1, row / columns + 1);
     }
   return true;
 }
@@ -280,9 +279,51 @@ NB_APPLY(apply_sweep) {
   }
 }
 
+/* `laws all|none`, or a name and other values for it. */
+NB_APPLY(apply_trade) {
+  struct nb_scene_reading *reading = subject;
+  struct nb_scene *scene = reading->scene;
+  const struct nb_token *name = record->value[AT_NAME].token;
+  if (strcmp(name->text, "laws") == 0) {
+    scene->trade_laws = nb_token_skip(reader, "none")  ? NB_TRADE_LAWS_NONE
+                        : nb_token_skip(reader, "all") ? NB_TRADE_LAWS_ALL
+                                                       : NB_TRADE_LAWS_DEFAULT;
+    if (scene->trade_laws == NB_TRADE_LAWS_DEFAULT)
+      nb_expected(reader, NULL, "`all` or `none`");
+    return;
+  }
+  char hint[NB_HINT_SIZE];
+  struct nb_binding values[NB_TOKENS_MAX];
+  const int index = NB_FIND(scene->bindings, scene->binding_count, name->text);
+  if (index < 0) {
+    nb_unknown_name(reader, name, NB_NEAREST(hint, name->text, scene->bindings, scene->binding_count),
+                    "a name that a `let` or `sweep` above defines, or `laws`");
+    return;
+  }
+  const struct nb_binding *binding = &scene->bindings[index];
+  const struct nb_token *first = nb_token_peek(reader);
+  if (binding->swept)
+    nb_expected_at(reader, name, "advice holds for all values of a sweep", "a name that is not swept");
+  const size_t count = reader->bad ? 0 : take_rows(reader, values, 1);
+  if (count == 0 || nb_too_many(reader, count - 1, NB_TRADED_MAX, "values"))
+    return;
+  if (isnan(binding->value) != isnan(values[0].value) || !nb_dimension_same(binding->dimension, values[0].dimension)) {
+    snprintf(hint, sizeof hint, "the value of `%s` is %.80s", name->text, binding->text);
+    nb_expected_at(reader, first, hint, "values of the same kind and unit");
+    return;
+  }
+  struct nb_trade trade = {.count = count};
+  snprintf(trade.name, sizeof trade.name, "%s", name->text);
+  for (size_t k = 0; k < count; k++)
+    snprintf(trade.values[k], sizeof trade.values[k], "%s", values[k].text);
+  NB_APPEND(reader, scene->trades, scene->trade_count, trade);
+}
+
 /* Names that --set knows on every page: first the statements that it overrides. */
-static const struct { char name[NB_NAME_SIZE]; } settable[] = {{"normal"}, {"shear"}, {"step"}, {"refine"}, {"follow"}};
-enum { OVERRIDDEN = 3, SETTABLE = sizeof settable / sizeof *settable };
+static const struct {
+  char name[NB_NAME_SIZE];
+} settable[] = {{"normal"}, {"shear"}, {"step"}, {"trade"}, {"refine"}, {"follow"}};
+enum { OVERRIDDEN = 4, SETTABLE = sizeof settable / sizeof *settable };
 
 /* refine=R */
 static void read_refine(struct nb_reader *setting, size_t line, double *refine) {
@@ -351,6 +392,10 @@ NB_STATEMENTS(let) = {
    "Gives a name several values, one for each run. With several names, each run takes one value for each, and --set of one name selects the runs with this value. "
    "Several sweeps make all combinations; the last one varies fastest.",
    "sweep     speed 0.1 m/s 0.2 m/s"},
+  {"trade", NB_IN_SCENE | NB_IN_CONTACT_TEST, value_fields, "VALUE …, or laws all|none", 0, false, apply_trade,
+   "Other values of the name that `nineball advise` may choose, if they are cheaper and the error stays within the tolerance. `trade laws none`: it keeps the page's contact laws. "
+   "It changes no run. On the command line: --set 'trade=NAME VALUE …'.",
+   "let       rate = 1\ntrade     rate 3 10"},
   {0},
 };
 /* clang-format on */

@@ -311,5 +311,6 @@ void nb_scene_free(struct nb_scene *scene) {
   free(scene->columns);
   free(scene->stages);
   free(scene->bindings);
+  free(scene->trades);
   memset(scene, 0, sizeof *scene);
 }

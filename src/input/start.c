@@ -301,8 +301,10 @@ void nb_hash_line(struct nb_scene_reading *reading) {
   const struct nb_reader *reader = &reading->reader;
   const char *verb = reader->tokens[0].text;
   reading->first_line = reading->first_line ? reading->first_line : reader->line;
-  if (strcmp(verb, "record") == 0 || strcmp(verb, "snapshot") == 0 || strcmp(verb, "start") == 0)
-    return; /* `start` adds the hash of the other page */
+  static const char *const without[] = {"record", "snapshot", "trade", "start"}; /* `start` adds that of the page */
+  for (size_t k = 0; k < sizeof without / sizeof *without; k++)
+    if (strcmp(verb, without[k]) == 0)
+      return;
   for (size_t k = 0; k < reader->count; k++)
     reading->hash = nb_hash(reading->hash, reader->tokens[k].text, strlen(reader->tokens[k].text) + 1);
   reading->hash = nb_hash(reading->hash, "\n", 1);

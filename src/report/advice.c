@@ -1,4 +1,4 @@
-/* `nineball advise`: prints the result of the search; writes a table of all settings with a estimated error, and a figure
+/* `nineball advise`: prints the result of the search; writes a table of all settings with an estimated error, and a figure
  * of this error against cost.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -8,24 +8,61 @@
 
 #include "advise.h"
 #include "commands.h"
+#include "core/clean.h"
 #include "core/clock.h"
+
+/* ` --set NAME=VALUE`, with quotes if the value needs them. */
+static void append_setting(char *text, size_t size, const char *name, const char *value) {
+  const char *quote = strpbrk(value, " ()*'\"$") ? "'" : "";
+  nb_append(text, size, "%s--set %s%s=%s%s", text[0] ? " " : "", quote, name, value, quote);
+}
+
+/* The traded values of a variant: "rate=3, E=7 GPa", or as options. */
+static void append_values(char *text, size_t size, const struct nb_advice *advice, const struct nb_variant *variant,
+                          bool options) {
+  const struct nb_scene *scene = &advice->page.runs[0].scene;
+  for (size_t k = 0; k < scene->trade_count; k++) {
+    const struct nb_trade *trade = &scene->trades[k];
+    const char *value = variant->value[k] ? trade->values[variant->value[k] - 1] : NULL;
+    if (value && options)
+      append_setting(text, size, trade->name, value);
+    else if (value)
+      nb_append(text, size, "%s%s=%s", text[0] ? ", " : "", trade->name, value);
+  }
+}
 
 /* The settings as options: "--set shear=mindlin --set refine=0.25". */
 static void options_of(char *text, size_t size, const struct nb_advice *advice, const struct nb_setting *setting) {
-  const struct nb_law_pair *pair = &advice->pairs[setting->pair];
-  size_t used = 0;
+  const struct nb_variant *variant = &advice->variants[setting->variant];
   text[0] = 0;
-  if (pair->normal[0])
-    used += (size_t)snprintf(text, size, "--set normal=%s --set shear=%s ", pair->normal, pair->shear);
-  if (used < size)
-    snprintf(text + used, size - used, "--set refine=%.9g", advice->page.runs[0].scene.refine * exp2(setting->level));
+  if (variant->normal[0])
+    nb_append(text, size, "--set normal=%s --set shear=%s", variant->normal, variant->shear);
+  append_values(text, size, advice, variant, true);
+  nb_append(text, size, "%s--set refine=%.9g", text[0] ? " " : "",
+            advice->page.runs[0].scene.refine * exp2(setting->level));
 }
 
-/* The unit of an error: "%", that of the quantity, or "". */
-static const char *unit_of(const struct nb_advice *advice) {
-  if (advice->tolerance.kind == NB_RELATIVE)
-    return "%";
+/* Those of the caller that the next command needs, too. */
+static void print_own_options(const struct nb_advice *advice) {
+  for (size_t k = 0; advice->query->settings[k]; k++) {
+    const char *setting = advice->query->settings[k];
+    char text[1024] = "", name[NB_NAME_SIZE];
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(setting, "="), setting);
+    if (strcmp(name, "trade") != 0 && strcmp(name, "refine") != 0) {
+      append_setting(text, sizeof text, name, strchr(setting, '=') + 1);
+      printf(" %s", text);
+    }
+  }
+}
+
+/* The unit of the quantity, or "". */
+static const char *unit_of_value(const struct nb_advice *advice) {
   return advice->page.runs[0].scene.unitless || !advice->unit || strcmp(advice->unit, "1") == 0 ? "" : advice->unit;
+}
+
+/* That of an error: "%", or the same. */
+static const char *unit_of(const struct nb_advice *advice) {
+  return advice->tolerance.kind == NB_RELATIVE ? "%" : unit_of_value(advice);
 }
 
 static void error_text(char text[NB_NAME_SIZE], const struct nb_advice *advice, double ratio) {
@@ -35,6 +72,13 @@ static void error_text(char text[NB_NAME_SIZE], const struct nb_advice *advice, 
 }
 
 static const char *word(const char *law, const char *own) { return law[0] ? law : own; }
+
+/* "normal hertz, shear mindlin, rate=3" */
+static void name_variant(char *text, size_t size, const struct nb_advice *advice, const struct nb_variant *variant) {
+  const struct nb_scene *scene = &advice->page.runs[0].scene;
+  snprintf(text, size, "normal %s, shear %s", word(variant->normal, scene->normal), word(variant->shear, scene->shear));
+  append_values(text, size, advice, variant, false);
+}
 
 static const char *label_of(const struct nb_advice *advice, size_t run) { return advice->page.runs[run].label; }
 
@@ -60,21 +104,22 @@ static const struct nb_setting *most_accurate(const struct nb_advice *advice) {
   return found;
 }
 
-/* "0.0076, in run psi1=1; by the step alone 0.0062" */
+/* "0.0076, in run psi1=1; by the step alone 0.0062"; "0.0076; difference of the means 0.0012" */
 static void print_error_of(const struct nb_advice *advice, const struct nb_setting *setting) {
   char claim[NB_NAME_SIZE], step[NB_NAME_SIZE];
   const char *label = label_of(advice, setting->worst);
   error_text(claim, advice, setting->ratio);
   error_text(step, advice, setting->step_ratio);
-  printf("%s%s%s; by the step alone %s\n", claim, label[0] ? ", in run " : "", label, step);
+  printf("%s%s%s; %s %s\n", claim, label[0] ? ", in run " : "", label,
+         advice->query->over ? "difference of the means" : "by the step alone", step);
 }
 
 /* The step and the laws in words. */
 static void print_setting(const struct nb_advice *advice, const struct nb_setting *setting) {
   const struct nb_scene *scene = &advice->page.runs[0].scene;
-  const struct nb_law_pair *pair = &advice->pairs[setting->pair];
   const double step = nb_point_at(advice, setting)->step, times = exp2(abs(setting->level));
-  char length[NB_NAME_SIZE] = "";
+  char length[NB_NAME_SIZE] = "", name[512];
+  name_variant(name, sizeof name, advice, &advice->variants[setting->variant]);
   if (step > 0)
     snprintf(length, sizeof length, " (%.3g%s)", step, scene->unitless ? "" : " s");
   printf("    the step%s is ", length);
@@ -82,15 +127,16 @@ static void print_setting(const struct nb_advice *advice, const struct nb_settin
     fputs("that of the page", stdout);
   else
     printf("%g times as %s as that of the page", times, setting->level < 0 ? "long" : "short");
-  printf("; normal %s, shear %s%s\n", word(pair->normal, scene->normal), word(pair->shear, scene->shear),
-         setting->pair == 0 ? ", as in the page" : "");
+  printf("; %s%s\n", name, setting->variant == 0 ? ", as in the page" : "");
 }
 
 static void print_cost(const struct nb_advice *advice, const struct nb_point *point) {
-  const struct nb_point *own = &advice->pairs[0].points[-NB_LEVEL_LOW];
+  const struct nb_point *own = &advice->variants[0].points[-NB_LEVEL_LOW];
   printf("  cost: %.0f contact and particle updates", point->updates);
   if (advice->runs > 1)
     printf(" in all %zu runs of the page", advice->runs);
+  if (advice->query->over)
+    fputs(" for a realization", stdout);
   if (own->done)
     printf(", %.3g %% of the %.0f with the page's own setting; %.2g s instead of %.2g s",
            100 * point->updates / own->updates, own->updates, point->seconds, own->seconds);
@@ -116,12 +162,27 @@ static void print_choice(const struct nb_advice *advice, const struct nb_setting
   if (!cheaper && coarser && coarser->reason[0])
     printf("  a step twice as long cannot be run: %s\n", coarser->reason);
   options_of(options, sizeof options, advice, chosen);
-  printf("to run it: nineball run %s %s\n", advice->query->path, options);
-  if (chosen->level < 0 || chosen->pair > 0)
+  printf("to run it: nineball run %s", advice->query->path);
+  print_own_options(advice);
+  printf(" %s\n", options);
+  if (chosen->level < 0 || chosen->variant > 0)
     puts("  checks of the page that have tighter tolerances may fail then");
 }
 
-static void print_conditions(const struct nb_advice *advice) {
+/* The largest standard deviation of single realizations, of all runs, at the setting. */
+static double scatter_of(const struct nb_advice *advice, const struct nb_setting *setting) {
+  double largest = 0;
+  for (size_t r = 0; r < advice->runs; r++)
+    largest = fmax(largest, nb_estimate_scatter(nb_point_at(advice, setting)->values + r * NB_TRIALS, advice->trials));
+  return largest;
+}
+
+static void print_conditions(const struct nb_advice *advice, const struct nb_setting *chosen) {
+  if (advice->query->over)
+    printf("  this holds for the mean over realizations (%s = 1 to %zu), with 95 %% confidence; a single run is not "
+           "covered, since runs scatter with a standard deviation of %.2g%s%s\n",
+           advice->query->over, advice->trials, scatter_of(advice, chosen), *unit_of_value(advice) ? " " : "",
+           unit_of_value(advice));
   if (advice->runs > 1)
     printf("  this holds for the %zu runs of the page; with other values another setting may be the cheapest\n",
            advice->runs);
@@ -129,35 +190,41 @@ static void print_conditions(const struct nb_advice *advice) {
     puts("  this holds for this page alone; with other values another setting may be the cheapest");
 }
 
-/* Prints how many pairs of laws were left out, because they change nothing or are too far from the anchor; of the
- * latter the nearest one. */
+/* "  2 other variants give …", or nothing for none. */
+static void print_count(size_t count, const char *one, const char *several, const char *rest) {
+  if (count)
+    printf("  %zu other variant%s %s %s", count, count > 1 ? "s" : "", count > 1 ? several : one, rest);
+}
+
+/* Prints how many variants were left out, because they change nothing or are too far from the anchor; of the latter the
+ * nearest one. */
 static void print_left_out(const struct nb_advice *advice) {
-  const struct nb_law_pair *nearest = NULL;
+  const struct nb_variant *nearest = NULL;
   size_t equal = 0, farther = 0, refused = 0;
-  for (size_t k = 1; k < advice->pair_count; k++) {
-    const struct nb_law_pair *pair = &advice->pairs[k];
-    equal += pair->equal, farther += pair->distance > 0;
-    refused += pair->reason[0] && !pair->equal && !(pair->distance > 0);
-    if (pair->distance > 0 && (!nearest || pair->distance < nearest->distance))
-      nearest = pair;
+  char name[512];
+  for (size_t k = 1; k < advice->variant_count; k++) {
+    const struct nb_variant *variant = &advice->variants[k];
+    equal += variant->equal, farther += variant->distance > 0;
+    refused += variant->reason[0] && !variant->equal && !(variant->distance > 0);
+    if (variant->distance > 0 && (!nearest || variant->distance < nearest->distance))
+      nearest = variant;
   }
-  if (equal)
-    printf("  %zu other pair%s of laws give%s the same values as another pair\n", equal, equal > 1 ? "s" : "",
-           equal > 1 ? "" : "s");
-  if (refused)
-    printf("  %zu other pair%s of laws cannot be run with this page\n", refused, refused > 1 ? "s" : "");
-  if (nearest)
-    printf("  %zu other pair%s of laws give%s too different values; the one with the smallest difference is normal %s, "
-           "shear "
-           "%s: %s\n",
-           farther, farther > 1 ? "s" : "", farther > 1 ? "" : "s", nearest->normal, nearest->shear, nearest->reason);
+  print_count(equal, "gives", "give", "the same values as another one\n");
+  print_count(refused, "cannot", "cannot", "be run with this page\n");
+  print_count(farther, "gives", "give", "too different values; ");
+  if (nearest) {
+    name_variant(name, sizeof name, advice, nearest);
+    printf("the one with the smallest difference is %s: %s\n", name, nearest->reason);
+  }
+  if (equal + refused + farther)
+    puts("  (a variant is the page with other laws, or with values that it trades)");
 }
 
 static void print_advice(const struct nb_advice *advice) {
   printf("%s: %s\n", advice->page.page.name, advice->text);
   if (advice->chosen >= 0) {
     print_choice(advice, &advice->settings[advice->chosen]);
-    print_conditions(advice);
+    print_conditions(advice, &advice->settings[advice->chosen]);
   } else {
     const struct nb_setting *best = most_accurate(advice);
     char options[256];
@@ -177,46 +244,48 @@ static void print_advice(const struct nb_advice *advice) {
 
 /* ---- table and figure ---- */
 
-/* Writes all settings, those of the pair of laws with index `which`, or the chosen one. */
-enum { ALL_PAIRS = -1, CHOSEN = -2 };
+/* Writes all settings, those of the variant with index `which`, or the chosen one. */
+enum { ALL_VARIANTS = -1, CHOSEN = -2 };
 static void write_rows(FILE *out, const struct nb_advice *advice, int which) {
   const struct nb_scene *scene = &advice->page.runs[0].scene;
   for (size_t k = 0; k < advice->setting_count; k++) {
     const struct nb_setting *setting = &advice->settings[k];
-    const struct nb_law_pair *pair = &advice->pairs[setting->pair];
+    const struct nb_variant *variant = &advice->variants[setting->variant];
     const struct nb_point *point = nb_point_at(advice, setting);
-    if (which == CHOSEN ? (int)k != advice->chosen : which != ALL_PAIRS && (int)setting->pair != which)
+    char values[512] = "";
+    append_values(values, sizeof values, advice, variant, false);
+    if (which == CHOSEN ? (int)k != advice->chosen : which != ALL_VARIANTS && (int)setting->variant != which)
       continue;
-    fprintf(out, "%s\t%s\t%.17g\t%.6g\t%.6g\t%.6g\t%.6g\t%.6g\t%.6g\t%s\t%s\n", word(pair->normal, scene->normal),
-            word(pair->shear, scene->shear), scene->refine * exp2(setting->level), point->step, point->updates,
-            point->seconds, setting->ratio, setting->ratio * advice->tolerance.value,
-            setting->step_ratio * advice->tolerance.value,
+    fprintf(out, "%s\t%s\t%.17g\t%.6g\t%.6g\t%.6g\t%.6g\t%.6g\t%.6g\t%s\t%s\t%s\n",
+            word(variant->normal, scene->normal), word(variant->shear, scene->shear),
+            scene->refine * exp2(setting->level), point->step, point->updates, point->seconds, setting->ratio,
+            setting->ratio * advice->tolerance.value, setting->step_ratio * advice->tolerance.value,
             (int)k == advice->chosen ? "chosen"
             : setting->ratio <= 1    ? "within"
                                      : "misses",
-            label_of(advice, setting->worst)[0] ? label_of(advice, setting->worst) : "-");
+            label_of(advice, setting->worst)[0] ? label_of(advice, setting->worst) : "-", values[0] ? values : "-");
   }
 }
 
 static const char head[] = "normal\tshear\trefine\tmean-step\tupdates\tseconds\tclaim/tolerance\tclaim\terror-of-step\t"
-                           "result\tworst-run\n";
+                           "result\tworst-run\tvalues\n";
 
-static bool has_settings(const struct nb_advice *advice, size_t pair) {
+static bool has_settings(const struct nb_advice *advice, size_t variant) {
   for (size_t k = 0; k < advice->setting_count; k++)
-    if (advice->settings[k].pair == pair)
+    if (advice->settings[k].variant == variant)
       return true;
   return false;
 }
 
 static void write_figure(FILE *out, const struct nb_outcome *page, const void *data) {
   const struct nb_advice *advice = data;
-  const struct nb_scene *scene = &page->runs[0].scene;
+  (void)page;
   const double factor = advice->tolerance.kind == NB_RELATIVE ? 100 : 1;
   const char *unit = unit_of(advice);
   const char *between = "plot ";
-  for (size_t p = 0; p < advice->pair_count; p++)
+  for (size_t p = 0; p < advice->variant_count; p++)
     if (has_settings(advice, p)) {
-      fprintf(out, "$pair%zu << EOD\n%s", p, head);
+      fprintf(out, "$variant%zu << EOD\n%s", p, head);
       write_rows(out, advice, (int)p);
       fputs("EOD\n", out);
     }
@@ -235,13 +304,15 @@ static void write_figure(FILE *out, const struct nb_outcome *page, const void *d
   fputs("set title '", out);
   nb_print_escaped(out, advice->text, quote);
   fprintf(out,
-          "' noenhanced\nset xlabel 'contact and particle updates of all runs'\nset ylabel 'estimated error%s%s'\n",
-          unit[0] ? ", " : "", unit);
-  for (size_t p = 0; p < advice->pair_count; p++)
+          "' noenhanced\nset xlabel 'contact and particle updates of all runs%s'\nset ylabel 'estimated error%s%s'\n",
+          advice->query->over ? ", mean over realizations" : "", unit[0] ? ", " : "", unit);
+  for (size_t p = 0; p < advice->variant_count; p++)
     if (has_settings(advice, p)) {
-      fprintf(out, "%s$pair%zu using 5:($8*%g) with linespoints pt 7 lw 2 title 'normal %s, shear %s' noenhanced",
-              between, p, factor, word(advice->pairs[p].normal, scene->normal),
-              word(advice->pairs[p].shear, scene->shear));
+      char name[512];
+      name_variant(name, sizeof name, advice, &advice->variants[p]);
+      fprintf(out, "%s$variant%zu using 5:($8*%g) with linespoints pt 7 lw 2 title '", between, p, factor);
+      nb_print_escaped(out, name, quote);
+      fputs("' noenhanced", out);
       between = ", \\\n     ";
     }
   if (advice->chosen >= 0)
@@ -256,25 +327,35 @@ static enum nb_status save_advice(const struct nb_advice *advice, const char *fo
                                   struct nb_error *error) {
   const struct nb_script script = {"advice", &advice->page, write_figure, advice};
   struct nb_save file;
+  char name[512];
   if (nb_folder_create(folder, error) || nb_save_begin_in(&file, error, folder, "advice.tsv"))
     return error->status;
   nb_preamble_write(file.file, &advice->page);
-  fprintf(file.file, "# %s\n%s", advice->text, head);
-  write_rows(file.file, advice, ALL_PAIRS);
+  fprintf(file.file, "# %s", advice->text);
+  if (advice->query->over)
+    fprintf(file.file, ", mean over %s = 1 to %zu", advice->query->over, advice->trials);
+  fprintf(file.file, "\n%s", head);
+  write_rows(file.file, advice, ALL_VARIANTS);
   for (int level = NB_LEVEL_LOW; level <= NB_LEVEL_HIGH; level++)
-    if (advice->pairs[0].points[level - NB_LEVEL_LOW].reason[0])
+    if (advice->variants[0].points[level - NB_LEVEL_LOW].reason[0])
       fprintf(file.file, "# not run: refine=%.9g: %s\n", advice->page.runs[0].scene.refine * exp2(level),
-              advice->pairs[0].points[level - NB_LEVEL_LOW].reason);
-  for (size_t k = 1; k < advice->pair_count; k++)
-    if (advice->pairs[k].reason[0])
-      fprintf(file.file, "# left out: normal %s, shear %s: %s\n", advice->pairs[k].normal, advice->pairs[k].shear,
-              advice->pairs[k].reason);
+              advice->variants[0].points[level - NB_LEVEL_LOW].reason);
+  for (size_t k = 1; k < advice->variant_count; k++)
+    if (advice->variants[k].reason[0]) {
+      name_variant(name, sizeof name, advice, &advice->variants[k]);
+      fprintf(file.file, "# left out: %s: %s\n", name, advice->variants[k].reason);
+    }
   if (nb_save_end(&file, error))
     return error->status;
   return nb_script_draw(&script, folder, trust, error);
 }
 
 /* ---- the command ---- */
+
+static bool read_realizations(size_t *count, const struct nb_call *call) {
+  *count = call->realizations ? (size_t)call->realizations : NB_REALIZATIONS_MIN;
+  return (call->over || !call->realizations) && *count >= NB_REALIZATIONS_MIN && *count <= NB_TRIALS;
+}
 
 static bool read_budget(double *seconds, const char *text) {
   char *end;
@@ -307,6 +388,7 @@ enum nb_status nb_command_advise(const struct nb_call *call) {
                                   .options = call->options,
                                   .quantity = call->quantity,
                                   .within = call->within,
+                                  .over = call->over,
                                   .progress = nb_print_progress(&line)};
   struct nb_advice advice;
   struct nb_error error = {0};
@@ -314,6 +396,10 @@ enum nb_status nb_command_advise(const struct nb_call *call) {
     fputs("nineball: expected one page, --within TOLERANCE, and a --budget in seconds: nineball advise PAGE --within "
           "'1 %'\n",
           stderr);
+    return NB_BAD_USE;
+  }
+  if (!read_realizations(&query.realizations, call)) {
+    fprintf(stderr, "nineball: expected %d to %d --realizations, with --over NAME\n", NB_REALIZATIONS_MIN, NB_TRIALS);
     return NB_BAD_USE;
   }
   enum nb_status status = nb_advise(&advice, &query, &error);

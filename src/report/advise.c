@@ -1,17 +1,17 @@
-/* Advice: the cheapest step and contact laws whose error in one quantity is within a tolerance, found by
- * running the page.
+/* Advice: the cheapest setting whose error in one quantity is within a tolerance, found by running the page.
  *
- * Errors are relative to the limit of the page for a step towards zero, with its own laws; the anchor of estimate.c
- * approximates it. The reference of the page is not used, because for a candidate with other laws it would return
- * another solution. A setting is a pair of laws and a level: the page with --set refine=2^level. Each setting is run at
- * several phases, which are moments of first touch within a step. `impact` sets them; a page whose stages all end by
- * `until` is run with slightly different steps instead. Any other page has one phase.
+ * Errors are relative to the limit of the page for a step towards zero, with its own laws and values; the anchor of
+ * estimate.c approximates it. The reference of the page is not used, because for a candidate with other laws it would
+ * return another solution. A setting is a variant, which is the page with other laws or other values of the names that
+ * it trades, and a level: the variant with --set refine=2^level. Each setting is run in several trials (trials.c).
  *
  * The estimated error of a setting needs the results at its level, at the two finer ones, and an anchor that is at least
  * two levels finer. Levels are tried from the coarsest one on; the first one within the tolerance is the cheapest of
- * its pair of laws. A pair is left out if the page or its reference refuses it, if it gives the values of another pair,
- * or if they differ from the anchor by more than twice the tolerance at the level that was found for the page's own
- * laws.
+ * its variant. A variant is left out if the page or its reference refuses it, if it gives the values of another one,
+ * or if they differ from the anchor by more than twice the tolerance at the level that was found for the page as it is.
+ *
+ * With realizations only their mean is estimated. Its anchor is the page with half its step, and no step is shorter
+ * than that of the page.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "advise.h"
@@ -24,186 +24,51 @@
 #include "core/clock.h"
 #include "input/reader.h"
 #include "laws/law.h"
+#include "student.h"
 
-enum { PARTICLES_MAX = 50, SETTINGS_EXTRA = 4 };
-static const double anchor_share = 0.5; /* largest uncertainty of the anchor, as a fraction of the tolerance */
-static const double phase_spread =
-    0.08; /* of a page without `impact`: largest relative difference of the steps of two phases */
-static const double law_distance = 2; /* over the tolerance: a pair of laws farther from the anchor is left out */
+enum { PARTICLES_MAX = 50 };
+static const double anchor_share = 0.5;   /* largest uncertainty of the anchor, as a fraction of the tolerance */
+static const double variant_distance = 2; /* over the tolerance: a variant farther from the anchor is left out */
+static const double confidence = 0.95;    /* of a mean over realizations */
 
-/* ---- one run of the page ---- */
-
-/* Memory that ran out ends the search; other reasons belong to the candidate. */
-static bool fail_memory(struct nb_advice *advice) {
-  advice->no_memory = advice->exhausted = true;
-  return false;
-}
-
-static bool fail(struct nb_point *point, const char *text) {
-  const size_t length = strcspn(text, "\n");
-  snprintf(point->reason, sizeof point->reason, "%.*s", (int)(length < 240 ? length : 240), text);
-  return false;
-}
-
-/* `phase`: a fraction of a step, 0 to 1. */
-static void set_phase(struct nb_scene *scene, double phase) {
-  if (scene->impact.line) {
-    scene->impact.phase = fmod(scene->impact.phase + phase, 1);
-    return;
-  }
-  scene->step.value /= 1 + phase_spread * phase;
-  for (size_t s = scene->start.stages; s < scene->stage_count; s++)
-    scene->stages[s].step.value /= 1 + phase_spread * phase;
-}
-
-/* Reads the page with the settings of the caller and then those of the candidate, and sets the phase. */
-static void read_candidate(struct nb_outcome *outcome, const struct nb_advice *advice, const struct nb_law_pair *pair,
-                           int level, size_t phase, const char **settings, char texts[][2 * NB_NAME_SIZE]) {
-  const struct nb_scene *page = &advice->page.runs[0].scene;
-  size_t count = 0;
-  while (advice->query->settings[count])
-    settings[count] = advice->query->settings[count], count++;
-  snprintf(texts[0], sizeof texts[0], "refine=%.17g", page->refine * exp2(level));
-  snprintf(texts[1], sizeof texts[1], "normal=%s", pair->normal);
-  snprintf(texts[2], sizeof texts[2], "shear=%s", pair->shear);
-  settings[count++] = texts[0];
-  if (pair->normal[0])
-    settings[count++] = texts[1], settings[count++] = texts[2];
-  settings[count] = NULL;
-  nb_outcome_read(outcome, advice->query->path, settings);
-  nb_references_prepare();
-  for (size_t r = 0; r < outcome->run_count; r++)
-    set_phase(&outcome->runs[r].scene, (double)phase / NB_PHASES);
-}
-
-/* Whether the reference of the page covers the laws; otherwise `nineball run` would refuse the setting. The runs of the
- * search use no reference. */
-static bool take_references(struct nb_advice *advice, struct nb_point *point, struct nb_law_pair *pair,
-                            struct nb_outcome *outcome) {
-  for (size_t r = 0; r < outcome->run_count; r++) {
-    struct nb_page_run *run = &outcome->runs[r];
-    const struct nb_reference *reference = run->expectations.reference;
-    run->expectations.reference = NULL;
-    if (pair->covered || !reference)
-      continue;
-    const enum nb_status status = nb_reference_solve(reference, &run->solution, &run->scene, &run->error);
-    solution_free(&run->solution);
-    if (status)
-      return status == NB_NO_MEMORY ? fail_memory(advice) : fail(point, run->error.text);
-  }
-  pair->covered = true;
-  return true;
-}
-
-/* Stores the quantity of each run, and the cost of the setting. */
-static bool take_values(struct nb_advice *advice, struct nb_point *point, struct nb_outcome *outcome, size_t phase) {
-  double seconds = 0, updates = 0;
-  for (size_t r = 0; r < advice->runs; r++) {
-    const struct nb_page_run *run = &outcome->runs[r];
-    struct nb_expectation wanted;
-    struct nb_error error;
-    if (nb_expectation_read(&wanted, "quantity", advice->text, &run->scene, &outcome->mistakes))
-      return outcome->mistakes.text ? fail(point, outcome->mistakes.text) : fail_memory(advice);
-    if (!nb_measure_value(&point->values[r * NB_PHASES + phase], &wanted.measure, &run->result.table, &error))
-      return fail(point, error.text);
-    seconds += run->result.seconds;
-    updates += (double)run->result.updates + (double)run->result.cycles * (double)run->scene.particle_count;
-  }
-  const struct nb_result *first = &outcome->runs[0].result;
-  if (first->cycles > 0 && first->table.row_count > 0)
-    point->step = (first->table.time[first->table.row_count - 1] - first->table.time[0]) / (double)first->cycles;
-  point->seconds = point->done ? fmin(point->seconds, seconds) : seconds;
-  point->updates = updates;
-  point->done |= 1U << phase;
-  return true;
-}
-
-/* Whether the run would end within the budget, if it takes twice as long as the one of the next coarser level. */
-static bool is_affordable(struct nb_advice *advice, const struct nb_law_pair *pair, int level) {
-  const double now = nb_clock() - advice->began;
-  const struct nb_point *point = &pair->points[level - NB_LEVEL_LOW];
-  double expected = point->done ? point->seconds : 0;
-  if (!point->done && level > NB_LEVEL_LOW && point[-1].done)
-    expected = 2 * point[-1].seconds;
-  if (now + expected > advice->query->budget)
-    advice->exhausted = true;
-  if (advice->query->progress.call)
-    advice->query->progress.call(advice->query->progress.data, "search", now / advice->query->budget, now);
-  return !advice->exhausted;
-}
-
-/* Runs all runs of a candidate that has been read, and stores their values. */
-static bool run_candidate(struct nb_advice *advice, struct nb_law_pair *pair, struct nb_point *point,
-                          struct nb_outcome *outcome, size_t phase) {
-  if (!outcome->status && outcome->run_count != advice->runs)
-    return fail(point, "the page has another number of runs with this setting");
-  if (!outcome->status && !take_references(advice, point, pair, outcome))
-    return false;
-  if (!outcome->status)
-    outcome->status = nb_outcome_run(outcome, &advice->query->options, NULL);
-  if (outcome->status == NB_NO_MEMORY)
-    return fail_memory(advice);
-  if (outcome->status)
-    return fail(point, outcome->mistakes.text ? outcome->mistakes.text : outcome->error.text);
-  return take_values(advice, point, outcome, phase);
-}
-
-/* Runs a pair of laws at a level and a phase, unless it has been run. */
-static bool run_phase(struct nb_advice *advice, struct nb_law_pair *pair, int level, size_t phase) {
-  struct nb_point *point = &pair->points[level - NB_LEVEL_LOW];
-  char texts[SETTINGS_EXTRA][2 * NB_NAME_SIZE];
-  size_t count = 0;
-  if (point->reason[0])
-    return false;
-  if (point->done & 1U << phase)
-    return true;
-  if (!is_affordable(advice, pair, level))
-    return false;
-  while (advice->query->settings[count])
-    count++;
-  const char **settings = calloc(count + SETTINGS_EXTRA, sizeof *settings);
-  if (!point->values)
-    point->values = calloc(advice->runs * NB_PHASES, sizeof *point->values);
-  if (!settings || !point->values) {
-    free(settings);
-    return fail_memory(advice);
-  }
-  struct nb_outcome outcome;
-  read_candidate(&outcome, advice, pair, level, phase, settings, texts);
-  const bool done = run_candidate(advice, pair, point, &outcome, phase);
-  advice->measured++;
-  nb_outcome_free(&outcome);
-  free(settings);
-  return done;
-}
-
-/* Runs `phases` phases, evenly spaced. */
-static bool run_phases(struct nb_advice *advice, struct nb_law_pair *pair, int level, size_t phases) {
-  if (level > NB_LEVEL_HIGH)
-    return false;
-  for (size_t k = 0; k < phases; k++)
-    if (!run_phase(advice, pair, level, k * (NB_PHASES / phases)))
-      return false;
-  return true;
+/* Runs `count` trials, evenly spaced. */
+static bool run_trials(struct nb_advice *advice, struct nb_variant *variant, int level, size_t count) {
+  return level <= NB_LEVEL_HIGH && nb_trials_run(advice, variant, level, 0, advice->trials / count, count);
 }
 
 /* ---- anchor and claim ---- */
 
-static size_t anchor_phases(const struct nb_advice *advice) { return advice->phases > 1 ? 2 : 1; }
+static bool is_mean(const struct nb_advice *advice) { return advice->query->over != NULL; }
+
+static size_t anchor_trials(const struct nb_advice *advice) {
+  return is_mean(advice) ? advice->trials : advice->trials > 1 ? 2 : 1;
+}
 
 static bool run_anchor(struct nb_advice *advice, int level) {
-  return run_phases(advice, &advice->pairs[0], level - 1, anchor_phases(advice)) &&
-         run_phases(advice, &advice->pairs[0], level, anchor_phases(advice));
+  return run_trials(advice, &advice->variants[0], level - 1, anchor_trials(advice)) &&
+         run_trials(advice, &advice->variants[0], level, anchor_trials(advice));
+}
+
+/* The estimated error of the mean over realizations at `point`, and the difference of the means. */
+static double claim_of_mean(double *difference, const struct nb_advice *advice, const struct nb_point *point,
+                            size_t run) {
+  const struct nb_point *fine = &advice->variants[0].points[advice->anchor - NB_LEVEL_LOW];
+  return nb_estimate_mean(difference, point->values + run * NB_TRIALS, fine->values + run * NB_TRIALS, advice->trials,
+                          student_quantile((double)advice->trials, confidence));
 }
 
 static struct nb_anchor anchor_of(const struct nb_advice *advice, int level, size_t run) {
-  const struct nb_point *fine = &advice->pairs[0].points[level - NB_LEVEL_LOW], *coarse = fine - 1;
-  double at[2], at_double_step[2];
-  for (size_t k = 0; k < anchor_phases(advice); k++) {
-    at[k] = fine->values[run * NB_PHASES + k * NB_PHASES / 2];
-    at_double_step[k] = coarse->values[run * NB_PHASES + k * NB_PHASES / 2];
+  const size_t count = anchor_trials(advice), stride = advice->trials / count;
+  const struct nb_point *fine = &advice->variants[0].points[level - NB_LEVEL_LOW], *coarse = fine - 1;
+  double at[NB_TRIALS], at_double_step[NB_TRIALS];
+  for (size_t k = 0; k < count; k++) {
+    at[k] = fine->values[run * NB_TRIALS + k * stride];
+    at_double_step[k] = coarse->values[run * NB_TRIALS + k * stride];
   }
-  return nb_estimate_anchor(at, at_double_step, anchor_phases(advice));
+  struct nb_anchor anchor = nb_estimate_anchor(at, at_double_step, count);
+  if (is_mean(advice))
+    anchor.uncertainty = claim_of_mean(&(double){0}, advice, coarse, run);
+  return anchor;
 }
 
 /* Sets the tolerance of each run from the anchor; returns the largest uncertainty over tolerance, and the run where it
@@ -222,50 +87,73 @@ static double anchor_ratio(struct nb_advice *advice, int level, size_t *worst) {
   return largest;
 }
 
+/* The value is known only to within `ratio` times the tolerance. */
+static enum nb_status refuse(const struct nb_advice *advice, double ratio, size_t worst, struct nb_error *error) {
+  const char *label = advice->page.runs[worst].label, *in_run = label[0] ? ", in run " : "";
+  if (is_mean(advice))
+    return nb_error_set(error, NB_FAILED,
+                        "`%s`: the mean over %zu realizations is not known well enough: the mean with half the step "
+                        "differs from it by up to %.2g times the tolerance%s%s. Choose more --realizations, at most "
+                        "%d, or a larger tolerance",
+                        advice->text, advice->trials, ratio, in_run, label, NB_TRIALS);
+  return nb_error_set(error, NB_FAILED,
+                      "`%s`: the value is not known well enough: with the step divided by %g its uncertainty is %.2g "
+                      "times the tolerance%s%s. Choose a larger tolerance, an absolute one if the value is near 0, or "
+                      "a larger --budget",
+                      advice->text, exp2(advice->anchor - 1), ratio, in_run, label);
+}
+
 static enum nb_status find_anchor(struct nb_advice *advice, struct nb_error *error) {
   size_t worst = 0;
   double ratio = INFINITY;
-  for (advice->anchor = 1; advice->anchor <= NB_LEVEL_HIGH && run_anchor(advice, advice->anchor); advice->anchor++)
-    if ((ratio = anchor_ratio(advice, advice->anchor, &worst)) <= anchor_share)
+  const int highest = is_mean(advice) ? 1 : NB_LEVEL_HIGH;
+  for (advice->anchor = 1; advice->anchor <= highest && run_anchor(advice, advice->anchor); advice->anchor++)
+    if ((ratio = anchor_ratio(advice, advice->anchor, &worst)) <= (is_mean(advice) ? 1 : anchor_share))
       return NB_OK;
-  const struct nb_point *first = &advice->pairs[0].points[-NB_LEVEL_LOW];
-  if (advice->anchor == 1)
-    return nb_error_set(error, NB_FAILED, "the page cannot be run with its own step and with half of it: %.300s",
-                        first[0].reason[0]   ? first[0].reason
-                        : first[1].reason[0] ? first[1].reason
-                                             : "the budget is too small; choose a larger --budget");
-  const char *label = advice->page.runs[worst].label;
-  return nb_error_set(
-      error, NB_FAILED,
-      "`%s`: the value is not known well enough: with the step divided by %g its uncertainty is %.2g "
-      "times the tolerance%s%s. Choose a larger tolerance, an absolute one if the value is near 0, or a "
-      "larger --budget",
-      advice->text, exp2(advice->anchor - 1), ratio, label[0] ? ", in run " : "", label);
+  const struct nb_point *first = &advice->variants[0].points[-NB_LEVEL_LOW];
+  if (isfinite(ratio) || advice->anchor > 1)
+    return refuse(advice, ratio, worst, error);
+  return nb_error_set(error, NB_FAILED, "the page cannot be run with its own step and with half of it: %.300s",
+                      first[0].reason[0]   ? first[0].reason
+                      : first[1].reason[0] ? first[1].reason
+                                           : "the budget is too small; choose a larger --budget");
+}
+
+/* Runs the trials that the estimated error of a setting needs. False: it has none. */
+static bool run_setting(struct nb_advice *advice, struct nb_variant *variant, int level) {
+  if (is_mean(advice))
+    return run_trials(advice, variant, level, advice->trials);
+  for (int k = 0; k < 3; k++)
+    if (!run_trials(advice, variant, level + k, advice->trials))
+      return false;
+  return run_anchor(advice, level + 2 > advice->anchor ? level + 2 : advice->anchor);
+}
+
+/* The estimated error of a run of the page, and the part that is due to the step. */
+static double claim_of(double *step, const struct nb_advice *advice, const struct nb_point *point, int level,
+                       size_t run) {
+  if (is_mean(advice))
+    return claim_of_mean(step, advice, point, run);
+  return nb_estimate_claim(step, point[0].values + run * NB_TRIALS, point[1].values + run * NB_TRIALS,
+                           point[2].values + run * NB_TRIALS, advice->trials,
+                           anchor_of(advice, level + 2 > advice->anchor ? level + 2 : advice->anchor, run));
 }
 
 /* Adds the setting and its estimated error to the list; false: it has none. */
 static bool add_claim(struct nb_advice *advice, size_t index, int level) {
-  struct nb_law_pair *pair = &advice->pairs[index];
-  struct nb_setting setting = {.pair = index, .level = level};
-  const int anchor = level + 2 > advice->anchor ? level + 2 : advice->anchor;
-  for (int k = 0; k < 3; k++)
-    if (!run_phases(advice, pair, level + k, advice->phases))
-      return false;
-  if (!run_anchor(advice, anchor))
+  struct nb_setting setting = {.variant = index, .level = level};
+  if (!run_setting(advice, &advice->variants[index], level))
     return false;
-  const struct nb_point *point = &pair->points[level - NB_LEVEL_LOW];
   for (size_t r = 0; r < advice->runs; r++) {
     double step;
-    const double claim =
-        nb_estimate_claim(&step, point[0].values + r * NB_PHASES, point[1].values + r * NB_PHASES,
-                          point[2].values + r * NB_PHASES, advice->phases, anchor_of(advice, anchor, r));
+    const double claim = claim_of(&step, advice, nb_point_at(advice, &setting), level, r);
     const double ratio = claim == 0 ? 0 : claim / advice->allowed[r];
     if (!(ratio <= setting.ratio))
       setting.ratio = ratio, setting.step_ratio = step / advice->allowed[r], setting.worst = r;
   }
   struct nb_setting *added = NB_ARRAY_APPEND(advice->settings, advice->setting_count);
   if (!added)
-    return fail_memory(advice);
+    return nb_advice_no_memory(advice);
   *added = setting;
   return true;
 }
@@ -281,110 +169,141 @@ static bool is_cheaper(const struct nb_advice *advice, const struct nb_setting *
                                                                      : one->seconds < other->seconds;
 }
 
-/* Tries the levels of a pair of laws from the coarsest one on, up to the first one within the tolerance. */
-static void search_levels(struct nb_advice *advice, size_t pair, int highest) {
+/* Tries the levels of a variant from the coarsest one on, up to the first one within the tolerance, or until the next
+ * one would have twice the updates of this one, and more than the chosen setting. */
+static void search_levels(struct nb_advice *advice, size_t index, int highest) {
+  struct nb_variant *variant = &advice->variants[index];
+  const size_t before = advice->setting_count;
   for (int level = NB_LEVEL_LOW; level <= highest && !advice->exhausted; level++) {
-    if (!add_claim(advice, pair, level))
+    if (!add_claim(advice, index, level))
       continue;
-    const int last = (int)advice->setting_count - 1;
-    if (!(advice->settings[last].ratio <= 1))
-      continue;
-    if (advice->chosen < 0 || is_cheaper(advice, &advice->settings[last], &advice->settings[advice->chosen]))
-      advice->chosen = last;
-    return;
+    const struct nb_setting *last = &advice->settings[advice->setting_count - 1];
+    const struct nb_setting *chosen = advice->chosen < 0 ? NULL : &advice->settings[advice->chosen];
+    if (last->ratio <= 1 && (!chosen || is_cheaper(advice, last, chosen)))
+      advice->chosen = (int)advice->setting_count - 1;
+    if (last->ratio <= 1 || (chosen && 2 * nb_point_at(advice, last)->updates > nb_point_at(advice, chosen)->updates))
+      return;
   }
+  if (advice->setting_count == before && index > 0)
+    snprintf(variant->reason, sizeof variant->reason, "%s",
+             advice->exhausted ? "the budget was used up" : variant->points[highest - NB_LEVEL_LOW].reason);
 }
 
-/* Whether a pair before this one gives the same values, to the last bit and in every run, because the scene does not
- * use what distinguishes the laws. */
-static bool gives_same_values(const struct nb_advice *advice, const struct nb_law_pair *pair, int level) {
-  const struct nb_point *point = &pair->points[level - NB_LEVEL_LOW];
-  for (const struct nb_law_pair *other = advice->pairs; other < pair; other++) {
+/* Whether a variant before this one gives the same values, to the last bit and in each run, because the scene does not
+ * use what distinguishes them. */
+static bool gives_same_values(const struct nb_advice *advice, const struct nb_variant *variant, int level) {
+  const struct nb_point *point = &variant->points[level - NB_LEVEL_LOW];
+  for (const struct nb_variant *other = advice->variants; other < variant; other++) {
     const struct nb_point *before = &other->points[level - NB_LEVEL_LOW];
     bool same = before->done & 1;
     for (size_t r = 0; r < advice->runs && same; r++)
-      same = point->values[r * NB_PHASES] == before->values[r * NB_PHASES];
+      same = point->values[r * NB_TRIALS] == before->values[r * NB_TRIALS];
     if (same)
       return true;
   }
   return false;
 }
 
-/* Whether the laws are near enough to the anchor to be tried. */
-static bool is_near(struct nb_advice *advice, struct nb_law_pair *pair, int level) {
-  const struct nb_point *point = &pair->points[level - NB_LEVEL_LOW];
-  if (!run_phases(advice, pair, level, 1)) {
-    snprintf(pair->reason, sizeof pair->reason, "%s", advice->exhausted ? "the budget was used up" : point->reason);
+/* Whether the variant is near enough to the anchor to be tried; means over realizations show it only after all
+ * trials, and quantities such as a number of contacts can be equal by chance in one of them. */
+static bool is_near(struct nb_advice *advice, struct nb_variant *variant, int level) {
+  const struct nb_point *point = &variant->points[level - NB_LEVEL_LOW];
+  if (!nb_trials_run(advice, variant, level, 0, 1, 1)) {
+    snprintf(variant->reason, sizeof variant->reason, "%s",
+             advice->exhausted ? "the budget was used up" : point->reason);
     return false;
   }
-  if (gives_same_values(advice, pair, level)) {
-    snprintf(pair->reason, sizeof pair->reason, "it gives the same values as a pair before it");
-    pair->equal = true;
+  if (!is_mean(advice) && gives_same_values(advice, variant, level)) {
+    snprintf(variant->reason, sizeof variant->reason, "it gives the same values as a variant before it");
+    variant->equal = true;
     return false;
   }
   size_t worst = 0;
   double largest = 0;
   for (size_t r = 0; r < advice->runs; r++) {
-    const double error = fabs(point->values[r * NB_PHASES] - anchor_of(advice, advice->anchor, r).value);
+    const double error = fabs(point->values[r * NB_TRIALS] - anchor_of(advice, advice->anchor, r).value);
     if (error > largest * advice->allowed[r])
       largest = error / advice->allowed[r], worst = r;
   }
-  if (largest <= law_distance)
+  if (largest <= variant_distance || is_mean(advice))
     return true;
   const char *label = advice->page.runs[worst].label;
-  pair->distance = largest;
-  snprintf(pair->reason, sizeof pair->reason, "its value differs from that of the page by %.2g times the tolerance%s%s",
-           largest, label[0] ? ", in run " : "", label);
+  variant->distance = largest;
+  snprintf(variant->reason, sizeof variant->reason,
+           "its value differs from that of the page by %.2g times the tolerance%s%s", largest,
+           label[0] ? ", in run " : "", label);
   return false;
 }
 
 static void search(struct nb_advice *advice) {
-  search_levels(advice, 0, advice->anchor);
-  const int own = advice->chosen < 0 ? advice->anchor : advice->settings[advice->chosen].level;
-  for (size_t k = 1; k < advice->pair_count; k++)
-    if (is_near(advice, &advice->pairs[k], own))
-      search_levels(advice, k, own);
+  const int highest = is_mean(advice) ? 0 : advice->anchor;
+  search_levels(advice, 0, highest);
+  const int own = advice->chosen < 0 ? highest : advice->settings[advice->chosen].level;
+  for (size_t k = 1; k < advice->variant_count; k++)
+    if (is_near(advice, &advice->variants[k], own))
+      search_levels(advice, k, highest);
 }
 
 /* ---- the page ---- */
 
-/* The pairs of laws to try: that of the page, then all others, unless the page sweeps its laws. */
-static bool list_pairs(struct nb_advice *advice) {
+static bool trades_laws(const struct nb_advice *advice) {
   const struct nb_scene *scene = &advice->page.runs[0].scene;
-  advice->pairs = calloc(NB_LAW_PAIRS, sizeof *advice->pairs);
-  advice->pair_count = 1;
-  if (!advice->pairs)
-    return false;
-  if (NB_FIND(scene->bindings, scene->binding_count, "normal") >= 0 ||
-      NB_FIND(scene->bindings, scene->binding_count, "shear") >= 0)
-    return true;
+  if (scene->trade_laws != NB_TRADE_LAWS_DEFAULT)
+    return scene->trade_laws == NB_TRADE_LAWS_ALL;
+  return !is_mean(advice) && NB_FIND(scene->bindings, scene->binding_count, "normal") < 0 &&
+         NB_FIND(scene->bindings, scene->binding_count, "shear") < 0; /* a page that sweeps its laws */
+}
+
+/* A new variant, a copy of one of the list. NULL: there are too many. */
+static struct nb_variant *copy_variant(struct nb_advice *advice, size_t of) {
+  if (advice->variant_count == NB_VARIANTS_MAX)
+    return NULL;
+  struct nb_variant *variant = &advice->variants[advice->variant_count++];
+  *variant = advice->variants[of];
+  return variant;
+}
+
+/* The page with all other pairs of laws. False: there are too many. */
+static bool list_laws(struct nb_advice *advice) {
+  const struct nb_scene *scene = &advice->page.runs[0].scene;
   for (const struct nb_law *const *normal = nb_laws(); *normal; normal++)
     for (const struct nb_law *const *shear = nb_laws(); *shear; shear++) {
       if (strcmp((*normal)->kind, "normal") != 0 || strcmp((*shear)->kind, "shear") != 0 ||
-          (strcmp((*normal)->name, scene->normal) == 0 && strcmp((*shear)->name, scene->shear) == 0) ||
-          advice->pair_count == NB_LAW_PAIRS)
+          (strcmp((*normal)->name, scene->normal) == 0 && strcmp((*shear)->name, scene->shear) == 0))
         continue;
-      struct nb_law_pair *pair = &advice->pairs[advice->pair_count++];
-      snprintf(pair->normal, sizeof pair->normal, "%s", (*normal)->name);
-      snprintf(pair->shear, sizeof pair->shear, "%s", (*shear)->name);
+      struct nb_variant *variant = copy_variant(advice, 0);
+      if (!variant)
+        return false;
+      snprintf(variant->normal, sizeof variant->normal, "%s", (*normal)->name);
+      snprintf(variant->shear, sizeof variant->shear, "%s", (*shear)->name);
     }
   return true;
 }
 
-static bool acts_per_cycle(const struct nb_stage *stage) {
-  return stage->damping.global_kind >= NB_GLOBAL_CON1_CS79 || stage->boundary.strain.per_cycle ||
-         stage->affine.strain.per_cycle || stage->cell.per_cycle || stage->box.per_cycle || stage->servo.per_cycle;
+/* All variants so far with each value of a `trade`. False: there are too many. */
+static bool list_values(struct nb_advice *advice, size_t trade) {
+  const size_t before = advice->variant_count;
+  for (size_t value = 1; value <= advice->page.runs[0].scene.trades[trade].count; value++)
+    for (size_t of = 0; of < before; of++) {
+      struct nb_variant *variant = copy_variant(advice, of);
+      if (!variant)
+        return false;
+      variant->value[trade] = value;
+    }
+  return true;
 }
 
-/* The number of phases. Slightly different steps are possible only if no duration, strain or damping depends on a number
- * of cycles. */
-static size_t phase_count(const struct nb_scene *scene) {
-  if (scene->impact.line)
-    return NB_PHASES;
-  for (size_t s = scene->start.stages; s < scene->stage_count; s++)
-    if (scene->stages[s].condition_count == 0 || acts_per_cycle(&scene->stages[s]))
-      return 1;
-  return NB_PHASES;
+/* The page as it is, with all other pairs of laws, and each of these with all combinations of traded values. */
+static enum nb_status list_variants(struct nb_advice *advice, struct nb_error *error) {
+  const size_t trades = advice->page.runs[0].scene.trade_count;
+  advice->variant_count = 1;
+  bool few = trades <= NB_TRADES && (!trades_laws(advice) || list_laws(advice));
+  for (size_t k = 0; k < trades && few; k++)
+    few = list_values(advice, k);
+  if (few)
+    return NB_OK;
+  return nb_error_set(error, NB_BAD_USE, "expected at most %d statements `trade` and %d combinations of their values",
+                      NB_TRADES, NB_VARIANTS_MAX);
 }
 
 /* The quantity of the caller, or that of the page's first expectation of one value. */
@@ -412,43 +331,65 @@ static enum nb_status find_quantity(struct nb_advice *advice, struct nb_error *e
 
 static enum nb_status check_page(const struct nb_advice *advice, struct nb_error *error) {
   const struct nb_scene *scene = &advice->page.runs[0].scene;
-  if (scene->particle_count > PARTICLES_MAX)
+  if (scene->particle_count > PARTICLES_MAX && !is_mean(advice))
     return nb_error_set(error, NB_BAD_USE,
                         "expected a page of at most %d particles, found %zu: the motion of many particles is chaotic, "
-                        "so the results of one run have no limit for a step towards zero",
+                        "so the results of one run have no limit for a step towards zero. A mean over realizations "
+                        "has one: `--over NAME`, where the page has `let NAME` or `sweep NAME` for the seed of its "
+                        "random packing",
                         PARTICLES_MAX, scene->particle_count);
   if (NB_FIND(scene->bindings, scene->binding_count, "refine") >= 0)
     return nb_error_set(error, NB_BAD_USE, "the page has a value `refine`, which hides --set refine=R: rename it");
   return NB_OK;
 }
 
+/* Reads the page, with the first realization. */
+static enum nb_status read_page(struct nb_advice *advice, struct nb_error *error) {
+  const struct nb_advise_query *query = advice->query;
+  const size_t length = query->over ? strlen(query->over) : 0;
+  size_t count = 0;
+  for (; query->settings[count]; count++)
+    if (query->over && strncmp(query->settings[count], query->over, length) == 0 &&
+        query->settings[count][length] == '=')
+      return nb_error_set(error, NB_BAD_USE, "--over %s and --set %s exclude each other", query->over,
+                          query->settings[count]);
+  advice->page_settings = calloc(count + 2, sizeof *advice->page_settings);
+  advice->variants = calloc(NB_VARIANTS_MAX, sizeof *advice->variants);
+  if (!advice->page_settings || !advice->variants)
+    return nb_error_memory(error);
+  memcpy(advice->page_settings, query->settings, count * sizeof *advice->page_settings);
+  snprintf(advice->first_realization, sizeof advice->first_realization, "%s=1", query->over);
+  if (query->over)
+    advice->page_settings[count] = advice->first_realization;
+  if (nb_outcome_read(&advice->page, query->path, advice->page_settings))
+    return nb_error_set(error, advice->page.status, "%s", advice->page.error.text);
+  advice->runs = advice->page.run_count;
+  advice->trials = query->over ? query->realizations : nb_phase_count(&advice->page.runs[0].scene);
+  advice->allowed = calloc(advice->runs, sizeof *advice->allowed);
+  return advice->allowed ? NB_OK : nb_error_memory(error);
+}
+
 enum nb_status nb_advise(struct nb_advice *advice, const struct nb_advise_query *query, struct nb_error *error) {
   *advice = (struct nb_advice){.query = query, .chosen = -1, .began = nb_clock()};
-  if (nb_outcome_read(&advice->page, query->path, query->settings))
-    return nb_error_set(error, advice->page.status, "%s", advice->page.error.text);
-  if (check_page(advice, error) || find_quantity(advice, error))
+  if (read_page(advice, error) || check_page(advice, error) || find_quantity(advice, error) ||
+      list_variants(advice, error))
     return error->status;
-  advice->runs = advice->page.run_count;
-  advice->phases = phase_count(&advice->page.runs[0].scene);
-  advice->allowed = calloc(advice->runs, sizeof *advice->allowed);
-  if (!advice->allowed || !list_pairs(advice))
-    return nb_error_memory(error);
   enum nb_status status = find_anchor(advice, error);
   if (!status) {
-    run_phases(advice, &advice->pairs[0], 0, 1);
+    nb_trials_run(advice, &advice->variants[0], 0, 0, 1, 1);
     search(advice);
   }
   return advice->no_memory ? nb_error_memory(error) : status;
 }
 
-bool nb_advice_run(struct nb_advice *advice, size_t pair, int level, size_t phase) {
-  return run_phase(advice, &advice->pairs[pair], level, phase);
+bool nb_advice_run(struct nb_advice *advice, size_t variant, int level, size_t trial) {
+  return nb_trials_run(advice, &advice->variants[variant], level, trial, 1, 1);
 }
 
 void nb_advice_free(struct nb_advice *advice) {
-  for (size_t k = 0; k < advice->pair_count && advice->pairs; k++)
+  for (size_t k = 0; k < advice->variant_count && advice->variants; k++)
     for (size_t l = 0; l < NB_LEVELS; l++)
-      free(advice->pairs[k].points[l].values);
-  free(advice->pairs), free(advice->settings), free(advice->allowed);
+      free(advice->variants[k].points[l].values);
+  free(advice->variants), free(advice->settings), free(advice->allowed), free(advice->page_settings);
   nb_outcome_free(&advice->page);
 }

@@ -18,10 +18,11 @@ struct nb_call {
   struct nb_options options;
   bool tap;
   bool in_place;
-  bool trust;                             /* draw even if gnuplot cannot be confined */
-  bool help, version;                     /* print it and do nothing else */
-  const char *quantity, *within, *budget; /* of `advise` */
-  unsigned given;                         /* set of options, by their index in the table */
+  bool trust;                                    /* draw even if gnuplot cannot be confined */
+  bool help, version;                            /* print it and do nothing else */
+  const char *quantity, *within, *budget, *over; /* of `advise` */
+  int realizations;
+  unsigned given; /* set of options, by their index in the table */
 };
 
 /* ---- commands.c: one function for each command ---- */

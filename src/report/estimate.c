@@ -16,6 +16,11 @@
  *
  * The factors 3 and 1.25 are calibrated (make accuracy), not derived.
  *
+ * An assembly is chaotic: only the mean over m realizations has a limit. Realization k is the same random assembly in
+ * both runs, D_k = Q_k(n) - Q_k(anchor), with the mean D and the standard deviation s:
+ *
+ *   |D| + t s/m^(1/2)                        the estimated error of the mean; t: quantile of Student's distribution
+ *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "estimate.h"
 
@@ -62,4 +67,21 @@ double nb_estimate_claim(double *step, const double n[], const double n2[], cons
     distance = fmax(distance, fabs(n[k] - anchor.value));
   }
   return fmax(*step, distance_factor * distance + anchor.uncertainty);
+}
+
+double nb_estimate_scatter(const double values[], size_t count) {
+  const double average = mean(values, count);
+  double squares = 0;
+  for (size_t k = 0; k < count; k++)
+    squares += (values[k] - average) * (values[k] - average);
+  return sqrt(squares / (double)(count - 1));
+}
+
+double nb_estimate_mean(double *difference, const double n[], const double anchor[], size_t count, double quantile) {
+  double differences[NB_TRIALS];
+  for (size_t k = 0; k < count; k++)
+    differences[k] = n[k] - anchor[k];
+  *difference = fabs(mean(differences, count));
+  const double claim = *difference + quantile * nb_estimate_scatter(differences, count) / sqrt((double)count);
+  return isfinite(claim) ? claim : INFINITY;
 }

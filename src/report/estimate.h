@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 
-enum { NB_PHASES = 8 };
+enum { NB_PHASES = 8, NB_TRIALS = 32 }; /* NB_TRIALS: the most realizations */
 
 /* The estimate G of the error of Q(n) that is due to the step, from Q(n), Q(2n) and Q(4n), where n is the number of
  * steps per unit of time (estimate.c). Infinite if one of them is not finite. */
@@ -23,5 +23,11 @@ struct nb_anchor nb_estimate_anchor(const double at_anchor[], const double at_do
  * receives the largest G. */
 double nb_estimate_claim(double *step, const double n[], const double n2[], const double n4[], size_t phases,
                          struct nb_anchor anchor);
+
+/* The standard deviation. */
+double nb_estimate_scatter(const double values[], size_t count);
+/* The estimated error of the mean over realizations, from Q of each realization and from that of the same realization at
+ * the anchor; `quantile`: Student's, of count values. *difference receives the difference of the two means. */
+double nb_estimate_mean(double *difference, const double n[], const double anchor[], size_t count, double quantile);
 
 #endif
