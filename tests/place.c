@@ -102,7 +102,7 @@ static const unsigned wheres[] = {NB_IN_SCENE, NB_IN_STAGE, NB_IN_RAMP};
  * transform like all others; `until` waits for recorded quantities, which are not transformed (docs/LANGUAGE.md). */
 static const char *const scalars[] = {
     ("|packing|units|let|sweep|start|material|pair|normal|shear|damping|grading|skin|monitor|"
-     "step|allow|record|stage|"),
+     "step|allow|record|stage|trade|"),
     ("|material|pair|normal|shear|damping|step|allow|record|stage|ramp|cycles|until|snapshot|zero velocities|reverse "
      "velocities|remove|"
      "boundary fixed|boundary none|affine none|rotation on|rotation off|repeat|"),
