@@ -211,6 +211,7 @@ struct nb_damping {
 };
 /* The kind of damping of a contact, with a wall or between particles, and its coefficient, s or 1. */
 enum nb_contact_damping nb_damping_at(const struct nb_damping *damping, bool wall, double *value);
+int nb_damping_contact_line(const struct nb_damping *damping); /* that sets damping at contacts; 0: none */
 bool nb_damping_equal(const struct nb_damping *a, const struct nb_damping *b);
 bool nb_damping_none(const struct nb_damping *damping); /* neither contacts nor particles are damped */
 

@@ -9,6 +9,13 @@ enum nb_contact_damping nb_damping_at(const struct nb_damping *damping, bool wal
   return apart ? damping->walls_kind : damping->contact_kind;
 }
 
+int nb_damping_contact_line(const struct nb_damping *damping) {
+  return damping->contact_kind                            ? damping->contact_line
+         : damping->walls_separate && damping->walls_kind ? damping->walls_line
+         : damping->deep > 0                              ? damping->deep_line
+                                                          : 0;
+}
+
 bool nb_damping_equal(const struct nb_damping *a, const struct nb_damping *b) {
   double here, there;
   for (int wall = 0; wall < 2; wall++)

@@ -103,7 +103,7 @@ struct nb_plan {
   bool keep_all;     /* keep all fields that a saved state contains */
   bool elastic;      /* the normal law is for elastic spheres */
   bool has_friction; /* some material pair has a shear law now */
-  bool dashpots;     /* some stage has contact damping */
+  int dashpots;      /* enum nb_dashpot_kind of pass/pass.h; 0: no contact damping */
 };
 
 /* Stiffnesses of a contact, N/m, and dashpot coefficients, N s/m. */

@@ -70,19 +70,17 @@ static double max_stiffness_ratio(const struct nb_model *model) {
     const double ratio = has_stiffness ? 4 * material_pair->next.shear / material_pair->next.young : 0;
     largest = ratio > largest ? ratio : largest;
   }
-  return model->plan.dashpots && largest < 1 ? sqrt(largest) : largest;
+  return nb_damping_contact_line(&model->damping) && largest < 1 ? sqrt(largest) : largest;
 }
 
 /* The k_n of a q:  dt^2 k + 2 dt (time k + ratio (M k)^(1/2)) = q,  a quadratic equation in k^(1/2). */
 static double stiffness_of(const struct nb_model *model, size_t c, double q) {
   const double dt = model->step;
-  struct nb_dashpot dashpot = {0};
-  if (model->plan.dashpots)
-    dashpot = nb_dashpot(model, model->material_pairs[model->contacts.material_pair[c]].wall);
+  struct nb_dashpot dashpot = nb_dashpot(model, model->material_pairs[model->contacts.material_pair[c]].wall);
   if (model->damping.deep > 0)
     dashpot.ratio = dashpot.ratio > 2 ? dashpot.ratio : 2; /* it may become deep */
   const double square = dt * dt + 2 * dt * dashpot.time;
-  const double line = dashpot.ratio > 0 ? 2 * dt * dashpot.ratio * sqrt(model->contacts.kept[NB_MASS][c]) : 0;
+  const double line = dashpot.ratio > 0 ? 2 * dt * dashpot.ratio * sqrt(1 / nb_inverse_mass(model, c)) : 0;
   const double root = 2 * q / (line + sqrt(line * line + 4 * square * q));
   return q > 0 ? root * root : 0;
 }

@@ -76,7 +76,7 @@ static struct nb_coefficients coefficients_at(const struct nb_model *model,
   struct nb_coefficients k = {.kn = nb_normal_max_stiffness(normal)};
   if (material_pair->next_shear)
     k.ks = material_pair->next_shear->shear(values, normal, 0, shear_history).stiffness;
-  if (!model->plan.dashpots)
+  if (!nb_damping_contact_line(&model->damping)) /* the plan may still be that of the last forces */
     return k;
   const struct nb_dashpot dashpot = deep ? (struct nb_dashpot){.ratio = 2} : nb_dashpot(model, material_pair->wall);
   const double mass = inverse_mass > 0 ? 1 / inverse_mass : 0;
@@ -85,8 +85,9 @@ static struct nb_coefficients coefficients_at(const struct nb_model *model,
   return k;
 }
 
-static double inverse_mass(const struct nb_model *model, size_t c, bool wall) {
+double nb_inverse_mass(const struct nb_model *model, size_t c) {
   const double *inverse = model->particles.inverse_mass;
+  const bool wall = model->material_pairs[model->contacts.material_pair[c]].wall;
   return inverse[model->contacts.a[c]] + (wall ? 0 : inverse[model->contacts.b[c]]);
 }
 
@@ -109,7 +110,7 @@ static struct nb_coefficients coefficients_of(const struct nb_model *model, size
   }
   const double overlap = nb_overlap(model, c), least = model->next_laws.normal->elastic ? 0 : smallest_overlap;
   return coefficients_at(model, material_pair, overlap > least ? overlap : least,
-                         inverse_mass(model, c, material_pair->wall),
+                         nb_inverse_mass(model, c),
                          nb_contact_constants(model, c, material_pair->next).radius,
                          model->damping.deep > 0 && nb_is_deep(model, c), normal_history, shear_history);
 }

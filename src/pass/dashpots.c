@@ -95,6 +95,7 @@ NB_FORMS(ratio_of_critical)
 NB_FORMS(critical_if_deep)
 
 const struct nb_pass nb_pass_dashpots[] = {
+    {"no dashpots", {NULL}},
     {"dashpots", NB_FORMS_LIST(stiffness_proportional)},
     {"dashpots, damping ratio", NB_FORMS_LIST(ratio_of_critical)},
     {"dashpots, critical beyond overlap", NB_FORMS_LIST(critical_if_deep)},

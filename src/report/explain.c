@@ -239,10 +239,11 @@ static void explain_hooks(FILE *out, const struct nb_model *model) {
 /* What the scene does not use, and the memory that this saves. */
 static void explain_absent(FILE *out, const struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
-  bool changes = false, servo = false;
+  bool changes = false, servo = false, damped = false;
   for (size_t s = scene->start.stages; s < scene->stage_count; s++) {
     changes = changes || scene->stages[s].change_count > 0 || scene->stages[s].laws.shear[0];
     servo = servo || scene->stages[s].servo.line;
+    damped = damped || nb_damping_contact_line(&scene->stages[s].damping);
   }
   const struct nb_pair none = {.pieces = model->laws.pieces};
   const size_t shear =
@@ -253,7 +254,7 @@ static void explain_absent(FILE *out, const struct nb_model *model) {
     size_t bytes; /* 0: none, or not known without it */
   } parts[] = {{model->particles.spin, "rotation", "particle", 2 * sizeof(double)},
                {model->plan.has_friction || changes, "shear forces", "contact", sizeof(double) * shear},
-               {model->plan.dashpots, "dashpots", "", 0},
+               {damped, "dashpots", "", 0},
                {model->balance, "balances of work and energy", "particle", sizeof *model->balance->particles},
                {model->search.skin < INFINITY, "search", "", 0},
                {model->cell, "periodic cell", "", 0},
@@ -283,7 +284,7 @@ static bool explain_plan(FILE *out, const struct nb_model *model) {
     fputs("loading of the whole run\n", out);
   explain_statement(out, model->scene, model->scene->circle.line, "\n");
   explain_statement(out, model->scene, model->scene->gravity.line, "\n");
-  fprintf(out, "force passes, for each pair of materials\n");
+  fprintf(out, "force passes at the start of the run, for each pair of materials\n");
   for (size_t p = 0; p < model->material_pair_count; p++)
     if (!explain_material_pair(out, model, &model->material_pairs[p]))
       return false;

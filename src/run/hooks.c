@@ -40,11 +40,12 @@ static enum nb_status move_affinely(struct nb_model *model, struct nb_error *err
   return NB_OK;
 }
 
-static enum nb_status change_properties(struct nb_model *model, struct nb_error *error) {
-  if (model->balance)
+static enum nb_status make_changes(struct nb_model *model, struct nb_error *error) {
+  const bool balance = model->balance && nb_stage_changes(model);
+  if (balance)
     nb_balance_change(model, true);
   const enum nb_status status = nb_stage_change(model, error);
-  if (model->balance && !status)
+  if (balance && !status)
     nb_balance_change(model, false);
   return status;
 }
@@ -72,7 +73,7 @@ NEEDED(has_servo, model->affine && model->stage && model->stage->servo.line)
 NEEDED(strains_box, nb_box_is_strained(model))
 NEEDED(has_balance, model->balance != NULL)
 NEEDED(has_affine, model->affine != NULL)
-NEEDED(changes_properties, nb_stage_changes(model))
+NEEDED(changes, nb_stage_changes(model) || !nb_plan_is_current(model))
 NEEDED(stiffens, model->blocks.stable_overlap != NULL)
 NEEDED(has_elastic_law, model->plan.elastic)
 NEEDED(requests_fracc, model->fracc != NULL)
@@ -92,7 +93,7 @@ static const struct {
     {NB_BEFORE_MOTION, "affine motion", has_affine, move_affinely},
     {NB_AFTER_MOTION, "energy balance", has_balance, balance_after_motion},
     {NB_AFTER_MOTION, "stress on the boundary", has_boundary, apply_boundary_stress},
-    {NB_BEFORE_SEARCH, "changes of the stage", changes_properties, change_properties},
+    {NB_BEFORE_SEARCH, "changes of the stage", changes, make_changes},
     {NB_BEFORE_FORCES, "stability check", NULL, check_stability},
     {NB_AFTER_FORCES, "stability check of stiffening contacts", stiffens, check_stiffening},
     {NB_AFTER_FORCES, "count of deep overlaps", has_elastic_law, record_first_deep},

@@ -153,7 +153,7 @@ static bool make_parts(struct nb_model *model, const struct nb_scene *scene, boo
 /* Values before the first stage. */
 static void set_initial_values(struct nb_model *model, const struct nb_scene *scene, const struct nb_options *options) {
   model->critical = nb_step_single_contact(model);
-  model->damping = scene->damping;
+  model->damping = scene->stages[0].damping;
   model->gravity = vec(scene->gravity.x, scene->gravity.y);
   model->central.acceleration = scene->gravity.central;
   model->central.point = vec(scene->gravity.about_x, scene->gravity.about_y);

@@ -21,39 +21,17 @@ static void add_pass(struct nb_material_pair *material_pair, nb_run_pass *run, i
   snprintf(planned->name, sizeof planned->name, "%s%s", kind, name);
 }
 
-/* The line that sets contact damping; 0: none. */
-static int damped_line(const struct nb_damping *damping) {
-  return damping->contact_kind                            ? damping->contact_line
-         : damping->walls_separate && damping->walls_kind ? damping->walls_line
-         : damping->deep > 0                              ? damping->deep_line
-                                                          : 0;
-}
-
-static int first_damped_line(const struct nb_scene *scene) {
-  int line = damped_line(&scene->damping);
-  for (size_t s = 0; s < scene->stage_count && !line; s++)
-    line = damped_line(&scene->stages[s].damping);
-  return line;
-}
-
-static int first_deep_line(const struct nb_scene *scene) {
-  int line = scene->damping.deep > 0 ? scene->damping.deep_line : 0;
-  for (size_t s = 0; s < scene->stage_count && !line; s++)
-    line = scene->stages[s].damping.deep > 0 ? scene->stages[s].damping.deep_line : 0;
-  return line;
-}
-
 static bool uses_damping_ratio(const struct nb_damping *damping) {
   double value;
   return nb_damping_at(damping, false, &value) == NB_CONTACT_RATIO ||
          nb_damping_at(damping, true, &value) == NB_CONTACT_RATIO;
 }
 
-static enum nb_dashpot_kind dashpot_kind(const struct nb_scene *scene) {
-  bool ratio = uses_damping_ratio(&scene->damping);
-  for (size_t s = 0; s < scene->stage_count; s++)
-    ratio = ratio || uses_damping_ratio(&scene->stages[s].damping);
-  return first_deep_line(scene) > 0 ? NB_DASHPOTS_DEEP : ratio ? NB_DASHPOTS_RATIO : NB_DASHPOTS_TIME;
+static enum nb_dashpot_kind dashpot_kind(const struct nb_damping *damping) {
+  return damping->deep > 0             ? NB_DASHPOTS_DEEP
+         : uses_damping_ratio(damping) ? NB_DASHPOTS_RATIO
+         : nb_damping_contact_line(damping) > 0    ? NB_DASHPOTS_TIME
+                                       : NB_DASHPOTS_NONE;
 }
 
 static bool has_friction(const struct nb_material_pair *material_pair) {
@@ -74,30 +52,29 @@ static const struct nb_pass *geometry_pass(const struct nb_model *model, const s
 }
 
 static void plan_material_pair(struct nb_model *model, struct nb_material_pair *material_pair) {
-  const struct nb_scene *scene = model->scene;
   const struct nb_law *normal = model->laws.normal, *shear = model->laws.shear;
   material_pair->normal = normal;
   material_pair->shear = has_friction(material_pair) && strcmp(shear->name, "none") != 0 ? shear : NULL;
   material_pair->pass_count = 0;
   if (stiffens(normal, shear))
     model->plan.kept |= NB_BIT(NB_STABLE_OVERLAP);
-  const enum nb_dashpot_kind kind = dashpot_kind(scene);
-  if (kind >= NB_DASHPOTS_RATIO)
+  if (model->plan.dashpots >= NB_DASHPOTS_RATIO)
     model->plan.kept |= NB_BIT(NB_MASS);
   const struct nb_pass *geometry = geometry_pass(model, material_pair);
   const struct nb_pass *resolve = &nb_pass_resolve[material_pair->shear != NULL];
   const enum nb_isa isa = model->machine.isa;
-  add_pass(material_pair, geometry->run[isa], scene->cell.line, "", geometry->name); /* a cell has no walls */
+  add_pass(material_pair, geometry->run[isa], model->scene->cell.line, "", geometry->name); /* a cell has no walls */
   if (material_pair->wall && model->vertices.any)
     add_pass(material_pair, nb_pass_vertices.run[isa], 0, "", nb_pass_vertices.name);
   add_pass(material_pair, normal->run[isa], model->laws.normal_line, "normal ", normal->name);
   if (material_pair->shear)
     add_pass(material_pair, shear->run[isa], model->laws.shear_line, "shear ", shear->name);
   if (normal->elastic)
-    add_pass(material_pair, nb_pass_deep.run[isa], first_deep_line(scene), "", nb_pass_deep.name);
-  const struct nb_pass *dashpots = &nb_pass_dashpots[kind];
+    add_pass(material_pair, nb_pass_deep.run[isa], model->damping.deep > 0 ? model->damping.deep_line : 0, "",
+             nb_pass_deep.name);
+  const struct nb_pass *dashpots = &nb_pass_dashpots[model->plan.dashpots];
   if (model->plan.dashpots)
-    add_pass(material_pair, dashpots->run[isa], first_damped_line(scene), "", dashpots->name);
+    add_pass(material_pair, dashpots->run[isa], nb_damping_contact_line(&model->damping), "", dashpots->name);
   add_pass(material_pair, resolve->run[isa], 0, "", resolve->name);
 }
 
@@ -123,7 +100,7 @@ enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
   plan->elastic = model->laws.normal->elastic;
   plan->history.normal = plan->history.shear = 0;
   plan->history.slip_sum = (int)nb_configuration_count(model->configuration);
-  plan->dashpots = first_damped_line(scene) > 0;
+  plan->dashpots = dashpot_kind(&model->damping);
   plan->total_shear = plan->dashpots ? NB_TOTAL_SHEAR : NB_SHEAR;
   plan->kept =
       (plan->requested & (NB_BIT(NB_FIELDS) - 1)) | NB_BIT(NB_RADIUS_SUM) | (plan->keep_all ? NB_SAVED_MASK : 0);
@@ -150,5 +127,5 @@ bool nb_plan_is_current(const struct nb_model *model) {
   for (size_t p = 0; p < model->material_pair_count; p++)
     if (!none && has_friction(&model->material_pairs[p]) != (model->material_pairs[p].shear != NULL))
       return false;
-  return true;
+  return model->plan.dashpots == (int)dashpot_kind(&model->damping);
 }

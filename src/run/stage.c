@@ -262,7 +262,7 @@ enum nb_status nb_stage_change(struct nb_model *model, struct nb_error *error) {
     ramps = ramps || stage->changes[k].ramp;
   model->changes->changing = ramps && fraction < 1;
   const bool laws_change = nb_laws_normal_changes(model) || nb_laws_shear_changes(model);
-  if (stage->change_count == 0 && !laws_change) {
+  if (stage->change_count == 0 && !laws_change && nb_plan_is_current(model)) {
     nb_hooks_plan(model);
     return NB_OK;
   }
