@@ -28,7 +28,7 @@ struct nb_affine {
   double separate[NB_AFFINE_SOURCES]; /* 1: c is kept apart from the particle's own velocity; 0: it is added to it */
   unsigned char *source;              /* per slot: enum nb_affine_source */
   bool used[NB_AFFINE_SOURCES];       /* by some particle, now or before */
-  bool all, free_before;              /* all particles move affinely in this step; free ones did in the previous one */
+  bool free_before, any_before;       /* free particles, or any, moved affinely in the previous step */
   bool uniform;                       /* all particles have the same rate */
   struct nb_servo_state {
     double stress[3];          /* the controlled stresses xx, yy, xy when the servo began, Pa */

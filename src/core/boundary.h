@@ -1,4 +1,4 @@
-/* The boundary of an assembly: which particles belong to it, its loading, and whether particles rotate.
+/* The boundary of an assembly: which particles belong to it, and its loading.
  * loading/boundary.c sets it; measure/boundary.c computes the enclosed area and the stress on it.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -24,7 +24,6 @@ struct nb_boundary_state {
    * one. */
   struct nb_vec *boundary_force;
   struct nb_tensor stress; /* that stress, Pa */
-  bool rotates;            /* `rotation on` */
   struct nb_ring ring;
 };
 

@@ -41,7 +41,7 @@ void nb_forces(struct nb_model *model) {
 static int motion(struct nb_model *model) {
   const int threads = model->machine.threads_used;
   int out = model->walls.count ? nb_motion_walls(model) : 0;
-  if (model->cell)
+  if (model->all_affine && model->cell)
     out += nb_cell_move(model);
   if (threads == 1)
     return out + nb_motion_part(model, 0, 1);

@@ -103,6 +103,7 @@ struct nb_plan {
   bool keep_all;     /* keep all fields that a saved state contains */
   bool elastic;      /* the normal law is for elastic spheres */
   bool has_friction; /* some material pair has a shear law now */
+  bool rotates;      /* in this stage some particle rotates, or may begin to */
   int dashpots;      /* enum nb_dashpot_kind of pass/pass.h; 0: no contact damping */
 };
 
@@ -200,8 +201,10 @@ struct nb_model {
     struct nb_vec point; /* m */
   } central;             /* in the next step */
 
+  bool rotates;                           /* `rotation on`: loading/boundary.c */
   struct nb_affine *affine;               /* affine.h; NULL: no affine motion */
-  struct nb_boundary_state *boundary;     /* boundary.h; NULL: no boundary, and rotation is on */
+  bool all_affine;                        /* loading/affine.c: all particles move affinely in this step */
+  struct nb_boundary_state *boundary;     /* boundary.h; NULL: no boundary */
   struct nb_stability *stability;         /* measure/step.h */
   struct nb_sum *terms;                   /* NB_TERMS sums, core/energy_terms.h; NULL: not requested */
   struct nb_balance *balance;             /* measure/energy.h; NULL: not requested */

@@ -77,9 +77,10 @@ struct task {
   const struct nb_vec *boundary_force; /* NULL: no stress on a boundary */
   const struct nb_affine *affine;      /* NULL: no affine motion */
   bool along;                          /* all particles move affinely */
-  bool cell;                           /* periodic */
-  double time, step;                   /* duration of the kick and of the drift, s */
-  double travel_limit;                 /* displacement since the last search that requires a new one, m */
+  bool cell;                           /* so does the cell */
+  bool rotates;
+  double time, step;   /* duration of the kick and of the drift, s */
+  double travel_limit; /* displacement since the last search that requires a new one, m */
 };
 
 /* Subtracts c of the last step from the velocities, which leaves v, and computes c of the next step. With `accumulated`
@@ -130,16 +131,6 @@ static inline NB_FORM int drift(const struct task *task, struct batch *batch, si
   return out;
 }
 
-/* Whether any particle rotates: without shear forces none begins to. */
-static inline NB_FORM bool any_spin(const double *spin, size_t n) {
-  unsigned long count = 0;
-  NB_WIDE
-  for (size_t k = 0; k < n; k++) {
-    count += spin[k] != 0;
-  }
-  return count > 0;
-}
-
 /* Kick and drift of the rotation, 23, 23a. */
 static inline NB_FORM void rotate(const struct task *task, const struct batch *batch, size_t from, size_t n) {
   const double *inertia = task->particles.inverse_inertia + from;
@@ -188,7 +179,7 @@ static inline NB_FORM int move(const struct task *task, const struct nb_contact_
     else if (task->along)
       add_affine(task, &batch, from, n, false);
     out += task->along ? drift(task, &batch, from, n, true) : drift(task, &batch, from, n, false);
-    if (task->particles.spin && (contact_forces->total_shear || any_spin(task->particles.spin + from, n)))
+    if (task->rotates)
       rotate(task, &batch, from, n);
   }
   return out;
@@ -215,7 +206,9 @@ static int (*const moves[NB_ISAS])(const struct task *, const struct nb_contact_
 
 int nb_motion_part(struct nb_model *model, int part, int parts) {
   const size_t n = model->particles.count;
-  const struct nb_contact_forces contact_forces = nb_contact_forces_of(model);
+  struct nb_contact_forces contact_forces = nb_contact_forces_of(model);
+  if (!model->rotates)
+    contact_forces.total_shear = NULL;
   const double time = nb_kick_time(model);
   const struct task mine = {.particles = model->particles,
                             .incidence = &model->contacts.incidence,
@@ -224,8 +217,9 @@ int nb_motion_part(struct nb_model *model, int part, int parts) {
                             .central = model->central,
                             .boundary_force = model->particles.boundary_force,
                             .affine = model->affine,
-                            .along = model->affine && model->affine->all,
-                            .cell = model->cell != NULL,
+                            .along = model->all_affine,
+                            .cell = model->all_affine && model->cell,
+                            .rotates = model->plan.rotates,
                             .time = time,
                             .step = model->step,
                             .travel_limit = model->cell ? model->cell->travel_limit : model->search.skin / 2};

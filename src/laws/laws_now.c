@@ -49,6 +49,15 @@ static bool friction_later(const struct nb_scene *scene) {
   return false;
 }
 
+bool nb_laws_friction(const struct nb_scene *scene) {
+  bool friction = friction_later(scene);
+  for (size_t m = 0; m < scene->material_count; m++)
+    friction = friction || scene->materials[m].friction > 0 || scene->materials[m].cohesion > 0;
+  for (size_t r = 0; r < scene->pair_rule_count; r++)
+    friction = friction || scene->pair_rules[r].friction > 0 || scene->pair_rules[r].cohesion > 0;
+  return friction;
+}
+
 static bool stores_no_energy(const struct nb_law *law) { return law && !law->stored && strcmp(law->name, "none") != 0; }
 
 const struct nb_law *nb_laws_unstored(const struct nb_scene *scene, bool normal) {

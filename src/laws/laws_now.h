@@ -12,8 +12,9 @@ struct nb_active_laws nb_laws_of(const struct nb_stage *stage, struct nb_active_
 /* Whether the law changes at the next force calculation, which then discards its history. */
 bool nb_laws_normal_changes(const struct nb_model *model);
 bool nb_laws_shear_changes(const struct nb_model *model);
-bool nb_laws_elastic(const struct nb_scene *scene); /* in some stage the normal law is for elastic spheres */
-bool nb_laws_shear(const struct nb_scene *scene);   /* in some stage there is a shear law */
+bool nb_laws_elastic(const struct nb_scene *scene);  /* in some stage the normal law is for elastic spheres */
+bool nb_laws_shear(const struct nb_scene *scene);    /* in some stage there is a shear law */
+bool nb_laws_friction(const struct nb_scene *scene); /* in some stage some contact has friction or cohesion */
 /* The first law without stored energy that a stage brings in: by a change of law, or by friction for contacts that had
  * none. NULL: none. */
 const struct nb_law *nb_laws_unstored(const struct nb_scene *scene, bool normal);

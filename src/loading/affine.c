@@ -37,7 +37,6 @@ enum nb_status nb_affine_create(struct nb_model *model, struct nb_error *error) 
   if (model->owner.failed)
     return nb_error_memory(error);
   affine->source = source;
-  affine->free_before = true; /* a saved state does not contain it */
   affine->centre = model->cell ? model->cell->centre : vec(scene->origin_x, scene->origin_y);
   for (int c = 0; c < NB_AFFINE_SOURCES; c++)
     affine->separate[c] = 1;
@@ -84,13 +83,28 @@ static bool same_rate(const struct nb_affine *affine, enum nb_affine_source refe
   return true;
 }
 
+static bool strains(const struct nb_affine *affine, enum nb_affine_source source) {
+  return tensor_largest(affine->rate[source]) > 0;
+}
+
+static bool strains_now(const struct nb_model *model) {
+  const struct nb_servo *servo = model->stage ? &model->stage->servo : NULL;
+  return strains(model->affine, NB_AFFINE_FREE) || strains(model->affine, NB_AFFINE_BOUNDARY) ||
+         strains(model->affine, NB_AFFINE_CELL) || (servo && servo->line && (servo->affine || !servo->box));
+}
+
+bool nb_affine_moves(const struct nb_model *model) {
+  return model->affine && (model->affine->any_before || strains_now(model));
+}
+bool nb_affine_ends(const struct nb_model *model) { return nb_affine_moves(model) && !strains_now(model); }
+
 bool nb_affine_step(struct nb_model *model) {
   struct nb_affine *affine = model->affine;
-  const bool free = tensor_largest(affine->rate[NB_AFFINE_FREE]) > 0 || model->cell;
-  affine->all = free || affine->free_before;
-  affine->free_before = free;
+  const bool free = strains(affine, model->cell ? NB_AFFINE_CELL : NB_AFFINE_FREE);
+  model->all_affine = free || affine->free_before;
+  affine->free_before = free, affine->any_before = strains_now(model);
   affine->uniform = same_rate(affine, model->cell ? NB_AFFINE_CELL : NB_AFFINE_FREE);
-  return affine->all;
+  return model->all_affine;
 }
 
 void nb_affine_clear(struct nb_model *model) {

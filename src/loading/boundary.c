@@ -73,7 +73,7 @@ static void detach(struct nb_model *model, int slot) {
   nb_affine_assign(model->affine, i, NB_AFFINE_FREE);
   particles->imposed[i] = nb_affine_separate(model->affine, i, particles->position[i]);
   particles->inverse_mass[i] = 1 / particles->mass[i];
-  particles->inverse_inertia[i] = model->boundary->rotates ? 1 / particles->inertia[i] : 0;
+  particles->inverse_inertia[i] = model->rotates ? 1 / particles->inertia[i] : 0;
   nb_motion_set_velocity(model, i, nb_velocity_half(model, i));
   if (model->terms)
     nb_sum_add(&model->terms[NB_TERM_REMOVED], -nb_energy_kinetic_of(model, i));
@@ -161,9 +161,7 @@ void nb_boundary_set_forces(struct nb_model *model) {
 
 /* ---- set up ---- */
 
-static bool stage_has_boundary(const struct nb_stage *stage) {
-  return stage->circle.line || stage->boundary.line || stage->rotation_line;
-}
+static bool stage_has_boundary(const struct nb_stage *stage) { return stage->circle.line || stage->boundary.line; }
 
 static bool needed(const struct nb_scene *scene) {
   for (size_t s = 0; s < scene->stage_count; s++)
@@ -186,7 +184,6 @@ enum nb_status nb_boundary_create(struct nb_model *model, struct nb_error *error
     return NB_OK;
   struct nb_boundary_state *state = model->boundary = nb_own(&model->owner, 1, sizeof *state);
   if (state) {
-    state->rotates = true;
     state->boundary_force =
         has_stress(scene) ? nb_own(&model->owner, particles->count, sizeof *state->boundary_force) : NULL;
     state->ring.member = nb_own(&model->owner, particles->count, sizeof *state->ring.member);
@@ -220,9 +217,9 @@ static enum nb_status search_again(struct nb_model *model, struct nb_error *erro
   return status ? status : nb_balance_new_overlaps(model, error);
 }
 
-static void rotation_begin(struct nb_model *model, bool rotates) {
+void nb_rotation_begin(struct nb_model *model, bool rotates) {
   struct nb_particles *particles = &model->particles;
-  model->boundary->rotates = rotates;
+  model->rotates = rotates;
   nb_balance_jump(model, NB_TERM_CHANGED, true);
   for (size_t i = 0; i < particles->count; i++) {
     if (!(particles->inverse_mass[i] > 0))
@@ -266,8 +263,6 @@ static void boundary_control(struct nb_model *model, const struct nb_stage *stag
 }
 
 enum nb_status nb_boundary_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
-  if (stage->rotation_line)
-    rotation_begin(model, stage->rotation == NB_ROTATION_ON);
   if (!stage->circle.line && !stage->boundary.line)
     return NB_OK;
   nb_balance_exclude(model, true);

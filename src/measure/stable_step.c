@@ -109,8 +109,7 @@ static struct nb_coefficients coefficients_of(const struct nb_model *model, size
       memcpy(to, nb_history_read(history, c, buffer), (size_t)doubles * sizeof *to);
   }
   const double overlap = nb_overlap(model, c), least = model->next_laws.normal->elastic ? 0 : smallest_overlap;
-  return coefficients_at(model, material_pair, overlap > least ? overlap : least,
-                         nb_inverse_mass(model, c),
+  return coefficients_at(model, material_pair, overlap > least ? overlap : least, nb_inverse_mass(model, c),
                          nb_contact_constants(model, c, material_pair->next).radius,
                          model->damping.deep > 0 && nb_is_deep(model, c), normal_history, shear_history);
 }

@@ -13,6 +13,7 @@
 #include "laws/laws_now.h"
 #include "loading/loading.h"
 #include "measure/balance.h"
+#include "measure/configuration.h"
 #include "measure/region.h"
 #include "measure/step.h"
 #include "report/cost.h"
@@ -210,15 +211,30 @@ static bool explain_material_pair(FILE *out, const struct nb_model *model,
   return true;
 }
 
+/* What a cycle reads and writes of a particle; without the measures of regions and the workspace of the stability check. */
+static size_t bytes_per_particle(const struct nb_model *model) {
+  const struct nb_particles *particles = &model->particles;
+  return sizeof(double) * (particles->spin ? 14 : 12) + 5 * sizeof(int) +
+         (model->affine ? sizeof *particles->imposed + sizeof *model->affine->source : 0) +
+         (model->boundary ? 2 * sizeof(int) : 0) +
+         (model->boundary && model->boundary->boundary_force ? sizeof(struct nb_vec) : 0) +
+         (particles->removed ? sizeof(bool) : 0) + (model->balance ? sizeof *model->balance->particles : 0) +
+         (model->fracc ? sizeof(double) : 0) +
+         nb_configuration_count(model->configuration) * (sizeof(struct nb_vec) + sizeof(double));
+}
+
+static size_t bytes_per_contact(const struct nb_model *model, size_t history) {
+  const struct nb_contacts *contacts = &model->contacts;
+  return sizeof(double) * (2 + bit_count(model->plan.kept) + history + (size_t)contacts->slip_sum.doubles) +
+         (contacts->image ? sizeof *contacts->image : 0) + (contacts->suppressed ? sizeof(int) : 0) + 5 * sizeof(int);
+}
+
 static void explain_memory(FILE *out, const struct nb_model *model) {
   static const char *const isa_names[] = {"plain", "avx2", "avx512"};
-  const struct nb_particles *particles = &model->particles;
   const size_t history = (size_t)(model->contacts.normal_history.doubles + model->contacts.shear_history.doubles);
-  const size_t per_particle = sizeof(double) * (particles->spin ? 14 : 12) + 5 * sizeof(int);
-  const size_t per_contact = sizeof(double) * (2 + bit_count(model->plan.kept) + history) + 5 * sizeof(int);
   fprintf(out, "memory\n  %zu bytes a particle%s, %zu a contact (%zu kept fields, %zu history variables of laws)\n",
-          per_particle, particles->spin ? "" : " (without rotation)", per_contact, bit_count(model->plan.kept) + 2,
-          history);
+          bytes_per_particle(model), model->particles.spin ? "" : " (without rotation)",
+          bytes_per_contact(model, history), bit_count(model->plan.kept) + 2, history);
   fprintf(out, "  %zu blocks of up to %d contacts, loops for %s, %d thread%s\n", model->blocks.count, NB_BLOCK_SIZE,
           isa_names[model->machine.isa], model->machine.threads_used, model->machine.threads_used == 1 ? "" : "s");
 }

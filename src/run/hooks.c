@@ -68,12 +68,13 @@ static enum nb_status check_stiffening(struct nb_model *model, struct nb_error *
 #define NEEDED(name, condition)                                                                                        \
   static bool name(const struct nb_model *model) { return condition; }
 NEEDED(ramps_walls, nb_stage_ramps_walls(model))
-NEEDED(has_boundary, model->boundary != NULL)
+NEEDED(holds_boundary, model->boundary && model->boundary->ring.held)
+NEEDED(moves_boundary, model->particles.boundary_force || (holds_boundary(model) && nb_affine_moves(model)))
 NEEDED(has_servo, model->affine && model->stage && model->stage->servo.line)
 NEEDED(strains_box, nb_box_is_strained(model))
 NEEDED(has_balance, model->balance != NULL)
-NEEDED(has_affine, model->affine != NULL)
-NEEDED(changes, nb_stage_changes(model) || !nb_plan_is_current(model))
+NEEDED(has_affine, nb_affine_moves(model))
+NEEDED(changes, nb_stage_changes(model) || !nb_plan_is_current(model) || nb_affine_ends(model))
 NEEDED(stiffens, model->blocks.stable_overlap != NULL)
 NEEDED(has_elastic_law, model->plan.elastic)
 NEEDED(requests_fracc, model->fracc != NULL)
@@ -86,13 +87,13 @@ static const struct {
   enum nb_status (*run)(struct nb_model *model, struct nb_error *error);
 } table[] = {
     {NB_BEFORE_MOTION, "walls ramp", ramps_walls, move_walls},
-    {NB_BEFORE_MOTION, "boundary takes in particles", has_boundary, nb_boundary_before_motion},
+    {NB_BEFORE_MOTION, "boundary takes in particles", holds_boundary, nb_boundary_before_motion},
     {NB_BEFORE_MOTION, "servo", has_servo, apply_servo},
     {NB_BEFORE_MOTION, "walls of the box follow its strain rate", strains_box, strain_box},
     {NB_BEFORE_MOTION, "energy balance", has_balance, balance_before_motion},
     {NB_BEFORE_MOTION, "affine motion", has_affine, move_affinely},
     {NB_AFTER_MOTION, "energy balance", has_balance, balance_after_motion},
-    {NB_AFTER_MOTION, "stress on the boundary", has_boundary, apply_boundary_stress},
+    {NB_AFTER_MOTION, "strain and stress of the boundary", moves_boundary, apply_boundary_stress},
     {NB_BEFORE_SEARCH, "changes of the stage", changes, make_changes},
     {NB_BEFORE_FORCES, "stability check", NULL, check_stability},
     {NB_AFTER_FORCES, "stability check of stiffening contacts", stiffens, check_stiffening},
@@ -102,7 +103,16 @@ static const struct {
     {NB_AFTER_FORCES, "energy balance", has_balance, balance_after_forces},
 };
 
+/* Without shear forces no particle begins to rotate. */
+static bool rotates(const struct nb_model *model) {
+  bool any = model->rotates && model->plan.has_friction;
+  for (size_t i = 0; i < model->particles.count && model->particles.spin && !any; i++)
+    any = model->particles.spin[i] != 0;
+  return any && model->particles.spin;
+}
+
 void nb_hooks_plan(struct nb_model *model) {
+  model->plan.rotates = rotates(model);
   for (int when = 0; when < NB_WHENS; when++)
     model->hooks[when].count = 0;
   for (size_t k = 0; k < sizeof table / sizeof *table; k++) {

@@ -24,13 +24,14 @@ static size_t slot_of(size_t index, size_t count, bool shuffle) {
   return index % 2 == 0 ? index / 2 : count - 1 - index / 2;
 }
 
+/* Whether a particle rotates at some time: from the start, or by friction unless `rotation off` holds in all stages. */
 static bool has_spin(const struct nb_scene *scene) {
-  if (nb_laws_shear(scene))
-    return true;
+  bool spin = false, rotates = scene->stages[0].rotation != NB_ROTATION_OFF;
   for (size_t k = 0; k < scene->particle_count; k++)
-    if (scene->particles[k].spin != 0)
-      return true;
-  return false;
+    spin = spin || scene->particles[k].spin != 0;
+  for (size_t s = 0; s < scene->stage_count; s++)
+    rotates = rotates || scene->stages[s].rotation == NB_ROTATION_ON;
+  return spin || (rotates && nb_laws_shear(scene) && nb_laws_friction(scene));
 }
 
 static bool removes_particles(const struct nb_scene *scene) {
@@ -158,6 +159,7 @@ static void set_initial_values(struct nb_model *model, const struct nb_scene *sc
   model->central.acceleration = scene->gravity.central;
   model->central.point = vec(scene->gravity.about_x, scene->gravity.about_y);
   model->stability->allow_unstable = scene->allow_unstable;
+  model->rotates = true;
   model->plan.keep_all = options && options->keep_all;
   model->states = options ? options->states : NULL;
   model->laws = model->next_laws = nb_laws_initial(scene);

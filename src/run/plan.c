@@ -28,10 +28,10 @@ static bool uses_damping_ratio(const struct nb_damping *damping) {
 }
 
 static enum nb_dashpot_kind dashpot_kind(const struct nb_damping *damping) {
-  return damping->deep > 0             ? NB_DASHPOTS_DEEP
-         : uses_damping_ratio(damping) ? NB_DASHPOTS_RATIO
-         : nb_damping_contact_line(damping) > 0    ? NB_DASHPOTS_TIME
-                                       : NB_DASHPOTS_NONE;
+  return damping->deep > 0                      ? NB_DASHPOTS_DEEP
+         : uses_damping_ratio(damping)          ? NB_DASHPOTS_RATIO
+         : nb_damping_contact_line(damping) > 0 ? NB_DASHPOTS_TIME
+                                                : NB_DASHPOTS_NONE;
 }
 
 static bool has_friction(const struct nb_material_pair *material_pair) {

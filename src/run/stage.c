@@ -208,6 +208,8 @@ static enum nb_status begin_loading(struct nb_model *model, const struct nb_stag
   begin_gravity_change(model);
   if (model->affine)
     nb_affine_begin(model, stage);
+  if (stage->rotation_line)
+    nb_rotation_begin(model, stage->rotation == NB_ROTATION_ON);
   if (model->boundary && nb_boundary_begin(model, stage, error))
     return error->status;
   if (stage->servo.line)
@@ -262,6 +264,8 @@ enum nb_status nb_stage_change(struct nb_model *model, struct nb_error *error) {
     ramps = ramps || stage->changes[k].ramp;
   model->changes->changing = ramps && fraction < 1;
   const bool laws_change = nb_laws_normal_changes(model) || nb_laws_shear_changes(model);
+  if (nb_affine_ends(model))
+    nb_affine_step(model);
   if (stage->change_count == 0 && !laws_change && nb_plan_is_current(model)) {
     nb_hooks_plan(model);
     return NB_OK;

@@ -141,7 +141,7 @@ static bool capture_ring(struct nb_saved *saved, const struct nb_model *model) {
 
 static enum nb_status capture_loading(struct nb_saved *saved, const struct nb_model *model, struct nb_error *error) {
   saved->central = model->central;
-  saved->rotates = !model->boundary || model->boundary->rotates;
+  saved->rotates = model->rotates;
   if (model->cell)
     saved->cell = (struct nb_saved_cell){true, model->cell->h, model->cell->image_velocity};
   if ((model->affine && !capture_affine(saved, model)) ||
@@ -327,6 +327,7 @@ static void restore_affine(struct nb_model *model, const struct nb_saved *saved)
   struct nb_affine *affine = model->affine;
   struct nb_particles *particles = &model->particles;
   affine->centre = saved->centre;
+  affine->free_before = affine->any_before = true; /* the state does not contain them */
   for (int c = 0; c < NB_AFFINE_SOURCES; c++) {
     affine->requested[c] = saved->sources[c].requested;
     affine->rate[c] = saved->sources[c].rate;
@@ -355,13 +356,17 @@ static void restore_ring(struct nb_model *model, const struct nb_saved_ring *sav
     nb_boundary_set_forces(model);
 }
 
-/* Whether model and state both have, or lack, a cell, a boundary and affine motion. */
+/* Whether model and state both have, or lack, a cell, a boundary, affine motion and rotation. */
 static bool same_loading(const struct nb_model *model, const struct nb_saved *saved) {
+  enum nb_rotation rotation = NB_ROTATION_ON;
+  for (const struct nb_stage *stage = model->scene->stages; stage <= model->stage; stage++)
+    rotation = stage->rotation ? stage->rotation : rotation;
+  if (saved->rotates != (rotation == NB_ROTATION_ON))
+    return false;
   if (saved->imposed_count != 0 && (saved->imposed_count != model->particles.count || !model->affine))
     return false;
-  if (!model->boundary)
-    return saved->cell.is == (model->cell != NULL) && !saved->ring.is && saved->rotates;
-  return saved->cell.is == (model->cell != NULL) && (model->boundary->boundary_force || !saved->ring.pressing);
+  return saved->cell.is == (model->cell != NULL) &&
+         (model->boundary ? model->boundary->boundary_force || !saved->ring.pressing : !saved->ring.is);
 }
 
 enum nb_status nb_saved_restore_loading(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
@@ -375,8 +380,7 @@ enum nb_status nb_saved_restore_loading(struct nb_model *model, const struct nb_
     restore_affine(model, saved);
   if (saved->ring.is)
     restore_ring(model, &saved->ring);
-  if (model->boundary)
-    model->boundary->rotates = saved->rotates;
+  model->rotates = saved->rotates;
   for (size_t i = 0; i < particles->count && !saved->rotates; i++)
     particles->inverse_inertia[i] = 0;
   return NB_OK;
