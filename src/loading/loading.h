@@ -7,7 +7,7 @@
 #include "core/boundary.h"
 
 /* ---- boundary.c: boundary of an assembly; rotation of particles ---- */
-void nb_rotation_begin(struct nb_model *model, bool rotates); /* `rotation on` or `off` */
+void nb_rotation_begin(struct nb_model *model, bool rotates);                      /* `rotation on` or `off` */
 enum nb_status nb_boundary_create(struct nb_model *model, struct nb_error *error); /* before the first search */
 enum nb_status nb_boundary_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error);
 /* Adds the particles that have crossed the circle to a held boundary. */
@@ -26,7 +26,7 @@ void nb_affine_begin(struct nb_model *model, const struct nb_stage *stage); /* a
 bool nb_affine_step(struct nb_model *model);
 bool nb_affine_moves(const struct nb_model *model); /* some particle in this step of the stage or in the last one */
 bool nb_affine_ends(const struct nb_model *model);  /* only in the last one */
-void nb_affine_clear(struct nb_model *model);               /* sets all imposed velocities to 0 */
+void nb_affine_clear(struct nb_model *model);       /* sets all imposed velocities to 0 */
 void nb_affine_remove(struct nb_model *model, size_t slot); /* a particle that is removed from the scene */
 
 /* ---- box.c: four walls that follow a strain rate, and the stress on them ---- */

@@ -42,7 +42,7 @@ struct nb_element {
   double a, d; /* A, 1/s2; the same with c_n in place of k_n, 1/s */
   double q, p; /* Q_i/I_i + Q_j/I_j, 1/s2; the same with c_s in place of k_s, 1/s */
 };
-double nb_inverse_mass(const struct nb_model *model, size_t contact); /* 1/M*, 1/kg */
+double nb_inverse_mass(const struct nb_model *model, size_t contact);          /* 1/M*, 1/kg */
 struct nb_element nb_element_of(const struct nb_model *model, size_t contact); /* after nb_stable_step */
 static inline double nb_element_normal(const struct nb_element *element, double dt) {
   return dt * (dt * element->a + 2 * element->d);
