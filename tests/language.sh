@@ -69,6 +69,21 @@ done >"$work/said"
 test ! -s "$work/said"
 result $? 'nineball --help describes families of quantities, topics, units, functions, laws and reducers'
 
+# What a newcomer looks for comes first: within the first three lines.
+for pair in "velocity:velocity VX VY" stiffness:young "refine:divides the step" "compress:box strain" "compression:cell strain" \
+  "vertical:y points up" "horizontal:x points to the right" "order:order NUMBER in NAME" "advise:cheapest step" "within:MEASURE within" \
+  "rate:cell strain" "seed:fill discs" "porosity:region M all" "strain:Which strain" "stage:Begins a stage" "budget:time for the search" \
+  "psi:1 psi is 6.894757293 kPa" "inch:1 inch is 25.4 mm" "lb:1 lb is 4.448221615 N" "restitution:damping ratio" "fix:fixed"; do
+  "$nineball" --help "${pair%%:*}" 2>&1 | head -n 3 | grep -qF -e "${pair#*:}" || echo "nineball --help ${pair%%:*} does not begin with ${pair#*:}"
+done >"$work/said"
+for command in $("$nineball" --help | sed -n 's/^  \([a-z][a-z]*\) .*/\1/p'); do
+  "$nineball" --help "$command" 2>&1 | head -n 3 | grep -q "^  $command " || echo "nineball --help $command does not begin with the command"
+done >>"$work/said"
+test ! -s "$work/said" && test -n "$command"
+result $? 'nineball --help begins with what a newcomer looks for, and with each command'
+test "$("$nineball" --help strain | grep -cE '^ *(cell|box|boundary|affine) strain: moves ')" -eq 4
+result $? 'nineball --help strain compares the four strains'
+
 # Words of other programs: `nineball --help` of each of them must show all words of the page language in its row.
 grep '^    {"' src/input/guess.c | tr '{' '\n' | sed -n 's/^"\([^"]*\)", "\([^"]*\)".*$/\1|\2/p' >"$work/synonyms"
 test "$(wc -l <"$work/synonyms")" -gt 30 && cut -d '|' -f 1 "$work/synonyms" | tr ' ' '\n' | sort | uniq -d >"$work/said" &&

@@ -134,6 +134,15 @@ run 0 explain "$pages/warns.md" --set shear=linear
 out 'their shear stiffness `ks` is 0'
 verdict 'warnings: once on standard error, repeated by verdict and explain, no change of the status'
 
+for command in check run 'check --tap' explain; do
+  "$nineball" $command "$pages/warns.md" >out 2>&1 </dev/null
+  test "$(grep -c 'warns.md:4: warning: friction' out)" -eq 1 || echo "not once in a file: $command" >>why
+  "$nineball" $command "$pages/warns.md" 2>&1 </dev/null | cat >out
+  test "$(grep -c 'warns.md:4: warning: friction' out)" -eq 1 || echo "not once in a pipe: $command" >>why
+done
+rm -rf warns.out
+verdict 'warnings: once if standard output and standard error are one file or pipe'
+
 if command -v script >/dev/null; then # both streams are the same terminal
   for command in check explain 'check --tap'; do
     script -qec "'$nineball' $command '$pages/warns.md'" /dev/null >out 2>&1 </dev/null

@@ -18,6 +18,8 @@ const struct nb_synonym *nb_synonym(const char *word); /* NULL: not a term of an
 /* Writes "`ball` of other programs is `disc` or `sphere` here: …" to `hint`, of NB_HINT_SIZE bytes. NULL: the word is
  * no term of another program. */
 const char *nb_synonym_hint(char *hint, const char *word);
+/* The same for two words: `contact model`, or a statement and a word in it. */
+const char *nb_pair_hint(char *hint, const char *first, const char *second);
 /* Copies the next item of a list like "disc, sphere" and advances the list; false: the list is empty. */
 bool nb_item(const char **list, char item[NB_NAME_SIZE]);
 

@@ -59,7 +59,8 @@ bool nb_quantity_is_residual(struct nb_quantity quantity); /* a residual, 0 by d
 struct nb_quantity_row {
   const void *key; /* identifies the quantity */
   char name[NB_NAME_SIZE], help[512];
-  const char *unit, *of; /* the kind of monitor */
+  const char *unit, *of;          /* the kind of monitor */
+  const char *statement, *prefix; /* "region M all", "M."; NULL: the scene's */
 };
 bool nb_quantity_row(struct nb_quantity_row *row, size_t k);
 

@@ -177,7 +177,10 @@ static void wrong_unit(struct parser *p, size_t length, const char *text, bool i
                            : strpbrk(text, "/.")
                                ? "a unit is one word, such as `kg/m3`; to divide put spaces around `/`"
                                : "a product is written `* %s`";
+  const struct nb_foreign_unit *const foreign = is ? NULL : nb_unit_foreign(text, NULL);
   snprintf(hint, sizeof hint, form, text);
+  if (foreign)
+    snprintf(hint, sizeof hint, "1 %s is %.10g %s", text, foreign->factor, foreign->ours);
   const char *const typed = nb_syntax_hint(p->reader, other, text);
   mistake(p, p->at, length, typed ? typed : hint, "expected a unit or an operator, found `%s`", text);
 }

@@ -27,28 +27,35 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"variable define parameter fish", "let"}, {"loop foreach for while", "sweep, repeat"}, {"bond bonds cement adhesion", "cohesion"},
     {"friction_coefficient friction_angle fric mu xmu coulomb", "friction"}, {"rho dens mass_density", "density"},
     {"young_modulus youngs_modulus youngs modulus emod E", "young"}, {"poisson_ratio poissons_ratio pois nu", "poisson"},
-    {"normal_stiffness k_n", "kn"}, {"shear_stiffness tangential_stiffness k_s k_t kt kratio", "ks"}, {"stiffness spring", "kn, ks"},
+    {"normal_stiffness k_n", "kn"}, {"shear_stiffness tangential_stiffness k_s k_t kt kratio", "ks"}, {"stiffness spring", "kn, ks, young", "stiffness is `kn` and `ks` in `material` or `pair`, or `young` in `material`"},
     {"diameter r", "radius"}, {"g grav acceleration", "gravity"}, {"dt timestep time_step", "step"},
     {"damp viscous viscosity dashpot gamma gamma_n dp_nratio dp_sratio beta", "damping, ratio, stiffness"}, {"neighbor verlet cutoff", "skin"},
     {"local nonviscous", "mass", "there is no local damping"}, {"dump", "record, snapshot"}, {"plot graph figure", "gnuplot"},
-    {"restitution cor", "ratio, impact.restitution", "restitution is a result, not an input"},
+    {"restitution cor", "ratio, impact.restitution", "restitution is a result, not an input; linear springs return 0.7 with `damping ratio (-log(0.7)/hypot(pi, log(0.7)))`"},
     {"rolling rolling_friction rolling_resistance", "rotation off", "there is no rolling resistance"},
     {"history hist track trace thermo output print probe", "monitor, record"}, {"measure measurement group range", "region"},
     {"run solve go iterate", "cycles, until"}, {"equilibrium converge unbal", "until, unbalanced.max"},
     {"unbalanced unbalanced_force mech_ratio", "unbalanced.max"},
-    {"ratio", "unbalanced.max, damping, poisson"}, {"critical", "ratio, single-contact"},
+    {"ratio", "unbalanced.max, damping, poisson"}, {"critical", "ratio, single-contact"}, {"no_contact separation", "contacts"},
     {"contact", "damping, monitor, region"}, {"all", "region", "`region M all` measures all particles and contacts"},
-    {"calm relax quench", "zero velocities"}, {"fix freeze clamp", "fixed, servo, cell strain, boundary fixed, rotation off"},
+    {"calm relax quench", "zero velocities"}, {"fix freeze clamp", "fixed", "a particle with `fixed` does not move: `disc X Y radius R MATERIAL fixed`"},
     {"apply load", "gravity, boundary stress, servo, wall"}, {"confine confining confinement membrane pressure", "servo, boundary stress, cell.stress.mean"},
-    {"deform strain strain_rate shear_rate rate", "cell strain, box strain, boundary strain, affine strain"},
+    {"deform strain strain_rate shear_rate rate", "cell strain, box strain, boundary strain, affine strain", "`nineball --help strain` compares the four"},
+    {"compress compression", "box strain, cell strain, boundary strain, walls, servo"}, {"shear_strain", "strain.xy, strain.deviator"},
+    {"vertical_strain strain_vertical axial_strain", "strain.yy"}, {"vertical_stress stress_vertical axial_stress", "stress.yy"},
+    {"vertical axial", "y, fy, stress.yy, strain.yy, yy", "y points up"}, {"horizontal lateral", "x, fx, stress.xx, strain.xx, xx", "x points to the right"},
     {"move displace", "wall, walls, transform"}, {"delete kill erase", "remove"},
     {"save checkpoint write_restart", "nineball state"}, {"restore restart read_restart read_data import", "start, packing"},
     {"assert compare equals equal is = ==", "expected, within"}, {"tolerance agree", "within"},
     {"maximum largest", "max"}, {"end final", "last"}, {"less < <=", "below"}, {"greater more > >=", "above"},
-    {"force contact_force forces", "normal, shear, fx, fy"}, {"position displacement pos disp", "x, y"}, {"vel", "velocity, vx, vy"},
+    {"force contact_force forces", "normal, shear, fx, fy"}, {"position displacement pos disp", "x, y"}, {"vel velocity speed", "velocity, vx, vy", "a velocity is given by `velocity VX VY` and recorded as `A.vx` and `A.vy`"},
     {"kinetic kinetic_energy ke", "energy.kinetic"}, {"hertz_mindlin hertzian hertz_material mindlin_rescale", "normal hertz, shear mindlin"},
-    {"hooke hookean", "normal linear, shear linear"}, {"SI", "units"}, {"inch inches ft", "m, mm"}, {"psi ksi bar atm", "Pa, kPa"}, {"lb lbf kgf", "N, kN"},
-    {"degree degrees", "deg"}, {"rpm", "rad/s"},
+    {"hooke hookean", "normal linear, shear linear"}, {"SI", "units"}, {"degree degrees", "deg"},
+    /* STATEMENT_WORD: a word in a statement that does not have it */
+    {"wall_fixed box_fixed", "wall, walls", "a wall does not move unless it has a `velocity`"},
+    {"remove_wall", "wall", "a wall stays, but it can move away: `wall NAME velocity VX VY`"}, {"step_auto", "stable", "write `step 0.5 of stable`"},
+    {"cycles_s cycles_ms", "until", "a duration is `until time above 2 s at most 1000000 cycles`"},
+    {"box_shear box_c12 box_c21", "cell strain, boundary strain", "the walls of a box do not rotate, so it has no shear"},
   };
   /* clang-format on */
   char plain[NB_NAME_SIZE];
@@ -82,10 +89,17 @@ const char *nb_synonym_hint(char *hint, const char *word) {
     return NULL;
   list_ours(list, synonym, ~0u);
   if (synonym->note)
-    snprintf(hint, NB_HINT_SIZE, "%s: see `nineball --help %s`", synonym->note, word);
+    snprintf(hint, NB_HINT_SIZE, "%s: see `nineball --help %.*s`", synonym->note, (int)strcspn(synonym->ours, ","),
+             synonym->ours);
   else
     snprintf(hint, NB_HINT_SIZE, "`%s` of other programs is %s here: see `nineball --help %s`", word, list, word);
   return hint;
+}
+
+const char *nb_pair_hint(char *hint, const char *first, const char *second) {
+  char pair[2 * NB_NAME_SIZE];
+  snprintf(pair, sizeof pair, "%.63s_%.63s", first, second);
+  return nb_synonym_hint(hint, pair);
 }
 
 /* ---- the nearest word ---- */

@@ -177,7 +177,7 @@ void nb_line_begin(struct nb_reader *reader, size_t line) {
   reader->line = line;
   reader->count = reader->next = reader->used = 0;
   reader->bad = false;
-  reader->keyword = NULL, reader->otherwise = NULL;
+  reader->keyword = reader->row = NULL, reader->otherwise = NULL;
 }
 
 bool nb_line_read(struct nb_reader *reader, size_t line) {
@@ -346,9 +346,13 @@ bool nb_expected(struct nb_reader *reader, const char *hint, const char *format,
   vsnprintf(what, sizeof what, format, list);
   va_end(list);
   if (!token)
-    return nb_token_mistake(reader, NULL, hint, "expected %s, found the end of the line", what);
+    return nb_token_mistake(reader, NULL, hint ? hint : nb_example_hint(text, reader),
+                            "expected %s, found the end of the line", what);
   const char *const typed = nb_syntax_hint(reader, text, token->text);
-  hint = typed ? typed : hint ? hint : reader->otherwise ? reader->otherwise : nb_synonym_hint(text, token->text);
+  hint = typed ? typed : hint ? hint : reader->otherwise;
+  if (!hint && (nb_pair_hint(text, reader->tokens[0].text, token->text) || nb_synonym_hint(text, token->text) ||
+                nb_example_hint(text, reader)))
+    hint = text;
   if (token->name)
     return nb_token_mistake(reader, token, hint, "expected %s, found `%.80s` (`$%s`)", what, token->text, token->name);
   return nb_token_mistake(reader, token, hint, "expected %s, found `%.80s`", what, token->text);

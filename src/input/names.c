@@ -5,12 +5,14 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-#include "core/guess.h"
+#include "core/clean.h"
 #include "core/names.h"
 #include "loading/loading.h"
 #include "measure/energy.h"
+#include "reader.h"
 
 /* ---- rows in other files ---- */
 
@@ -309,17 +311,18 @@ bool nb_quantity_is_residual(struct nb_quantity quantity) {
 static const struct owner {
   unsigned monitors; /* bit set */
   const char *of, *statement, *name;
+  const char *of_spheres; /* the statement in a scene of spheres; NULL: the same */
 } owners[] = {
-    {PARTICLE, "a particle", "monitor A disc 1", "A."},
-    {WALL, "a wall", "monitor S wall NAME", "S."},
-    {PAIR, "a contact", "monitor C disc 1 with disc 2", "C."},
-    {NB_OF_REGION, "a region", "region M all", "M."},
-    {GRADING, "a grading", "monitor G grading NAME", "G."},
-    {NB_OF_IMPACT, "an impact", "impact MONITOR speed V angle A", ""},
-    {NB_OF_CELL, "a periodic cell", "cell X Y to X Y", ""},
-    {NB_OF_BOX, "a box of walls", "box X Y to X Y MATERIAL", ""},
-    {NB_OF_CONTACT_TEST, "a contact test", NULL, NULL},
-    {0, "the scene", NULL, NULL},
+    {PARTICLE, "a particle", "monitor A disc 1", "A.", "monitor A sphere 1"},
+    {WALL, "a wall", "monitor S wall NAME", "S.", NULL},
+    {PAIR, "a contact", "monitor C disc 1 with disc 2", "C.", "monitor C sphere 1 with sphere 2"},
+    {NB_OF_REGION, "a region", "region M all", "M.", NULL},
+    {GRADING, "a grading", "monitor G grading NAME", "G.", NULL},
+    {NB_OF_IMPACT, "an impact", "impact MONITOR speed V angle A", "", NULL},
+    {NB_OF_CELL, "a periodic cell", "cell X Y to X Y", "", NULL},
+    {NB_OF_BOX, "a box of walls", "box X Y to X Y MATERIAL", "", NULL},
+    {NB_OF_CONTACT_TEST, "a contact test", NULL, NULL, NULL},
+    {0, "the scene", NULL, NULL, NULL},
 };
 
 static const struct owner *owner_of(unsigned monitors) {
@@ -337,7 +340,9 @@ bool nb_quantity_row(struct nb_quantity_row *it, size_t k) {
         name_of(it->name, sizeof it->name, kind_at(r), suffix);
         snprintf(it->help, sizeof it->help, "%s%s%s", kind_at(r)->help, suffix ? ", " : "", suffix ? suffix->help : "");
         it->key = (const char *)kind_at(r) + s;
-        it->unit = unit_of(kind_at(r), suffix), it->of = owner_of(kind_at(r)->monitors)->of;
+        const struct owner *const owner = owner_of(kind_at(r)->monitors);
+        it->unit = unit_of(kind_at(r), suffix), it->of = owner->of;
+        it->statement = owner->statement, it->prefix = owner->name;
         return true;
       }
   return false;
@@ -360,7 +365,8 @@ static const char *list_quantities(char *hint, const struct nb_scene *scene, int
 
 /* "`normal.max` is a quantity of a region: `region M all`, then `M.normal.max`". NULL: no owner
  * has a quantity of this name. */
-static const char *owner_hint(char *hint, const char *text) {
+static const char *owner_hint(char *hint, const struct nb_scene *scene, const char *text) {
+  const bool spheres = scene->particle_count && scene->particles[0].shape == NB_SPHERE;
   const struct nb_suffix *suffix;
   char name[NB_NAME_SIZE];
   unsigned done = 0;
@@ -375,10 +381,54 @@ static const char *owner_hint(char *hint, const char *text) {
       nth_suffix(kind_at(k), 0, &suffix);
     name_of(name, sizeof name, kind_at(k), suffix);
     used += (size_t)snprintf(hint + used, NB_HINT_SIZE - used, "%s`%s` is a quantity of %s: `%s`, then `%s%s`",
-                             used ? "; " : "", name, owner->of, owner->statement, owner->name, name);
+                             used ? "; " : "", name, owner->of,
+                             spheres && owner->of_spheres ? owner->of_spheres : owner->statement, owner->name, name);
     done |= owner->monitors;
   }
   return used ? hint : NULL;
+}
+
+/* Appends the quantities of that kind of monitor that a word means: of `velocity` "`A.vx` `A.vy`". */
+static void list_meant(char *list, size_t size, unsigned kind, char monitor, const char *word) {
+  const struct nb_synonym *const synonym = nb_synonym(word);
+  const char *items = synonym ? synonym->ours : "";
+  char item[NB_NAME_SIZE];
+  snprintf(item, sizeof item, "%s", word);
+  do
+    for (size_t k = 0; kind_at(k); k++)
+      if (kind_at(k)->monitors & kind && strcmp(kind_at(k)->name, item) == 0)
+        nb_append(list, size, "%s`%c.%s`", *list ? " " : "", monitor, item);
+  while (nb_item(&items, item));
+}
+
+const char *nb_phrase_hint(char *hint, const struct nb_scene *scene, const struct nb_token *tokens, size_t count) {
+  char of[NB_HINT_SIZE / 2] = "", names[NB_HINT_SIZE / 4] = "", monitor[] = "A", pair[2 * NB_NAME_SIZE];
+  struct nb_quantity one;
+  unsigned kind = 0;
+  for (size_t k = 0; k + 1 < count && kind != PAIR; k++) {
+    const char *const word = tokens[k].text, *const next = tokens[k + 1].text;
+    const struct nb_synonym *const synonym = nb_synonym(word);
+    const size_t number = strspn(next, "0123456789") == strlen(next) ? strtoul(next, NULL, 10) : 0;
+    const bool wall = strcmp(word, "wall") == 0, sphere = strcmp(word, "sphere") == 0;
+    if (!wall && !(number && (sphere || strcmp(word, "disc") == 0 || (synonym && strstr(synonym->ours, "disc, sphere")))))
+      continue;
+    const bool is_sphere = number - 1 < scene->particle_count ? scene->particles[number - 1].shape == NB_SPHERE : sphere;
+    nb_append(of, sizeof of, "%s%s %.63s", kind ? " with " : "", wall ? "wall" : is_sphere ? "sphere" : "disc", next);
+    kind = kind ? PAIR : wall ? WALL : PARTICLE;
+  }
+  if (!kind && count > 1) {
+    snprintf(pair, sizeof pair, "%.63s_%.63s", tokens[0].text, tokens[1].text);
+    return nb_synonym(pair) && !nb_quantity_find(&one, scene, tokens[0].text) ? nb_quantity_hint(hint, scene, pair) : NULL;
+  }
+  while (monitor_named(scene, monitor, 1) >= 0 && *monitor < 'Z')
+    ++*monitor;
+  for (size_t k = 0; k < count && kind; k++)
+    list_meant(names, sizeof names, kind, *monitor, tokens[k].text);
+  if (kind && !*names)
+    list_meant(names, sizeof names, kind, *monitor, kind == PARTICLE ? "position" : "force");
+  snprintf(hint, NB_HINT_SIZE, "give it a name before the stages, `monitor %s %s`; then its quantities are %s", monitor,
+           of, names);
+  return kind ? hint : NULL;
 }
 
 const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const char *text) {
@@ -393,8 +443,12 @@ const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const cha
     return hint;
   if (owner >= 0)
     return list_quantities(hint, scene, owner);
-  const bool found = !scene->contact_test && (owner_hint(hint, text) || owner_hint(hint, rest ? rest + 1 : "") ||
-                                              nb_guess_hint(&of_stem, hint) || owner_hint(hint, stem));
+  bool found =
+      !scene->contact_test && (owner_hint(hint, scene, text) || owner_hint(hint, scene, rest ? rest + 1 : "") ||
+                               nb_guess_hint(&of_stem, hint) || owner_hint(hint, scene, stem));
+  for (const char *list = guess.synonym ? guess.synonym->ours : "";
+       !scene->contact_test && !found && nb_item(&list, stem);)
+    found = owner_hint(hint, scene, stem);
   if (!found && !nb_synonym_hint(hint, text))
     snprintf(hint, NB_HINT_SIZE,
              rest && !scene->contact_test

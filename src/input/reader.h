@@ -92,6 +92,7 @@ struct nb_reader {
   bool bad;                          /* the statement has a mistake: no other one is reported, and reading it ends */
   const char *otherwise;             /* the hint for a mistake that has no other one; NULL: none */
   const struct nb_keyword *keyword;  /* its row while the fields of the row are read, else NULL */
+  const struct nb_keyword *row;      /* the row of the whole line, or NULL */
   const struct nb_keyword *namesake; /* a row of the same words for another place, or NULL */
   unsigned here;                     /* the place of the statement, one of NB_IN_… */
   unsigned given;                    /* bit set of the fields that have been read */
@@ -224,6 +225,11 @@ const struct nb_keyword *nb_keyword_row(const struct nb_family *table, size_t k)
 
 /* Reads the statement in reader->tokens by its row in a table; `here`: one of NB_IN_…. */
 void nb_statement_read(struct nb_reader *reader, const struct nb_family *table, unsigned here, void *subject);
+/* "as in `EXAMPLE`": the line of the statement's example that has most words of this line; NULL: it has no example. */
+const char *nb_example_hint(char *hint, const struct nb_reader *reader);
+/* The hint for words such as `velocity of sphere 1`: the monitor and its quantities. NULL: no particle or wall is
+ * named. */
+const char *nb_phrase_hint(char *hint, const struct nb_scene *scene, const struct nb_token *tokens, size_t count);
 bool nb_begins_clause(const struct nb_argument *field, const char *word); /* such as `at` of `at most` */
 /* Copies the first word into NB_NAME_SIZE bytes; whether there are more. */
 bool nb_first_word(char *first, const char *words);

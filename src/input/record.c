@@ -9,8 +9,13 @@
 
 static const struct nb_argument no_fields[] = {END};
 
-bool nb_take_requested(struct nb_reader *reader, struct nb_requested *requested) {
-  const struct nb_token *token = nb_take_token(reader, "a quantity, such as `C.normal`");
+#define QUANTITY "a quantity, such as `C.normal`"
+
+bool nb_take_requested(struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_requested *requested) {
+  char hint[NB_HINT_SIZE];
+  if (nb_phrase_hint(hint, reading->scene, &reader->tokens[reader->next], reader->count - reader->next))
+    return nb_expected(reader, hint, QUANTITY);
+  const struct nb_token *token = nb_take_token(reader, QUANTITY);
   if (token && strlen(token->text) >= sizeof requested->name)
     nb_token_mistake(reader, token, NULL, "expected a name shorter than %zu bytes", sizeof requested->name);
   if (reader->bad)
@@ -40,15 +45,15 @@ bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *qua
 NB_APPLY(apply_columns) {
   struct nb_scene_reading *reading = subject;
   (void)record;
-  if (nb_token_is(reader, "every") || nb_token_is(reader, "none"))
-    nb_expected(reader,
-                reading->scene->contact_test
-                    ? "`record every N steps` belongs in a segment: below a line `segment NAME …`"
-                    : "`record every N cycles` belongs in a stage: below a line `stage NAME`",
-                "a quantity, such as `C.normal`");
   do {
     struct nb_requested one;
-    if (!nb_take_requested(reader, &one) || nb_too_many(reader, reading->requested_count, NB_NAMED_MAX, "columns"))
+    if (nb_token_is(reader, "every") || nb_token_is(reader, "none"))
+      nb_expected(reader,
+                  reading->scene->contact_test
+                      ? "`record every N steps` belongs in a segment: below a line `segment NAME …`"
+                      : "`record every N cycles` belongs in a stage: below a line `stage NAME`",
+                  QUANTITY);
+    if (!nb_take_requested(reading, reader, &one) || nb_too_many(reader, reading->requested_count, NB_NAMED_MAX, "columns"))
       return;
     const int same = NB_FIND(reading->requested, reading->requested_count, one.name);
     if (same >= 0)

@@ -94,7 +94,12 @@ int nb_wall_of(const struct nb_scene *scene, struct nb_reader *reader, const str
 int nb_take_grading(const struct nb_scene *scene, struct nb_reader *reader, int *size);
 /* Takes the name of a quantity, with its position; finds the quantity of that name: false with a message if there is
  * none. */
-bool nb_take_requested(struct nb_reader *reader, struct nb_requested *requested);
+/* How to define what a statement lacks; after `cell strain` and the like also where the strains are compared. */
+#define NB_DEFINE(reader, how)                                                                                         \
+  ((reader)->count > 1 && strcmp((reader)->tokens[1].text, "strain") == 0                                              \
+       ? how "; `nineball --help strain` compares the four strains"                                                    \
+       : how)
+bool nb_take_requested(struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_requested *requested);
 bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *quantity,
                        const struct nb_requested *requested);
 enum { NB_AT_XX, NB_AT_YY, NB_AT_XY, NB_AT_C12, NB_AT_C21, NB_AT_AFTER_STRAIN }; /* slots */

@@ -68,7 +68,7 @@ NB_APPLY(apply_cycles) {
 static bool take_condition(struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_condition *condition) {
   struct nb_requested requested;
   condition->line = (int)reader->line;
-  if (!nb_take_requested(reader, &requested))
+  if (!nb_take_requested(reading, reader, &requested))
     return false;
   if (!nb_requested_find(reading, &condition->quantity, &requested))
     return nb_fail_silently(reader);

@@ -5,6 +5,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
 
+#include "core/names.h"
 #include "reader.h"
 
 /* ---- the row of a statement ---- */
@@ -107,6 +108,26 @@ static void syntax_hint(char *hint, const struct nb_keyword *keyword, const stru
            name ? name->value : "", name ? name->help : "");
 }
 
+const char *nb_example_hint(char *hint, const struct nb_reader *reader) {
+  const char *line = reader->row && reader->row->example ? reader->row->example : "", *best = "";
+  char first[NB_NAME_SIZE] = "", padded[NB_HINT_SIZE], word[NB_NAME_SIZE + 2];
+  int most = 0, lines = 0;
+  if (*line && reader->row->word)
+    nb_first_word(first, reader->row->word);
+  for (int same = 0; *line; line += strcspn(line, "\n"), line += *line == '\n', same = 0) {
+    line += strspn(line, " ");
+    snprintf(padded, sizeof padded, " %.*s ", (int)strcspn(line, "\n"), line);
+    for (size_t k = 0; k < reader->count; k++)
+      snprintf(word, sizeof word, " %.63s ", reader->tokens[k].text), same += strstr(padded, word) != NULL;
+    const bool own = strncmp(line, first, strlen(first)) == 0;
+    if (own && same > most)
+      most = same, best = line;
+    lines += own;
+  }
+  snprintf(hint, NB_HINT_SIZE, "as in `%.*s`", (int)strcspn(best, "\n"), best);
+  return most > (lines > 1) ? hint : NULL; /* of several lines one that has more than the first word */
+}
+
 /* Reports a line whose first words match some rows and whose next word matches none: `fill sphres`. Returns one of
  * these rows; NULL if `whole`, a row of another place, matches completely and no row of this place is near, unless a
  * word follows: `cell shear`. */
@@ -167,6 +188,34 @@ static const char *clause_hint(char *hint, const struct nb_family *table, unsign
   return *list ? hint : NULL;
 }
 
+/* The hint for a word that begins another statement, in a place where it is no clause: `disc … rotation off`; NULL. */
+static const char *other_statement(char *hint, const struct nb_reader *reader, const char *word) {
+  const struct nb_keyword *found = NULL, *row;
+  char first[NB_NAME_SIZE], syntax[NB_HINT_SIZE / 2];
+  for (size_t k = 0; reader->here != NB_IN_EXPECT && (row = nb_keyword_row(nb_keywords(), k)); k++) {
+    nb_first_word(first, row->word ? row->word : "");
+    if (strcmp(first, word) == 0 && (!found || (row->where & reader->here && !(found->where & reader->here))))
+      found = row;
+  }
+  if (!found || found == reader->row)
+    return NULL;
+  nb_keyword_syntax(syntax, sizeof syntax, found);
+  const char *const place = found->where & reader->here ? "" : where_words(found->where, reader->here);
+  snprintf(hint, NB_HINT_SIZE, "`%s` is a statement of its own%s%s", syntax, *place ? ", " : "", place);
+  return hint;
+}
+
+/* The hint for a quantity in place of a statement: `time 1 s`; NULL: it is none. */
+static const char *quantity_hint(char *hint, unsigned here, const char *word) {
+  struct nb_quantity_row row;
+  bool found = false;
+  for (size_t k = 0; !found && here & (NB_IN_SCENE | NB_IN_STAGE) && nb_quantity_row(&row, k); k++)
+    found = strcmp(row.name, word) == 0;
+  snprintf(hint, NB_HINT_SIZE, "`%s` is a quantity: `record %s`, and in a stage `until %s above VALUE at most N cycles`",
+           word, word, word);
+  return found ? hint : NULL;
+}
+
 /* Reports a first word that no row begins with. Returns the row that was probably meant, or NULL. */
 static const struct nb_keyword *unknown_verb(struct nb_reader *reader, const struct nb_family *table, unsigned here) {
   char words[NB_HINT_SIZE - 64] = "", hint[NB_HINT_SIZE], better[NB_HINT_SIZE], word[NB_NAME_SIZE];
@@ -185,9 +234,12 @@ static const struct nb_keyword *unknown_verb(struct nb_reader *reader, const str
   }
   snprintf(hint, sizeof hint, "the %s word may be: %s", here == NB_IN_RAMP ? "next" : "first", words);
   const bool near = nb_guess_found(&guess) && !guess.synonym == !guess.marked;
-  const char *const other = near                                     ? nb_guess_hint(&guess, better)
-                            : clause_hint(better, table, here, text) ? better
-                                                                     : nb_synonym_hint(better, text);
+  const char *other = reader->count > 1 ? nb_pair_hint(better, text, reader->tokens[1].text) : NULL;
+  if (!other)
+    other = near                                     ? nb_guess_hint(&guess, better)
+            : clause_hint(better, table, here, text) ? better
+            : nb_synonym_hint(better, text)          ? better
+                                                     : quantity_hint(better, here, text);
   nb_expected(reader, other ? other : hint, "%s", place_of(here));
   nb_suppress_name(reader->mistakes, near ? guess.best : NB_ANYTHING);
   return near ? meant : NULL;
@@ -200,8 +252,9 @@ static const struct nb_keyword *misplaced(struct nb_reader *reader, const struct
   const struct nb_keyword *const begins = best_match(reader, table, here, &most);
   if (begins)
     nb_keyword_syntax(syntax, sizeof syntax, begins);
-  snprintf(hint, sizeof hint, "`%s` belongs %s%s%s%s", row->word, where_words(row->where, here),
-           begins ? "; the statement here is `" : "", syntax, begins ? "`" : "");
+  if (reader->count < 2 || !nb_pair_hint(hint, reader->tokens[0].text, reader->tokens[1].text))
+    snprintf(hint, sizeof hint, "`%s` belongs %s%s%s%s", row->word, where_words(row->where, here),
+             begins ? "; the statement here is `" : "", syntax, begins ? "`" : "");
   nb_expected(reader, hint, "%s", place_of(here));
   return row;
 }
@@ -372,11 +425,15 @@ static const char *value_words(const struct nb_argument *field) {
 /* Reports all missing fields at the end of the line; or a word that is not a clause, with the possible ones. */
 static void expected_fields(struct nb_reader *reader) {
   const struct nb_token *token = nb_token_peek(reader);
-  char list[512] = "", hint[NB_HINT_SIZE];
+  char list[512] = "", hint[NB_HINT_SIZE], example[NB_HINT_SIZE];
   const struct nb_argument *const missing = list_missing(reader, list, sizeof list);
   const struct nb_guess guess = guess_clause(reader, token ? token->text : "");
   syntax_hint(hint, reader->keyword, number_next(reader) ? next_positional(reader) : NULL);
-  const bool near = nb_guess_hint(&guess, hint) || namesake_hint(reader, hint, missing);
+  if (number_next(reader) && missing && missing->word && !missing->otherwise && nb_example_hint(example, reader))
+    snprintf(hint, sizeof hint, "write `%s` before `%.40s`, %.300s", missing->word, token->text, example);
+  const bool near = (token && nb_pair_hint(hint, reader->tokens[0].text, token->text)) || nb_guess_hint(&guess, hint) ||
+                    (token && reader->given && other_statement(hint, reader, token->text)) ||
+                    namesake_hint(reader, hint, missing);
   if (!token && missing->word)
     nb_expected(reader, hint, "%s", list);
   else if (!token)
@@ -465,7 +522,7 @@ void nb_statement_read(struct nb_reader *reader, const struct nb_family *table, 
   reader->next = 0, reader->here = here, reader->namesake = NULL;
   const struct nb_keyword *keyword = record.keyword = find_row(reader, table, here);
   if (keyword) {
-    reader->keyword = keyword;
+    reader->keyword = reader->row = keyword;
     reader->given = 0;
     read_fields(reader, &record);
     reader->keyword = NULL;

@@ -114,6 +114,38 @@ bool nb_dimension_same(struct nb_dimension a, struct nb_dimension b) {
   return a.m == b.m && a.kg == b.kg && a.s == b.s;
 }
 
+const struct nb_foreign_unit *nb_unit_foreign(const char *name, const struct nb_dimension *dimension) {
+  static const struct nb_foreign_unit rows[] = {
+      {"in, inch, inches", "mm", 25.4},
+      {"ft, foot, feet", "m", 0.3048},
+      {"lb, lbs, lbf", "N", 4.4482216152605},
+      {"kgf", "N", 9.80665},
+      {"lb/in", "N/m", 175.126835246477},
+      {"lb/ft", "N/m", 14.5939029372064},
+      {"psi", "kPa", 6.89475729316836},
+      {"ksi", "MPa", 6.89475729316836},
+      {"psf", "Pa", 47.8802589803358},
+      {"bar", "kPa", 100},
+      {"atm", "kPa", 101.325},
+      {"pcf, lb/ft3", "kg/m3", 16.0184633739601},
+      {"ft/s", "m/s", 0.3048},
+      {"in/s", "mm/s", 25.4},
+      {"km/h, kph", "m/s", 1 / 3.6},
+      {"mph", "m/s", 0.44704},
+      {"ft/s2", "m/s2", 0.3048},
+      {"min", "s", 60},
+      {"rpm", "rad/s", NB_PI / 30},
+  };
+  struct nb_unit unit;
+  char item[NB_NAME_SIZE];
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
+    for (const char *list = rows[k].names; nb_item(&list, item);)
+      if (strcmp(item, name) == 0 && nb_unit_read(&unit, rows[k].ours) &&
+          (!dimension || nb_dimension_same(unit.dimension, *dimension)))
+        return &rows[k];
+  return NULL;
+}
+
 /* The kind of a dimension; -1: none. */
 static int kind_of(struct nb_dimension dimension) {
   for (int kind = 0; kind < NB_UNIT_KINDS; kind++) {

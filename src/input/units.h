@@ -45,6 +45,13 @@ struct nb_unit {
 bool nb_unit_read(struct nb_unit *unit, const char *name);
 /* Whether it is % or ppm, which `units none` allows. */
 bool nb_unit_without_dimension(const char *name);
+/* A unit that the program does not have, its factor and its unit here: 1 in is 25.4 mm. */
+struct nb_foreign_unit {
+  const char *names, *ours; /* "inch inches in", "mm" */
+  double factor;
+};
+/* The row of that name and, unless it is NULL, of that dimension; NULL: there is none. */
+const struct nb_foreign_unit *nb_unit_foreign(const char *name, const struct nb_dimension *dimension);
 /* A value with that unit in SI. */
 double nb_unit_to_si(double value, const struct nb_unit *unit);
 bool nb_dimension_same(struct nb_dimension a, struct nb_dimension b);

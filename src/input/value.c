@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/clean.h"
 #include "reader.h"
 
 /* ---- numbers and their units ---- */
@@ -103,24 +104,25 @@ static const char *without_comma(char bare[NB_NAME_SIZE], const char *text) {
 }
 
 /* Whether a token is a unit, or one of those in messages apart from upper and lower case. */
-static bool resembles_unit(const char *text) {
+static bool resembles_unit(const char *text, const struct wanted *it) {
   struct nb_unit unit;
   char bare[NB_NAME_SIZE];
   struct nb_guess guess = nb_guess_begin(without_comma(bare, text));
   for (int kind = 0; kind < NB_UNIT_KINDS; kind++)
     nb_unit_offer(&guess, nb_unit_list((enum nb_unit_kind)kind));
-  return nb_unit_read(&unit, text) || (nb_guess_found(&guess) && guess.distance == 0);
+  return nb_unit_read(&unit, text) || nb_unit_foreign(bare, &it->unit.dimension) ||
+         (nb_guess_found(&guess) && guess.distance == 0);
 }
 
 /* Whether the token after a number is probably meant as its unit. */
-static bool meant_as_unit(const struct nb_reader *reader) {
+static bool meant_as_unit(const struct nb_reader *reader, const struct wanted *it) {
   const struct nb_token *token = token_after(reader, 1);
   if (!token || is_number(token) || is_clause(reader, token))
     return false;
   const bool own = are_words_of_row(reader);
   if (reader->unitless)
-    return !own && resembles_unit(token->text);
-  return resembles_unit(token->text) || (reader->keyword && !own);
+    return !own && resembles_unit(token->text, it);
+  return resembles_unit(token->text, it) || (reader->keyword && !own && !is_dimensionless(it));
 }
 
 static bool names_angle(const struct wanted *it, const char *text) {
@@ -131,15 +133,11 @@ static bool names_angle(const struct wanted *it, const char *text) {
 /* ", as in `gravity 0 m/s2 -9.81 m/s2`", the statement's example; on a page without any unit so far also
  * ", or begin the scene with `units none`". */
 static void add_advice(char *text, const struct nb_reader *reader, bool example) {
-  const char *at = example && reader->keyword && reader->keyword->example ? reader->keyword->example : "";
-  char word[NB_NAME_SIZE] = "";
-  at += strspn(at, " ");
-  if (*at && reader->keyword->word)
-    nb_first_word(word, reader->keyword->word);
-  while (strncmp(at, word, strlen(word)) != 0 && strchr(at, '\n')) /* the line of this statement */
-    at = strchr(at, '\n') + 1, at += strspn(at, " ");
-  snprintf(text, NB_HINT_SIZE / 2, "%s%.*s%s%s", *at ? ", as in `" : "", (int)strcspn(at, "\n"), at, *at ? "`" : "",
-           reader->has_units ? "" : ", or begin the scene with `units none`");
+  char as[NB_HINT_SIZE];
+  if (example && nb_example_hint(as, reader))
+    snprintf(text, NB_HINT_SIZE / 2, ", %.200s", as);
+  if (!reader->has_units)
+    nb_append(text, NB_HINT_SIZE / 2, ", or begin the scene with `units none`");
 }
 
 /* The hint for a number without a unit, or with the wrong one. */
@@ -147,21 +145,29 @@ static const char *unit_hint(char *hint, const struct nb_reader *reader, const s
                              const struct nb_token *unit, const struct wanted *it) {
   char bare[NB_NAME_SIZE];
   struct nb_guess guess = nb_guess_begin(without_comma(bare, unit ? unit->text : ""));
+  const struct nb_foreign_unit *const foreign = unit ? nb_unit_foreign(bare, &it->unit.dimension) : NULL;
+  double value;
   const char *const n = number->computed ? "(...)" : number->text;
-  const bool each = !unit && is_number(token_after(reader, 1));
+  const struct nb_token *const next = token_after(reader, 1);
+  const bool each = !unit && is_number(next);
+  const bool early = !unit && next && is_clause(reader, next) && number > reader->tokens && !is_clause(reader, number - 1);
   const char *const write = each ? "each number has its own unit: " : "write ";
   char more[NB_HINT_SIZE / 2] = "";
   if (!unit)
-    add_advice(more, reader, each);
+    add_advice(more, reader, each || early);
   const char *const second = strchr(it->units, ',');
   const int length = (int)strcspn(it->units, ",");
   nb_unit_offer(&guess, it->units);
-  if (unit && number->computed)
+  if (unit && number->computed && !foreign)
     return NULL;
+  nb_number_read(&value, number->text, 0);
   if (unit && (reader->unitless || is_dimensionless(it)))
     snprintf(hint, NB_HINT_SIZE,
              names_angle(it, unit->text) ? "the tangent of that angle is `(tan(%.40s %.40s))`" : "write `%.40s`", n,
              unit->text);
+  else if (foreign)
+    snprintf(hint, NB_HINT_SIZE, "1 %s is %.10g %s: write `%.10g %s`", bare, foreign->factor, foreign->ours,
+             value * foreign->factor, foreign->ours);
   else if (unit && nb_guess_found(&guess))
     return nb_guess_hint(&guess, hint);
   else if (second)
@@ -203,7 +209,7 @@ static bool take_quantity(struct nb_reader *reader, const struct wanted *it, enu
   if (!number || nb_number_read(value, number->text, 0) == NB_NO_NUMBER)
     return nb_expected(reader, NULL, "%s", what);
   const bool matches = unit_fits(&unit, reader, it);
-  const struct nb_token *behind = matches || meant_as_unit(reader) ? token_after(reader, 1) : NULL;
+  const struct nb_token *behind = matches || meant_as_unit(reader, it) ? token_after(reader, 1) : NULL;
   const enum nb_reading reading = nb_quantity_read(value, number->text, number->computed, &unit);
   if (reading != NB_READ)
     return number_mistake(reader, number, matches ? behind : NULL, NULL, nb_reading_words(reading));

@@ -51,7 +51,7 @@ bool nb_manual_word(FILE *out, const char *text, char *hint);
 
 /* One warning a line: "PAGE:7: warning: …", each after the prefix `before`. */
 void nb_print_warnings(FILE *out, const char *before, const char *path, const struct nb_warnings *warnings);
-/* Repeats on stdout the warnings that stderr has had, unless both are the same terminal. */
+/* Repeats on stdout the warnings that stderr has had, unless both are the same terminal, file or pipe. */
 void nb_repeat_warnings(const char *before, const char *path, const struct nb_warnings *warnings);
 void nb_print_verdict(const struct nb_outcome *outcome);
 void nb_print_tap(const struct nb_outcome *outcome, const char *path);

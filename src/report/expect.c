@@ -73,7 +73,8 @@ static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, 
     snprintf(hint, sizeof hint, "add `record %s` to the scene", token->text);
   else if (nb_number_read(&number, token->text, 0) != NB_NO_NUMBER)
     snprintf(hint, sizeof hint, "a number is compared by `expected NUMBER within TOLERANCE [SOURCE]`");
-  else if (!reducer_hint(hint, reader, scene, token))
+  else if (!nb_phrase_hint(hint, scene, token, reader->count - (size_t)(token - reader->tokens)) &&
+           !reducer_hint(hint, reader, scene, token))
     nb_quantity_hint(hint, scene, token->text);
   return nb_token_mistake(reader, token, hint, "expected a quantity that the scene records, found `%s`", token->text);
 }

@@ -100,45 +100,77 @@ static enum nb_status out_of_memory(void) {
 
 /* ---- help ---- */
 
-static void print_help(FILE *out) {
+static void print_command(FILE *out, int k) {
   char term[64];
+  snprintf(term, sizeof term, "%s %s", commands[k].name, commands[k].arguments);
+  int width = 28; /* columns; plus the extra bytes of UTF-8 characters */
+  for (const char *c = term; *c; c++)
+    width += (*c & 0xC0) == 0x80;
+  fprintf(out, "  %-*s %s\n", width, term, commands[k].help);
+}
+
+static void print_option(FILE *out, int k) {
+  char term[64];
+  const char letter[] = {'-', (char)options[k].letter, ',', 0}, *users = options[k].commands;
+  const bool restricted = users && strcmp(users, ALL) != 0;
+  snprintf(term, sizeof term, "--%s %s", options[k].name, options[k].value ? options[k].value : "");
+  fprintf(out, "  %-3s %-19s %s%s%s%s\n", letter[1] ? letter : "", term, options[k].help, restricted ? " (" : "",
+          restricted ? users : "", restricted ? ")" : "");
+}
+
+static void print_help(FILE *out) {
   fputs("nineball simulates discs and spheres in the plane by the distinct element method, and checks the results\n\n"
         "usage: nineball COMMAND …\n\n",
         out);
-  for (int k = 0; k < COMMANDS; k++) {
-    snprintf(term, sizeof term, "%s %s", commands[k].name, commands[k].arguments);
-    int width = 28; /* columns; plus the extra bytes of UTF-8 characters */
-    for (const char *c = term; *c; c++)
-      width += (*c & 0xC0) == 0x80;
-    fprintf(out, "  %-*s %s\n", width, term, commands[k].help);
-  }
+  for (int k = 0; k < COMMANDS; k++)
+    print_command(out, k);
   fputc('\n', out);
-  for (int k = 0; k < OPTIONS; k++) {
-    const char letter[] = {'-', (char)options[k].letter, ',', 0}, *users = options[k].commands;
-    const bool restricted = users && strcmp(users, ALL) != 0;
-    snprintf(term, sizeof term, "--%s %s", options[k].name, options[k].value ? options[k].value : "");
-    fprintf(out, "  %-3s %-19s %s%s%s%s\n", letter[1] ? letter : "", term, options[k].help, restricted ? " (" : "",
-            restricted ? users : "", restricted ? ")" : "");
-  }
+  for (int k = 0; k < OPTIONS; k++)
+    print_option(out, k);
   fputs("\nexit status: 0 passed, 1 a check failed, 2 bad use or a mistake in a page, 3 run aborted, 4 out of "
         "memory\n",
         out);
 }
 
-/* `nineball --help WORD …`. */
+/* Whether the word is in the comma-separated list. */
+static bool list_contains(const char *list, const char *word) {
+  const size_t length = strlen(word);
+  for (; *list; list += strcspn(list, " "), list += strspn(list, " "))
+    if (strncmp(list, word, length) == 0 && (list[length] == ',' || !list[length]))
+      return true;
+  return false;
+}
+
+static int find_command(const char *word) {
+  for (int k = 0; k < COMMANDS; k++)
+    if (strcmp(commands[k].name, word) == 0)
+      return k;
+  return -1;
+}
+
+/* `nineball --help WORD …`: a command with its options; a word of pages; an option, or a word that one takes. */
 static enum nb_status print_word_help(const char *word) {
-  char suggestion[NB_HINT_SIZE];
+  char suggestion[NB_HINT_SIZE], taken[NB_HINT_SIZE];
+  const int command = find_command(word);
   const bool markdown = strcmp(word, "language-md") == 0;
-  if (markdown || strcmp(word, "scene") == 0) {
-    nb_manual(stdout, markdown);
-  } else if (!nb_manual_word(stdout, word, suggestion)) {
+  if (markdown || strcmp(word, "scene") == 0)
+    return nb_manual(stdout, markdown), NB_OK;
+  if (command >= 0)
+    fputs("usage: nineball COMMAND …\n\n", stdout), print_command(stdout, command);
+  for (int k = 0; k < OPTIONS; k++)
+    if (command >= 0 && options[k].commands && list_contains(options[k].commands, word))
+      print_option(stdout, k);
+  bool found = nb_manual_word(stdout, word, suggestion) || command >= 0;
+  snprintf(taken, sizeof taken, "; %.200s, ", word); /* `--set refine=R` */
+  for (int k = 0; k < OPTIONS; k++)
+    if (strcmp(options[k].name, word) == 0 || strstr(options[k].help, taken))
+      print_option(stdout, k), found = true;
+  if (!found)
     fprintf(
         stderr,
         "nineball: `%s` is not a word of pages%s%s%s; nineball --help scene lists all words, nineball laws the laws\n",
         word, suggestion[0] ? "; did you mean `" : "", suggestion, suggestion[0] ? "`?" : "");
-    return NB_BAD_USE;
-  }
-  return NB_OK;
+  return found ? NB_OK : NB_BAD_USE;
 }
 
 /* ---- the command line ---- */
@@ -195,22 +227,6 @@ static enum nb_status read_options(struct nb_call *call, int count, char **words
   return status;
 }
 
-static int find_command(const char *word) {
-  for (int k = 0; k < COMMANDS; k++)
-    if (strcmp(commands[k].name, word) == 0)
-      return k;
-  return -1;
-}
-
-/* Whether the word is in the comma-separated list. */
-static bool list_contains(const char *list, const char *word) {
-  const size_t length = strlen(word);
-  for (; *list; list += strcspn(list, " "), list += strspn(list, " "))
-    if (strncmp(list, word, length) == 0 && (list[length] == ',' || !list[length]))
-      return true;
-  return false;
-}
-
 static enum nb_status run_command(struct nb_call *call, const char *word) {
   const int command = find_command(word);
   for (int k = 0; k < OPTIONS && command >= 0; k++)
@@ -242,17 +258,14 @@ static enum nb_status execute(struct nb_call *call, int count, char **words) {
          "GPL-3.0-or-later: free software, without any warranty.");
     return NB_OK;
   }
-  if (call->help && word && find_command(word) < 0) {
+  if (call->help && word) {
     char text[NB_HINT_SIZE] = "";
     for (int k = optind; k < count; k++)
       nb_append(text, sizeof text, "%s%s", *text ? " " : "", words[k]);
     return print_word_help(text);
   }
   if (call->help || !word) {
-    char suggestion[NB_HINT_SIZE];
     print_help(call->help ? stdout : stderr);
-    if (word) /* a command; the word may also be one of the page language */
-      nb_manual_word(stdout, word, suggestion);
     return call->help ? NB_OK : NB_BAD_USE;
   }
   call->pages = words + optind + 1, call->page_count = (size_t)(count - optind - 1);

@@ -315,6 +315,25 @@ static void grammar(const struct manual *to) {
   paragraph(to, text);
 }
 
+/* The four ways to impose a strain. */
+static void strains(const struct manual *to) {
+  static const char *const rows[][2] = {
+      {"cell strain", "moves the periodic cell and, with it, all particles. For a sample without walls or edges: compression and "
+                      "shear at uniform strain. Needs `cell`."},
+      {"box strain", "moves the four walls of a box, without shear; they push the particles. For a biaxial test between walls, as "
+                     "in the laboratory. Needs `box`."},
+      {"boundary strain", "moves the outermost particles of an assembly; contacts carry the motion inwards. For the round assemblies "
+                          "of the thesis. Needs `boundary circle`."},
+      {"affine strain", "moves the free particles inside, in addition to their own motion. Together with `boundary strain` at "
+                        "the same rate, so that the assembly deforms as a whole at once. Needs nothing; not with a cell."},
+  };
+  section(to, "Which strain");
+  paragraph(to, "Four statements of a stage impose a strain rate. What each moves, and its use:");
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
+    part(to, rows[k][0], NULL, rows[k][1]);
+  end(to);
+}
+
 /* Statements that are allowed in `here` and not in `there`. */
 static void statements(const struct manual *to, const struct nb_family *table, unsigned here, unsigned there) {
   const struct nb_keyword *keyword;
@@ -337,6 +356,7 @@ void nb_manual(FILE *out, bool markdown) {
   statements(&to, nb_keywords(), NB_IN_SCENE, 0);
   section(&to, "In a stage");
   statements(&to, nb_keywords(), NB_IN_STAGE, NB_IN_SCENE);
+  strains(&to);
   section(&to, "Contact test");
   paragraph(
       &to,
@@ -362,12 +382,18 @@ static bool has_word(const char *syntax, const char *word) {
   return false;
 }
 
-/* The syntax, and the arguments that the word begins; if there is none, the help. */
-static void statement_part(const struct manual *to, const struct nb_keyword *row, const char *syntax,
-                           const char *word) {
+/* The first argument whose words have this one; else the last, with count 0. */
+static const struct nb_argument *clause_of(const struct nb_keyword *row, const char *word) {
   const struct nb_argument *field = row->arguments;
   while (field->count && !(field->word && has_word(field->word, word)))
     field++;
+  return field;
+}
+
+/* The syntax, and the arguments that the word begins; if there is none, the help. */
+static void statement_part(const struct manual *to, const struct nb_keyword *row, const char *syntax,
+                           const char *word) {
+  const struct nb_argument *field = clause_of(row, word);
   if (!is_new(to, (const char *)row + (field->count ? 1 + (field - row->arguments) : 0)))
     return;
   wrapped(to->out, 2, 4, syntax);
@@ -385,13 +411,14 @@ static bool find_statement(const struct manual *to, const char *word, struct nb_
   const struct nb_keyword *row;
   char first[NB_NAME_SIZE], syntax[512];
   bool found = false;
-  for (size_t t = 0; t < sizeof tables / sizeof *tables; t++)
-    for (size_t k = 0; (row = nb_keyword_row(tables[t], k)); k++) {
+  for (int t = 0; t < 6; t++) /* both tables: first words, then clauses, then the words of tails */
+    for (size_t k = 0; (row = nb_keyword_row(tables[t % 2], k)); k++) {
       nb_first_word(first, row->word ? row->word : "");
       nb_guess_offer(guess, first);
       nb_keyword_syntax(syntax, sizeof syntax, row);
       const bool verb = strcmp(first, word) == 0 || (row->word && strcmp(row->word, word) == 0);
-      if (!row->word || !(verb || has_word(syntax, word)))
+      if (!row->word || !(verb || has_word(syntax, word)) ||
+          t / 2 != (verb ? 0 : clause_of(row, word)->count ? 1 : 2))
         continue;
       found = true;
       if (!verb)
@@ -425,6 +452,7 @@ static bool find_quantity(const struct manual *to, const char *word, struct nb_g
   const char *const dot = strchr(word, '.'), *const names[] = {word, dot ? dot + 1 : word};
   char of[2 * NB_NAME_SIZE];
   bool found = false;
+  const char *owner = NULL;
   for (size_t k = 0; nb_quantity_row(&row, k); k++) {
     const char *const rest = strchr(row.name, '.');
     bool is = part_of && rest && strcmp(rest + 1, word) == 0;
@@ -434,9 +462,12 @@ static bool find_quantity(const struct manual *to, const char *word, struct nb_g
     }
     nb_guess_offer(guess, row.name);
     snprintf(of, sizeof of, strcmp(row.unit, "1") == 0 ? "quantity of %s" : "quantity of %s, in %s", row.of, row.unit);
-    if (is && is_new(to, row.key))
-      part(to, row.name, of, row.help);
     found = found || is;
+    if (!is || !is_new(to, row.key))
+      continue;
+    if (row.statement && row.statement != owner)
+      fprintf(to->out, "  `%s`, then `%s%s`\n", owner = row.statement, row.prefix, row.name);
+    part(to, row.name, of, row.help);
   }
   return found;
 }
@@ -447,6 +478,7 @@ static bool find_name(const struct manual *to, const char *word) {
   char of[2 * NB_NAME_SIZE];
   bool found = false;
   const bool reserved = nb_name_reserved(word), is_unit = nb_unit_read(&unit, word);
+  const struct nb_foreign_unit *const foreign = nb_unit_foreign(word, NULL);
   nb_dimension_words(of, sizeof of, unit.dimension);
   for (const struct nb_law *const *law = nb_laws(); *law; law++) {
     char whole[2 * NB_NAME_SIZE];
@@ -458,7 +490,10 @@ static bool find_name(const struct manual *to, const char *word) {
     part(to, word, "of expressions", "see nineball --help expressions");
   if (is_unit)
     part(to, word, "a unit; see nineball --help units", unit.angle ? "an angle or an angular velocity" : of);
-  return found || reserved || is_unit;
+  if (foreign)
+    fprintf(to->out, "  1 %s is %.10g %s; units are those of SI: see nineball --help units\n", word, foreign->factor,
+            foreign->ours);
+  return found || reserved || is_unit || foreign;
 }
 
 /* All meanings of the word in a page. */
@@ -486,17 +521,20 @@ static bool words_help(const struct manual *to, const char *text, struct nb_gues
   const char *const space = strchr(text, ' ');
   struct nb_guess none = nb_guess_begin("");
   char hint[NB_HINT_SIZE], item[NB_NAME_SIZE];
-  bool found = find(to, text, guess);
+  bool found = strcmp(text, "strain") == 0;
+  if (found)
+    strains(to);
+  else if (synonym && nb_synonym_hint(hint, text))
+    fprintf(to->out, "  %.*s\n", (int)(strstr(hint, ": see `nineball") - hint), hint);
+  for (const char *list = synonym ? synonym->ours : ""; nb_item(&list, item);)
+    find(&brief, item, &none);
+  found = find(to, text, guess) || found;
   found = nb_old_help(to->out, text) || found;
   if (space && !found) {
     nb_first_word(item, text);
     found = words_help(to, space + 1, guess);
     return words_help(to, item, guess) || found;
   }
-  if (synonym && nb_synonym_hint(hint, text))
-    fprintf(to->out, "  %.*s\n", (int)strcspn(hint, ":"), hint);
-  for (const char *list = synonym ? synonym->ours : ""; nb_item(&list, item);)
-    find(&brief, item, &none);
   return found || synonym;
 }
 

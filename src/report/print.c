@@ -31,15 +31,15 @@ void nb_print_warnings(FILE *out, const char *before, const char *path, const st
   }
 }
 
-/* Whether standard output and standard error are the same terminal. */
-static bool is_one_terminal(void) {
+/* Whether standard output and standard error are the same terminal, file or pipe. */
+static bool is_one_stream(void) {
   struct stat out, err;
-  return isatty(STDOUT_FILENO) && isatty(STDERR_FILENO) && fstat(STDOUT_FILENO, &out) == 0 &&
-         fstat(STDERR_FILENO, &err) == 0 && out.st_dev == err.st_dev && out.st_ino == err.st_ino;
+  return fstat(STDOUT_FILENO, &out) == 0 && fstat(STDERR_FILENO, &err) == 0 && out.st_dev == err.st_dev &&
+         out.st_ino == err.st_ino;
 }
 
 void nb_repeat_warnings(const char *before, const char *path, const struct nb_warnings *warnings) {
-  if (!is_one_terminal())
+  if (!is_one_stream())
     nb_print_warnings(stdout, before, path, warnings);
 }
 
