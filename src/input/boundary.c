@@ -81,7 +81,8 @@ bool nb_lacks_boundary(const struct nb_scene *scene, struct nb_reader *reader) {
   if (!begun && nb_name_suppressed(reader->mistakes, "boundary"))
     nb_fail_silently(reader);
   if (!begun)
-    nb_token_mistake(reader, &reader->tokens[0], NB_DEFINE(reader, "define it above with `boundary circle X Y radius R`"),
+    nb_token_mistake(reader, &reader->tokens[0],
+                     NB_DEFINE(reader, "define it above with `boundary circle X Y radius R`"),
                      "expected a scene with a boundary, found none");
   return reader->bad;
 }
@@ -148,7 +149,8 @@ void nb_box_check(struct nb_scene_reading *reading) {
     if (!line || s < scene->start.stages)
       continue;
     if (moved)
-      report(reading, line, "move them with `box strain EXX EYY`, to which a `servo` may add, without `wall` and `walls`",
+      report(reading, line,
+             "move them with `box strain EXX EYY`, to which a `servo` may add, without `wall` and `walls`",
              "expected one statement that moves the walls of the box in this stage, found two");
     if (turned)
       report(reading, line, NULL, "expected a box whose walls have no `spin`, found one that rotates");

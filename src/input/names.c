@@ -401,34 +401,56 @@ static void list_meant(char *list, size_t size, unsigned kind, char monitor, con
   while (nb_item(&items, item));
 }
 
+/* Whether a word means a particle: `disc`, `sphere`, `ball`. */
+static bool means_particle(const char *word) {
+  const struct nb_synonym *const synonym = nb_synonym(word);
+  return strcmp(word, "disc") == 0 || strcmp(word, "sphere") == 0 || (synonym && strstr(synonym->ours, "disc, sphere"));
+}
+
+/* The kind of monitor that two words are, `disc 1` or `wall floor`, with the shape of the scene; 0: they are none. */
+static unsigned named_by(char *name, size_t size, const struct nb_scene *scene, const char *word, const char *of) {
+  const size_t number = strspn(of, "0123456789") == strlen(of) ? strtoul(of, NULL, 10) : 0;
+  const bool wall = strcmp(word, "wall") == 0, sphere = strcmp(word, "sphere") == 0;
+  const bool is_sphere = number - 1 < scene->particle_count ? scene->particles[number - 1].shape == NB_SPHERE : sphere;
+  snprintf(name, size, "%s %.63s", wall ? "wall" : is_sphere ? "sphere" : "disc", of);
+  return wall ? WALL : number && means_particle(word) ? PARTICLE : 0;
+}
+
 const char *nb_phrase_hint(char *hint, const struct nb_scene *scene, const struct nb_token *tokens, size_t count) {
-  char of[NB_HINT_SIZE / 2] = "", names[NB_HINT_SIZE / 4] = "", monitor[] = "A", pair[2 * NB_NAME_SIZE];
-  struct nb_quantity one;
-  unsigned kind = 0;
-  for (size_t k = 0; k + 1 < count && kind != PAIR; k++) {
-    const char *const word = tokens[k].text, *const next = tokens[k + 1].text;
-    const struct nb_synonym *const synonym = nb_synonym(word);
-    const size_t number = strspn(next, "0123456789") == strlen(next) ? strtoul(next, NULL, 10) : 0;
-    const bool wall = strcmp(word, "wall") == 0, sphere = strcmp(word, "sphere") == 0;
-    if (!wall && !(number && (sphere || strcmp(word, "disc") == 0 || (synonym && strstr(synonym->ours, "disc, sphere")))))
-      continue;
-    const bool is_sphere = number - 1 < scene->particle_count ? scene->particles[number - 1].shape == NB_SPHERE : sphere;
-    nb_append(of, sizeof of, "%s%s %.63s", kind ? " with " : "", wall ? "wall" : is_sphere ? "sphere" : "disc", next);
-    kind = kind ? PAIR : wall ? WALL : PARTICLE;
-  }
+  char of[4 * NB_NAME_SIZE] = "", name[2 * NB_NAME_SIZE], names[NB_HINT_SIZE / 4] = "", monitor[] = "A";
+  struct nb_quantity quantity;
+  unsigned kind = 0, other;
+  for (size_t k = 0; k + 1 < count && kind != PAIR; k++)
+    if ((other = named_by(name, sizeof name, scene, tokens[k].text, tokens[k + 1].text))) {
+      nb_append(of, sizeof of, "%s%s", kind ? " with " : "", name);
+      kind = kind ? PAIR : other;
+    }
   if (!kind && count > 1) {
-    snprintf(pair, sizeof pair, "%.63s_%.63s", tokens[0].text, tokens[1].text);
-    return nb_synonym(pair) && !nb_quantity_find(&one, scene, tokens[0].text) ? nb_quantity_hint(hint, scene, pair) : NULL;
+    snprintf(of, sizeof of, "%.63s_%.63s", tokens[0].text, tokens[1].text);
+    return nb_synonym(of) && !nb_quantity_find(&quantity, scene, tokens[0].text) ? nb_quantity_hint(hint, scene, of)
+                                                                                 : NULL;
   }
   while (monitor_named(scene, monitor, 1) >= 0 && *monitor < 'Z')
     ++*monitor;
-  for (size_t k = 0; k < count && kind; k++)
+  for (size_t k = 0; k < count; k++)
     list_meant(names, sizeof names, kind, *monitor, tokens[k].text);
-  if (kind && !*names)
-    list_meant(names, sizeof names, kind, *monitor, kind == PARTICLE ? "position" : "force");
+  if (!*names)
+    list_meant(names, sizeof names, kind, *monitor, "force");
   snprintf(hint, NB_HINT_SIZE, "give it a name before the stages, `monitor %s %s`; then its quantities are %s", monitor,
            of, names);
   return kind ? hint : NULL;
+}
+
+/* The hint for a quantity of an owner whose name is the text, follows its first dot, or is another word for it. */
+static const char *owned_hint(char *hint, const struct nb_scene *scene, const char *text) {
+  const struct nb_synonym *const synonym = nb_synonym(text);
+  const char *items = synonym ? synonym->ours : "", *const rest = strchr(text, '.');
+  char item[NB_NAME_SIZE];
+  const char *found = owner_hint(hint, scene, text);
+  found = found || !rest ? found : owner_hint(hint, scene, rest + 1);
+  while (!found && nb_item(&items, item))
+    found = owner_hint(hint, scene, item);
+  return found;
 }
 
 const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const char *text) {
@@ -443,12 +465,8 @@ const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const cha
     return hint;
   if (owner >= 0)
     return list_quantities(hint, scene, owner);
-  bool found =
-      !scene->contact_test && (owner_hint(hint, scene, text) || owner_hint(hint, scene, rest ? rest + 1 : "") ||
-                               nb_guess_hint(&of_stem, hint) || owner_hint(hint, scene, stem));
-  for (const char *list = guess.synonym ? guess.synonym->ours : "";
-       !scene->contact_test && !found && nb_item(&list, stem);)
-    found = owner_hint(hint, scene, stem);
+  const bool found = !scene->contact_test &&
+                     (owned_hint(hint, scene, text) || nb_guess_hint(&of_stem, hint) || owner_hint(hint, scene, stem));
   if (!found && !nb_synonym_hint(hint, text))
     snprintf(hint, NB_HINT_SIZE,
              rest && !scene->contact_test

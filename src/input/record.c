@@ -53,7 +53,8 @@ NB_APPLY(apply_columns) {
                       ? "`record every N steps` belongs in a segment: below a line `segment NAME …`"
                       : "`record every N cycles` belongs in a stage: below a line `stage NAME`",
                   QUANTITY);
-    if (!nb_take_requested(reading, reader, &one) || nb_too_many(reader, reading->requested_count, NB_NAMED_MAX, "columns"))
+    if (!nb_take_requested(reading, reader, &one) ||
+        nb_too_many(reader, reading->requested_count, NB_NAMED_MAX, "columns"))
       return;
     const int same = NB_FIND(reading->requested, reading->requested_count, one.name);
     if (same >= 0)

@@ -211,8 +211,8 @@ static const char *quantity_hint(char *hint, unsigned here, const char *word) {
   bool found = false;
   for (size_t k = 0; !found && here & (NB_IN_SCENE | NB_IN_STAGE) && nb_quantity_row(&row, k); k++)
     found = strcmp(row.name, word) == 0;
-  snprintf(hint, NB_HINT_SIZE, "`%s` is a quantity: `record %s`, and in a stage `until %s above VALUE at most N cycles`",
-           word, word, word);
+  snprintf(hint, NB_HINT_SIZE,
+           "`%s` is a quantity: `record %s`, and in a stage `until %s above VALUE at most N cycles`", word, word, word);
   return found ? hint : NULL;
 }
 
@@ -422,18 +422,26 @@ static const char *value_words(const struct nb_argument *field) {
                                             : field->help;
 }
 
+/* The hint for a word that is not expected, or for what is missing; *hint is the syntax of the statement if this is
+ * false. */
+static bool fields_hint(const struct nb_reader *reader, char *hint, const struct nb_token *token,
+                        const struct nb_argument *missing) {
+  char example[NB_HINT_SIZE];
+  const struct nb_guess guess = guess_clause(reader, token ? token->text : "");
+  const bool number = number_next(reader);
+  syntax_hint(hint, reader->keyword, number ? next_positional(reader) : NULL);
+  if (number && missing && missing->word && !missing->otherwise && nb_example_hint(example, reader))
+    snprintf(hint, NB_HINT_SIZE, "write `%s` before `%.40s`, %.300s", missing->word, token->text, example);
+  return (token && nb_pair_hint(hint, reader->tokens[0].text, token->text)) || nb_guess_hint(&guess, hint) ||
+         (token && reader->given && other_statement(hint, reader, token->text)) || namesake_hint(reader, hint, missing);
+}
+
 /* Reports all missing fields at the end of the line; or a word that is not a clause, with the possible ones. */
 static void expected_fields(struct nb_reader *reader) {
   const struct nb_token *token = nb_token_peek(reader);
-  char list[512] = "", hint[NB_HINT_SIZE], example[NB_HINT_SIZE];
+  char list[512] = "", hint[NB_HINT_SIZE];
   const struct nb_argument *const missing = list_missing(reader, list, sizeof list);
-  const struct nb_guess guess = guess_clause(reader, token ? token->text : "");
-  syntax_hint(hint, reader->keyword, number_next(reader) ? next_positional(reader) : NULL);
-  if (number_next(reader) && missing && missing->word && !missing->otherwise && nb_example_hint(example, reader))
-    snprintf(hint, sizeof hint, "write `%s` before `%.40s`, %.300s", missing->word, token->text, example);
-  const bool near = (token && nb_pair_hint(hint, reader->tokens[0].text, token->text)) || nb_guess_hint(&guess, hint) ||
-                    (token && reader->given && other_statement(hint, reader, token->text)) ||
-                    namesake_hint(reader, hint, missing);
+  const bool near = fields_hint(reader, hint, token, missing);
   if (!token && missing->word)
     nb_expected(reader, hint, "%s", list);
   else if (!token)

@@ -140,41 +140,47 @@ static void add_advice(char *text, const struct nb_reader *reader, bool example)
     nb_append(text, NB_HINT_SIZE / 2, ", or begin the scene with `units none`");
 }
 
+/* The hint with two common units; for a number that has no unit, where more numbers are missing, also the statement's
+ * example. */
+static const char *common_units_hint(char *hint, const struct nb_reader *reader, const char *n, const struct wanted *it,
+                                     bool has_unit) {
+  const struct nb_token *const number = nb_token_peek(reader), *const next = has_unit ? NULL : token_after(reader, 1);
+  const bool each = is_number(next),
+             early = next && number > reader->tokens && is_clause(reader, next) && !is_clause(reader, number - 1);
+  const char *const second = strchr(it->units, ','), *const write = each ? "each number has its own unit: " : "write ";
+  const int length = (int)strcspn(it->units, ",");
+  char more[NB_HINT_SIZE / 2] = "";
+  if (!has_unit)
+    add_advice(more, reader, each || early);
+  if (second)
+    snprintf(hint, NB_HINT_SIZE, "%s`%.40s %.*s` or `%.40s %.*s`%s", write, n, length, it->units, n,
+             (int)strcspn(second + 2, ","), second + 2, more);
+  else
+    snprintf(hint, NB_HINT_SIZE, "%s`%.40s %s`%s", write, n, it->units, more);
+  return hint;
+}
+
 /* The hint for a number without a unit, or with the wrong one. */
 static const char *unit_hint(char *hint, const struct nb_reader *reader, const struct nb_token *number,
                              const struct nb_token *unit, const struct wanted *it) {
   char bare[NB_NAME_SIZE];
   struct nb_guess guess = nb_guess_begin(without_comma(bare, unit ? unit->text : ""));
-  const struct nb_foreign_unit *const foreign = unit ? nb_unit_foreign(bare, &it->unit.dimension) : NULL;
-  double value;
+  const struct nb_foreign_unit *const foreign = nb_unit_foreign(bare, &it->unit.dimension);
   const char *const n = number->computed ? "(...)" : number->text;
-  const struct nb_token *const next = token_after(reader, 1);
-  const bool each = !unit && is_number(next);
-  const bool early = !unit && next && is_clause(reader, next) && number > reader->tokens && !is_clause(reader, number - 1);
-  const char *const write = each ? "each number has its own unit: " : "write ";
-  char more[NB_HINT_SIZE / 2] = "";
-  if (!unit)
-    add_advice(more, reader, each || early);
-  const char *const second = strchr(it->units, ',');
-  const int length = (int)strcspn(it->units, ",");
+  double value;
   nb_unit_offer(&guess, it->units);
   if (unit && number->computed && !foreign)
     return NULL;
-  nb_number_read(&value, number->text, 0);
   if (unit && (reader->unitless || is_dimensionless(it)))
     snprintf(hint, NB_HINT_SIZE,
              names_angle(it, unit->text) ? "the tangent of that angle is `(tan(%.40s %.40s))`" : "write `%.40s`", n,
              unit->text);
-  else if (foreign)
+  else if (foreign && nb_number_read(&value, number->text, 0) == NB_READ)
     snprintf(hint, NB_HINT_SIZE, "1 %s is %.10g %s: write `%.10g %s`", bare, foreign->factor, foreign->ours,
              value * foreign->factor, foreign->ours);
-  else if (unit && nb_guess_found(&guess))
-    return nb_guess_hint(&guess, hint);
-  else if (second)
-    snprintf(hint, NB_HINT_SIZE, "%s`%.40s %.*s` or `%.40s %.*s`%s", write, n, length, it->units, n,
-             (int)strcspn(second + 2, ","), second + 2, more);
   else
-    snprintf(hint, NB_HINT_SIZE, "%s`%.40s %s`%s", write, n, it->units, more);
+    return unit && nb_guess_found(&guess) ? nb_guess_hint(&guess, hint)
+                                          : common_units_hint(hint, reader, n, it, unit != NULL);
   return hint;
 }
 

@@ -42,10 +42,11 @@ int nb_wall_of(const struct nb_scene *scene, struct nb_reader *reader, const str
   const bool known = token && NB_FIND(scene->walls, scene->wall_count, token->text) >= 0;
   if (!known && nb_name_suppressed(reader->mistakes, "box")) /* which would define four walls */
     nb_fail_silently(reader);
-  return NB_NAMED(reader, token, scene->walls, scene->wall_count, "the name of a wall",
-                  nb_box_first_wall(scene) < 0
-                      ? "define it above with `wall NAME …` or `box …`"
-                      : "the walls of a box are `south`, `east`, `north` and `west`; `box strain` or `servo` moves all");
+  return NB_NAMED(
+      reader, token, scene->walls, scene->wall_count, "the name of a wall",
+      nb_box_first_wall(scene) < 0
+          ? "define it above with `wall NAME …` or `box …`"
+          : "the walls of a box are `south`, `east`, `north` and `west`; `box strain` or `servo` moves all");
 }
 
 bool nb_lacks_box(const struct nb_scene *scene, struct nb_reader *reader) {
@@ -53,7 +54,8 @@ bool nb_lacks_box(const struct nb_scene *scene, struct nb_reader *reader) {
   if (none && nb_name_suppressed(reader->mistakes, "box"))
     nb_fail_silently(reader);
   if (none)
-    nb_token_mistake(reader, &reader->tokens[0], NB_DEFINE(reader, "define it before the stages with `box X Y to X Y MATERIAL`"),
+    nb_token_mistake(reader, &reader->tokens[0],
+                     NB_DEFINE(reader, "define it before the stages with `box X Y to X Y MATERIAL`"),
                      "expected a scene with a box of walls, found none");
   return reader->bad;
 }

@@ -148,9 +148,20 @@ static int find_command(const char *word) {
   return -1;
 }
 
+/* The option of that name, or that takes the word: `--set refine=R`. False: none. */
+static bool print_options(const char *word) {
+  char taken[NB_HINT_SIZE];
+  bool found = false;
+  snprintf(taken, sizeof taken, "; %.200s, ", word);
+  for (int k = 0; k < OPTIONS; k++)
+    if (strcmp(options[k].name, word) == 0 || strstr(options[k].help, taken))
+      print_option(stdout, k), found = true;
+  return found;
+}
+
 /* `nineball --help WORD …`: a command with its options; a word of pages; an option, or a word that one takes. */
 static enum nb_status print_word_help(const char *word) {
-  char suggestion[NB_HINT_SIZE], taken[NB_HINT_SIZE];
+  char suggestion[NB_HINT_SIZE];
   const int command = find_command(word);
   const bool markdown = strcmp(word, "language-md") == 0;
   if (markdown || strcmp(word, "scene") == 0)
@@ -160,17 +171,14 @@ static enum nb_status print_word_help(const char *word) {
   for (int k = 0; k < OPTIONS; k++)
     if (command >= 0 && options[k].commands && list_contains(options[k].commands, word))
       print_option(stdout, k);
-  bool found = nb_manual_word(stdout, word, suggestion) || command >= 0;
-  snprintf(taken, sizeof taken, "; %.200s, ", word); /* `--set refine=R` */
-  for (int k = 0; k < OPTIONS; k++)
-    if (strcmp(options[k].name, word) == 0 || strstr(options[k].help, taken))
-      print_option(stdout, k), found = true;
-  if (!found)
-    fprintf(
-        stderr,
-        "nineball: `%s` is not a word of pages%s%s%s; nineball --help scene lists all words, nineball laws the laws\n",
-        word, suggestion[0] ? "; did you mean `" : "", suggestion, suggestion[0] ? "`?" : "");
-  return found ? NB_OK : NB_BAD_USE;
+  const bool found = nb_manual_word(stdout, word, suggestion) || command >= 0;
+  if (print_options(word) || found)
+    return NB_OK;
+  fprintf(
+      stderr,
+      "nineball: `%s` is not a word of pages%s%s%s; nineball --help scene lists all words, nineball laws the laws\n",
+      word, suggestion[0] ? "; did you mean `" : "", suggestion, suggestion[0] ? "`?" : "");
+  return NB_BAD_USE;
 }
 
 /* ---- the command line ---- */

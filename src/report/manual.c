@@ -318,14 +318,18 @@ static void grammar(const struct manual *to) {
 /* The four ways to impose a strain. */
 static void strains(const struct manual *to) {
   static const char *const rows[][2] = {
-      {"cell strain", "moves the periodic cell and, with it, all particles. For a sample without walls or edges: compression and "
-                      "shear at uniform strain. Needs `cell`."},
-      {"box strain", "moves the four walls of a box, without shear; they push the particles. For a biaxial test between walls, as "
-                     "in the laboratory. Needs `box`."},
-      {"boundary strain", "moves the outermost particles of an assembly; contacts carry the motion inwards. For the round assemblies "
-                          "of the thesis. Needs `boundary circle`."},
-      {"affine strain", "moves the free particles inside, in addition to their own motion. Together with `boundary strain` at "
-                        "the same rate, so that the assembly deforms as a whole at once. Needs nothing; not with a cell."},
+      {"cell strain",
+       "moves the periodic cell and, with it, all particles. For a sample without walls or edges: compression and "
+       "shear at uniform strain. Needs `cell`."},
+      {"box strain",
+       "moves the four walls of a box, without shear; they push the particles. For a biaxial test between walls, as "
+       "in the laboratory. Needs `box`."},
+      {"boundary strain",
+       "moves the outermost particles of an assembly; contacts carry the motion inwards. For the round assemblies "
+       "of the thesis. Needs `boundary circle`."},
+      {"affine strain",
+       "moves the free particles inside, in addition to their own motion. Together with `boundary strain` at "
+       "the same rate, so that the assembly deforms as a whole at once. Needs nothing; not with a cell."},
   };
   section(to, "Which strain");
   paragraph(to, "Four statements of a stage impose a strain rate. What each moves, and its use:");
@@ -417,8 +421,7 @@ static bool find_statement(const struct manual *to, const char *word, struct nb_
       nb_guess_offer(guess, first);
       nb_keyword_syntax(syntax, sizeof syntax, row);
       const bool verb = strcmp(first, word) == 0 || (row->word && strcmp(row->word, word) == 0);
-      if (!row->word || !(verb || has_word(syntax, word)) ||
-          t / 2 != (verb ? 0 : clause_of(row, word)->count ? 1 : 2))
+      if (!row->word || !(verb || has_word(syntax, word)) || t / 2 != (verb ? 0 : clause_of(row, word)->count ? 1 : 2))
         continue;
       found = true;
       if (!verb)
@@ -446,6 +449,13 @@ static bool find_expectation(const struct manual *to, const char *word, struct n
   return found;
 }
 
+/* How to name the owner of a quantity, unless it is that of the last one. Returns this statement. */
+static const char *own_line(const struct manual *to, const struct nb_quantity_row *row, const char *last) {
+  if (row->statement && row->statement != last)
+    fprintf(to->out, "  `%s`, then `%s%s`\n", row->statement, row->prefix, row->name);
+  return row->statement;
+}
+
 /* Quantities of this name, `C.normal` or `normal`, or that begin with it, `energy`; if `part_of`, also `kinetic`. */
 static bool find_quantity(const struct manual *to, const char *word, struct nb_guess *guess, bool part_of) {
   struct nb_quantity_row row;
@@ -465,8 +475,7 @@ static bool find_quantity(const struct manual *to, const char *word, struct nb_g
     found = found || is;
     if (!is || !is_new(to, row.key))
       continue;
-    if (row.statement && row.statement != owner)
-      fprintf(to->out, "  `%s`, then `%s%s`\n", owner = row.statement, row.prefix, row.name);
+    owner = own_line(to, &row, owner);
     part(to, row.name, of, row.help);
   }
   return found;
