@@ -104,14 +104,13 @@ static const char *without_comma(char bare[NB_NAME_SIZE], const char *text) {
 }
 
 /* Whether a token is a unit, or one of those in messages apart from upper and lower case. */
-static bool resembles_unit(const char *text, const struct wanted *it) {
+static bool resembles_unit(const char *text) {
   struct nb_unit unit;
   char bare[NB_NAME_SIZE];
   struct nb_guess guess = nb_guess_begin(without_comma(bare, text));
   for (int kind = 0; kind < NB_UNIT_KINDS; kind++)
     nb_unit_offer(&guess, nb_unit_list((enum nb_unit_kind)kind));
-  return nb_unit_read(&unit, text) || nb_unit_foreign(bare, &it->unit.dimension) ||
-         (nb_guess_found(&guess) && guess.distance == 0);
+  return nb_unit_read(&unit, text) || (nb_guess_found(&guess) && guess.distance == 0);
 }
 
 /* Whether the token after a number is probably meant as its unit. */
@@ -121,8 +120,11 @@ static bool meant_as_unit(const struct nb_reader *reader, const struct wanted *i
     return false;
   const bool own = are_words_of_row(reader);
   if (reader->unitless)
-    return !own && resembles_unit(token->text, it);
-  return resembles_unit(token->text, it) || (reader->keyword && !own && !is_dimensionless(it));
+    return !own && resembles_unit(token->text);
+  char bare[NB_NAME_SIZE];
+  const bool foreign = reader->here & (NB_IN_SCENE | NB_IN_STAGE | NB_IN_START) && /* elsewhere `in` has a meaning */
+                       nb_unit_foreign(without_comma(bare, token->text), &it->unit.dimension);
+  return foreign || resembles_unit(token->text) || (reader->keyword && !own && !is_dimensionless(it));
 }
 
 static bool names_angle(const struct wanted *it, const char *text) {
