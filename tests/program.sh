@@ -140,6 +140,12 @@ for command in check run 'check --tap' explain; do
   "$nineball" $command "$pages/warns.md" 2>&1 </dev/null | cat >out
   test "$(grep -c 'warns.md:4: warning: friction' out)" -eq 1 || echo "not once in a pipe: $command" >>why
 done
+{
+  printf '```scene\nsweep far 9e6 m 9.5e6 m 10e6 m\n'
+  sed "1,3d; s/disc *9000000.019999 m/disc (far + 19.999 mm)/; s/disc *9000000 m/disc \$far/; s/within 1 %/within 50 %/" "$pages/warns.md"
+} >far.md
+run 0 check far.md
+test "$(grep -c 'has a resolution (ulp)' said)" -eq 1 || echo 'not once for the runs of a sweep' >>why
 rm -rf warns.out
 verdict 'warnings: once if standard output and standard error are one file or pipe'
 

@@ -1,6 +1,7 @@
 /* Warnings: doubtful statements of a page, and numbers with too few valid digits.
  *
- * Each is given once. A list holds the first NB_WARNINGS of them; further ones are dropped.
+ * Each is given once for a line of the page: texts that are the same up to the first `:` are one warning, whose numbers may
+ * differ from run to run; those of the first run are kept. A list holds the first NB_WARNINGS of them; further ones are dropped.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdarg.h>
@@ -9,8 +10,9 @@
 #include "error.h"
 
 void nb_warnings_add(struct nb_warnings *warnings, const struct nb_warning *warning) {
+  const size_t subject = strcspn(warning->text, ":") + 1;
   for (size_t k = 0; k < warnings->count; k++)
-    if (warnings->list[k].line == warning->line && strcmp(warnings->list[k].text, warning->text) == 0)
+    if (warnings->list[k].line == warning->line && strncmp(warnings->list[k].text, warning->text, subject) == 0)
       return;
   if (warnings->count < NB_WARNINGS)
     warnings->list[warnings->count++] = *warning;

@@ -53,7 +53,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"hooke hookean", "normal linear, shear linear"}, {"SI", "units"}, {"degree degrees", "deg"},
     /* STATEMENT_WORD: a word in a statement that does not have it */
     {"wall_fixed box_fixed", "wall, walls", "a wall does not move unless it has a `velocity`"},
-    {"remove_wall", "wall", "a wall stays, but it can move away: `wall NAME velocity VX VY`"}, {"step_auto", "stable", "write `step 0.5 of stable`"},
+    {"remove_wall", "wall", "a wall stays, but it can move away: `wall NAME velocity VX VY`"}, {"step_auto", "stable", "write `step 0.3 of stable`, with elastic spheres `step 0.2 of rayleigh`"},
     {"cycles_s cycles_ms", "until", "a duration is `until time above 2 s at most 1000000 cycles`"},
     {"box_shear box_c12 box_c21", "cell strain, boundary strain", "the walls of a box do not rotate, so it has no shear"},
   };

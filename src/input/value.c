@@ -124,7 +124,8 @@ static bool meant_as_unit(const struct nb_reader *reader, const struct wanted *i
   char bare[NB_NAME_SIZE];
   const bool foreign = reader->here & (NB_IN_SCENE | NB_IN_STAGE | NB_IN_START) && /* elsewhere `in` has a meaning */
                        nb_unit_foreign(without_comma(bare, token->text), &it->unit.dimension);
-  return foreign || resembles_unit(token->text) || (reader->keyword && !own && !is_dimensionless(it));
+  return foreign || resembles_unit(token->text) ||
+         (reader->keyword && !own && !is_dimensionless(it) && !nb_synonym(token->text));
 }
 
 static bool names_angle(const struct wanted *it, const char *text) {
@@ -142,18 +143,16 @@ static void add_advice(char *text, const struct nb_reader *reader, bool example)
     nb_append(text, NB_HINT_SIZE / 2, ", or begin the scene with `units none`");
 }
 
-/* The hint with two common units; for a number that has no unit, where more numbers are missing, also the statement's
- * example. */
+/* The hint with two common units; for a number without a unit that no clause begins also the statement's example. */
 static const char *common_units_hint(char *hint, const struct nb_reader *reader, const char *n, const struct wanted *it,
                                      bool has_unit) {
   const struct nb_token *const number = nb_token_peek(reader), *const next = has_unit ? NULL : token_after(reader, 1);
-  const bool each = is_number(next),
-             early = next && number > reader->tokens && is_clause(reader, next) && !is_clause(reader, number - 1);
+  const bool each = is_number(next), first = number > reader->tokens && !is_clause(reader, number - 1);
   const char *const second = strchr(it->units, ','), *const write = each ? "each number has its own unit: " : "write ";
   const int length = (int)strcspn(it->units, ",");
   char more[NB_HINT_SIZE / 2] = "";
   if (!has_unit)
-    add_advice(more, reader, each || early);
+    add_advice(more, reader, each || first);
   if (second)
     snprintf(hint, NB_HINT_SIZE, "%s`%.40s %.*s` or `%.40s %.*s`%s", write, n, length, it->units, n,
              (int)strcspn(second + 2, ","), second + 2, more);
