@@ -216,6 +216,7 @@ PAGES = \
 PAGES_LONG = \
   cases/7-assemblies/isotropic-compression.md \
   cases/7-assemblies/isotropic-compression-seeds.md \
+  cases/7-assemblies/preparation-price.md \
   cases/7-assemblies/constant-volume-shear.md \
   cases/7-assemblies/shear-fields.md \
   cases/7-assemblies/constant-mean-stress-shear.md \
