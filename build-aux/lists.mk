@@ -577,6 +577,7 @@ VERDICT = \
 
 # The command line.
 PROGRAM = \
+  src/report/accuracy_rows.h \
   src/report/advice.c \
   src/report/commands.c \
   src/report/commands.h \

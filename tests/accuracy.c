@@ -1,8 +1,9 @@
 /* Calibration of `nineball advise`, run by `make accuracy`: how often the true error of the advice is within the tolerance.
  *
- * accuracy PAGE...  draws a quantity, a condition and a tolerance for each page several times, asks for advice, and computes the
+ * accuracy [-o DOCUMENT ROWS] PAGE… [--means PAGE…]  draws a quantity, a condition and a tolerance for each page several times, asks for advice, and computes the
  * true error: the largest difference, over all phases and runs, from the limit of the page for a small step. It prints one
- * row for each draw, then docs/ACCURACY.md to the file that -o names. Draws depend on the name of the page and the number of
+ * row for each draw, then writes docs/ACCURACY.md and the rows of its table of errors to the files that -o names. Pages after
+ * --means are assemblies; their draws are about means over realizations. Draws depend on the name of the page and the number of
  * the draw only.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -12,23 +13,31 @@
 #include <string.h>
 
 #include "../src/core/clock.h"
+#include "../src/core/model.h"
 #include "../src/input/hash.h"
 #include "../src/input/reader.h"
+#include "../src/measure/step.h"
 #include "../src/report/advise.h"
 
-enum { DRAWS = 4, KINDS = 16, TRUTH_FIRST = 5, DRAWS_MAX = 4000, SETTINGS_MAX = 64 };
+enum { DRAWS = 4, KINDS = 16, TRUTH_FIRST = 5, DRAWS_MAX = 4000, SETTINGS_MAX = 64, FINEST = 4 };
 static const double budget = 20, lowest_tolerance = 1e-5, highest_tolerance = 0.3;
 static const double truth_share = 0.05; /* of the tolerance: largest change of the truth when its step is halved */
 
 /* What is chosen instead by an estimator that lacks something; the first one is the whole estimator. */
-enum control { WHOLE, ONE_PHASE, NO_ANCHOR, TWO_STEPS, CONTROLS };
-static const char *const control_names[] = {"the whole estimator", "one phase", "no anchor", "difference of two steps"};
+enum control { WHOLE, ONE_PHASE, NO_ANCHOR, TWO_STEPS, OWN_REFERENCE, ALWAYS_FINE, CONTROLS };
+static const char *const control_names[] = {"the whole estimator",
+                                            "one phase",
+                                            "no anchor",
+                                            "difference of two steps",
+                                            "the reference of each candidate, without shear forces first",
+                                            "always a sixteenth of the page's step"};
 
 struct draw {
   char kind[64];
-  bool answered, met;     /* there is advice; some setting that was tried has a true error within the tolerance */
-  double kept[CONTROLS];  /* true error over the tolerance of what is chosen; NAN: nothing */
-  double claim_over_true; /* of the advice */
+  bool answered, met;       /* there is advice; some setting that was tried has a true error within the tolerance */
+  double kept[CONTROLS];    /* true error over the tolerance of what is chosen; NAN: nothing */
+  double cost_of[CONTROLS]; /* as `cost` */
+  double claim_over_true;   /* of the advice */
   double cost;    /* updates of the advice over those of the cheapest setting that is truly within the tolerance */
   double seconds; /* of the search */
 };
@@ -109,9 +118,86 @@ static int choose(const struct nb_advice *advice, enum control control, int high
   return highest;
 }
 
+/* Whether the last run of the page, with these laws and this level, agrees with its own reference. */
+static bool agrees_with_reference(const struct nb_advice *advice, const struct nb_variant *variant, int level) {
+  const char *settings[SETTINGS_MAX + 4];
+  char texts[3][3 * NB_NAME_SIZE];
+  size_t count = 0;
+  while (advice->query->settings[count])
+    settings[count] = advice->query->settings[count], count++;
+  snprintf(texts[0], sizeof texts[0], "refine=%.17g", advice->page.runs[0].scene.refine * exp2(level));
+  snprintf(texts[1], sizeof texts[1], "normal=%s", variant->normal);
+  snprintf(texts[2], sizeof texts[2], "shear=%s", variant->shear);
+  for (int k = 0; k < (variant->normal[0] ? 3 : 1); k++)
+    settings[count++] = texts[k];
+  settings[count] = NULL;
+  struct nb_outcome outcome;
+  const enum nb_status status = nb_outcome_make(&outcome, advice->query->path, settings, &advice->query->options, NULL);
+  bool agrees = status <= NB_FAILED;
+  for (size_t r = 0; r < outcome.run_count && agrees; r++) {
+    struct nb_expectation wanted;
+    struct nb_error error;
+    double value;
+    const struct nb_page_run *run = &outcome.runs[r];
+    agrees = !nb_expectation_read(&wanted, "quantity", advice->text, &run->scene, &outcome.mistakes) &&
+             nb_measure_value(&value, &wanted.measure, &run->result.table, &error);
+    const double *solution = agrees ? nb_measure_solution(&wanted.measure, &run->solution) : NULL;
+    agrees = solution && fabs(value - *solution) <= advice->tolerance.value * fabs(*solution);
+  }
+  nb_outcome_free(&outcome);
+  return agrees;
+}
+
+/* The coarsest setting that agrees with its own reference; of each level first that without shear forces. False: none. */
+static bool choose_by_reference(const struct nb_advice *advice, int highest, size_t *variant, int *level) {
+  size_t none = 0;
+  for (size_t k = 1; k < advice->variant_count; k++)
+    if (strcmp(advice->variants[k].shear, "none") == 0 &&
+        strcmp(advice->variants[k].normal, advice->page.runs[0].scene.normal) == 0)
+      none = k;
+  for (*level = NB_LEVEL_LOW; *level <= highest; ++*level)
+    for (int own = 0; own < 2; own++) {
+      *variant = own ? 0 : none;
+      if (agrees_with_reference(advice, &advice->variants[*variant], *level))
+        return true;
+    }
+  return false;
+}
+
+/* ---- the error of a step ---- */
+
+/* Errors of quantities at one phase, by the number of steps per collision, in bins of factors of two. */
+enum { BINS = 10, ERRORS_MAX = 4000 };
+static const double first_bin = 2;
+static double errors[BINS][ERRORS_MAX];
+static size_t error_count[BINS];
+
+/* The number of steps that the shortest collision of the run takes; infinite: unknown. */
+static double steps_of(struct nb_outcome *page, size_t run) {
+  struct nb_error error;
+  const struct nb_options options = {.threads = 1};
+  struct nb_model *model = nb_model_create(&page->runs[run].scene, &options, &error);
+  const double steps = model ? nb_step_collision(model) / model->step : INFINITY;
+  nb_model_free(model);
+  return steps;
+}
+
+static void collect_errors(struct nb_advice *advice, const double *truth) {
+  for (size_t r = 0; r < advice->runs; r++) {
+    const double steps = steps_of(&advice->page, r);
+    for (int level = NB_LEVEL_LOW; level < TRUTH_FIRST - 1 && isfinite(steps) && truth[r] != 0; level++) {
+      const double bin = floor(log2(steps * exp2(level) / first_bin));
+      if (bin < 0 || bin >= BINS || error_count[(size_t)bin] == ERRORS_MAX || !nb_advice_run(advice, 0, level, 0))
+        continue;
+      const double value = point_of(advice, 0, level)->values[r * NB_TRIALS];
+      errors[(size_t)bin][error_count[(size_t)bin]++] = fabs(value / truth[r] - 1);
+    }
+  }
+}
+
 /* ---- one draw ---- */
 
-static void measure_cost(struct draw *draw, struct nb_advice *advice, const double *truth, double tolerance) {
+static double measure_cost(struct draw *draw, struct nb_advice *advice, const double *truth, double tolerance) {
   double cheapest = INFINITY;
   for (size_t k = 0; k < advice->setting_count; k++) {
     const struct nb_setting *setting = &advice->settings[k];
@@ -120,7 +206,8 @@ static void measure_cost(struct draw *draw, struct nb_advice *advice, const doub
   }
   draw->met = isfinite(cheapest);
   if (draw->answered)
-    draw->cost = nb_point_at(advice, &advice->settings[advice->chosen])->updates / cheapest;
+    draw->cost = draw->cost_of[WHOLE] = nb_point_at(advice, &advice->settings[advice->chosen])->updates / cheapest;
+  return cheapest;
 }
 
 static void measure_errors(struct draw *draw, struct nb_advice *advice, double tolerance) {
@@ -135,7 +222,8 @@ static void measure_errors(struct draw *draw, struct nb_advice *advice, double t
     unresolved++;
     draw->kind[0] = 0;
   } else {
-    measure_cost(draw, advice, truth, tolerance);
+    const double cheapest = measure_cost(draw, advice, truth, tolerance);
+    collect_errors(advice, truth);
     if (draw->answered) {
       const struct nb_setting *chosen = &advice->settings[advice->chosen];
       draw->kept[WHOLE] = true_error(advice, chosen->variant, chosen->level, truth, tolerance);
@@ -144,8 +232,16 @@ static void measure_errors(struct draw *draw, struct nb_advice *advice, double t
       for (size_t k = 0; k < advice->setting_count; k++)
         if (advice->settings[k].variant == 0 && advice->settings[k].ratio <= 1)
           own = advice->settings[k].level;
-      for (int control = ONE_PHASE; control < CONTROLS; control++)
-        draw->kept[control] = true_error(advice, 0, choose(advice, control, own), truth, tolerance);
+      for (int control = ONE_PHASE; control < CONTROLS; control++) {
+        size_t variant = 0;
+        int level = FINEST;
+        if (control == OWN_REFERENCE && !choose_by_reference(advice, own, &variant, &level))
+          continue;
+        if (control < OWN_REFERENCE)
+          level = choose(advice, control, own);
+        draw->kept[control] = true_error(advice, variant, level, truth, tolerance);
+        draw->cost_of[control] = point_of(advice, variant, level)->updates / cheapest;
+      }
     }
   }
   free(truth);
@@ -201,11 +297,18 @@ static void draw_one(const char *path, struct nb_outcome *page) {
   }
   const double tolerance = lowest_tolerance * pow(highest_tolerance / lowest_tolerance, uniform());
   snprintf(within, sizeof within, "%.9g %%", 100 * tolerance);
-  struct nb_advise_query query = {path, settings, {.threads = 1}, quantity, within, budget, {NULL, NULL, NULL}};
+  struct nb_advise_query query = {.path = path,
+                                  .settings = settings,
+                                  .options = {.threads = 1, .jobs = 1},
+                                  .quantity = quantity,
+                                  .within = within,
+                                  .budget = budget};
   struct nb_advice advice;
   struct nb_error error = {0};
   struct draw *draw = &draws[draw_count];
-  *draw = (struct draw){.kept = {NAN, NAN, NAN, NAN}, .claim_over_true = NAN, .cost = NAN};
+  *draw = (struct draw){.claim_over_true = NAN, .cost = NAN};
+  for (int control = 0; control < CONTROLS; control++)
+    draw->kept[control] = draw->cost_of[control] = NAN;
   const enum nb_status status = nb_advise(&advice, &query, &error);
   draw->seconds = nb_clock() - advice.began;
   if (status <= NB_FAILED && advice.variants) {
@@ -229,6 +332,133 @@ static void draw_page(const char *path) {
       gsl_rng_set(generator,
                   (unsigned long)nb_hash(NB_HASH_BEGIN, page.page.name, strlen(page.page.name)) + (unsigned long)k);
       draw_one(path, &page);
+    }
+  nb_outcome_free(&page);
+}
+
+/* ---- means over realizations ---- */
+
+/* What is chosen from the paired differences of the realizations. */
+enum mean_control { WITH_STUDENT, MEAN_ALONE, ONE_REALIZATION, MEAN_CONTROLS };
+static const char *const mean_control_names[] = {"the whole estimator", "difference of the means alone",
+                                                 "difference of one realization"};
+enum { MEAN_DRAWS = 10, TRUTH_REALIZATIONS = 64, TRUTH_BLOCK = 1000, TRUTH_REFINE = 4 };
+static const double lowest_of_mean = 0.02, highest_of_mean = 0.5;
+struct mean_draw {
+  char page[64];
+  bool answered;
+  double kept[MEAN_CONTROLS]; /* true error over the tolerance; NAN: nothing */
+  double claim_over_true, cost;
+};
+static struct mean_draw mean_draws[DRAWS_MAX];
+static size_t mean_draw_count;
+
+/* The mean of the quantity over many realizations that the advice has not seen: block 1000. NAN: one cannot be run. */
+static double mean_of(const struct nb_advice *advice, const struct nb_variant *variant, double refine) {
+  const struct nb_scene *page = &advice->page.runs[0].scene;
+  double sum = 0;
+  bool good = true;
+#pragma omp parallel for reduction(+ : sum) schedule(dynamic, 1)
+  for (int k = 1; k <= TRUTH_REALIZATIONS; k++) {
+    char texts[3 + NB_TRADES][3 * NB_NAME_SIZE];
+    const char *settings[4 + NB_TRADES];
+    struct nb_outcome outcome;
+    struct nb_expectation wanted;
+    struct nb_error error;
+    size_t count = 0;
+    double value = NAN;
+    snprintf(texts[count++], sizeof *texts, "block=%d", TRUTH_BLOCK);
+    snprintf(texts[count++], sizeof *texts, "seed=%d", k);
+    snprintf(texts[count++], sizeof *texts, "refine=%.17g", refine);
+    for (size_t t = 0; t < page->trade_count; t++)
+      if (variant->value[t])
+        snprintf(texts[count++], sizeof *texts, "%s=%s", page->trades[t].name,
+                 page->trades[t].values[variant->value[t] - 1]);
+    for (size_t t = 0; t < count; t++)
+      settings[t] = texts[t];
+    settings[count] = NULL;
+    if (!nb_outcome_read(&outcome, advice->query->path, settings) &&
+        !nb_outcome_run(&outcome, &advice->query->options, NULL) &&
+        !nb_expectation_read(&wanted, "quantity", advice->text, &outcome.runs[0].scene, &outcome.mistakes))
+      nb_measure_value(&value, &wanted.measure, &outcome.runs[0].result.table, &error);
+    if (!isfinite(value))
+#pragma omp atomic write
+      good = false;
+    sum += value;
+    nb_outcome_free(&outcome);
+  }
+  return good ? sum / TRUTH_REALIZATIONS : NAN;
+}
+
+/* The cheapest setting that the control takes for good enough; -1: none. */
+static int choose_mean(const struct nb_advice *advice, enum mean_control control) {
+  const double *fine = point_of(advice, 0, advice->anchor)->values;
+  int chosen = -1;
+  for (size_t k = 0; k < advice->setting_count; k++) {
+    const struct nb_setting *setting = &advice->settings[k];
+    const struct nb_point *point = nb_point_at(advice, setting);
+    const double ratio = control == MEAN_ALONE
+                             ? setting->step_ratio
+                             : fabs(point->values[0] - fine[0]) / (advice->tolerance.value * fabs(fine[0]));
+    if (ratio <= 1 && (chosen < 0 || point->updates < nb_point_at(advice, &advice->settings[chosen])->updates))
+      chosen = (int)k;
+  }
+  return chosen;
+}
+
+static void draw_mean(const char *path, struct nb_outcome *page, int number) {
+  char block[32], within[64];
+  const char *settings[] = {block, NULL}, *quantities[64];
+  const size_t count = list_quantities(&page->runs[0], quantities, sizeof quantities / sizeof *quantities);
+  const char *quantity = quantities[below(count)];
+  const double tolerance = lowest_of_mean * pow(highest_of_mean / lowest_of_mean, uniform());
+  snprintf(block, sizeof block, "block=%d", number);
+  snprintf(within, sizeof within, "%.9g %%", 100 * tolerance);
+  const struct nb_advise_query query = {.path = path,
+                                        .settings = settings,
+                                        .options = {.threads = 1},
+                                        .quantity = quantity,
+                                        .within = within,
+                                        .over = "seed",
+                                        .realizations = NB_REALIZATIONS_MIN,
+                                        .budget = 1e9};
+  struct nb_advice advice;
+  struct nb_error error = {0};
+  struct mean_draw *draw = &mean_draws[mean_draw_count++];
+  *draw = (struct mean_draw){.kept = {NAN, NAN, NAN}, .claim_over_true = NAN, .cost = NAN};
+  snprintf(draw->page, sizeof draw->page, "%s", page->page.name);
+  const enum nb_status status = nb_advise(&advice, &query, &error);
+  draw->answered = status == NB_OK && advice.chosen >= 0;
+  if (status == NB_OK) {
+    const double truth = mean_of(&advice, &advice.variants[0], TRUTH_REFINE);
+    for (int control = 0; control < MEAN_CONTROLS; control++) {
+      const int chosen = control == WITH_STUDENT ? advice.chosen : choose_mean(&advice, (enum mean_control)control);
+      if (chosen < 0)
+        continue;
+      const struct nb_setting *setting = &advice.settings[chosen];
+      draw->kept[control] =
+          fabs(mean_of(&advice, &advice.variants[setting->variant], exp2(setting->level)) / truth - 1) / tolerance;
+      if (control == WITH_STUDENT) {
+        draw->claim_over_true = setting->ratio / draw->kept[control];
+        draw->cost = nb_point_at(&advice, setting)->updates / point_of(&advice, 0, 0)->updates;
+      }
+    }
+  }
+  printf("%s\t%s\tseed\t%.3g\t%s\t%.3g\t%.3g\t%.3g\t-\t%.3g\t%.3g\t-\n", draw->page, quantity, tolerance,
+         draw->answered ? "answered" : "no advice", draw->kept[0], draw->kept[1], draw->kept[2], draw->claim_over_true,
+         draw->cost);
+  fflush(stdout);
+  nb_advice_free(&advice);
+}
+
+static void draw_means(const char *path) {
+  static const char *const none[] = {NULL};
+  struct nb_outcome page;
+  if (!nb_outcome_read(&page, path, none) && page.run_count > 0)
+    for (int k = 1; k <= MEAN_DRAWS; k++) {
+      gsl_rng_set(generator,
+                  (unsigned long)nb_hash(NB_HASH_BEGIN, page.page.name, strlen(page.page.name)) + (unsigned long)k);
+      draw_mean(path, &page, k);
     }
   nb_outcome_free(&page);
 }
@@ -268,7 +498,7 @@ static void write_kinds(FILE *out) {
       same++;
     if (same < kind_count || kind_count == KINDS)
       continue;
-    snprintf(kinds[kind_count++], 64, "%s", kind);
+    snprintf(kinds[kind_count++], 64, "%.63s", kind);
     size_t all = 0, answered = 0, kept = 0;
     for (size_t d = 0; d < draw_count; d++)
       if (k == draw_count || strcmp(draws[d].kind, kind) == 0)
@@ -282,14 +512,41 @@ static void write_kinds(FILE *out) {
 }
 
 static void write_controls(FILE *out) {
-  fputs("\n| what chooses the step | true error within the tolerance |\n| --- | --- |\n", out);
+  fputs("\n| what chooses the setting | true error within the tolerance | cost over that of the cheapest, median |\n"
+        "| --- | --- | --- |\n",
+        out);
   for (int control = 0; control < CONTROLS; control++) {
+    static double cost[DRAWS_MAX];
     size_t kept = 0, count = 0;
-    for (size_t d = 0; d < draw_count; d++)
+    for (size_t d = 0; d < draw_count; d++) {
       kept += draws[d].kept[control] <= 1, count += !isnan(draws[d].kept[control]);
+      cost[d] = draws[d].cost_of[control];
+    }
     fprintf(out, "| %s | ", control_names[control]);
     write_share(out, kept, count);
-    fputs(" |\n", out);
+    fprintf(out, " | %.2g |\n", quantile(cost, draw_count, 0.5));
+  }
+}
+
+/* The errors by steps per collision: in the document, and for `nineball explain`. */
+static void write_errors(FILE *out, FILE *header) {
+  fputs("\n## The error of a step\n\n"
+        "The relative errors of the quantities of all draws, at one phase, by the number of time steps during the\n"
+        "shortest collision. `nineball explain` prints the row of a page.\n\n"
+        "| steps per collision | errors | median | 90 % |\n| --- | --- | --- | --- |\n",
+        out);
+  if (header)
+    fputs("/* Relative errors by steps per collision; written by `make accuracy`, see docs/ACCURACY.md.\n"
+          " *\n * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */\n/* clang-format off */\n",
+          header);
+  for (size_t b = 0; b < BINS; b++) {
+    const double from = first_bin * exp2((double)b);
+    if (error_count[b] < 30)
+      continue;
+    const double half = quantile(errors[b], error_count[b], 0.5), most = quantile(errors[b], error_count[b], 0.9);
+    fprintf(out, "| %g to %g | %zu | %.3g %% | %.3g %% |\n", from, 2 * from, error_count[b], 100 * half, 100 * most);
+    if (header)
+      fprintf(header, "{%g, %zu, %.3g, %.3g},\n", from, error_count[b], half, most);
   }
 }
 
@@ -315,7 +572,41 @@ static void write_quantiles(FILE *out) {
   }
 }
 
-static void write_document(FILE *out, size_t pages) {
+static void write_means(FILE *out) {
+  static double ratio[DRAWS_MAX], cost[DRAWS_MAX];
+  size_t answered = 0, pages = 0;
+  for (size_t d = 0; d < mean_draw_count; d++) {
+    ratio[d] = mean_draws[d].claim_over_true, cost[d] = mean_draws[d].cost;
+    answered += mean_draws[d].answered;
+    pages += d == 0 || strcmp(mean_draws[d].page, mean_draws[d - 1].page) != 0;
+  }
+  fprintf(
+      out,
+      "\n## Means over realizations\n\n"
+      "The same for `--over seed` on %zu pages of assemblies of about a hundred particles, with %d draws for each.\n"
+      "Each draw has its own %d realizations. The pages trade the rate of their loading. The truth is the mean over\n"
+      "%d other realizations, with a quarter of the step, and the true error is that of the mean over these with the\n"
+      "setting. The logarithm of the tolerance is uniform between %g and %g. Of %zu draws, ",
+      pages, MEAN_DRAWS, NB_REALIZATIONS_MIN, TRUTH_REALIZATIONS, lowest_of_mean, highest_of_mean, mean_draw_count);
+  write_share(out, answered, mean_draw_count);
+  fputs(" are answered.\n\n| what chooses the setting | true error within the tolerance |\n| --- | --- |\n", out);
+  for (int control = 0; control < MEAN_CONTROLS; control++) {
+    size_t kept = 0, count = 0;
+    for (size_t d = 0; d < mean_draw_count; d++)
+      kept += mean_draws[d].kept[control] <= 1, count += !isnan(mean_draws[d].kept[control]);
+    fprintf(out, "| %s | ", mean_control_names[control]);
+    write_share(out, kept, count);
+    fputs(" |\n", out);
+  }
+  fprintf(
+      out,
+      "\nThe estimated error over the true one is %.2g in the median, and %.2g at 5 %%. The advice costs %.2g of the\n"
+      "page as it is, in the median.\n",
+      quantile(ratio, mean_draw_count, 0.5), quantile(ratio, mean_draw_count, 0.05),
+      quantile(cost, mean_draw_count, 0.5));
+}
+
+static void write_document(FILE *out, FILE *header, size_t pages) {
   fputs("# How far the advice can be trusted\n\n"
         "`make accuracy` writes this document ([tests/accuracy.c](../tests/accuracy.c)). A draw is a page, a\n"
         "quantity of its expectations, a condition (one run of the sweep, or all runs) and a relative tolerance.\n"
@@ -336,23 +627,37 @@ static void write_document(FILE *out, size_t pages) {
   write_quantiles(out);
   fputs("\nThe same draws with estimators that lack something:\n", out);
   write_controls(out);
+  write_errors(out, header);
+  if (mean_draw_count)
+    write_means(out);
 }
 
 int main(int count, char **words) {
-  const int first = count > 2 && strcmp(words[1], "-o") == 0 ? 3 : 1;
+  const char *document = NULL, *rows = NULL;
+  size_t pages = 0;
+  bool means = false;
   nb_references_prepare();
   generator = gsl_rng_alloc(gsl_rng_mt19937);
   if (!generator)
     return 1;
   puts("page\tquantity\tcondition\ttolerance\tresult\ttrue/tolerance\tone phase\tno anchor\ttwo "
        "steps\tclaim/true\tcost\tseconds");
-  for (int k = first; k < count; k++)
-    draw_page(words[k]);
-  FILE *out = first == 3 ? fopen(words[2], "w") : NULL;
-  if (out)
-    write_document(out, (size_t)(count - first));
-  if (out && fclose(out))
-    return 1;
+  for (int k = 1; k < count; k++)
+    if (strcmp(words[k], "-o") == 0 && k + 2 < count)
+      document = words[++k], rows = words[++k];
+    else if (strcmp(words[k], "--means") == 0)
+      means = true;
+    else if (means)
+      draw_means(words[k]);
+    else
+      draw_page(words[k]), pages++;
   gsl_rng_free(generator);
-  return first == 3 && !out;
+  FILE *out = document ? fopen(document, "w") : NULL, *header = rows ? fopen(rows, "w") : NULL;
+  if (!document)
+    return 0;
+  if (!out || !header)
+    return 1;
+  write_document(out, header, pages);
+  const int closed = fclose(header);
+  return fclose(out) || closed;
 }

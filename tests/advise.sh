@@ -21,7 +21,7 @@ result $? 'advice on the duration of an impact'
 
 chosen=$(rows duration/advice.tsv | awk -F '\t' '$10 == "chosen" { print $3 }')
 before=$(rows duration/advice.tsv | awk -F '\t' -v chosen="$chosen" '$3 == chosen / 2 { print $3, 100 * $8 }')
-run 0 advise "$hertz" --set pair=equal --set h=0.04 --quantity impact.duration --within '0.05 %' --budget 0.5 -o again &&
+run 0 advise "$hertz" --set pair=equal --set h=0.04 --quantity impact.duration --within '0.05 %' -o again &&
   grep -A 1 "the next cheaper one misses the tolerance: --set refine=${before% *}\$" "$why" |
     awk -v claim="${before#* }" '/ estimated error: / { d = $3 / claim - 1; found = d * d < 0.01 } END { exit !found }'
 result $? 'the next cheaper setting and its error'
@@ -198,6 +198,11 @@ result $? 'the difference of the means'
 run 0 advise gas.md --over seed --realizations 12 --set trade='rate 0.04' --quantity energy.kinetic --within '10 %' -o set &&
   said '(seed = 1 to 12)' && rows set/advice.tsv | cut -f 12 >"$why" && grep -qx rate=0.04 "$why" && grep -qx rate=0.02 "$why"
 result $? 'a trade on the command line adds to those of the page'
+run 0 advise gas.md --set seed=1 --set trade='laws none' --quantity A.porosity --within '1 %' -o time &&
+  sed -n 's/^  time: \(.*\) s (\(.*\) to \(.*\)) instead of \(.*\) s (\(.*\) to \(.*\)), median and range of 5 runs on .*/\1 \2 \3 \4 \5 \6/p' "$why" >times
+cat times >>"$why"
+awk '{ good = NF == 6 && 0 < $2 && $2 <= $1 && $1 <= $3 && 0 < $5 && $5 <= $4 && $4 <= $6 } END { exit !good }' times
+result $? 'times, median and range'
 run 0 advise gas.md --over seed --set dt=0.002 --quantity energy.kinetic --within '10 %' -o own && said 'nineball run gas.md --set dt=0.002 --set refine='
 result $? 'the command to run has the settings of the caller'
 run 1 advise gas.md --over seed --quantity energy.kinetic --within '0.001 %' && said 'the mean over 8 realizations is not known well enough' &&

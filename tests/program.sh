@@ -395,6 +395,17 @@ run 0 explain "$pages/too-long-a-step.md"
 out 'the time of a cycle cannot be measured: particle 1 '
 verdict 'explain: the number of cycles, contact updates and seconds; after a run what was expected'
 
+# Nine discs: 1/0.108 = 9.3 steps per collision; with a quarter of the step 37.
+for steps in 8:1 32:4; do
+  from=${steps%:*}
+  run 0 explain "$cases/3-nine-discs/nine-discs.md" --set refine="${steps#*:}"
+  row=$(grep "^| $from to $((2 * from)) | " "$cases/../docs/ACCURACY.md") || echo "no row for $from steps" >>why
+  out "$(echo "$row" | awk -F ' *[|] *' '{ printf "with %s steps per collision, half of %s errors of the cases were below %s, and 90 %% of them below %s (docs/ACCURACY.md)", $2, $3, $4, $5 }')"
+done
+run 0 explain "$pages/contact-test.md"
+grep -q 'steps per collision' out && echo 'a contact test has no collision' >>why
+verdict 'explain: the accuracy to expect of the step'
+
 # ---- files of a run ----
 run 0 run "$pages/passes.md"
 out 'tables are in passes.out'

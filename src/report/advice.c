@@ -132,18 +132,62 @@ static void print_setting(const struct nb_advice *advice, const struct nb_settin
 
 static void print_cost(const struct nb_advice *advice, const struct nb_point *point) {
   const struct nb_point *own = &advice->variants[0].points[-NB_LEVEL_LOW];
-  printf("  cost: %.0f contact and particle updates", point->updates);
+  printf("  cost: %.0f recorded values and %.0f contact and particle updates", point->recorded, point->updates);
   if (advice->runs > 1)
     printf(" in all %zu runs of the page", advice->runs);
   if (advice->query->over)
     fputs(" for a realization", stdout);
   if (own->done)
-    printf(", %.3g %% of the %.0f with the page's own setting; %.2g s instead of %.2g s",
-           100 * point->updates / own->updates, own->updates, point->seconds, own->seconds);
+    printf(", %.3g %% of the %.0f with the page's own setting", 100 * point->updates / own->updates, own->updates);
   putchar('\n');
 }
 
-static void print_choice(const struct nb_advice *advice, const struct nb_setting *chosen) {
+enum { REPEATS = 5 };
+static const double longest_timing = 5; /* s */
+
+static int ascending(const void *a, const void *b) {
+  const double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+/* "0.023 s (0.022 to 0.025)": median and range. */
+static void print_times(double times[REPEATS]) {
+  qsort(times, REPEATS, sizeof *times, ascending);
+  printf("%.3g s (%.3g to %.3g)", times[REPEATS / 2], times[0], times[REPEATS - 1]);
+}
+
+static void print_machine(void) {
+  FILE *file = fopen("/proc/cpuinfo", "r");
+  char line[256], name[128] = "this machine";
+  while (file && fgets(line, sizeof line, file))
+    if (sscanf(line, "model name : %127[^\n]", name) == 1)
+      break;
+  if (file)
+    fclose(file);
+  printf("on %s\n", name);
+}
+
+/* The setting and the page as it is are run in turn. */
+static void time_choice(struct nb_advice *advice, const struct nb_setting *chosen) {
+  double times[2][REPEATS];
+  const double one = nb_point_at(advice, chosen)->seconds, own = advice->variants[0].points[-NB_LEVEL_LOW].seconds;
+  if (REPEATS * (one + own) > longest_timing) {
+    printf("  time: %.3g s instead of %.3g s, the shortest of the trials\n", one, own);
+    return;
+  }
+  for (int k = 0; k < REPEATS; k++) {
+    times[0][k] = nb_trials_time(advice, &advice->variants[chosen->variant], chosen->level);
+    times[1][k] = nb_trials_time(advice, &advice->variants[0], 0);
+  }
+  fputs("  time: ", stdout);
+  print_times(times[0]);
+  fputs(" instead of ", stdout);
+  print_times(times[1]);
+  printf(", median and range of %d runs ", REPEATS);
+  print_machine();
+}
+
+static void print_choice(struct nb_advice *advice, const struct nb_setting *chosen) {
   char options[256];
   const struct nb_point *point = nb_point_at(advice, chosen);
   options_of(options, sizeof options, advice, chosen);
@@ -152,6 +196,7 @@ static void print_choice(const struct nb_advice *advice, const struct nb_setting
   fputs("  estimated error: at most ", stdout);
   print_error_of(advice, chosen);
   print_cost(advice, point);
+  time_choice(advice, chosen);
   const struct nb_setting *cheaper = next_cheaper(advice, chosen);
   if (cheaper) {
     options_of(options, sizeof options, advice, cheaper);
@@ -220,7 +265,7 @@ static void print_left_out(const struct nb_advice *advice) {
     puts("  (a variant is the page with other laws, or with values that it trades)");
 }
 
-static void print_advice(const struct nb_advice *advice) {
+static void print_advice(struct nb_advice *advice) {
   printf("%s: %s\n", advice->page.page.name, advice->text);
   if (advice->chosen >= 0) {
     print_choice(advice, &advice->settings[advice->chosen]);
@@ -256,19 +301,20 @@ static void write_rows(FILE *out, const struct nb_advice *advice, int which) {
     append_values(values, sizeof values, advice, variant, false);
     if (which == CHOSEN ? (int)k != advice->chosen : which != ALL_VARIANTS && (int)setting->variant != which)
       continue;
-    fprintf(out, "%s\t%s\t%.17g\t%.6g\t%.6g\t%.6g\t%.6g\t%.6g\t%.6g\t%s\t%s\t%s\n",
+    fprintf(out, "%s\t%s\t%.17g\t%.6g\t%.6g\t%.6g\t%.6g\t%.6g\t%.6g\t%s\t%s\t%s\t%.0f\n",
             word(variant->normal, scene->normal), word(variant->shear, scene->shear),
             scene->refine * exp2(setting->level), point->step, point->updates, point->seconds, setting->ratio,
             setting->ratio * advice->tolerance.value, setting->step_ratio * advice->tolerance.value,
             (int)k == advice->chosen ? "chosen"
             : setting->ratio <= 1    ? "within"
                                      : "misses",
-            label_of(advice, setting->worst)[0] ? label_of(advice, setting->worst) : "-", values[0] ? values : "-");
+            label_of(advice, setting->worst)[0] ? label_of(advice, setting->worst) : "-", values[0] ? values : "-",
+            point->recorded);
   }
 }
 
 static const char head[] = "normal\tshear\trefine\tmean-step\tupdates\tseconds\tclaim/tolerance\tclaim\terror-of-step\t"
-                           "result\tworst-run\tvalues\n";
+                           "result\tworst-run\tvalues\trecorded\n";
 
 static bool has_settings(const struct nb_advice *advice, size_t variant) {
   for (size_t k = 0; k < advice->setting_count; k++)
@@ -367,7 +413,7 @@ static bool read_budget(double *seconds, const char *text) {
   return end != text && !*end && *seconds > 0 && isfinite(*seconds);
 }
 
-static enum nb_status save_and_print(const struct nb_advice *advice, const struct nb_call *call) {
+static enum nb_status save_and_print(struct nb_advice *advice, const struct nb_call *call) {
   struct nb_error error;
   char name[NB_NAME_SIZE + 8];
   snprintf(name, sizeof name, "%s.out", advice->page.page.name);

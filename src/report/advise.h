@@ -17,6 +17,7 @@ struct nb_point {
   double *values;   /* of the quantity: NB_TRIALS for each run of the page; owned */
   double seconds;   /* shortest of the trials, all runs of the page */
   double updates;   /* of contacts and particles, all runs; mean over the trials */
+  double recorded;  /* values in the rows of all runs; of the last trial */
   double step;      /* mean over the first run, s; 0: a contact test, which has no time */
   char reason[512]; /* why it could not be run; empty: it could */
 };
@@ -94,6 +95,8 @@ size_t nb_phase_count(const struct nb_scene *scene);
  * cannot be run, or the budget is used up. */
 bool nb_trials_run(struct nb_advice *advice, struct nb_variant *variant, int level, size_t first, size_t stride,
                    size_t count);
+/* The time of the first trial, s: it is run once more, and no value is stored. NaN: it fails. */
+double nb_trials_time(struct nb_advice *advice, struct nb_variant *variant, int level);
 /* Memory that runs out ends the search; other failures belong to the candidate. Returns false. */
 bool nb_advice_no_memory(struct nb_advice *advice);
 

@@ -365,6 +365,24 @@ static void explain_collision(FILE *out, const struct nb_model *model, const cha
   fprintf(out, " at %g%s\n", collision.speed, nb_unit(model->scene, " m/s"));
 }
 
+/* The error of quantities of the cases with as many steps per collision: docs/ACCURACY.md. */
+static void explain_accuracy(FILE *out, double steps) {
+  static const struct {
+    double steps; /* per collision, at least; less than twice as many */
+    unsigned count;
+    double half, most; /* relative errors: of half of the quantities, of 90 % */
+  } rows[] = {
+#include "accuracy_rows.h"
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
+    if (steps >= rows[k].steps && steps < 2 * rows[k].steps)
+      fprintf(out,
+              "  accuracy: with %g to %g steps per collision, half of %u errors of the cases were below %.3g %%, and "
+              "90 %% of "
+              "them below %.3g %% (docs/ACCURACY.md); for this page, use `nineball advise`\n",
+              rows[k].steps, 2 * rows[k].steps, rows[k].count, 100 * rows[k].half, 100 * rows[k].most);
+}
+
 static void explain_step(FILE *out, const struct nb_model *model) {
   const struct nb_step *step = &model->scene->stages[model->scene->start.stages].step;
   const char *s = nb_unit(model->scene, " s");
@@ -398,6 +416,7 @@ static void explain_step(FILE *out, const struct nb_model *model) {
             "  rayleigh, the travel time of a surface wave round half a sphere: smallest %g%s, mean %g%s; "
             "the step is %g and %g of it\n",
             smallest, s, mean, s, model->step / smallest, model->step / mean);
+  explain_accuracy(out, collision / model->step);
 }
 
 /* ---- stages ---- */

@@ -146,7 +146,7 @@ static unsigned count_bits(unsigned set) {
 /* Stores the quantity of each run, and the cost of the setting. */
 static bool take_values(struct nb_advice *advice, struct nb_point *point, struct trial *trial) {
   struct nb_outcome *outcome = &trial->outcome;
-  double seconds = 0, updates = 0;
+  double seconds = 0, updates = 0, recorded = 0;
   if (outcome->status)
     return outcome->status == NB_NO_MEMORY ? nb_advice_no_memory(advice) : fail(point, outcome->error.text);
   for (size_t r = 0; r < advice->runs; r++) {
@@ -158,12 +158,14 @@ static bool take_values(struct nb_advice *advice, struct nb_point *point, struct
     if (!nb_measure_value(&point->values[r * NB_TRIALS + trial->index], &wanted.measure, &run->result.table, &error))
       return fail(point, error.text);
     seconds += run->result.seconds;
+    recorded += (double)run->result.table.row_count * (double)run->scene.column_count;
     updates += (double)run->result.updates + (double)run->result.cycles * (double)run->scene.particle_count;
   }
   const struct nb_result *first = &outcome->runs[0].result;
   if (first->cycles > 0 && first->table.row_count > 0)
     point->step = (first->table.time[first->table.row_count - 1] - first->table.time[0]) / (double)first->cycles;
   point->seconds = point->done ? fmin(point->seconds, seconds) : seconds;
+  point->recorded = recorded;
   point->done |= 1U << trial->index;
   point->updates += (updates - point->updates) / count_bits(point->done);
   return true;
@@ -244,4 +246,16 @@ bool nb_trials_run(struct nb_advice *advice, struct nb_variant *variant, int lev
     free(batch);
   }
   return good;
+}
+
+double nb_trials_time(struct nb_advice *advice, struct nb_variant *variant, int level) {
+  struct trial trial = {.index = 0};
+  double seconds = 0;
+  struct nb_point discarded = {.done = 0};
+  if (read_trial(&trial, advice, variant, level) && check_trial(advice, variant, &discarded, &trial.outcome) &&
+      !nb_outcome_run(&trial.outcome, &advice->query->options, NULL))
+    for (size_t r = 0; r < trial.outcome.run_count; r++)
+      seconds += trial.outcome.runs[r].result.seconds;
+  free_trial(&trial);
+  return seconds > 0 ? seconds : NAN;
 }
