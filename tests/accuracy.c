@@ -574,7 +574,7 @@ static void write_quantiles(FILE *out) {
 
 static void write_means(FILE *out) {
   static double ratio[DRAWS_MAX], cost[DRAWS_MAX];
-  size_t answered = 0, pages = 0;
+  size_t answered = 0, pages = 0, stopped = 0;
   for (size_t d = 0; d < mean_draw_count; d++) {
     ratio[d] = mean_draws[d].claim_over_true, cost[d] = mean_draws[d].cost;
     answered += mean_draws[d].answered;
@@ -584,9 +584,9 @@ static void write_means(FILE *out) {
       out,
       "\n## Means over realizations\n\n"
       "The same for `--over seed` on %zu pages of assemblies of about a hundred particles, with %d draws for each.\n"
-      "Each draw has its own %d realizations. The pages trade the rate of their loading. The truth is the mean over\n"
-      "%d other realizations, with a quarter of the step, and the true error is that of the mean over these with the\n"
-      "setting. The logarithm of the tolerance is uniform between %g and %g. Of %zu draws, ",
+      "Each draw has its own %d realizations. The pages trade a rate of loading or a stiffness. The truth is the mean\n"
+      "over %d other realizations, with a quarter of the step, and the true error is that of the mean over these with\n"
+      "the setting. The logarithm of the tolerance is uniform between %g and %g. Of %zu draws, ",
       pages, MEAN_DRAWS, NB_REALIZATIONS_MIN, TRUTH_REALIZATIONS, lowest_of_mean, highest_of_mean, mean_draw_count);
   write_share(out, answered, mean_draw_count);
   fputs(" are answered.\n\n| what chooses the setting | true error within the tolerance |\n| --- | --- |\n", out);
@@ -598,6 +598,13 @@ static void write_means(FILE *out) {
     write_share(out, kept, count);
     fputs(" |\n", out);
   }
+  for (size_t d = 0; d < mean_draw_count; d++)
+    stopped += mean_draws[d].answered && isnan(mean_draws[d].kept[WITH_STUDENT]);
+  fprintf(out,
+          "\nWith the setting of %zu other draws one of the %d other realizations stops with an error, because the "
+          "step is\n"
+          "too long for it.\n",
+          stopped, TRUTH_REALIZATIONS);
   fprintf(
       out,
       "\nThe estimated error over the true one is %.2g in the median, and %.2g at 5 %%. The advice costs %.2g of the\n"
