@@ -221,6 +221,7 @@ PAGES_LONG = \
   cases/7-assemblies/shear-fields.md \
   cases/7-assemblies/constant-mean-stress-shear.md \
   cases/7-assemblies/volume-or-pressure.md \
+  cases/7-assemblies/softness-price.md \
   cases/7-assemblies/load-unload-reload.md \
   cases/7-assemblies/linear-or-hertz.md \
   cases/7-assemblies/no-slip-or-exact.md \
