@@ -354,6 +354,7 @@ SHELL_TESTS = \
   tests/report.sh \
   tests/advise.sh \
   tests/cost.sh \
+  tests/trades.sh \
   tests/same-bits.sh \
   tests/start.sh \
   tests/packing.sh \

@@ -380,7 +380,8 @@ static enum nb_status save_advice(const struct nb_advice *advice, const char *fo
   fprintf(file.file, "# %s", advice->text);
   if (advice->query->over)
     fprintf(file.file, ", mean over %s = 1 to %zu", advice->query->over, advice->trials);
-  fprintf(file.file, "\n%s", head);
+  fprintf(file.file, "\n# updates with the page's own setting: %.6g\n%s",
+          advice->variants[0].points[-NB_LEVEL_LOW].updates, head);
   write_rows(file.file, advice, ALL_VARIANTS);
   for (int level = NB_LEVEL_LOW; level <= NB_LEVEL_HIGH; level++)
     if (advice->variants[0].points[level - NB_LEVEL_LOW].reason[0])

@@ -30,6 +30,7 @@ enum { PARTICLES_MAX = 50 };
 static const double anchor_share = 0.5;   /* largest uncertainty of the anchor, as a fraction of the tolerance */
 static const double variant_distance = 2; /* over the tolerance: a variant farther from the anchor is left out */
 static const double confidence = 0.95;    /* of a mean over realizations */
+static const double equal_share = 0.1;    /* numbers of updates that differ by less are nearly equal */
 
 /* Runs `count` trials, evenly spaced. */
 static bool run_trials(struct nb_advice *advice, struct nb_variant *variant, int level, size_t count) {
@@ -164,13 +165,13 @@ static bool add_claim(struct nb_advice *advice, size_t index, int level) {
  * computation do. */
 static bool is_cheaper(const struct nb_advice *advice, const struct nb_setting *a, const struct nb_setting *b) {
   const struct nb_point *one = nb_point_at(advice, a), *other = nb_point_at(advice, b);
-  const double same = 0.1;
-  return fabs(one->updates - other->updates) > same * other->updates ? one->updates < other->updates
-                                                                     : one->seconds < other->seconds;
+  return fabs(one->updates - other->updates) > equal_share * other->updates ? one->updates < other->updates
+                                                                            : one->seconds < other->seconds;
 }
 
 /* Tries the levels of a variant from the coarsest one on, up to the first one within the tolerance, or until the next
- * one would have twice the updates of this one, and more than the chosen setting. */
+ * one, with twice the updates of this one, would have more than the chosen setting. With nearly as many it is tried,
+ * because its laws may take less time. */
 static void search_levels(struct nb_advice *advice, size_t index, int highest) {
   struct nb_variant *variant = &advice->variants[index];
   const size_t before = advice->setting_count;
@@ -181,7 +182,8 @@ static void search_levels(struct nb_advice *advice, size_t index, int highest) {
     const struct nb_setting *chosen = advice->chosen < 0 ? NULL : &advice->settings[advice->chosen];
     if (last->ratio <= 1 && (!chosen || is_cheaper(advice, last, chosen)))
       advice->chosen = (int)advice->setting_count - 1;
-    if (last->ratio <= 1 || (chosen && 2 * nb_point_at(advice, last)->updates > nb_point_at(advice, chosen)->updates))
+    if (last->ratio <= 1 ||
+        (chosen && 2 * (1 - equal_share) * nb_point_at(advice, last)->updates > nb_point_at(advice, chosen)->updates))
       return;
   }
   if (advice->setting_count == before && index > 0)
@@ -189,9 +191,10 @@ static void search_levels(struct nb_advice *advice, size_t index, int highest) {
              advice->exhausted ? "the budget was used up" : variant->points[highest - NB_LEVEL_LOW].reason);
 }
 
-/* Whether a variant before this one gives the same values, to the last bit and in each run, because the scene does not
- * use what distinguishes them. */
-static bool gives_same_values(const struct nb_advice *advice, const struct nb_variant *variant, int level) {
+/* The first variant before this one that gives the same values, to the last bit and in each run, because the scene does
+ * not use what distinguishes them. NULL: none. */
+static const struct nb_variant *equal_variant(const struct nb_advice *advice, const struct nb_variant *variant,
+                                              int level) {
   const struct nb_point *point = &variant->points[level - NB_LEVEL_LOW];
   for (const struct nb_variant *other = advice->variants; other < variant; other++) {
     const struct nb_point *before = &other->points[level - NB_LEVEL_LOW];
@@ -199,9 +202,9 @@ static bool gives_same_values(const struct nb_advice *advice, const struct nb_va
     for (size_t r = 0; r < advice->runs && same; r++)
       same = point->values[r * NB_TRIALS] == before->values[r * NB_TRIALS];
     if (same)
-      return true;
+      return other;
   }
-  return false;
+  return NULL;
 }
 
 /* Whether the variant is near enough to the anchor to be tried; means over realizations show it only after all
@@ -213,8 +216,10 @@ static bool is_near(struct nb_advice *advice, struct nb_variant *variant, int le
              advice->exhausted ? "the budget was used up" : point->reason);
     return false;
   }
-  if (!is_mean(advice) && gives_same_values(advice, variant, level)) {
-    snprintf(variant->reason, sizeof variant->reason, "it gives the same values as a variant before it");
+  const struct nb_variant *other = is_mean(advice) ? NULL : equal_variant(advice, variant, level);
+  if (other) {
+    snprintf(variant->reason, sizeof variant->reason, "it gives the same values as %s",
+             other == advice->variants ? "the page" : "a variant before it");
     variant->equal = true;
     return false;
   }

@@ -1,0 +1,477 @@
+#!/bin/sh
+# Asks `nineball advise` for the cheapest setting within 10 %, 1 % and 0.1 % on every case of at most 50 particles, and writes
+# docs/TRADES.md with the figures docs/trades/*.svg. Every number of that document comes from here.
+#
+#   docs/trades.sh -o FOLDER [PAGE…]    writes FOLDER/TRADES.md and FOLDER/trades; without pages: the list PAGES and the named cases
+#
+#   NINEBALL   the program                    BUDGET   seconds for each search, 60
+#   RESULTS    folder of the results of the searches; a second call with the same program continues there. Default: a temporary one
+#   ASSEMBLIES seconds for each search on an assembly, 1800; 0: none
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+set -eu
+LC_ALL=C
+export LC_ALL
+folder=
+if [ "${1:-}" = -o ] && [ $# -ge 2 ]; then
+  mkdir -p "$2"
+  folder=$(cd "$2" && pwd)
+  shift 2
+fi
+test "$folder" || {
+  echo 'usage: trades.sh -o FOLDER [PAGE…]' >&2
+  exit 2
+}
+nineball=$(cd "$(dirname "${NINEBALL:-./nineball}")" && pwd)/$(basename "${NINEBALL:-./nineball}")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
+results=${RESULTS:-$work/results}
+mkdir -p "$results" "$folder/trades"
+results=$(cd "$results" && pwd)
+cd "$(dirname "$0")/.."
+budget=${BUDGET:-60} assemblies=${ASSEMBLIES:-1800}
+cksum <"$nineball" >"$work/program"
+cmp -s "$work/program" "$results/program" || rm -rf "$results"/*
+cp "$work/program" "$results/program"
+
+# The named cases: NAME | title | quantity of the figure | its tolerances, the last one that of the figure | further quantities. An assembly has
+# its settings in the sixth field.
+named() {
+  cat <<'NAMED'
+two-wall-compression | Two-wall compression | B.normal at 6 cycles | 10 %; 1 %; 0.1 % | X.vx.half at 6 cycles |
+mindlin-loops | Quasi-static Mindlin loops | work.shear in reload | 10 %; 1 %; 0.1 % | work.shear in back |
+hertz-impact | Hertz normal impact | impact.duration | 10 %; 1 %; 0.1 % | C.normal max in strike; impact.restitution |
+oblique-impact | Maw's oblique impact | impact.psi2 | 0.1; 0.01; 0.001 | impact.restitution; impact.duration |
+restitution-angle | Restitution against angle | impact.restitution | 10 %; 1 %; 0.1 % | |
+isotropic-compression | Isotropic compression | A.coordination.mechanical in friction | 1 % | | which=uniform
+constant-volume-shear | Constant-volume shear | A.stress.sinphi in shear | 10 % | | which=uniform
+NAMED
+}
+
+# What to see in the section of a named case. Numbers are added to it below.
+seen() {
+  case $1 in
+  two-wall-compression)
+    echo 'The walls move with a constant speed, and the springs are linear. The force after a given time has an error only because the first force acts one step late, and each velocity half a step. Halving the step halves this error or better, and the stability limit is far away.' ;;
+  mindlin-loops)
+    echo 'The exact law has no error at any number of steps. Only the work does, because it is the sum of mean force times slip over straight pieces of a curve. So few steps are enough for the forces, and many for the energy.' ;;
+  hertz-impact)
+    echo 'The force is smooth apart from its two ends, where it vanishes with a zero slope of the stiffness. So the error is nearly of second order, and some twenty steps per collision give a useful duration.' ;;
+  oblique-impact)
+    echo 'The rebound is governed by the history of micro-slip. Laws without it do not converge to the limit of the exact law, however short the step is: their curves in the figure are absent or level off.' ;;
+  restitution-angle)
+    echo 'Restitution compares speeds, and the normal part of the speed hides most of what the shear force does. A coarse step and simpler laws are therefore enough for a tolerance at which the rebound angle needs the exact law.' ;;
+  *)
+    echo 'The motion of an assembly is chaotic, so only the mean over realizations can be promised. The scatter of eight realizations decides whether a tolerance can be claimed.' ;;
+  esac
+}
+field() { echo "$1" | cut -d '|' -f "$2" | sed 's/^ *//; s/ *$//'; }
+
+if [ $# -eq 0 ]; then
+  set -- $(awk '
+    $1 == "PAGES" && $2 == "=" { inside = 1; $1 = $2 = "" }
+    inside { more = sub(/\\$/, ""); for (i = 1; i <= NF; i++) if ($i != "") print $i; inside = more }' build-aux/lists.mk) \
+    $(for name in isotropic-compression constant-volume-shear; do ls cases/*/$name.md; done)
+fi
+
+# ---- the searches ----
+
+# Single values of the expect blocks, at most three of different quantities: KIND | MEASURE | ABSOLUTE TOLERANCE or nothing. The kind
+# says what the error depends on: an impact quantity, an extreme value, or the end of the stage.
+quantities() {
+  awk '
+    /^```/ { block = block == "" ? substr($0, 4) : ""; if (block == "contact-test") test = 1; next }
+    { sub(/[ \t]#.*/, "") }
+    block ~ /^scene/ && $1 == "stage" { last = $2; ends[last] = "count" }
+    block ~ /^scene/ && $1 == "until" { ends[last] = "until" }
+    block == "expect" { line[++lines] = $0 }
+    END {
+      for (k = 1; k <= lines && n < 3; k++) {
+        text = line[k]
+        if (text ~ /^ *(reference|report) / || text ~ / versus / || text ~ /residual/ || text ~ /^time / || text ~ /^step/) continue
+        if (!match(text, / +(within|expected|below|above|increases|decreases|constant|order) /)) continue
+        measure = substr(text, 1, RSTART - 1)
+        sub(/^ +/, "", measure); gsub(/ +/, " ", measure)
+        if (measure == "" || measure ~ /\$/) continue
+        split(measure, word, " ")
+        name = word[1]; sub(/^[^.]*\./, "", name)
+        way = measure ~ / (max|min|amplitude)/ ? "extreme" : measure ~ / (mean|frequency)/ ? "mean" : measure ~ / at / ? "time" : "end"
+        if ((name, way) in taken) continue
+        taken[name, way] = 1
+        stage = last
+        if (match(measure, / in [^ ]+$/)) stage = substr(measure, RSTART + 4)
+        if (stage == "all") stage = last
+        kind = test ? "contact test" : measure ~ /^impact\./ ? "impact" : way != "end" ? way : ends[stage] == "until" ? "until" : "time"
+        absolute = ""
+        if (match(text, / within [-+.0-9e]+( [A-Za-z\/0-9.]+)?/)) {
+          absolute = substr(text, RSTART + 8, RLENGTH - 8)
+          rest = substr(text, RSTART + RLENGTH)
+          if (absolute ~ / (of|ppm)$/ || rest ~ /^ *(%|of )/) absolute = ""
+        }
+        print kind "|" measure "|" absolute
+        n++
+      }
+    }' "$1"
+}
+
+# advise PAGE ID TOLERANCE MEASURE CONDITION OVER BUDGET KIND: one search, unless it has been made; adds a line to the list. CONDITION has
+# the settings, separated by ", "; OVER is the name of --over, or nothing.
+advise() {
+  page=$1 to=$results/$2 tolerance=$3 measure=$4 condition=$5 over=$6 seconds=$7 kind=$8
+  if [ ! -f "$to/status" ]; then
+    set --
+    [ -z "$over" ] || set -- --over "$over"
+    echo "$condition" | sed 's/, /\n/g' >"$work/settings"
+    while read -r setting; do
+      [ -z "$setting" ] || set -- "$@" --set "$setting"
+    done <"$work/settings"
+    mkdir -p "$to"
+    status=0 programs=/nowhere # without gnuplot: drawing takes longer than most searches
+    [ "$kind" != named ] || programs=$PATH
+    PATH=$programs "$nineball" advise "$page" "$@" --quantity "$measure" --within "$tolerance" --budget "$seconds" --trust -o "$to" \
+      >"$to/said" 2>&1 </dev/null || status=$?
+    echo $status >"$to/status"
+  fi
+  printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$page" "${condition:--}" "$kind" "$measure" "$tolerance" "$to" "${over:--}" >>"$work/list"
+  test -f "$to/advice.tsv" && grep -q "$(printf '\tchosen\t')" "$to/advice.tsv"
+}
+
+# search PAGE ID CONDITION KIND MEASURE ABSOLUTE: with all tolerances. If the value is 0 or not known to 10 %, the page's own tolerance
+# counts, if it is absolute.
+search() {
+  if advise "$1" "$2.10" '10 %' "$5" "$3" '' "$budget" "$4"; then
+    if advise "$1" "$2.1" '1 %' "$5" "$3" '' "$budget" "$4"; then advise "$1" "$2.01" '0.1 %' "$5" "$3" '' "$budget" "$4" || :; fi
+  elif [ "$6" ] && grep -q 'not known well enough' "$results/$2.10/said"; then
+    sed '$d' "$work/list" >"$work/list-t" && mv "$work/list-t" "$work/list"
+    advise "$1" "$2.own" "$6" "$5" "$3" '' "$budget" "$4" || :
+  fi
+}
+
+: >"$work/list"
+for page; do
+  name=$(basename "$page" .md)
+  echo "$name" >&2
+  plan=$results/$name.plan
+  test -f "$plan" || { "$nineball" explain "$page" >"$work/plan" 2>/dev/null && mv "$work/plan" "$plan"; } || continue
+  most=$(awk '/^  [0-9]+ particles,/ && $1 > most { most = $1 } END { print most + 0 }' "$plan")
+  [ "$most" -le 50 ] || continue
+  sed -n "s/^$name, run //p" "$plan" >"$work/runs"
+  middle=$(sed -n "$((($(wc -l <"$work/runs") + 1) / 2))p" "$work/runs" 2>/dev/null || :)
+  quantities "$page" >"$work/quantities"
+  k=0
+  while IFS='|' read -r kind measure absolute; do
+    k=$((k + 1))
+    search "$page" "$name.$k" "$middle" "$kind" "$measure" "$absolute"
+  done <"$work/quantities"
+done
+
+# The named cases among the pages: the whole sweep. Assemblies: means over realizations, with one tolerance.
+named | while read -r line; do
+  name=$(field "$line" 1)
+  page=$(ls cases/*/"$name.md")
+  settings=$(field "$line" 6)
+  case " $* " in *" $page "*) ;; *) continue ;; esac
+  { field "$line" 3 && field "$line" 5 | sed 's/; */\n/g'; } | sed '/^$/d' >"$work/quantities"
+  k=0
+  while read -r measure; do
+    k=$((k + 1))
+    field "$line" 4 | sed 's/; */\n/g' >"$work/tolerances"
+    [ $k -eq 1 ] || printf '10 %%\n1 %%\n0.1 %%\n' >"$work/tolerances"
+    j=0
+    while read -r tolerance; do
+      j=$((j + 1))
+      if [ -z "$settings" ]; then
+        advise "$page" "$name.all.$k.$j" "$tolerance" "$measure" '' '' "$budget" named || break
+      elif [ "$assemblies" != 0 ]; then
+        advise "$page" "$name.all.$k.$j" "$tolerance" "$measure" "$settings" seed "$assemblies" named || break
+      fi
+      [ $k -gt 1 ] || [ ! -s "$results/$name.all.$k.$j/advice.svg" ] || cp "$results/$name.all.$k.$j/advice.svg" "$folder/trades/$name.svg"
+    done <"$work/tolerances"
+  done <"$work/quantities"
+done
+
+# ---- one row for each search ----
+#
+# page, condition, kind, quantity, tolerance, result, setting, cost over that of the page, estimated error, its unit (% or 1), what the next
+# cheaper setting is, its error over the tolerance, other laws (1: yes), shear law of the page, folder, over
+rows() {
+  awk -F '\t' '
+    function settings(normal, shear, values, refine,  text) {
+      if (normal != own_normal) text = text "normal=" normal " "
+      if (shear != own_shear) text = text "shear=" shear " "
+      if (values != "-") { gsub(/, /, " ", values); text = text values " " }
+      return text "refine=" refine
+    }
+    function message(text) { # the first error, without the name of the page
+      sub(/^.*error: /, "", text); sub(/^nineball: /, "", text); gsub(/[ \t]+/, " ", text)
+      return length(text) > 90 ? substr(text, 1, 90) "…" : text
+    }
+    {
+      file = $6 "/advice.tsv"; n = chosen = 0; own = 0; text = ""
+      while ((getline line < file) > 0) {
+        if (line ~ /^# updates with the page/) { own = line; sub(/.*: /, "", own) }
+        if (line ~ /^#/ || line ~ /^normal\t/) continue
+        split(line, c, "\t")
+        n++; normal[n] = c[1]; shear[n] = c[2]; refine[n] = c[3]; updates[n] = c[5]; ratio[n] = c[7]; claim[n] = c[8]; values[n] = c[12]
+        if (c[10] == "chosen") chosen = n
+      }
+      close(file)
+      own_normal = normal[1]; own_shear = shear[1]
+      result = chosen ? "yes" : "no"
+      reason = "-"; setting = cost = error = next_setting = next_ratio = "-"; other = 0
+      if (!chosen) {
+        while ((getline line < ($6 "/said")) > 0) text = text line " "
+        close($6 "/said")
+        reason = text ~ /--budget/ && text ~ /budget (was used|is too small)/ ? "the budget was used up" \
+               : text ~ /not known well enough/ ? "the limit is not known well enough" \
+               : text ~ /no setting that was tried/ ? "no setting that was tried is within the tolerance" : message(text)
+        setting = reason
+      } else {
+        best = 0
+        for (k = 1; k <= n; k++)
+          if (updates[k] + 0 < updates[chosen] + 0 && (!best || updates[k] + 0 > updates[best] + 0 || (updates[k] == updates[best] && ratio[k] + 0 < ratio[best] + 0))) best = k
+        setting = settings(normal[chosen], shear[chosen], values[chosen], refine[chosen])
+        cost = own > 0 ? updates[chosen]/own : "-"
+        error = claim[chosen]
+        if (best) { next_setting = settings(normal[best], shear[best], values[best], refine[best]); next_ratio = ratio[best] }
+        other = normal[chosen] != own_normal || shear[chosen] != own_shear
+      }
+      unit = $5 ~ /%/ ? "%" : $5 ~ / / ? substr($5, index($5, " ") + 1) : "1"
+      print $1 "\t" $2 "\t" $3 "\t" $4 "\t" $5 "\t" result "\t" setting "\t" cost "\t" error "\t" unit "\t" next_setting "\t" next_ratio "\t" other "\t" own_shear "\t" $6 "\t" $7
+    }' "$work/list"
+}
+rows >"$work/rows"
+
+# ---- numbers for the prose ----
+
+# The quantile ($2) of the numbers of standard input, as $1 prints it.
+quantile() { sort -g | awk -v format="$1" -v q="$2" '{ v[NR] = $1 } END { if (NR == 0) print "–"; else printf format "\n", v[int(q*(NR - 1) + 1.5)] }'; }
+# The rows of single conditions, for the lessons.
+swept() { awk -F '\t' '$3 != "named"' "$work/rows"; }
+# swept_with KEYS…: how many rows satisfy the condition of awk.
+count() { swept | awk -F '\t' "$1"' { n++ } END { print n + 0 }'; }
+share() { awk -v a="$1" -v b="$2" 'BEGIN { if (b > 0) printf "%d of %d (%.0f %%)\n", a, b, 100*a/b; else print "none" }'; }
+
+# Cost at the tolerance $2 over that at the tolerance $1, of each quantity that has both.
+cost_ratios() {
+  swept | awk -F '\t' -v a="$1" -v b="$2" '
+    $6 == "yes" && $8 > 0 { if ($5 == a) first[$1, $4] = $8; if ($5 == b) second[$1, $4] = $8 }
+    END { for (k in second) if (k in first) print second[k]/first[k] }'
+}
+
+# The order of each quantity: the slope of log(estimated error) against log(step) over the three finest steps with the page's own laws.
+# KIND, order, page, quantity.
+orders() {
+  swept | awk -F '\t' '
+    $6 == "yes" { folder[$1 "\t" $4] = $15; kind[$1 "\t" $4] = $3 }
+    END {
+      for (key in folder) {
+        n = 0; file = folder[key] "/advice.tsv"
+        while ((getline line < file) > 0) {
+          if (line ~ /^#/ || line ~ /^normal\t/) continue
+          split(line, c, "\t")
+          if (n == 0 && laws == "") laws = c[1] c[2] c[12]
+          if (c[1] c[2] c[12] == laws && c[8] > 1e-9) { n++; refine[n] = c[3]; claim[n] = c[8] }
+        }
+        close(file); laws = ""
+        if (n >= 3) print kind[key] "\t" log(claim[n - 2]/claim[n])/log(refine[n]/refine[n - 2]) "\t" key
+      }
+    }'
+}
+
+# Which other law would do, on the quantities of the pages with the exact law: LAW, TOLERANCE, 1 or 0, quantity. A law that gives another
+# limit is left out of the search, and one whose settings all miss the tolerance does not do either. A law that gives the values of the
+# page does.
+other_laws() {
+  swept | awk -F '\t' '
+    $6 == "yes" && $14 == "mindlin_deresiewicz" {
+      file = $15 "/advice.tsv"; normal = ""; split("", fits)
+      while ((getline line < file) > 0) {
+        if (line ~ /^normal\t/) continue
+        if (line !~ /^#/) {
+          split(line, c, "\t")
+          if (normal == "") normal = c[1]
+          if (c[1] == normal && c[2] != $14 && c[12] == "-") fits[c[2]] = fits[c[2]] + (c[10] != "misses")
+        } else if (line ~ /^# left out: .*(its value differs|same values as the page$)/) {
+          law = line; sub(/^# left out: normal /, "", law); sub(/:.*/, "", law); split(law, part, ", shear ")
+          if (part[1] == normal && part[2] !~ /,/) fits[part[2]] = line ~ /same values/
+        }
+      }
+      close(file)
+      for (law in fits) print law "\t" $5 "\t" (fits[law] > 0) "\t" $4
+    }'
+}
+
+# ---- the document ----
+
+# Prints rows of the list of results as a table: page or not ($1: 1 or 0). Pages and quantities are not repeated.
+table() {
+  awk -F '\t' -v pages="$1" '
+    function short(x) { return sprintf(x < 100 ? "%.2g" : "%.0f", x) }
+    function code(text) { return text == "-" ? "–" : "`" text "`" }
+    BEGIN {
+      printf "|%s quantity | tolerance | setting | cost | estimated error | next cheaper setting: its error over the tolerance |\n", pages ? " case |" : ""
+      printf "|%s --- | --- | --- | --- | --- | --- |\n", pages ? " --- |" : ""
+    }
+    function flush() {
+      if (tolerances == "") return
+      printf "|%s %s | %s | %s |\n", pages ? " " case_cell " |" : "", measure_cell, tolerances, rest
+      tolerances = ""
+    }
+    {
+      name = $1; sub(/.*\//, "", name); sub(/\.md$/, "", name)
+      same = $1 == page && $4 == measure
+      if (!same || $7 != last) {
+        flush()
+        case_cell = $1 == page ? "" : "[" name "](../" $1 ")" ($2 == "-" ? "" : ", " $2)
+        measure_cell = same ? "" : code($4)
+      }
+      last = $7; page = $1; measure = $4
+      tolerances = tolerances (tolerances == "" ? "" : ", ") $5
+      rest = $6 == "no" ? "no advice: " $7 " | | |" : code($7) " | " ($8 == "-" ? "–" : short($8)) " | " \
+        short($10 == "%" ? 100*$9 : $9) ($10 == "1" ? "" : " " $10) " | " ($11 == "-" ? "–" : code($11) ": " short($12))
+    }
+    END { flush() }'
+}
+
+# What the cost and the order of the quantities of a named case are.
+summary() {
+  awk -F '\t' -v page="$1" '
+    $1 == page && $3 == "named" && $6 == "yes" && $16 == "-" {
+      if (!($4 in n)) { first[$4] = $8; from[$4] = $5; names[++count] = $4 }
+      n[$4]++; last[$4] = $8; to[$4] = $5
+    }
+    END {
+      for (k = 1; k <= count; k++) {
+        q = names[k]
+        if (n[q] > 1) printf "From %s to %s the cost of `%s` is multiplied by " (last[q] < 100*first[q] ? "%.2g" : "%.0f") ".\n", from[q], to[q], q, last[q]/first[q]
+      }
+    }' "$work/rows"
+}
+
+section() {
+  line=$1
+  name=$(field "$line" 1)
+  page=$(ls cases/*/"$name.md")
+  grep -q "^$page" "$work/list" || return 0
+  printf '\n### %s\n\n' "$(field "$line" 2)"
+  printf '[%s](../%s), %s.\n' "$name" "$page" "$(if [ "$(field "$line" 6)" ]; then echo "$(field "$line" 6), mean over eight realizations"; else echo 'the whole sweep'; fi)"
+  seen "$name"
+  summary "$page"
+  if [ -f "$folder/trades/$name.svg" ]; then printf '\n![%s: estimated error against cost](trades/%s.svg)\n' "$(field "$line" 2)" "$name"; fi
+  if grep -q "^$page.*	named	" "$work/rows"; then
+    echo
+    grep "^$page.*	named	" "$work/rows" | table 0
+  else
+    printf '\nThis search was not made: it takes minutes (`ASSEMBLIES`).\n'
+  fi
+}
+
+orders >"$work/orders"
+other_laws >"$work/laws"
+kinds='impact|`impact.…`, the result of an impact
+until|value at the end of a stage that ends by `until`
+time|value at a given time or cycle
+extreme|`max`, `min`, `amplitude`
+mean|`mean`, `frequency`
+contact test|work and force of a contact test'
+
+# The table of orders.
+order_table() {
+  printf '| kind of quantity | quantities | lower quartile | median | upper quartile |\n| --- | --- | --- | --- | --- |\n'
+  echo "$kinds" | while IFS='|' read -r kind text; do
+    awk -F '\t' -v kind="$kind" '$1 == kind { print $2 }' "$work/orders" >"$work/of"
+    printf '| %s | %s | %s | %s | %s |\n' "$text" $(($(wc -l <"$work/of"))) "$(quantile %.1f 0.25 <"$work/of")" "$(quantile %.1f 0.5 <"$work/of")" "$(quantile %.1f 0.75 <"$work/of")"
+  done
+}
+
+# The table of laws that can replace the exact one.
+law_table() {
+  printf '| `shear` | 10 %% | 1 %% | 0.1 %% | where it does within 1 %% |\n| --- | --- | --- | --- | --- |\n'
+  for law in none linear mindlin mindlin_scaled randall randall_literal; do
+    awk -F '\t' -v law="$law" '
+      $1 == law { n[$2]++; good[$2] += $3; if ($2 == "1 %" && $3 && !(($4) in seen)) { seen[$4] = 1; list = list (list == "" ? "" : ", ") "`" $4 "`" } }
+      function of(t) { return n[t] ? good[t] + 0 " of " n[t] : "–" }
+      END { if (n["10 %"] + n["1 %"] + n["0.1 %"]) printf "| `%s` | %s | %s | %s | %s |\n", law, of("10 %"), of("1 %"), of("0.1 %"), list == "" ? "–" : list }' "$work/laws"
+  done
+}
+
+quantities=$(swept | cut -f 1,4 | sort -u | wc -l)
+pages=$(swept | cut -f 1 | sort -u | wc -l)
+answered() { count "\$5 == \"$1\" && \$6 == \"yes\""; }
+asked() { count "\$5 == \"$1\""; }
+coarsest=$(count '$5 == "10 %" && $6 == "yes" && $11 == "-"')
+cheaper() { share "$(count "\$5 == \"$1\" && \$6 == \"yes\" && \$13 == 1")" "$(answered "$1")"; }
+own_cost() { swept | awk -F '\t' -v t="$1" '$5 == t && $6 == "yes" && $8 > 0 { print $8 }' | quantile %.2g "$2"; }
+low_order() { share "$(awk -F '\t' -v kind="$1" '$1 == kind && $2 < 1.5 { n++ } END { print n + 0 }' "$work/orders")" "$(awk -F '\t' -v kind="$1" '$1 == kind { n++ } END { print n + 0 }' "$work/orders")"; }
+
+{
+  cat <<TEXT
+# The price of accuracy
+
+\`make trades\` writes this document ([trades.sh](trades.sh)). For each case of at most fifty particles \`nineball advise\`
+searched for the cheapest setting that keeps the error of a quantity within a tolerance. It did so for up to three quantities
+of the case, and for 10 %, 1 % and 0.1 %. [METHOD](METHOD.md#the-accuracy-of-a-step) says how the error is
+estimated, [ACCURACY](ACCURACY.md) how often such an estimate holds.
+
+- **Setting:** what \`--set\` changes on the page. \`refine=4\` divides the step by four, \`refine=0.25\` multiplies it by four.
+- **Cost:** the number of contact and particle updates over that with the page's own setting. Where two laws need nearly
+  the same number, the one that takes less time is chosen.
+- **Estimated error:** the largest one over eight moments of first touch within a step, relative to the limit of the case
+  for a small step. It covers the laws as well as the step.
+- A dash in the last column means that no cheaper setting can be run: the step is at the stability limit, or the number
+  of cycles cannot be divided.
+
+## Lessons
+
+There are $quantities quantities of $pages cases, each at one condition in the middle of the sweep.
+
+**What accuracy costs.** From 10 % to 1 % the cost is multiplied by $(cost_ratios '10 %' '1 %' | quantile %.2g 0.5) in the median
+(upper quartile $(cost_ratios '10 %' '1 %' | quantile %.2g 0.75)), from 1 % to 0.1 % by $(cost_ratios '1 %' '0.1 %' | quantile %.2g 0.5)
+(upper quartile $(cost_ratios '1 %' '0.1 %' | quantile %.2g 0.75)). An error of second order would give
+$(awk 'BEGIN { printf "%.1f", sqrt(10) }') for each factor of ten, one of first order ten.
+
+**Stable is often enough for 10 %.** For $(share "$coarsest" "$(answered '10 %')") of the quantities with advice no cheaper setting than the chosen one can be run.
+
+**What the pages spend.** Within 1 % the chosen setting costs $(own_cost '1 %' 0.5) of the page's own in the median (quartiles
+$(own_cost '1 %' 0.25) and $(own_cost '1 %' 0.75)). Most pages check a theory to many digits, so they use shorter steps
+than a result of engineering accuracy needs.
+
+**Other laws.** The chosen setting has other laws than the page for $(cheaper '10 %') of the quantities within 10 %,
+$(cheaper '1 %') within 1 %, and $(cheaper '0.1 %') within 0.1 %.
+
+**Where first order bites.** The order is the slope of the estimated error against the step, over the three finest steps
+that were tried.
+
+$(order_table)
+
+An order below 1.5 has $(low_order until) of the quantities at the end of a stage that ends by \`until\`, $(low_order time)
+at a given time, $(low_order extreme) of the extreme values, and $(low_order impact) of the results of impacts.
+
+- \`until\` ends a stage after a whole cycle, up to one step late. The error is of first order if the quantity still changes there.
+- At a given time the same is true of the first touch. It happens within a step, and the quantity is as late as the touch.
+- A largest value is sampled once per step. It is flat there, so the sampling costs second order only.
+- Results of an impact do not depend on the moment at which it ends, because the particles fly freely then.
+
+**Where the exact law is needed.** On cases with \`shear mindlin_deresiewicz\`, the number of quantities for which another law,
+at a cost no higher, gives the same limit within the tolerance:
+
+$(law_table)
+
+A law is counted where the reference of the case covers it. The exact law costs as many updates as the others; an update takes more
+time ([contact-ladder](../cases/4-oblique/contact-ladder.md), [COST](COST.md)).
+
+## The seven named cases
+
+Each figure shows the estimated error against the cost, one curve for each set of laws. The ring is the advice, and the
+dashed line the tolerance.
+TEXT
+  named | while read -r line; do section "$line"; done
+  printf '\n## All cases\n'
+  swept | cut -d / -f 2 | sort -u | while read -r chapter; do
+    printf '\n### %s\n\n' "$(sed -n '1s/^# //p' "cases/$chapter/README.md")"
+    swept | grep "^cases/$chapter/" | table 1
+  done
+} >"$work/document"
+cp "$work/document" "$folder/TRADES.md"

@@ -1,0 +1,62 @@
+#!/bin/sh
+# Tests docs/trades.sh, which writes docs/TRADES.md: on two pages every row of its tables is what `nineball advise` prints. TAP. $NINEBALL
+# is the program, $srcdir the top of the source tree.
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+
+. "${srcdir:-.}/tests/tap"
+
+NINEBALL=$nineball OMP_NUM_THREADS=1 sh docs/trades.sh -o "$work/made" cases/1-two-discs/two-wall-compression.md cases/5-numerics/order.md >"$why" 2>&1
+result $? 'the document of two pages'
+
+# The rows of all cases: PAGE|CONDITION|QUANTITY|TOLERANCE|SETTING|COST|ERROR|NEXT|RATIO, one line for each tolerance. The error is that of the last
+# tolerance of a row; NEXT and RATIO are of the last one, too.
+sed -n '/^## All cases/,$p' "$work/made/TRADES.md" | awk -F ' *[|] *' '
+  /^\| (case|---)/ || !/^\|/ { next }
+  {
+    if ($2 != "") { page = $2; sub(/^[^(]*\(\.\.\//, "", page); sub(/\).*/, "", page); condition = $2; sub(/^[^)]*\)(, )?/, "", condition) }
+    if ($3 != "") measure = $3
+    gsub(/`/, ""); gsub(/`/, "", measure)
+    next_one = $8; ratio = $8; sub(/:.*/, "", next_one); sub(/.*: /, "", ratio)
+    m = split($4, tolerance, /, /)
+    for (k = 1; k <= m; k++) print page "|" condition "|" measure "|" tolerance[k] "|" $5 "|" $6 "|" (k == m ? $7 : "-") "|" (k == m ? next_one : "-") "|" ratio
+  }' >"$work/table"
+cp "$work/table" "$why"
+test "$(wc -l <"$work/table")" -eq 18 && test "$(cut -d '|' -f 1,3 "$work/table" | sort -u | wc -l)" -eq 6
+result $? 'three quantities of each page with three tolerances each'
+
+while IFS='|' read -r page condition measure tolerance setting cost error next ratio; do
+  set --
+  for one in $(echo "$condition" | sed 's/, / /g'); do set -- "$@" --set "$one"; done
+  "$nineball" advise "$page" "$@" --quantity "$measure" --within "$tolerance" --trust -o "$work/advice" >"$work/answer" 2>/dev/null
+  options=$(sed -n 's/.*within the tolerance: --set //p' "$work/answer")
+  test "$options" = "$setting" || echo "$measure within $tolerance: $options, the table has $setting"
+  percent=$(sed -n 's/^  cost: .*, \([^ ]*\) % of the .*/\1/p' "$work/answer")
+  awk -v cost="$cost" -v percent="$percent" 'BEGIN { d = percent/(100*cost) - 1; exit !(percent > 0 && d*d < 0.03^2) }' ||
+    echo "$measure within $tolerance: another cost than $cost: $(grep '^  cost' "$work/answer")"
+  test "$error" = - || grep -qF "estimated error: at most $error; " "$work/answer" || echo "$measure within $tolerance: another error than $error"
+  case $next in
+  -) ;;
+  –) ! grep -q 'next cheaper' "$work/answer" || echo "$measure within $tolerance: there is a cheaper setting" ;;
+  *)
+    grep -A 1 "next cheaper one misses the tolerance: --set $next\$" "$work/answer" | awk -v ratio="$ratio" -v tolerance="${tolerance% %}" '
+      / estimated error: / { d = $3/(ratio*tolerance) - 1; found = d*d < 0.1^2 } END { exit !found }' ||
+      echo "$measure within $tolerance: the next cheaper setting is not $next with $ratio times the tolerance"
+    ;;
+  esac
+done <"$work/table" >"$why"
+test ! -s "$why"
+result $? 'every row is what the program advises'
+
+# The lessons: the numbers of the table give the same quotient of costs.
+sed -n 's/.*from 1 % to 0.1 % by \([0-9.]*\).*/\1/p' "$work/made/TRADES.md" >"$work/stated"
+awk -F '|' '{ c[$1 $3, $4] = $6; q[$1 $3] = 1 } END { for (k in q) print c[k, "0.1 %"]/c[k, "1 %"] }' "$work/table" | sort -g | awk '{ v[NR] = $1 } END { print v[4] }' >"$why"
+awk 'NR == FNR { stated = $1; next } { d = stated/$1 - 1; exit !(stated > 1 && d*d < 0.1^2) }' "$work/stated" "$why"
+result $? 'the median of the quotients of costs'
+grep -q '^| value at a given time or cycle | [1-9]' "$work/made/TRADES.md" && ! grep -q "^| .mindlin" "$work/made/TRADES.md"
+result $? 'the tables of orders and of laws'
+if command -v gnuplot >/dev/null; then
+  test -s "$work/made/trades/two-wall-compression.svg" && grep -qF '](trades/two-wall-compression.svg)' "$work/made/TRADES.md"
+  result $? 'the figure of a named case'
+fi
+echo "1..$n"
