@@ -104,7 +104,7 @@ struct nb_plan {
   bool elastic;      /* the normal law is for elastic spheres */
   bool has_friction; /* some material pair has a shear law now */
   bool rotates;      /* in this stage some particle rotates, or may begin to */
-  int dashpots;      /* enum nb_dashpot_kind of pass/pass.h; 0: no contact damping */
+  unsigned dashpots; /* enum nb_dashpot_kind of pass/pass.h; 0: no contact damping */
 };
 
 /* Stiffnesses of a contact, N/m, and dashpot coefficients, N s/m. */

@@ -78,9 +78,9 @@ struct task {
   const struct nb_affine *affine;      /* NULL: no affine motion */
   bool along;                          /* all particles move affinely */
   bool cell;                           /* so does the cell */
-  bool rotates;
-  double time, step;   /* duration of the kick and of the drift, s */
-  double travel_limit; /* displacement since the last search that requires a new one, m */
+  bool rotates;                        /* some particle */
+  double time, step;                   /* duration of the kick and of the drift, s */
+  double travel_limit;                 /* displacement since the last search that requires a new one, m */
 };
 
 /* Subtracts c of the last step from the velocities, which leaves v, and computes c of the next step. With `accumulated`

@@ -1,4 +1,7 @@
-/* The plan: the passes that the contacts of each material pair need, and no others.
+/* The plan: the passes that the contacts of each material pair need in a stage, and no others.
+ *
+ * The forces at the beginning of a stage are those of the stage before. A stage that needs another plan makes it in its
+ * first cycle, between the motion and the forces (stage.c).
  *
  * A frictionless contact has no tangential increment and no shear force. A contact without dashpots has no normal
  * increment, unless its law needs it. A field that nothing reads later is not kept. `nineball explain` prints the plan.
@@ -127,5 +130,5 @@ bool nb_plan_is_current(const struct nb_model *model) {
   for (size_t p = 0; p < model->material_pair_count; p++)
     if (!none && has_friction(&model->material_pairs[p]) != (model->material_pairs[p].shear != NULL))
       return false;
-  return model->plan.dashpots == (int)dashpot_kind(&model->damping);
+  return model->plan.dashpots == dashpot_kind(&model->damping);
 }

@@ -8,8 +8,7 @@
 
 /* plan.c: the passes of each material pair, and the fields that are kept */
 enum nb_status nb_plan(struct nb_model *model, struct nb_error *error);
-bool nb_plan_is_current(
-    const struct nb_model *model); /* false: the stage has other dashpots, or a pair has gained or lost its friction */
+bool nb_plan_is_current(const struct nb_model *model); /* false: the stage has other dashpots or friction */
 
 /* hooks.c: call again after any change that hooks depend on */
 void nb_hooks_plan(struct nb_model *model);
