@@ -56,6 +56,7 @@ bool nb_stability_create(struct nb_model *model) {
 
 /* A stage may have changed properties and laws since the last force calculation. */
 static void update_next_properties(const struct nb_model *model) {
+  model->stability->damped = nb_damping_contact_line(&model->damping) > 0;
   const struct nb_law *shear = strcmp(model->next_laws.shear->name, "none") == 0 ? NULL : model->next_laws.shear;
   for (size_t p = 0; p < model->material_pair_count; p++) {
     struct nb_material_pair *material_pair = &model->material_pairs[p];
@@ -76,7 +77,7 @@ static struct nb_coefficients coefficients_at(const struct nb_model *model,
   struct nb_coefficients k = {.kn = nb_normal_max_stiffness(normal)};
   if (material_pair->next_shear)
     k.ks = material_pair->next_shear->shear(values, normal, 0, shear_history).stiffness;
-  if (!nb_damping_contact_line(&model->damping)) /* the plan may still be that of the last forces */
+  if (!model->stability->damped)
     return k;
   const struct nb_dashpot dashpot = deep ? (struct nb_dashpot){.ratio = 2} : nb_dashpot(model, material_pair->wall);
   const double mass = inverse_mass > 0 ? 1 / inverse_mass : 0;

@@ -12,6 +12,7 @@ struct nb_stability {
   int step_line;                 /* line of the statement that has set the step; -1: none yet */
   double stable_step;            /* guaranteed stable step at the beginning of this stage, s */
   bool allow_unstable;           /* no check in this stage */
+  bool damped;                   /* contacts have dashpots at the next force calculation */
   unsigned long checks;          /* number of checks so far */
   struct nb_particle_sums *sums; /* workspace of stable_step.c, per slot */
 };

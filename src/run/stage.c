@@ -254,28 +254,34 @@ static enum nb_status plan_again(struct nb_model *model, struct nb_error *error)
   return nb_neighbours_search(model, error);
 }
 
+/* Sets properties and laws; true: the contacts need another plan. */
+static bool change_properties(struct nb_model *model, double fraction) {
+  const bool laws = nb_laws_normal_changes(model) || nb_laws_shear_changes(model);
+  if (model->stage->change_count > 0 || laws) {
+    interpolate_properties(model, fraction);
+    for (size_t p = 0; p < model->material_pair_count; p++)
+      model->material_pairs[p].values =
+          nb_properties_pair(&model->properties, model->material_pairs[p].a, model->material_pairs[p].b);
+    nb_laws_change(model);
+  }
+  return laws || ((model->stage_cycle == 1 || model->stage->change_count > 0) && !nb_plan_is_current(model));
+}
+
 enum nb_status nb_stage_change(struct nb_model *model, struct nb_error *error) {
   const struct nb_stage *stage = model->stage;
   const double fraction = (double)model->stage_cycle / (double)stage->cycles;
+  const bool begins = model->stage_cycle == 1;
   bool ramps = stage->gravity.ramp;
   if (stage->gravity.line)
     interpolate_gravity(model, stage->gravity.ramp ? fraction : 1);
   for (size_t k = 0; k < stage->change_count; k++)
     ramps = ramps || stage->changes[k].ramp;
   model->changes->changing = ramps && fraction < 1;
-  const bool laws_change = nb_laws_normal_changes(model) || nb_laws_shear_changes(model);
-  if (nb_affine_ends(model))
+  if (begins && nb_affine_ends(model))
     nb_affine_step(model);
-  if (stage->change_count == 0 && !laws_change && nb_plan_is_current(model)) {
+  const bool plan = change_properties(model, fraction);
+  const enum nb_status status = plan ? plan_again(model, error) : NB_OK;
+  if (plan || begins || !model->changes->changing)
     nb_hooks_plan(model);
-    return NB_OK;
-  }
-  interpolate_properties(model, fraction);
-  for (size_t p = 0; p < model->material_pair_count; p++)
-    model->material_pairs[p].values =
-        nb_properties_pair(&model->properties, model->material_pairs[p].a, model->material_pairs[p].b);
-  nb_laws_change(model);
-  const enum nb_status status = laws_change || !nb_plan_is_current(model) ? plan_again(model, error) : NB_OK;
-  nb_hooks_plan(model);
   return status;
 }

@@ -107,7 +107,7 @@ later-dashpots | base | | frame discs still | | | | stage later; damping stiffne
 later-mass | base | | frame discs still | | | | stage later; damping mass 1 1/s; cycles 1 | `damping mass`
 later-gravity | base | | frame discs still | | | | stage later; gravity 0 m/s2 -9.81 m/s2; cycles 1 | `gravity`
 later-affine | base | | frame discs still | | | | stage later; affine strain -1e-9 per cycle -1e-9 per cycle; cycles 1 | `affine strain`
-later-boundary | base | | frame discs still | | | | stage later; boundary circle $M $M radius $R; boundary strain -1e-9 per cycle -1e-9 per cycle; cycles 1 | `boundary strain`
+later-boundary | base | | frame discs still | | | | stage later; boundary circle $M 1.3 mm radius $R; boundary strain -1e-9 per cycle -1e-9 per cycle; cycles 1 | `boundary strain`
 later-remove | base | | frame discs still | | | | stage later; remove disc 1; cycles 1 | `remove`
 later-ramp | base | | frame discs still | | | | stage later; ramp material m kn 20 MN/m; cycles 1 | `ramp material`
 later-ratio | base | | frame discs still | | | | stage later; damping ratio 0.01; cycles 1 | `damping ratio`
@@ -142,6 +142,7 @@ mindlin_deresiewicz : laws/shear_mindlin_deresiewicz.c laws/corners.h laws/law_s
 elastic : pass/deep.c
 elastic search : core/deep.c
 dashpots : pass/dashpots.c core/damping.c
+dashpots stability search elastic : core/damping.c:nb_damping_contact_line
 gravity : core/motion.c:add_weight
 central : core/motion.c:add_central core/motion.h:nb_central_force
 changes : run/stage.c
