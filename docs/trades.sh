@@ -6,7 +6,7 @@
 #
 #   NINEBALL   the program                    BUDGET   seconds for each search, 60
 #   RESULTS    folder of the results of the searches; a second call with the same program continues there. Default: a temporary one
-#   ASSEMBLIES seconds for each search on an assembly, 1800; 0: none
+#   ASSEMBLIES seconds for each search on an assembly; 0, the default: none
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 set -eu
@@ -29,8 +29,10 @@ trap 'exit 1' HUP INT TERM
 results=${RESULTS:-$work/results}
 mkdir -p "$results" "$folder/trades"
 results=$(cd "$results" && pwd)
+NINEBALL_STATES=${NINEBALL_STATES:-$results/states} # of pages that start from another one
+export NINEBALL_STATES
 cd "$(dirname "$0")/.."
-budget=${BUDGET:-60} assemblies=${ASSEMBLIES:-1800}
+budget=${BUDGET:-60} assemblies=${ASSEMBLIES:-0}
 cksum <"$nineball" >"$work/program"
 cmp -s "$work/program" "$results/program" || rm -rf "$results"/*
 cp "$work/program" "$results/program"
@@ -53,17 +55,22 @@ NAMED
 seen() {
   case $1 in
   two-wall-compression)
-    echo 'The walls move with a constant speed, and the springs are linear. The force after a given time has an error only because the first force acts one step late, and each velocity half a step. Halving the step halves this error or better, and the stability limit is far away.' ;;
+    echo 'The walls move with a constant speed, and the springs are linear. The error of the force is of second order: twice the updates
+leave a quarter of it. The velocity `X.vx.half` is that of half a step before, so its error is of first order and costs much more.' ;;
   mindlin-loops)
-    echo 'The exact law has no error at any number of steps. Only the work does, because it is the sum of mean force times slip over straight pieces of a curve. So few steps are enough for the forces, and many for the energy.' ;;
+    echo 'The exact law gives the same force with any number of steps. Only the work has an error, because it is the sum of mean force times slip, so
+each curve is replaced by straight pieces. That error is of second order.' ;;
   hertz-impact)
-    echo 'The force is smooth apart from its two ends, where it vanishes with a zero slope of the stiffness. So the error is nearly of second order, and some twenty steps per collision give a useful duration.' ;;
+    echo 'The force and its derivative vanish at both ends of the contact. So neither the first touch within a step nor the end of the contact costs
+first order, and the figure shows second order.' ;;
   oblique-impact)
-    echo 'The rebound is governed by the history of micro-slip. Laws without it do not converge to the limit of the exact law, however short the step is: their curves in the figure are absent or level off.' ;;
+    echo 'The tangential velocity `impact.psi2` follows from the history of micro-slip. No other law has the same limit within these tolerances over
+the whole sweep, so the figure has one curve. Restitution and duration depend less on the shear force.' ;;
   restitution-angle)
-    echo 'Restitution compares speeds, and the normal part of the speed hides most of what the shear force does. A coarse step and simpler laws are therefore enough for a tolerance at which the rebound angle needs the exact law.' ;;
+    echo 'Restitution compares speeds, and the shear force changes only a part of them. Within 1 % a law without micro-slip is enough at every angle,
+but not within 0.1 %.' ;;
   *)
-    echo 'The motion of an assembly is chaotic, so only the mean over realizations can be promised. The scatter of eight realizations decides whether a tolerance can be claimed.' ;;
+    echo 'The motion of an assembly is chaotic, so only a mean over realizations has a limit. One search runs eight realizations with several steps.' ;;
   esac
 }
 field() { echo "$1" | cut -d '|' -f "$2" | sed 's/^ *//; s/ *$//'; }
@@ -142,12 +149,13 @@ advise() {
 search() {
   if advise "$1" "$2.10" '10 %' "$5" "$3" '' "$budget" "$4"; then
     if advise "$1" "$2.1" '1 %' "$5" "$3" '' "$budget" "$4"; then advise "$1" "$2.01" '0.1 %' "$5" "$3" '' "$budget" "$4" || :; fi
-  elif [ "$6" ] && grep -q 'not known well enough' "$results/$2.10/said"; then
+  elif [ "${6%% *}" ] && [ "${6%% *}" != 0 ] && grep -q 'not known well enough' "$results/$2.10/said"; then
     sed '$d' "$work/list" >"$work/list-t" && mv "$work/list-t" "$work/list"
     advise "$1" "$2.own" "$6" "$5" "$3" '' "$budget" "$4" || :
   fi
 }
 
+given=" $* "
 : >"$work/list"
 for page; do
   name=$(basename "$page" .md)
@@ -162,6 +170,7 @@ for page; do
   k=0
   while IFS='|' read -r kind measure absolute; do
     k=$((k + 1))
+    case $measure in impact.psi1 | impact.angle) continue ;; esac # given by the page
     search "$page" "$name.$k" "$middle" "$kind" "$measure" "$absolute"
   done <"$work/quantities"
 done
@@ -171,7 +180,7 @@ named | while read -r line; do
   name=$(field "$line" 1)
   page=$(ls cases/*/"$name.md")
   settings=$(field "$line" 6)
-  case " $* " in *" $page "*) ;; *) continue ;; esac
+  case $given in *" $page "*) ;; *) continue ;; esac
   { field "$line" 3 && field "$line" 5 | sed 's/; */\n/g'; } | sed '/^$/d' >"$work/quantities"
   k=0
   while read -r measure; do
@@ -205,6 +214,7 @@ rows() {
     }
     function message(text) { # the first error, without the name of the page
       sub(/^.*error: /, "", text); sub(/^nineball: /, "", text); gsub(/[ \t]+/, " ", text)
+      sub(/ +$/, "", text)
       return length(text) > 90 ? substr(text, 1, 90) "…" : text
     }
     {
@@ -260,8 +270,12 @@ cost_ratios() {
     END { for (k in second) if (k in first) print second[k]/first[k] }'
 }
 
+# Those quotients that are not 1.
+decided() { awk '$1 > 1.05 || $1 < 0.95'; }
+
 # The order of each quantity: the slope of log(estimated error) against log(step) over the three finest steps with the page's own laws.
-# KIND, order, page, quantity.
+# KIND, order, page, quantity, and 1 if a velocity of half a step before or an increment enters the forces: dashpots, and laws that add
+# increments of the force.
 orders() {
   swept | awk -F '\t' '
     $6 == "yes" { folder[$1 "\t" $4] = $15; kind[$1 "\t" $4] = $3 }
@@ -274,13 +288,17 @@ orders() {
           if (n == 0 && laws == "") laws = c[1] c[2] c[12]
           if (c[1] c[2] c[12] == laws && c[8] > 1e-9) { n++; refine[n] = c[3]; claim[n] = c[8] }
         }
-        close(file); laws = ""
-        if (n >= 3) print kind[key] "\t" log(claim[n - 2]/claim[n])/log(refine[n]/refine[n - 2]) "\t" key
+        close(file)
+        late = laws ~ /increment|randall/; laws = ""
+        split(key, part, "\t")
+        while ((getline line < part[1]) > 0) if (line ~ /^ *damping /) late = 1
+        close(part[1])
+        if (n >= 3) print kind[key] "\t" log(claim[n - 2]/claim[n])/log(refine[n]/refine[n - 2]) "\t" key "\t" late
       }
     }'
 }
 
-# Which other law would do, on the quantities of the pages with the exact law: LAW, TOLERANCE, 1 or 0, quantity. A law that gives another
+# Which other law would do, on the quantities of the pages with the exact law: LAW, TOLERANCE, 1 or 0, quantity, page. A law that gives another
 # limit is left out of the search, and one whose settings all miss the tolerance does not do either. A law that gives the values of the
 # page does.
 other_laws() {
@@ -299,7 +317,7 @@ other_laws() {
         }
       }
       close(file)
-      for (law in fits) print law "\t" $5 "\t" (fits[law] > 0) "\t" $4
+      for (law in fits) print law "\t" $5 "\t" (fits[law] > 0) "\t" $4 "\t" $1
     }'
 }
 
@@ -324,7 +342,10 @@ table() {
       same = $1 == page && $4 == measure
       if (!same || $7 != last) {
         flush()
-        case_cell = $1 == page ? "" : "[" name "](../" $1 ")" ($2 == "-" ? "" : ", " $2)
+        condition = $2
+        gsub(/(^|, )[A-Za-z_0-9]+=[0-9.]*[0-9][0-9][0-9][0-9][0-9][0-9][0-9][0-9][0-9][^,]*/, "", condition) # a computed value
+        sub(/^, /, "", condition)
+        case_cell = $1 == page ? "" : "[" name "](../" $1 ")" (condition == "-" || condition == "" ? "" : ", " condition)
         measure_cell = same ? "" : code($4)
       }
       last = $7; page = $1; measure = $4
@@ -354,7 +375,7 @@ section() {
   line=$1
   name=$(field "$line" 1)
   page=$(ls cases/*/"$name.md")
-  grep -q "^$page" "$work/list" || return 0
+  case $given in *" $page "*) ;; *) return 0 ;; esac
   printf '\n### %s\n\n' "$(field "$line" 2)"
   printf '[%s](../%s), %s.\n' "$name" "$page" "$(if [ "$(field "$line" 6)" ]; then echo "$(field "$line" 6), mean over eight realizations"; else echo 'the whole sweep'; fi)"
   seen "$name"
@@ -364,7 +385,14 @@ section() {
     echo
     grep "^$page.*	named	" "$work/rows" | table 0
   else
-    printf '\nThis search was not made: it takes minutes (`ASSEMBLIES`).\n'
+    cat <<TEXT
+
+It was not made here, because it takes too long: \`nineball advise $page --set $(field "$line" 6) --over seed\`
+with \`--quantity '$(field "$line" 3)' --within '$(field "$line" 4)' --budget 3600\`.
+
+Two cases measure prices of assemblies: [preparation-price](../cases/7-assemblies/preparation-price.md) those of a faster
+preparation, and [softness-price](../cases/7-assemblies/softness-price.md) those of softer spheres and faster loading.
+TEXT
   fi
 }
 
@@ -377,13 +405,32 @@ extreme|`max`, `min`, `amplitude`
 mean|`mean`, `frequency`
 contact test|work and force of a contact test'
 
-# The table of orders.
+# The table of orders: median and quartiles, without and with dashpots or increments.
 order_table() {
-  printf '| kind of quantity | quantities | lower quartile | median | upper quartile |\n| --- | --- | --- | --- | --- |\n'
+  printf '| kind of quantity | without dashpots and increments | with them |\n| --- | --- | --- |\n'
   echo "$kinds" | while IFS='|' read -r kind text; do
-    awk -F '\t' -v kind="$kind" '$1 == kind { print $2 }' "$work/orders" >"$work/of"
-    printf '| %s | %s | %s | %s | %s |\n' "$text" $(($(wc -l <"$work/of"))) "$(quantile %.1f 0.25 <"$work/of")" "$(quantile %.1f 0.5 <"$work/of")" "$(quantile %.1f 0.75 <"$work/of")"
+    printf '| %s |' "$text"
+    for late in 0 1; do
+      awk -F '\t' -v kind="$kind" -v late=$late '$1 == kind && $5 == late { print $2 }' "$work/orders" >"$work/of"
+      n=$(($(wc -l <"$work/of")))
+      if [ $n -eq 0 ]; then printf ' – |'; else
+        printf ' %s (%s to %s; %d) |' "$(quantile %.1f 0.5 <"$work/of")" "$(quantile %.1f 0.25 <"$work/of")" "$(quantile %.1f 0.75 <"$work/of")" $n
+      fi
+    done
+    echo
   done
+}
+
+# The quantities for which no other law that was tried is enough within 1 %.
+no_other_law() {
+  awk -F '\t' '
+    $2 == "1 %" { key = $5 "\t" $4; best[key] = best[key] > $3 ? best[key] : $3 }
+    END {
+      for (key in best) if (!best[key]) {
+        split(key, part, "\t"); name = part[1]; sub(/.*\//, "", name); sub(/\.md$/, "", name)
+        print "`" part[2] "` of [" name "](../" part[1] ")"
+      }
+    }' "$work/laws" | sort | sed ':a; N; $!ba; s/\n/, /g'
 }
 
 # The table of laws that can replace the exact one.
@@ -404,7 +451,17 @@ asked() { count "\$5 == \"$1\""; }
 coarsest=$(count '$5 == "10 %" && $6 == "yes" && $11 == "-"')
 cheaper() { share "$(count "\$5 == \"$1\" && \$6 == \"yes\" && \$13 == 1")" "$(answered "$1")"; }
 own_cost() { swept | awk -F '\t' -v t="$1" '$5 == t && $6 == "yes" && $8 > 0 { print $8 }' | quantile %.2g "$2"; }
-low_order() { share "$(awk -F '\t' -v kind="$1" '$1 == kind && $2 < 1.5 { n++ } END { print n + 0 }' "$work/orders")" "$(awk -F '\t' -v kind="$1" '$1 == kind { n++ } END { print n + 0 }' "$work/orders")"; }
+# Instructions of a contact update with a law of docs/COST.md, over those with `mindlin`.
+law_cost() {
+  awk -F ' *[|] *' -v law="$1" '$2 == law { a = $6 } $2 == "mindlin" { b = $6 } END { if (b > 0) printf "%.1f\n", a/b; else print "–" }' docs/COST.md
+}
+# The reasons and how often each occurs.
+no_advice() {
+  swept | awk -F '\t' '
+    $6 == "no" { reason = $7 ~ /^(the limit|the budget|no setting)/ ? $7 : "the program refuses the page or the quantity"; n[reason]++ }
+    END { for (r in n) print n[r] " times " r }' | sort -rn | sed ':a; N; $!ba; s/\n/, /g'
+}
+low_order() { share "$(awk -F '\t' -v late="$1" '$5 == late && $2 < 1.5 { n++ } END { print n + 0 }' "$work/orders")" "$(awk -F '\t' -v late="$1" '$5 == late { n++ } END { print n + 0 }' "$work/orders")"; }
 
 {
   cat <<TEXT
@@ -427,40 +484,50 @@ estimated, [ACCURACY](ACCURACY.md) how often such an estimate holds.
 
 There are $quantities quantities of $pages cases, each at one condition in the middle of the sweep.
 
-**What accuracy costs.** From 10 % to 1 % the cost is multiplied by $(cost_ratios '10 %' '1 %' | quantile %.2g 0.5) in the median
-(upper quartile $(cost_ratios '10 %' '1 %' | quantile %.2g 0.75)), from 1 % to 0.1 % by $(cost_ratios '1 %' '0.1 %' | quantile %.2g 0.5)
-(upper quartile $(cost_ratios '1 %' '0.1 %' | quantile %.2g 0.75)). An error of second order would give
-$(awk 'BEGIN { printf "%.1f", sqrt(10) }') for each factor of ten, one of first order ten.
+**What accuracy costs.** From 10 % to 1 % the cost is multiplied by $(cost_ratios '10 %' '1 %' | quantile %.2g 0.5) in the median, with the upper
+quartile at $(cost_ratios '10 %' '1 %' | quantile %.2g 0.75). From 1 % to 0.1 % it is multiplied by $(cost_ratios '1 %' '0.1 %' | quantile %.2g 0.5), with the upper quartile at
+$(cost_ratios '1 %' '0.1 %' | quantile %.2g 0.75). An error of second order costs a factor of $(awk 'BEGIN { printf "%.1f", sqrt(10) }') for each digit, one of first order a factor of ten.
 
-**Stable is often enough for 10 %.** For $(share "$coarsest" "$(answered '10 %')") of the quantities with advice no cheaper setting than the chosen one can be run.
+Where the tolerance decides the step at all, the factors are larger. For $(share "$(cost_ratios '10 %' '1 %' | decided | wc -l)" "$(cost_ratios '10 %' '1 %' | wc -l)") of the quantities the
+cost changes from 10 % to 1 %, in the median by a factor of $(cost_ratios '10 %' '1 %' | decided | quantile %.2g 0.5). For $(share "$(cost_ratios '1 %' '0.1 %' | decided | wc -l)" "$(cost_ratios '1 %' '0.1 %' | wc -l)") it changes from 1 % to
+0.1 %, in the median by a factor of $(cost_ratios '1 %' '0.1 %' | decided | quantile %.2g 0.5).
 
-**What the pages spend.** Within 1 % the chosen setting costs $(own_cost '1 %' 0.5) of the page's own in the median (quartiles
-$(own_cost '1 %' 0.25) and $(own_cost '1 %' 0.75)). Most pages check a theory to many digits, so they use shorter steps
-than a result of engineering accuracy needs.
+**A step that can be run is often good enough for 10 %.** For $(share "$coarsest" "$(answered '10 %')") of the quantities with advice within 10 %, no cheaper
+setting than the chosen one can be run. Its step is at the stability limit, or the page has a fixed number of cycles.
 
-**Other laws.** The chosen setting has other laws than the page for $(cheaper '10 %') of the quantities within 10 %,
-$(cheaper '1 %') within 1 %, and $(cheaper '0.1 %') within 0.1 %.
+**What the pages spend.** Within 1 % the chosen setting costs $(own_cost '1 %' 0.5) of the page's own in the median, with quartiles at
+$(own_cost '1 %' 0.25) and $(own_cost '1 %' 0.75). Most pages check a theory to many digits, so their steps are shorter than an engineering
+result needs.
 
 **Where first order bites.** The order is the slope of the estimated error against the step, over the three finest steps
-that were tried.
+that were tried. The table has the median, in brackets the quartiles and the number of quantities, without dashpots and increments, and with them. Dashpots use
+the velocity of half a step before, and some laws add up increments of the force (\`hertz_increment\`, \`randall\`).
 
 $(order_table)
 
-An order below 1.5 has $(low_order until) of the quantities at the end of a stage that ends by \`until\`, $(low_order time)
-at a given time, $(low_order extreme) of the extreme values, and $(low_order impact) of the results of impacts.
+The order is below 1.5 for $(low_order 0) of the quantities without dashpots and increments, and for
+$(low_order 1) with them.
 
-- \`until\` ends a stage after a whole cycle, up to one step late. The error is of first order if the quantity still changes there.
-- At a given time the same is true of the first touch. It happens within a step, and the quantity is as late as the touch.
-- A largest value is sampled once per step. It is flat there, so the sampling costs second order only.
-- Results of an impact do not depend on the moment at which it ends, because the particles fly freely then.
+- A stage that ends by \`until\` ends after a whole cycle, up to one step late. The error is of first order if the quantity still
+  changes there.
+- A first touch happens within a step. At a given time after it the quantity is early or late by a part of a step.
+- A largest value is sampled once per step, but it is flat there. The sampling costs only second order.
+- The result of an impact does not change any more when the particles have separated, so it has the order of the forces.
 
-**Where the exact law is needed.** On cases with \`shear mindlin_deresiewicz\`, the number of quantities for which another law,
-at a cost no higher, gives the same limit within the tolerance:
+**Where the exact law is needed.** On cases with \`shear mindlin_deresiewicz\`, the table has the number of quantities for which
+another law gives the same limit within the tolerance, at no more updates. It counts a law only where the reference of the case covers it.
+Each quantity is taken at one condition. Over a whole sweep of angles fewer laws are enough
+([below](#maws-oblique-impact)).
 
 $(law_table)
 
-A law is counted where the reference of the case covers it. The exact law costs as many updates as the others; an update takes more
-time ([contact-ladder](../cases/4-oblique/contact-ladder.md), [COST](COST.md)).
+No other law is enough within 1 % for: $(no_other_law).
+
+The chosen setting has other laws than the page for $(cheaper '10 %') of all quantities within 10 %, for
+$(cheaper '1 %') within 1 %, and for $(cheaper '0.1 %') within 0.1 %. Of laws with equal numbers of updates the fastest one is chosen. An update with the
+exact law takes $(law_cost exact) times the instructions of one with \`mindlin\`, and an update with \`randall\` $(law_cost randall) times ([COST](COST.md)).
+
+**No advice.** $(swept | awk -F '\t' '$6 == "no"' | wc -l) searches ended without advice: $(no_advice).
 
 ## The seven named cases
 
