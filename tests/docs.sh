@@ -2,10 +2,11 @@
 # Tests the documents: every link leads to a file or heading, and every command ends with the exit status that the text
 # says. TAP. $NINEBALL is the program, $srcdir the top of the source tree.
 #
-# A command must end with status 0, or with the one its comment names: `nineball check mine.md  # exit status 1`. The
-# commands of one document run one after the other, in a folder of their own with cases/ and plots/. Commands that
-# install, configure or build are not run here: the targets of setup and make must exist, and the files of other
-# programs. A page whose comment says that it takes minutes is explained instead of run; make check-long runs it.
+# A command must end with status 0, or with the one its comment names: `nineball check mine.md  # exit status 1`. Its
+# output has the lines of the next block ```text output. The commands of one document run one after the other, in a
+# folder of their own with cases/ and plots/. Commands that install, configure or build are not run here: the targets of
+# setup and make must exist, and the files of other programs. A page whose comment says that it takes minutes is explained
+# instead of run; make check-long runs it.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
@@ -126,6 +127,10 @@ for document in $documents; do
     name=$(echo "$document:$line: $command" | sed 's/ *#.*//')
     case $command in *'# takes '*minute*) command=$(echo "$command" | sed 's/nineball [a-z]* /nineball explain /') ;; esac
     case $command in
+    '>'*)
+      grep -qF -e "${command#>}" "$work/said"
+      result $? "$document:$line: a line of the output of the command above"
+      ;;
     ./setup* | make* | ./autogen.sh* | *configure* | apt* | git* | .ci/* | bash* | sh\ * | docs/*)
       exists "$(echo "$command" | sed 's/ #.*//')"
       result $? "$name"

@@ -1,7 +1,8 @@
 # Extracts commands and files from the fenced blocks of a Markdown file.
 #
 #   awk -f fences.awk FILE                 prints the commands, one per line, after their line number and a tab: lines of blocks
-#                                          ```sh, and lines indented by four that call nineball or setup
+#                                          ```sh, and lines indented by four that call nineball or setup; and the lines of
+#                                          blocks ```text output, after `>`
 #   awk -v into=FOLDER -f fences.awk FILE  writes the files: blocks ```LANGUAGE NAME to FOLDER/NAME; prints the lines of blocks
 #                                          ```LANGUAGE FILE LIST as `FILE LIST LINE`
 #
@@ -44,4 +45,5 @@ inside && language == "sh" && /\\$/ {
   next
 }
 inside && language == "sh" { command($0) }
+inside && language == "text" && name == "output" && !into { print FNR "\t>" $0 }
 !inside && /^    (nineball|build\/nineball|\.\/setup) / { command($0) }
