@@ -257,15 +257,15 @@ rows >"$work/rows"
 
 # The quantile ($2) of the numbers of standard input, as $1 prints it.
 quantile() { sort -g | awk -v format="$1" -v q="$2" '{ v[NR] = $1 } END { if (NR == 0) print "–"; else printf format "\n", v[int(q*(NR - 1) + 1.5)] }'; }
-# The rows of single conditions, for the lessons.
+# The rows of single conditions; those of them whose error depends on the setting, for the lessons; how many satisfy a condition of awk.
 swept() { awk -F '\t' '$3 != "named"' "$work/rows"; }
-# swept_with KEYS…: how many rows satisfy the condition of awk.
-count() { swept | awk -F '\t' "$1"' { n++ } END { print n + 0 }'; }
+lessons() { swept | awk -F '\t' '{ row[NR] = $0; key[NR] = $1 $4; if ($6 == "yes" && $9 < 1e-9) exact[$1 $4] = 1 } END { for (k = 1; k <= NR; k++) if (!(key[k] in exact)) print row[k] }'; }
+count() { lessons | awk -F '\t' "$1"' { n++ } END { print n + 0 }'; }
 share() { awk -v a="$1" -v b="$2" 'BEGIN { if (b > 0) printf "%d of %d (%.0f %%)\n", a, b, 100*a/b; else print "none" }'; }
 
 # Cost at the tolerance $2 over that at the tolerance $1, of each quantity that has both.
 cost_ratios() {
-  swept | awk -F '\t' -v a="$1" -v b="$2" '
+  lessons | awk -F '\t' -v a="$1" -v b="$2" '
     $6 == "yes" && $8 > 0 { if ($5 == a) first[$1, $4] = $8; if ($5 == b) second[$1, $4] = $8 }
     END { for (k in second) if (k in first) print second[k]/first[k] }'
 }
@@ -277,7 +277,7 @@ decided() { awk '$1 > 1.05 || $1 < 0.95'; }
 # KIND, order, page, quantity, and 1 if a velocity of half a step before or an increment enters the forces: dashpots, and laws that add
 # increments of the force.
 orders() {
-  swept | awk -F '\t' '
+  lessons | awk -F '\t' '
     $6 == "yes" { folder[$1 "\t" $4] = $15; kind[$1 "\t" $4] = $3 }
     END {
       for (key in folder) {
@@ -302,7 +302,7 @@ orders() {
 # limit is left out of the search, and one whose settings all miss the tolerance does not do either. A law that gives the values of the
 # page does.
 other_laws() {
-  swept | awk -F '\t' '
+  lessons | awk -F '\t' '
     $6 == "yes" && $14 == "mindlin_deresiewicz" {
       file = $15 "/advice.tsv"; normal = ""; split("", fits)
       while ((getline line < file) > 0) {
@@ -444,20 +444,20 @@ law_table() {
   done
 }
 
-quantities=$(swept | cut -f 1,4 | sort -u | wc -l)
-pages=$(swept | cut -f 1 | sort -u | wc -l)
+quantities=$(lessons | cut -f 1,4 | sort -u | wc -l)
+pages=$(lessons | cut -f 1 | sort -u | wc -l)
 answered() { count "\$5 == \"$1\" && \$6 == \"yes\""; }
 asked() { count "\$5 == \"$1\""; }
 coarsest=$(count '$5 == "10 %" && $6 == "yes" && $11 == "-"')
 cheaper() { share "$(count "\$5 == \"$1\" && \$6 == \"yes\" && \$13 == 1")" "$(answered "$1")"; }
-own_cost() { swept | awk -F '\t' -v t="$1" '$5 == t && $6 == "yes" && $8 > 0 { print $8 }' | quantile %.2g "$2"; }
+own_cost() { lessons | awk -F '\t' -v t="$1" '$5 == t && $6 == "yes" && $8 > 0 { print $8 }' | quantile %.2g "$2"; }
 # Instructions of a contact update with a law of docs/COST.md, over those with `mindlin`.
 law_cost() {
   awk -F ' *[|] *' -v law="$1" '$2 == law { a = $6 } $2 == "mindlin" { b = $6 } END { if (b > 0) printf "%.1f\n", a/b; else print "–" }' docs/COST.md
 }
 # The reasons and how often each occurs.
 no_advice() {
-  swept | awk -F '\t' '
+  lessons | awk -F '\t' '
     $6 == "no" { reason = $7 ~ /^(the limit|the budget|no setting)/ ? $7 : "the program refuses the page or the quantity"; n[reason]++ }
     END { for (r in n) print n[r] " times " r }' | sort -rn | sed ':a; N; $!ba; s/\n/, /g'
 }
@@ -482,7 +482,8 @@ estimated, [ACCURACY](ACCURACY.md) how often such an estimate holds.
 
 ## Lessons
 
-There are $quantities quantities of $pages cases, each at one condition in the middle of the sweep.
+There are $quantities quantities of $pages cases, each at one condition in the middle of the sweep. Left out are
+$(share $(($(swept | cut -f 1,4 | sort -u | wc -l) - quantities)) "$(swept | cut -f 1,4 | sort -u | wc -l)") quantities that the step does not change, such as those of time 0.
 
 **What accuracy costs.** From 10 % to 1 % the cost is multiplied by $(cost_ratios '10 %' '1 %' | quantile %.2g 0.5) in the median, with the upper
 quartile at $(cost_ratios '10 %' '1 %' | quantile %.2g 0.75). From 1 % to 0.1 % it is multiplied by $(cost_ratios '1 %' '0.1 %' | quantile %.2g 0.5), with the upper quartile at
@@ -516,8 +517,8 @@ $(low_order 1) with them.
 
 **Where the exact law is needed.** On cases with \`shear mindlin_deresiewicz\`, the table has the number of quantities for which
 another law gives the same limit within the tolerance, at no more updates. It counts a law only where the reference of the case covers it.
-Each quantity is taken at one condition. Over a whole sweep of angles fewer laws are enough
-([below](#maws-oblique-impact)).
+Each quantity is taken at one condition. If the contact slides during the whole impact, every law with friction gives the same
+result. Over a whole sweep of angles fewer laws are enough ([below](#maws-oblique-impact)).
 
 $(law_table)
 
@@ -527,7 +528,7 @@ The chosen setting has other laws than the page for $(cheaper '10 %') of all qua
 $(cheaper '1 %') within 1 %, and for $(cheaper '0.1 %') within 0.1 %. Of laws with equal numbers of updates the fastest one is chosen. An update with the
 exact law takes $(law_cost exact) times the instructions of one with \`mindlin\`, and an update with \`randall\` $(law_cost randall) times ([COST](COST.md)).
 
-**No advice.** $(swept | awk -F '\t' '$6 == "no"' | wc -l) searches ended without advice: $(no_advice).
+**No advice.** $(lessons | awk -F '\t' '$6 == "no"' | wc -l) searches ended without advice: $(no_advice).
 
 ## The seven named cases
 
