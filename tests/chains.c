@@ -168,6 +168,15 @@ static void not_these(void) {
   written_free(&it);
 }
 
+/* A fixed disc in the middle of a row has the stress of the others, and still separates two chains. */
+static void fixed_between(void) {
+  struct words page = begin();
+  for (int k = 0; k < 7; k++)
+    words_add(&page, "disc 0 %.17g radius 1 m%s\n", 1.99 * k, k == 3 ? " fixed" : "");
+  words_add(&page, "wall s -1 -0.99 to 1 -0.99 m\nwall n -1 12.93 to 1 12.93 m\ndisc 40 0 radius 1 m\n");
+  is(&page, 2, 3, 6 / 7., 0);
+}
+
 void suite_chains(void) {
   CU_pSuite suite = CU_add_suite("chains", NULL, NULL);
   CU_add_test(suite, "a row is straight, two particles are no chain", rows);
@@ -178,4 +187,5 @@ void suite_chains(void) {
   CU_add_test(suite, "shear forces count", shear_counts);
   CU_add_test(suite, "stress per volume of spheres and discs", volumes_count);
   CU_add_test(suite, "fixed particles and particles outside are in no chain", not_these);
+  CU_add_test(suite, "a fixed particle separates two chains", fixed_between);
 }

@@ -1,5 +1,6 @@
 /* The criterion for a new search: a particle, or the end of a wall, is farther than half the skin from its place at
- * the last search. Hundreds of distances within 1/2000 of this limit.
+ * the last search. Hundreds of distances within 1/2000 of this limit. The strain of a periodic cell shortens this
+ * distance.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -7,6 +8,7 @@
 
 #include "../src/core/model.h"
 #include "chance.h"
+#include "run/plan.h"
 #include "suites.h"
 #include "written.h"
 
@@ -74,8 +76,53 @@ static void walls(void) {
   written_free(&it);
 }
 
+/* A cell with the largest radius R and the skin s that is strained by F leaves (s - |F| (2 R + s))/2 for the particles.
+ * Each component of F alone; with the same rate of xy and yx |F| is that of both. */
+static void cells(void) {
+  static const struct {
+    const char *strain;
+    double xx, xy, yx, yy; /* 1/s */
+  } cases[] = {{"-0.02 0", -0.02, 0, 0, 0},
+               {"0 0.02", 0, 0, 0, 0.02},
+               {"0 0 c12 0.02", 0, 0.02, 0, 0},
+               {"0 0 c12 -0.02", 0, -0.02, 0, 0},
+               {"0 0 c21 0.02", 0, 0, 0.02, 0},
+               {"0 0 shear 0.02", 0, 0.02, 0.02, 0},
+               {"0.01 -0.02 c12 0.03 c21 -0.015", 0.01, 0.03, -0.015, -0.02}};
+  const double largest = 0.75, skin = 0.5, dt = 0.01;
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 1\nskin 0.5\nstep 0.01\ncell 0 0 to 9 9\n"
+              "disc 1 1 radius 0.5 m\ndisc 5 5 radius 0.75 m\nstage s\ncell strain %s\ncycles 1\n",
+              cases[k].strain);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+    CU_ASSERT_EQUAL(model->cell->travel_limit, skin / 2);
+    const unsigned long searches = model->search.count;
+    double xx = 1, xy = 0, yx = 0, yy = 1; /* the deformation since the search */
+    int cycles = 0;
+    for (double left = skin; left > 0 && cycles < 2000; cycles++) {
+      const double a = cases[k].xx * dt, b = cases[k].xy * dt, c = cases[k].yx * dt, d = cases[k].yy * dt;
+      const double one = xx + a * xx + b * yx, two = xy + a * xy + b * yy, three = yx + c * xx + d * yx;
+      yy += c * xy + d * yy, xx = one, xy = two, yx = three;
+      left = skin - sqrt((xx - 1) * (xx - 1) + xy * xy + yx * yx + (yy - 1) * (yy - 1)) * (2 * largest + skin);
+      written_cycles(model, 1);
+      CU_ASSERT_DOUBLE_EQUAL(model->cell->travel_limit, left > 0 ? left / 2 : skin / 2, 1e-13); /* 0: a new search */
+      CU_ASSERT_EQUAL(model->search.count - searches, left <= 0);
+    }
+    CU_ASSERT(cycles > 500 && cycles < 1500);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 void suite_reach(void) {
   CU_pSuite suite = CU_add_suite("reach", NULL, NULL);
   CU_add_test(suite, "particles", particles);
   CU_add_test(suite, "walls", walls);
+  CU_add_test(suite, "strains of a periodic cell", cells);
 }

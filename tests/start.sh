@@ -250,6 +250,35 @@ result $? 'one of several names that go together selects the values of the other
 run turns "$pages/turns.md" --set v=0.5 --set x=7 --set n=4 && test "$(tail -n 1 "$work/turns/table.tsv")" = '7	0.5	4	go	7.25'
 result $? 'a value that is not in the sweep replaces only its own name'
 
+# Settings belong to a state: those of pages with no, one and two settings stay beside each other.
+cat >"$pages/counted.md" <<'END'
+# Two values
+```scene
+units     none
+let       n = 3
+let       v = 2
+material  m density 3 kn 100
+disc      0 0 radius 1 m velocity $v 0
+step      0.125
+stage     go
+  cycles  $n
+```
+END
+# from FILE SETTINGS: writes a page that starts from it.
+from() { printf '# From\n```scene\nstart counted stage go %s\nmonitor D disc 1\nrecord cycle D.vx\nstage more\n  cycles 1\n```\n' "$2" >"$pages/$1.md"; }
+from with-1 ''
+from with-2 'with n=5'
+from with-3 'with n=5 with v=7'
+settings_stay() {
+  said=
+  for k in 1 2 3 2 1; do
+    run "with-$k" "$pages/with-$k.md" && said="$said $(made) $(tail -n 1 "$work/with-$k/table.tsv" | cut -f 2,3 | tr '\t' :)" || return 1
+  done
+  test "$said" = ' 1 4:2 1 6:2 1 6:7 0 6:2 0 4:2' && test "$(ls "$states" | grep -c '^counted-go-')" -eq 3
+}
+settings_stay
+result $? 'states with other settings are not out of date'
+
 # A state that takes some time to compute.
 sed 's/^cycles    40$/cycles    800000/; s/inward 0.12/inward 1e-5/; s/^record .*/record time/; s/^stage     load/&\nrecord none/' cases/3-nine-discs/nine-discs.md >"$pages/nine-discs.md"
 sed 's/^cycles    4000/cycles    10/; /^```expect/,/^```$/d' cases/5-numerics/saved-stage.md >"$pages/saved-stage.md"
