@@ -75,7 +75,10 @@ static void values(void) {
       {"2 - +3", -1, 0, 0, 0},
       {"--2", 2, 0, 0, 0},
       {"-2 m + 3 m", 1, 60, 0, 0},
-      {"2 m^2", 4, 120, 0, 0}, /* a unit binds before a power */
+      {"2 m^2", 4, 120, 0, 0},     /* a unit binds before a power */
+      {"(1 m)^99", 1, 5940, 0, 0}, /* the largest powers */
+      {"(1 kg)^-99", 1, 0, -5940, 0},
+      {"(1 s)^99", 1, 0, 0, 5940},
       {"2 * 3 m", 6, 60, 0, 0},
       {"6 m / 2 s", 3, 60, 0, -60},
       /* from left to right, and powers from right to left */
@@ -203,6 +206,8 @@ static void mistakes(void) { /* the column, from 1, and the message */
        "p:1:6: error: expected units to powers that are simple fractions, up to 99, found the power 0.3333", false},
       {"(2 m)^100", "p:1:6: error: expected units to powers that are simple fractions, up to 99, found the power 100",
        false},
+      {"(2 kg)^-100", "up to 99, found the power -100", false},
+      {"(2 s)^100", "up to 99, found the power 100", false},
       {"sin(1 m)", "p:1:1: error: expected a number within `sin()`, found a length (m)", false},
       {"exp(1 s)", "expected a number within `exp()`", false},
       {"log(R)", "expected a number within `log()`", false},

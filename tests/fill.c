@@ -220,6 +220,39 @@ static void attempts_and_skipped_sizes(void) {
   written_free(&it);
 }
 
+/* The quantities of a grading are sums over its own sizes, and those of a size are its own. Two gradings, one of which
+ * is placed twice. */
+static void quantities_of_gradings(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page,
+            "units none\nmaterial rock density 1 kn 1\ngrading g 1 3 0.1 4\ngrading w 2 1 0.5 2\n"
+            "fill discs circle 5 5 radius 1 g rock seed 9 attempts 77 else skip\n"
+            "fill discs circle 50 5 radius 9 w rock seed 1 attempts 200 else skip\n"
+            "fill discs circle 80 5 radius 2 w rock seed 2 attempts 30 else skip\n"
+            "monitor G grading g\nmonitor W grading w\nmonitor L grading w radius 2\nmonitor S grading g radius 0.1\n"
+            "record G.wanted G.placed G.dropped G.attempts W.wanted W.placed W.dropped W.attempts L.wanted L.placed "
+            "L.dropped S.wanted S.placed S.dropped\nstep 1e-3\nstage go\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  const struct nb_fill *fills = it.scene.fills;
+  CU_ASSERT(fills[1].attempts_made >= 3 && fills[2].attempts_made == 31);
+  const struct {
+    const char *name;
+    double value;
+  } wanted[] = {{"G.wanted", 7},  {"G.placed", 1},
+                {"G.dropped", 6}, {"G.attempts", 1 + 77 + 77},
+                {"W.wanted", 6},  {"W.placed", 4},
+                {"W.dropped", 2}, {"W.attempts", (double)(fills[1].attempts_made + fills[2].attempts_made)},
+                {"L.wanted", 2},  {"L.placed", 2},
+                {"L.dropped", 0}, {"S.wanted", 4},
+                {"S.placed", 0},  {"S.dropped", 4}};
+  for (size_t k = 0; k < sizeof wanted / sizeof *wanted; k++)
+    CU_ASSERT_EQUAL(written_now(model, wanted[k].name), wanted[k].value);
+  nb_model_free(model);
+  written_free(&it);
+}
+
 /* Boxes as wide, or as high, as the disc. Its only place is x + r, and by rounding one of the two edges is nearer
  * than r by the last bit. This place is refused, whichever edge it is. */
 static void across_the_edge_by_rounding(void) {
@@ -371,6 +404,7 @@ static void hexagonal(void) {
 
 void suite_fill(void) {
   CU_pSuite suite = CU_add_suite("fill", NULL, NULL);
+  CU_add_test(suite, "quantities of gradings and of their sizes", quantities_of_gradings);
   CU_add_test(suite, "SplitMix64 as published", published_numbers);
   CU_add_test(suite, "seeds are independent", seeds_are_independent);
   CU_add_test(suite, "uniform in a circle", uniform_in_a_circle);

@@ -91,6 +91,23 @@ $work/one.md:5:12: warning: \`tries\` is not rewritten: with \$word, \`fill … 
 $work/one.md:5:20: warning: \`pieces\` is not rewritten: with \$word, \`shear … pieces\` is \`shear … memory\` now
 EOF
 result $? 'old words that come by way of $NAME are named with line and column'
+cat >"$work/one.md" <<'END'
+~~~scene
+```
+let d 5 mm
+~~~
+let e 6 mm
+````scene
+```
+let f 7 mm
+~~~~
+let g 8 mm
+`````
+let h 9 mm
+END
+sed 's/let \([dfg]\)/let \1 =/' "$work/one.md" >"$work/wanted"
+"$nineball" migrate "$work/one.md" 2>"$work/said" | diff "$work/wanted" - >>"$work/said"
+result $? 'a block ends at a line of as many of the same signs'
 printf 'a\0b' >"$work/one.md"
 cp "$work/one.md" "$work/wanted"
 "$nineball" migrate --in-place "$work/one.md" 2>"$work/said"

@@ -77,6 +77,37 @@ static size_t compare(const struct nb_model *model, double within) {
   return wanted;
 }
 
+/* The number of a contact from its partners: particles and walls are numbered separately, so a wall may have the number
+ * of a particle. Both are in each other's list only if there is such a contact. */
+static void contacts_are_found_by_their_partners(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\nmaterial m density 1 kn 1\nskin 0.2\nstep 0.1\nwall far 0 -9 to 1 -9 m\n"
+                   "box 0 0 to 6.1 6.1 m\nlattice discs 3 by 3 m radius 1 spacing 2.05 from 1 1\nstage s\ncycles 1\n");
+  written_scene(&it, &page);
+  for (int shuffle = 0; shuffle < 2; shuffle++) {
+    struct nb_model *model = written_model(&it, &(struct nb_options){.threads = 1, .shuffle = shuffle});
+    const struct nb_contacts *contacts = &model->contacts;
+    size_t found = 0;
+    for (int i = 0; i < (int)model->particles.count; i++)
+      for (int wall = 0; wall < 2; wall++)
+        for (int j = 0; j < (int)(wall ? model->walls.count : model->particles.count); j++) {
+          long wanted = -1;
+          for (size_t c = 0; c < contacts->count; c++)
+            if (model->material_pairs[contacts->material_pair[c]].wall == wall &&
+                ((contacts->a[c] == i && contacts->b[c] == j) || (!wall && contacts->a[c] == j && contacts->b[c] == i)))
+              wanted = (long)c;
+          if (wall || j != i)
+            CU_ASSERT_EQUAL(nb_contacts_find(model, i, j, wall), wanted);
+          found += wanted >= 0;
+        }
+    CU_ASSERT_EQUAL(contacts->count, 12 + 12);
+    CU_ASSERT_EQUAL(found, 2 * 12 + 12); /* contacts of two particles from both sides */
+    nb_model_free(model);
+  }
+  written_free(&it);
+}
+
 static void all_pairs_are_found(void) {
   static const double places[][2] = {{0, 0}, {-10, -10}, {1e6, -3e5}, {-4e8, 7e8}};
   for (unsigned p = 0; p < 4; p++)
@@ -273,6 +304,7 @@ static void storage_threads_and_instructions_change_no_bit(void) {
 void suite_near(void) {
   CU_pSuite suite = CU_add_suite("near", NULL, NULL);
   CU_add_test(suite, "all pairs are found, and no others", all_pairs_are_found);
+  CU_add_test(suite, "contacts are found by their partners", contacts_are_found_by_their_partners);
   CU_add_test(suite, "pairs that touch are listed", touching_pairs_are_listed);
   CU_add_test(suite, "a few large discs among many small ones", different_sizes);
   CU_add_test(suite, "no search without need", no_search_without_need);

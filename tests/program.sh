@@ -381,6 +381,24 @@ sed 's/step 0.5/step 0.2 of stable/; s/^stage some/stage never/; s/D.x above 3/t
 run 0 explain never.md
 out '  on, about 6 cycles'
 out '  never, does not end: line 19 does not hold within 10 cycles'
+sed '/^stage last/,$s/100 cycles/40 cycles/' clock.md >late.md # from the earliest clock on the condition does not hold
+run 0 explain late.md
+out '  last, 34 to 40 cycles: the condition on line 21 decides'
+sed '/^stage last/,$s/100 cycles/34 cycles/' clock.md >last.md # it holds at the last cycle of the stage
+run 0 explain last.md
+out '  last, 34 cycles'
+sed '/^stage last/,$s/100 cycles/33 cycles/' clock.md >short.md
+run 0 explain short.md
+out '  last, does not end: line 21 does not hold within 33 cycles'
+# The step of a later stage is known unless it depends on the state or on what earlier stages change.
+sed 's/step 0.5/step 0.2 of single-contact/' clock.md >known.md
+run 0 explain known.md
+out '  on, 4 cycles'
+for line in 'remove disc 2' 'material m kn 2'; do
+  sed "s/^stage fall/&\\n$line/" known.md >about.md
+  run 0 explain about.md
+  out '  on, about '
+done
 sed '/^stage some/,/^until/d; /^stage last/,/^until/d' clock.md >fixed.md
 run 0 run fixed.md
 out '  21 cycles, '

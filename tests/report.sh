@@ -116,6 +116,10 @@ if command -v gnuplot >/dev/null; then
   run 3 figure stopped.md -o some && said 'look at some/stopped.svg, up to where the run was stopped' &&
     grep -q INCOMPLETE some/stopped.svg
   result $? 'figure: an aborted run is drawn, and the figure says so'
+  printf '\n```gnuplot\nplot $table using "time/-":"D.x/-" with points\n```\n' | cat "$pages/fails.md" - >failed.md
+  run 0 figure failed.md -o some && said 'look at some/failed.svg' && ! said 'up to where' &&
+    ! grep -q INCOMPLETE some/failed.svg && ! grep -q INCOMPLETE some/failed.gp
+  result $? 'figure: a page that fails is complete'
   # If the first run of a sweep is aborted, the others are not started and have no tables.
   run 3 figure "$pages/../../cases/8-published/chung-ooi-3.md" --set 'step=1 s' --jobs 1 -o some &&
     said 'look at some/chung-ooi-3.svg, up to where the run was stopped'

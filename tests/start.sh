@@ -279,6 +279,36 @@ settings_stay() {
 settings_stay
 result $? 'states with other settings are not out of date'
 
+# Damping, step, gravity and properties of the last stage hold in the page that starts from it.
+cat >"$pages/changed.md" <<'END'
+# What stages change
+```scene
+units     none
+material  m density 3 kn 100 ks 80 friction 0.5
+disc      0 0 radius 1 m velocity 2 0.5 spin 1
+disc      2.1 0 radius 1 m
+monitor   D disc 1
+record    cycle D.x D.vx D.vy D.spin
+step      0.125
+stage     first
+  cycles  3
+stage     go
+  damping mass 0.8
+  damping ratio 0.2
+  step    0.0625
+  gravity 0 -1
+  shear   linear
+  material m kn 50
+  cycles  9
+stage     more
+  cycles  20
+```
+END
+printf '# On\n```scene\nstart changed stage go\nmonitor D disc 1\nrecord cycle D.x D.vx D.vy D.spin\nstage more\n  cycles 20\n```\n' >"$pages/on.md"
+run whole "$pages/changed.md" && run on "$pages/on.md" && grep '^more' "$work/whole/table.tsv" >"$work/wanted" &&
+  grep '^more' "$work/on/table.tsv" | tail -n 20 | diff "$work/wanted" - >>"$work/said" && test "$(wc -l <"$work/wanted")" -eq 20
+result $? 'what stages have changed holds'
+
 # A state that takes some time to compute.
 sed 's/^cycles    40$/cycles    800000/; s/inward 0.12/inward 1e-5/; s/^record .*/record time/; s/^stage     load/&\nrecord none/' cases/3-nine-discs/nine-discs.md >"$pages/nine-discs.md"
 sed 's/^cycles    4000/cycles    10/; /^```expect/,/^```$/d' cases/5-numerics/saved-stage.md >"$pages/saved-stage.md"
