@@ -145,6 +145,53 @@ static void claims_follow_from_the_values(void) {
   finish(&advice, &page);
 }
 
+/* The anchor of a setting is two levels finer at least. The quantity is the step itself, whose limit is 0 and which has an
+ * error of first order. With the step x at the anchor of level 3 and a tolerance of 6.2 x the level 1 misses it: 5/4 (4 x
+ * - x) + 3 x = 6.75 x. Level 2 has the anchor of level 4: 5/4 (2 x - x/2) + 3 x/2 = 3.375 x. */
+static void the_anchor_is_two_levels_finer(void) {
+  struct nb_advice advice;
+  struct nb_error error = {0};
+  const double x = 0.002;
+  const struct page page = write_page("units none\nmaterial m density 1 kn 1000\ndisc 0 0 radius 1 m\n"
+                                      "disc 9 0 radius 1 m\nrecord step\nstep 0.016\nstage a\ncycles 64\n");
+  const struct nb_advise_query query = {page.path, no_settings, {.threads = 1, .jobs = 1}, "step",
+                                        "0.0124",  60,          {NULL, NULL, NULL}};
+  CU_ASSERT_EQUAL_FATAL(nb_advise(&advice, &query, &error), NB_OK);
+  CU_ASSERT_EQUAL(advice.anchor, 3);
+  CU_ASSERT_FATAL(advice.chosen > 0);
+  const struct nb_setting *chosen = &advice.settings[advice.chosen];
+  CU_ASSERT_EQUAL(chosen->level, 2);
+  NEAR(chosen->ratio, 3.375 * x / 0.0124, 1e-12);
+  NEAR(chosen[-1].ratio, 6.75 * x / 0.0124, 1e-12);
+  finish(&advice, &page);
+}
+
+/* Laws that give the same values in one run and others in another are no equal pair. Head-on there is no shear force; the
+ * second run is oblique. */
+static void laws_are_equal_in_every_run(void) {
+  char scene[2048];
+  struct nb_advice advice;
+  struct nb_error error = {0};
+  snprintf(scene, sizeof scene, IMPACT, "sweep a 0 0.4\n", "mindlin_deresiewicz", "0.3", phase_of_page, step_of_page);
+  char *const angle = strstr(scene, "angle 0.4");
+  CU_ASSERT_PTR_NOT_NULL_FATAL(angle);
+  memcpy(angle, "angle $a ", strlen("angle $a "));
+  const struct page page = write_page(scene);
+  const struct nb_advise_query query = {page.path, no_settings, {.threads = 1, .jobs = 1}, "impact.psi2",
+                                        "0.05",    60,          {NULL, NULL, NULL}};
+  CU_ASSERT_EQUAL_FATAL(nb_advise(&advice, &query, &error), NB_OK);
+  int others = 0;
+  for (size_t k = 1; k < advice.pair_count; k++) {
+    const struct nb_law_pair *pair = &advice.pairs[k];
+    if (strcmp(pair->normal, "hertz") != 0 || (strcmp(pair->shear, "mindlin") != 0 && strcmp(pair->shear, "none") != 0))
+      continue;
+    CU_ASSERT_EQUAL(pair->equal, strcmp(pair->shear, "none") == 0); /* `linear`, before it, has no stiffness here */
+    others++;
+  }
+  CU_ASSERT_EQUAL(others, 2);
+  finish(&advice, &page);
+}
+
 /* Other laws are compared with the anchor of the page at the level of its own laws. */
 static void laws_have_a_distance_from_the_anchor(void) {
   struct nb_advice advice;
@@ -388,6 +435,8 @@ static void variants_are_all_combinations(void) {
 
 void suite_advise(void) {
   CU_pSuite suite = CU_add_suite("advise", NULL, NULL);
+  CU_ADD_TEST(suite, laws_are_equal_in_every_run);
+  CU_ADD_TEST(suite, the_anchor_is_two_levels_finer);
   CU_ADD_TEST(suite, a_phase_of_an_impact_is_a_moment_of_first_touch);
   CU_ADD_TEST(suite, claims_follow_from_the_values);
   CU_ADD_TEST(suite, laws_have_a_distance_from_the_anchor);

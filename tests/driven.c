@@ -128,6 +128,29 @@ static void a_boundary_is_fixed_again(void) {
   nb_result_free(&result);
 }
 
+/* A disc that moves outward meets the boundary that moves inward, in the same cycle whatever the skin is: the list of
+ * discs that may join reaches as far as both can move before it is made again. */
+static void no_disc_passes_a_boundary_that_comes_to_meet_it(void) {
+  double joined[4];
+  static const double skins[] = {0.02, 0.4, 1, 3};
+  for (size_t k = 0; k < 4; k++) {
+    struct nb_result result;
+    char page[1024];
+    snprintf(page, sizeof page,
+             "material m density 2 kn 100\nskin %g\nstep 0.05\ndisc 20 0 radius 0.1 m\ndisc 0 20 radius 0.1 m\n"
+             "disc -20 0 radius 0.1 m\ndisc 0 -20 radius 0.1 m\ndisc 8 0 radius 0.1 m velocity 0.7 0.7\n"
+             "record cycle boundary.particles\nboundary circle 0 0 radius 20\nstage a\n"
+             "boundary strain -0.04 -0.04\nuntil boundary.particles above 4 at most 400 cycles\n",
+             skins[k]);
+    run(&result, page);
+    joined[k] = written_last(&result, "cycle");
+    nb_result_free(&result);
+  }
+  CU_ASSERT(joined[0] > 50 && joined[0] < 300);
+  for (size_t k = 1; k < 4; k++)
+    CU_ASSERT_EQUAL(joined[k], joined[0]);
+}
+
 /* Another `boundary circle` replaces the boundary: particles inside the new circle no longer belong to it, and each
  * particle counts once. */
 static void another_circle(void) {
@@ -223,6 +246,8 @@ void suite_driven(void) {
   CU_pSuite suite = CU_add_suite("driven", NULL, NULL);
   CU_add_test(suite, "a particle oscillates through the point", a_particle_oscillates_through_the_point);
   CU_add_test(suite, "a circular orbit about the point", a_circular_orbit);
+  CU_add_test(suite, "no disc passes a boundary that comes to meet it",
+              no_disc_passes_a_boundary_that_comes_to_meet_it);
   CU_add_test(suite, "all forces count in the out-of-balance force", all_forces_count);
   CU_add_test(suite, "rotation off and on", rotation_off_and_on);
   CU_add_test(suite, "a boundary is fixed again", a_boundary_is_fixed_again);

@@ -284,9 +284,27 @@ static void every_keyword_is_in_a_list(void) {
     }
 }
 
+/* A computed value has a dimension and not the unit of an angle: 1/s is a spin, rad/s a rate, a number an angle. */
+static void computed_angles_and_numbers(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "let w = 3 * 2 rad/s\nlet r = 2 / (0.25 s)\nlet a = pi / 6\nlet m = 1.5 * 1 rad\n"
+                   "material m density 1 g/cm3 kn 1 kN/m friction $m\n"
+                   "disc 0 m 0 m radius 1 m m spin $w\ndisc 3 m 0 m radius 1 m m spin (2 * r)\n"
+                   "transform rotate $a\ndamping mass $w\nstep 1 ms\nstage s\ncycles 1\n");
+  written_scene(&it, &page);
+  CU_ASSERT_EQUAL(it.scene.particles[0].spin, 6);
+  CU_ASSERT_EQUAL(it.scene.particles[1].spin, 16);
+  CU_ASSERT_DOUBLE_EQUAL(it.scene.particles[1].y, 1.5, 1e-15);
+  CU_ASSERT_EQUAL(it.scene.damping.global, 6);
+  CU_ASSERT_EQUAL(it.scene.materials[0].friction, 1.5);
+  written_free(&it);
+}
+
 void suite_place(void) {
   CU_pSuite suite = CU_add_suite("place", NULL, NULL);
   CU_ADD_TEST(suite, scenes_are_transformed_as_a_whole);
   CU_ADD_TEST(suite, normals_of_the_box_point_inward);
   CU_ADD_TEST(suite, every_keyword_is_in_a_list);
+  CU_ADD_TEST(suite, computed_angles_and_numbers);
 }

@@ -292,8 +292,69 @@ static void inside_a_boundary(void) {
   written_free(&it);
 }
 
+/* A contact of which only one particle is inside counts with that particle's arm, whichever of the two it is: stress by
+ * contacts equals stress by particles for discs of different sizes. */
+static void the_arm_of_the_particle_inside(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page,
+            "units none\nmaterial m density 1 kn 100\nstep 0.001\ndisc 0 0 radius 1 m\n"
+            "disc 1.1 0.9 radius 0.45 m\ndisc -0.2 -1.65 radius 0.7 m\nregion A circle 0 0 radius 0.3\n"
+            "region B circle 1.1 0.9 radius 0.3\nregion C circle -0.2 -1.65 radius 0.3\n"
+            "region D circle 0.6 0.5 radius 1.2\nrecord A.stress.xx A.stress.xy A.stress.yy A.stress.contacts.xx "
+            "A.stress.contacts.xy A.stress.contacts.yy B.stress.xx B.stress.xy B.stress.yy "
+            "B.stress.contacts.xx B.stress.contacts.xy B.stress.contacts.yy C.stress.xx C.stress.xy C.stress.yy "
+            "C.stress.contacts.xx C.stress.contacts.xy C.stress.contacts.yy D.stress.xx D.stress.xy D.stress.yy "
+            "D.stress.contacts.xx D.stress.contacts.xy D.stress.contacts.yy\nstage s\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  for (const char *region = "ABCD"; *region; region++)
+    for (int k = 0; k < 3; k++) {
+      char particles[64], contacts[64];
+      static const char *const parts[] = {"xx", "xy", "yy"};
+      snprintf(particles, sizeof particles, "%c.stress.%s", *region, parts[k]);
+      snprintf(contacts, sizeof contacts, "%c.stress.contacts.%s", *region, parts[k]);
+      CU_ASSERT(fabs(written_now(model, particles)) > 0.01);
+      CU_ASSERT_DOUBLE_EQUAL(written_now(model, contacts), written_now(model, particles), 1e-12);
+    }
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* Discs move with the velocity L X. The strain of those that remain is L t after one has been removed, and after one
+ * has been removed that was outside. */
+static void strain_without_removed_particles(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  const double xx = 0.02, xy = 0.05, yx = -0.03, yy = -0.01;
+  words_add(&page, "units none\nmaterial m density 1 kn 1\nstep 0.125\n");
+  for (int k = 0; k < 6; k++) {
+    const double x = 5 * (k % 3) + 0.3 * k * k, y = 7 * (k / 3) - 2 * k;
+    words_add(&page, "disc %g %g radius 1 m velocity %.17g %.17g\n", x, y, xx * x + xy * y, yx * x + yy * y);
+  }
+  words_add(&page,
+            "disc 90 0 radius 1 m velocity 0 1\nregion A circle 0 0 radius 50\nrecord time A.strain.xx A.strain.xy "
+            "A.strain.yy A.strain.rotation\nstage a\ncycles 8\nstage b\nremove disc 1\ncycles 8\n"
+            "stage c\nremove discs 6 to 7\ncycles 8\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  for (size_t row = 0; row < result.table.row_count; row++) {
+    const double t = written_cell(&result.table, row, "time");
+    CU_ASSERT_DOUBLE_EQUAL(written_cell(&result.table, row, "A.strain.xx"), xx * t, 1e-13);
+    CU_ASSERT_DOUBLE_EQUAL(written_cell(&result.table, row, "A.strain.xy"), (xy + yx) * t / 2, 1e-13);
+    CU_ASSERT_DOUBLE_EQUAL(written_cell(&result.table, row, "A.strain.yy"), yy * t, 1e-13);
+    CU_ASSERT_DOUBLE_EQUAL(written_cell(&result.table, row, "A.strain.rotation"), (yx - xy) * t / 2, 1e-13);
+  }
+  CU_ASSERT_EQUAL(result.table.row_count, 25);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 void suite_region(void) {
   CU_pSuite suite = CU_add_suite("region", NULL, NULL);
+  CU_add_test(suite, "the arm of the particle inside", the_arm_of_the_particle_inside);
+  CU_add_test(suite, "strain without removed particles", strain_without_removed_particles);
   CU_add_test(suite, "contacts at equal angles: fabric of second and fourth order, stress", contacts_at_equal_angles);
   CU_add_test(suite, "rattlers, and coordination with and without them", rattlers);
   CU_add_test(suite, "porosity, thickness and areas", volumes);

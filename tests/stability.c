@@ -258,8 +258,58 @@ static void every_cycle_is_guaranteed_stable(void) {
   CU_ASSERT(ended > 10 && went > 10);
 }
 
+/* The number of steps per collision that a message proposes is rounded up: the step is at most 0.8 of the stable one. */
+static void the_proposed_number_of_steps(void) {
+  static const double stiffness[] = {20, 50, 75, 100, 160, 220}; /* k_s, which limits the step more than k_n */
+  int rounded_up = 0;
+  for (size_t k = 0; k < sizeof stiffness / sizeof *stiffness; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    char proposal[64];
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 100 ks %g friction 1\nshear linear\ndisc 0 0 radius 1 m\n"
+              "disc 0 1.99 radius 1 m\nstep 1 per collision\nstage s\ncycles 1\n",
+              stiffness[k]);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    const double wanted = model->step / (0.8 * nb_stable_step(model).step);
+    CU_ASSERT_EQUAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_BROKEN);
+    snprintf(proposal, sizeof proposal, "write `step %.0f per collision`", ceil(wanted));
+    CU_ASSERT_PTR_NOT_NULL(strstr(error.text, proposal));
+    rounded_up += ceil(wanted) - wanted > 0.5;
+    nb_model_free(model);
+    written_free(&it);
+  }
+  CU_ASSERT(rounded_up > 0);
+}
+
+/* Contacts with cohesion alone have a shear force, and the stable step counts its stiffness as with friction. */
+static void cohesion_alone_counts(void) {
+  static const char *const limits[] = {"", "friction 0.5", "cohesion 1e-3", "friction 0.5 cohesion 1e-3"};
+  double stable[4], apart[4];
+  for (int k = 0; k < 4; k++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 100 ks 300 %s\nshear linear\nwall w -9 0 to 9 0 m\n"
+              "lattice discs 2 by 2 m radius 1 spacing 1.99 from 0 0.99\nstep 0.001\nstage s\ncycles 1\n",
+              limits[k]);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    stable[k] = nb_stable_step(model).step, apart[k] = nb_stable_step_apart(model).step;
+    nb_model_free(model);
+    written_free(&it);
+  }
+  CU_ASSERT(stable[1] < 0.8 * stable[0] && apart[1] < 0.8 * apart[0]);
+  for (int k = 2; k < 4; k++)
+    CU_ASSERT(stable[k] == stable[1] && apart[k] == apart[1]);
+}
+
 void suite_stability(void) {
   CU_pSuite suite = CU_add_suite("stability", NULL, NULL);
+  CU_add_test(suite, "the proposed number of steps per collision", the_proposed_number_of_steps);
+  CU_add_test(suite, "cohesion alone counts in the stable step", cohesion_alone_counts);
   CU_add_test(suite, "an impact between two checks", an_impact_between_two_checks);
   CU_add_test(suite, "a pair may use up the limit", a_pair_may_use_up_the_limit);
   CU_add_test(suite, "stiffer unloading lowers the stable-overlap limit", stiffer_unloading_lowers_the_limit);
