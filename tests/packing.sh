@@ -95,9 +95,18 @@ printf '# Goes on\n```scene\nstart first stage look\nrecord time\nstage on\ncycl
 "$nineball" run "$pages/second.md" --states "$states" -o "$work/second" >"$work/said" 2>&1 &&
   "$nineball" explain "$pages/second.md" --states "$states" | grep -q 'state: present$'
 result $? 'a page can start from one with a packing'
-sed '3s/ [^ ]*$/ 0.5/' "$pages/heap.txt" >"$work/t" && cp "$work/t" "$pages/heap.txt"
-"$nineball" explain "$pages/second.md" --states "$states" >"$work/said" 2>&1 && grep -q 'out of date, will be computed again' "$work/said"
-result $? 'its state is out of date when the file has changed'
+cp "$pages/heap.txt" "$work/heap.txt"
+for field in 2:radius 3:y 4:x; do
+  awk -v field="${field%:*}" 'NR == 3 { $field *= 0.875 } { print }' "$work/heap.txt" >"$pages/heap.txt"
+  "$nineball" explain "$pages/second.md" --states "$states" >"$work/said" 2>&1 && grep -q 'out of date, will be computed again' "$work/said"
+  result $? "its state is out of date when the ${field#*:} of a particle has changed"
+done
+
+# A state has the same hash, whether `nineball state` writes it or a page that starts from it.
+"$nineball" state "$pages/first.md" -o "$work/first.state" >"$work/said" 2>&1 && "$nineball" run "$pages/second.md" --states "$states" -o "$work/second" >"$work/said" 2>&1 &&
+  hash=$(sed -n 's/^hash //p' "$work/first.state") && test "$hash" != 0000000000000000 && test -s "$states/first-look-$hash.state" &&
+  grep -qx "hash $hash" "$states/first-look-$hash.state"
+result $? 'the hash of a state written by command'
 
 # A list can be longer than a page: 100,000 discs, 4.5 MB.
 awk 'BEGIN { print "x/m\ty/m\tradius/m"; for (k = 0; k < 100000; k++) printf "%.17g\t%.17g\t0.004999\n", k % 400 * 0.01, int(k / 400) * 0.01 + 1e-9 * k }' >"$pages/many.tsv"

@@ -327,6 +327,10 @@ run 2 check endless.md
 said "endless.md:12:1: error: the step is computed as inf: "
 run 2 check --tap endless.md
 out "# line 12: the step is computed as inf: "
+for page in endless.md "$pages/fails.md" "$pages/passes.md" "$pages/never-ends.md" "$pages/hidden.md"; do
+  "$nineball" check --tap "$page" >out 2>&1
+  test "$(grep -c -E '^(not )?ok ' out)" = "$(sed -n 's/^1[.][.]//p' out)" || echo "$page: another number of lines than planned" >>why
+done
 printf '```scene\nunits none\nstart endless stage flight\nrecord time\nstage on\ncycles 1\n```\n' >from-endless.md
 run 2 check from-endless.md
 said "endless, line 12, from which this page starts: the step is computed as inf: "
@@ -340,6 +344,16 @@ out 'there are no contacts yet'
 out '  c2, 1 to 10 cycles: the condition on line 32 decides'
 out '  line 10: region A circle 1 2 radius 5 rings 3 from b: 1 particles now'
 grep -c 'line 30:' out | grep -qx 1 || echo 'a statement is shown in several stages' >>why
+printf '```scene\nunits none\nmaterial a density 1 kn 1 ks 1 friction 1\nmaterial b density 1 kn 1 ks 1 friction 1\ndisc 0 0 radius 1 a\ndisc 3 0 radius 1 b\ndisc 6 0 radius 1 b\nstep 0.1\nrecord time\nstage one\ncycles 1\nstage two\n%%s\ncycles 1\n```\n' >pairs.md
+sed 's/^%s$/shear linear/' pairs.md >sheared.md # a law that a stage gives
+run 0 explain sheared.md
+grep -q '^  rotation\|shear forces' out && echo 'a law of a stage is not used' >>why
+out '  a with b: '
+out '  b with b: '
+grep -q '  a with a: ' out && echo 'the only particle of a material touches itself' >>why
+sed '/^%s$/d' pairs.md >smooth.md
+run 0 explain smooth.md
+out '  rotation (16 bytes a particle), shear forces (8 bytes a contact), dashpots, '
 verdict 'explain'
 
 # The clock alone ends all stages but `some`, so their lengths are known, or bounds behind `some`.
@@ -432,6 +446,9 @@ test "$(column D.x/- passes.out/table.tsv | tail -n 1)" = 1.5 || echo 'D.x does 
 test "$(column time/- passes.out/table.tsv | wc -l)" -eq 9 || echo 'not 9 rows' >>why
 run 0 run "$pages/passes.md" -o one/two/three
 there one/two/three/table.tsv
+run 0 run "$cases/1-two-discs/free-fall.md" -o fall
+grep -v '^#' fall/table.tsv | head -n 1 | cut -f 3- | tr '\t' ' ' >head
+grep -qx 'stage time/s D.y/m D.vy/m/s C.overlap/m reference D.y/m reference D.vy/m/s' head || cat head >>why
 verdict 'tables in the default folder and in a new folder'
 
 run 1 run "$pages/passes.md" -o set --set v=0.25
