@@ -154,8 +154,12 @@ static void the_anchor_is_two_levels_finer(void) {
   const double x = 0.002;
   const struct page page = write_page("units none\nmaterial m density 1 kn 1000\ndisc 0 0 radius 1 m\n"
                                       "disc 9 0 radius 1 m\nrecord step\nstep 0.016\nstage a\ncycles 64\n");
-  const struct nb_advise_query query = {page.path, no_settings, {.threads = 1, .jobs = 1}, "step",
-                                        "0.0124",  60,          {NULL, NULL, NULL}};
+  const struct nb_advise_query query = {.path = page.path,
+                                        .settings = no_settings,
+                                        .options = {.threads = 1, .jobs = 1},
+                                        .quantity = "step",
+                                        .within = "0.0124",
+                                        .budget = 60};
   CU_ASSERT_EQUAL_FATAL(nb_advise(&advice, &query, &error), NB_OK);
   CU_ASSERT_EQUAL(advice.anchor, 3);
   CU_ASSERT_FATAL(advice.chosen > 0);
@@ -166,7 +170,7 @@ static void the_anchor_is_two_levels_finer(void) {
   finish(&advice, &page);
 }
 
-/* Laws that give the same values in one run and others in another are no equal pair. Head-on there is no shear force; the
+/* Laws that give the same values in one run and others in another are not equal. Head-on there is no shear force; the
  * second run is oblique. */
 static void laws_are_equal_in_every_run(void) {
   char scene[2048];
@@ -177,15 +181,21 @@ static void laws_are_equal_in_every_run(void) {
   CU_ASSERT_PTR_NOT_NULL_FATAL(angle);
   memcpy(angle, "angle $a ", strlen("angle $a "));
   const struct page page = write_page(scene);
-  const struct nb_advise_query query = {page.path, no_settings, {.threads = 1, .jobs = 1}, "impact.psi2",
-                                        "0.05",    60,          {NULL, NULL, NULL}};
+  const struct nb_advise_query query = {.path = page.path,
+                                        .settings = no_settings,
+                                        .options = {.threads = 1, .jobs = 1},
+                                        .quantity = "impact.psi2",
+                                        .within = "0.05",
+                                        .budget = 60};
   CU_ASSERT_EQUAL_FATAL(nb_advise(&advice, &query, &error), NB_OK);
   int others = 0;
-  for (size_t k = 1; k < advice.pair_count; k++) {
-    const struct nb_law_pair *pair = &advice.pairs[k];
-    if (strcmp(pair->normal, "hertz") != 0 || (strcmp(pair->shear, "mindlin") != 0 && strcmp(pair->shear, "none") != 0))
+  for (size_t k = 1; k < advice.variant_count; k++) {
+    const struct nb_variant *variant = &advice.variants[k];
+    if (strcmp(variant->normal, "hertz") != 0 ||
+        (strcmp(variant->shear, "mindlin") != 0 && strcmp(variant->shear, "none") != 0))
       continue;
-    CU_ASSERT_EQUAL(pair->equal, strcmp(pair->shear, "none") == 0); /* `linear`, before it, has no stiffness here */
+    CU_ASSERT_EQUAL(variant->equal,
+                    strcmp(variant->shear, "none") == 0); /* `linear`, before it, has no stiffness here */
     others++;
   }
   CU_ASSERT_EQUAL(others, 2);
