@@ -165,6 +165,21 @@ static void a_gap_ends_the_history(void) {
   done(&result, &it);
 }
 
+/* The limit mu N + c of a contact with cohesion is that at which the shear force stays. */
+static void cohesion_raises_the_limit(void) {
+  struct nb_result result;
+  struct written it;
+  run(&result, &it,
+      "path\nunits none\nmaterial rock kn 100 ks 80 friction 0.25 cohesion 3\ncontact disc 1 rock with disc 1 rock\n"
+      "normal linear\nshear linear\nrecord step normal shear limit\nsegment press overlap to 0.08\nsegment slide slip "
+      "by 0.4\n");
+  const size_t last = result.table.row_count - 1;
+  CU_ASSERT_DOUBLE_EQUAL(cell(&result, last, 1), 8, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(cell(&result, last, 3), 0.25 * 8 + 3, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(cell(&result, last, 2), cell(&result, last, 3), 1e-12);
+  done(&result, &it);
+}
+
 /* A wall has no curvature, and a rigid material does not deform: E* and R* by hand. */
 static void a_wall_is_flat(void) {
   struct words page = {0};
@@ -226,6 +241,7 @@ void suite_contact_test(void) {
   CU_add_test(suite, "forces are reached", forces_are_reached);
   CU_add_test(suite, "a force that cannot be reached stops the run", unreachable_forces_stop_the_run);
   CU_add_test(suite, "shear forces at the friction limit are reached", the_limit_is_reached);
+  CU_add_test(suite, "cohesion raises the limit", cohesion_raises_the_limit);
   CU_add_test(suite, "repeated segments have names", repeated_segments_have_names);
   CU_add_test(suite, "a gap ends the history", a_gap_ends_the_history);
   CU_add_test(suite, "a wall is flat", a_wall_is_flat);

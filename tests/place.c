@@ -301,10 +301,35 @@ static void computed_angles_and_numbers(void) {
   written_free(&it);
 }
 
+/* A servo through a box controls no shear stress, because its walls do not rotate; through a cell it does. */
+static void controlled_components(void) {
+  static const struct {
+    const char *place, *servo;
+    bool controlled[3];
+  } cases[] = {{"box 0 0 to 9 9 m", "isotropic 1 on box through box", {true, true, false}},
+               {"box 0 0 to 9 9 m", "yy 1 on box through box", {false, true, false}},
+               {"cell 0 0 to 9 9", "isotropic 1 on cell through cell", {true, true, true}},
+               {"cell 0 0 to 9 9", "xx 1 xy 2 on cell through cell", {true, false, true}}};
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 1\n%s\nlattice discs 2 by 2 m radius 1 spacing 3\nstep 0.1\n"
+              "stage s\nservo %s at most 1\ncycles 1\n",
+              cases[k].place, cases[k].servo);
+    written_scene(&it, &page);
+    const struct nb_servo *servo = &it.scene.stages[0].servo;
+    for (int c = 0; c < 3; c++)
+      CU_ASSERT_EQUAL(servo->controlled[c], cases[k].controlled[c]);
+    written_free(&it);
+  }
+}
+
 void suite_place(void) {
   CU_pSuite suite = CU_add_suite("place", NULL, NULL);
   CU_ADD_TEST(suite, scenes_are_transformed_as_a_whole);
   CU_ADD_TEST(suite, normals_of_the_box_point_inward);
   CU_ADD_TEST(suite, every_keyword_is_in_a_list);
   CU_ADD_TEST(suite, computed_angles_and_numbers);
+  CU_ADD_TEST(suite, controlled_components);
 }

@@ -125,6 +125,20 @@ static void product(void) {
   }
 }
 
+/* A minus before a value with a sign of its own. */
+static void signs_of_values(void) {
+  static const char text[] =
+      "sweep a +5 m -5 m 3 m\n" ROCK "disc -$a 0 m radius 1 m rock\ndisc 0 m (-a) radius 1 m rock\n"
+      "step 1 us\nstage go\ncycles 1\n";
+  for (size_t run = 0; run < 3; run++) {
+    struct read read = read_scene(text, run, NULL);
+    CU_ASSERT_EQUAL_FATAL(read.status, NB_OK);
+    CU_ASSERT_EQUAL(read.scene.particles[0].x, run == 1 ? 5 : run == 0 ? -5 : -3);
+    CU_ASSERT_EQUAL(read.scene.particles[1].y, run == 1 ? 5 : run == 0 ? -5 : -3);
+    done(&read);
+  }
+}
+
 static void tuples(void) {
   static const char text[] =
       "sweep v with n  0.12 m/s 40  0.04 m/s 120\n" ROCK "disc 0 m 0 m radius 1 mm rock velocity $v $v\n"
@@ -245,6 +259,23 @@ static void table(void) {
   }
 }
 
+/* A known word is suggested for a word with at most one wrong letter of 3 to 5, two of 6 to 9, three of more. */
+static void suggested_words(void) {
+  static const char word[] = "bcdfghjklmnp";
+  for (size_t length = 1; length <= 12; length++)
+    for (size_t wrong = 0; wrong <= 4 && wrong <= length; wrong++) {
+      char known[16], typed[16];
+      snprintf(known, sizeof known, "%.*s", (int)length, word);
+      snprintf(typed, sizeof typed, "%.*s", (int)length, word);
+      for (size_t k = 0; k < wrong; k++)
+        typed[length - 1 - k] = 'z';
+      struct nb_guess guess = nb_guess_begin(typed);
+      nb_guess_offer(&guess, known);
+      const size_t allowed = length < 3 ? 0 : length < 6 ? 1 : length < 10 ? 2 : 3;
+      CU_ASSERT_EQUAL(nb_guess_found(&guess), wrong <= allowed);
+    }
+}
+
 void suite_reader(void) {
   CU_pSuite suite = CU_add_suite("reader", NULL, NULL);
   CU_add_test(suite, "a number must be a whole word", numbers);
@@ -253,7 +284,9 @@ void suite_reader(void) {
   CU_add_test(suite, "line ends of DOS", line_ends);
   CU_add_test(suite, "sweeps make the product", product);
   CU_add_test(suite, "a sweep of several names", tuples);
+  CU_add_test(suite, "a minus before a value with a sign", signs_of_values);
   CU_add_test(suite, "--set", settings);
+  CU_add_test(suite, "words that are suggested", suggested_words);
   CU_add_test(suite, "columns after $NAME", columns);
   CU_add_test(suite, "mistakes in line order", order);
   CU_add_test(suite, "limits of size", limits_of_size);

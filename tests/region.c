@@ -321,6 +321,24 @@ static void the_arm_of_the_particle_inside(void) {
   written_free(&it);
 }
 
+/* In tension, here by dashpots, sin Phi is negative: the deviator over twice the mean stress. */
+static void tension(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\nmaterial m density 1 kn 1\ndamping ratio 0.5\nstep 0.001\n"
+                   "disc 0 0 radius 1 m velocity -3 0\ndisc 1.9 0.2 radius 1 m velocity 3 0\nregion A all\n"
+                   "record A.stress.sinphi A.stress.mean A.stress.deviator\nstage s\ncycles 3\n");
+  written_scene(&it, &page);
+  struct nb_result result;
+  written_run(&result, &it, NULL);
+  const double mean = written_last(&result, "A.stress.mean");
+  CU_ASSERT(mean < 0);
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "A.stress.sinphi"),
+                         written_last(&result, "A.stress.deviator") / (2 * mean), 1e-14);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 /* Discs move with the velocity L X. The strain of those that remain is L t after one has been removed, and after one
  * has been removed that was outside. */
 static void strain_without_removed_particles(void) {
@@ -355,6 +373,7 @@ void suite_region(void) {
   CU_pSuite suite = CU_add_suite("region", NULL, NULL);
   CU_add_test(suite, "the arm of the particle inside", the_arm_of_the_particle_inside);
   CU_add_test(suite, "strain without removed particles", strain_without_removed_particles);
+  CU_add_test(suite, "sin Phi in tension", tension);
   CU_add_test(suite, "contacts at equal angles: fabric of second and fourth order, stress", contacts_at_equal_angles);
   CU_add_test(suite, "rattlers, and coordination with and without them", rattlers);
   CU_add_test(suite, "porosity, thickness and areas", volumes);

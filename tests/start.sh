@@ -278,6 +278,14 @@ settings_stay() {
 }
 settings_stay
 result $? 'states with other settings are not out of date'
+sed 's/^  cycles  .n/&\n  snapshot\n  record every 2 cycles/' "$pages/counted.md" >"$work/t" && mv "$work/t" "$pages/counted.md"
+run with-1 "$pages/with-1.md" && test "$(made)" -eq 0 && test "$(ls "$states" | grep -c '^counted-go-')" -eq 3
+result $? 'snapshots do not change the state'
+cp "$(ls "$states"/counted-go-*.state | head -n 1)" "$states/counted-go-kept-as-a-backup.state" # as long as a hash
+sed 's/radius 1 m/radius 2 m/' "$pages/counted.md" >"$work/t" && mv "$work/t" "$pages/counted.md"
+for k in 1 2 3; do run "with-$k" "$pages/with-$k.md" || break; done && test -s "$states/counted-go-kept-as-a-backup.state" &&
+  test "$(ls "$states" | grep -c '^counted-go-')" -eq 4
+result $? 'only files with the name of a state are removed'
 
 # Damping, step, gravity and properties of the last stage hold in the page that starts from it.
 cat >"$pages/changed.md" <<'END'
