@@ -39,7 +39,6 @@ STATEMENTS = \
   src/input/stage.c \
   src/input/remove.c \
   src/input/servo.c \
-  src/input/relax.c \
   src/input/boundary.c \
   src/input/contact_test.c
 
@@ -218,7 +217,6 @@ PAGES_LONG = \
   cases/7-assemblies/isotropic-compression.md \
   cases/7-assemblies/isotropic-compression-seeds.md \
   cases/7-assemblies/preparation-price.md \
-  cases/7-assemblies/relaxed-compression.md \
   cases/7-assemblies/constant-volume-shear.md \
   cases/7-assemblies/shear-fields.md \
   cases/7-assemblies/constant-mean-stress-shear.md \
@@ -314,7 +312,6 @@ SUITES = \
   tests/waves.c \
   tests/drive.c \
   tests/driven.c \
-  tests/relax.c \
   tests/servo.c \
   tests/removal.c \
   tests/properties.c \
@@ -494,7 +491,7 @@ MEASURE = \
   src/measure/stress.c \
   src/measure/stability.c
 
-# Loading of an assembly: boundary, cell, box, servo, relaxation, removal of particles.
+# Loading of an assembly: boundary, cell, box, servo, removal of particles.
 LOADING = \
   src/loading/box.c \
   src/loading/boundary.c \
@@ -502,7 +499,6 @@ LOADING = \
   src/loading/loading.h \
   src/loading/loading_quantities.c \
   src/loading/remove.c \
-  src/loading/relax.c \
   src/loading/servo.c
 
 # Lattices and random filling.

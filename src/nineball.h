@@ -393,17 +393,9 @@ struct nb_servo {
   int line;                       /* 0: none */
 };
 
-/* `relax`: relaxation without time towards an isotropic stress. */
-struct nb_relax {
-  int region;    /* whose stress is measured */
-  double stress; /* target of xx and yy, Pa; that of xy is 0 */
-  int line;      /* 0: none */
-};
-
 struct nb_stage {
   char name[NB_NAME_SIZE];
   struct nb_servo servo;
-  struct nb_relax relax;
   struct nb_circle circle;        /* a boundary that begins with this stage */
   struct nb_boundary boundary;    /* its loading */
   struct nb_affine_motion affine; /* affine motion imposed on all other particles */

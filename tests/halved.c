@@ -97,12 +97,12 @@ static struct nb_stage *halves(const struct nb_scene *scene, bool again) {
   return stages;
 }
 
-/* At least two cycles per stage, no `until` conditions, and no relaxation, which a state does not contain. */
+/* At least two cycles per stage, and no `until` conditions. */
 static void two_cycles_each(struct nb_scene *scene) {
   for (size_t s = 0; s < scene->stage_count; s++) {
     struct nb_stage *stage = &scene->stages[s];
     stage->cycles = stage->cycles < 2 ? 2 : stage->cycles;
-    stage->condition_count = 0, stage->relax.line = 0;
+    stage->condition_count = 0;
   }
 }
 

@@ -105,7 +105,7 @@ static const char *const scalars[] = {
      "step|allow|record|stage|trade|"),
     ("|material|pair|normal|shear|damping|step|allow|record|stage|ramp|cycles|until|snapshot|zero velocities|reverse "
      "velocities|remove|"
-     "boundary fixed|boundary none|affine none|relax|rotation on|rotation off|repeat|"),
+     "boundary fixed|boundary none|affine none|rotation on|rotation off|repeat|"),
     "|material|pair|",
 };
 

@@ -159,7 +159,6 @@ static void scale_stage(struct nb_stage *stage) {
   SCALE(PRESSURE, stage->boundary.sxx), SCALE(PRESSURE, stage->boundary.syy), SCALE(PRESSURE, stage->boundary.sxy);
   scale_strain(&stage->boundary.strain), scale_strain(&stage->affine.strain);
   scale_strain(&stage->cell), scale_strain(&stage->box);
-  SCALE(PRESSURE, stage->relax.stress);
   scale_servo(&stage->servo), scale_circle(&stage->circle), scale_gravity(&stage->gravity);
   scale_step(&stage->step), scale_damping(&stage->damping), scale_segment(&stage->segment);
 }

@@ -45,18 +45,14 @@ void nb_cell_reset_travel(struct nb_cell *cell, double skin) {
   cell->travel_limit = skin / 2;
 }
 
-void nb_cell_strain_by(struct nb_cell *cell, struct nb_tensor strain) {
-  cell->h = tensor_add(cell->h, tensor_product(strain, cell->h));
-  cell->deformation = tensor_add(cell->deformation, tensor_product(strain, cell->deformation));
-}
-
 int nb_cell_move(struct nb_model *model) {
   struct nb_cell *cell = model->cell;
   if (!(model->search.skin < INFINITY))
     cell->deformation = one; /* there is no search */
-  const struct nb_tensor rate = model->affine->rate[NB_AFFINE_CELL];
+  const struct nb_tensor rate = model->affine->rate[NB_AFFINE_CELL], step = tensor_scale(model->step, rate);
   cell->image_velocity = tensor_product(rate, cell->h);
-  nb_cell_strain_by(cell, tensor_scale(model->step, rate));
+  cell->h = tensor_add(cell->h, tensor_product(step, cell->h));
+  cell->deformation = tensor_add(cell->deformation, tensor_product(step, cell->deformation));
   const struct nb_tensor change = tensor_sub(cell->deformation, one);
   const double strained =
       sqrt(change.xx * change.xx + change.xy * change.xy + change.yx * change.yx + change.yy * change.yy);

@@ -23,7 +23,6 @@ struct nb_model;
 struct nb_error;
 
 bool nb_cell_create(struct nb_model *model); /* leaves model->cell NULL in a scene without one; false: no memory */
-void nb_cell_strain_by(struct nb_cell *cell, struct nb_tensor strain); /* H and F; `strain`: L dt */
 /* Before the motion: advances H by one step. Returns 1 when the strain requires a new search. */
 int nb_cell_move(struct nb_model *model);
 /* Before a search: an error when the cell is so narrow that a pair could have two contacts. */

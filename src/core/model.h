@@ -207,7 +207,6 @@ struct nb_model {
   struct nb_boundary_state *boundary;     /* boundary.h; NULL: no boundary */
   struct nb_stability *stability;         /* measure/step.h */
   struct nb_sum *terms;                   /* NB_TERMS sums, core/energy_terms.h; NULL: not requested */
-  struct nb_relaxation *relaxation;       /* loading/relax.c; NULL: none yet */
   struct nb_balance *balance;             /* measure/energy.h; NULL: not requested */
   struct nb_regions *regions;             /* measure/region.h; NULL: the scene has none */
   struct nb_configuration *configuration; /* measure/configuration.h; NULL: no snapshot requests changes */

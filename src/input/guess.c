@@ -38,7 +38,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"unbalanced unbalanced_force mech_ratio", "unbalanced.max"},
     {"ratio", "unbalanced.max, damping, poisson"}, {"critical", "ratio, single-contact"}, {"no_contact separation", "contacts"},
     {"contact", "damping, monitor, region"}, {"all", "region", "`region M all` measures all particles and contacts"},
-    {"calm", "zero velocities"}, {"quench minimize minimise fire", "relax"}, {"fix freeze clamp", "fixed", "a particle with `fixed` does not move: `disc X Y radius R MATERIAL fixed`"},
+    {"calm relax quench", "zero velocities"}, {"fix freeze clamp", "fixed", "a particle with `fixed` does not move: `disc X Y radius R MATERIAL fixed`"},
     {"apply load", "gravity, boundary stress, servo, wall"}, {"confine confining confinement membrane pressure", "servo, boundary stress, cell.stress.mean"},
     {"deform strain strain_rate shear_rate rate", "cell strain, box strain, boundary strain, affine strain", "`nineball --help strain` compares the four"},
     {"compress compression", "box strain, cell strain, boundary strain, walls, servo"}, {"shear_strain", "strain.xy, strain.deviator"},

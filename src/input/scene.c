@@ -180,7 +180,6 @@ static void check_whole(struct nb_scene_reading *reading) {
   nb_cell_check(reading);
   nb_imposed_motion_check(reading);
   nb_box_check(reading);
-  nb_relax_check(reading);
   if (scene->particle_count == 0 && !nb_particles_incomplete(reading))
     nb_scene_mistake(reading, "disc", "add particles with `disc`, `sphere`, `lattice`, `fill` or `packing`",
                      "expected a scene with particles, found none");

@@ -114,8 +114,6 @@ struct nb_particle nb_particle_of(struct nb_reader *reader, const struct nb_scen
 /* Adds a monitor; false with a message if the name exists or there are too many. */
 bool nb_monitor_add(struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *name,
                     struct nb_monitor monitor);
-/* Whether the stage has an end already; then with a message. */
-bool nb_stage_ends_twice(const struct nb_stage *stage, struct nb_reader *reader);
 /* Sets the name of a stage or a segment; of repeated ones NAME-2, NAME-3, … */
 void nb_stage_name(struct nb_stage *stage, const struct nb_scene_reading *reading, const struct nb_token *name);
 
@@ -141,8 +139,6 @@ void nb_regions_check(struct nb_scene_reading *reading);
 void nb_cell_check(struct nb_scene_reading *reading);
 /* A stage with a ramp has a known number of cycles. */
 void nb_ramps_check(struct nb_scene_reading *reading);
-/* Stages with `relax` have nothing that a relaxation without time cannot have. */
-void nb_relax_check(struct nb_scene_reading *reading);
 /* Walls that follow the strain of a box have no other motion. */
 void nb_box_check(struct nb_scene_reading *reading);
 /* Imposed motion is not reversed; a cell has no boundary. */

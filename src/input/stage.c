@@ -49,19 +49,18 @@ NB_APPLY(apply_stage) {
     reading->here = NB_IN_STAGE;
 }
 
-/* ---- end of a stage: either `cycles`, one `until` or one `relax` ---- */
+/* ---- end of a stage: either `cycles` or one `until` ---- */
 
-bool nb_stage_ends_twice(const struct nb_stage *stage, struct nb_reader *reader) {
+static bool ends_twice(const struct nb_stage *stage, struct nb_reader *reader) {
   if (stage->cycles != 0)
     nb_token_mistake(reader, &reader->tokens[0], NULL,
-                     "expected one end of the stage `%s`, `cycles`, `until` or `relax`, found a second one",
-                     stage->name);
+                     "expected one end of the stage `%s`, `cycles` or `until`, found a second one", stage->name);
   return stage->cycles != 0;
 }
 
 NB_APPLY(apply_cycles) {
   struct nb_stage *stage = nb_current_stage(((struct nb_scene_reading *)subject)->scene);
-  if (!nb_stage_ends_twice(stage, reader))
+  if (!ends_twice(stage, reader))
     stage->cycles = (unsigned long)record->value[AT_CYCLES].number;
 }
 
@@ -82,7 +81,7 @@ NB_APPLY(apply_until) {
   struct nb_scene_reading *reading = subject;
   struct nb_stage *stage = nb_current_stage(reading->scene);
   (void)record;
-  if (nb_stage_ends_twice(stage, reader))
+  if (ends_twice(stage, reader))
     return;
   do {
     struct nb_condition condition = {0};

@@ -73,7 +73,6 @@ static void copy_stage(struct nb_stage *to, const struct nb_stage *from, int lin
     *lines[k] = replaced_line(*lines[k], line);
   to->line = to->step.line = line, to->step.set = false;
   to->servo = (struct nb_servo){.box = from->servo.box}; /* its quantities are those of the other page */
-  to->relax = (struct nb_relax){.line = 0};              /* so is its region */
 }
 
 /* False: no memory. */

@@ -326,14 +326,13 @@ void nb_boundary_set_velocities(struct nb_model *model) {
   }
 }
 
-void nb_boundary_strain_by(struct nb_model *model, struct nb_tensor strain) {
-  struct nb_ring *ring = &model->boundary->ring;
-  ring->shape = tensor_add(ring->shape, tensor_product(strain, ring->shape));
-}
-
 void nb_boundary_after_motion(struct nb_model *model) {
-  if (model->boundary->ring.held)
-    nb_boundary_strain_by(model, tensor_scale(model->step, model->affine->rate[NB_AFFINE_BOUNDARY]));
+  struct nb_boundary_state *state = model->boundary;
+  struct nb_ring *ring = &state->ring;
+  if (ring->held) {
+    const struct nb_tensor step = tensor_scale(model->step, model->affine->rate[NB_AFFINE_BOUNDARY]);
+    ring->shape = tensor_add(ring->shape, tensor_product(step, ring->shape));
+  }
   if (model->particles.boundary_force)
     nb_boundary_set_forces(model);
 }

@@ -13,7 +13,6 @@ enum nb_status nb_boundary_begin(struct nb_model *model, const struct nb_stage *
 /* Adds the particles that have crossed the circle to a held boundary. */
 enum nb_status nb_boundary_before_motion(struct nb_model *model, struct nb_error *error);
 void nb_boundary_after_motion(struct nb_model *model);
-void nb_boundary_strain_by(struct nb_model *model, struct nb_tensor strain); /* its ellipse; `strain`: L dt */
 void nb_boundary_remove(struct nb_model *model, size_t slot); /* a particle that is removed from the scene */
 /* Sets the velocities of a held boundary before the motion, if no other particle has an imposed motion. */
 void nb_boundary_set_velocities(struct nb_model *model);
@@ -47,15 +46,6 @@ void nb_servo_begin(struct nb_model *model); /* after the stage's other statemen
 /* B, Pa, and T, s, for the present contacts; false: no boundary, or no contact that touches. */
 bool nb_servo_scales(const struct nb_model *model, const struct nb_servo *servo, double *b, double *t);
 void nb_servo_apply(struct nb_model *model); /* sets the strain rates of the next steps; before the motion */
-
-/* ---- relax.c: relaxation without time ---- */
-struct nb_relaxation;                                                               /* relax.c */
-enum nb_status nb_relaxation_begin(struct nb_model *model, struct nb_error *error); /* when particles are at rest */
-void nb_relaxation_step(struct nb_model *model);         /* moves all particles; before the motion, which moves none */
-void nb_relaxation_after_forces(struct nb_model *model); /* energy balance; only if model->terms is not NULL */
-bool nb_relaxation_ends(struct nb_model *model);         /* after a cycle: whether the assembly is at rest */
-enum nb_status nb_relaxation_failed(const struct nb_model *model, struct nb_error *error); /* why it is not */
-void nb_relaxation_end(struct nb_model *model); /* after the last cycle, at rest or not */
 
 /* ---- remove.c: particles that a stage removes ---- */
 enum nb_status nb_remove(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error);

@@ -49,16 +49,12 @@ void nb_regions_free(struct nb_regions *regions, size_t count) {
   free(regions);
 }
 
-static void forget(struct nb_region_state *region) {
-  region->placed_cycle = 0;
-  for (int k = 0; k < NB_MEASURES; k++)
-    region->measured[k] = 0;
-}
-
 enum nb_status nb_regions_stage(struct nb_model *model, int stage, struct nb_error *error) {
   for (size_t r = 0; model->regions && r < model->scene->region_count; r++) {
-    forget(&model->regions->list[r]);
-    model->regions->list[r].member = NULL;
+    struct nb_region_state *region = &model->regions->list[r];
+    region->placed_cycle = 0;
+    for (int k = 0; k < NB_MEASURES; k++)
+      region->measured[k] = 0;
   }
   if (!model->regions || nb_strain_begin(model, stage, error))
     return model->regions ? error->status : NB_OK;
@@ -142,8 +138,6 @@ struct nb_vec nb_region_position(const struct nb_model *model, const struct nb_r
 bool nb_region_contains(const struct nb_model *model, const struct nb_region_state *region, size_t slot) {
   if (nb_removed(model, slot))
     return false;
-  if (region->member)
-    return region->member[slot];
   const struct nb_vec x = vec_sub(nb_region_position(model, region, slot), region->centre);
   if (region->definition->kind == NB_REGION_ALL)
     return true;
@@ -161,16 +155,6 @@ bool nb_region_next(const struct nb_model *model, const struct nb_region_state *
       return true;
   }
   return false;
-}
-
-void nb_region_fix(struct nb_model *model, int region, bool *member) {
-  struct nb_region_state *state = &model->regions->list[region];
-  state->member = NULL;
-  forget(state);
-  const struct nb_region_state *now = nb_region_state(model, region);
-  for (size_t i = 0; i < model->particles.count && member; i++)
-    member[i] = nb_region_contains(model, now, i);
-  state->member = member;
 }
 
 /* Area of a particle's outline inside the region, m2. */

@@ -91,7 +91,6 @@ enum nb_measure { NB_MEASURE_ROWS(NB_MEASURE_NUMBER) NB_MEASURES };
 /* A region in the present cycle. */
 struct nb_region_state {
   const struct nb_region *definition;
-  const bool *member; /* per slot: the fixed particles of the region; NULL: those that are inside now */
   struct nb_vec centre;
   double radius;              /* of a circle, m; 0: a box, or no boundary */
   struct nb_vec corners[4];   /* counterclockwise, m */
@@ -133,9 +132,6 @@ const struct nb_region_state *nb_region_measured(const struct nb_model *model, i
 struct nb_vec nb_region_position(const struct nb_model *model, const struct nb_region_state *region, size_t slot);
 /* Whether the centre of a particle is inside. */
 bool nb_region_contains(const struct nb_model *model, const struct nb_region_state *region, size_t slot);
-/* Until the end of the stage the particles that are inside now are those of the region, written to `member`, per slot.
- * NULL: releases them. */
-void nb_region_fix(struct nb_model *model, int region, bool *member);
 /* for (size_t k = 0, i; nb_region_next(model, region, &k, &i);): slot i of each particle inside, in the order of
  * numbers. */
 bool nb_region_next(const struct nb_model *model, const struct nb_region_state *region, size_t *k, size_t *slot);

@@ -76,9 +76,7 @@ static void find_lengths(struct nb_cost *cost, const struct nb_scene *scene, str
       const bool is = is_clock(&stage->conditions[k]);
       decided = decided && is, clock = clock || is;
     }
-    if (stage->relax.line) {
-      length->cycles.from = 1;
-    } else if (stage->condition_count > 0) {
+    if (stage->condition_count > 0) {
       length->cycles.from = (double)first_cycle(model, stage, &now, 1, step);
       length->cycles.to = decided ? (double)first_cycle(model, stage, &now, 0, step) : length->cycles.to;
       length->about = about && clock;
@@ -87,8 +85,7 @@ static void find_lengths(struct nb_cost *cost, const struct nb_scene *scene, str
       length->cycles.to = fmin(length->cycles.to, (double)stage->cycles);
     }
     now.cycle[0] += length->cycles.from, now.cycle[1] += length->cycles.to;
-    const double cycle = stage->relax.line ? 0 : step; /* a relaxation has no time */
-    now.time[0] += length->cycles.from * cycle, now.time[1] += length->cycles.to * cycle;
+    now.time[0] += length->cycles.from * step, now.time[1] += length->cycles.to * step;
   }
 }
 
@@ -204,9 +201,7 @@ void nb_cost_print_length(FILE *out, const struct nb_length *length, const struc
   }
   fputs(length->about ? "about " : "", out);
   print_bounds(out, length->cycles, 15, " cycles");
-  if (stage->relax.line)
-    fprintf(out, " without time: the relaxation on line %d ends when the assembly is at rest", stage->relax.line);
-  else if (length->cycles.to > length->cycles.from)
+  if (length->cycles.to > length->cycles.from)
     fprintf(out, ": the condition on line %d decides", line);
 }
 

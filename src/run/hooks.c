@@ -23,8 +23,6 @@
   }
 HOOK(move_walls, nb_stage_set_wall_velocities(model))
 HOOK(apply_servo, nb_servo_apply(model))
-HOOK(relax, nb_relaxation_step(model))
-HOOK(balance_relaxation, nb_relaxation_after_forces(model))
 HOOK(strain_box, nb_box_set_velocities(model))
 HOOK(balance_before_motion, nb_balance_before_motion(model))
 HOOK(balance_after_motion, nb_balance_after_motion(model))
@@ -73,8 +71,6 @@ NEEDED(ramps_walls, nb_stage_ramps_walls(model))
 NEEDED(holds_boundary, model->boundary && model->boundary->ring.held)
 NEEDED(moves_boundary, model->particles.boundary_force || (holds_boundary(model) && nb_affine_moves(model)))
 NEEDED(has_servo, model->affine && model->stage && model->stage->servo.line)
-NEEDED(relaxes, model->stage && model->stage->relax.line)
-NEEDED(relaxes_with_balance, relaxes(model) && model->terms)
 NEEDED(strains_box, nb_box_is_strained(model))
 NEEDED(has_balance, model->balance != NULL)
 NEEDED(has_affine, nb_affine_moves(model))
@@ -93,7 +89,6 @@ static const struct {
     {NB_BEFORE_MOTION, "walls ramp", ramps_walls, move_walls},
     {NB_BEFORE_MOTION, "boundary takes in particles", holds_boundary, nb_boundary_before_motion},
     {NB_BEFORE_MOTION, "servo", has_servo, apply_servo},
-    {NB_BEFORE_MOTION, "relaxation", relaxes, relax},
     {NB_BEFORE_MOTION, "walls of the box follow its strain rate", strains_box, strain_box},
     {NB_BEFORE_MOTION, "energy balance", has_balance, balance_before_motion},
     {NB_BEFORE_MOTION, "affine motion", has_affine, move_affinely},
@@ -105,7 +100,6 @@ static const struct {
     {NB_AFTER_FORCES, "count of deep overlaps", has_elastic_law, record_first_deep},
     {NB_AFTER_FORCES, "FRACC", requests_fracc, update_fracc},
     {NB_AFTER_FORCES, "sliding since a stage", has_reference, add_slip},
-    {NB_AFTER_FORCES, "energy balance of the relaxation", relaxes_with_balance, balance_relaxation},
     {NB_AFTER_FORCES, "energy balance", has_balance, balance_after_forces},
 };
 

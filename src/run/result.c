@@ -10,7 +10,6 @@
 
 #include "core/clock.h"
 #include "core/names.h"
-#include "measure/region.h"
 
 unsigned nb_fields_requested(const struct nb_scene *scene) {
   unsigned fields = 0;
@@ -22,8 +21,6 @@ unsigned nb_fields_requested(const struct nb_scene *scene) {
       fields |= stage->conditions[k].quantity.kind->fields;
     for (int k = 0; k < 4 && stage->servo.line; k++)
       fields |= stage->servo.quantity[k].kind->fields | NB_BIT(NB_OVERLAP) | NB_BIT(NB_STIFFNESS);
-    if (stage->relax.line)
-      fields |= NB_READS_ENDS | NB_READS_LOADS | NB_BIT(NB_STIFFNESS);
     if (stage->snapshot)
       fields |= NB_BIT(NB_OVERLAP) | NB_BIT(NB_EX) | NB_BIT(NB_EY) | NB_BIT(NB_NORMAL) | NB_BIT(NB_SHEAR) |
                 NB_BIT(NB_SLIDING) | NB_BIT(NB_RADIUS) |

@@ -7,7 +7,6 @@
 #include "contact_test.h"
 #include "core/clock.h"
 #include "laws/laws_now.h"
-#include "loading/loading.h"
 #include "measure/snapshot.h"
 #include "plan.h"
 #include "restart.h"
@@ -99,17 +98,12 @@ static enum nb_status run_cycle(struct run *run, int index, int *outcome, struct
   if (nb_cycle(model, error))
     return error->status;
   const bool over = model->stage_cycle >= stage->cycles;
-  const bool ends = stage->relax.line        ? nb_relaxation_ends(model)
-                    : stage->condition_count ? conditions_met(stage, model)
-                                             : over;
-  *outcome = ends ? ENDED : over ? EXHAUSTED : CONTINUES;
+  *outcome = (stage->condition_count ? conditions_met(stage, model) : over) ? ENDED : over ? EXHAUSTED : CONTINUES;
   const bool due =
       stage->record_interval && (model->stage_cycle % stage->record_interval == 0 || *outcome != CONTINUES);
   if (due && !nb_result_add_row(&run->result->table, model, index))
     return nb_error_memory(error);
-  if (*outcome != EXHAUSTED)
-    return NB_OK;
-  return stage->relax.line ? nb_relaxation_failed(model, error) : conditions_not_met(stage, model, error);
+  return *outcome == EXHAUSTED ? conditions_not_met(stage, model, error) : NB_OK;
 }
 
 static enum nb_status take_snapshot(struct run *run, int index, struct nb_error *error) {
@@ -129,8 +123,6 @@ static enum nb_status run_stage(struct run *run, int index, struct nb_error *err
     if (!report_progress(run, stage) && !status)
       outcome = ENDED;
   }
-  if (stage->relax.line)
-    nb_relaxation_end(run->model);
   run->result->stages[index] =
       (struct nb_stage_cost){run->model->stage_cycle, run->model->updates - updates, run->model->step,
                              nb_processor_clock() - run->reporter.stage_began};

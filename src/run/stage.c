@@ -196,7 +196,7 @@ static enum nb_status begin_assembly(struct nb_model *model, const struct nb_sta
     return error->status;
   if (model->configuration && !nb_configuration_begin(model, index))
     return nb_error_memory(error);
-  if (stage->zero_velocities || stage->relax.line)
+  if (stage->zero_velocities)
     stop_particles(model);
   if (stage->reverse_velocities)
     reverse_walls(model);
@@ -216,8 +216,6 @@ static enum nb_status begin_loading(struct nb_model *model, const struct nb_stag
     nb_servo_begin(model);
   if (stage->reverse_velocities)
     reverse_particles(model);
-  if (stage->relax.line)
-    return nb_relaxation_begin(model, error);
   return NB_OK;
 }
 
@@ -236,7 +234,7 @@ enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *sta
     return error->status;
   model->changes->changing = stage->change_count > 0 || stage->gravity.line > 0 || nb_laws_normal_changes(model) ||
                              nb_laws_shear_changes(model);
-  model->stability->allow_unstable = model->scene->allow_unstable || stage->allow_unstable || stage->relax.line;
+  model->stability->allow_unstable = model->scene->allow_unstable || stage->allow_unstable;
   nb_hooks_plan(model);
   return nb_stability_begin(model, &apart, error);
 }
