@@ -459,7 +459,7 @@ law_cost() {
 no_advice() {
   lessons | awk -F '\t' '
     $6 == "no" { reason = $7 ~ /^(the limit|the budget|no setting)/ ? $7 : "the program refuses the page or the quantity"; n[reason]++ }
-    END { for (r in n) print n[r] " times " r }' | sort -rn | sed ':a; N; $!ba; s/\n/, /g'
+    END { for (r in n) print "- " n[r] ": " r }' | sort -t ' ' -k 2,2rn
 }
 low_order() { share "$(awk -F '\t' -v late="$1" '$5 == late && $2 < 1.5 { n++ } END { print n + 0 }' "$work/orders")" "$(awk -F '\t' -v late="$1" '$5 == late { n++ } END { print n + 0 }' "$work/orders")"; }
 
@@ -528,7 +528,9 @@ The chosen setting has other laws than the page for $(cheaper '10 %') of all qua
 $(cheaper '1 %') within 1 %, and for $(cheaper '0.1 %') within 0.1 %. Of laws with equal numbers of updates the fastest one is chosen. An update with the
 exact law takes $(law_cost exact) times the instructions of one with \`mindlin\`, and an update with \`randall\` $(law_cost randall) times ([COST](COST.md)).
 
-**No advice.** $(lessons | awk -F '\t' '$6 == "no"' | wc -l) searches ended without advice: $(no_advice).
+**No advice.** $(lessons | awk -F '\t' '$6 == "no"' | wc -l) searches ended without advice:
+
+$(no_advice)
 
 ## The seven named cases
 
