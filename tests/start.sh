@@ -85,6 +85,34 @@ plan "$pages/smoother.md" >"$work/after" && test "$(grep -c 'tan(phi) 0' "$work/
   "$nineball" explain "$pages/smoother.md" --states "$states" | grep -q "^$step, line"
 result $? 'the plan is that which it shows when the state exists'
 
+# A page with `impact`, one that starts from it, and one that starts from that: each also from the saved state.
+cat >"$pages/hit.md" <<'EOF'
+```scene
+units none
+material m density 1 young 1000 poisson 0.3
+normal hertz
+sphere 0 0 radius 1 m
+sphere 0 2 radius 1 m fixed
+monitor C sphere 1 with sphere 2
+monitor D sphere 1
+impact C speed 0.3 angle 0.4 phase 0.3
+record impact.time
+step 0.02
+stage strike
+until impact.time above 1.02 at most 100000 cycles
+```
+EOF
+printf '```scene\nunits none\nstart hit stage strike\nmonitor D sphere 1\nrecord D.y\nstage away\ncycles 9\n```\n' >"$pages/away.md"
+printf '```scene\nunits none\nstart away stage away\nmonitor D sphere 1\nrecord D.y\nstage farther\ncycles 9\n```\n' >"$pages/farther.md"
+for page in away farther; do
+  run "hit-$page" "$pages/$page.md" && test "$(made)" -eq 1 && run "again-$page" "$pages/$page.md" && test "$(made)" -eq 0 &&
+    cmp "$work/hit-$page/table.tsv" "$work/again-$page/table.tsv" >>"$work/said" 2>&1 || break
+done
+test "$page" = farther && test -s "$work/again-$page/table.tsv"
+result $? 'pages that start from one with an impact run again from its state'
+rm "$states"/*.state
+run again "$pages/saved-stage.md"
+
 # The process that holds the lock may hang.
 rm "$states"/*.state
 : >"$states/$("$nineball" explain "$pages/saved-stage.md" --states "$states" | sed -n 's/.*\(nine-discs-load-[0-9a-f]*.state\).*/\1/p').lock"

@@ -150,6 +150,11 @@ static enum nb_status capture_loading(struct nb_saved *saved, const struct nb_mo
   return NB_OK;
 }
 
+/* Whether the page, or one that it starts from, has `impact`. */
+static bool has_impact(const struct nb_scene *scene) {
+  return scene->impact.line > 0 || (scene->start.scene && has_impact(scene->start.scene));
+}
+
 enum nb_status nb_saved_capture(struct nb_saved *saved, const struct nb_model *model, struct nb_error *error) {
   const struct nb_scene *scene = model->scene;
   *saved = (struct nb_saved){
@@ -160,7 +165,7 @@ enum nb_status nb_saved_capture(struct nb_saved *saved, const struct nb_model *m
       .step = model->previous_step,
       .unitless = scene->unitless,
       .gravity = model->gravity,
-      .impact = {scene->impact.line > 0, model->impact_time},
+      .impact = {has_impact(scene), model->impact_time},
       .pieces = (int)model->laws.pieces,
       .material_count = scene->material_count,
       .rule_count = model->properties.rule_count,
@@ -218,9 +223,9 @@ enum nb_status nb_saved_fits(const struct nb_saved *saved, const struct nb_scene
   while (k < saved->particle_count && k < scene->particle_count &&
          same_particle(&saved->particles[k], &scene->particles[k], removals > 0))
     k++;
-  if (saved->impact.is != (scene->impact.line > 0))
+  if (saved->impact.is != has_impact(scene))
     return nb_error_set(error, NB_BAD_USE, "%.200s: expected the state of a page %s `impact`, found one %s", path,
-                        scene->impact.line ? "with" : "without", scene->impact.line ? "without" : "with");
+                        has_impact(scene) ? "with" : "without", has_impact(scene) ? "without" : "with");
   if (named && saved->rule_count <= rules && k == scene->particle_count && k == saved->particle_count)
     return NB_OK;
   return nb_error_set(error, NB_BAD_USE,
