@@ -438,6 +438,11 @@ run 0 explain "$pages/contact-test.md"
 grep -q 'steps per collision' out && echo 'a contact test has no collision' >>why
 verdict 'explain: the accuracy to expect of the step'
 
+# A reference refuses a law without the stiffness that it needs.
+run 2 check "$cases/4-oblique/grazing.md" --set law=mindlin --set 'theta=85 deg' --set normal=linear --set shear=linear
+said 'rebound is for a contact with friction'
+verdict 'a contact without normal stiffness for the theory of an impact'
+
 # ---- files of a run ----
 run 0 run "$pages/passes.md"
 out 'tables are in passes.out'

@@ -53,7 +53,7 @@ static const char *read_impact(struct impact *it, const struct nb_scene *scene) 
   *it = (struct impact){.particle = {&scene->particles[monitor->a], wall ? NULL : &scene->particles[monitor->b]}};
   const struct nb_particle *a = it->particle[0], *b = it->particle[1];
   const struct matter_pair pair = matter_pair(scene, a->material, wall ? wall->material : b->material);
-  if (!(pair.friction > 0) || (!hertz && !(pair.ks > 0)))
+  if (!(pair.friction > 0) || (!hertz && !(pair.kn * pair.ks > 0)))
     return "a contact with friction";
   for (int k = 0; k < 2; k++)
     if (it->particle[k] && !it->particle[k]->fixed) {
