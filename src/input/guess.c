@@ -92,7 +92,7 @@ const char *nb_synonym_hint(char *hint, const char *word) {
     snprintf(hint, NB_HINT_SIZE, "%s: see `nineball --help %.*s`", synonym->note, (int)strcspn(synonym->ours, ","),
              synonym->ours);
   else
-    snprintf(hint, NB_HINT_SIZE, "`%s` of other programs is %s here: see `nineball --help %s`", word, list, word);
+    snprintf(hint, NB_HINT_SIZE, "`%.80s` of other programs is %s here: see `nineball --help %.80s`", word, list, word);
   return hint;
 }
 
