@@ -208,6 +208,9 @@ run 0 advise gas.md --set seed=1 --set trade='laws none' --quantity A.porosity -
 cat times >>"$why"
 awk '{ good = NF == 6 && 0 < $2 && $2 <= $1 && $1 <= $3 && 0 < $5 && $5 <= $4 && $4 <= $6 } END { exit !good }' times
 result $? 'times, median and range'
+run 0 advise gas.md --over seed --set trade='dt 0.032' --quantity energy.kinetic --within '500 %' -o longer &&
+  cut -f 3,12 longer/advice.tsv >"$why" && grep -qx "0.125	-" "$why" && grep -qx "1	dt=0.032" "$why"
+result $? 'a variant that needs a shorter step than the page is tried with it'
 run 0 advise gas.md --over seed --set dt=0.002 --quantity energy.kinetic --within '10 %' -o own && said 'nineball run gas.md --set dt=0.002 --set refine='
 result $? 'the command to run has the settings of the caller'
 run 1 advise gas.md --over seed --quantity energy.kinetic --within '0.001 %' && said 'the mean over 8 realizations is not known well enough' &&

@@ -206,7 +206,7 @@ static void unify(struct nb_binding *values, size_t count, size_t columns) {
 
 static bool has_comma(struct nb_reader *reader, const struct nb_token *token) {
   if (strchr(token->text, ','))
-    nb_expected_at(reader, token, "separate the values of a sweep by spaces", "one value");
+    nb_expected_at(reader, token, "separate the values by spaces", "one value");
   return reader->bad;
 }
 
@@ -215,7 +215,7 @@ static size_t take_rows(struct nb_reader *reader, struct nb_binding *values, siz
   const struct nb_token *tokens[NB_TOKENS_MAX];
   size_t count = 0;
   if (nb_token_is(reader, "="))
-    nb_expected(reader, NULL, "the values of the sweep");
+    nb_expected(reader, NULL, "the values");
   do {
     if (!take_value(reader, &values[count], &tokens[count]) || has_comma(reader, tokens[count]) ||
         !same_type(reader, &values[count % columns], &values[count], tokens[count]))

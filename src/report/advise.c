@@ -207,11 +207,14 @@ static const struct nb_variant *equal_variant(const struct nb_advice *advice, co
   return NULL;
 }
 
-/* Whether the variant is near enough to the anchor to be tried; means over realizations show it only after all
- * trials, and quantities such as a number of contacts can be equal by chance in one of them. */
-static bool is_near(struct nb_advice *advice, struct nb_variant *variant, int level) {
+/* Whether the variant is near enough to the anchor to be tried, with the longest step from this level on with which it
+ * can be run. Means over realizations show it only after all trials, and quantities such as a number of contacts can be
+ * equal by chance in one of them. */
+static bool is_near(struct nb_advice *advice, struct nb_variant *variant, int level, int highest) {
+  while (!nb_trials_run(advice, variant, level, 0, 1, 1) && level < highest && !advice->exhausted)
+    level++;
   const struct nb_point *point = &variant->points[level - NB_LEVEL_LOW];
-  if (!nb_trials_run(advice, variant, level, 0, 1, 1)) {
+  if (!point->done) {
     snprintf(variant->reason, sizeof variant->reason, "%s",
              advice->exhausted ? "the budget was used up" : point->reason);
     return false;
@@ -245,7 +248,7 @@ static void search(struct nb_advice *advice) {
   search_levels(advice, 0, highest);
   const int own = advice->chosen < 0 ? highest : advice->settings[advice->chosen].level;
   for (size_t k = 1; k < advice->variant_count; k++)
-    if (is_near(advice, &advice->variants[k], own))
+    if (is_near(advice, &advice->variants[k], own, highest))
       search_levels(advice, k, highest);
 }
 
@@ -363,9 +366,10 @@ static enum nb_status read_page(struct nb_advice *advice, struct nb_error *error
   if (!advice->page_settings || !advice->variants)
     return nb_error_memory(error);
   memcpy(advice->page_settings, query->settings, count * sizeof *advice->page_settings);
-  snprintf(advice->first_realization, sizeof advice->first_realization, "%s=1", query->over);
-  if (query->over)
+  if (query->over) {
+    snprintf(advice->first_realization, sizeof advice->first_realization, "%s=1", query->over);
     advice->page_settings[count] = advice->first_realization;
+  }
   if (nb_outcome_read(&advice->page, query->path, advice->page_settings))
     return nb_error_set(error, advice->page.status, "%s", advice->page.error.text);
   advice->runs = advice->page.run_count;

@@ -98,14 +98,14 @@ static void run_one(struct nb_page_run *run, const struct nb_options *options, c
     run->status = nb_run(&run->result, &run->scene, options, progress, &run->error);
 }
 
-static int job_count(const struct nb_outcome *outcome, const struct nb_options *options) {
+int nb_job_count(const struct nb_options *options, size_t most) {
   int jobs = options ? options->jobs : 1;
 #ifdef _OPENMP
   if (jobs <= 0)
     jobs = omp_get_num_procs() / (options->threads > 0 ? options->threads : 1);
 #endif
-  if (jobs > (int)outcome->run_count)
-    jobs = (int)outcome->run_count;
+  if (jobs > (int)most)
+    jobs = (int)most;
   return jobs > 0 ? jobs : 1;
 }
 
@@ -115,7 +115,7 @@ enum nb_status nb_outcome_run(struct nb_outcome *outcome, const struct nb_option
                               const struct nb_progress *progress) {
   const size_t runs = outcome->run_count;
   const double began = nb_clock();
-  const int jobs = job_count(outcome, options);
+  const int jobs = nb_job_count(options, runs);
   bool stopped = false;
   nb_references_prepare();
 #pragma omp parallel for num_threads(jobs) schedule(dynamic, 1)

@@ -6,9 +6,6 @@
  * --over, such as the seed of a random packing.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -193,16 +190,6 @@ static bool is_affordable(struct nb_advice *advice, const struct nb_point *point
   return !advice->exhausted;
 }
 
-static int job_count(const struct nb_advice *advice) {
-  const struct nb_options *options = &advice->query->options;
-  int jobs = options->jobs;
-#ifdef _OPENMP
-  if (jobs <= 0)
-    jobs = omp_get_num_procs() / (options->threads > 0 ? options->threads : 1);
-#endif
-  return jobs < 1 ? 1 : jobs > NB_TRIALS ? NB_TRIALS : jobs;
-}
-
 /* Runs these trials, which have not been run, in parallel. */
 static bool run_batch(struct nb_advice *advice, struct nb_variant *variant, int level, struct trial *batch, int count) {
   struct nb_point *point = &variant->points[level - NB_LEVEL_LOW];
@@ -224,7 +211,7 @@ static bool run_batch(struct nb_advice *advice, struct nb_variant *variant, int 
 bool nb_trials_run(struct nb_advice *advice, struct nb_variant *variant, int level, size_t first, size_t stride,
                    size_t count) {
   struct nb_point *point = &variant->points[level - NB_LEVEL_LOW];
-  const int jobs = job_count(advice);
+  const int jobs = nb_job_count(&advice->query->options, NB_TRIALS);
   struct trial *batch;
   bool good = !point->reason[0];
   if (!point->values)

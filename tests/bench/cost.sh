@@ -120,7 +120,7 @@ PAGES
 
 # ---- the features and their files ----
 #
-# FEATURE ... : FILE or FILE:FUNCTION ... ; a function overrides its file, with `*` for every one of a file. A file of several features may
+# FEATURE ... : FILE or FILE:FUNCTION ... ; a function overrides its file, with `*` for all functions of a file. A file of several features may
 # be executed on the pages of any of them. `cycle` is used by every page, `never` by no cycle.
 features() {
   cat <<'FEATURES'
@@ -409,12 +409,20 @@ describe() {
     END { printf "%s %.17g %d %d %d %s %.17g\n", name, sum / cycles, contacts, particle, contact, us, own / cycles }' "$work/$1.cost" "$work/$1.plan"
 }
 
-# Rows of the main table for these pages.
-rows() {
+# list_rows PROGRAM PAGE ...: a table, by an awk program that is given for each page its name, the one that it is compared with, and what
+# it adds; value[PAGE, K] are the numbers of the pages, n is the number of particles.
+list_rows() {
+  program=$1
+  shift
   for page in "$@"; do
     echo "$page|$(field "$page" 2)|$(field "$page" 9)"
   done | $awk -F '|' -v n=$((side * side)) '
-    FILENAME != "-" { split($0, part, " "); for (k = 2; k <= 6; k++) value[part[1], k] = part[k]; next }
+    FILENAME != "-" { split($0, part, " "); for (k = 2; k <= 7; k++) value[part[1], k] = part[k]; next }'"$program" "$work/table" -
+}
+
+# Rows of the main table for these pages.
+rows() {
+  list_rows '
     FNR == 1 {
       print "| page | adds | to | contacts | instructions a contact | more | instructions a particle | bytes a particle | bytes a contact | ns a contact |"
       print "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |"
@@ -429,15 +437,12 @@ rows() {
       }
       printf "| %s | %s | %s | %d | %.1f | %s | %.1f | %d | %d | %.2f |\n", $1, $3, $2, value[$1, 3], cost, more, value[$1, 2] / n, value[$1, 4], value[$1, 5],
         1000 * value[$1, 6] / value[$1, 3]
-    }' "$work/table" -
+    }' "$@"
 }
 
 # Rows for what is measured when a row is recorded, every ten cycles.
 record_rows() {
-  for page in "$@"; do
-    echo "$page|$(field "$page" 2)|$(field "$page" 9)"
-  done | $awk -F '|' -v n=$((side * side)) '
-    FILENAME != "-" { split($0, part, " "); for (k = 2; k <= 6; k++) value[part[1], k] = part[k]; next }
+  list_rows '
     FNR == 1 {
       print "| page | records | instructions a row | a particle | cycles of the base page | more bytes a contact |"
       print "| --- | --- | --- | --- | --- | --- |"
@@ -445,15 +450,12 @@ record_rows() {
     {
       row = 10 * (value[$1, 2] - value[$2, 2])
       printf "| %s | %s | %.0f | %.1f | %.2f | %d |\n", $1, $3, row, row / n, row / value["base", 2], value[$1, 5] - value[$2, 5]
-    }' "$work/table" -
+    }' "$@"
 }
 
 # Rows for what is declared and not used in the measured stage.
 unused_rows() {
-  for page in "$@"; do
-    echo "$page|$(field "$page" 2)|$(field "$page" 9)"
-  done | $awk -F '|' -v n=$((side * side)) '
-    FILENAME != "-" { split($0, part, " "); for (k = 2; k <= 7; k++) value[part[1], k] = part[k]; next }
+  list_rows '
     FNR == 1 {
       print "| page | declares | to | more instructions a cycle | a contact | more bytes a particle | more bytes a contact |"
       print "| --- | --- | --- | --- | --- | --- | --- |"
@@ -461,7 +463,7 @@ unused_rows() {
     {
       more = value[$1, 7] - value[$2, 7]
       printf "| %s | %s | %s | %.0f | %.1f | %d | %d |\n", $1, $3, $2, more, more / value[$1, 3], value[$1, 4] - value[$2, 4], value[$1, 5] - value[$2, 5]
-    }' "$work/table" -
+    }' "$@"
 }
 
 # more A B: by how much an update of page A costs more than one of page B, in percent; ratio A B: how many times as much.
