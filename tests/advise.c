@@ -443,8 +443,99 @@ static void variants_are_all_combinations(void) {
   finish(&advice, &page);
 }
 
+/* ---- what is said of the result, from made-up settings ---- */
+
+enum { SETTINGS = 6 };
+struct made_up {
+  struct nb_advice advice;
+  struct nb_variant variants[SETTINGS];
+  struct nb_setting settings[SETTINGS];
+};
+
+/* Setting k is variant k at the level of the page. */
+static void make_up(struct made_up *it, const double updates[SETTINGS], const double seconds[SETTINGS],
+                    const double ratio[SETTINGS]) {
+  memset(it, 0, sizeof *it);
+  it->advice.variants = it->variants, it->advice.variant_count = SETTINGS;
+  it->advice.settings = it->settings, it->advice.setting_count = SETTINGS;
+  for (size_t k = 0; k < SETTINGS; k++) {
+    it->settings[k] = (struct nb_setting){.variant = k, .ratio = ratio[k]};
+    it->variants[k].points[-NB_LEVEL_LOW].updates = updates[k];
+    it->variants[k].points[-NB_LEVEL_LOW].seconds = seconds[k];
+  }
+}
+
+/* Updates decide if they differ by more than 10 % of the other's, else the time of computation. */
+static void the_cheaper_of_two_settings(void) {
+  static const double updates[SETTINGS] = {100, 111, 109, 100, 50, 91}, seconds[SETTINGS] = {4, 1, 1, 4, 9, 5};
+  static const bool cheaper[SETTINGS][SETTINGS] = {{0, 0, 0, 0, 0, 1}, {0, 0, 0, 0, 0, 0}, {1, 0, 0, 1, 0, 0},
+                                                   {0, 0, 0, 0, 0, 1}, {1, 1, 1, 1, 0, 1}, {0, 1, 1, 0, 0, 0}};
+  struct made_up it;
+  make_up(&it, updates, seconds, updates);
+  for (size_t a = 0; a < SETTINGS; a++)
+    for (size_t b = 0; b < SETTINGS; b++)
+      CU_ASSERT_EQUAL(nb_setting_cheaper(&it.advice, &it.settings[a], &it.settings[b]), cheaper[a][b]);
+}
+
+static void the_next_cheaper_and_the_most_accurate_setting(void) {
+  static const double updates[SETTINGS] = {100, 50, 50, 50, 25, 100}, seconds[SETTINGS] = {0};
+  static const double ratio[SETTINGS] = {0.7, 2, 1.5, 1.5, 1.1, 0.7};
+  static const int next[SETTINGS] = {2, 4, 4, 4, -1, 2}; /* of equal ones the most accurate, of these the first */
+  struct made_up it;
+  make_up(&it, updates, seconds, ratio);
+  for (size_t k = 0; k < SETTINGS; k++)
+    CU_ASSERT_PTR_EQUAL(nb_advice_cheaper(&it.advice, &it.settings[k]), next[k] < 0 ? NULL : &it.settings[next[k]]);
+  CU_ASSERT_PTR_EQUAL(nb_advice_most_accurate(&it.advice), &it.settings[0]);
+  it.settings[4].ratio = 0.2;
+  CU_ASSERT_PTR_EQUAL(nb_advice_most_accurate(&it.advice), &it.settings[4]);
+  it.advice.setting_count = 0;
+  CU_ASSERT_PTR_NULL(nb_advice_most_accurate(&it.advice));
+}
+
+/* A longer step, another law or another value; a shorter step of the page itself does not. */
+static void checks_may_fail_with_a_looser_setting(void) {
+  for (int level = -2; level <= 2; level++)
+    for (size_t variant = 0; variant < 3; variant++) {
+      const struct nb_setting setting = {.variant = variant, .level = level};
+      CU_ASSERT_EQUAL(nb_setting_loosens(&setting), level < 0 || variant != 0);
+    }
+}
+
+/* Values 1 to 4; 0, 0, 0, 6; and four zeros: sample standard deviations (5/3)^(1/2), 3 and 0. */
+static void the_scatter_is_that_of_the_worst_run(void) {
+  static const double zero[SETTINGS] = {0};
+  double values[3 * NB_TRIALS] = {1, 2, 3, 4};
+  struct made_up it;
+  make_up(&it, zero, zero, zero);
+  values[NB_TRIALS + 3] = 6;
+  it.advice.trials = 4, it.variants[1].points[-NB_LEVEL_LOW].values = values;
+  for (it.advice.runs = 1; it.advice.runs <= 3; it.advice.runs++)
+    NEAR(nb_advice_scatter(&it.advice, &it.settings[1]), it.advice.runs > 1 ? 3 : sqrt(5.0 / 3), 1e-14);
+}
+
+static void variants_that_are_left_out(void) {
+  static const double zero[SETTINGS] = {0};
+  struct made_up it;
+  make_up(&it, zero, zero, zero);
+  CU_ASSERT_PTR_NULL(nb_advice_left_out(&it.advice).nearest);
+  for (size_t k = 0; k < 5; k++) /* variant 0 is the page, 5 has settings */
+    strcpy(it.variants[k].reason, "one");
+  it.variants[0].distance = 1, it.variants[0].equal = true;
+  it.variants[1].distance = 5, it.variants[2].distance = 3, it.variants[3].equal = true;
+  const struct nb_left_out out = nb_advice_left_out(&it.advice);
+  CU_ASSERT_EQUAL(out.equal, 1);
+  CU_ASSERT_EQUAL(out.farther, 2);
+  CU_ASSERT_EQUAL(out.refused, 1);
+  CU_ASSERT_PTR_EQUAL(out.nearest, &it.variants[2]);
+}
+
 void suite_advise(void) {
   CU_pSuite suite = CU_add_suite("advise", NULL, NULL);
+  CU_ADD_TEST(suite, the_cheaper_of_two_settings);
+  CU_ADD_TEST(suite, the_next_cheaper_and_the_most_accurate_setting);
+  CU_ADD_TEST(suite, checks_may_fail_with_a_looser_setting);
+  CU_ADD_TEST(suite, the_scatter_is_that_of_the_worst_run);
+  CU_ADD_TEST(suite, variants_that_are_left_out);
   CU_ADD_TEST(suite, laws_are_equal_in_every_run);
   CU_ADD_TEST(suite, the_anchor_is_two_levels_finer);
   CU_ADD_TEST(suite, a_phase_of_an_impact_is_a_moment_of_first_touch);

@@ -82,28 +82,6 @@ static void name_variant(char *text, size_t size, const struct nb_advice *advice
 
 static const char *label_of(const struct nb_advice *advice, size_t run) { return advice->page.runs[run].label; }
 
-/* The most expensive setting that is cheaper than this one; NULL: none. */
-static const struct nb_setting *next_cheaper(const struct nb_advice *advice, const struct nb_setting *setting) {
-  const struct nb_setting *found = NULL;
-  for (size_t k = 0; k < advice->setting_count; k++) {
-    const struct nb_setting *other = &advice->settings[k];
-    const double updates = nb_point_at(advice, other)->updates;
-    if (updates < nb_point_at(advice, setting)->updates &&
-        (!found || updates > nb_point_at(advice, found)->updates ||
-         (updates == nb_point_at(advice, found)->updates && other->ratio < found->ratio)))
-      found = other;
-  }
-  return found;
-}
-
-static const struct nb_setting *most_accurate(const struct nb_advice *advice) {
-  const struct nb_setting *found = NULL;
-  for (size_t k = 0; k < advice->setting_count; k++)
-    if (!found || advice->settings[k].ratio < found->ratio)
-      found = &advice->settings[k];
-  return found;
-}
-
 /* "0.0076, in run psi1=1; by the step alone 0.0062"; "0.0076; difference of the means 0.0012" */
 static void print_error_of(const struct nb_advice *advice, const struct nb_setting *setting) {
   char claim[NB_NAME_SIZE], step[NB_NAME_SIZE];
@@ -197,7 +175,7 @@ static void print_choice(struct nb_advice *advice, const struct nb_setting *chos
   print_error_of(advice, chosen);
   print_cost(advice, point);
   time_choice(advice, chosen);
-  const struct nb_setting *cheaper = next_cheaper(advice, chosen);
+  const struct nb_setting *cheaper = nb_advice_cheaper(advice, chosen);
   if (cheaper) {
     options_of(options, sizeof options, advice, cheaper);
     printf("  the next cheaper one misses the tolerance: %s\n    estimated error: ", options);
@@ -210,23 +188,15 @@ static void print_choice(struct nb_advice *advice, const struct nb_setting *chos
   printf("to run it: nineball run %s", advice->query->path);
   print_own_options(advice);
   printf(" %s\n", options);
-  if (chosen->level < 0 || chosen->variant > 0)
+  if (nb_setting_loosens(chosen))
     puts("  checks of the page that have tighter tolerances may fail then");
-}
-
-/* The largest standard deviation of single realizations, of all runs, at the setting. */
-static double scatter_of(const struct nb_advice *advice, const struct nb_setting *setting) {
-  double largest = 0;
-  for (size_t r = 0; r < advice->runs; r++)
-    largest = fmax(largest, nb_estimate_scatter(nb_point_at(advice, setting)->values + r * NB_TRIALS, advice->trials));
-  return largest;
 }
 
 static void print_conditions(const struct nb_advice *advice, const struct nb_setting *chosen) {
   if (advice->query->over)
     printf("  this holds for the mean over realizations (%s = 1 to %zu), with 95 %% confidence; a single run is not "
            "covered, since runs scatter with a standard deviation of %.2g%s%s\n",
-           advice->query->over, advice->trials, scatter_of(advice, chosen), *unit_of_value(advice) ? " " : "",
+           advice->query->over, advice->trials, nb_advice_scatter(advice, chosen), *unit_of_value(advice) ? " " : "",
            unit_of_value(advice));
   if (advice->runs > 1)
     printf("  this holds for the %zu runs of the page; with other values another setting may be the cheapest\n",
@@ -244,24 +214,16 @@ static void print_count(size_t count, const char *one, const char *several, cons
 /* Prints how many variants were left out, because they change nothing or are too far from the anchor; of the latter the
  * nearest one. */
 static void print_left_out(const struct nb_advice *advice) {
-  const struct nb_variant *nearest = NULL;
-  size_t equal = 0, farther = 0, refused = 0;
+  const struct nb_left_out out = nb_advice_left_out(advice);
   char name[512];
-  for (size_t k = 1; k < advice->variant_count; k++) {
-    const struct nb_variant *variant = &advice->variants[k];
-    equal += variant->equal, farther += variant->distance > 0;
-    refused += variant->reason[0] && !variant->equal && !(variant->distance > 0);
-    if (variant->distance > 0 && (!nearest || variant->distance < nearest->distance))
-      nearest = variant;
+  print_count(out.equal, "gives", "give", "the same values as another one\n");
+  print_count(out.refused, "cannot", "cannot", "be run with this page\n");
+  print_count(out.farther, "gives", "give", "too different values; ");
+  if (out.nearest) {
+    name_variant(name, sizeof name, advice, out.nearest);
+    printf("the one with the smallest difference is %s: %s\n", name, out.nearest->reason);
   }
-  print_count(equal, "gives", "give", "the same values as another one\n");
-  print_count(refused, "cannot", "cannot", "be run with this page\n");
-  print_count(farther, "gives", "give", "too different values; ");
-  if (nearest) {
-    name_variant(name, sizeof name, advice, nearest);
-    printf("the one with the smallest difference is %s: %s\n", name, nearest->reason);
-  }
-  if (equal + refused + farther)
+  if (out.equal + out.refused + out.farther)
     puts("  (a variant is the page with other laws, or with values that it trades)");
 }
 
@@ -271,7 +233,7 @@ static void print_advice(struct nb_advice *advice) {
     print_choice(advice, &advice->settings[advice->chosen]);
     print_conditions(advice, &advice->settings[advice->chosen]);
   } else {
-    const struct nb_setting *best = most_accurate(advice);
+    const struct nb_setting *best = nb_advice_most_accurate(advice);
     char options[256];
     puts("  no setting that was tried is within the tolerance");
     if (best) {

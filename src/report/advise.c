@@ -161,9 +161,7 @@ static bool add_claim(struct nb_advice *advice, size_t index, int level) {
 
 /* ---- the search ---- */
 
-/* The numbers of updates decide. If they are nearly equal, as those of different laws with the same step, the times of
- * computation do. */
-static bool is_cheaper(const struct nb_advice *advice, const struct nb_setting *a, const struct nb_setting *b) {
+bool nb_setting_cheaper(const struct nb_advice *advice, const struct nb_setting *a, const struct nb_setting *b) {
   const struct nb_point *one = nb_point_at(advice, a), *other = nb_point_at(advice, b);
   return fabs(one->updates - other->updates) > equal_share * other->updates ? one->updates < other->updates
                                                                             : one->seconds < other->seconds;
@@ -180,7 +178,7 @@ static void search_levels(struct nb_advice *advice, size_t index, int highest) {
       continue;
     const struct nb_setting *last = &advice->settings[advice->setting_count - 1];
     const struct nb_setting *chosen = advice->chosen < 0 ? NULL : &advice->settings[advice->chosen];
-    if (last->ratio <= 1 && (!chosen || is_cheaper(advice, last, chosen)))
+    if (last->ratio <= 1 && (!chosen || nb_setting_cheaper(advice, last, chosen)))
       advice->chosen = (int)advice->setting_count - 1;
     if (last->ratio <= 1 ||
         (chosen && 2 * (1 - equal_share) * nb_point_at(advice, last)->updates > nb_point_at(advice, chosen)->updates))
@@ -393,6 +391,48 @@ enum nb_status nb_advise(struct nb_advice *advice, const struct nb_advise_query 
 
 bool nb_advice_run(struct nb_advice *advice, size_t variant, int level, size_t trial) {
   return nb_trials_run(advice, &advice->variants[variant], level, trial, 1, 1);
+}
+
+/* ---- what is said of the result ---- */
+
+const struct nb_setting *nb_advice_cheaper(const struct nb_advice *advice, const struct nb_setting *setting) {
+  const struct nb_setting *found = NULL;
+  for (size_t k = 0; k < advice->setting_count; k++) {
+    const struct nb_setting *other = &advice->settings[k];
+    const double updates = nb_point_at(advice, other)->updates;
+    if (updates < nb_point_at(advice, setting)->updates &&
+        (!found || updates > nb_point_at(advice, found)->updates ||
+         (updates == nb_point_at(advice, found)->updates && other->ratio < found->ratio)))
+      found = other;
+  }
+  return found;
+}
+
+const struct nb_setting *nb_advice_most_accurate(const struct nb_advice *advice) {
+  const struct nb_setting *found = NULL;
+  for (size_t k = 0; k < advice->setting_count; k++)
+    if (!found || advice->settings[k].ratio < found->ratio)
+      found = &advice->settings[k];
+  return found;
+}
+
+double nb_advice_scatter(const struct nb_advice *advice, const struct nb_setting *setting) {
+  double largest = 0;
+  for (size_t r = 0; r < advice->runs; r++)
+    largest = fmax(largest, nb_estimate_scatter(nb_point_at(advice, setting)->values + r * NB_TRIALS, advice->trials));
+  return largest;
+}
+
+struct nb_left_out nb_advice_left_out(const struct nb_advice *advice) {
+  struct nb_left_out out = {.nearest = NULL};
+  for (size_t k = 1; k < advice->variant_count; k++) {
+    const struct nb_variant *variant = &advice->variants[k];
+    out.equal += variant->equal, out.farther += variant->distance > 0;
+    out.refused += variant->reason[0] && !variant->equal && !(variant->distance > 0);
+    if (variant->distance > 0 && (!out.nearest || variant->distance < out.nearest->distance))
+      out.nearest = variant;
+  }
+  return out;
 }
 
 void nb_advice_free(struct nb_advice *advice) {

@@ -88,6 +88,27 @@ void nb_advice_free(struct nb_advice *advice);
 /* Runs a trial of a variant at a level, unless it has been run. False: it cannot be run, or the budget is used up. */
 bool nb_advice_run(struct nb_advice *advice, size_t variant, int level, size_t trial);
 
+/* The numbers of updates decide. If they are nearly equal, as those of different laws with the same step, the times of
+ * computation do. */
+bool nb_setting_cheaper(const struct nb_advice *advice, const struct nb_setting *a, const struct nb_setting *b);
+/* The most expensive setting that is cheaper than this one, of equal ones the most accurate; NULL: none. */
+const struct nb_setting *nb_advice_cheaper(const struct nb_advice *advice, const struct nb_setting *setting);
+/* The first of the most accurate settings; NULL: none. */
+const struct nb_setting *nb_advice_most_accurate(const struct nb_advice *advice);
+/* The largest standard deviation of single realizations, of all runs, at the setting. */
+double nb_advice_scatter(const struct nb_advice *advice, const struct nb_setting *setting);
+/* Variants without a setting: equal to another one, refused by the page, too far from the anchor; the nearest of the
+ * latter, or NULL. */
+struct nb_left_out {
+  size_t equal, refused, farther;
+  const struct nb_variant *nearest;
+};
+struct nb_left_out nb_advice_left_out(const struct nb_advice *advice);
+/* Whether checks of the page that the setting of the page passes may fail with this one. */
+static inline bool nb_setting_loosens(const struct nb_setting *setting) {
+  return setting->level < 0 || setting->variant > 0;
+}
+
 /* ---- trials.c ---- */
 
 size_t nb_phase_count(const struct nb_scene *scene);
