@@ -306,6 +306,42 @@ static void cohesion_alone_counts(void) {
     CU_ASSERT(stable[k] == stable[1] && apart[k] == apart[1]);
 }
 
+/* What a message says of the pair that limits the step: particles, a particle and a wall, or the materials of a pair that
+ * does not touch yet. */
+static void what_limits_the_step_in_words(void) {
+  struct words page = {0};
+  struct written it;
+  char text[256];
+  words_add(&page,
+            "units none\nmaterial ice density 1 kn 1\nmaterial rock density 1 kn 1\ndisc 0 0 radius 1 ice\n"
+            "disc 9 0 radius 1 ice\ndisc 5 0 radius 1 ice\nwall one -9 -5 to 9 -5 rock\nwall two -9 5 to 9 5 rock\n"
+            "step 0.01\nrecord time\nstage s\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, &(struct nb_options){.shuffle = true});
+  const struct nb_material_pair discs = {.a = 0, .b = 0}, walls = {.a = 0, .b = 1, .wall = true};
+  const int *slot = model->particles.slot;
+  const struct {
+    struct nb_stable stable;
+    const char *text;
+  } rows[] = {
+      {{.a = -1, .b = -1, .apart = true}, "no contact"},
+      {{.a = slot[2], .b = -1, .material_pair = &walls}, "normal motion of particle 3 and a wall of rock"},
+      {{.a = slot[0], .b = -1, .apart = true, .rotational = true, .material_pair = &walls},
+       "rotation of particle 1 and a wall of rock, as if they touched"},
+      {{.a = slot[1], .b = 1, .material_pair = &walls}, "normal motion of particle 2 and wall two"},
+      {{.a = slot[1], .b = 0, .rotational = true, .material_pair = &walls}, "rotation of particle 2 and wall one"},
+      {{.a = slot[2], .b = slot[1], .material_pair = &discs}, "normal motion of particles 3 and 2"},
+      {{.a = slot[0], .b = slot[2], .apart = true, .material_pair = &discs},
+       "normal motion of particles 1 and 3, as if they touched"},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    nb_stable_text(text, sizeof text, model, &rows[k].stable);
+    CU_ASSERT_STRING_EQUAL(text, rows[k].text);
+  }
+  nb_model_free(model);
+  written_free(&it);
+}
+
 void suite_stability(void) {
   CU_pSuite suite = CU_add_suite("stability", NULL, NULL);
   CU_add_test(suite, "the proposed number of steps per collision", the_proposed_number_of_steps);
@@ -317,4 +353,5 @@ void suite_stability(void) {
   CU_add_test(suite, "a fixed particle", a_fixed_particle);
   CU_add_test(suite, "a wall and two spheres share the limit", wall_and_two_spheres_share_the_limit);
   CU_add_test(suite, "every cycle is guaranteed stable", every_cycle_is_guaranteed_stable);
+  CU_add_test(suite, "what limits the step, in words", what_limits_the_step_in_words);
 }

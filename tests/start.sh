@@ -210,6 +210,34 @@ stage     on
 END
 result $? 'walls after a servo'
 
+in_two moved <<'END'
+# Discs about an origin that `transform` has moved
+```scene
+units     none
+material  m density 3 kn 100
+disc      3 1 radius 1 m
+disc      -2 4 radius 1 m
+transform translate 0.5 0.25
+monitor   D disc 1
+monitor   E disc 2
+record    time D.x D.y E.x E.y
+step      0.001
+stage     shear
+  cycles    5
+---
+stage     on
+  affine    strain 1e-3 2e-3
+  cycles    300
+END
+result $? 'affine motion about an origin that the other page has moved'
+
+# Values by --set have the units of the other page, if this one does not say them.
+printf '```scene\nstart hit stage strike\nlet y = 2\nmonitor D sphere 1\nrecord time D.y\nstage away\ncycles 3\n```\n' >"$pages/bare.md"
+run bare "$pages/bare.md" --set y=0.5
+"$nineball" run "$pages/bare.md" --set 'y=0.5 m' --states "$states" -o "$work/none" >"$work/out" 2>>"$work/said"
+test $? -eq 2 && test -s "$work/bare/table.tsv" && grep -q '^--set: error: expected a unit or an operator, found `m`' "$work/said"
+result $? 'a value of a page without `units` that starts from one with `units none`'
+
 # ---- the page has changed ----
 
 sed 's/^walls     inward 0.12/walls     inward 0.11/' cases/3-nine-discs/nine-discs.md >"$pages/nine-discs.md"
