@@ -70,7 +70,7 @@ static double max_stiffness_ratio(const struct nb_model *model) {
     const double ratio = has_stiffness ? 4 * material_pair->next.shear / material_pair->next.young : 0;
     largest = ratio > largest ? ratio : largest;
   }
-  return model->stability->damped && largest < 1 ? sqrt(largest) : largest;
+  return model->stability->damped ? sqrt(largest) : largest; /* at most 1, because nu >= 0 */
 }
 
 /* The k_n of a q:  dt^2 k + 2 dt (time k + ratio (M k)^(1/2)) = q,  a quadratic equation in k^(1/2). */
