@@ -337,6 +337,7 @@ SUITES = \
   tests/speeds.c \
   tests/advise.c \
   tests/estimate.c \
+  tests/counts.c \
   tests/reducers.c \
   tests/verdict.c \
   tests/verdict_sweep.c \

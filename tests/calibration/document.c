@@ -1,0 +1,293 @@
+/* The document of the calibration, docs/ACCURACY.md, from the rows of its results.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef _DEFAULT_SOURCE
+#define _DEFAULT_SOURCE /* strsep */
+#endif
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "results.h"
+
+enum { KINDS = 16 };
+static const char *const estimator_names[] = {"the whole estimator",
+                                              "one phase",
+                                              "no anchor",
+                                              "difference of two steps",
+                                              "the reference of each candidate",
+                                              "always the finest, an eighth of the page's step"};
+static const char *const mean_names[] = {"the whole estimator", "difference of the means alone",
+                                         "difference of one realization"};
+
+/* ---- rows ---- */
+
+static double number(const char *text) { return text ? strtod(text, NULL) : NAN; }
+
+static void take_draw(struct results *results, char **fields) {
+  struct draw *draw = &results->draws[results->draw_count];
+  const char *page = strsep(fields, "\t"), *kind = strsep(fields, "\t"), *result = strsep(fields, "\t");
+  if (!result || results->draw_count == DRAWS_MAX)
+    return;
+  if (strcmp(result, "unresolved") == 0 || strcmp(result, "refused") == 0) {
+    results->uncounted[strcmp(result, "refused") == 0]++;
+    return;
+  }
+  *draw = (struct draw){.held_out = is_held_out(page)};
+  snprintf(draw->page, sizeof draw->page, "%s", page);
+  snprintf(draw->kind, sizeof draw->kind, "%s", kind);
+  draw->met = number(strsep(fields, "\t")) > 0;
+  draw->seconds = number(strsep(fields, "\t"));
+  for (int e = 0; e < ESTIMATORS; e++) {
+    draw->choices[e].error = number(strsep(fields, "\t"));
+    draw->choices[e].cost = number(strsep(fields, "\t"));
+    draw->choices[e].claim = number(strsep(fields, "\t"));
+  }
+  results->draw_count++;
+}
+
+static void take_mean(struct results *results, char **fields) {
+  struct mean_draw *draw = &results->means[results->mean_count];
+  if (results->mean_count == DRAWS_MAX)
+    return;
+  snprintf(draw->page, sizeof draw->page, "%s", strsep(fields, "\t"));
+  for (int control = 0; control < MEAN_CONTROLS; control++)
+    draw->errors[control] = number(strsep(fields, "\t"));
+  draw->answered = !isnan(draw->errors[WITH_STUDENT]);
+  draw->claim = number(strsep(fields, "\t"));
+  draw->cost = number(strsep(fields, "\t"));
+  results->mean_count++;
+}
+
+void take_row(struct results *results, char *row) {
+  char *fields = row;
+  const char *what = strsep(&fields, "\t");
+  if (strcmp(what, "draw") == 0)
+    take_draw(results, &fields);
+  else if (strcmp(what, "mean") == 0)
+    take_mean(results, &fields);
+  else if (strcmp(what, "error") == 0) {
+    const double bin = number(strsep(&fields, "\t")), value = number(strsep(&fields, "\t"));
+    if (bin >= 0 && bin < BINS && results->error_count[(size_t)bin] < ERRORS_MAX)
+      results->errors[(size_t)bin][results->error_count[(size_t)bin]++] = value;
+  }
+}
+
+/* ---- the document ---- */
+
+static void write_share(FILE *out, size_t part, size_t whole) {
+  if (whole)
+    fprintf(out, "%zu of %zu (%.*f %%)", part, whole, part < whole && 200 * part > 199 * whole ? 1 : 0,
+            100 * (double)part / (double)whole);
+  else
+    fputs("none", out);
+}
+
+static void write_kinds(FILE *out, const struct results *results) {
+  const struct draw *draws = results->draws;
+  const size_t draw_count = results->draw_count;
+  char kinds[KINDS][64];
+  size_t kind_count = 0;
+  fputs("| kind of page | draws | of those that a setting meets, answered | true error within the tolerance |\n"
+        "| --- | --- | --- | --- |\n",
+        out);
+  for (size_t k = 0; k <= draw_count; k++) {
+    size_t same = 0;
+    const char *kind = k < draw_count ? draws[k].kind : "all";
+    while (same < kind_count && strcmp(kinds[same], kind) != 0)
+      same++;
+    if (same < kind_count || kind_count == KINDS)
+      continue;
+    snprintf(kinds[kind_count++], 64, "%.63s", kind);
+    const struct score score =
+        k < draw_count ? score_of_kind(draws, draw_count, kind) : score_of(draws, draw_count, WHOLE, BOTH_HALVES);
+    fprintf(out, "| %s | %zu | ", kind, score.draws);
+    write_share(out, score.met_answered, score.met);
+    fputs(" | ", out);
+    write_share(out, score.within, score.answered);
+    fputs(" |\n", out);
+  }
+}
+
+/* One row of counts, and the verdict; returns the number of criteria that do not hold. */
+static size_t write_score(FILE *out, const char *name, const struct score *score) {
+  fprintf(out, "| %s | ", name);
+  write_share(out, score->within, score->answered);
+  fprintf(out, " | %.0f %% | ", 100 * score->worst_share);
+  write_share(out, score->met_answered, score->met);
+  fprintf(out, " | %.2g; %.2g | %.2g; %.2g | ", score->cost[1], score->cost[2], score->claim[0], score->claim[1]);
+  const size_t failures = write_failures(out, score);
+  fputs(failures ? " |\n" : "all hold |\n", out);
+  return failures;
+}
+
+static const char score_head[] =
+    " | within the tolerance | in the worst kind | answered, of those that a setting meets | cost over the cheapest: "
+    "median; 90 % | estimated over true error: 5 %; median | criteria that do not hold |\n"
+    "| --- | --- | --- | --- | --- | --- | --- |\n";
+
+/* Returns whether the calibration is as it should be: the whole estimator passes, and no control does. */
+static bool write_scores(FILE *out, const struct results *results) {
+  const struct draw *draws = results->draws;
+  const size_t draw_count = results->draw_count;
+  static const char *const halves[] = {"pages for tuning", "pages kept back", "all"};
+  bool good = true;
+  fputs("\n| pages", out);
+  fputs(score_head, out);
+  for (int half = 0; half <= BOTH_HALVES; half++) {
+    const struct score score = score_of(draws, draw_count, WHOLE, (enum half)half);
+    const size_t failures = write_score(out, halves[half], &score);
+    if (half == BOTH_HALVES && failures > 0) {
+      good = false;
+      fputs("accuracy: criteria that do not hold: ", stderr);
+      write_failures(stderr, &score);
+      fputs("\n", stderr);
+    }
+  }
+  fputs(
+      "\nThe same draws with estimators that lack something, the negative controls. Each must fail. They share the\n"
+      "refusals of the whole estimator.\n\n"
+      "- One phase: everything is computed at one phase.\n"
+      "- No anchor: Richardson's estimate $G$ alone. Nothing compares a candidate that has other laws with the page.\n"
+      "- Difference of two steps: $|Q(n) - Q(2n)|$ at one phase, without an anchor.\n"
+      "- The reference of each candidate: the coarsest step, up to that of the page, whose result agrees with the\n"
+      "  reference solution of the page with the laws of the candidate.\n"
+      "- Always the finest: no estimate. It claims the tolerance, and its true error is that at one phase.\n\n"
+      "| what chooses the setting",
+      out);
+  fputs(score_head, out);
+  for (int e = 0; e < ESTIMATORS; e++) {
+    const struct score score = score_of(draws, draw_count, (enum estimator)e, BOTH_HALVES);
+    if (write_score(out, estimator_names[e], &score) == 0 && e != WHOLE) {
+      good = false;
+      fprintf(stderr, "accuracy: the negative control passes: %s\n", estimator_names[e]);
+    }
+  }
+  return good;
+}
+
+/* The errors by steps per collision: in the document, and for `nineball explain`. */
+static void write_errors(FILE *out, FILE *header, struct results *results) {
+  fputs("\n## The error of a step\n\n"
+        "The relative errors of the quantities of all draws, at one phase, by the number of time steps during the\n"
+        "shortest collision. `nineball explain` prints the row of a page.\n\n"
+        "| steps per collision | errors | median | 90 % |\n| --- | --- | --- | --- |\n",
+        out);
+  fputs("/* Relative errors by steps per collision; written by `make accuracy`, see docs/ACCURACY.md.\n"
+        " *\n * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */\n/* clang-format off */\n",
+        header);
+  for (size_t b = 0; b < BINS; b++) {
+    const double from = first_bin * exp2((double)b);
+    if (results->error_count[b] < 30)
+      continue;
+    const double half = quantile(results->errors[b], results->error_count[b], 0.5),
+                 most = quantile(results->errors[b], results->error_count[b], 0.9);
+    fprintf(out, "| %g to %g | %zu | %.3g %% | %.3g %% |\n", from, 2 * from, results->error_count[b], 100 * half,
+            100 * most);
+    fprintf(header, "{%g, %zu, %.3g, %.3g},\n", from, results->error_count[b], half, most);
+  }
+}
+
+/* Returns whether the share of the whole estimator is large enough, and that of no control is. */
+static bool write_mean_controls(FILE *out, const struct results *results) {
+  bool good = true;
+  fputs("| what chooses the setting | true error within the tolerance | at least 95 % |\n| --- | --- | --- |\n", out);
+  for (int control = 0; control < MEAN_CONTROLS; control++) {
+    size_t within = 0, answered = 0;
+    for (size_t d = 0; d < results->mean_count; d++)
+      within += results->means[d].errors[control] <= 1, answered += !isnan(results->means[d].errors[control]);
+    const bool holds = is_enough(within, answered);
+    fprintf(out, "| %s | ", mean_names[control]);
+    write_share(out, within, answered);
+    fprintf(out, " | %s |\n", holds ? "yes" : "no");
+    if (holds != (control == WITH_STUDENT)) {
+      good = false;
+      fprintf(stderr, "accuracy: means over realizations: %s: %zu of %zu are within the tolerance\n",
+              mean_names[control], within, answered);
+    }
+  }
+  return good;
+}
+
+static bool write_means(FILE *out, const struct results *results) {
+  static double ratio[DRAWS_MAX], cost[DRAWS_MAX];
+  size_t answered = 0, pages = 0, stopped = 0;
+  for (size_t d = 0; d < results->mean_count; d++) {
+    ratio[d] = results->means[d].claim, cost[d] = results->means[d].cost;
+    answered += results->means[d].answered;
+    stopped += isinf(results->means[d].errors[WITH_STUDENT]) != 0;
+    pages += d == 0 || strcmp(results->means[d].page, results->means[d - 1].page) != 0;
+  }
+  fprintf(
+      out,
+      "\n## Means over realizations\n\n"
+      "The same for `--over seed` on %zu pages of assemblies of about a hundred particles, with %d draws for each.\n"
+      "Each draw has its own %d realizations. The pages trade a rate of loading or a stiffness. The truth is the\n"
+      "mean over %d other realizations, with half the step of the page. The true error is that of the mean over\n"
+      "these with the setting. The tolerance lies between the smallest and the largest true error of the traded\n"
+      "values, with the page's step and with twice this step, and is at least %g. Of the draws, ",
+      pages, MEAN_DRAWS, NB_REALIZATIONS_MIN, TRUTH_REALIZATIONS, lowest_of_mean);
+  write_share(out, answered, results->mean_count);
+  fputs("\nare answered.\n\n", out);
+  const bool good = write_mean_controls(out, results);
+  fprintf(
+      out,
+      "\nWith the setting of %zu draws one of the %d other realizations stops with an error, because the step is\n"
+      "too long for it. This counts as an error above the tolerance.\n"
+      "\nThe estimated error over the true one is %.2g in the median, and %.2g at 5 %%. The advice costs %.2g of the\n"
+      "page as it is, in the median.\n",
+      stopped, TRUTH_REALIZATIONS, quantile(ratio, results->mean_count, 0.5),
+      quantile(ratio, results->mean_count, 0.05), quantile(cost, results->mean_count, 0.5));
+  return good;
+}
+
+static void write_beginning(FILE *out, const struct results *results) {
+  static double seconds[DRAWS_MAX];
+  for (size_t d = 0; d < results->draw_count; d++)
+    seconds[d] = results->draws[d].seconds;
+  fputs("# How far the advice can be trusted\n\n"
+        "`make accuracy` writes this document ([tests/accuracy.c](../tests/accuracy.c)). A draw is a page, a\n"
+        "quantity of its expectations, a condition (one run of the sweep, or all runs) and a relative tolerance.\n"
+        "For each draw the program is asked for advice. The true error of the advice is the largest difference,\n"
+        "over all runs and phases, from the limit of the page for small steps.\n"
+        "[METHOD](METHOD.md#the-accuracy-of-a-step) defines the terms.\n\n",
+        out);
+  fprintf(
+      out,
+      "There are %d draws for each of %zu pages. The logarithm of the tolerance is uniform between %g and %g. The\n"
+      "search may take %g s of computing time. It takes %.2g s in the median, and %.2g s at 90 %%. Pages that name\n"
+      "a stiffness also trade three softer ones, a tenth, a hundredth and a thousandth of it.\n\n",
+      DRAWS, results->pages, lowest_tolerance, highest_tolerance, search_time,
+      quantile(seconds, results->draw_count, 0.5), quantile(seconds, results->draw_count, 0.9));
+}
+
+bool write_document(FILE *out, FILE *header, struct results *results) {
+  const struct score whole = score_of(results->draws, results->draw_count, WHOLE, BOTH_HALVES);
+  write_beginning(out, results);
+  write_kinds(out, results);
+  fprintf(
+      out,
+      "\nThere is no advice where the anchor is not known well enough, or where no setting is within the\n"
+      "tolerance. Draws are not counted if the limit is not known well enough after %g s of computing time: %zu\n"
+      "draws. The program refuses %zu more, for pages of more than fifty particles and for quantities that cannot be\n"
+      "computed.\n"
+      "\n## The criteria\n\n"
+      "The cheapest setting is that of an exhaustive grid: all contact laws, the stiffnesses, and steps a factor of\n"
+      "√2 apart. It is the one with the fewest updates of contacts and particles whose true error, over all phases\n"
+      "and runs, is within the tolerance. The steps of advice are a factor of 2 apart. The grid of a draw may take\n"
+      "%g s of computing time. The cost is counted for the %zu of %zu answers whose grid was completed.\n\n"
+      "The ratio of the estimated to the true error is counted where the true error is at least %g times the last\n"
+      "change of the limit when the step was halved: for %zu of %zu answers. The true error of the others is zero,\n"
+      "or too small to be known. Most of it is due to rounding, or to the small motion that remains in a state of\n"
+      "rest, and it is far below the tolerance. No step makes such an error smaller, and the estimate need not\n"
+      "contain it.\n\n"
+      "The factors of the estimator come from other draws, which an earlier program made. Half of the pages, by a\n"
+      "hash of their names, are kept back: no number may be changed because of their draws.\n",
+      truth_time, results->uncounted[UNRESOLVED], results->uncounted[REFUSED], grid_time, whole.costs, whole.answered,
+      truth_margin, whole.claims, whole.answered);
+  bool good = write_scores(out, results);
+  write_errors(out, header, results);
+  if (results->mean_count)
+    good = write_means(out, results) && good;
+  return good;
+}

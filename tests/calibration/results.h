@@ -1,0 +1,57 @@
+/* The results of the calibration of `nineball advise`, which accuracy.c collects and document.c writes.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_CALIBRATION_RESULTS_H
+#define NB_CALIBRATION_RESULTS_H
+
+#include <gsl/gsl_rng.h>
+
+#include "../../src/report/advise.h"
+#include "counts.h"
+
+/* For each page: the draws of a step and laws, or of a mean over realizations. */
+enum { DRAWS = 3, MEAN_DRAWS = 12, TRUTH_REALIZATIONS = 64, DRAWS_MAX = 4000 };
+/* What a draw may take in computing time, s: the search, the truth, and the grid. Tolerances: of steps and laws; the
+ * smallest one of means. */
+static const double search_time = 2, truth_time = 1, grid_time = 3;
+static const double lowest_tolerance = 1e-4, highest_tolerance = 0.3, lowest_of_mean = 0.005;
+static const double truth_margin = 10; /* a true error is known if it is so many times the last change of the truth */
+
+/* Errors of quantities at one phase, by the number of steps per collision, in bins of factors of two. */
+enum { BINS = 10, ERRORS_MAX = 8000 };
+static const double first_bin = 2;
+
+/* What is chosen from the paired differences of the realizations. */
+enum mean_control { WITH_STUDENT, MEAN_ALONE, ONE_REALIZATION, MEAN_CONTROLS };
+struct mean_draw {
+  char page[64];
+  bool answered;
+  double errors[MEAN_CONTROLS]; /* true error over the tolerance; infinite: it cannot be run; NaN: nothing is chosen */
+  double claim, cost;
+};
+
+enum { UNRESOLVED, REFUSED, UNCOUNTED };
+struct results {
+  struct draw draws[DRAWS_MAX];
+  size_t draw_count, uncounted[UNCOUNTED], pages;
+  double errors[BINS][ERRORS_MAX];
+  size_t error_count[BINS];
+  struct mean_draw means[DRAWS_MAX];
+  size_t mean_count;
+};
+
+/* Takes a row of a file of results. */
+void take_row(struct results *results, char *row);
+/* docs/ACCURACY.md and the rows of accuracy_rows.h. Returns whether all criteria hold; those that do not are printed to
+ * the standard error output. */
+bool write_document(FILE *out, FILE *header, struct results *results);
+
+/* ---- means.c ---- */
+
+/* Draws of means over the realizations of a page. `quantities`: its measures. */
+void draw_means(FILE *out, const char *path, struct nb_outcome *page, gsl_rng *random, const char *quantities[],
+                size_t quantity_count);
+/* Starts the random numbers of a draw. */
+void seed_draw(gsl_rng *random, const char *page, int number);
+
+#endif
