@@ -77,7 +77,7 @@ static bool is_met(struct nb_advice *advice, const struct truth *truth) {
 
 /* The negative controls are not asked where there is no advice. That which takes the finest step is judged by one phase,
  * because it fails by its cost. */
-static void judge(struct draw *draw, struct nb_advice *advice, struct nb_advise_query *query, struct truth *truth) {
+static void compare(struct draw *draw, struct nb_advice *advice, struct nb_advise_query *query, struct truth *truth) {
   struct chosen chosen[ESTIMATORS];
   double most = INFINITY;
   allow_time(advice, query, grid_time);
@@ -230,7 +230,7 @@ static void draw_one(FILE *out, const char *path, struct nb_outcome *page, gsl_r
     allow_time(&advice, &query, truth_time);
     result = "unresolved";
     if (truth.values && find_truth(&truth, &advice)) {
-      judge(&draw, &advice, &query, &truth);
+      compare(&draw, &advice, &query, &truth);
       write_step_errors(out, &advice, &truth);
       result = isnan(draw.choices[WHOLE].error) ? "no advice" : "answered";
     }
