@@ -1,7 +1,7 @@
 /* Maps of stability, written by `make stability`: where the calculation cycle is stable, inaccurate or unstable.
  *
  * stability_maps -o DOCUMENT FOLDER   writes docs/STABILITY.md, and one table per system into the folder
- * stability_maps                      tests a few columns of each system, also with planted errors that the judge must see
+ * stability_maps                      tests a few columns of each system, also with planted errors that must be seen
  *
  * A column of a map is one system with one mass ratio, stiffness ratio and damping. Its limit is the step at which the
  * largest eigenvalue of dt^2 K + 2 dt C equals 4 (cases/refs/limit.c). Its points are steps, as fractions of the limit.
@@ -13,7 +13,7 @@
  *                run with 1/64 of the limit, at some time in half a period, or in 2000 limits if that is shorter
  *   stable       neither
  *
- * The judge compares: the limit with the step at which runs begin to grow, with the spectral radius of the cycle as a
+ * The comparison: the limit with the step at which runs begin to grow, with the spectral radius of the cycle as a
  * matrix, and for a disc in a wedge with a closed form; and the program's bound with the limit, and with a run at the
  * bound. It prints what disagrees.
  *
@@ -628,7 +628,7 @@ static void make_points(struct result *result, const struct column *column, cons
 }
 
 /* What must be so in each column. */
-static void judge(const struct column *column, const struct limit *limit, const struct result *result) {
+static void compare(const struct column *column, const struct limit *limit, const struct result *result) {
   const double inside = limit_radius(limit, 0.995 * result->limit),
                outside = limit_radius(limit, 1.005 * result->limit);
   if (!(fabs(result->runs - 1) <= agreement))
@@ -665,7 +665,7 @@ static void run_column(struct result *result, const struct column *column) {
   result->planar = column->system->write == write_wedge ? planar_limit(column) : NAN;
   result->cause = cause_of(&limit, result->limit);
   make_points(result, column, &limit);
-  judge(column, &limit, result);
+  compare(column, &limit, result);
   limit_free(&limit);
   written_free(&it);
 }
@@ -1097,7 +1097,7 @@ static void write_document(const char *document, const char *folder) {
 
 /* ---- the test, TAP ---- */
 
-/* The judge has no complaint about the system; or, with planted factors of limit and bound, it has one. */
+/* There is no complaint about the system; or, with planted factors of limit and bound, there is one. */
 static void test(int number, const struct system *system, const char *what, double of_limit, double of_bound) {
   const bool planted = of_limit > 1 || of_limit < 1 || of_bound > 1;
   wrong_limit = of_limit, wrong_bound = of_bound, complaints = 0, silent = planted;
