@@ -157,6 +157,7 @@ PAGES = \
   cases/4-oblique/grazing.md \
   cases/5-numerics/order.md \
   cases/5-numerics/half-step.md \
+  cases/5-numerics/centred-dashpots.md \
   cases/5-numerics/glancing-discs.md \
   cases/5-numerics/step-limit.md \
   cases/5-numerics/step-growth.md \

@@ -106,6 +106,7 @@ static void add(struct refs_scene *it, enum nb_feature feature, int stage) {
   case HAS_RATIO_DAMPING:
   case HAS_WALL_DAMPING:
   case HAS_CRITICAL_DAMPING:
+  case HAS_CENTRED_DASHPOTS:
   case HAS_MASS_DAMPING:
   case HAS_CON1_CS79:
   case HAS_CON1_VELOCITY:
@@ -131,6 +132,8 @@ static void add_damping(struct nb_damping *it, enum nb_feature feature) {
     it->walls_separate = true, it->walls_line = LINE;
   else if (feature == HAS_CRITICAL_DAMPING)
     it->deep = 0.1, it->deep_line = LINE;
+  else if (feature == HAS_CENTRED_DASHPOTS)
+    it->centred = true, it->centred_line = LINE;
   else if (feature < HAS_WALL_DAMPING)
     it->contact_kind = contact[feature - HAS_STIFFNESS_DAMPING], it->contact = 0.1, it->contact_line = LINE;
   else

@@ -30,6 +30,7 @@ static const char *const names[NB_FEATURES] = {
     [HAS_RATIO_DAMPING] = "damping ratio",
     [HAS_WALL_DAMPING] = "damping walls",
     [HAS_CRITICAL_DAMPING] = "damping critical beyond overlap",
+    [HAS_CENTRED_DASHPOTS] = "damping centred",
     [HAS_MASS_DAMPING] = "damping mass",
     [HAS_CON1_CS79] = "damping con1 as cs79",
     [HAS_CON1_VELOCITY] = "damping con1 as velocity",
@@ -121,6 +122,7 @@ static void note_damping(int lines[], const struct nb_damping *it) {
   note_contact_damping(lines, it->walls_separate ? it->walls_kind : NB_CONTACT_UNDAMPED, it->walls, it->walls_line);
   note(lines, HAS_WALL_DAMPING, it->walls_separate, it->walls_line);
   note(lines, HAS_CRITICAL_DAMPING, it->deep > 0, it->deep_line);
+  note(lines, HAS_CENTRED_DASHPOTS, it->centred, it->centred_line);
   note(lines, HAS_MASS_DAMPING, it->global_kind == NB_GLOBAL_MASS && it->global != 0, it->global_line);
   note(lines, HAS_CON1_CS79, it->global_kind == NB_GLOBAL_CON1_CS79, it->global_line);
   note(lines, HAS_CON1_VELOCITY, it->global_kind == NB_GLOBAL_CON1_VELOCITY, it->global_line);

@@ -34,6 +34,7 @@ enum nb_feature {
   HAS_RATIO_DAMPING,
   HAS_WALL_DAMPING, /* walls have other dashpots than contacts between particles */
   HAS_CRITICAL_DAMPING,
+  HAS_CENTRED_DASHPOTS,
   HAS_MASS_DAMPING,
   HAS_CON1_CS79,
   HAS_CON1_VELOCITY,

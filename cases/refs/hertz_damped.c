@@ -111,7 +111,7 @@ const struct nb_reference reference_hertz_damped = {
     .title = "Hertz's impact with a dashpot of constant damping ratio: ODE by GSL at 1e-13",
     .source = "[R89 4.13, 5.6]",
     .accepts = {HAS_SPHERES, HAS_FIXED_PARTICLES, HAS_VELOCITIES, HAS_IMPACT, HAS_WALLS, HAS_MOVING_WALLS, HAS_UNTIL,
-                HAS_RATIO_DAMPING, HAS_WALL_DAMPING},
+                HAS_RATIO_DAMPING, HAS_WALL_DAMPING, HAS_CENTRED_DASHPOTS},
     .normal = "hertz",
     .shear = "none",
     .solve = solve,

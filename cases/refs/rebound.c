@@ -163,7 +163,7 @@ const struct nb_reference reference_rebound = {
     .title = "velocities and spins after an impact: impulses in gross sliding, else the exact contact as springs",
     .source = "[R89 5.14, 5.15]",
     .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_PARTICLES, HAS_VELOCITIES, HAS_SPINS, HAS_WALLS, HAS_MOVING_WALLS,
-                HAS_MEMORY, HAS_RATIO_DAMPING, HAS_UNTIL},
+                HAS_MEMORY, HAS_RATIO_DAMPING, HAS_CENTRED_DASHPOTS, HAS_UNTIL},
     .needs = {HAS_IMPACT, HAS_FRICTION},
     .normal = "linear hertz",
     .shear = "linear mindlin mindlin_scaled mindlin_deresiewicz randall randall_literal",

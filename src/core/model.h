@@ -24,6 +24,12 @@ struct nb_surface {
 };
 static inline struct nb_surface nb_surface(double radius, double speed) { return (struct nb_surface){radius, speed}; }
 
+/* Velocity, m/s, and spin, rad/s, of a particle or a wall. */
+struct nb_velocities {
+  struct nb_vec velocity;
+  double spin;
+};
+
 struct nb_particles {
   size_t count;
   int *number;                            /* slot -> number */
@@ -35,16 +41,12 @@ struct nb_particles {
   double *mass, *inertia;                 /* kg, kg m2 */
   double *inverse_mass, *inverse_inertia; /* 0 for fixed particles */
   int *material;
-  struct nb_vec *search_position;      /* positions at the last search, m */
-  struct nb_vec *imposed;              /* c, the affine part of the velocity, m/s; NULL: none (affine.h) */
+  struct nb_vec *search_position; /* positions at the last search, m */
+  struct nb_velocities *ahead;    /* change of velocity, m/s, and of surface speed from t_(N-1/2) to t_N, predicted from
+                                        * the last acceleration, for centred dashpots; NULL: no stage has them */
+  struct nb_vec *imposed;         /* c, the affine part of the velocity, m/s; NULL: none (affine.h) */
   const struct nb_vec *boundary_force; /* force of a boundary stress, N; NULL: none (loading/boundary.c) */
   bool *removed;                       /* removed from the scene (remove.c); NULL when no stage removes any */
-};
-
-/* Velocity, m/s, and spin, rad/s, of a particle or a wall. */
-struct nb_velocities {
-  struct nb_vec velocity;
-  double spin;
 };
 
 /* A pass of the force calculation, compiled for each instruction set. */
@@ -105,6 +107,7 @@ struct nb_plan {
   bool has_friction; /* some material pair has a shear law now */
   bool rotates;      /* in this stage some particle rotates, or may begin to */
   unsigned dashpots; /* enum nb_dashpot_kind of pass/pass.h; 0: no contact damping */
+  bool centred;      /* these dashpots use the velocity at t_N */
 };
 
 /* Stiffnesses of a contact, N/m, and dashpot coefficients, N s/m. */

@@ -22,6 +22,9 @@
  * [R89 4.42]. Particles held by a boundary have v = 0. A scene in which only a boundary moves affinely uses the loop
  * without c.
  *
+ * Dashpots that are centred [pass/dashpots.c] need the velocity at t_(N+1). Its difference from v_(N+1/2) is predicted from the
+ * acceleration at t_N: (v_(N+1/2) - v_(N-1/2)) dt/(2 tau), where tau is the duration of the kick.
+ *
  * A page's velocities belong to time 0, those of the scheme to half steps. So the first kick lasts half a step, and a
  * kick between two steps of unequal length lasts their mean. CS79's program BALL starts from rest without forces, where
  * the half kick changes nothing.
@@ -79,6 +82,7 @@ struct task {
   bool along;                          /* all particles move affinely */
   bool cell;                           /* so does the cell */
   bool rotates;                        /* some particle */
+  bool predicts;                       /* centred dashpots need the velocity at the end of the step */
   double time, step;                   /* duration of the kick and of the drift, s */
   double travel_limit;                 /* displacement since the last search that requires a new one, m */
 };
@@ -148,6 +152,26 @@ static inline NB_FORM void rotate(const struct task *task, const struct batch *b
     surface[k].speed = spin[k] * surface[k].radius;
 }
 
+/* Before the kick: own velocities. */
+static inline NB_FORM void begin_prediction(const struct task *task, size_t from, size_t n) {
+  const struct nb_particles *particles = &task->particles;
+  for (size_t k = from; k < from + n; k++)
+    particles->ahead[k] = (struct nb_velocities){particles->velocity[k], particles->surface[k].speed};
+}
+
+/* After it: their change, for half a step. */
+static inline NB_FORM void end_prediction(const struct task *task, const struct batch *batch, size_t from, size_t n) {
+  const struct nb_particles *particles = &task->particles;
+  const double fraction = task->step / (2 * task->time);
+  for (size_t k = from; k < from + n; k++) {
+    const struct nb_velocities before = particles->ahead[k];
+    const struct nb_vec c = task->along ? batch->c[k - from] : vec(0, 0);
+    const struct nb_vec change = vec_sub(vec_sub(particles->velocity[k], c), before.velocity);
+    particles->ahead[k] =
+        (struct nb_velocities){vec_scale(fraction, change), fraction * (particles->surface[k].speed - before.spin)};
+  }
+}
+
 /* A cell moves the positions of the last search affinely too, so travel_limit applies to the motion relative to it. */
 static inline NB_FORM void move_list(const struct task *task, size_t from, size_t n) {
   struct nb_vec *search_position = task->particles.search_position;
@@ -178,9 +202,13 @@ static inline NB_FORM int move(const struct task *task, const struct nb_contact_
       add_affine(task, &batch, from, n, true);
     else if (task->along)
       add_affine(task, &batch, from, n, false);
+    if (task->predicts)
+      begin_prediction(task, from, n);
     out += task->along ? drift(task, &batch, from, n, true) : drift(task, &batch, from, n, false);
     if (task->rotates)
       rotate(task, &batch, from, n);
+    if (task->predicts)
+      end_prediction(task, &batch, from, n);
   }
   return out;
 }
@@ -220,6 +248,7 @@ int nb_motion_part(struct nb_model *model, int part, int parts) {
                             .along = model->all_affine,
                             .cell = model->all_affine && model->cell,
                             .rotates = model->plan.rotates,
+                            .predicts = model->damping.centred && nb_damping_contact_line(&model->damping) > 0,
                             .time = time,
                             .step = model->step,
                             .travel_limit = model->cell ? model->cell->travel_limit : model->search.skin / 2};

@@ -18,12 +18,13 @@ static const struct damping_word {
     {NB_CONTACT_UNDAMPED, NB_GLOBAL_CON1_VELOCITY, NB_UNIT_NUMBER, NB_FRACTION},
 };
 #define CONTACT_WORDS "stiffness|r89-fraction|ratio"
-enum { WALLS = 3, CRITICAL, GLOBAL, CON1, NONE }; /* indices of the words after CONTACT_WORDS */
+enum { WALLS = 3, CRITICAL, GLOBAL, CON1, CENTRED, LATE, NONE }; /* indices of the words after CONTACT_WORDS */
 
 /* What one statement sets. */
 struct given {
   bool all, walls; /* all contacts; only those with walls */
-  bool global, deep;
+  bool global, deep, timing;
+  bool centred;
   struct damping_word of;
   double value;
 };
@@ -31,19 +32,21 @@ struct given {
 static void take_damping(struct nb_reader *reader, struct given *given) {
   static const enum nb_global_damping variants[] = {NB_GLOBAL_CON1_CS79, NB_GLOBAL_CON1_VELOCITY, NB_GLOBAL_CON1_ALL};
   reader->otherwise = "a fraction of critical damping is `damping ratio 0.2`";
-  int word = nb_take_choice(reader, CONTACT_WORDS "|walls|critical|mass|con1|none");
+  int word = nb_take_choice(reader, CONTACT_WORDS "|walls|critical|mass|con1|centred|late|none");
   if (word == WALLS) {
     given->walls = true;
     word = nb_take_choice(reader, CONTACT_WORDS "|none");
     word = word == WALLS ? NONE : word;
   }
   if (word == NONE)
-    given->all = given->global = given->deep = !given->walls;
+    given->all = given->global = given->deep = given->timing = !given->walls;
+  if (word == CENTRED || word == LATE)
+    given->timing = true, given->centred = word == CENTRED;
   if (word == CRITICAL) { /* `beyond overlap 7 %` of the smaller diameter */
     given->deep = nb_take_word(reader, "beyond") && nb_take_word(reader, "overlap");
     nb_take_number(reader, NB_UNIT_NUMBER, NB_POSITIVE, &given->value);
   }
-  if (word < 0 || word == NONE || word == CRITICAL)
+  if (word < 0 || word == CRITICAL || word >= CENTRED)
     return;
   reader->otherwise = NULL;
   given->of = kinds[word < WALLS ? word : WALLS + word - GLOBAL];
@@ -57,8 +60,8 @@ static void take_damping(struct nb_reader *reader, struct given *given) {
   }
 }
 
-/* There is one statement each for all contacts, for contacts with walls, for deep contacts and for all particles;
- * `none` sets all of them. In a stage each replaces the inherited one. */
+/* There is one statement each for all contacts, for contacts with walls, for deep contacts, for all particles and for
+ * the time of the velocity that dashpots use; `none` sets all of them. In a stage each replaces the inherited one. */
 NB_APPLY(apply_damping) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   struct nb_stage *stage = nb_current_stage(scene);
@@ -73,7 +76,8 @@ NB_APPLY(apply_damping) {
   } parts[] = {{given.all, &damping->contact_line},
                {given.walls, &damping->walls_line},
                {given.global, &damping->global_line},
-               {given.deep, &damping->deep_line}};
+               {given.deep, &damping->deep_line},
+               {given.timing, &damping->centred_line}};
   for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
     if (parts[k].given && *parts[k].line > stage_line && *parts[k].line < line)
       nb_given_twice(reader, *parts[k].line);
@@ -92,18 +96,21 @@ NB_APPLY(apply_damping) {
     damping->global_kind = given.of.global_kind, damping->global = given.value;
   if (given.deep)
     damping->deep = given.value;
+  if (given.timing)
+    damping->centred = given.centred;
 }
 
 /* clang-format off */
 NB_STATEMENTS(damping) = {
   {"damping", NB_IN_SCENE | NB_IN_STAGE | NB_IN_START, no_fields,
    "{walls} stiffness TIME|ratio X|r89-fraction X | walls none | critical beyond overlap F | mass RATE | "
-   "con1 X as cs79|velocity|all | none",
+   "con1 X as cs79|velocity|all | centred | late | none",
    0, false, apply_damping,
    "Damping at contacts [CS79 28] [R89 4.3, 4.13] and of all particles [CS79 34] [R89 6.5.1], one statement for each; "
    "default none. `ratio` is a fraction of critical damping. `walls` sets the damping of contacts with walls; without it they are damped like all others. `critical beyond overlap`: contacts "
-   "that overlap by more than that fraction of the smaller diameter are damped critically [R89 6.4.3]. In a stage: from this "
-   "stage on.",
+   "that overlap by more than that fraction of the smaller diameter are damped critically [R89 6.4.3]. `centred`: dashpots use "
+   "the velocity at the time of the force, and act from first touch to the end of the contact; `late`, the default, is the "
+   "velocity of half a step before [CS79 26, 27]. In a stage: from this stage on.",
    "damping   ratio 0.1\ndamping   walls ratio 0.3\ndamping   mass 2 1/s"},
   {0},
 };

@@ -60,6 +60,7 @@ static void copy_stage(struct nb_stage *to, const struct nb_stage *from, int lin
                         &to->damping.contact_line,
                         &to->damping.walls_line,
                         &to->damping.deep_line,
+                        &to->damping.centred_line,
                         &to->damping.global_line,
                         &to->circle.line,
                         &to->boundary.line,

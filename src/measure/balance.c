@@ -257,7 +257,8 @@ static void add_contacts(struct nb_sum terms[], const struct nb_model *model, st
   const double time = kick.first_half + kick.second_half;
   for (size_t c = 0; c < contacts->count; c++) {
     const struct nb_material_pair *material_pair = &model->material_pairs[contacts->material_pair[c]];
-    if ((!model->plan.dashpots && !material_pair->wall) || !nb_touches(contacts, c))
+    const struct nb_vec f = contacts->force[c]; /* centred dashpots still act in the step in which a contact ends */
+    if ((!model->plan.dashpots && !material_pair->wall) || (!nb_touches(contacts, c) && f.x == 0 && f.y == 0))
       continue;
     const int i = contacts->a[c], j = contacts->b[c];
     const struct nb_vec e = vec(contacts->kept[NB_EX][c], contacts->kept[NB_EY][c]);

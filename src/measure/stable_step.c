@@ -13,6 +13,13 @@
  * and the first one leaves it at z = -1, a motion that changes its sign every cycle. So a dashpot acts like an
  * additional spring 2 c/dt, and CS79's mass-proportional damping, which is centred in time, does not lower the limit.
  *
+ * Centred dashpots (pass/dashpots.c) use the velocity 3/2 v_(N+1/2) - 1/2 v_(N-1/2). With C = impulse dt c and K = impulse
+ * dt^2 k the equation becomes
+ *
+ *   z^3 - (1 + keep - K - 3/2 C) z^2 + (keep - 2 C) z + C/2 = 0
+ *
+ * At z = -1 they count twice, dt^2 k + 4 dt c <= L. Below that no z leaves the unit circle (Jury's criterion).
+ *
  * The largest k of the network is at most that of its stiffest part if the mass of each particle is distributed over
  * its contacts in any way, because Rayleigh's quotient is a weighted mean of the quotients of the parts. Masses are
  * distributed in proportion to k_n and moments of inertia in proportion to k_s R^2. Then the parts are single contacts
@@ -81,8 +88,9 @@ static struct nb_coefficients coefficients_at(const struct nb_model *model,
     return k;
   const struct nb_dashpot dashpot = deep ? (struct nb_dashpot){.ratio = 2} : nb_dashpot(model, material_pair->wall);
   const double mass = inverse_mass > 0 ? 1 / inverse_mass : 0;
-  k.cn = dashpot.time * k.kn + dashpot.ratio * sqrt(mass * k.kn);
-  k.cs = dashpot.time * k.ks + dashpot.ratio * sqrt(mass * k.ks);
+  const double times = model->damping.centred ? 2 : 1; /* see above */
+  k.cn = times * (dashpot.time * k.kn + dashpot.ratio * sqrt(mass * k.kn));
+  k.cs = times * (dashpot.time * k.ks + dashpot.ratio * sqrt(mass * k.ks));
   return k;
 }
 

@@ -14,7 +14,21 @@
  * F_n + D_n may be tensile. ds/dt is the mean over the whole last step, even if the contact began in it and the law
  * used only a part of ds. The friction limit of F_s was computed from F_n alone, before this pass.
  *
+ * With `damping centred` the rates are those at the time of the force: dn/dt + (a_x - a_y).e, with the predicted change a of
+ * the velocities in the last half step (core/motion.c). At time 0 they are those of the page, where CS79's are 0. A dashpot that opposes an impact with a finite force from first
+ * touch on needs more for second order. The force at t_N stands for the time from t_(N-1/2) to t_(N+1/2), of which the
+ * contact exists for the fraction f + 1/2; f is the time from first touch to t_N over dt. As c is proportional to alpha^p
+ * there, with p = 0 for linear springs, 1/2 for the stiffness of elastic spheres and 1/4 for its root, the force is
+ * multiplied by
+ *
+ *   w(f) = Int_0^(f+1/2) t^p dt / f^p = (f + 1/2)^(1+p)/((1 + p) f^p)
+ *
+ * The end of a contact is the same backwards, with the time f from t_N to the end. It is known only one cycle later, when
+ * the contact has opened. Then w(f) - 1 times the force at t_N acts; it is computed again from the overlap before, with
+ * the rate over the last step. The tangential dashpot needs no such term, because a contact slides at its end.
+ *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "laws/law.h"
 #include "pass.h"
 
 struct nb_dashpot nb_dashpot(const struct nb_model *model, bool wall) {
@@ -45,58 +59,162 @@ static inline NB_FORM double coefficient(const struct dashpots *spec, double sti
                                              : spec->dashpot.time * stiffness + spec->dashpot.ratio * oscillation;
 }
 
-static inline NB_FORM void add_dashpots(const struct nb_model *model, const struct nb_block *block,
-                                        enum nb_dashpot_kind form) {
-  const struct dashpots spec = {.dashpot = nb_dashpot(model, block->material_pair->wall),
-                                .uses_damping_ratio = form >= NB_DASHPOTS_RATIO,
-                                .critical = form == NB_DASHPOTS_DEEP && model->damping.deep > 0,
-                                .mass = block->f[NB_MASS],
-                                .deep = block->f[NB_DEEP]};
-  const double *normal = block->f[NB_NORMAL], *stiffness = block->f[NB_STIFFNESS];
-  const double *dn = block->f[NB_NORMAL_INCREMENT];
-  double *total_normal = block->f[NB_TOTAL_NORMAL];
-  const double rate = model->previous_step > 0 ? 1 / model->previous_step : 0;
-  NB_WIDE
+/* Changes of relative velocities in the last half step; at time 0, where no step has been made, the velocities. */
+struct changes {
+  struct nb_vec approach[NB_BLOCK_SIZE]; /* of v_x - v_y, m/s */
+  double rotation[NB_BLOCK_SIZE];        /* of w_x R_x + w_y R_y, m/s */
+};
+
+static inline NB_FORM struct nb_velocities change_of(const struct nb_particles *particles, int i, bool start) {
+  return start ? (struct nb_velocities){particles->velocity[i], particles->surface[i].speed} : particles->ahead[i];
+}
+
+/* Of the wall's point nearest to the particle. Its velocity in a step is a mean; at the end of the step it is exact. */
+static inline NB_FORM struct nb_vec wall_change(const struct nb_walls *walls, int w, struct nb_vec x, bool start) {
+  const struct nb_vec q = nb_wall_nearest(walls, w, x), arm = vec_sub(q, walls->pivot[w]);
+  const struct nb_vec v = vec_add(walls->velocity[w], vec_scale(walls->spin[w], vec(-arm.y, arm.x)));
+  return start ? v : vec_sub(v, nb_wall_velocity(walls, w, q));
+}
+
+static inline NB_FORM void predict(struct changes *changes, const struct nb_model *model, const struct nb_block *block,
+                                   bool start) {
+  const struct nb_particles *particles = &model->particles;
   for (size_t c = 0; c < block->n; c++) {
-    total_normal[c] = normal[c] + coefficient(&spec, stiffness[c], c) * (dn[c] * rate);
+    const struct nb_velocities one = change_of(particles, block->a[c], start);
+    struct nb_velocities other = {.spin = 0};
+    if (block->material_pair->wall)
+      other.velocity = wall_change(&model->walls, block->b[c], particles->position[block->a[c]], start);
+    else
+      other = change_of(particles, block->b[c], start);
+    changes->approach[c] = vec_sub(one.velocity, other.velocity);
+    changes->rotation[c] = one.spin + other.spin;
   }
-  if (!block->material_pair->shear)
-    return;
+}
+
+/* Also true if it began at the end of the step before, within rounding: then f = 1, and that force was 0. */
+static inline NB_FORM bool just_began(double overlap, double dn) {
+  const double rounding = 1e-9;
+  return overlap > 0 && overlap < dn * (1 + rounding);
+}
+
+/* w(f) */
+static double weight(const struct dashpots *spec, const struct nb_law *law, double f) {
+  static const double least = 1e-6; /* keeps f^(-p) finite, whose factor c is proportional to f^p */
+  const double from = f > least ? f : least, to = from + 0.5, root = sqrt(to / from);
+  if (!law->elastic)
+    return to;
+  return spec->dashpot.ratio > 0 ? to * sqrt(root) / 1.25 : to * root / 1.5;
+}
+
+/* The force of the dashpot that is left when contact c has opened in the last step; else 0. */
+static double end_force(const struct dashpots *spec, const struct nb_model *model, const struct nb_block *block,
+                        size_t c) {
+  const struct nb_law *law = block->material_pair->normal;
+  const size_t contact = (size_t)(block->a - model->contacts.a) + c;
+  const double dn = block->f[NB_NORMAL_INCREMENT][c], after = nb_overlap(model, contact), before = after - dn;
+  double history[NB_HISTORY] = {0};
+  if (!(after <= 0 && before > 0) || (model->contacts.suppressed && model->contacts.suppressed[contact]))
+    return 0;
+  const struct nb_pair values = nb_contact_constants(model, contact, block->material_pair->values);
+  const double k = law->normal(values, before, before, history).stiffness;
+  return (weight(spec, law, -before / dn) - 1) * coefficient(spec, k, c) * dn / model->previous_step;
+}
+
+/* First touch and the end of contacts. */
+static NB_COLD void weigh(const struct dashpots *spec, const struct nb_model *model, const struct nb_block *block) {
+  const double *overlap = block->f[NB_OVERLAP], *dn = block->f[NB_NORMAL_INCREMENT];
+  const double *normal = block->f[NB_NORMAL], *shear = block->f[NB_SHEAR];
+  double *total_normal = block->f[NB_TOTAL_NORMAL], *total_shear = block->f[NB_TOTAL_SHEAR];
+  for (size_t c = 0; c < block->n; c++) {
+    if (!(overlap[c] > 0) && dn[c] < 0)
+      total_normal[c] = end_force(spec, model, block, c);
+    if (!just_began(overlap[c], dn[c]))
+      continue;
+    const double w = weight(spec, block->material_pair->normal, overlap[c] / dn[c]);
+    total_normal[c] = normal[c] + w * (total_normal[c] - normal[c]);
+    if (block->material_pair->shear)
+      total_shear[c] = shear[c] + w * (total_shear[c] - shear[c]);
+  }
+}
+
+static inline NB_FORM void add_tangential(const struct dashpots *spec, const struct nb_block *block, double rate,
+                                          const struct changes *changes) {
   const double *shear = block->f[NB_SHEAR], *shear_stiffness = block->f[NB_SHEAR_STIFFNESS];
+  const double *ex = block->f[NB_EX], *ey = block->f[NB_EY];
+  const double *dn = block->f[NB_NORMAL_INCREMENT];
   const double *ds = block->f[NB_TANGENTIAL_INCREMENT], *sliding = block->f[NB_SLIDING],
                *overlap = block->f[NB_OVERLAP];
   double *total_shear = block->f[NB_TOTAL_SHEAR];
   unsigned long began = 0;
   NB_WIDE
   for (size_t c = 0; c < block->n; c++) {
-    total_shear[c] = shear[c] + (1 - sliding[c]) * (coefficient(&spec, shear_stiffness[c], c) * (ds[c] * rate));
+    double slip_rate = ds[c] * rate;
+    if (changes)
+      slip_rate += vec_dot(changes->approach[c], vec_clockwise(vec(ex[c], ey[c]))) - changes->rotation[c];
+    total_shear[c] = shear[c] + (1 - sliding[c]) * (coefficient(spec, shear_stiffness[c], c) * slip_rate);
     began += nb_touch_began(overlap[c], dn[c]);
   }
   for (size_t c = 0; c < block->n && began > 0; c++) { /* new contacts, whose ds is not that of the whole step */
     const double fraction = nb_touch_fraction(overlap[c], dn[c]),
                  displacement = fraction > 0 ? ds[c] / fraction : ds[c];
+    double slip_rate = displacement * rate;
+    if (changes)
+      slip_rate += vec_dot(changes->approach[c], vec_clockwise(vec(ex[c], ey[c]))) - changes->rotation[c];
     if (nb_touch_began(overlap[c], dn[c]))
-      total_shear[c] =
-          shear[c] + (1 - sliding[c]) * (coefficient(&spec, shear_stiffness[c], c) * (displacement * rate));
+      total_shear[c] = shear[c] + (1 - sliding[c]) * (coefficient(spec, shear_stiffness[c], c) * slip_rate);
   }
 }
 
-static inline NB_FORM void stiffness_proportional(const struct nb_model *model, const struct nb_block *block) {
-  add_dashpots(model, block, NB_DASHPOTS_TIME);
+static inline NB_FORM void add_dashpots(const struct nb_model *model, const struct nb_block *block,
+                                        enum nb_dashpot_kind form, bool centred) {
+  const struct dashpots spec = {.dashpot = nb_dashpot(model, block->material_pair->wall),
+                                .uses_damping_ratio = form >= NB_DASHPOTS_RATIO,
+                                .critical = form == NB_DASHPOTS_DEEP && model->damping.deep > 0,
+                                .mass = block->f[NB_MASS],
+                                .deep = block->f[NB_DEEP]};
+  const double *normal = block->f[NB_NORMAL], *stiffness = block->f[NB_STIFFNESS];
+  const double *dn = block->f[NB_NORMAL_INCREMENT], *overlap = block->f[NB_OVERLAP];
+  const double *ex = block->f[NB_EX], *ey = block->f[NB_EY];
+  double *total_normal = block->f[NB_TOTAL_NORMAL];
+  const double rate = model->previous_step > 0 ? 1 / model->previous_step : 0;
+  struct changes changes;
+  unsigned long ends = 0;
+  if (centred)
+    predict(&changes, model, block, !(rate > 0));
+  NB_WIDE
+  for (size_t c = 0; c < block->n; c++) {
+    double approach_rate = dn[c] * rate;
+    if (centred)
+      approach_rate += vec_dot(changes.approach[c], vec(ex[c], ey[c]));
+    total_normal[c] = normal[c] + coefficient(&spec, stiffness[c], c) * approach_rate;
+    if (centred)
+      ends += just_began(overlap[c], dn[c]) || (!(overlap[c] > 0) && dn[c] < 0);
+  }
+  if (block->material_pair->shear)
+    add_tangential(&spec, block, rate, centred ? &changes : NULL);
+  if (ends > 0)
+    weigh(&spec, model, block);
 }
-static inline NB_FORM void ratio_of_critical(const struct nb_model *model, const struct nb_block *block) {
-  add_dashpots(model, block, NB_DASHPOTS_RATIO);
-}
-static inline NB_FORM void critical_if_deep(const struct nb_model *model, const struct nb_block *block) {
-  add_dashpots(model, block, NB_DASHPOTS_DEEP);
-}
-NB_FORMS(stiffness_proportional)
-NB_FORMS(ratio_of_critical)
-NB_FORMS(critical_if_deep)
 
-const struct nb_pass nb_pass_dashpots[] = {
-    {"no dashpots", {NULL}},
-    {"dashpots", NB_FORMS_LIST(stiffness_proportional)},
-    {"dashpots, damping ratio", NB_FORMS_LIST(ratio_of_critical)},
-    {"dashpots, critical beyond overlap", NB_FORMS_LIST(critical_if_deep)},
+#define FORM(name, form, centred)                                                                                      \
+  static inline NB_FORM void name(const struct nb_model *model, const struct nb_block *block) {                        \
+    add_dashpots(model, block, form, centred);                                                                         \
+  }                                                                                                                    \
+  NB_FORMS(name)
+FORM(stiffness_proportional, NB_DASHPOTS_TIME, false)
+FORM(ratio_of_critical, NB_DASHPOTS_RATIO, false)
+FORM(critical_if_deep, NB_DASHPOTS_DEEP, false)
+FORM(centred_stiffness_proportional, NB_DASHPOTS_TIME, true)
+FORM(centred_ratio_of_critical, NB_DASHPOTS_RATIO, true)
+FORM(centred_critical_if_deep, NB_DASHPOTS_DEEP, true)
+
+const struct nb_pass nb_pass_dashpots[2][4] = {
+    {{"no dashpots", {NULL}},
+     {"dashpots", NB_FORMS_LIST(stiffness_proportional)},
+     {"dashpots, damping ratio", NB_FORMS_LIST(ratio_of_critical)},
+     {"dashpots, critical beyond overlap", NB_FORMS_LIST(critical_if_deep)}},
+    {{"no dashpots", {NULL}},
+     {"dashpots, centred", NB_FORMS_LIST(centred_stiffness_proportional)},
+     {"dashpots, damping ratio, centred", NB_FORMS_LIST(centred_ratio_of_critical)},
+     {"dashpots, critical beyond overlap, centred", NB_FORMS_LIST(centred_critical_if_deep)}},
 };

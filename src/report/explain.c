@@ -215,6 +215,7 @@ static bool explain_material_pair(FILE *out, const struct nb_model *model,
 static size_t bytes_per_particle(const struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   return sizeof(double) * (particles->spin ? 14 : 12) + 5 * sizeof(int) +
+         (particles->ahead ? sizeof *particles->ahead : 0) +
          (model->affine ? sizeof *particles->imposed + sizeof *model->affine->source : 0) +
          (model->boundary ? 2 * sizeof(int) : 0) +
          (model->boundary && model->boundary->boundary_force ? sizeof(struct nb_vec) : 0) +

@@ -41,6 +41,13 @@ static bool removes_particles(const struct nb_scene *scene) {
   return false;
 }
 
+static bool has_centred_dashpots(const struct nb_scene *scene) {
+  for (size_t s = 0; s < scene->stage_count; s++)
+    if (scene->stages[s].damping.centred && nb_damping_contact_line(&scene->stages[s].damping) > 0)
+      return true;
+  return false;
+}
+
 static void fill_particles(struct nb_particles *particles, const struct nb_scene *scene, bool shuffle) {
   for (size_t k = 0; k < particles->count; k++) {
     const struct nb_particle *particle = &scene->particles[k];
@@ -83,6 +90,8 @@ static void make_particles(struct nb_particles *b, const struct nb_scene *scene,
   b->inverse_mass = numbers(owner, n), b->inverse_inertia = numbers(owner, n);
   if (has_spin(scene))
     b->spin = numbers(owner, n), b->angle = numbers(owner, n);
+  if (has_centred_dashpots(scene))
+    b->ahead = nb_own(owner, n, sizeof *b->ahead);
   if (removes_particles(scene))
     b->removed = nb_own(owner, n, sizeof(bool));
 }

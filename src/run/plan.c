@@ -75,7 +75,7 @@ static void plan_material_pair(struct nb_model *model, struct nb_material_pair *
   if (normal->elastic)
     add_pass(material_pair, nb_pass_deep.run[isa], model->damping.deep > 0 ? model->damping.deep_line : 0, "",
              nb_pass_deep.name);
-  const struct nb_pass *dashpots = &nb_pass_dashpots[model->plan.dashpots];
+  const struct nb_pass *dashpots = &nb_pass_dashpots[model->plan.centred][model->plan.dashpots];
   if (model->plan.dashpots)
     add_pass(material_pair, dashpots->run[isa], nb_damping_contact_line(&model->damping), "", dashpots->name);
   add_pass(material_pair, resolve->run[isa], 0, "", resolve->name);
@@ -104,6 +104,7 @@ enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
   plan->history.normal = plan->history.shear = 0;
   plan->history.slip_sum = (int)nb_configuration_count(model->configuration);
   plan->dashpots = dashpot_kind(&model->damping);
+  plan->centred = model->damping.centred;
   plan->total_shear = plan->dashpots ? NB_TOTAL_SHEAR : NB_SHEAR;
   plan->kept =
       (plan->requested & (NB_BIT(NB_FIELDS) - 1)) | NB_BIT(NB_RADIUS_SUM) | (plan->keep_all ? NB_SAVED_MASK : 0);
@@ -130,5 +131,5 @@ bool nb_plan_is_current(const struct nb_model *model) {
   for (size_t p = 0; p < model->material_pair_count; p++)
     if (!none && has_friction(&model->material_pairs[p]) != (model->material_pairs[p].shear != NULL))
       return false;
-  return model->plan.dashpots == dashpot_kind(&model->damping);
+  return model->plan.dashpots == dashpot_kind(&model->damping) && model->plan.centred == model->damping.centred;
 }
