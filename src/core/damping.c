@@ -21,8 +21,8 @@ bool nb_damping_equal(const struct nb_damping *a, const struct nb_damping *b) {
   for (int wall = 0; wall < 2; wall++)
     if (nb_damping_at(a, wall, &here) != nb_damping_at(b, wall, &there) || here < there || here > there)
       return false;
-  return a->centred == b->centred && a->global_kind == b->global_kind && !(a->global < b->global || a->global > b->global) &&
-         !(a->deep < b->deep || a->deep > b->deep);
+  return a->centred == b->centred && a->global_kind == b->global_kind &&
+         !(a->global < b->global || a->global > b->global) && !(a->deep < b->deep || a->deep > b->deep);
 }
 
 bool nb_damping_none(const struct nb_damping *damping) {

@@ -29,8 +29,15 @@ struct given {
   double value;
 };
 
-static void take_damping(struct nb_reader *reader, struct given *given) {
+static enum nb_global_damping take_con1(struct nb_reader *reader) {
   static const enum nb_global_damping variants[] = {NB_GLOBAL_CON1_CS79, NB_GLOBAL_CON1_VELOCITY, NB_GLOBAL_CON1_ALL};
+  if (!nb_token_skip(reader, "as"))
+    nb_expected(reader, NULL, "`as cs79`, `as velocity` or `as all`");
+  const int variant = nb_take_choice(reader, "cs79|velocity|all");
+  return variants[variant < 0 ? 0 : variant];
+}
+
+static void take_damping(struct nb_reader *reader, struct given *given) {
   reader->otherwise = "a fraction of critical damping is `damping ratio 0.2`";
   int word = nb_take_choice(reader, CONTACT_WORDS "|walls|critical|mass|con1|centred|late|none");
   if (word == WALLS) {
@@ -39,9 +46,8 @@ static void take_damping(struct nb_reader *reader, struct given *given) {
     word = word == WALLS ? NONE : word;
   }
   if (word == NONE)
-    given->all = given->global = given->deep = given->timing = !given->walls;
-  if (word == CENTRED || word == LATE)
-    given->timing = true, given->centred = word == CENTRED;
+    given->all = given->global = given->deep = !given->walls;
+  given->timing = word >= CENTRED && !given->walls, given->centred = word == CENTRED;
   if (word == CRITICAL) { /* `beyond overlap 7 %` of the smaller diameter */
     given->deep = nb_take_word(reader, "beyond") && nb_take_word(reader, "overlap");
     nb_take_number(reader, NB_UNIT_NUMBER, NB_POSITIVE, &given->value);
@@ -52,12 +58,8 @@ static void take_damping(struct nb_reader *reader, struct given *given) {
   given->of = kinds[word < WALLS ? word : WALLS + word - GLOBAL];
   given->global = word >= GLOBAL, given->all = !given->global && !given->walls;
   nb_take_number(reader, given->of.unit, given->of.range, &given->value);
-  if (word == CON1 && !nb_token_skip(reader, "as"))
-    nb_expected(reader, NULL, "`as cs79`, `as velocity` or `as all`");
-  if (word == CON1) {
-    const int variant = nb_take_choice(reader, "cs79|velocity|all");
-    given->of.global_kind = variants[variant < 0 ? 0 : variant];
-  }
+  if (word == CON1)
+    given->of.global_kind = take_con1(reader);
 }
 
 /* There is one statement each for all contacts, for contacts with walls, for deep contacts, for all particles and for
@@ -109,8 +111,8 @@ NB_STATEMENTS(damping) = {
    "Damping at contacts [CS79 28] [R89 4.3, 4.13] and of all particles [CS79 34] [R89 6.5.1], one statement for each; "
    "default none. `ratio` is a fraction of critical damping. `walls` sets the damping of contacts with walls; without it they are damped like all others. `critical beyond overlap`: contacts "
    "that overlap by more than that fraction of the smaller diameter are damped critically [R89 6.4.3]. `centred`: dashpots use "
-   "the velocity at the time of the force, and act from first touch to the end of the contact; `late`, the default, is the "
-   "velocity of half a step before [CS79 26, 27]. In a stage: from this stage on.",
+   "the velocity at the time of the force, and act from first touch to the end of the contact. `late`, the default: they use "
+   "that of half a step before [CS79 26, 27]. In a stage: from this stage on.",
    "damping   ratio 0.1\ndamping   walls ratio 0.3\ndamping   mass 2 1/s"},
   {0},
 };

@@ -56,20 +56,11 @@ static void copy_stage(struct nb_stage *to, const struct nb_stage *from, int lin
   LINES(removals, removal_count);
   for (size_t k = 0; k < to->condition_count; k++)
     to->conditions[k].line = line, to->conditions[k].quantity.monitor = -1; /* its monitors are not copied */
-  int *const lines[] = {&to->gravity.line,
-                        &to->damping.contact_line,
-                        &to->damping.walls_line,
-                        &to->damping.deep_line,
-                        &to->damping.centred_line,
-                        &to->damping.global_line,
-                        &to->circle.line,
-                        &to->boundary.line,
-                        &to->affine.line,
-                        &to->rotation_line,
-                        &to->cell_line,
-                        &to->box_line,
-                        &to->laws.normal_line,
-                        &to->laws.shear_line};
+  int *const lines[] = {
+      &to->gravity.line,         &to->damping.contact_line, &to->damping.walls_line, &to->damping.deep_line,
+      &to->damping.centred_line, &to->damping.global_line,  &to->circle.line,        &to->boundary.line,
+      &to->affine.line,          &to->rotation_line,        &to->cell_line,          &to->box_line,
+      &to->laws.normal_line,     &to->laws.shear_line};
   for (size_t k = 0; k < sizeof lines / sizeof *lines; k++)
     *lines[k] = replaced_line(*lines[k], line);
   to->line = to->step.line = line, to->step.set = false;

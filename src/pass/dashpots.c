@@ -157,11 +157,11 @@ static inline NB_FORM void add_tangential(const struct dashpots *spec, const str
   for (size_t c = 0; c < block->n && began > 0; c++) { /* new contacts, whose ds is not that of the whole step */
     const double fraction = nb_touch_fraction(overlap[c], dn[c]),
                  displacement = fraction > 0 ? ds[c] / fraction : ds[c];
-    double slip_rate = displacement * rate;
+    double first_rate = displacement * rate;
     if (changes)
-      slip_rate += vec_dot(changes->approach[c], vec_clockwise(vec(ex[c], ey[c]))) - changes->rotation[c];
+      first_rate += vec_dot(changes->approach[c], vec_clockwise(vec(ex[c], ey[c]))) - changes->rotation[c];
     if (nb_touch_began(overlap[c], dn[c]))
-      total_shear[c] = shear[c] + (1 - sliding[c]) * (coefficient(spec, shear_stiffness[c], c) * slip_rate);
+      total_shear[c] = shear[c] + (1 - sliding[c]) * (coefficient(spec, shear_stiffness[c], c) * first_rate);
   }
 }
 

@@ -15,7 +15,7 @@ extern const struct nb_pass nb_pass_disc_disc[3], nb_pass_periodic[3], nb_pass_d
 extern const struct nb_pass nb_pass_vertices;
 extern const struct nb_pass nb_pass_deep;
 extern const struct nb_pass nb_pass_dashpots[2][4]; /* late and centred; by enum nb_dashpot_kind */
-extern const struct nb_pass nb_pass_resolve[2];  /* without and with shear */
+extern const struct nb_pass nb_pass_resolve[2];     /* without and with shear */
 
 /* Dashpot coefficients of a contact, s and 1: D_n = time k_n dn/dt + ratio sqrt(M* k_n) dn/dt, D_s likewise. */
 struct nb_dashpot {
