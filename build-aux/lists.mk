@@ -263,6 +263,7 @@ SUITES = \
   tests/units.c \
   tests/scene.c \
   tests/refine.c \
+  tests/rounding.c \
   tests/statements.c \
   tests/refs.c tests/refs_covers.c tests/refs_features.c \
   tests/refs_nine.c \
@@ -356,6 +357,7 @@ SHELL_TESTS = \
   tests/report.sh \
   tests/advise.sh \
   tests/cost.sh \
+  tests/rounding.sh \
   tests/trades.sh \
   tests/same-bits.sh \
   tests/start.sh \
@@ -567,6 +569,8 @@ RUN = \
 VERDICT = \
   src/report/advise.c \
   src/report/advise.h \
+  src/report/bits.c \
+  src/report/bits.h \
   src/report/estimate.c \
   src/report/estimate.h \
   src/report/expect.c \
@@ -594,6 +598,7 @@ PROGRAM = \
   src/report/manual.c \
   src/report/print.c \
   src/report/report.c \
+  src/report/rounding.c \
   src/report/sandbox.c \
   src/report/sandbox.h \
   src/report/tables.c

@@ -520,6 +520,12 @@ void nb_scene_free(struct nb_scene *scene);
 
 /* ---- model.c, cycle.c: a running simulation ---- */
 
+/* A rounding mode of IEEE 754, and where it applies. */
+struct nb_rounding {
+  enum { NB_TO_NEAREST, NB_UPWARD, NB_DOWNWARD, NB_TOWARDS_ZERO, NB_ROUNDINGS } mode;
+  const char *part; /* of the cycle: a pass, a hook, "motion", "search", "step" of a contact test; NULL: all */
+};
+
 struct nb_options {
   int threads;        /* 0: OpenMP's default */
   const char *isa;    /* "plain", "avx2", "avx512"; NULL: the best of this machine */
@@ -527,6 +533,7 @@ struct nb_options {
   bool shuffle;       /* tests: store the particles in another order than their numbers, which changes no result */
   bool keep_all;      /* keep all contact fields that a saved state contains */
   const char *states; /* folder of saved states; NULL: `states` */
+  struct nb_rounding rounding; /* of cycles and of steps of contact tests; all else is rounded to nearest */
 };
 
 /* Returns NULL and fills `error` when the model cannot be created. The scene must outlive the model. */

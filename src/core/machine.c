@@ -1,6 +1,7 @@
 /* Selects the instruction set and the number of threads. No result depends on them.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <fenv.h>
 #include <string.h>
 
 #include "model.h"
@@ -34,6 +35,8 @@ enum nb_status nb_machine_choose(struct nb_model *model, const struct nb_options
     model->machine.isa = isa;
   }
   model->machine.threads = options ? options->threads : 1;
+  if (options)
+    model->machine.rounding = options->rounding;
 #ifdef _OPENMP
   if (model->machine.threads <= 0)
     model->machine.threads = omp_get_max_threads();
@@ -43,4 +46,10 @@ enum nb_status nb_machine_choose(struct nb_model *model, const struct nb_options
   if (model->machine.threads > NB_THREADS)
     model->machine.threads = NB_THREADS;
   return NB_OK;
+}
+
+void nb_rounding_begin(const struct nb_rounding *rounding, const char *part) {
+  static const int modes[NB_ROUNDINGS] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+  const bool chosen = part && (!rounding->part || strcmp(part, rounding->part) == 0);
+  fesetround(modes[chosen ? rounding->mode : NB_TO_NEAREST]);
 }

@@ -92,6 +92,7 @@ struct nb_machine {
   enum nb_isa isa;
   int threads;      /* upper limit */
   int threads_used; /* threads for the current number of contacts, at least NB_CONTACTS_PER_THREAD each */
+  struct nb_rounding rounding;
 };
 
 /* What the current stage requires of the contacts; run/plan.c determines it. */
@@ -226,6 +227,9 @@ struct nb_model {
 
 /* machine.c: instruction set and threads, from the options */
 enum nb_status nb_machine_choose(struct nb_model *model, const struct nb_options *options, struct nb_error *error);
+
+/* machine.c: sets the rounding mode of this thread for the part of the cycle that begins; NULL: a part ends. */
+void nb_rounding_begin(const struct nb_rounding *rounding, const char *part);
 
 /* blocks.c: divides the contacts into blocks, after each search */
 enum nb_status nb_blocks_create(struct nb_model *model, struct nb_error *error);

@@ -127,7 +127,9 @@ static enum nb_status process_pages(const struct nb_call *call, unsigned actions
 }
 
 enum nb_status nb_command_run(const struct nb_call *call) { return process_pages(call, VERDICT | TABLES); }
-enum nb_status nb_command_check(const struct nb_call *call) { return process_pages(call, VERDICT | REQUIRE_CHECKS); }
+enum nb_status nb_command_check(const struct nb_call *call) {
+  return call->rounding ? nb_rounding_check(call) : process_pages(call, VERDICT | REQUIRE_CHECKS);
+}
 enum nb_status nb_command_figure(const struct nb_call *call) { return process_pages(call, FIGURE); }
 
 static void put_message(struct nb_report_line *line, const struct nb_outcome *outcome) {

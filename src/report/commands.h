@@ -22,7 +22,8 @@ struct nb_call {
   bool help, version;                            /* print it and do nothing else */
   const char *quantity, *within, *budget, *over; /* of `advise` */
   int realizations;
-  unsigned given; /* set of options, by their index in the table */
+  const char *rounding; /* of `check`: "all" or "parts"; NULL: to nearest only */
+  unsigned given;       /* set of options, by their index in the table */
 };
 
 /* ---- commands.c: one function for each command ---- */
@@ -37,6 +38,10 @@ enum nb_status nb_command_migrate(const struct nb_call *call);
 enum nb_status nb_command_advise(const struct nb_call *call); /* advice.c */
 enum nb_status nb_command_laws(const struct nb_call *call);
 enum nb_status nb_command_list(const struct nb_call *call);
+
+/* ---- rounding.c ---- */
+
+enum nb_status nb_rounding_check(const struct nb_call *call); /* `check --rounding` */
 
 /* ---- manual.c ---- */
 

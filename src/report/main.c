@@ -72,6 +72,9 @@ static const struct option_row {
     {"trust", NULL, 0, FLAG, AT(trust), "figure, report, advise",
      "draw even where gnuplot cannot be confined: for pages that you trust"},
     {"in-place", NULL, 0, FLAG, AT(in_place), "migrate", "write into the pages (default: to standard output)"},
+    {"rounding", "WHICH", 0, TEXT, AT(rounding), "check",
+     "all: run under the four rounding modes, print how many bits of the expected quantities do not depend on them; "
+     "parts: also for each part of the cycle alone"},
     {"tap", NULL, 0, FLAG, AT(tap), "check", "verdicts as TAP, which `make check` reads"},
     {"help", NULL, 'h', FLAG, AT(help), NULL,
      "this text; all words of pages: nineball --help scene; one word, also of another program: nineball --help disc; "

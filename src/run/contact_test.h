@@ -29,6 +29,7 @@ struct nb_contact_test {
   double work_normal, work_shear;          /* by the mean force of each step, J */
   double dissipated;                       /* by the shear law, if it reports it, J */
   unsigned long step;                      /* steps done */
+  struct nb_rounding rounding;             /* of the steps */
 };
 
 enum nb_status nb_contact_test_create(struct nb_contact_test *contact_test, const struct nb_scene *scene,
@@ -36,7 +37,8 @@ enum nb_status nb_contact_test_create(struct nb_contact_test *contact_test, cons
 void nb_contact_test_free(struct nb_contact_test *contact_test);
 
 enum nb_status nb_contact_test_run(struct nb_result *result, const struct nb_scene *scene,
-                                   const struct nb_progress *progress, struct nb_error *error);
+                                   const struct nb_options *options, const struct nb_progress *progress,
+                                   struct nb_error *error);
 
 /* ---- contact_test_quantities.c ---- */
 

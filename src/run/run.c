@@ -177,7 +177,7 @@ static enum nb_status run_scene(struct run *run, const struct nb_options *option
 enum nb_status nb_run(struct nb_result *result, const struct nb_scene *scene, const struct nb_options *options,
                       const struct nb_progress *progress, struct nb_error *error) {
   if (scene->contact_test)
-    return nb_contact_test_run(result, scene, progress, error);
+    return nb_contact_test_run(result, scene, options, progress, error);
   *result = (struct nb_result){0};
   struct run run = {.result = result, .scene = scene, .reporter.progress = progress};
   return run_scene(&run, options, NULL, error);
@@ -189,6 +189,8 @@ enum nb_status nb_run_to(struct nb_saved *saved, const struct nb_scene *scene, c
   struct nb_result result = {0};
   struct run run = {.result = &result, .scene = scene, .reporter.progress = progress};
   whole.keep_all = true;
+  whole.rounding =
+      (struct nb_rounding){NB_TO_NEAREST, NULL}; /* a saved state does not depend on the mode of its reader */
   const enum nb_status status = run_scene(&run, &whole, saved, error);
   nb_result_free(&result);
   return status;

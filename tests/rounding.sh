@@ -1,0 +1,116 @@
+#!/bin/sh
+# Tests `nineball check --rounding`: bits, verdicts and parts that it prints, and what it refuses. TAP. $NINEBALL is the program,
+# $srcdir the top of the source tree. tests/rounding.c tests the modes themselves.
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+
+. "${srcdir:-.}/tests/tap"
+top=$(pwd)
+cd "$work" || exit 1
+
+# Positions in binary fractions are the same in each mode. v dt is not: its sum over 2^12 cycles differs by at most 2^12 half units
+# in the last place of a number below 2^13 and by at least that over 2^5, so x keeps between 53-13 and 53-6 bits.
+page() {
+  cat <<'PAGE'
+# Free discs
+
+```scene
+units none
+material a density 1 kn 1
+disc 0 0 radius 1 a velocity 0.25 0
+disc 8 100 radius 1 a velocity 0.7 0
+disc 8 -100 radius 1 a velocity 0.7 0
+step 0.5
+monitor A disc 1
+monitor B disc 2
+monitor C disc 3
+record every cycle A.x B.x B.y energy.kinetic
+stage s
+cycles 4096
+```
+
+```expect
+A.x expected 512 within 0 [exact]        # in each mode
+B.x expected 1441.6 within 1e-9 [v t]
+B.y expected 100 within 0 [exact]
+B.x above A.x
+```
+PAGE
+}
+page | sed 's/^record every cycle/record/' >free.md
+
+# bits N: the number before expectation N of the list.
+bits() { sed -n '/bits that do not depend/,$p' "$why" | sed -n "$(($1 + 1))p" | awk '{ print $1 }'; }
+
+run 0 check free.md --rounding all && test "$(grep -c '  rounding .* 4 of 4 checks passed' "$why")" -eq 3 &&
+  grep -q 'rounding up  ' "$why" && grep -q 'rounding down' "$why" && grep -q 'rounding zero' "$why" && said '  4 of 4 checks passed'
+result $? 'verdicts of the four modes'
+test "$(bits 1)" = 53 && test "$(bits 3)" = 53 && test "$(bits 2)" -ge 40 && test "$(bits 2)" -le 47 && test "$(bits 4)" = "$(bits 2)"
+result $? 'bits of exact and of rounded quantities'
+sed -n '/bits that do not depend/,$p' "$why" | grep -q '^    53  A.x expected 512 within 0 .exact.$'
+result $? 'an expectation is printed without its comment'
+
+run 0 check free.md --rounding parts && sed -n '/with one part/,$p' "$why" >parts &&
+  grep -q 'bits of: B.x expected 1441.6 within 1e-9 .v t.$' parts && grep -q "^    4[0-7]  motion$" parts && grep -q '^    53  search$' parts &&
+  test "$(sed 's/^ *[0-9]*  //' parts | sort | uniq -d | wc -l)" -eq 0
+result $? 'parts of the cycle'
+
+# Rounded up, x is larger than to nearest by more than the tolerance.
+sed 's/within 1e-9/within 1e-10/' free.md >tight.md
+run 1 check tight.md --rounding all && said 'rounding up    3 of 4 checks passed'
+result $? 'a check that fails in another mode'
+
+# Two runs: 0.5 v is a binary fraction in the first one alone, and the label says which has fewer bits.
+sed 's/^disc 8 100 radius 1 a velocity 0.7 0/sweep v 0.5 0.7\ndisc 8 100 radius 1 a velocity $v 0/; /^B.x expected/d' free.md >swept.md
+sed -i 's/^B.x above A.x/B.x above A.x\nB.x decreases with v/; s/decreases/increases/' swept.md
+run 0 check swept.md --rounding all && grep -q '^    4[0-9]  B.x increases with v (v=0.7)$' "$why"
+result $? 'the run with the fewest bits'
+
+# A residual, and a value that is zero within its tolerance, have no bits.
+{
+  sed '/^```expect/,$d; s/^record /record C.vy /; s/velocity 0.7 0/velocity 0.7 1e-14/' free.md
+  printf '```expect\nC.vy expected 0 within 1e-12 [rest]\nA.x expected 512 within 0 [exact]\n```\n'
+} >zero.md
+run 0 check zero.md --rounding all && grep -q '^     -  C.vy expected 0 within 1e-12 .rest.$' "$why" && test "$(bits 2)" = 53
+result $? 'a value of zero has no bits'
+
+run 2 check free.md --rounding sideways && said 'expected `--rounding all` or `parts`, found `sideways`'
+result $? 'an unknown word'
+run 2 check free.md --rounding all --tap && said 'without --tap'
+result $? 'not as TAP'
+run 2 run free.md --rounding all && said 'which is an option of: check'
+result $? 'an option of check'
+sed 's/^step/stop/' free.md >wrong.md
+run 2 check wrong.md --rounding all && said 'wrong.md:9:1' && ! said 'bits that'
+result $? 'a mistake in the page'
+# A run that is aborted in the modes as well as to nearest.
+sed 's/^disc 8 100 .*/disc 1000 0 radius 1 a velocity -0.25 0/; s/cycles 4096/cycles 9000/; s/^step 0.5/step 8/; s/^units none/units none\nallow unstable/' free.md >broken.md
+run 3 check broken.md --rounding all && ! said 'bits that'
+result $? 'a run that is aborted'
+
+# ---- docs/rounding.sh, which writes docs/ROUNDING.md ----
+
+document() { NINEBALL=$nineball sh "$top/docs/rounding.sh" -o rounding.md "$@" >"$why" 2>&1; }
+mkdir 9-free && cp free.md tight.md swept.md 9-free
+document 9-free/free.md 9-free/tight.md 9-free/swept.md
+test $? -eq 0 && grep -q '^| \[free\](../cases/9-free/free.md) | 42 | `B.x expected 1441.6 within 1e-9 .v t.` |  |$' rounding.md &&
+  grep -q '^| \[tight\](.*) | 42 | .* | [123] |$' rounding.md && grep -q '^| \[swept\](.*) | 4[0-9] | `B.x above A.x (v=0.7)` |  |$' rounding.md &&
+  grep -q '^- 3 cases, the median keeps 4[0-9] bits. 0 keep fewer than 30' rounding.md && grep -q 'the motion costs the most bits in 3' rounding.md &&
+  grep -q '^- In 1 cases some check' rounding.md
+result $? 'docs/rounding.sh: a row for each page'
+# A guard that only rounding up passes: 4096 roundings carry the disc beyond the position at which it stops the run.
+sed '/^stage s/,$d; s/velocity 0.7 0/velocity 0.7 0/' free.md >9-free/stops.md
+printf 'stage s\ncycles 4095\nstage t\nuntil B.x below %s at most 1 cycles\n```\n```expect\nB.y expected 100 within 0 [rest]\n```\n' 1441.59999999995 >>9-free/stops.md
+document 9-free/stops.md
+test $? -eq 1 && grep -q '^| \[stops\](.*) | 0 | `rounding up aborts the run` |  |$' rounding.md
+result $? 'docs/rounding.sh: a run that a mode aborts'
+# Few bits: a position near 0 that is the difference of large ones, relative to itself.
+sed 's/^disc 8 100 radius 1 a velocity 0.7 0/disc -1433.6 100 radius 1 a velocity 0.7 0/; s/^B.x expected 1441.6 within 1e-9/B.x expected 1e-9 of A.x within 1/' free.md |
+  sed 's/^B.x above A.x/B.x below A.x/' >9-free/few.md
+document 9-free/few.md
+test $? -eq 1 && said 'few.md keeps fewer than 30 bits: it should state why'
+result $? 'docs/rounding.sh: few bits without a reason'
+printf '\nFew bits depend on the rounding\nmode here.\n' >>9-free/few.md
+document 9-free/few.md
+result $? 'docs/rounding.sh: few bits with a reason'
+echo "1..$n"
