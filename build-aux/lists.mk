@@ -161,6 +161,7 @@ PAGES = \
   cases/5-numerics/glancing-discs.md \
   cases/5-numerics/step-limit.md \
   cases/5-numerics/step-growth.md \
+  cases/5-numerics/nine-discs-growth.md \
   cases/5-numerics/rayleigh-step.md \
   cases/5-numerics/rayleigh-mean.md \
   cases/5-numerics/fracc.md \
