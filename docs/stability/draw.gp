@@ -58,14 +58,14 @@ set logscale y
 set arrow from 1, graph 0 to 1, graph 1 nohead dt 2 lc rgb 'black'
 set format y '10^{%L}'
 soft = folder.'/soft.tsv'
-at(d, what) = column('damping') == d ? column(what) : NaN
+at(d, what) = strcol('system') eq 'nine-discs' && column('damping') == d ? column(what) : NaN
 set multiplot layout 1,2
 set yrange [1e-4:1e8]
-set title 'Largest energy.residual / initial energy'
+set title 'Nine discs: largest energy.residual / initial energy'
 plot soft using 'f':(at(0, 'energy')) with linespoints ls 1 pt 7 title 'damping 0', \
      '' using 'f':(at(0.1, 'energy')) with linespoints ls 2 pt 7 title '0.1', \
      '' using 'f':(at(1, 'energy')) with linespoints ls 3 pt 7 title '1'
-set title 'unbalanced.max at the end'
+set title 'Nine discs: unbalanced.max at the end'
 set yrange [1e-17:10]
 plot soft using 'f':(at(0, 'imbalance')) with linespoints ls 1 pt 7 title 'damping 0', \
      '' using 'f':(at(0.1, 'imbalance')) with linespoints ls 2 pt 7 title '0.1', \
