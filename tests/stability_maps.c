@@ -928,17 +928,16 @@ static void write_beginning(FILE *out) {
       "$(\\omega \\Delta t)^2/24$, and a dashpot lags by half a step. The larger of both for the slowest mode is the\n"
       "cause of inaccuracy.\n\n",
       out);
-  fprintf(out,
-          "**Symptoms.** Each point that is unstable or inaccurate is run again with `allow unstable` for %d cycles. "
-          "Random\n"
-          "velocities move the discs by up to %g of the mean overlap in a cycle. The symptom is the first of these: a "
-          "guard\n"
-          "stops the run with a *message*; the largest `energy.residual` exceeds %g %% of the initial energy "
-          "(*energy*); the\n"
-          "mean `unbalanced.max` at the end exceeds %g %% (*imbalance*); nothing (*silent*). Both must also be three "
-          "times\n"
-          "as large as in the same run at half the limit.\n",
-          (int)KICK_CYCLES, kick_size, 100 * visible, 100 * visible);
+  fprintf(
+      out,
+      "**Symptoms.** Points that are unstable or inaccurate are run again with `allow unstable` for %d cycles. Random\n"
+      "velocities move the discs by up to %g of the mean overlap in a cycle. The symptom is the first of these:\n\n"
+      "- *message*: a guard stops the run.\n"
+      "- *energy*: the largest `energy.residual` exceeds %g %% of the initial energy.\n"
+      "- *imbalance*: the mean `unbalanced.max` at the end exceeds %g %%.\n"
+      "- *silent*: nothing.\n\n"
+      "Energy and imbalance must also be three times as large as in the same run at half the limit.\n",
+      (int)KICK_CYCLES, kick_size, 100 * visible, 100 * visible);
 }
 
 static void write_counts(FILE *out, const struct count counts[8]) {
