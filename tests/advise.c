@@ -501,6 +501,25 @@ static void checks_may_fail_with_a_looser_setting(void) {
     }
 }
 
+static void words_of_steps_and_of_failure(void) {
+  static const struct {
+    int level;
+    const char *text;
+  } rows[] = {{0, "that of the page"},
+              {-1, "2 times as long as that of the page"},
+              {-7, "128 times as long as that of the page"},
+              {1, "2 times as short as that of the page"},
+              {3, "8 times as short as that of the page"}};
+  char text[NB_NAME_SIZE];
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    nb_level_text(text, sizeof text, rows[k].level);
+    CU_ASSERT_STRING_EQUAL(text, rows[k].text);
+  }
+  CU_ASSERT_STRING_EQUAL(nb_advice_remedy(&(struct nb_advice){.exhausted = false}), "choose a larger tolerance");
+  CU_ASSERT_STRING_EQUAL(nb_advice_remedy(&(struct nb_advice){.exhausted = true}),
+                         "the budget was used up: choose a larger --budget or a larger tolerance");
+}
+
 /* Values 1 to 4; 0, 0, 0, 6; and four zeros: sample standard deviations (5/3)^(1/2), 3 and 0. */
 static void the_scatter_is_that_of_the_worst_run(void) {
   static const double zero[SETTINGS] = {0};
@@ -534,6 +553,7 @@ void suite_advise(void) {
   CU_ADD_TEST(suite, the_cheaper_of_two_settings);
   CU_ADD_TEST(suite, the_next_cheaper_and_the_most_accurate_setting);
   CU_ADD_TEST(suite, checks_may_fail_with_a_looser_setting);
+  CU_ADD_TEST(suite, words_of_steps_and_of_failure);
   CU_ADD_TEST(suite, the_scatter_is_that_of_the_worst_run);
   CU_ADD_TEST(suite, variants_that_are_left_out);
   CU_ADD_TEST(suite, laws_are_equal_in_every_run);

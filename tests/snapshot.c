@@ -112,9 +112,81 @@ static void rings_in_a_cell(void) {
   written_free(&it);
 }
 
+/* Particles, walls and contacts of a scene in motion, from which particle 2 was removed: the columns are those of the
+ * quantities with these names, and the identities and directions are known. Storage order changes nothing. */
+static void columns_are_the_quantities(void) {
+  static const char *const of_particle[] = {"x", "y", "angle", "vx", "vy", "fx", "fy", "moment", "spin"};
+  static const char *const of_contact[] = {"overlap", "normal", "shear", "sliding"};
+  for (int shuffle = 0; shuffle < 2; shuffle++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 100 ks 80 friction 0.5\nshear linear\n"
+              "disc 0 0 radius 1 m velocity 0.1 0 spin 1\ndisc 9 9 radius 1 m\ndisc 1.2 1.55 radius 1 m spin -2\n"
+              "disc -9 3 radius 0.5 m velocity 0 0.2\nwall low -5 -0.99 to 5 -0.99 m\n"
+              "wall side 8 -3 to 8 5 m velocity 1 0.5\nmonitor P1 disc 1\nmonitor P2 disc 3\nmonitor P3 disc 4\n"
+              "monitor C1 disc 1 with wall low\nmonitor C2 disc 1 with disc 3\nrecord");
+    for (int k = 1; k <= 3; k++)
+      for (size_t q = 0; q < sizeof of_particle / sizeof *of_particle; q++)
+        words_add(&page, " P%d.%s", k, of_particle[q]);
+    for (int k = 1; k <= 2; k++)
+      for (size_t q = 0; q < sizeof of_contact / sizeof *of_contact; q++)
+        words_add(&page, " C%d.%s", k, of_contact[q]);
+    words_add(&page,
+              "\nregion A circle 9 9 radius 2 rings 1\nstep 0.01\nstage s\nremove disc 2\ncycles 10\nsnapshot\n");
+    written_scene(&it, &page);
+    written_run(&result, &it, &(struct nb_options){.threads = 1, .shuffle = shuffle});
+    const struct nb_table *particles = &result.snapshots[0].particles, *contacts = &result.snapshots[0].contacts,
+                          *walls = &result.snapshots[0].walls;
+    CU_ASSERT_FATAL(particles->row_count == 3 && contacts->row_count == 2 && walls->row_count == 2);
+    static const double number[] = {1, 3, 4}, radius[] = {1, 1, 0.5}, touching[] = {2, 1, 0};
+    char name[64];
+    for (size_t k = 0; k < 3; k++) {
+      CU_ASSERT_EQUAL(written_cell(particles, k, "particle"), number[k]);
+      CU_ASSERT_EQUAL(written_cell(particles, k, "radius"), radius[k]);
+      CU_ASSERT_EQUAL(written_cell(particles, k, "contacts"), touching[k]);
+      for (size_t q = 0; q < sizeof of_particle / sizeof *of_particle; q++) {
+        snprintf(name, sizeof name, "P%zu.%s", k + 1, of_particle[q]);
+        CU_ASSERT_EQUAL(written_cell(particles, k, of_particle[q]), written_last(&result, name));
+        CU_ASSERT(k == 2 || written_last(&result, name) != 0);
+      }
+    }
+    for (size_t k = 0; k < 2; k++) { /* particles before walls */
+      const size_t monitor = 2 - k;
+      CU_ASSERT_EQUAL(written_cell(contacts, k, "a"), 1);
+      CU_ASSERT_EQUAL(written_cell(contacts, k, "b"), k ? 0 : 3);
+      CU_ASSERT_EQUAL(written_cell(contacts, k, "wall"), k);
+      CU_ASSERT_EQUAL(written_cell(contacts, k, "ra"), 1);
+      CU_ASSERT_EQUAL(written_cell(contacts, k, "rb"), 1 - (double)k);
+      for (size_t q = 0; q < sizeof of_contact / sizeof *of_contact; q++) {
+        snprintf(name, sizeof name, "C%zu.%s", monitor, of_contact[q]);
+        CU_ASSERT_EQUAL(written_cell(contacts, k, of_contact[q]), written_last(&result, name));
+      }
+      const double dx = written_last(&result, "P2.x") - written_last(&result, "P1.x"),
+                   dy = written_last(&result, "P2.y") - written_last(&result, "P1.y");
+      const double ex = k ? 0 : dx / hypot(dx, dy), ey = k ? -1 : dy / hypot(dx, dy);
+      const double arm = 1 - written_cell(contacts, k, "overlap") / 2;
+      CU_ASSERT_DOUBLE_EQUAL(written_cell(contacts, k, "ex"), ex, 1e-14);
+      CU_ASSERT_DOUBLE_EQUAL(written_cell(contacts, k, "ey"), ey, 1e-14);
+      CU_ASSERT_DOUBLE_EQUAL(written_cell(contacts, k, "x"), written_last(&result, "P1.x") + arm * ex, 1e-14);
+      CU_ASSERT_DOUBLE_EQUAL(written_cell(contacts, k, "y"), written_last(&result, "P1.y") + arm * ey, 1e-14);
+    }
+    static const double ends[2][5] = {{1, -5, -0.99, 5, -0.99}, {2, 8.1, -2.95, 8.1, 5.05}}; /* after 0.1 */
+    static const char *const of_wall[] = {"wall", "x1", "y1", "x2", "y2"};
+    for (size_t w = 0; w < 2; w++)
+      for (size_t q = 0; q < 5; q++)
+        CU_ASSERT_DOUBLE_EQUAL(written_cell(walls, w, of_wall[q]), ends[w][q], 1e-14);
+    CU_ASSERT_EQUAL(written_cell(&result.snapshots[0].rings, 0, "within"), 1); /* the removed disc was there */
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
 void suite_snapshot(void) {
   CU_pSuite suite = CU_add_suite("snapshot", NULL, NULL);
   CU_add_test(suite, "the columns of particles and of contacts", columns);
+  CU_add_test(suite, "the columns are the quantities", columns_are_the_quantities);
   CU_add_test(suite, "porosity ring by ring", rings);
   CU_add_test(suite, "rings in a cell", rings_in_a_cell);
   CU_add_test(suite, "a fixed particle is no rattler", a_fixed_particle_is_no_rattler);

@@ -95,17 +95,13 @@ static void print_error_of(const struct nb_advice *advice, const struct nb_setti
 /* The step and the laws in words. */
 static void print_setting(const struct nb_advice *advice, const struct nb_setting *setting) {
   const struct nb_scene *scene = &advice->page.runs[0].scene;
-  const double step = nb_point_at(advice, setting)->step, times = exp2(abs(setting->level));
-  char length[NB_NAME_SIZE] = "", name[512];
+  const double step = nb_point_at(advice, setting)->step;
+  char length[NB_NAME_SIZE] = "", level[NB_NAME_SIZE], name[512];
+  nb_level_text(level, sizeof level, setting->level);
   name_variant(name, sizeof name, advice, &advice->variants[setting->variant]);
   if (step > 0)
     snprintf(length, sizeof length, " (%.3g%s)", step, scene->unitless ? "" : " s");
-  printf("    the step%s is ", length);
-  if (setting->level == 0)
-    fputs("that of the page", stdout);
-  else
-    printf("%g times as %s as that of the page", times, setting->level < 0 ? "long" : "short");
-  printf("; %s%s\n", name, setting->variant == 0 ? ", as in the page" : "");
+  printf("    the step%s is %s; %s%s\n", length, level, name, setting->variant == 0 ? ", as in the page" : "");
 }
 
 static void print_cost(const struct nb_advice *advice, const struct nb_point *point) {
@@ -241,8 +237,7 @@ static void print_advice(struct nb_advice *advice) {
       printf("  the most accurate one: %s\n    estimated error: ", options);
       print_error_of(advice, best);
     }
-    puts(advice->exhausted ? "  the budget was used up: choose a larger --budget or a larger tolerance"
-                           : "  choose a larger tolerance");
+    printf("  %s\n", nb_advice_remedy(advice));
   }
   print_left_out(advice);
   printf("  %u trials in %.1f s%s\n", advice->measured, nb_clock() - advice->began,

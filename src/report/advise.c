@@ -423,6 +423,18 @@ double nb_advice_scatter(const struct nb_advice *advice, const struct nb_setting
   return largest;
 }
 
+void nb_level_text(char *text, size_t size, int level) {
+  if (level == 0)
+    snprintf(text, size, "that of the page");
+  else
+    snprintf(text, size, "%g times as %s as that of the page", exp2(abs(level)), level < 0 ? "long" : "short");
+}
+
+const char *nb_advice_remedy(const struct nb_advice *advice) {
+  return advice->exhausted ? "the budget was used up: choose a larger --budget or a larger tolerance"
+                           : "choose a larger tolerance";
+}
+
 struct nb_left_out nb_advice_left_out(const struct nb_advice *advice) {
   struct nb_left_out out = {.nearest = NULL};
   for (size_t k = 1; k < advice->variant_count; k++) {

@@ -97,6 +97,10 @@ const struct nb_setting *nb_advice_cheaper(const struct nb_advice *advice, const
 const struct nb_setting *nb_advice_most_accurate(const struct nb_advice *advice);
 /* The largest standard deviation of single realizations, of all runs, at the setting. */
 double nb_advice_scatter(const struct nb_advice *advice, const struct nb_setting *setting);
+/* The step at a level in words: "that of the page", "2 times as long as that of the page". */
+void nb_level_text(char *text, size_t size, int level);
+/* What to do if no setting is within the tolerance. */
+const char *nb_advice_remedy(const struct nb_advice *advice);
 /* Variants without a setting: equal to another one, refused by the page, too far from the anchor; the nearest of the
  * latter, or NULL. */
 struct nb_left_out {
