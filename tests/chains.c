@@ -41,6 +41,21 @@ static void rows(void) {
   is(&page, 1, 5, 0.5, 0);
 }
 
+/* A row of four discs and a fifth one that touches its end at 30 degrees to it, too weak to belong to the chain, so the
+ * row has no bend. The weak disc has the smallest number, then the largest one. */
+static void a_weak_neighbour_is_no_link(void) {
+  for (int last = 0; last < 2; last++) {
+    struct words page = begin();
+    char weak[80];
+    snprintf(weak, sizeof weak, "disc %.17g %.17g radius 1 m\n", -1.99 * sin(pi / 6), -1.99 * cos(pi / 6));
+    words_add(&page,
+              "%slattice discs 1 by 4 from 0 0 radius 1 spacing 1.9 m\n%s"
+              "lattice discs 1 by 3 from 20 0 radius 1 spacing 3 m\n",
+              last ? "" : weak, last ? weak : "");
+    is(&page, 1, 4, 0.5, 0);
+  }
+}
+
 /* Fixed particles are in no chain; without free particles the fraction is 0. */
 static void all_fixed(void) {
   struct words page = begin();
@@ -188,4 +203,5 @@ void suite_chains(void) {
   CU_add_test(suite, "stress per volume of spheres and discs", volumes_count);
   CU_add_test(suite, "fixed particles and particles outside are in no chain", not_these);
   CU_add_test(suite, "a fixed particle separates two chains", fixed_between);
+  CU_add_test(suite, "a weak neighbour is no link", a_weak_neighbour_is_no_link);
 }

@@ -369,6 +369,20 @@ static void strain_without_removed_particles(void) {
   written_free(&it);
 }
 
+/* The regions that may have rings. */
+static void regions_with_rings(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\nmaterial m density 1 kn 100\ndisc 0 0 radius 1 m\nboundary circle 0 0 radius 5\n"
+                   "region A circle 0 0 radius 3 rings 7\nregion B inside 0.5 rings 4\nregion C inside 0.5\n"
+                   "step 1e-3\nrecord time\nstage s\ncycles 1\n");
+  written_scene(&it, &page);
+  static const int rings[] = {7, 4, 0};
+  for (size_t k = 0; k < 3; k++)
+    CU_ASSERT_EQUAL(it.scene.regions[k].rings, rings[k]);
+  written_free(&it);
+}
+
 void suite_region(void) {
   CU_pSuite suite = CU_add_suite("region", NULL, NULL);
   CU_add_test(suite, "the arm of the particle inside", the_arm_of_the_particle_inside);
@@ -383,4 +397,5 @@ void suite_region(void) {
   CU_add_test(suite, "unbalanced force without contacts", imbalance_without_contacts);
   CU_add_test(suite, "fabric of sliding contacts", fabric_of_sliding_contacts);
   CU_add_test(suite, "inside a fraction of the boundary", inside_a_boundary);
+  CU_add_test(suite, "the regions that may have rings", regions_with_rings);
 }
