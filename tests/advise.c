@@ -515,6 +515,11 @@ static void words_of_steps_and_of_failure(void) {
     nb_level_text(text, sizeof text, rows[k].level);
     CU_ASSERT_STRING_EQUAL(text, rows[k].text);
   }
+  double five[] = {0.5, 0.125, 4, 0.25, 2}, same[] = {3, 3, 1};
+  nb_times_text(text, sizeof text, five, 5);
+  CU_ASSERT_STRING_EQUAL(text, "0.5 s (0.125 to 4)");
+  nb_times_text(text, sizeof text, same, 3);
+  CU_ASSERT_STRING_EQUAL(text, "3 s (1 to 3)");
   CU_ASSERT_STRING_EQUAL(nb_advice_remedy(&(struct nb_advice){.exhausted = false}), "choose a larger tolerance");
   CU_ASSERT_STRING_EQUAL(nb_advice_remedy(&(struct nb_advice){.exhausted = true}),
                          "the budget was used up: choose a larger --budget or a larger tolerance");

@@ -8,6 +8,7 @@
 #include <math.h>
 
 #include "../src/report/estimate.h"
+#include "report/cost.h"
 #include "suites.h"
 
 /* Q(n) = 5 - 3/n^p: the error of Q(n) is 3/n^p. */
@@ -117,6 +118,15 @@ static void most_claims_of_a_mean_hold(void) {
   gsl_rng_free(random);
 }
 
+/* A time is mentioned if it is shorter or longer than the expected one by more than a fifth. */
+static void a_time_that_differs(void) {
+  static const double differ[] = {0, 3, 3.9, 6.1, 100}, agree[] = {4.1, 5, 5.9};
+  for (size_t k = 0; k < 5; k++)
+    CU_ASSERT(nb_time_differs(differ[k], 5));
+  for (size_t k = 0; k < 3; k++)
+    CU_ASSERT(!nb_time_differs(agree[k], 5));
+}
+
 void suite_estimate(void) {
   CU_pSuite suite = CU_add_suite("estimate", NULL, NULL);
   CU_ADD_TEST(suite, richardson_finds_the_error_of_a_power);
@@ -127,4 +137,5 @@ void suite_estimate(void) {
   CU_ADD_TEST(suite, a_claim_is_that_of_the_worst_phase);
   CU_ADD_TEST(suite, the_error_of_a_mean);
   CU_ADD_TEST(suite, most_claims_of_a_mean_hold);
+  CU_ADD_TEST(suite, a_time_that_differs);
 }

@@ -35,6 +35,11 @@ run 2 report "$strange.md" -o strange && said 'nothing was checked' &&
   grep -q 'href="%3Cb%3E%26%22%27%23%2520%3F/table.tsv"' strange/index.html
 result $? 'characters of HTML in a name and a title are escaped'
 
+run 0 report "$pages/warns.md" --set refine=0.5 --set refine=1 -o warns && cp warns/index.html "$why" &&
+  grep -qx '<p>Warning: --set refine=0.5 has no effect: --set refine=1 follows it</p>' warns/index.html &&
+  grep -q '^<p>Warning: line 4: friction between' warns/index.html
+result $? 'warnings of the report have the line of the page, if they have one'
+
 mkdir one other
 cp "$pages/passes.md" one/page.md
 cp "$pages/passes.md" other/page.md

@@ -238,6 +238,12 @@ run bare "$pages/bare.md" --set y=0.5
 test $? -eq 2 && test -s "$work/bare/table.tsv" && grep -q '^--set: error: expected a unit or an operator, found `m`' "$work/said"
 result $? 'a value of a page without `units` that starts from one with `units none`'
 
+# A step by `with` is that of the other page, not one by --set of this page.
+sed 's/^start .*/start hit stage strike with step=0.01/' "$pages/bare.md" >"$pages/finer.md"
+run finer "$pages/finer.md"
+"$nineball" explain "$pages/finer.md" --states "$states" >>"$work/said" && grep -q '^  0.01, line 2$' "$work/said"
+result $? 'explain names the line of a step that the other page got by `with`'
+
 # ---- the page has changed ----
 
 sed 's/^walls     inward 0.12/walls     inward 0.11/' cases/3-nine-discs/nine-discs.md >"$pages/nine-discs.md"

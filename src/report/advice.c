@@ -119,17 +119,6 @@ static void print_cost(const struct nb_advice *advice, const struct nb_point *po
 enum { REPEATS = 5 };
 static const double longest_timing = 5; /* s */
 
-static int ascending(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
-/* "0.023 s (0.022 to 0.025)": median and range. */
-static void print_times(double times[REPEATS]) {
-  qsort(times, REPEATS, sizeof *times, ascending);
-  printf("%.3g s (%.3g to %.3g)", times[REPEATS / 2], times[0], times[REPEATS - 1]);
-}
-
 static void print_machine(void) {
   FILE *file = fopen("/proc/cpuinfo", "r");
   char line[256], name[128] = "this machine";
@@ -153,11 +142,10 @@ static void time_choice(struct nb_advice *advice, const struct nb_setting *chose
     times[0][k] = nb_trials_time(advice, &advice->variants[chosen->variant], chosen->level);
     times[1][k] = nb_trials_time(advice, &advice->variants[0], 0);
   }
-  fputs("  time: ", stdout);
-  print_times(times[0]);
-  fputs(" instead of ", stdout);
-  print_times(times[1]);
-  printf(", median and range of %d runs ", REPEATS);
+  char text[2][2 * NB_NAME_SIZE];
+  for (int k = 0; k < 2; k++)
+    nb_times_text(text[k], sizeof text[k], times[k], REPEATS);
+  printf("  time: %s instead of %s, median and range of %d runs ", text[0], text[1], REPEATS);
   print_machine();
 }
 

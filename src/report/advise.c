@@ -430,6 +430,16 @@ void nb_level_text(char *text, size_t size, int level) {
     snprintf(text, size, "%g times as %s as that of the page", exp2(abs(level)), level < 0 ? "long" : "short");
 }
 
+static int ascending(const void *a, const void *b) {
+  const double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+void nb_times_text(char *text, size_t size, double times[], size_t count) {
+  qsort(times, count, sizeof *times, ascending);
+  snprintf(text, size, "%.3g s (%.3g to %.3g)", times[count / 2], times[0], times[count - 1]);
+}
+
 const char *nb_advice_remedy(const struct nb_advice *advice) {
   return advice->exhausted ? "the budget was used up: choose a larger --budget or a larger tolerance"
                            : "choose a larger tolerance";

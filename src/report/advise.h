@@ -99,6 +99,8 @@ const struct nb_setting *nb_advice_most_accurate(const struct nb_advice *advice)
 double nb_advice_scatter(const struct nb_advice *advice, const struct nb_setting *setting);
 /* The step at a level in words: "that of the page", "2 times as long as that of the page". */
 void nb_level_text(char *text, size_t size, int level);
+/* "0.023 s (0.022 to 0.025)": median and range of an odd number of times, which are sorted. */
+void nb_times_text(char *text, size_t size, double times[], size_t count);
 /* What to do if no setting is within the tolerance. */
 const char *nb_advice_remedy(const struct nb_advice *advice);
 /* Variants without a setting: equal to another one, refused by the page, too far from the anchor; the nearest of the

@@ -256,7 +256,7 @@ void nb_cost_print_actual(FILE *out, const struct nb_outcome *outcome, const str
   if (!scene->contact_test && (until || is_long) && expect_all(&expected, outcome, until, options)) {
     if (expected.cycles.to > expected.cycles.from)
       fputs("; expected ", out), print_bounds(out, expected.cycles, 15, " cycles");
-    else if (is_long && fabs(seconds - expected.measured.to) > 0.2 * expected.measured.to)
+    else if (is_long && nb_time_differs(seconds, expected.measured.to))
       fputs("; expected ", out), print_bounds(out, expected.measured, 3, " s");
   }
   fputc('\n', out);

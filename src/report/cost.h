@@ -4,6 +4,8 @@
 #ifndef NB_COST_H
 #define NB_COST_H
 
+#include <math.h>
+
 #include "nineball.h"
 
 struct nb_page_run;
@@ -32,6 +34,10 @@ enum nb_status nb_cost_bounds(struct nb_cost *cost, const struct nb_scene *scene
 void nb_cost_add(struct nb_cost *sum, const struct nb_cost *cost);
 void nb_cost_print(FILE *out, const struct nb_cost *cost, const char *cycles); /* " cycles" or " steps" */
 void nb_cost_print_length(FILE *out, const struct nb_length *length, const struct nb_stage *stage);
+/* By more than a fifth of what was expected. */
+static inline bool nb_time_differs(double seconds, double expected) {
+  return fabs(seconds - expected) > 0.2 * expected;
+}
 /* One line: what the runs of an outcome have cost, beside what was expected if a condition decides or the time differs by a fifth. */
 void nb_cost_print_actual(FILE *out, const struct nb_outcome *outcome, const struct nb_options *options);
 
