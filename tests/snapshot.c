@@ -156,7 +156,7 @@ static void columns_are_the_quantities(void) {
       const size_t monitor = 2 - k;
       CU_ASSERT_EQUAL(written_cell(contacts, k, "a"), 1);
       CU_ASSERT_EQUAL(written_cell(contacts, k, "b"), k ? 0 : 3);
-      CU_ASSERT_EQUAL(written_cell(contacts, k, "wall"), k);
+      CU_ASSERT_EQUAL(written_cell(contacts, k, "wall"), (double)k);
       CU_ASSERT_EQUAL(written_cell(contacts, k, "ra"), 1);
       CU_ASSERT_EQUAL(written_cell(contacts, k, "rb"), 1 - (double)k);
       for (size_t q = 0; q < sizeof of_contact / sizeof *of_contact; q++) {
