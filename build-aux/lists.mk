@@ -348,7 +348,8 @@ SUITES = \
   tests/verdict_skip.c \
   tests/outcome.c \
   tests/scaled.c \
-  tests/halved.c
+  tests/halved.c \
+  tests/checkpoint.c
 
 # Tests that are scripts and print TAP.
 SHELL_TESTS = \
@@ -362,6 +363,7 @@ SHELL_TESTS = \
   tests/trades.sh \
   tests/same-bits.sh \
   tests/start.sh \
+  tests/checkpoint.sh \
   tests/packing.sh \
   tests/docs.sh \
   tests/sketches.sh \
@@ -429,6 +431,8 @@ CORE = \
   src/core/motion.h \
   src/core/names.h \
   src/core/neighbours.c \
+  src/core/store.c \
+  src/core/store.h \
   src/core/table.c \
   src/core/tensor.h \
   src/core/vec.h \
@@ -548,6 +552,8 @@ INPUT = \
 
 # Plan, stages, states, tables, contact test.
 RUN = \
+  src/run/checkpoint.c \
+  src/run/checkpoint.h \
   src/run/contact_test.c \
   src/run/contact_test.h \
   src/run/contact_test_quantities.c \

@@ -31,6 +31,7 @@ TEXT
 - `2`: bad use, an invalid page, a figure that cannot be drawn, or a file that cannot be read or written
 - `3`: run aborted: NaN, an unstable step, or a stage that never ended. The results up to then are written and marked as incomplete
 - `4`: out of memory
+- `130`, `143`: a run with --checkpoint was stopped by SIGINT or SIGTERM; the command to continue is on standard error
 
 ## Pages from others
 
@@ -48,6 +49,7 @@ A page's `gnuplot` block is a program. `figure` and `report` run it confined, by
 - `NAME.out/values.tsv`: every measure of the expect blocks, computed and reference, one row per run
 - `NAME.out/verdict.tsv`: every expectation with its verdict
 - `NAME.out/STAGE-particles.tsv, -walls.tsv, -contacts.tsv`: the tables of `snapshot`
+- `states/NAME-KEY.checkpoint`: a run that has not ended, for --resume; KEY belongs to settings and sweep. The one before it ends in `.old`
 - `NAME.out/NAME.gp, NAME.svg, NAME.png`: the figure, and the script that drew it
 
 TEXT

@@ -10,6 +10,7 @@
 #ifndef NINEBALL_H
 #define NINEBALL_H
 
+#include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -534,6 +535,13 @@ struct nb_options {
   bool keep_all;      /* keep all contact fields that a saved state contains */
   const char *states; /* folder of saved states; NULL: `states` */
   struct nb_rounding rounding; /* of cycles and of steps of contact tests; all else is rounded to nearest */
+  struct nb_checkpointing {
+    double seconds;                    /* between two checkpoints; 0: none are saved */
+    bool resume;                       /* continue from the last one */
+    const volatile sig_atomic_t *stop; /* not 0: save one and stop; NULL: run to the end */
+    unsigned long stop_after;          /* tests: stop after so many cycles; 0: run to the end */
+    unsigned long long key;            /* of settings and run, part of the name of the file; 0: none are saved */
+  } checkpoint;
 };
 
 /* Returns NULL and fills `error` when the model cannot be created. The scene must outlive the model. */

@@ -7,6 +7,27 @@
 #include "hertz_impact.h"
 #include "model.h"
 
+static bool pair_exists(struct nb_neighbour_pair pair, const struct nb_model *model) {
+  if (pair.material_pair < 0 || pair.material_pair >= (int)model->material_pair_count)
+    return false;
+  const bool wall = model->material_pairs[pair.material_pair].wall;
+  return pair.a >= 0 && pair.a < (int)model->particles.count && pair.b >= 0 &&
+         pair.b < (int)(wall ? model->walls.count : model->particles.count);
+}
+
+void nb_pairs_store(struct nb_store *store, const char *name, struct nb_neighbour_pairs *pairs,
+                    const struct nb_model *model) {
+  enum { INTEGERS = sizeof *pairs->list / sizeof(int) };
+  const size_t count = nb_store_length(store, name, pairs->count * INTEGERS) / INTEGERS;
+  if (store->restoring) {
+    free(pairs->list);
+    pairs->list = nb_array(count, sizeof *pairs->list), pairs->count = pairs->list ? count : 0;
+  }
+  nb_store_integers(store, name, pairs->list, pairs->count * INTEGERS, sizeof(int));
+  for (size_t p = 0; store->restoring && p < pairs->count; p++)
+    store->failed = store->failed || !pair_exists(pairs->list[p], model);
+}
+
 int nb_partner_rank(const struct nb_model *model, struct nb_neighbour_pair pair) {
   return model->material_pairs[pair.material_pair].wall ? INT_MAX / 2 + pair.b : model->particles.number[pair.b];
 }

@@ -5,6 +5,7 @@
 #define NB_CONTACTS_H
 
 #include "block.h"
+#include "store.h"
 #include "tensor.h"
 
 /* The contacts of each particle, for the integration of motion. */
@@ -47,6 +48,8 @@ struct nb_neighbour_pairs {
   struct nb_neighbour_pair *list; /* owned by the caller of the search */
   size_t count;
 };
+void nb_pairs_store(struct nb_store *store, const char *name, struct nb_neighbour_pairs *pairs,
+                    const struct nb_model *model);
 /* Sort key of b among the partners of a: its number, walls last. */
 int nb_partner_rank(const struct nb_model *model, struct nb_neighbour_pair pair);
 /* Compares by material pair, number of a, number of b; < 0, 0, > 0. */

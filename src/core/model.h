@@ -273,6 +273,8 @@ void nb_guard_resolution(struct nb_model *model);
 
 /* neighbours.c: runs the guards, then builds a new contact list */
 enum nb_status nb_neighbours_search(struct nb_model *model, struct nb_error *error);
+/* Instead of the first search: lists the contacts of a checkpoint, whose pairs are the next part of `store`. */
+enum nb_status nb_neighbours_restore(struct nb_model *model, struct nb_store *store, struct nb_error *error);
 
 /* motion.c */
 /* Both move particles or walls by one step. They return how many have moved by more than half the skin since the last

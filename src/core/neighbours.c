@@ -207,6 +207,22 @@ static bool sort_pairs(struct nb_neighbour_pairs *pairs, const struct nb_model *
   return true;
 }
 
+/* Sorts the pairs, and replaces the list of contacts by them. False: out of memory. */
+static bool renew_contacts(struct nb_model *model, struct nb_neighbour_pairs *pairs) {
+  return (pairs->count == 0 || sort_pairs(pairs, model)) && nb_contacts_renew(model, pairs) && nb_vertices_find(model);
+}
+
+enum nb_status nb_neighbours_restore(struct nb_model *model, struct nb_store *store, struct nb_error *error) {
+  struct nb_neighbour_pairs pairs = {0};
+  store->restoring = true;
+  nb_pairs_store(store, "contacts", &pairs, model);
+  const bool made = !store->failed && renew_contacts(model, &pairs);
+  free(pairs.list);
+  if (store->failed)
+    return nb_error_set(error, NB_BAD_USE, "the checkpoint has contacts that the page does not have");
+  return made ? nb_blocks_create(model, error) : nb_error_memory(error);
+}
+
 enum nb_status nb_neighbours_search(struct nb_model *model, struct nb_error *error) {
   if (nb_guard_positions(model, error) || nb_walls_crossed(model, true, error) || nb_guard_motion(model, error))
     return error->status;
@@ -215,8 +231,7 @@ enum nb_status nb_neighbours_search(struct nb_model *model, struct nb_error *err
   if (model->cell && searching && nb_cell_check_width(model, error))
     return error->status;
   model->search.check_walls = model->search.check_pairs = false;
-  const bool found = !searching || (find_pairs(&pairs, model) && sort_pairs(&pairs, model));
-  const bool made = found && nb_contacts_renew(model, &pairs) && nb_vertices_find(model);
+  const bool made = (!searching || find_pairs(&pairs, model)) && renew_contacts(model, &pairs);
   free(pairs.list);
   if (!made)
     return nb_error_memory(error);

@@ -6,6 +6,7 @@
 
 #include "array.h"
 #include "nineball.h"
+#include "store.h"
 
 bool nb_table_create(struct nb_table *table, size_t column_count) {
   *table = (struct nb_table){.column_count = column_count};
@@ -32,4 +33,14 @@ void nb_table_free(struct nb_table *table) {
   free(table->names), free(table->units), free(table->values), free(table->stage), free(table->cycle),
       free(table->time);
   *table = (struct nb_table){0};
+}
+
+void nb_store_table(struct nb_store *store, struct nb_table *table) {
+  const size_t rows = nb_store_length(store, "rows", table->row_count);
+  for (table->row_count = store->restoring ? 0 : rows; table->row_count < rows && !store->failed;)
+    store->failed = !nb_table_row(table, 0, 0, 0);
+  NB_STORE_INTEGERS(store, "rows", table->stage, rows);
+  NB_STORE(store, "row.cycle", table->cycle, rows);
+  NB_STORE(store, "row.time", table->time, rows);
+  NB_STORE(store, "row.values", table->values, rows * table->column_count);
 }

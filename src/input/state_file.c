@@ -39,6 +39,7 @@ struct stream {
 void nb_saved_free(struct nb_saved *saved) {
   free(saved->settings), free(saved->materials), free(saved->rules), free(saved->particles), free(saved->walls);
   free(saved->contacts), free(saved->history), free(saved->imposed), free(saved->ring.members);
+  nb_store_free(&saved->store);
   *saved = (struct nb_saved){0};
 }
 
@@ -497,6 +498,34 @@ static void read_history(struct stream *stream, bool shear) {
 static void normal(struct stream *stream) { read_history(stream, false); }
 static void shear(struct stream *stream) { read_history(stream, true); }
 
+/* ---- records of a checkpoint ---- */
+
+/* A number that may be infinite or NaN, with its sign. */
+static void any_number(struct stream *stream, double *value) {
+  char field[NB_STATE_FIELD], *end;
+  if (stream->out) {
+    nb_text_add(stream->out, " %a", *value);
+    return;
+  }
+  take_field(stream, field, "a number");
+  *value = strtod(field, &end);
+  if (*end)
+    expected(stream, "a number");
+}
+
+static void store(struct stream *stream) {
+  struct nb_store_part *it = ELEMENT(stream, store.parts, store.part_count, CONTACTS_MAX);
+  if (!it)
+    return;
+  name(stream, it->name, "the name of a variable");
+  for (size_t k = 0; stream->out && k < it->count; k++)
+    any_number(stream, &stream->saved->store.values[it->at + k]);
+  it->at = stream->out ? it->at : stream->saved->store.value_count;
+  for (double *value; !ended(stream) && !stream->bad; it->count++)
+    if ((value = ELEMENT(stream, store.values, store.value_count, CONTACTS_MAX)))
+      any_number(stream, value);
+}
+
 /* ---- the whole ---- */
 
 /* Word, function, how often it must stand in a file, and how many are written: none of what the scene does not have,
@@ -528,7 +557,8 @@ static void shear(struct stream *stream) { read_history(stream, true); }
   X("fields", fields, AT_MOST_ONCE, saved->contact_count > 0)                                                          \
   X("contact", contact, ANY_TIMES, saved->contact_count)                                                               \
   X("normal", normal, ANY_TIMES, 0)                                                                                    \
-  X("shear", shear, ANY_TIMES, 0)
+  X("shear", shear, ANY_TIMES, 0)                                                                                      \
+  X("store", store, ANY_TIMES, saved->store.part_count)
 
 static const struct {
   const char *word;

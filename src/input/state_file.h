@@ -7,6 +7,7 @@
 
 #include "core/affine.h"
 #include "core/block.h"
+#include "core/store.h"
 #include "hash.h"
 
 /* Saved fields of a contact, with their names in the file and their ranges. Other fields are computed from them, from
@@ -119,6 +120,7 @@ struct nb_saved {
   size_t contact_count;
   double *history; /* all numbers of all histories */
   size_t history_count;
+  struct nb_store store; /* of a checkpoint: what a run keeps besides; else empty */
 };
 
 /* Bytes of a field with its terminating zero; of the last line: "end ", 16 digits and the line end. */

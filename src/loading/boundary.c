@@ -191,7 +191,7 @@ enum nb_status nb_boundary_create(struct nb_model *model, struct nb_error *error
   }
   if (model->owner.failed)
     return nb_error_memory(error);
-  if (scene->circle.line && scene->start.stages == 0) /* otherwise the state has the boundary */
+  if (scene->circle.line && scene->start.stages == 0 && model->cycle == 0) /* else the state has the boundary */
     boundary_define(model, &scene->circle);
   return NB_OK;
 }

@@ -73,6 +73,16 @@ void nb_configuration_free(struct nb_configuration *configuration) {
   free(configuration);
 }
 
+void nb_configuration_store(struct nb_store *store, struct nb_model *model) {
+  for (size_t r = 0; r < nb_configuration_count(model->configuration); r++) {
+    struct reference *reference = &model->configuration->list[r];
+    NB_STORE_INTEGERS(store, "reference", &reference->begun, 1);
+    NB_STORE(store, "reference.position", reference->position, model->particles.count);
+    NB_STORE(store, "reference.angle", reference->angle, model->particles.count);
+    nb_pairs_store(store, "reference.touching", &reference->touching, model);
+  }
+}
+
 static double *slid(const struct nb_contacts *contacts, size_t r, size_t contact) {
   const struct nb_history *history = &contacts->slip_sum;
   return history->rows ? &history->rows[contact * (size_t)history->doubles + r] : &history->field[r][contact];

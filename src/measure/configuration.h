@@ -11,8 +11,9 @@
 bool nb_configuration_create(struct nb_model *model);
 void nb_configuration_free(struct nb_configuration *configuration);
 size_t nb_configuration_count(const struct nb_configuration *configuration); /* number of such stages; 0 for NULL */
-bool nb_configuration_begin(struct nb_model *model, int stage);              /* a stage begins; false: no memory */
-void nb_configuration_add_slip(struct nb_model *model);                      /* of the last step; after the forces */
+void nb_configuration_store(struct nb_store *store, struct nb_model *model);
+bool nb_configuration_begin(struct nb_model *model, int stage); /* a stage begins; false: no memory */
+void nb_configuration_add_slip(struct nb_model *model);         /* of the last step; after the forces */
 
 /* Since the beginning of a stage that some snapshot names after `from`. */
 struct nb_vec nb_configuration_displacement(const struct nb_model *model, int stage, size_t slot); /* m */

@@ -28,6 +28,10 @@ static enum nb_status print_error(const struct nb_error *error) {
 /* What a command does with the outcome of a page: a set. */
 enum { VERDICT = 1, REQUIRE_CHECKS = 2, TABLES = 4, FIGURE = 8 };
 
+static bool is_stopped(const struct nb_call *call) {
+  return call->options.checkpoint.stop && *call->options.checkpoint.stop;
+}
+
 static void run_page(struct nb_outcome *outcome, const struct nb_call *call, const char *path) {
   struct nb_progress_line line = {.page = path};
   const struct nb_progress progress = nb_print_progress(&line);
@@ -92,6 +96,12 @@ static enum nb_status save_outputs(const struct nb_outcome *outcome, const struc
   return NB_OK;
 }
 
+/* When all has been written. */
+static void remove_checkpoints(const struct nb_outcome *outcome, enum nb_status status, const struct nb_call *call) {
+  if (status <= NB_FAILED && fflush(stdout) == 0)
+    nb_outcome_remove_checkpoints(outcome, &call->options);
+}
+
 static enum nb_status process_page(const struct nb_call *call, const char *path, unsigned actions) {
   struct nb_outcome outcome;
   run_page(&outcome, call, path);
@@ -109,6 +119,7 @@ static enum nb_status process_page(const struct nb_call *call, const char *path,
   enum nb_status status = actions & VERDICT || outcome.status > NB_FAILED ? outcome.status : NB_OK;
   if (actions & (TABLES | FIGURE) && has_rows(&outcome))
     status = worse(status, save_outputs(&outcome, call, path, actions));
+  remove_checkpoints(&outcome, status, call);
   nb_outcome_free(&outcome);
   return status;
 }
@@ -122,7 +133,7 @@ static enum nb_status process_pages(const struct nb_call *call, unsigned actions
   if (worst)
     return worst;
   for (size_t k = 0; k < call->page_count; k++)
-    worst = worse(worst, process_page(call, call->pages[k], actions));
+    worst = worse(worst, is_stopped(call) ? NB_BROKEN : process_page(call, call->pages[k], actions));
   return worst;
 }
 
@@ -173,6 +184,7 @@ static enum nb_status report_page(const struct nb_call *call, const char *path, 
                                      : "",
          error.status ? line->saved ? "; no figure" : "; no tables" : "");
   fflush(stdout);
+  remove_checkpoints(outcome, worse(outcome->status, error.status), call);
   nb_outcome_free_runs(outcome);
   return worse(is_unchecked(outcome) ? NB_BAD_USE : outcome->status, error.status);
 }
@@ -187,7 +199,7 @@ enum nb_status nb_command_report(const struct nb_call *call) {
   if (!lines)
     return nb_error_memory(&error), print_error(&error);
   for (size_t k = 0; k < call->page_count; k++)
-    worst = worse(worst, report_page(call, call->pages[k], folder, &lines[k]));
+    worst = worse(worst, is_stopped(call) ? NB_BROKEN : report_page(call, call->pages[k], folder, &lines[k]));
   if (nb_folder_create(folder, &error) || nb_report_write(folder, lines, call->page_count, &error))
     worst = worse(worst, print_error(&error));
   else

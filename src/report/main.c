@@ -4,6 +4,8 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include <getopt.h>
+#include <math.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdlib.h>
@@ -40,11 +42,11 @@ enum { COMMANDS = sizeof commands / sizeof *commands };
 
 #define AT(member) offsetof(struct nb_call, member)
 static const struct option_row {
-  const char *name, *value; /* name of the value in the help; NULL: none */
-  int letter;               /* short form; 0: none */
-  enum { TEXT, NUMBER, FLAG, SETTING } kind;
-  size_t at;            /* offset in struct nb_call */
-  const char *commands; /* that take it; NULL: it is used alone */
+  const char *name, *value;                           /* name of the value in the help; NULL: none */
+  int letter;                                         /* short form; 0: none */
+  enum { TEXT, NUMBER, SECONDS, FLAG, SETTING } kind; /* the value of SECONDS may be missing */
+  size_t at;                                          /* offset in struct nb_call */
+  const char *commands;                               /* that take it; NULL: it is used alone */
   const char *help;
 } options[] = {
     {"output", "FOLDER", 'o', TEXT, AT(folder), "run, figure, report, advise, state",
@@ -69,6 +71,11 @@ static const struct option_row {
      "threads of one run (default 1); the results do not depend on it"},
     {"isa", "NAME", 0, TEXT, AT(options.isa), ALL,
      "instruction set: plain, avx2 or avx512 (default: the widest); the results do not depend on it"},
+    {"checkpoint", "SECONDS", 0, SECONDS, AT(options.checkpoint.seconds), CHECKING,
+     "save the run in the folder of states at the ends of stages, every SECONDS (--checkpoint=30; default: 60), and "
+     "when it is interrupted by SIGINT or SIGTERM"},
+    {"resume", NULL, 0, FLAG, AT(options.checkpoint.resume), CHECKING,
+     "continue from the last checkpoint, with the same results as a run without interruption; implies --checkpoint"},
     {"trust", NULL, 0, FLAG, AT(trust), "figure, report, advise",
      "draw even where gnuplot cannot be confined: for pages that you trust"},
     {"in-place", NULL, 0, FLAG, AT(in_place), "migrate", "write into the pages (default: to standard output)"},
@@ -82,6 +89,42 @@ static const struct option_row {
     {"version", NULL, 0, FLAG, AT(version), NULL, "version and licence"},
 };
 enum { OPTIONS = sizeof options / sizeof *options, LONG_OPTION = 256 };
+static const double checkpoint_seconds = 60;
+
+/* Set by SIGINT and SIGTERM in a run with checkpoints. */
+static volatile sig_atomic_t stop_signal;
+static void note_signal(int number) { stop_signal = number; }
+
+/* The first signal stops the run after its cycle; the second one ends the process. */
+static void catch_signals(struct nb_call *call) {
+  struct sigaction action = {.sa_handler = note_signal, .sa_flags = (int)SA_RESETHAND};
+  if (call->options.checkpoint.resume && !(call->options.checkpoint.seconds > 0))
+    call->options.checkpoint.seconds = checkpoint_seconds;
+  if (!(call->options.checkpoint.seconds > 0))
+    return;
+  call->options.checkpoint.stop = &stop_signal;
+  sigaction(SIGINT, &action, NULL);
+  sigaction(SIGTERM, &action, NULL);
+}
+
+/* How to continue, and the exit status of a process that a signal has ended. */
+static int stopped(const struct nb_call *call, char **words) {
+  fputs("to continue:", stderr);
+  for (; *words; words++) {
+    const bool plain =
+        **words &&
+        strspn(*words, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_+=./:,%@") == strlen(*words);
+    fputs(" ", stderr);
+    if (!plain)
+      fputc('\'', stderr);
+    for (const char *c = *words; *c; c++)
+      fputs(*c == '\'' ? "'\\''" : (const char[]){*c, 0}, stderr);
+    if (!plain)
+      fputc('\'', stderr);
+  }
+  fputs(call->options.checkpoint.resume ? "\n" : " --resume\n", stderr);
+  return 128 + (int)stop_signal;
+}
 
 static enum nb_status usage(const char *format, ...) __attribute__((format(printf, 1, 2)));
 static enum nb_status usage(const char *format, ...) {
@@ -195,6 +238,7 @@ static bool parse_number(int *number, const char *text) {
 
 static enum nb_status set_option(struct nb_call *call, const struct option_row *row, char *value) {
   void *at = (char *)call + row->at;
+  char *end = value;
   size_t settings = 0;
   while (call->settings[settings])
     settings++;
@@ -209,6 +253,11 @@ static enum nb_status set_option(struct nb_call *call, const struct option_row *
     if (!parse_number(at, value))
       return usage("expected a number from 1 to 256 after --%s, found `%s`", row->name, value);
     break;
+  case SECONDS:
+    *(double *)at = value ? strtod(value, &end) : checkpoint_seconds;
+    if ((value && (*end || end == value)) || !(*(double *)at > 0) || !isfinite(*(double *)at))
+      return usage("expected a number of seconds above 0 after --%s=, found `%s`", row->name, value);
+    break;
   case SETTING:
     if (!strchr(value, '='))
       return usage("expected NAME=VALUE after --set, found `%s`", value);
@@ -222,8 +271,11 @@ static enum nb_status read_options(struct nb_call *call, int count, char **words
   struct option list[OPTIONS + 1] = {{NULL, 0, NULL, 0}};
   enum nb_status status = NB_OK;
   for (int k = 0; k < OPTIONS; k++)
-    list[k] = (struct option){options[k].name, options[k].value ? required_argument : no_argument, NULL,
-                              options[k].letter ? options[k].letter : LONG_OPTION + k};
+    list[k] = (struct option){options[k].name,
+                              !options[k].value            ? no_argument
+                              : options[k].kind == SECONDS ? optional_argument
+                                                           : required_argument,
+                              NULL, options[k].letter ? options[k].letter : LONG_OPTION + k};
   for (int found; !status && (found = getopt_long(count, words, "o:h", list, NULL)) != -1;) {
     int k = 0;
     while (k < OPTIONS && found != list[k].val)
@@ -248,6 +300,8 @@ static enum nb_status run_command(struct nb_call *call, const char *word) {
     }
   if (command >= 0 && commands[command].arguments[0] && call->page_count == 0)
     return usage("`nineball %s` needs a page, such as cases/3-nine-discs/nine-discs.md", word);
+  if (command >= 0)
+    catch_signals(call);
   if (command >= 0)
     return commands[command].run(call);
   char hint[NB_HINT_SIZE];
@@ -307,11 +361,17 @@ int main(int count, char **words) {
   call.settings = calloc((size_t)count + 1, sizeof *call.settings);
   if (!call.settings)
     return out_of_memory();
+  char **command = calloc((size_t)count + 1, sizeof *command); /* getopt permutes the words */
+  if (!command)
+    return free(call.settings), out_of_memory();
+  memcpy(command, words, (size_t)count * sizeof *command);
   status = execute(&call, count, words);
+  const int code = stop_signal && status > NB_FAILED ? stopped(&call, command) : (int)status;
+  free(command);
   free(call.settings);
   if (fflush(stdout) != 0 || ferror(stdout)) { /* a full disk, a closed pipe */
     fputs("nineball: the output could not be written\n", stderr);
     return NB_BAD_USE;
   }
-  return (int)status;
+  return code;
 }

@@ -10,7 +10,9 @@
 #include <string.h>
 
 #include "core/clock.h"
+#include "input/hash.h"
 #include "input/reader.h"
+#include "run/checkpoint.h"
 
 static void add_warnings(struct nb_outcome *outcome, const struct nb_warnings *warnings) {
   for (size_t k = 0; k < warnings->count; k++)
@@ -90,6 +92,17 @@ static void report_run_note(void *data, const char *message) {
   this->progress->note(this->progress->data, text);
 }
 
+/* The key of a checkpoint: the settings of the page, and the number of the run in its sweeps. */
+static struct nb_options options_of_run(const struct nb_outcome *outcome, const struct nb_options *options,
+                                        size_t run) {
+  struct nb_options own = options ? *options : (struct nb_options){.threads = 1};
+  unsigned long long key = nb_hash(NB_HASH_BEGIN, &run, sizeof run);
+  for (size_t k = 0; outcome->settings && outcome->settings[k]; k++)
+    key = nb_hash(key, outcome->settings[k], strlen(outcome->settings[k]) + 1);
+  own.checkpoint.key = key;
+  return own;
+}
+
 static void run_one(struct nb_page_run *run, const struct nb_options *options, const struct nb_progress *progress) {
   run->status = NB_OK;
   if (run->expectations.reference)
@@ -109,6 +122,20 @@ int nb_job_count(const struct nb_options *options, size_t most) {
   return jobs > 0 ? jobs : 1;
 }
 
+/* The error of the first run that failed; false: none has. */
+static bool first_error(struct nb_outcome *outcome) {
+  for (size_t r = 0; r < outcome->run_count; r++) {
+    const struct nb_page_run *run = &outcome->runs[r];
+    if (!run->status)
+      continue;
+    nb_error_set(&outcome->error, run->status, "%s%s%s%s", run->error.text, run->label[0] ? " (run " : "", run->label,
+                 run->label[0] ? ")" : "");
+    outcome->error.line = run->error.line;
+    return true;
+  }
+  return false;
+}
+
 /* After a failed run no other run is started. Runs before it in the sweep have been started by then, so the run that is
  * reported does not depend on the number of jobs. */
 enum nb_status nb_outcome_run(struct nb_outcome *outcome, const struct nb_options *options,
@@ -125,12 +152,13 @@ enum nb_status nb_outcome_run(struct nb_outcome *outcome, const struct nb_option
     skip = stopped;
     if (skip)
       continue;
+    const struct nb_options own = options_of_run(outcome, options, r);
     struct run_progress run_progress = {outcome, progress, began, r};
     const struct nb_progress run_callbacks = {progress && progress->call ? report_run_progress : NULL,
                                               progress && progress->note ? report_run_note : NULL, &run_progress};
-    run_one(&outcome->runs[r], options, progress ? &run_callbacks : NULL);
+    run_one(&outcome->runs[r], &own, progress ? &run_callbacks : NULL);
     outcome->runs[r].done = 1;
-    if (outcome->runs[r].status) {
+    if (outcome->runs[r].status || (own.checkpoint.stop && *own.checkpoint.stop)) {
 #pragma omp atomic write
       stopped = true;
     }
@@ -138,16 +166,14 @@ enum nb_status nb_outcome_run(struct nb_outcome *outcome, const struct nb_option
   for (size_t r = 0; r < runs; r++)
     add_warnings(outcome, &outcome->runs[r].result.warnings);
   warn_deep(outcome);
-  for (size_t r = 0; r < runs; r++) {
-    const struct nb_page_run *run = &outcome->runs[r];
-    if (!run->status)
-      continue;
-    nb_error_set(&outcome->error, run->status, "%s%s%s%s", run->error.text, run->label[0] ? " (run " : "", run->label,
-                 run->label[0] ? ")" : "");
-    outcome->error.line = run->error.line;
-    return run->status;
-  }
-  return NB_OK;
+  if (first_error(outcome))
+    return outcome->error.status;
+  return stopped ? nb_error_set(&outcome->error, NB_BROKEN, "stopped by a signal between two runs") : NB_OK;
+}
+
+void nb_outcome_remove_checkpoints(const struct nb_outcome *outcome, const struct nb_options *options) {
+  for (size_t r = 0; r < outcome->run_count; r++)
+    nb_checkpoint_remove(&outcome->runs[r].scene, options, options_of_run(outcome, options, r).checkpoint.key);
 }
 
 enum nb_status nb_outcome_make(struct nb_outcome *outcome, const char *path, nb_settings settings,

@@ -58,6 +58,7 @@ enum nb_status nb_outcome_read(struct nb_outcome *outcome, const char *path, nb_
 /* Runs what has been read, without a verdict. */
 enum nb_status nb_outcome_run(struct nb_outcome *outcome, const struct nb_options *options,
                               const struct nb_progress *progress);
+void nb_outcome_remove_checkpoints(const struct nb_outcome *outcome, const struct nb_options *options);
 /* Number of threads for runs side by side, at least 1 and at most `most`. */
 int nb_job_count(const struct nb_options *options, size_t most);
 void nb_outcome_free(struct nb_outcome *outcome);

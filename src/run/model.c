@@ -175,10 +175,11 @@ static void set_initial_values(struct nb_model *model, const struct nb_scene *sc
 }
 
 /* Makes the plan and the first list of contacts, and sets the step. */
-static enum nb_status create_contacts(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
+static enum nb_status create_contacts(struct nb_model *model, struct nb_saved *saved, struct nb_error *error) {
+  const bool checkpoint = saved && saved->store.part_count;
   if (nb_affine_create(model, error) || nb_boundary_create(model, error) ||
       (saved && nb_saved_restore_loading(model, saved, error)) || nb_plan(model, error) ||
-      nb_neighbours_search(model, error))
+      (checkpoint ? nb_neighbours_restore(model, &saved->store, error) : nb_neighbours_search(model, error)))
     return error->status;
   model->stability->stable_step = nb_stable_step_stage(model).step;
   return saved ? NB_OK : nb_step_set(model, &model->scene->stages[0].step, error);
@@ -213,7 +214,7 @@ static enum nb_status make_measures(struct nb_model *model, struct nb_error *err
   return nb_balance_create(model, error);
 }
 
-static enum nb_status set_up(struct nb_model *model, const struct nb_options *options, const struct nb_saved *saved,
+static enum nb_status set_up(struct nb_model *model, const struct nb_options *options, struct nb_saved *saved,
                              struct nb_error *error) {
   const struct nb_scene *scene = model->scene;
   if (nb_machine_choose(model, options, error))
@@ -233,8 +234,8 @@ static enum nb_status set_up(struct nb_model *model, const struct nb_options *op
   return NB_OK;
 }
 
-struct nb_model *nb_model_resume(const struct nb_scene *scene, const struct nb_options *options,
-                                 const struct nb_saved *saved, struct nb_error *error) {
+struct nb_model *nb_model_resume(const struct nb_scene *scene, const struct nb_options *options, struct nb_saved *saved,
+                                 struct nb_error *error) {
   struct nb_model *model = calloc(1, sizeof *model);
   if (!model) {
     nb_error_memory(error);

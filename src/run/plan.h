@@ -15,6 +15,7 @@ void nb_hooks_plan(struct nb_model *model);
 
 /* stage.c */
 bool nb_changes_create(struct nb_model *model); /* false: out of memory */
+void nb_changes_store(struct nb_store *store, struct nb_model *model);
 enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error);
 bool nb_stage_ramps_walls(const struct nb_model *model);
 bool nb_stage_changes(const struct nb_model *model); /* properties, laws or gravity, in a later cycle of the stage */
@@ -26,7 +27,7 @@ enum nb_status nb_stage_change(struct nb_model *model, struct nb_error *error);
 struct nb_saved;
 /* As nb_model_create, but with particles, walls and contacts from a saved state, which is that at the end of stage
  * scene->start.stages - 1. `saved` may be NULL. */
-struct nb_model *nb_model_resume(const struct nb_scene *scene, const struct nb_options *options,
-                                 const struct nb_saved *saved, struct nb_error *error);
+struct nb_model *nb_model_resume(const struct nb_scene *scene, const struct nb_options *options, struct nb_saved *saved,
+                                 struct nb_error *error);
 
 #endif

@@ -13,6 +13,7 @@
 
 #include "restart.h"
 
+#include "checkpoint.h"
 #include "plan.h"
 
 #include <dirent.h>
@@ -28,10 +29,10 @@
 #include "core/clock.h"
 #include "output_file.h"
 
-enum { PATH_SIZE = 4096, HASH_SIZE = 16, LOCK_TIMEOUT = 3600 /* s */ };
+enum { PATH_SIZE = NB_STATE_PATH, HASH_SIZE = 16, LOCK_TIMEOUT = 3600 /* s */ };
 static const double POLL_INTERVAL = 0.05; /* s */
 
-static const char *states_folder(const struct nb_options *options) {
+const char *nb_states_folder(const struct nb_options *options) {
   return options && options->states ? options->states : "states";
 }
 
@@ -42,11 +43,11 @@ static const struct nb_stage *last_stage(const struct nb_scene *scene) {
 enum nb_status nb_start_path(char *path, size_t size, const struct nb_scene *scene, const struct nb_options *options,
                              struct nb_error *error) {
   const struct nb_stage *last = last_stage(scene);
-  const int n = snprintf(path, size, "%s/%s-%s-%016llx.state", states_folder(options), scene->start.page->name,
+  const int n = snprintf(path, size, "%s/%s-%s-%016llx.state", nb_states_folder(options), scene->start.page->name,
                          last->name, last->hash);
   if (n > 0 && (size_t)n < size)
     return NB_OK;
-  return nb_error_set(error, NB_BAD_USE, "the name of the folder is too long: %.200s…", states_folder(options));
+  return nb_error_set(error, NB_BAD_USE, "the name of the folder is too long: %.200s…", nb_states_folder(options));
 }
 
 /* ---- outdated states ---- */
@@ -72,7 +73,7 @@ static bool find_outdated(const struct nb_scene *scene, const struct nb_options 
   char prefix[3 * NB_NAME_SIZE], path[PATH_SIZE], current[PATH_SIZE];
   struct nb_error error;
   const size_t length = (size_t)name_prefix(prefix, sizeof prefix, scene);
-  DIR *folder = opendir(states_folder(options));
+  DIR *folder = opendir(nb_states_folder(options));
   bool found = false;
   if (!folder || nb_start_path(current, sizeof current, scene, options, &error)) {
     if (folder)
@@ -83,7 +84,7 @@ static bool find_outdated(const struct nb_scene *scene, const struct nb_options 
     const char *name = entry->d_name;
     if (strncmp(name, prefix, length) != 0 || strspn(name + length, "0123456789abcdef") != HASH_SIZE ||
         strcmp(name + length + HASH_SIZE, ".state") != 0 ||
-        snprintf(path, sizeof path, "%s/%s", states_folder(options), name) >= (int)sizeof path)
+        snprintf(path, sizeof path, "%s/%s", nb_states_folder(options), name) >= (int)sizeof path)
       continue;
     if (strcmp(path, current) == 0 || !same_values(path, &scene->start))
       continue;
@@ -111,18 +112,13 @@ bool nb_start_is_ready(const struct nb_scene *scene, const struct nb_options *op
 
 /* ---- the lock ---- */
 
-struct lock {
-  char path[PATH_SIZE + 8];
-  int file;
-};
-
-static void report(const struct nb_progress *progress, const char *message) {
+void nb_note(const struct nb_progress *progress, const char *message) {
   if (progress && progress->note)
     progress->note(progress->data, message);
 }
 
 /* Waits until the lock is free, and reports which process holds it. */
-static enum nb_status lock_wait(struct lock *lock, const struct nb_progress *progress, struct nb_error *error) {
+static enum nb_status lock_wait(struct nb_lock *lock, const struct nb_progress *progress, struct nb_error *error) {
   char message[PATH_SIZE + 128], holder[32] = "";
   const char *wait = getenv("NINEBALL_WAIT");
   const double limit = wait ? strtod(wait, NULL) : LOCK_TIMEOUT;
@@ -131,9 +127,14 @@ static enum nb_status lock_wait(struct lock *lock, const struct nb_progress *pro
   if (errno == EWOULDBLOCK) {
     const ssize_t n = pread(lock->file, holder, sizeof holder - 1, 0);
     holder[n > 0 ? strspn(holder, "0123456789") : 0] = 0;
+    if (!lock->waits)
+      return nb_error_set(error, NB_BAD_USE,
+                          "process %s runs this page with these settings and saves checkpoints, %.300s: wait for its "
+                          "end, or choose another folder with --states",
+                          holder[0] ? holder : "?", lock->path);
     snprintf(message, sizeof message, "waiting for process %s, which writes %.*s", holder[0] ? holder : "?",
              (int)(strlen(lock->path) - strlen(".lock")), lock->path);
-    report(progress, message);
+    nb_note(progress, message);
     for (double waited = 0; waited < limit; waited += POLL_INTERVAL) {
       nanosleep(&(struct timespec){.tv_nsec = (long)(POLL_INTERVAL * 1e9)}, NULL);
       if (flock(lock->file, LOCK_EX | LOCK_NB) == 0)
@@ -150,8 +151,8 @@ static enum nb_status lock_wait(struct lock *lock, const struct nb_progress *pro
   return nb_error_system(error, "cannot lock %s", lock->path);
 }
 
-/* Acquires the lock, unless the state appears in the meantime; then lock->file is -1. */
-static enum nb_status lock_acquire(struct lock *lock, const char *path, const struct nb_progress *progress,
+/* Acquires the lock, unless a state for which it waits appears in the meantime; then lock->file is -1. */
+static enum nb_status lock_acquire(struct nb_lock *lock, const char *path, const struct nb_progress *progress,
                                    struct nb_error *error) {
   snprintf(lock->path, sizeof lock->path, "%s.lock", path);
   for (;;) {
@@ -170,7 +171,7 @@ static enum nb_status lock_acquire(struct lock *lock, const char *path, const st
         current.st_dev == there.st_dev)
       break;
     close(lock->file), lock->file = -1;
-    if (access(path, F_OK) == 0)
+    if (lock->waits && access(path, F_OK) == 0)
       return NB_OK;
   }
   char holder[32];
@@ -180,7 +181,12 @@ static enum nb_status lock_acquire(struct lock *lock, const char *path, const st
   return NB_OK;
 }
 
-static void lock_release(struct lock *lock) {
+enum nb_status nb_lock_own(struct nb_lock *lock, const char *path, struct nb_error *error) {
+  lock->waits = false;
+  return lock_acquire(lock, path, NULL, error);
+}
+
+void nb_lock_release(struct nb_lock *lock) {
   if (lock->file < 0)
     return;
   remove(lock->path);
@@ -197,7 +203,7 @@ static enum nb_status make_state(struct nb_saved *saved, const char *path, const
   char message[3 * NB_NAME_SIZE];
   snprintf(message, sizeof message, "first running `%s` to the end of stage `%s`, where this page starts",
            start->page->name, last_stage(scene)->name);
-  report(progress, message);
+  nb_note(progress, message);
   enum nb_status status = nb_run_to(saved, start->scene, options, progress, error);
   if (status) {
     const struct nb_error cause = *error;
@@ -211,8 +217,10 @@ static enum nb_status make_state(struct nb_saved *saved, const char *path, const
     status = nb_saved_setting(saved, start->settings[k], error);
   if (!status)
     status = nb_saved_write(saved, path, error);
-  if (!status)
+  if (!status) {
     find_outdated(scene, options, true);
+    nb_checkpoint_remove(start->scene, options, saved->hash);
+  }
   return status;
 }
 
@@ -228,7 +236,7 @@ static enum nb_status read_state(struct nb_saved *saved, const char *path, const
 enum nb_status nb_start_obtain(struct nb_saved *saved, const struct nb_scene *scene, const struct nb_options *options,
                                const struct nb_progress *progress, bool make, struct nb_error *error) {
   char path[PATH_SIZE];
-  struct lock lock;
+  struct nb_lock lock = {.waits = true};
   *saved = (struct nb_saved){0};
   enum nb_status status = nb_start_path(path, sizeof path, scene, options, error);
   if (status)
@@ -241,7 +249,7 @@ enum nb_status nb_start_obtain(struct nb_saved *saved, const struct nb_scene *sc
   }
   if (!make)
     return nb_error_set(error, NB_BAD_USE, "expected the state %.300s: `nineball run` writes it", path);
-  status = nb_folder_create(states_folder(options), error);
+  status = nb_folder_create(nb_states_folder(options), error);
   if (!status)
     status = lock_acquire(&lock, path, progress, error);
   if (status)
@@ -250,7 +258,7 @@ enum nb_status nb_start_obtain(struct nb_saved *saved, const struct nb_scene *sc
     status = read_state(saved, path, scene, error);
   else
     status = make_state(saved, path, scene, options, progress, error);
-  lock_release(&lock);
+  nb_lock_release(&lock);
   return status;
 }
 

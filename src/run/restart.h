@@ -6,6 +6,20 @@
 
 #include "state.h"
 
+enum { NB_STATE_PATH = 4096 };
+
+/* A file beside a state or a checkpoint that a process holds by flock while it writes them. */
+struct nb_lock {
+  char path[NB_STATE_PATH + 8];
+  int file;
+  bool waits; /* until another process releases it */
+};
+/* Without waiting: NB_BAD_USE if another process holds it. */
+enum nb_status nb_lock_own(struct nb_lock *lock, const char *path, struct nb_error *error);
+void nb_lock_release(struct nb_lock *lock);
+const char *nb_states_folder(const struct nb_options *options);
+void nb_note(const struct nb_progress *progress, const char *message);
+
 enum nb_state_presence { NB_STATE_PRESENT, NB_STATE_OUTDATED, NB_STATE_MISSING };
 
 /* The path of the state file, "states/nine-discs-load-0123456789abcdef.state", whether the file exists or not. */

@@ -4,12 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "checkpoint.h"
 #include "contact_test.h"
 #include "core/clock.h"
 #include "laws/laws_now.h"
 #include "measure/snapshot.h"
 #include "plan.h"
-#include "restart.h"
 #include "result.h"
 
 struct run {
@@ -21,6 +21,10 @@ struct run {
   unsigned long
       until_report;      /* cycles until the clock is read again; that costs as much as a cycle of a few contacts */
   unsigned long planned; /* largest number of cycles of all stages */
+  struct nb_checkpoint checkpoint;
+  unsigned long stop_at;      /* tests: cycle after which the run stops; 0: none */
+  unsigned long long updates; /* before the stage */
+  bool stage_ended;           /* the checkpoint is that at the end of its stage */
 };
 
 static bool is_trial(const struct run *run) {
@@ -106,25 +110,115 @@ static enum nb_status run_cycle(struct run *run, int index, int *outcome, struct
   return *outcome == EXHAUSTED ? conditions_not_met(stage, model, error) : NB_OK;
 }
 
+/* ---- checkpoints ---- */
+
+static void store_snapshots(struct nb_store *store, struct run *run) {
+  struct nb_result *result = run->result;
+  size_t count = result->snapshot_count;
+  NB_STORE_INTEGERS(store, "snapshots", &count, 1);
+  for (size_t k = 0; k < count && !store->failed; k++) {
+    int stage = k < result->snapshot_count ? result->snapshots[k].stage : 0;
+    NB_STORE_INTEGERS(store, "snapshot", &stage, 1);
+    if (store->restoring) { /* one of the present state has the columns; its rows are replaced */
+      struct nb_snapshot *new = NB_ARRAY_APPEND(result->snapshots, result->snapshot_count);
+      if (!new || stage < 0 || stage >= (int)run->scene->stage_count || !nb_snapshot_take(new, run->model, stage)) {
+        store->failed = true;
+        return;
+      }
+    }
+    struct nb_snapshot *it = &result->snapshots[k];
+    nb_store_table(store, &it->particles), nb_store_table(store, &it->walls), nb_store_table(store, &it->contacts);
+    nb_store_table(store, &it->rings), nb_store_table(store, &it->lattice);
+  }
+}
+
+/* All that the run keeps: its model, and what it has recorded. */
+static void store_run(struct nb_store *store, struct run *run) {
+  double seconds = nb_clock() - run->reporter.began, stage_seconds = nb_processor_clock() - run->reporter.stage_began;
+  nb_model_store(store, run->model);
+  NB_STORE_INTEGERS(store, "stage_ended", &run->stage_ended, 1);
+  NB_STORE_INTEGERS(store, "first_cycle", &run->first_cycle, 1);
+  NB_STORE_INTEGERS(store, "updates_before", &run->updates, 1);
+  NB_STORE(store, "seconds", &seconds, 1);
+  NB_STORE(store, "stage_seconds", &stage_seconds, 1);
+  for (size_t s = 0; s < run->scene->stage_count; s++) {
+    struct nb_stage_cost *cost = &run->result->stages[s];
+    NB_STORE_INTEGERS(store, "cost", &cost->cycles, 1);
+    NB_STORE_INTEGERS(store, "cost", &cost->updates, 1);
+    NB_STORE(store, "cost", &cost->step, 1);
+    NB_STORE(store, "cost", &cost->seconds, 1);
+  }
+  nb_store_table(store, &run->result->table);
+  store_snapshots(store, run);
+  if (store->restoring)
+    run->reporter.began -= seconds, run->reporter.stage_began = nb_processor_clock() - stage_seconds;
+}
+
+static enum nb_status save_checkpoint(struct run *run, bool stage_ended, struct nb_error *error) {
+  struct nb_store store = {0};
+  run->stage_ended = stage_ended;
+  store_run(&store, run);
+  return nb_checkpoint_save(&run->checkpoint, run->model, &store, error);
+}
+
+/* Saves a checkpoint and stops the run. */
+static enum nb_status stop(struct run *run, bool stage_ended, struct nb_error *error) {
+  const double fraction = (double)(run->model->cycle - run->first_cycle) / (double)run->planned;
+  const double left = (nb_clock() - run->reporter.began) * (1 - fraction) / fraction;
+  struct nb_error cause;
+  if (save_checkpoint(run, stage_ended, &cause))
+    return nb_error_set(error, NB_BAD_USE, "stopped by a signal after cycle %lu, without a checkpoint: %.300s",
+                        run->model->cycle, cause.text);
+  return nb_error_set(error, NB_BROKEN,
+                      "stopped by a signal after cycle %lu (%.0f %%, at most %.0f s left); the checkpoint is %.300s",
+                      run->model->cycle, 100 * fraction, left, run->checkpoint.path);
+}
+
+/* After a cycle, or at the end of a stage: saves a checkpoint if it is due. A checkpoint that cannot be written does not
+ * end the run. */
+static enum nb_status check_in(struct run *run, bool stage_ended, struct nb_error *error) {
+  const struct nb_model *model = run->model;
+  const bool last = stage_ended && model->stage == &run->scene->stages[run->scene->stage_count - 1];
+  struct nb_error cause;
+  if ((nb_checkpoint_stops(&run->checkpoint) || model->cycle == run->stop_at) && !last)
+    return stop(run, stage_ended, error);
+  if (!stage_ended && run->checkpoint.until_check-- > 0)
+    return NB_OK;
+  run->checkpoint.until_check = 100000 / (model->contacts.count + 20);
+  if (nb_checkpoint_is_due(&run->checkpoint, stage_ended) && save_checkpoint(run, stage_ended, &cause))
+    nb_note(run->reporter.progress, cause.text);
+  return NB_OK;
+}
+
+/* ---- stages ---- */
+
 static enum nb_status take_snapshot(struct run *run, int index, struct nb_error *error) {
   struct nb_snapshot *snapshot = NB_ARRAY_APPEND(run->result->snapshots, run->result->snapshot_count);
   return snapshot && nb_snapshot_take(snapshot, run->model, index) ? NB_OK : nb_error_memory(error);
 }
 
-static enum nb_status run_stage(struct run *run, int index, struct nb_error *error) {
-  const struct nb_stage *stage = &run->scene->stages[index];
-  enum nb_status status = nb_stage_begin(run->model, stage, error);
+static enum nb_status begin_stage(struct run *run, const struct nb_stage *stage, struct nb_error *error) {
+  const enum nb_status status = nb_stage_begin(run->model, stage, error);
   note_laws(run, stage);
-  int outcome = CONTINUES;
-  const unsigned long long updates = run->model->updates;
+  run->updates = run->model->updates;
   run->reporter.stage_began = nb_processor_clock(), run->until_report = is_trial(run) ? 0 : run->until_report;
+  return status;
+}
+
+/* `resumed`: from a checkpoint inside the stage. */
+static enum nb_status run_stage(struct run *run, int index, bool resumed, struct nb_error *error) {
+  const struct nb_stage *stage = &run->scene->stages[index];
+  enum nb_status status = resumed ? NB_OK : begin_stage(run, stage, error);
+  int outcome = CONTINUES;
   while (!status && outcome == CONTINUES) {
     status = run_cycle(run, index, &outcome, error);
     if (!report_progress(run, stage) && !status)
       outcome = ENDED;
+    if (run->checkpoint.options && !status && outcome == CONTINUES)
+      status = check_in(run, false, error);
   }
   run->result->stages[index] =
-      (struct nb_stage_cost){run->model->stage_cycle, run->model->updates - updates, run->model->step,
+      (struct nb_stage_cost){run->model->stage_cycle, run->model->updates - run->updates, run->model->step,
                              nb_processor_clock() - run->reporter.stage_began};
   if (outcome == CONTINUES || !stage->snapshot)
     return status;
@@ -133,44 +227,73 @@ static enum nb_status run_stage(struct run *run, int index, struct nb_error *err
   return status ? status : snapshot_status;
 }
 
+/* Makes the model: from the checkpoint, from the state where the scene starts, or at time 0. */
+static enum nb_status make_model(struct run *run, const struct nb_options *options, struct nb_error *error) {
+  const struct nb_scene *scene = run->scene;
+  struct nb_saved start = {0};
+  const bool starts = scene->start.stages > 0;
+  enum nb_status status = nb_checkpoint_read(&start, &run->checkpoint, run->reporter.progress, error);
+  const bool resumed = start.store.part_count > 0;
+  if (!status && !resumed && starts)
+    status = nb_start_obtain(&start, scene, options, run->reporter.progress, !is_trial(run), error);
+  run->reporter = nb_reporter_begin(run->reporter.progress); /* so that computing the state is not counted */
+  if (!status && !nb_result_begin(run->result, scene))
+    status = nb_error_memory(error);
+  if (!status && !(run->model = nb_model_resume(scene, options, resumed || starts ? &start : NULL, error)))
+    status = error->status;
+  if (!status)
+    run->first_cycle = run->model->cycle;
+  if (!status && resumed) {
+    store_run(&start.store, run);
+    if (start.store.failed)
+      status = nb_error_set(error, NB_BAD_USE, "%.300s is not a checkpoint of this page", run->checkpoint.path);
+  }
+  nb_saved_free(&start);
+  return status;
+}
+
+/* Runs the stages from the beginning of the model on. */
+static enum nb_status run_stages(struct run *run, struct nb_error *error) {
+  const struct nb_scene *scene = run->scene;
+  const size_t first = scene->start.stages;
+  const bool resumed = run->model->cycle > run->first_cycle;
+  size_t s = resumed ? (size_t)(run->model->stage - scene->stages) + run->stage_ended : first;
+  bool inside = resumed && !run->stage_ended;
+  if (!resumed && scene->stages[first].record_interval &&
+      !nb_result_add_row(&run->result->table, run->model, (int)first))
+    return nb_error_memory(error);
+  for (; s < scene->stage_count; s++, inside = false)
+    if (run_stage(run, (int)s, inside, error) || (run->checkpoint.options && check_in(run, true, error)))
+      return error->status;
+  return NB_OK;
+}
+
 /* Runs all stages of the scene, or those after the stage of the state from which it starts. The result has what was
  * recorded, even after an error. *end receives the state at the end, unless `end` is NULL. */
 static enum nb_status run_scene(struct run *run, const struct nb_options *options, struct nb_saved *end,
                                 struct nb_error *error) {
   const struct nb_scene *scene = run->scene;
   struct nb_result *result = run->result;
-  struct nb_saved start = {0};
-  const size_t first = scene->start.stages;
-  if (first > 0 && nb_start_obtain(&start, scene, options, run->reporter.progress, !is_trial(run), error)) {
-    nb_saved_free(&start);
+  if (nb_checkpoint_begin(&run->checkpoint, scene, options, error))
     return error->status;
-  }
-  run->reporter = nb_reporter_begin(run->reporter.progress); /* so that computing the state is not counted */
-  for (size_t s = first; s < scene->stage_count; s++)
+  for (size_t s = scene->start.stages; s < scene->stage_count; s++)
     run->planned += scene->stages[s].cycles;
-  if (nb_result_begin(result, scene))
-    run->model = nb_model_resume(scene, options, first > 0 ? &start : NULL, error);
-  else
-    nb_error_memory(error);
-  nb_saved_free(&start);
-  if (!run->model)
-    return error->status;
-  run->first_cycle = run->model->cycle;
-  enum nb_status status = NB_OK;
-  if (scene->stages[first].record_interval && !nb_result_add_row(&result->table, run->model, (int)first))
-    status = nb_error_memory(error);
-  for (size_t s = first; s < scene->stage_count && !status; s++)
-    status = run_stage(run, (int)s, error);
-  if (!status && end)
-    status = nb_saved_capture(end, run->model, error);
-  result->cycles = run->model->cycle - run->first_cycle;
-  result->updates = run->model->updates;
-  result->searches = run->model->search.count;
-  result->deep = nb_deep_count(run->model);
-  snprintf(result->deep_first, sizeof result->deep_first, "%s", run->model->deep.first);
-  result->seconds = nb_clock() - run->reporter.began;
-  result->warnings = run->model->warnings;
-  nb_model_free(run->model);
+  enum nb_status status = make_model(run, options, error);
+  if (run->model) {
+    run->stop_at = options && options->checkpoint.stop_after ? run->model->cycle + options->checkpoint.stop_after : 0;
+    status = status ? status : run_stages(run, error);
+    if (!status && end)
+      status = nb_saved_capture(end, run->model, error);
+    result->cycles = run->model->cycle - run->first_cycle;
+    result->updates = run->model->updates;
+    result->searches = run->model->search.count;
+    result->deep = nb_deep_count(run->model);
+    snprintf(result->deep_first, sizeof result->deep_first, "%s", run->model->deep.first);
+    result->seconds = nb_clock() - run->reporter.began;
+    result->warnings = run->model->warnings;
+    nb_model_free(run->model);
+  }
+  nb_checkpoint_end(&run->checkpoint);
   return status;
 }
 
@@ -191,6 +314,7 @@ enum nb_status nb_run_to(struct nb_saved *saved, const struct nb_scene *scene, c
   whole.keep_all = true;
   whole.rounding =
       (struct nb_rounding){NB_TO_NEAREST, NULL}; /* a saved state does not depend on the mode of its reader */
+  whole.checkpoint.key = scene->stages[scene->stage_count - 1].hash; /* whatever page or run needs the state */
   const enum nb_status status = run_scene(&run, &whole, saved, error);
   nb_result_free(&result);
   return status;

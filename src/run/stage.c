@@ -45,6 +45,16 @@ bool nb_changes_create(struct nb_model *model) {
   return !model->owner.failed;
 }
 
+void nb_changes_store(struct nb_store *store, struct nb_model *model) {
+  struct nb_changes *changes = model->changes;
+  NB_STORE_INTEGERS(store, "changing", &changes->changing, 1);
+  NB_STORE_INTEGERS(store, "ramping_walls", &changes->ramping_walls, 1);
+  NB_STORE(store, "properties_from", changes->properties_from, model->stage->change_count);
+  NB_STORE(store, "walls_from", changes->walls_from, model->stage->motion_count);
+  NB_STORE(store, "gravity_from", &changes->gravity_from, 1);
+  NB_STORE(store, "central_from", &changes->central_from, 1);
+}
+
 bool nb_stage_ramps_walls(const struct nb_model *model) { return model->changes->ramping_walls; }
 bool nb_stage_changes(const struct nb_model *model) { return model->changes->changing; }
 

@@ -15,6 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "input/reader.h"
 #include "laws/laws_now.h"
 #include "loading/loading.h"
 #include "measure/step.h"
@@ -204,6 +205,12 @@ static bool same_particle(const struct nb_saved_particle *it, const struct nb_pa
          it->material == particle->material;
 }
 
+/* Number of stages up to the one that the state is from. */
+static size_t stages_of(const struct nb_saved *saved, const struct nb_scene *scene) {
+  const long found = saved->store.part_count ? NB_FIND(scene->stages, scene->stage_count, saved->stage) : -1;
+  return found < 0 ? scene->start.stages : (size_t)found + 1;
+}
+
 static bool same_laws(const struct nb_saved *saved, struct nb_active_laws laws) {
   return laws.normal && laws.shear && strcmp(laws.normal->name, saved->normal) == 0 &&
          strcmp(laws.shear->name, saved->shear) == 0 && (int)laws.pieces == saved->pieces;
@@ -215,7 +222,7 @@ enum nb_status nb_saved_fits(const struct nb_saved *saved, const struct nb_scene
   for (size_t s = 0; s < scene->stage_count; s++)
     rules += scene->stages[s].change_count, removals += scene->stages[s].removal_count;
   struct nb_active_laws laws = nb_laws_initial(scene);
-  for (size_t s = 0; s < scene->start.stages; s++)
+  for (size_t s = 0; s < stages_of(saved, scene); s++)
     laws = nb_laws_of(&scene->stages[s], laws);
   if (!same_laws(saved, laws))
     return nb_error_set(error, NB_BAD_USE, "%.200s: expected the laws of the page, found normal %s and shear %s", path,
@@ -260,19 +267,19 @@ static void restore_walls(struct nb_walls *walls, const struct nb_saved *saved) 
 }
 
 /* The last stage of the state, and its laws. */
-static void restore_stage(struct nb_model *model) {
+static void restore_stage(struct nb_model *model, size_t stages) {
   const struct nb_scene *scene = model->scene;
-  for (size_t s = 0; s < scene->start.stages; s++)
+  for (size_t s = 0; s < stages; s++)
     model->next_laws = nb_laws_of(&scene->stages[s], model->next_laws);
   model->laws = model->next_laws;
   model->properties.pieces = model->laws.pieces;
-  model->stage = &scene->stages[scene->start.stages - 1];
+  model->stage = &scene->stages[stages - 1];
   model->damping = model->stage->damping;
   model->stability->step_line = model->stage->step.line; /* never 0: --set step applies to stages of this page */
 }
 
 void nb_saved_restore(struct nb_model *model, const struct nb_saved *saved) {
-  restore_stage(model);
+  restore_stage(model, stages_of(saved, model->scene));
   restore_particles(&model->particles, saved);
   restore_walls(&model->walls, saved);
   memcpy(model->properties.materials, saved->materials, saved->material_count * sizeof *saved->materials);
@@ -412,8 +419,12 @@ enum nb_status nb_saved_write(const struct nb_saved *saved, const char *path, st
   if (!status)
     status = nb_save_begin(&file, path, error);
   if (!status) {
-    fwrite(text, 1, size, file.file); /* nb_save_end reports failures */
-    status = nb_save_end(&file, error);
+    if (fwrite(text, 1, size, file.file) == size && fflush(file.file) == 0) {
+      status = nb_save_end(&file, error);
+    } else {
+      status = nb_error_system(error, "cannot write %s", path);
+      nb_save_cancel(&file);
+    }
   }
   free(text);
   return status;

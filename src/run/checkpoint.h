@@ -1,0 +1,38 @@
+/* Checkpoints: the state of a run at any cycle, with everything that it has recorded.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_CHECKPOINT_H
+#define NB_CHECKPOINT_H
+
+#include "restart.h"
+
+/* The checkpoints of one run. */
+struct nb_checkpoint {
+  const struct nb_checkpointing *options; /* NULL: none are saved */
+  const struct nb_scene *scene;
+  char path[NB_STATE_PATH]; /* of the last one; that before it has `.old` after its name */
+  struct nb_lock lock;
+  unsigned long until_check; /* cycles until the clock is read again */
+  double saved, cost;        /* time of the last one, and how long it took, s */
+};
+
+/* Locks the files of the run: NB_BAD_USE if another process saves checkpoints of it. No effect without `seconds`. */
+enum nb_status nb_checkpoint_begin(struct nb_checkpoint *checkpoint, const struct nb_scene *scene,
+                                   const struct nb_options *options, struct nb_error *error);
+void nb_checkpoint_end(struct nb_checkpoint *checkpoint);
+/* Reads the last one, or that before it if the last one is damaged; saved->store is empty if there is none. */
+enum nb_status nb_checkpoint_read(struct nb_saved *saved, const struct nb_checkpoint *checkpoint,
+                                  const struct nb_progress *progress, struct nb_error *error);
+/* Saves the model, and `store` with what the run keeps besides; frees `store`. */
+enum nb_status nb_checkpoint_save(struct nb_checkpoint *checkpoint, const struct nb_model *model,
+                                  struct nb_store *store, struct nb_error *error);
+/* Every variable of the model that the state does not contain; to restore it, after nb_model_resume. */
+void nb_model_store(struct nb_store *store, struct nb_model *model);
+/* Whether so much time has passed that the run should save one; at the end of a stage that is less. */
+bool nb_checkpoint_is_due(struct nb_checkpoint *checkpoint, bool stage_ends);
+/* Whether the run has been asked to stop. */
+bool nb_checkpoint_stops(const struct nb_checkpoint *checkpoint);
+/* Deletes the checkpoints of a run that has ended. */
+void nb_checkpoint_remove(const struct nb_scene *scene, const struct nb_options *options, unsigned long long key);
+
+#endif

@@ -1,0 +1,178 @@
+#!/bin/sh
+# Runs that are interrupted, killed, and continued from a checkpoint: the tables are those of an uninterrupted run. What
+# goes wrong with the files of checkpoints has a message each. NINEBALL_KILLS is the number of kills. TAP.
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+
+. "${srcdir:-.}/tests/tap"
+states=$work/states
+page=$work/falling.md
+cat >"$page" <<'END'
+# Spheres fall into a box
+```scene
+units     none
+sweep     friction  0.3 0.6
+material  m density 3 friction $friction young 50000 poisson 0.2
+normal    hertz
+shear     mindlin_deresiewicz
+damping   ratio 0.2
+box       0 0 to 8 8 m
+lattice   spheres 5 by 4 m radius 0.8 spacing 1.6 from 0.8 2
+region    A all
+record    time A.porosity A.strain.yy energy.damped energy.residual work.residual
+gravity   0 -10
+step      0.002
+stage     fall
+  cycles  6000
+  snapshot
+stage     press
+  walls   inward 0.01
+  ramp    material m friction 0.1
+  cycles  12000
+  record  every 100 cycles
+```
+```expect
+time  expected 36 within 1 ppm  [18000 cycles]
+```
+END
+start() { "$nineball" run "$page" --states "$states" -o "$work/out" --jobs 1 "$@" >"$work/printed" 2>"$why" & }
+# again ARGUMENTS: continues, without being interrupted.
+again() {
+  start --resume "$@"
+  wait $!
+}
+same() {
+  diff -rq "$work/whole" "$work/out" >>"$why"
+}
+# checkpoints N: waits until the last run has saved N of them.
+last() { ls "$states"/*.checkpoint 2>/dev/null; }
+until_saved() { while kill -0 $! 2>/dev/null && [ -z "$(last)" ]; do sleep 0.01; done; }
+
+"$nineball" run "$page" -o "$work/whole" --jobs 1 >"$work/printed" 2>"$why"
+result $? 'a run without checkpoints'
+
+for signal in TERM INT; do
+  start --checkpoint=0.01
+  until_saved
+  kill -$signal $!
+  wait $!
+  status=$?
+  test $status -eq $([ $signal = TERM ] && echo 143 || echo 130) && said 'stopped by a signal after cycle' && said ' s left); the checkpoint is ' &&
+    grep -q "^to continue: .* run .*/falling.md --states .* --resume$" "$why"
+  result $? "SIG$signal: the run is saved, and the command to continue is shown"
+  again && same && test -z "$(ls "$states")"
+  result $? 'it continues with the same results, and the checkpoints are removed'
+done
+
+# ---- kill -9 ----
+
+kills=${NINEBALL_KILLS:-6}
+start --checkpoint=0.01
+k=0
+while [ $k -lt "$kills" ]; do
+  sleep "0.$(awk -v seed="$$$k" 'BEGIN { srand(seed); printf "%03d", 30 + 400 * rand() }')"
+  if kill -9 $! 2>/dev/null; then
+    wait $! 2>/dev/null
+  else
+    wait $! && same || break
+    rm -rf "$states" "$work/out"
+  fi
+  k=$((k + 1))
+  start --resume --checkpoint=0.01
+done 2>/dev/null
+test $k -eq "$kills" && wait $! && same
+result $? "killed at $kills random moments, it continues with the same results"
+
+# ---- damaged files, a changed page ----
+
+# interrupted: leaves two checkpoints of the first run.
+interrupted() {
+  rm -rf "$states" "$work/out"
+  start --checkpoint=0.01
+  while kill -0 $! && ! ls "$states"/*.old; do sleep 0.01; done >"$work/ls" 2>&1
+  kill -TERM $!
+  wait $!
+  ls "$states"/*.checkpoint | head -n 1 >"$work/name"
+  file=$(cat "$work/name")
+  test -s "$file" && test -s "$file.old"
+}
+interrupted && cp -r "$states" "$work/kept"
+size=$(wc -c <"$file")
+head -c $((size / 2)) "$file" >"$work/half" && cp "$work/half" "$file" && again && said 'the file is cut off; the run continues from the checkpoint before it' && same
+result $? 'a checkpoint that is cut off: the one before it is used'
+rm -rf "$states" && cp -r "$work/kept" "$states"
+sed 's/^body 3 sphere m free 0x1/body 3 sphere m free 0x0/' "$file" >"$work/flipped" && ! cmp -s "$work/flipped" "$file" && cp "$work/flipped" "$file" &&
+  again && said 'the file has been changed; the run continues from the checkpoint before it' && same
+result $? 'a checkpoint with a changed byte: the one before it is used'
+rm -rf "$states" && cp -r "$work/kept" "$states" && cp "$work/half" "$file" && cp "$work/half" "$file.old"
+again
+test $? -eq 2 && said 'the file is cut off'
+result $? 'both are damaged: an error'
+rm -rf "$states" && cp -r "$work/kept" "$states" && cp "$page" "$work/text"
+sed 's/inward 0.01/inward 0.02/' "$work/text" >"$page"
+again
+test $? -eq 2 && said 'the page has changed since ' && said 'in stage `press` (line 18) or above it'
+result $? 'the page has changed: an error that says where'
+sed 's/^record .*/record time/' "$work/text" >"$page"
+again
+test $? -eq 2 && said 'in what it records'
+result $? 'other columns: an error'
+sed 's/^# Spheres.*/# Spheres in a box/; s/1 ppm/2 ppm/' "$work/text" >"$page"
+again && ! said 'there is no checkpoint' || said ', run friction=0.6'
+result $? 'another title or tolerance: it continues'
+cp "$work/text" "$page"
+
+# ---- files that cannot be written ----
+
+rm -rf "$states" && cp -r "$work/kept" "$states"
+(ulimit -f 8 && trap '' XFSZ && "$nineball" check "$page" --states "$states" --jobs 1 --resume --checkpoint=0.3 >"$work/printed" 2>"$why")
+test $? -eq 0 && said 'cannot write'
+result $? 'a full disk: a note, and the run goes on'
+rm -rf "$states" && cp -r "$work/kept" "$states"
+(
+  ulimit -f 1 && trap '' XFSZ
+  start --resume
+  sleep 0.2
+  kill -TERM $!
+  wait $!
+)
+test $? -eq 143 && said 'without a checkpoint' && again && same
+result $? 'stopped on a full disk: an error, and the checkpoint before it can be used'
+"$nineball" check "$page" --states /dev/null/states --checkpoint >"$work/printed" 2>"$why"
+test $? -eq 2 && said 'cannot make the folder'
+result $? 'no folder: an error'
+rm -rf "$states"
+start --checkpoint=0.01
+first=$!
+until_saved
+"$nineball" check "$page" --states "$states" --checkpoint >"$work/printed" 2>"$why"
+test $? -eq 2 && said "process $first runs this page with these settings and saves checkpoints"
+result $? 'two runs of one page: an error names the first one'
+wait $first && same
+result $? 'the first one is not disturbed'
+
+# ---- a page that starts from another one ----
+
+cat >"$work/on.md" <<'END'
+# From the box
+```scene
+start   falling stage fall  with friction=0.6
+record  time
+stage   rest
+  cycles 5
+```
+END
+rm -rf "$states"
+"$nineball" run "$work/on.md" --states "$states" -o "$work/out" --checkpoint=0.01 >"$work/printed" 2>"$why" &
+until_saved
+kill -TERM $!
+wait $!
+test $? -eq 143 && "$nineball" run "$work/on.md" --states "$states" -o "$work/out" --resume >"$work/printed" 2>"$why" &&
+  "$nineball" run "$work/on.md" --states "$work/others" -o "$work/on" >"$work/printed" 2>>"$why" && cmp "$work/on/table.tsv" "$work/out/table.tsv" &&
+  diff -r "$work/others" "$states" >>"$why"
+result $? 'the run that computes a state is continued too'
+
+"$nineball" check "$page" --checkpoint=0 >"$work/printed" 2>"$why"
+test $? -eq 2 && said 'expected a number of seconds above 0'
+result $? 'an interval that is no time: an error'
+echo "1..$n"
