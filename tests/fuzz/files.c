@@ -124,7 +124,7 @@ static void hold_saved(const struct nb_saved *saved) {
 }
 
 /* Runs the page from the state. Returns whether all cycles were run. */
-static bool go_on(const struct nb_scene *scene, const struct nb_saved *saved) {
+static bool go_on(const struct nb_scene *scene, struct nb_saved *saved) {
   struct nb_error error = {NB_OK, ""};
   struct nb_model *model = nb_model_resume(scene, &(struct nb_options){.threads = 1, .keep_all = true}, saved, &error);
   fuzz_hold(model || error.status, "without a model there is an error");
