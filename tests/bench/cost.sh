@@ -180,6 +180,7 @@ measures servo boundary : core/materials.c
 stability : core/guard.c:nb_guard_resolution core/guard.c:coordinate core/guard.c:ulp measure/step.c
 never : core/clean.c core/clean.h core/error.c core/error.h core/guess.h core/machine.c core/warning.c laws/register.c loading/loading.h
 never : loading/remove.c measure/collision.c measure/rayleigh_step.c packing/* run/contact_test.c run/contact_test.h run/contact_test_quantities.c
+never : core/store.c core/store.h run/checkpoint.c run/checkpoint.h run/run.c:check_in run/run.c:store_run
 never : run/model.c run/output_file.c run/output_file.h run/plan.c run/plan.h run/restart.c run/restart.h run/state.c run/state.h
 FEATURES
 }
