@@ -87,6 +87,8 @@ static void interrupt_page(struct nb_scene *scene, const char *name) {
   struct nb_result whole, result;
   if (scene->contact_test || scene->start.stages > 0)
     return;
+  for (size_t s = 0; s < scene->stage_count; s++)
+    scene->stages[s].record_interval = 1;
   const enum nb_status wanted = nb_run(&whole, scene, &(struct nb_options){.threads = 1}, NULL, &error);
   const unsigned long half = whole.cycles / 2, stage = whole.stages ? whole.stages[0].cycles : 0;
   const unsigned long cuts[] = {1, half < stage ? half : stage, half < stage ? stage : half};
@@ -114,7 +116,7 @@ static void interrupt_page(struct nb_scene *scene, const char *name) {
   nb_checkpoint_remove(scene, &options, 1);
 }
 
-static void every_page_interrupted(void) { every_page(interrupt_page, 4e3); }
+static void every_page_interrupted(void) { every_page(interrupt_page, 400); }
 
 static int make_folder(void) { return mkdtemp(folder) == NULL; }
 static int remove_folder(void) { return rmdir(folder); }

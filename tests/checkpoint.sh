@@ -156,7 +156,7 @@ result $? 'the first one is not disturbed'
 cat >"$work/on.md" <<'END'
 # From the box
 ```scene
-start   falling stage fall  with friction=0.6
+start   falling stage press  with friction=0.6
 record  time
 stage   rest
   cycles 5

@@ -220,7 +220,7 @@ static bool expect_all(struct nb_cost *sum, const struct nb_outcome *outcome, bo
   bool known = outcome->status <= NB_FAILED;
   for (size_t r = 0; r < outcome->run_count && known; r++) {
     struct nb_page_run run = outcome->runs[r];
-    struct nb_model *model = nb_model_create(&run.scene, options, &error);
+    struct nb_model *model = run.released ? NULL : nb_model_create(&run.scene, options, &error);
     struct nb_cost cost = {0};
     run.expectations.reference = NULL;
     known = model &&

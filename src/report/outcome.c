@@ -6,6 +6,7 @@
 #ifdef _OPENMP
 #include <omp.h>
 #endif
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -19,8 +20,31 @@ static void add_warnings(struct nb_outcome *outcome, const struct nb_warnings *w
     nb_warnings_add(&outcome->warnings, &warnings->list[k]);
 }
 
+/* The particles of all runs of a page that are kept at once. Further runs are read again when they run, so the memory of
+ * a sweep is bounded. */
+enum { PARTICLES_KEPT = 1000000 };
+
+static void release_particles(struct nb_page_run *run) {
+  for (struct nb_scene *scene = &run->scene; scene; scene = scene->start.scene)
+    free(scene->particles), scene->particles = NULL;
+  run->released = true;
+}
+
+static void read_again(const struct nb_outcome *outcome, struct nb_page_run *run) {
+  struct nb_mistakes mistakes = {0};
+  nb_scene_free(&run->scene);
+  nb_scene_read(&run->scene, &outcome->page, (size_t)(run - outcome->runs), outcome->settings, &mistakes);
+  run->status = nb_mistakes_status(&mistakes, 0);
+  if (run->status == NB_NO_MEMORY)
+    nb_error_memory(&run->error);
+  else if (run->status)
+    nb_error_set(&run->error, run->status, "a file that the page names has changed during its runs");
+  nb_mistakes_free(&mistakes);
+}
+
 /* Reads all runs of the page, up to the first one with mistakes, since most mistakes would be in every run. */
-static void read_runs(struct nb_outcome *outcome, nb_settings settings) {
+static void read_runs(struct nb_outcome *outcome, nb_settings settings, size_t particles_kept) {
+  size_t particles = 0;
   const size_t runs = nb_scene_runs(&outcome->page, settings, &outcome->mistakes);
   outcome->runs = calloc(runs + 1, sizeof *outcome->runs);
   if (!outcome->runs)
@@ -31,17 +55,25 @@ static void read_runs(struct nb_outcome *outcome, nb_settings settings) {
     nb_expectations_read(&run->expectations, &outcome->page, &run->scene, &outcome->mistakes);
     nb_sweep_label(run->label, sizeof run->label, run, NULL);
     add_warnings(outcome, &run->scene.warnings);
+    particles += run->scene.particle_count;
+    if (particles > particles_kept)
+      release_particles(run);
   }
 }
 
-enum nb_status nb_outcome_read(struct nb_outcome *outcome, const char *path, nb_settings settings) {
+static enum nb_status read_page(struct nb_outcome *outcome, const char *path, nb_settings settings,
+                                size_t particles_kept) {
   *outcome = (struct nb_outcome){.settings = settings};
   if (!nb_page_read(&outcome->page, path, &outcome->mistakes))
-    read_runs(outcome, settings);
+    read_runs(outcome, settings, particles_kept);
   outcome->status = nb_mistakes_status(&outcome->mistakes, 0);
   if (outcome->status == NB_NO_MEMORY)
     nb_error_memory(&outcome->error);
   return outcome->status;
+}
+
+enum nb_status nb_outcome_read(struct nb_outcome *outcome, const char *path, nb_settings settings) {
+  return read_page(outcome, path, settings, SIZE_MAX);
 }
 
 /* Warns of overlaps beyond the theory of elastic spheres: their number in all runs, and the first one. */
@@ -103,12 +135,17 @@ static struct nb_options options_of_run(const struct nb_outcome *outcome, const 
   return own;
 }
 
-static void run_one(struct nb_page_run *run, const struct nb_options *options, const struct nb_progress *progress) {
+static void run_one(const struct nb_outcome *outcome, struct nb_page_run *run, const struct nb_options *options,
+                    const struct nb_progress *progress) {
   run->status = NB_OK;
-  if (run->expectations.reference)
+  if (run->released)
+    read_again(outcome, run);
+  if (!run->status && run->expectations.reference)
     run->status = nb_reference_solve(run->expectations.reference, &run->solution, &run->scene, &run->error);
   if (!run->status)
     run->status = nb_run(&run->result, &run->scene, options, progress, &run->error);
+  if (run->released)
+    release_particles(run);
 }
 
 int nb_job_count(const struct nb_options *options, size_t most) {
@@ -156,7 +193,7 @@ enum nb_status nb_outcome_run(struct nb_outcome *outcome, const struct nb_option
     struct run_progress run_progress = {outcome, progress, began, r};
     const struct nb_progress run_callbacks = {progress && progress->call ? report_run_progress : NULL,
                                               progress && progress->note ? report_run_note : NULL, &run_progress};
-    run_one(&outcome->runs[r], &own, progress ? &run_callbacks : NULL);
+    run_one(outcome, &outcome->runs[r], &own, progress ? &run_callbacks : NULL);
     outcome->runs[r].done = 1;
     if (outcome->runs[r].status || (own.checkpoint.stop && *own.checkpoint.stop)) {
 #pragma omp atomic write
@@ -178,7 +215,7 @@ void nb_outcome_remove_checkpoints(const struct nb_outcome *outcome, const struc
 
 enum nb_status nb_outcome_make(struct nb_outcome *outcome, const char *path, nb_settings settings,
                                const struct nb_options *options, const struct nb_progress *progress) {
-  nb_outcome_read(outcome, path, settings);
+  read_page(outcome, path, settings, PARTICLES_KEPT);
   if (!outcome->status)
     outcome->status = nb_outcome_run(outcome, options, progress);
   if (!outcome->status)

@@ -14,6 +14,7 @@ struct nb_page_run {
   struct nb_solution solution;
   struct nb_result result;
   char label[256];       /* "v=0.12 n=40", empty without a sweep */
+  bool released;         /* the scene has its particles only while it runs */
   double done;           /* fraction of the cycles, 0 to 1 */
   enum nb_status status; /* of the run itself */
   struct nb_error error; /* its message */
