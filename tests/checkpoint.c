@@ -13,6 +13,7 @@
 #include "../src/run/checkpoint.h"
 #include "every_page.h"
 #include "suites.h"
+#include "written.h"
 
 static char folder[] = "/tmp/nineball-checkpoint-XXXXXX";
 
@@ -116,6 +117,34 @@ static void interrupt_page(struct nb_scene *scene, const char *name) {
   nb_checkpoint_remove(scene, &options, 1);
 }
 
+/* What no page has at once: a servo beside a strain rate, ramps, and changes since a stage, in the middle of which the run is
+ * interrupted. */
+static const char head[] =
+    "units none\nmaterial m density 3 kn 5000 ks 4000 friction 0.3\nshear linear\nregion A all\nstep 0.001\n"
+    "record time energy.residual work.residual energy.imposed energy.walls step.fracc step.stable A.stress.xx\n"
+    "record A.strain.xx A.contacts.lost\nlattice discs 6 by 6 m radius 0.5 spacing 0.999 from 0.5 0.5\n";
+static const char *const scenes[] = {
+    "boundary circle 3 3 radius 2.4\nstage shear\nboundary strain -4e-5 per cycle 2e-5 per cycle\n"
+    "servo mean 20 on boundary through boundary at most 1e-5 per cycle\ncycles 40\nsnapshot\n",
+    "box 0 0 to 6 6 m\nstage press\nwalls inward 0.5\ncycles 10\nstage change\nramp material m friction 0.01 kn 9000\n"
+    "ramp gravity 0 -50\nramp walls inward -0.2\ncycles 60\nsnapshot from change\n",
+    "box 0 0 to 6 6 m\nstage press\nwalls inward 0.5\ncycles 10\nstage slide\nwall south velocity 3 0\ncycles 60\n"
+    "stage stop\nwalls stop\ncycles 20\nsnapshot from slide\n",
+};
+
+static void interrupted_in_the_middle(void) {
+  for (size_t k = 0; k < sizeof scenes / sizeof *scenes; k++) {
+    struct words words = {0};
+    struct written it;
+    char name[32];
+    snprintf(name, sizeof name, "scene %zu", k + 1);
+    words_add(&words, "%s%s", head, scenes[k]);
+    written_scene(&it, &words);
+    interrupt_page(&it.scene, name);
+    written_free(&it);
+  }
+}
+
 static void every_page_interrupted(void) { every_page(interrupt_page, 400); }
 
 static int make_folder(void) { return mkdtemp(folder) == NULL; }
@@ -123,5 +152,6 @@ static int remove_folder(void) { return rmdir(folder); }
 
 void suite_checkpoint(void) {
   CU_pSuite suite = CU_add_suite("checkpoint", make_folder, remove_folder);
+  CU_add_test(suite, "ramps, a servo and references interrupted", interrupted_in_the_middle);
   CU_add_test(suite, "every page interrupted and continued", every_page_interrupted);
 }

@@ -141,6 +141,17 @@ result $? 'stopped on a full disk: an error, and the checkpoint before it can be
 "$nineball" check "$page" --states /dev/null/states --checkpoint >"$work/printed" 2>"$why"
 test $? -eq 2 && said 'cannot make the folder'
 result $? 'no folder: an error'
+rm -rf "$states" "$work/out"
+"$nineball" check "$page" --states "$states" --jobs 1 --checkpoint=0.01 2>"$why" | true
+again && ! said 'there is no checkpoint' && same
+result $? 'a closed pipe: the verdict is lost, the runs are not'
+# limits: memory limits from ample to none, kB. Somewhere between them memory runs out, and the checkpoints stay.
+rm -rf "$states" && cp -r "$work/kept" "$states"
+for limit in 400000 100000 60000 40000 30000 24000 20000 17000 15000 13000 11000 9000 5000; do
+  (ulimit -v $limit && "$nineball" check "$page" --states "$states" --jobs 1 --resume --checkpoint=9 >"$work/printed" 2>>"$work/limits") 2>>"$work/limits" && cp -r "$work/kept/." "$states"
+done
+again && same
+result $? 'a memory limit: the checkpoints can be used afterwards'
 rm -rf "$states"
 start --checkpoint=0.01
 first=$!
@@ -175,4 +186,7 @@ result $? 'the run that computes a state is continued too'
 "$nineball" check "$page" --checkpoint=0 >"$work/printed" 2>"$why"
 test $? -eq 2 && said 'expected a number of seconds above 0'
 result $? 'an interval that is no time: an error'
+"$nineball" check "$page" --checkpoint --rounding all >"$work/printed" 2>"$why"
+test $? -eq 2 && said 'takes neither --checkpoint nor --resume'
+result $? 'rounding modes have no checkpoints'
 echo "1..$n"

@@ -264,6 +264,29 @@ static void warnings_of_all_runs(void) {
   }
 }
 
+/* 102 runs of 10,000 discs that fall freely, each with another gravity: the last ones lose their particles, and run with
+ * them all the same. */
+static void many_particles(void) {
+  enum { RUNS = 102, KEPT = 100 };
+  char scene[2048] = "units none\nsweep g";
+  struct nb_outcome outcome;
+  for (int g = 1; g <= RUNS; g++)
+    snprintf(scene + strlen(scene), sizeof scene - strlen(scene), " %d", g);
+  strcat(scene, "\nmaterial m density 1 kn 1\nlattice discs 100 by 100 m radius 1 spacing 3 from 0 0\nmonitor D disc "
+                "10000\nrecord D.vy\ngravity 0 -$g\nstep 0.0625\nskin 0.1\nstage fall\ncycles 2");
+  carry_out(&outcome, scene, "report D.vy", NULL);
+  if (outcome.status)
+    printf("# %s\n", outcome.error.text);
+  CU_ASSERT_EQUAL(outcome.status, NB_OK);
+  CU_ASSERT_EQUAL_FATAL(outcome.run_count, RUNS);
+  for (int r = 0; r < RUNS; r++) {
+    const struct nb_table *table = &outcome.runs[r].result.table;
+    CU_ASSERT(table->row_count == 3 && table->values[2] == -0.125 * (r + 1));
+    CU_ASSERT((outcome.runs[r].scene.particles == NULL) == (r >= KEPT));
+  }
+  nb_outcome_free(&outcome);
+}
+
 void suite_outcome(void) {
   CU_pSuite suite = CU_add_suite("outcome", NULL, NULL);
   CU_add_test(suite, "progress and notes of several runs", progress);
@@ -273,5 +296,6 @@ void suite_outcome(void) {
   CU_add_test(suite, "error of a run", error_of_a_run);
   CU_add_test(suite, "mistakes in all runs, and the error of a reference", mistakes_of_all_runs);
   CU_add_test(suite, "warnings of all runs", warnings_of_all_runs);
+  CU_add_test(suite, "many particles in many runs", many_particles);
   CU_add_test(suite, "deep contacts of all runs together", deep_overlaps_of_all_runs);
 }

@@ -173,6 +173,10 @@ enum nb_status nb_rounding_check(const struct nb_call *call) {
             call->rounding);
     return NB_BAD_USE;
   }
+  if (call->options.checkpoint.seconds > 0) {
+    fputs("nineball: --rounding takes neither --checkpoint nor --resume\n", stderr);
+    return NB_BAD_USE;
+  }
   for (size_t k = 0; k < call->page_count; k++)
     worst = worse(worst, check_page(call, call->pages[k], parts));
   return worst;
