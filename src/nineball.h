@@ -208,7 +208,6 @@ struct nb_damping {
   int deep_line;
   bool centred; /* dashpots use the velocity at t_N, and the time since first touch: pass/dashpots.c */
   int centred_line;
-  double local; /* Cundall 1987: F - local |F| sign(v), each component; 0: none. A trial */
   enum nb_global_damping global_kind;
   double global; /* 1/s or 1 */
   int global_line;

@@ -83,7 +83,6 @@ struct task {
   bool cell;                           /* so does the cell */
   bool rotates;                        /* some particle */
   bool predicts;                       /* centred dashpots need the velocity at the end of the step */
-  double local;                        /* Cundall's local damping */
   double time, step;                   /* duration of the kick and of the drift, s */
   double travel_limit;                 /* displacement since the last search that requires a new one, m */
 };
@@ -181,23 +180,6 @@ static inline NB_FORM void move_list(const struct task *task, size_t from, size_
         vec_add(search_position[k], vec_scale(task->step, nb_imposed_velocity(task->affine, k, search_position[k])));
 }
 
-static inline double local_force(double force, double v, double local) {
-  return force - local * fabs(force) * (v > 0 ? 1 : v < 0 ? -1 : 0);
-}
-
-/* Cundall (1987): a force against the motion, proportional to the unbalanced force. A trial. */
-static inline NB_FORM void add_local(const struct task *task, struct batch *batch, size_t from, size_t n) {
-  for (size_t k = 0; k < n; k++) {
-    struct nb_vec v = task->particles.velocity[from + k];
-    if (task->particles.imposed)
-      v = vec_sub(v, task->particles.imposed[from + k]);
-    batch->force[k] =
-        vec(local_force(batch->force[k].x, v.x, task->local), local_force(batch->force[k].y, v.y, task->local));
-    if (task->particles.spin)
-      batch->moment[k] = local_force(batch->moment[k], task->particles.spin[from + k], task->local);
-  }
-}
-
 static inline NB_FORM int move(const struct task *task, const struct nb_contact_forces *contact_forces, size_t from,
                                size_t to) {
   int out = 0;
@@ -214,8 +196,6 @@ static inline NB_FORM int move(const struct task *task, const struct nb_contact_
       add_central(&batch, task->particles.mass + from, task->particles.position + from, &task->central, n);
     if (task->boundary_force)
       add_boundary_force(&batch, task->boundary_force + from, n);
-    if (task->local > 0)
-      add_local(task, &batch, from, n);
     if (task->cell)
       move_list(task, from, n);
     if (task->along && task->affine->uniform)
@@ -269,7 +249,6 @@ int nb_motion_part(struct nb_model *model, int part, int parts) {
                             .cell = model->all_affine && model->cell,
                             .rotates = model->plan.rotates,
                             .predicts = model->damping.centred && nb_damping_contact_line(&model->damping) > 0,
-                            .local = model->damping.local,
                             .time = time,
                             .step = model->step,
                             .travel_limit = model->cell ? model->cell->travel_limit : model->search.skin / 2};

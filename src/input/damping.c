@@ -18,13 +18,13 @@ static const struct damping_word {
     {NB_CONTACT_UNDAMPED, NB_GLOBAL_CON1_VELOCITY, NB_UNIT_NUMBER, NB_FRACTION},
 };
 #define CONTACT_WORDS "stiffness|r89-fraction|ratio"
-enum { WALLS = 3, CRITICAL, GLOBAL, CON1, CENTRED, LATE, LOCAL, NONE }; /* indices of the words after CONTACT_WORDS */
+enum { WALLS = 3, CRITICAL, GLOBAL, CON1, CENTRED, LATE, NONE }; /* indices of the words after CONTACT_WORDS */
 
 /* What one statement sets. */
 struct given {
   bool all, walls; /* all contacts; only those with walls */
   bool global, deep, timing;
-  bool centred, local;
+  bool centred;
   struct damping_word of;
   double value;
 };
@@ -39,7 +39,7 @@ static enum nb_global_damping take_con1(struct nb_reader *reader) {
 
 static void take_damping(struct nb_reader *reader, struct given *given) {
   reader->otherwise = "a fraction of critical damping is `damping ratio 0.2`";
-  int word = nb_take_choice(reader, CONTACT_WORDS "|walls|critical|mass|con1|centred|late|local|none");
+  int word = nb_take_choice(reader, CONTACT_WORDS "|walls|critical|mass|con1|centred|late|none");
   if (word == WALLS) {
     given->walls = true;
     word = nb_take_choice(reader, CONTACT_WORDS "|none");
@@ -47,11 +47,6 @@ static void take_damping(struct nb_reader *reader, struct given *given) {
   }
   if (word == NONE)
     given->all = given->global = given->deep = !given->walls;
-  if (word == LOCAL) {
-    given->local = true;
-    nb_take_number(reader, NB_UNIT_NUMBER, NB_FRACTION, &given->value);
-    return;
-  }
   given->timing = word >= CENTRED && !given->walls, given->centred = word == CENTRED;
   if (word == CRITICAL) { /* `beyond overlap 7 %` of the smaller diameter */
     given->deep = nb_take_word(reader, "beyond") && nb_take_word(reader, "overlap");
@@ -103,8 +98,6 @@ NB_APPLY(apply_damping) {
     damping->global_kind = given.of.global_kind, damping->global = given.value;
   if (given.deep)
     damping->deep = given.value;
-  if (given.local || given.timing)
-    damping->local = given.local ? given.value : 0;
   if (given.timing)
     damping->centred = given.centred;
 }
