@@ -538,6 +538,8 @@ Each figure shows the estimated error against the cost, one curve for each set o
 dashed line the tolerance.
 TEXT
   named | while read -r line; do section "$line"; done
+  echo
+  cat docs/trades/ways.txt # written by hand: measurements of other ways, with a table and a figure beside it
   printf '\n## All cases\n'
   swept | cut -d / -f 2 | sort -u | while read -r chapter; do
     printf '\n### %s\n\n' "$(sed -n '1s/^# //p' "cases/$chapter/README.md")"
