@@ -263,6 +263,13 @@ static void write_beginning(FILE *out, const struct results *results) {
 
 bool write_document(FILE *out, FILE *header, struct results *results) {
   const struct score whole = score_of(results->draws, results->draw_count, WHOLE, BOTH_HALVES);
+  size_t zero = 0;
+  double largest = 0; /* of the true errors that are not known */
+  for (size_t d = 0; d < results->draw_count; d++) {
+    const struct choice *choice = &results->draws[d].choices[WHOLE];
+    if (!isnan(choice->error) && isnan(choice->claim))
+      largest = fmax(largest, choice->error), zero += choice->error == 0;
+  }
   write_beginning(out, results);
   write_kinds(out, results);
   fprintf(
@@ -275,20 +282,20 @@ bool write_document(FILE *out, FILE *header, struct results *results) {
       "The cheapest setting is that of an exhaustive grid: all contact laws, the stiffnesses, and steps a factor of\n"
       "√2 apart. It is the one with the fewest updates of contacts and particles whose true error, over all phases\n"
       "and runs, is within the tolerance. The steps of advice are a factor of 2 apart. The grid of a draw may take\n"
-      "%g s of computing time. The cost is counted for the %zu of %zu answers whose grid was completed. It is highest "
-      "on\n"
-      "pages with a fixed number of cycles: advice leaves out a step if it does not divide the stage into a whole\n"
-      "number of cycles, and the grid takes the nearest one that does.\n\n"
-      "The ratio of the estimated to the true error is counted where the true error is at least %g times the last\n"
-      "change of the limit when the step was halved: for %zu of %zu answers. The true error of the others is zero,\n"
-      "or too small to be known. Most of it is due to rounding, or to the small motion that remains in a state of\n"
-      "rest, and it is far below the tolerance. No step makes such an error smaller, and the estimate need not\n"
-      "contain it.\n\n"
+      "%g s of computing time. The cost is counted for the %zu of %zu answers whose grid was completed. It is\n"
+      "highest on pages with a fixed number of cycles. Advice leaves out a step if it does not divide the stage into "
+      "a\n"
+      "whole number of cycles. The grid takes the nearest step that does.\n\n"
+      "The ratio of the estimated to the true error is counted for %zu of %zu answers. Their true error is at\n"
+      "least %g times the last change of the limit when the step was halved. The true error of the others is zero "
+      "(%zu\n"
+      "answers), or at most %.1g of the tolerance. It is due to rounding, or to the small motion that remains in a\n"
+      "state of rest. No step makes such an error smaller, and the estimate need not contain it.\n\n"
       "The factors of the estimator come from other draws, which an earlier program made. Half of the pages, by a\n"
       "hash of their names, are kept back: no number may be changed because of their draws. The criteria are for all\n"
       "draws.\n",
       truth_time, results->uncounted[UNRESOLVED], results->uncounted[REFUSED], grid_time, whole.costs, whole.answered,
-      truth_margin, whole.claims, whole.answered);
+      whole.claims, whole.answered, truth_margin, zero, largest);
   bool good = write_scores(out, results);
   write_errors(out, header, results);
   if (results->mean_count)
