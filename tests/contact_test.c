@@ -235,6 +235,30 @@ static void the_traction_is_mindlins(void) {
   done(&result, &it);
 }
 
+/* The radius within which nothing slips is the same for both senses of the shear force, also after it has reversed. */
+static void the_stick_radius_in_both_senses(void) {
+  static const char *const paths[][2] = {{"9 N", "-9 N"}, {"-9 N", "9 N"}};
+  double stick[2][2];
+  for (size_t k = 0; k < 2; k++) {
+    struct written it;
+    struct nb_result result;
+    char text[1024];
+    snprintf(text, sizeof text,
+             EXACT
+             "record normal shear radius radius.stick\nsegment a normal to 60 N in 1 step\nsegment b shear to %s in "
+             "1 step\nsegment c shear to %s in 1 step\n",
+             paths[k][0], paths[k][1]);
+    run(&result, &it, text);
+    const double n = cell(&result, 2, 0), a = cell(&result, 2, 2), c = a * cbrt(1 - 9 / (0.3 * n));
+    CU_ASSERT_DOUBLE_EQUAL(cell(&result, 2, 3), c, 1e-9 * a);
+    for (int r = 0; r < 2; r++)
+      stick[k][r] = cell(&result, 2 + (size_t)r, 3);
+    done(&result, &it);
+  }
+  for (int r = 0; r < 2; r++)
+    CU_ASSERT_EQUAL(stick[0][r], stick[1][r]);
+}
+
 void suite_contact_test(void) {
   CU_pSuite suite = CU_add_suite("contact_test", NULL, NULL);
   CU_add_test(suite, "segments go along straight lines", segments_go_along_straight_lines);
@@ -246,4 +270,5 @@ void suite_contact_test(void) {
   CU_add_test(suite, "a gap ends the history", a_gap_ends_the_history);
   CU_add_test(suite, "a wall is flat", a_wall_is_flat);
   CU_add_test(suite, "the traction is Mindlin's", the_traction_is_mindlins);
+  CU_add_test(suite, "the stick radius in both senses", the_stick_radius_in_both_senses);
 }

@@ -369,6 +369,21 @@ static void strain_without_removed_particles(void) {
   written_free(&it);
 }
 
+/* A disc between two walls: each presses with F = k_n alpha at the distance R - alpha from the centre, where the face of the
+ * wall is, in particles and in contacts. */
+static void the_arm_at_a_wall_ends_at_its_face(void) {
+  static const char *const quantities[] = {"A.stress.xx", "B.stress.xx"};
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\nmaterial m density 1 kn 100\ndisc 0 0 radius 1 m\nwall w -0.8 -3 to -0.8 3 m\n"
+                   "wall e 0.8 -3 to 0.8 3 m\nregion A circle 0 0 radius 2\nregion B box -1 -1 to 1 1\nstep 1e-3\n"
+                   "record A.stress.xx B.stress.xx\nstage s\ncycles 1\n");
+  struct nb_model *model = model_of(&it, &page);
+  for (int k = 0; k < 2; k++)
+    NEAR(fabs(written_now(model, quantities[k])), 2 * 20 * 0.8 / (k ? 4 : 4 * pi), 1e-12);
+  done(&it, model);
+}
+
 /* The regions that may have rings. */
 static void regions_with_rings(void) {
   struct words page = {0};
@@ -398,4 +413,5 @@ void suite_region(void) {
   CU_add_test(suite, "fabric of sliding contacts", fabric_of_sliding_contacts);
   CU_add_test(suite, "inside a fraction of the boundary", inside_a_boundary);
   CU_add_test(suite, "the regions that may have rings", regions_with_rings);
+  CU_add_test(suite, "the arm at a wall ends at its face", the_arm_at_a_wall_ends_at_its_face);
 }

@@ -12,7 +12,9 @@
 
 #include "../src/core/model.h"
 #include "../src/laws/law.h"
+#include "run/plan.h"
 #include "suites.h"
+#include "written.h"
 
 struct read {
   struct nb_page page;
@@ -160,6 +162,23 @@ static void stages(void) {
   done(&read);
 }
 
+/* Names of which one is the beginning of another are told apart. */
+static void monitors_whose_names_begin_alike(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page,
+            "units none\nmaterial m density 1 kn 1\ndisc 1 0 radius 1 m\ndisc 4 0 radius 1 m\ndisc 7 0 radius 1 m\n"
+            "monitor AB disc 2\nmonitor A disc 1\nmonitor ABC disc 3\nrecord A.x AB.x ABC.x\nstep 0.01\n"
+            "stage s\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL(written_now(model, "A.x"), 1);
+  CU_ASSERT_EQUAL(written_now(model, "AB.x"), 4);
+  CU_ASSERT_EQUAL(written_now(model, "ABC.x"), 7);
+  nb_model_free(model);
+  written_free(&it);
+}
+
 void suite_scene(void) {
   CU_pSuite suite = CU_add_suite("scene", NULL, NULL);
   CU_add_test(suite, "a lattice is numbered from the south-west", lattice);
@@ -168,4 +187,5 @@ void suite_scene(void) {
   CU_add_test(suite, "pairs of materials", pairs);
   CU_add_test(suite, "defaults", defaults);
   CU_add_test(suite, "stages inherit", stages);
+  CU_add_test(suite, "monitors whose names begin alike", monitors_whose_names_begin_alike);
 }
