@@ -34,8 +34,32 @@ static void the_force_jumps_and_the_energy_is_counted(void) {
   written_free(&it);
 }
 
+/* A normal law by increments gets its increment from the geometry also where no shear law and no dashpot needs it. */
+static void increments_without_a_shear_law(void) {
+  static const char *const shears[] = {"none", "mindlin"};
+  double force[2];
+  for (int k = 0; k < 2; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              "units none\nmaterial m density 1 young 1000 poisson 0.3 friction 0.5\nnormal hertz_increment\nshear %s\n"
+              "sphere 0 0 radius 1 m velocity 0.1 0\nsphere 2.001 0 radius 1 m fixed\n"
+              "monitor C sphere 1 with sphere 2\nrecord C.normal\nstep 0.001\nstage a\ncycles 100\n",
+              shears[k]);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    force[k] = written_last(&result, "C.normal");
+    nb_result_free(&result);
+    written_free(&it);
+  }
+  CU_ASSERT(force[0] > 0);
+  CU_ASSERT_EQUAL(force[0], force[1]);
+}
+
 void suite_law_change(void) {
   CU_pSuite suite = CU_add_suite("law_change", NULL, NULL);
   CU_add_test(suite, "force of the new law, difference of the stored energies",
               the_force_jumps_and_the_energy_is_counted);
+  CU_add_test(suite, "increments without a shear law", increments_without_a_shear_law);
 }

@@ -56,6 +56,16 @@ page "sweep a$(awk 'BEGIN { for (k = 1; k < 16; k++) printf " with a%d", k }') $
 page "sweep a$(awk 'BEGIN { for (k = 1; k < 17; k++) printf " with a%d", k }') $(many 17 '1 ')" >"$work/wrong.md"
 limit 'names in a sweep' 'expected at most 16 names in a sweep'
 
+page 'material clay density 1 g/cm3 young 1 MPa poisson 0.5' >"$work/right.md"
+page 'material clay density 1 g/cm3 young 1 MPa poisson 0.500001' >"$work/wrong.md"
+limit "Poisson's ratio" 'expected a number from 0 to 0.5'
+
+page 'boundary circle 0 m 0 m radius 2 m
+region A inside 1' >"$work/right.md"
+page 'boundary circle 0 m 0 m radius 2 m
+region A inside 1.000001' >"$work/wrong.md"
+limit 'a fraction' 'expected a number from 0 to 1'
+
 page "let $(many 63 a) = 1" >"$work/right.md"
 page "let $(many 64 a) = 1" >"$work/wrong.md"
 limit 'letters in a name' 'fewer than 64 characters'

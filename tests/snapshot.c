@@ -108,6 +108,7 @@ static void rings_in_a_cell(void) {
   CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "A.porosity"), 15 / 16., 1e-14);
   CU_ASSERT_EQUAL_FATAL(result.snapshots[0].rings.row_count, 1);
   CU_ASSERT_DOUBLE_EQUAL(written_cell(&result.snapshots[0].rings, 0, "within"), 15 / 16., 1e-14);
+  CU_ASSERT_DOUBLE_EQUAL(written_cell(&result.snapshots[0].particles, 0, "x"), 3.5, 1e-14); /* 9 + 9 0.5 - 10 */
   nb_result_free(&result);
   written_free(&it);
 }
