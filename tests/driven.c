@@ -242,6 +242,40 @@ static void one_strain_after_another(void) {
   }
 }
 
+/* The velocity at the end of a step is the mean of those over the step before and the step after it, whatever imposes a part
+ * of them. */
+static void velocities_are_means_of_half_steps(void) {
+  static const struct {
+    const char *scene, *stage;
+  } rows[] = {{"", "gravity 0.3 -1"},
+              {"", "affine strain 0.1 -0.2 shear 0.05"},
+              {"", "affine strain 0.1 -0.2 accumulated"},
+              {"boundary circle 0 0 radius 3\n", "boundary strain 0.1 -0.2 shear 0.05"},
+              {"cell -20 -20 to 20 20\n", "cell strain 0.1 -0.2"}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 10\n%sdisc 5 2 radius 1 m velocity 0.3 -0.2\nmonitor D disc 1\n"
+              "record D.vx D.vy D.vx.half D.vy.half\nstep 0.01\nstage s\n%s\ncycles 9\n",
+              rows[k].scene, rows[k].stage);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    for (size_t r = 2; r + 1 < result.table.row_count; r++) {
+      CU_ASSERT_DOUBLE_EQUAL(
+          written_cell(&result.table, r, "D.vx"),
+          (written_cell(&result.table, r, "D.vx.half") + written_cell(&result.table, r + 1, "D.vx.half")) / 2, 1e-14);
+      CU_ASSERT_DOUBLE_EQUAL(
+          written_cell(&result.table, r, "D.vy"),
+          (written_cell(&result.table, r, "D.vy.half") + written_cell(&result.table, r + 1, "D.vy.half")) / 2, 1e-14);
+    }
+    CU_ASSERT(written_last(&result, "D.vx") != 0);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
 void suite_driven(void) {
   CU_pSuite suite = CU_add_suite("driven", NULL, NULL);
   CU_add_test(suite, "a particle oscillates through the point", a_particle_oscillates_through_the_point);
@@ -255,4 +289,5 @@ void suite_driven(void) {
   CU_add_test(suite, "energy of springs that a boundary releases", energy_of_released_springs);
   CU_add_test(suite, "affine strain after accumulated", affine_strain_after_accumulated);
   CU_add_test(suite, "one strain after another", one_strain_after_another);
+  CU_add_test(suite, "velocities are means of half steps", velocities_are_means_of_half_steps);
 }
