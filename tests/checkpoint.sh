@@ -161,6 +161,18 @@ test $? -eq 2 && said "process $first runs this page with these settings and sav
 result $? 'two runs of one page: an error names the first one'
 wait $first && same
 result $? 'the first one is not disturbed'
+# The same between two runs of the sweep, when no run is locked: many attempts while the first process is running.
+start --checkpoint=0.01
+first=$!
+until_saved
+refused=0
+while kill -0 $first 2>/dev/null && [ $refused -lt 20 ]; do
+  "$nineball" check "$page" --states "$states" --checkpoint >"$work/second" 2>"$work/refused"
+  test $? -eq 2 || kill -0 $first 2>/dev/null || break
+  refused=$((refused + 1))
+done
+wait $first && same && test $refused -gt 0
+result $? 'nor is it between two runs of a sweep'
 
 # ---- a page that starts from another one ----
 

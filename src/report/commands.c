@@ -97,7 +97,7 @@ static enum nb_status save_outputs(const struct nb_outcome *outcome, const struc
 }
 
 /* When all has been written. */
-static void remove_checkpoints(const struct nb_outcome *outcome, enum nb_status status, const struct nb_call *call) {
+static void remove_checkpoints(struct nb_outcome *outcome, enum nb_status status, const struct nb_call *call) {
   if (status <= NB_FAILED && fflush(stdout) == 0)
     nb_outcome_remove_checkpoints(outcome, &call->options);
 }

@@ -135,6 +135,23 @@ static struct nb_options options_of_run(const struct nb_outcome *outcome, const 
   return own;
 }
 
+/* One process at a time saves checkpoints of a page with these settings, from its first run until they are removed. */
+static enum nb_status lock(struct nb_outcome *outcome, const struct nb_options *options) {
+  const unsigned long long key = options_of_run(outcome, options, outcome->run_count).checkpoint.key;
+  if (!options || !(options->checkpoint.seconds > 0) || outcome->run_count == 0)
+    return NB_OK;
+  const enum nb_status status =
+      nb_checkpoint_lock(&outcome->lock, &outcome->runs[0].scene, options, key, &outcome->error);
+  outcome->locked = !status;
+  return status;
+}
+
+static void unlock(struct nb_outcome *outcome) {
+  if (outcome->locked)
+    nb_lock_release(&outcome->lock);
+  outcome->locked = false;
+}
+
 static void run_one(const struct nb_outcome *outcome, struct nb_page_run *run, const struct nb_options *options,
                     const struct nb_progress *progress) {
   run->status = NB_OK;
@@ -181,6 +198,8 @@ enum nb_status nb_outcome_run(struct nb_outcome *outcome, const struct nb_option
   const double began = nb_clock();
   const int jobs = nb_job_count(options, runs);
   bool stopped = false;
+  if (lock(outcome, options))
+    return outcome->error.status;
   nb_references_prepare();
 #pragma omp parallel for num_threads(jobs) schedule(dynamic, 1)
   for (size_t r = 0; r < runs; r++) {
@@ -208,9 +227,10 @@ enum nb_status nb_outcome_run(struct nb_outcome *outcome, const struct nb_option
   return stopped ? nb_error_set(&outcome->error, NB_BROKEN, "stopped by a signal between two runs") : NB_OK;
 }
 
-void nb_outcome_remove_checkpoints(const struct nb_outcome *outcome, const struct nb_options *options) {
+void nb_outcome_remove_checkpoints(struct nb_outcome *outcome, const struct nb_options *options) {
   for (size_t r = 0; r < outcome->run_count; r++)
     nb_checkpoint_remove(&outcome->runs[r].scene, options, options_of_run(outcome, options, r).checkpoint.key);
+  unlock(outcome);
 }
 
 enum nb_status nb_outcome_make(struct nb_outcome *outcome, const char *path, nb_settings settings,
@@ -224,6 +244,7 @@ enum nb_status nb_outcome_make(struct nb_outcome *outcome, const char *path, nb_
 }
 
 void nb_outcome_free_runs(struct nb_outcome *outcome) {
+  unlock(outcome);
   for (size_t r = 0; r < outcome->run_count; r++) {
     struct nb_page_run *run = &outcome->runs[r];
     nb_expectations_free(&run->expectations);

@@ -6,6 +6,7 @@
 
 #include "expect.h"
 #include "reference.h"
+#include "run/restart.h"
 
 /* One run: one combination of the swept values. */
 struct nb_page_run {
@@ -48,6 +49,8 @@ struct nb_outcome {
   struct nb_warnings warnings;              /* of all runs, each once */
   enum nb_status status;                    /* the worst one */
   struct nb_error error;                    /* the message, if status is NB_BAD_USE without mistakes, or NB_BROKEN */
+  struct nb_lock lock;                      /* of the checkpoints, until they are removed */
+  bool locked;
 };
 
 /* Reads the page, runs it, options->jobs runs at a time, and checks its expectations. After an error the outcome has
@@ -59,7 +62,7 @@ enum nb_status nb_outcome_read(struct nb_outcome *outcome, const char *path, nb_
 /* Runs what has been read, without a verdict. */
 enum nb_status nb_outcome_run(struct nb_outcome *outcome, const struct nb_options *options,
                               const struct nb_progress *progress);
-void nb_outcome_remove_checkpoints(const struct nb_outcome *outcome, const struct nb_options *options);
+void nb_outcome_remove_checkpoints(struct nb_outcome *outcome, const struct nb_options *options);
 /* Number of threads for runs side by side, at least 1 and at most `most`. */
 int nb_job_count(const struct nb_options *options, size_t most);
 void nb_outcome_free(struct nb_outcome *outcome);

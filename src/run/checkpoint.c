@@ -189,6 +189,14 @@ enum nb_status nb_checkpoint_begin(struct nb_checkpoint *checkpoint, const struc
   return NB_OK;
 }
 
+enum nb_status nb_checkpoint_lock(struct nb_lock *lock, const struct nb_scene *scene, const struct nb_options *options,
+                                  unsigned long long key, struct nb_error *error) {
+  char path[NB_STATE_PATH];
+  if (set_path(path, scene, options, key, error) || nb_folder_create(nb_states_folder(options), error))
+    return error->status;
+  return nb_lock_own(lock, path, error);
+}
+
 void nb_checkpoint_end(struct nb_checkpoint *checkpoint) {
   if (checkpoint->options)
     nb_lock_release(&checkpoint->lock);

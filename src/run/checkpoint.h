@@ -16,6 +16,9 @@ struct nb_checkpoint {
   double saved, cost;        /* time of the last one, and how long it took, s */
 };
 
+/* Locks all runs of a page: NB_BAD_USE if another process saves checkpoints of them. `key` is that of no run. */
+enum nb_status nb_checkpoint_lock(struct nb_lock *lock, const struct nb_scene *scene, const struct nb_options *options,
+                                  unsigned long long key, struct nb_error *error);
 /* Locks the files of the run: NB_BAD_USE if another process saves checkpoints of it. No effect without `seconds`. */
 enum nb_status nb_checkpoint_begin(struct nb_checkpoint *checkpoint, const struct nb_scene *scene,
                                    const struct nb_options *options, struct nb_error *error);
