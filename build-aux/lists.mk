@@ -341,6 +341,7 @@ SUITES = \
   tests/advise.c \
   tests/estimate.c \
   tests/counts.c \
+  tests/words.c \
   tests/reducers.c \
   tests/verdict.c \
   tests/verdict_sweep.c \
@@ -377,7 +378,7 @@ SHELL_TESTS = \
 
 # Plot recipes, and the style of figures.
 PLOTS = \
-  plots/discs.gp plots/force-chains.gp plots/force-polygons.gp plots/force-rectangles.gp plots/histogram.gp \
+  plots/discs.gp plots/force-chains.gp plots/force-polygons.gp plots/force-rectangles.gp plots/histogram.gp plots/law-costs.gp \
   plots/mohr.gp plots/obliquity.gp plots/polar-normals.gp plots/porosity-rings.gp plots/rotations.gp plots/slid.gp \
   plots/space-lattice.gp plots/stress-path.gp plots/style.gp plots/velocities.gp
 
@@ -594,6 +595,7 @@ VERDICT = \
 PROGRAM = \
   src/report/accuracy_rows.h \
   src/report/advice.c \
+  src/report/advise_all.c \
   src/report/commands.c \
   src/report/commands.h \
   src/report/cost.c \

@@ -237,4 +237,94 @@ for names in 'a b' 'a b c d e f g h i'; do
   run 2 advise many.md --set seed=1 --quantity A.porosity --within '1 %' && said 'expected at most 8 statements `trade` and 500 combinations' || break
 done
 result $? 'too many combinations'
+
+# ---- many pages ----
+
+mkdir -p folder/below
+cp "$cases/2-hertz/hertz-impact.md" folder/below/b.md
+sed 's/^units none/&\nsweep speed 0.1 0.2 0.3/; s/velocity 0.1 0/velocity $speed 0/; s/^record .*/record time D.x D.vx D.vy/; s/^until .*/until time above 5 at most 100000 cycles/; s/^# .*/# A page/' still.md >folder/a.md
+printf '\n```expect\nD.vx expected 0 within 0.4 [x]\ntime expected 9 within 99 [x]\nD.x max in a expected 0.7 within 10 %% [x]\nD.vy expected 0 within 0.05 [x]\nD.vx expected 0 within 0.3 [x]\n```\n' >>folder/a.md
+echo '# No page' >folder/README.md
+printf '# Wrong\n```scene\nunits none\nnonsense\n```\n' >wrong.md
+column() { rows "$1" | cut -f "$2"; }
+
+run 1 advise --all folder/a.md still.md -o all && said '1 of 2, a: 8 searches, 7 with advice; about ' && said '2 of 2, still: 0 searches' &&
+  said 'still expects no single value' && said '8 searches, 7 with advice; look at all/trades.tsv'
+result $? 'advice on many pages'
+cp all/trades.tsv "$why"
+test "$(grep -v '^#' all/trades.tsv | head -n 1 | tr '\t' '|')" = \
+  'page|hash|condition|over|kind|quantity|tolerance|result|setting|cost|updates|seconds|error|unit|next|next error/tolerance|order|normal|shear|laws enough|laws not enough|search seconds' &&
+  test "$(awk -F '\t' '!/^#/ { print NF }' all/trades.tsv | sort -u)" = 22 &&
+  test "$(column all/trades.tsv 1 | sort -u)" = folder/a.md && test "$(column all/trades.tsv 3 | sort -u)" = speed=0.2
+result $? 'one row for each search, at the middle run'
+test "$(rows all/trades.tsv | cut -f 5-8 | tr '\t\n' '|;')" = \
+  'until|D.vx|10 %|yes;until|D.vx|1 %|yes;until|D.vx|0.1 %|yes;extreme|D.x max in a|10 %|yes;extreme|D.x max in a|1 %|yes;extreme|D.x max in a|0.1 %|yes;until|D.vy|10 %|unknown;until|D.vy|0.05|yes;'
+result $? 'quantities and tolerances'
+# Each row is what a search alone advises.
+rows all/trades.tsv | cut -f 6,7,9,11,13,15,16 | while IFS='	' read -r measure tolerance setting updates error cheaper ratio; do
+  case $setting in --set*) ;; *) continue ;; esac
+  run 0 advise folder/a.md --set speed=0.2 --quantity "$measure" --within "$tolerance" -o one
+  rows one/advice.tsv | awk -F '\t' -v setting="${setting##*refine=}" -v updates="$updates" -v error="$error" -v cheaper="${cheaper##*refine=}" -v ratio="$ratio" '
+    $10 == "chosen" { good = $3 == setting && $5 == updates && $8 - error <= 1e-5*error && error - $8 <= 1e-5*error }
+    $3 == cheaper && $10 == "misses" { next_good = $7 - ratio < 1e-5*ratio && ratio - $7 < 1e-5*ratio }
+    END { exit !(good && (next_good || cheaper == "-")) }' || echo "$measure within $tolerance"
+done >differing
+cp differing "$why"
+test ! -s differing && awk -F '\t' '!/^#/ && $8 == "yes" { n++; cost[$6, $7] = $10; step += $10 <= 0 || $14 != ($7 ~ /%/ ? "%" : "1") } END { exit !(n == 7 && step == 0) }' all/trades.tsv
+result $? 'every row is the advice of a search alone'
+# Orders: the slope over the three finest steps of the table of the last search.
+run 0 advise "$cases/1-two-discs/two-wall-compression.md" --set density=500 --quantity 'X.fx at 1 cycles' --within '0.01 %' -o slope
+rows slope/advice.tsv | awk -F '\t' '$2 == "none" { e[++n] = $8; r[n] = $3 } END { print log(e[n-2]/e[n])/log(r[n]/r[n-2]) }' >order
+run 0 advise --all "$cases/1-two-discs/two-wall-compression.md" --set density=500 --quantity 'X.fx at 1 cycles' --within ' 10 %;0.01 % ' -o orders &&
+  test "$(rows orders/trades.tsv | wc -l)" -eq 2
+result $? 'quantity and tolerances of the caller'
+paste order orders/trades.tsv >"$why"
+awk 'NR == FNR { slope = $1; next } { split($0, c, "\t") } c[7] == "0.01 %" { d = c[17]/slope - 1; good = d*d < 1e-4 && c[17] > 1 } END { exit !good }' order orders/trades.tsv &&
+  rows orders/trades.tsv | awk -F '\t' '$7 == "0.01 %" { good = $18 == "linear" && $19 == "none" && $20 == "linear" && $21 == "-" && $3 == "density=500" } END { exit !good }'
+result $? 'order of convergence, and the laws that are enough'
+run 0 advise --all "$oblique" --set poisson=0.3 --set psi1=2 --quantity impact.psi2 --within 0.01 -o laws
+rows laws/trades.tsv | cut -f 20,21 | tee "$why" | awk -F '\t' '$1 == "-" && (" " $2 " ") ~ / randall / && (" " $2 " ") ~ / mindlin / { good = 1 } END { exit !good }'
+result $? 'the laws that are not enough'
+if command -v gnuplot >/dev/null; then
+  test -s all/a.svg && test -s all/a.png && grep -q 'D.vx within 0.1 %' all/a.svg && test ! -e all/still.svg
+  result $? 'a figure of the first quantity of each page'
+fi
+
+# A call that was interrupted in the fifth row.
+mkdir cut
+rows=$(wc -l <all/trades.tsv)
+{ head -n 6 all/trades.tsv && sed -n '7s/\(.*yes\).*/\1/p' all/trades.tsv | tr -d '\n'; } >cut/trades.tsv
+run 1 advise --all folder/a.md -o cut && said '8 searches, 7 with advice, 4 of them from an earlier call' &&
+  test "$(wc -l <cut/trades.tsv)" -eq "$rows" && test "$(cut -f 1-11 cut/trades.tsv)" = "$(cut -f 1-11 all/trades.tsv)" &&
+  test "$(head -n 6 cut/trades.tsv)" = "$(head -n 6 all/trades.tsv)"
+result $? 'a later call continues an interrupted one'
+echo >>folder/a.md
+run 1 advise --all folder/a.md -o cut && said '8 searches, 7 with advice; look' && test "$(rows cut/trades.tsv | wc -l)" -eq 16
+result $? 'not with another page'
+echo mine >cut/trades.tsv
+run 2 advise --all folder/a.md -o cut && said 'is not a table that this version wrote' && test "$(cat cut/trades.tsv)" = mine
+result $? 'another file is not overwritten'
+
+run 0 advise --all folder --quantity D.vx --within '50 %' --set speed=0.2 -o below
+cp below/trades.tsv "$why"
+test "$(column below/trades.tsv 1)" = folder/a.md
+result $? 'pages below a folder'
+
+# Exit status: 2 for a page with mistakes; the others are searched. A search that is refused is a result.
+run 2 advise --all wrong.md folder/a.md --quantity D.vx --within '50 %' -o all && said 'wrong.md:4:1: error: ' && said '2 of 2, a: 1 searches, 1 with advice'
+result $? 'a page with mistakes'
+run 1 advise --all folder/a.md --quantity 'D.force; D.vx' --within '50 %' -o all && said '  D.force within 50 %: expected a quantity that the scene records' &&
+  said '2 searches, 1 with advice' && grep -q '	D.force	50 %	refused	expected a quantity' all/trades.tsv
+result $? 'a page that does not record the quantity'
+mkdir empty
+run 2 advise --all empty && said 'there is no page below that folder' && run 2 advise --all -o none && said 'cases: error: ' && run 2 advise --all folder --budget 0 && said '--budget in seconds'
+result $? 'no page'
+run 2 advise folder/a.md still.md --within '1 %' && said 'or many pages, nineball advise --all'
+result $? 'many pages without --all'
+run 0 advise --all "$cases/1-two-discs/two-wall-compression.md" --set "density=500" --set "trade=laws none" --quantity 'X.fx at 1 cycles' --within '10 %' -o "it's" &&
+  test "$(column "it's/trades.tsv" 3)" = 'density=500, trade=laws none'
+result $? 'settings of the caller'
+cp still.md "it's.md"
+run 0 advise "it's.md" --set "trade=laws none" --set 'step=(0.02 * 1)' --quantity D.vx --within 0.1 -o quoted && said "to run it: nineball run 'it'\\''s.md' --set 'step=(0.02 * 1)' --set refine="
+result $? 'the command is quoted for the shell'
 echo "1..$n"

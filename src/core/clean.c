@@ -58,3 +58,15 @@ void nb_append(char *text, size_t size, const char *format, ...) {
   nb_append_list(text, size, format, list);
   va_end(list);
 }
+
+void nb_append_word(char *text, size_t size, const char *word) {
+  static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,%@";
+  if (word[0] && !word[strspn(word, plain)]) {
+    nb_append(text, size, "%s", word);
+    return;
+  }
+  nb_append(text, size, "'");
+  for (; *word; word++) /* an apostrophe ends the quotes, is escaped, and begins them again */
+    nb_append(text, size, *word == '\'' ? "'\\%c'" : "%c", *word);
+  nb_append(text, size, "'");
+}

@@ -11,6 +11,9 @@
  * from 1, and its byte; 0: none. */
 int nb_clean(char *text, size_t length, unsigned *byte);
 
+/* Appends a word as a POSIX shell must read it: quoted if it has other characters than letters, digits and those of names, numbers and
+ * paths. */
+void nb_append_word(char *text, size_t size, const char *word);
 /* Appends to the text, up to its size. */
 void nb_append(char *text, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
 void nb_append_list(char *text, size_t size, const char *format, va_list list) __attribute__((format(printf, 3, 0)));

@@ -11,10 +11,12 @@
 #include "core/clean.h"
 #include "core/clock.h"
 
-/* ` --set NAME=VALUE`, with quotes if the value needs them. */
+/* ` --set NAME=VALUE`, quoted for the shell. */
 static void append_setting(char *text, size_t size, const char *name, const char *value) {
-  const char *quote = strpbrk(value, " ()*'\"$") ? "'" : "";
-  nb_append(text, size, "%s--set %s%s=%s%s", text[0] ? " " : "", quote, name, value, quote);
+  char setting[1024];
+  snprintf(setting, sizeof setting, "%s=%s", name, value);
+  nb_append(text, size, "%s--set ", text[0] ? " " : "");
+  nb_append_word(text, size, setting);
 }
 
 /* The traded values of a variant: "rate=3, E=7 GPa", or as options. */
@@ -31,8 +33,7 @@ static void append_values(char *text, size_t size, const struct nb_advice *advic
   }
 }
 
-/* The settings as options: "--set shear=mindlin --set refine=0.25". */
-static void options_of(char *text, size_t size, const struct nb_advice *advice, const struct nb_setting *setting) {
+void nb_advice_options(char *text, size_t size, const struct nb_advice *advice, const struct nb_setting *setting) {
   const struct nb_variant *variant = &advice->variants[setting->variant];
   text[0] = 0;
   if (variant->normal[0])
@@ -60,14 +61,13 @@ static const char *unit_of_value(const struct nb_advice *advice) {
   return advice->page.runs[0].scene.unitless || !advice->unit || strcmp(advice->unit, "1") == 0 ? "" : advice->unit;
 }
 
-/* That of an error: "%", or the same. */
-static const char *unit_of(const struct nb_advice *advice) {
+const char *nb_advice_unit(const struct nb_advice *advice) {
   return advice->tolerance.kind == NB_RELATIVE ? "%" : unit_of_value(advice);
 }
 
 static void error_text(char text[NB_NAME_SIZE], const struct nb_advice *advice, double ratio) {
   const double factor = advice->tolerance.kind == NB_RELATIVE ? 100 : 1;
-  const char *unit = unit_of(advice);
+  const char *unit = nb_advice_unit(advice);
   snprintf(text, NB_NAME_SIZE, "%.2g%s%s", ratio * advice->tolerance.value * factor, unit[0] ? " " : "", unit);
 }
 
@@ -152,7 +152,7 @@ static void time_choice(struct nb_advice *advice, const struct nb_setting *chose
 static void print_choice(struct nb_advice *advice, const struct nb_setting *chosen) {
   char options[256];
   const struct nb_point *point = nb_point_at(advice, chosen);
-  options_of(options, sizeof options, advice, chosen);
+  nb_advice_options(options, sizeof options, advice, chosen);
   printf("  the cheapest setting within the tolerance: %s\n", options);
   print_setting(advice, chosen);
   fputs("  estimated error: at most ", stdout);
@@ -161,15 +161,17 @@ static void print_choice(struct nb_advice *advice, const struct nb_setting *chos
   time_choice(advice, chosen);
   const struct nb_setting *cheaper = nb_advice_cheaper(advice, chosen);
   if (cheaper) {
-    options_of(options, sizeof options, advice, cheaper);
+    nb_advice_options(options, sizeof options, advice, cheaper);
     printf("  the next cheaper one misses the tolerance: %s\n    estimated error: ", options);
     print_error_of(advice, cheaper);
   }
   const struct nb_point *coarser = chosen->level > NB_LEVEL_LOW ? point - 1 : NULL;
   if (!cheaper && coarser && coarser->reason[0])
     printf("  a step twice as long cannot be run: %s\n", coarser->reason);
-  options_of(options, sizeof options, advice, chosen);
-  printf("to run it: nineball run %s", advice->query->path);
+  nb_advice_options(options, sizeof options, advice, chosen);
+  char path[4096] = "";
+  nb_append_word(path, sizeof path, advice->query->path);
+  printf("to run it: nineball run %s", path);
   print_own_options(advice);
   printf(" %s\n", options);
   if (nb_setting_loosens(chosen))
@@ -221,7 +223,7 @@ static void print_advice(struct nb_advice *advice) {
     char options[256];
     puts("  no setting that was tried is within the tolerance");
     if (best) {
-      options_of(options, sizeof options, advice, best);
+      nb_advice_options(options, sizeof options, advice, best);
       printf("  the most accurate one: %s\n    estimated error: ", options);
       print_error_of(advice, best);
     }
@@ -272,7 +274,7 @@ static void write_figure(FILE *out, const struct nb_outcome *page, const void *d
   const struct nb_advice *advice = data;
   (void)page;
   const double factor = advice->tolerance.kind == NB_RELATIVE ? 100 : 1;
-  const char *unit = unit_of(advice);
+  const char *unit = nb_advice_unit(advice);
   const char *between = "plot ";
   for (size_t p = 0; p < advice->variant_count; p++)
     if (has_settings(advice, p)) {
@@ -313,10 +315,15 @@ static void write_figure(FILE *out, const struct nb_outcome *page, const void *d
   fprintf(out, "%s%.9g with lines dt 2 lc rgb 'black' title 'tolerance'\n", between, advice->tolerance.value * factor);
 }
 
+enum nb_status nb_advice_draw(const struct nb_advice *advice, const char *folder, const char *name, bool trust,
+                              struct nb_error *error) {
+  const struct nb_script script = {name, &advice->page, write_figure, advice};
+  return nb_script_draw(&script, folder, trust, error);
+}
+
 /* FOLDER/advice.tsv, advice.gp, advice.svg and advice.png. */
 static enum nb_status save_advice(const struct nb_advice *advice, const char *folder, bool trust,
                                   struct nb_error *error) {
-  const struct nb_script script = {"advice", &advice->page, write_figure, advice};
   struct nb_save file;
   char name[512];
   if (nb_folder_create(folder, error) || nb_save_begin_in(&file, error, folder, "advice.tsv"))
@@ -339,7 +346,7 @@ static enum nb_status save_advice(const struct nb_advice *advice, const char *fo
     }
   if (nb_save_end(&file, error))
     return error->status;
-  return nb_script_draw(&script, folder, trust, error);
+  return nb_advice_draw(advice, folder, "advice", trust, error);
 }
 
 /* ---- the command ---- */
@@ -374,8 +381,8 @@ static enum nb_status save_and_print(struct nb_advice *advice, const struct nb_c
 }
 
 enum nb_status nb_command_advise(const struct nb_call *call) {
-  struct nb_progress_line line = {.page = call->pages[0]};
-  struct nb_advise_query query = {.path = call->pages[0],
+  struct nb_progress_line line = {.page = call->page_count ? call->pages[0] : NULL};
+  struct nb_advise_query query = {.path = call->page_count ? call->pages[0] : NULL,
                                   .settings = call->settings,
                                   .options = call->options,
                                   .quantity = call->quantity,
@@ -384,9 +391,9 @@ enum nb_status nb_command_advise(const struct nb_call *call) {
                                   .progress = nb_print_progress(&line)};
   struct nb_advice advice;
   struct nb_error error = {0};
-  if (call->page_count != 1 || !call->within || !read_budget(&query.budget, call->budget)) {
+  if ((!call->all && (call->page_count != 1 || !call->within)) || !read_budget(&query.budget, call->budget)) {
     fputs("nineball: expected one page, --within TOLERANCE, and a --budget in seconds: nineball advise PAGE --within "
-          "'1 %'\n",
+          "'1 %'; or many pages, nineball advise --all\n",
           stderr);
     return NB_BAD_USE;
   }
@@ -394,6 +401,8 @@ enum nb_status nb_command_advise(const struct nb_call *call) {
     fprintf(stderr, "nineball: expected %d to %d --realizations, with --over NAME\n", NB_REALIZATIONS_MIN, NB_TRIALS);
     return NB_BAD_USE;
   }
+  if (call->all)
+    return nb_command_advise_all(call, query.budget, query.realizations);
   enum nb_status status = nb_advise(&advice, &query, &error);
   nb_print_progress_end(&line);
   if (advice.page.status)

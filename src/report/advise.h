@@ -115,6 +115,16 @@ static inline bool nb_setting_loosens(const struct nb_setting *setting) {
   return setting->level < 0 || setting->variant > 0;
 }
 
+/* ---- advice.c ---- */
+
+/* The settings as options: "--set shear=mindlin --set refine=0.25". */
+void nb_advice_options(char *text, size_t size, const struct nb_advice *advice, const struct nb_setting *setting);
+/* The unit of its error: "%", that of the quantity, or "". */
+const char *nb_advice_unit(const struct nb_advice *advice);
+/* Draws FOLDER/NAME.svg and NAME.png: the estimated error against cost. */
+enum nb_status nb_advice_draw(const struct nb_advice *advice, const char *folder, const char *name, bool trust,
+                              struct nb_error *error);
+
 /* ---- trials.c ---- */
 
 size_t nb_phase_count(const struct nb_scene *scene);

@@ -9,6 +9,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "core/clean.h"
 #include "core/guess.h"
 #include "core/names.h"
 #include "input/old_words.h"
@@ -70,9 +71,9 @@ static bool is_unchecked(const struct nb_outcome *outcome) {
 
 /* Writes tables and figure, and prints where they are. */
 static enum nb_status save_outputs(const struct nb_outcome *outcome, const struct nb_call *call, const char *path,
-                                   unsigned actions) {
+                                   unsigned actions, double began) {
   struct nb_error error;
-  char name[NB_NAME_SIZE + 8];
+  char name[NB_NAME_SIZE + 8], word[4096] = "";
   bool drawn = false;
   snprintf(name, sizeof name, "%s.out", outcome->page.name);
   const char *folder = call->folder ? call->folder : name;
@@ -80,10 +81,11 @@ static enum nb_status save_outputs(const struct nb_outcome *outcome, const struc
   if (actions & TABLES) {
     if (nb_tables_save(outcome, folder, &error))
       return print_error(&error);
-    fputs("  ", stdout), nb_cost_print_actual(stdout, outcome, &call->options);
+    fputs("  ", stdout);
+    nb_cost_print_actual(stdout, outcome, (nb_cost_clock() - began) / call->options.threads, &call->options);
     printf("tables are in %s%s\n", folder, incomplete);
     if (nb_page_has_figure(&outcome->page))
-      printf("to draw the figure: nineball figure %s\n", path);
+      nb_append_word(word, sizeof word, path), printf("to draw the figure: nineball figure %s\n", word);
   }
   if (actions & FIGURE) {
     if (nb_figure_draw(outcome, folder, call->trust, &drawn, &error))
@@ -102,7 +104,7 @@ static void remove_checkpoints(struct nb_outcome *outcome, enum nb_status status
     nb_outcome_remove_checkpoints(outcome, &call->options);
 }
 
-static enum nb_status process_page(const struct nb_call *call, const char *path, unsigned actions) {
+static enum nb_status process_page(const struct nb_call *call, const char *path, unsigned actions, double began) {
   struct nb_outcome outcome;
   run_page(&outcome, call, path);
   if (actions & VERDICT && !call->tap && outcome.status <= NB_FAILED)
@@ -118,7 +120,7 @@ static enum nb_status process_page(const struct nb_call *call, const char *path,
     nb_print_tap(&outcome, path);
   enum nb_status status = actions & VERDICT || outcome.status > NB_FAILED ? outcome.status : NB_OK;
   if (actions & (TABLES | FIGURE) && has_rows(&outcome))
-    status = worse(status, save_outputs(&outcome, call, path, actions));
+    status = worse(status, save_outputs(&outcome, call, path, actions, began));
   remove_checkpoints(&outcome, status, call);
   nb_outcome_free(&outcome);
   return status;
@@ -133,7 +135,8 @@ static enum nb_status process_pages(const struct nb_call *call, unsigned actions
   if (worst)
     return worst;
   for (size_t k = 0; k < call->page_count; k++)
-    worst = worse(worst, is_stopped(call) ? NB_BROKEN : process_page(call, call->pages[k], actions));
+    worst = worse(worst,
+                  is_stopped(call) ? NB_BROKEN : process_page(call, call->pages[k], actions, k ? nb_cost_clock() : 0));
   return worst;
 }
 
@@ -212,15 +215,19 @@ enum nb_status nb_command_report(const struct nb_call *call) {
 
 /* ---- explain ---- */
 
+enum { FILES_OF_A_PAGE = 3 }; /* table.tsv, values.tsv, verdict.tsv */
+
 enum nb_status nb_command_explain(const struct nb_call *call) {
   enum nb_status worst = NB_OK;
   for (size_t k = 0; k < call->page_count; k++) {
+    const double began = k ? nb_cost_clock() : 0;
     struct nb_outcome outcome;
     nb_outcome_read(&outcome, call->pages[k], call->settings);
     nb_print_errors(&outcome, call->pages[k]);
     worst = worse(worst, outcome.status);
     nb_references_prepare();
-    struct nb_cost sum = {0};
+    const double reading = nb_cost_clock() - began + FILES_OF_A_PAGE * nb_cost_file();
+    struct nb_cost sum = {.reading = reading / (double)(outcome.run_count ? outcome.run_count : 1)};
     for (size_t r = 0; r < outcome.run_count && !outcome.status; r++) {
       struct nb_error error;
       const struct nb_page_run *run = &outcome.runs[r];

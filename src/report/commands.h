@@ -18,6 +18,7 @@ struct nb_call {
   struct nb_options options;
   bool tap;
   bool in_place;
+  bool all;                                      /* `advise` many pages */
   bool trust;                                    /* draw even if gnuplot cannot be confined */
   bool help, version;                            /* print it and do nothing else */
   const char *quantity, *within, *budget, *over; /* of `advise` */
@@ -35,7 +36,8 @@ enum nb_status nb_command_report(const struct nb_call *call);
 enum nb_status nb_command_explain(const struct nb_call *call);
 enum nb_status nb_command_state(const struct nb_call *call);
 enum nb_status nb_command_migrate(const struct nb_call *call);
-enum nb_status nb_command_advise(const struct nb_call *call); /* advice.c */
+enum nb_status nb_command_advise(const struct nb_call *call);                                         /* advice.c */
+enum nb_status nb_command_advise_all(const struct nb_call *call, double budget, size_t realizations); /* advise_all.c */
 enum nb_status nb_command_laws(const struct nb_call *call);
 enum nb_status nb_command_list(const struct nb_call *call);
 

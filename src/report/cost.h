@@ -21,8 +21,9 @@ struct nb_length {
 };
 struct nb_cost {
   struct nb_bounds cycles, updates; /* contact updates */
-  struct nb_bounds seconds;         /* with reference, tables and verdict, without reading and figure; */
+  struct nb_bounds seconds;         /* processor time, with reading, reference, tables and verdict, without figure; */
   struct nb_bounds measured;        /* its cycles with conditions and rows. 0: could not be measured */
+  double reading;                   /* s of a run: start of the program, reading, files of a page; set by the caller */
   struct nb_length *lengths;        /* for each stage; owned */
 };
 /* The model is at the beginning of the run; its clock is changed. NULL: a contact test. NB_OK with error->text if the time of a cycle
@@ -38,8 +39,14 @@ void nb_cost_print_length(FILE *out, const struct nb_length *length, const struc
 static inline bool nb_time_differs(double seconds, double expected) {
   return fabs(seconds - expected) > 0.2 * expected;
 }
-/* One line: what the runs of an outcome have cost, beside what was expected if a condition decides or the time differs by a fifth. */
-void nb_cost_print_actual(FILE *out, const struct nb_outcome *outcome, const struct nb_options *options);
+/* One line: what the runs of an outcome have cost, with the processor time `seconds` of the whole page, beside what was expected if a
+ * condition decides or the time differs by a fifth. */
+void nb_cost_print_actual(FILE *out, const struct nb_outcome *outcome, double seconds,
+                          const struct nb_options *options);
+/* Processor time of the program since its start, of all threads, s. */
+double nb_cost_clock(void);
+/* Processor time to write an empty file, s. */
+double nb_cost_file(void);
 
 /* Prints the plan and the lines that require it, memory, the step and what limits it, stages and cost; for a contact test the contact,
  * its laws and its segments. Adds the warnings of the plan, and the cost to `sum`. */

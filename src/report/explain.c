@@ -453,7 +453,8 @@ static void explain_cost(FILE *out, const struct nb_cost *cost, const struct nb_
   nb_cost_print(out, cost, contact_test ? " steps" : " cycles");
   if (cost->measured.to > 0)
     fprintf(out,
-            "\n  a %s with recording takes %.3g us, measured just now; start, reference, tables and verdict %.3g s\n",
+            "\n  a %s with recording takes %.3g us, measured just now; reading, start, reference, tables and verdict "
+            "%.3g s\n",
             cycle, 1e6 * cost->measured.to / cost->cycles.to, cost->seconds.to - cost->measured.to);
   else
     fprintf(out, "\n  the time of a %s cannot be measured: %s\n", cycle, error->text);
@@ -596,7 +597,7 @@ static enum nb_status explain_scene(FILE *out, const struct nb_scene *scene, con
 enum nb_status nb_explain(FILE *out, const struct nb_scene *scene, const struct nb_page_run *run,
                           const struct nb_options *options, struct nb_warnings *warnings, struct nb_cost *sum,
                           struct nb_error *error) {
-  struct nb_cost cost = {0};
+  struct nb_cost cost = {.reading = sum->reading};
   enum nb_status status = NB_OK;
   if (scene->contact_test) {
     status = nb_cost_expect(&cost, run, NULL, options, error);

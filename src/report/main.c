@@ -28,7 +28,8 @@ static const struct {
     {"explain", nb_command_explain, "PAGE…",
      "print the plan: passes and hooks, the lines that request them, the step, the cost"},
     {"advise", nb_command_advise, "PAGE --within TOLERANCE",
-     "find the cheapest step and laws whose error in a quantity is within a tolerance, by running the page"},
+     "find the cheapest step and laws whose error in a quantity is within a tolerance, by running the page; or --all "
+     "[PAGE… or FOLDER…]"},
     {"state", nb_command_state, "PAGE [-o FILE]", "run a page to the end of a stage, save its state in a file"},
     {"migrate", nb_command_migrate, "PAGE… [--in-place]", "rewrite pages of version 0.3 in the words of this one"},
     {"laws", nb_command_laws, "", "list the contact laws: equations, material parameters"},
@@ -50,13 +51,20 @@ static const struct option_row {
   const char *help;
 } options[] = {
     {"output", "FOLDER", 'o', TEXT, AT(folder), "run, figure, report, advise, state",
-     "output folder (default: NAME.out; report: report); for `state` a FILE (NAME-STAGE.state)"},
+     "output folder (default: NAME.out; report: report; advise --all: trades); for `state` a FILE (NAME-STAGE.state)"},
     {"set", "NAME=VALUE", 0, SETTING, 0, ALL,
      "replaces the value of the page's `let` or `sweep` NAME. NAME may also be normal, shear or step; refine, a number "
      "that divides the step and multiplies the cycles; follow, a FILE with the points of a contact test"},
     {"stage", "NAME", 0, TEXT, AT(stage), "state", "the stage at whose end the state is taken (default: the last one)"},
     {"states", "FOLDER", 0, TEXT, AT(options.states), ALL,
      "folder of the saved states from which pages start (default: $NINEBALL_STATES, or states)"},
+    {"all", NULL, 0, FLAG, AT(all), "advise",
+     "advise on each page, also on those below a FOLDER (default: cases): --quantity and --within may be lists "
+     "separated "
+     "by `;`, by default up to three quantities that the page expects, at the middle run of a sweep, and 10 %; 1 %; "
+     "0.1 %. "
+     "The output folder (default: trades) gets the table trades.tsv, to which a later call adds, and a figure of each "
+     "page. Exit status 1: a search ended without advice"},
     {"quantity", "MEASURE", 0, TEXT, AT(quantity), "advise",
      "quantity whose error counts, as in an expect block (default: that of the first expectation)"},
     {"within", "TOLERANCE", 0, TEXT, AT(within), "advise",
@@ -298,7 +306,7 @@ static enum nb_status run_command(struct nb_call *call, const char *word) {
               options[k].commands);
       return NB_BAD_USE;
     }
-  if (command >= 0 && commands[command].arguments[0] && call->page_count == 0)
+  if (command >= 0 && commands[command].arguments[0] && call->page_count == 0 && !call->all)
     return usage("`nineball %s` needs a page, such as cases/3-nine-discs/nine-discs.md", word);
   if (command >= 0)
     catch_signals(call);

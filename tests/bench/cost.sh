@@ -4,6 +4,7 @@
 #   cost.sh -o FILE             all pages, with times: writes the document FILE
 #   cost.sh --proof PAGE ...    the proof alone, for these pages of the table below ("all": every page)
 #   cost.sh --page PAGE         prints this page
+#   cost.sh --laws DOCUMENT     prints plots/law-costs.gp, from the times in the document
 #
 #   NINEBALL   the program, built with -g            srcdir   top of the source tree
 #   SIDE       particles on a side, 32               CYCLES   cycles of the measured window, 200
@@ -35,6 +36,22 @@ trap 'exit 1' HUP INT TERM
 stop() {
   echo "cost.sh: $*" >&2
   exit 2
+}
+
+# The time of a contact update with each shear law of elastic spheres over that with `mindlin`.
+laws() {
+  echo "# Cost of a contact update over that with \`mindlin\`, from docs/COST.md; written by make cost."
+  $awk -F ' *[|] *' -v names="linear none=hertz mindlin mindlin_scaled mindlin_deresiewicz=exact randall randall_literal" '
+    /^## / { inside = $0 == "## Laws and forces" }
+    inside && NF > 10 { ns[$2] = $(NF - 1) }
+    END {
+      n = split(names, name, " ")
+      for (k = 1; k <= n; k++) {
+        page = name[k]; sub(/.*=/, "", page); gsub(/_/, "-", page); sub(/=.*/, "", name[k])
+        printf "%s%s %.2f", k == 1 ? "law_costs = '\''" : "  ", name[k], ns[page]/ns["mindlin"]
+      }
+      print "'\''"
+    }' "$1"
 }
 
 # ---- the pages ----
@@ -382,13 +399,17 @@ prove() {
   fi
 }
 
+if [ "${1:-}" = --laws ]; then
+  laws "$2"
+  exit
+fi
 if [ "${1:-}" = --proof ]; then
   shift
   [ "$*" != all ] || set -- $(pages | cut -d ' ' -f 1)
   prove "$@"
   exit $status
 fi
-[ "${1:-}" = -o ] && [ $# -eq 2 ] || stop "usage: cost.sh -o FILE | --proof all|PAGE ... | --page PAGE"
+[ "${1:-}" = -o ] && [ $# -eq 2 ] || stop "usage: cost.sh -o FILE | --proof all|PAGE ... | --page PAGE | --laws DOCUMENT"
 document=$2
 
 # ---- the document ----
@@ -620,4 +641,7 @@ a cycle. Within 0.01 %, these are $(cut -d '|' -f 2 "$work/line") for N discs.
 - **A search**, with the stability check after it, costs as much as $(in_cycles search cell) cycles.
 - **The stability check** is made every 1000 cycles. It takes $check instructions, $($awk -v a="$check" -v b="$(value base 2)" 'BEGIN { printf "%.1f %%", a / b / 10 }') of the cycles between two checks.
 DOCUMENT
-cp "$work/document" "$document"
+# What `explain` expects is measured by another script (make expected); its section stays.
+$awk '/^## / { keep = $0 == "## What `explain` expects" } keep { print (lines++ ? "" : "\n") $0 }' "$document" >"$work/expected"
+cat "$work/document" "$work/expected" >"$document"
+laws "$document" >"$top/plots/law-costs.gp"

@@ -4,7 +4,7 @@
  * sizes. A contact update is one cycle of one pair of the neighbour list, including the motion of the particles.
  *
  * Times are processor times. The laws take turns, so other processes affect all of them equally; medians of eleven
- * runs. The line `cost` is that of cases/4-oblique/contact-ladder.md. Not a test: compare the ratios of one run.
+ * runs. Not a test: compare the ratios of one run.
  *
  *   tests/bench/laws [ISA [LAW]]
  *
@@ -102,10 +102,6 @@ static void compare(int side, const char *isa, const char *only) {
     const double median = ns[k][RUNS / 2];
     printf("%8d %20s %8.2f %8.1f %8.2f\n", side * side, laws[k], median, 1e3 / median, median / ns[base][RUNS / 2]);
   }
-  printf("cost = '");
-  for (int k = 0; k < count; k++)
-    printf("%s%s %.2f", k ? "  " : "", laws[k], ns[k][RUNS / 2] / ns[base][RUNS / 2]);
-  puts("'");
   fflush(stdout);
 }
 
