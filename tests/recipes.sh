@@ -7,7 +7,7 @@
 . "${srcdir:-.}/tests/tap"
 
 # The costs of laws are those of docs/COST.md.
-sh tests/bench/cost.sh --laws docs/COST.md >"$why" 2>&1 && cmp "$why" plots/law-costs.gp >>"$why" 2>&1 && grep -q "mindlin 1.00  mindlin_scaled 1[.]" plots/law-costs.gp
+srcdir=. sh tests/bench/cost.sh --laws docs/COST.md >"$why" 2>&1 && cmp "$why" plots/law-costs.gp >>"$why" 2>&1 && grep -q "mindlin 1.00  mindlin_scaled 1[.]" plots/law-costs.gp
 result $? 'plots/law-costs.gp is made from docs/COST.md'
 
 if ! command -v gnuplot >/dev/null; then
