@@ -155,7 +155,7 @@ static void the_share_that_is_enough(void) {
 static void names_of_pages_decide_the_half(void) {
   size_t held = 0;
   for (int k = 0; k < 1000; k++) {
-    char name[16];
+    char name[32];
     snprintf(name, sizeof name, "page-%d", k);
     held += is_held_out(name);
   }
