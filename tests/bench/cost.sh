@@ -372,6 +372,10 @@ if [ "${1:-}" = --page ]; then
   write_page "$2" "$cycles"
   exit
 fi
+if [ "${1:-}" = --laws ]; then
+  laws "$2"
+  exit
+fi
 command -v valgrind >/dev/null || lack "valgrind is missing: install it, on Debian with apt install valgrind"
 test -x "$nineball" || stop "there is no program $nineball: run make first"
 if grep -q __asan_init "$nineball"; then lack "valgrind cannot run a program that is built with a sanitizer"; fi
@@ -399,10 +403,6 @@ prove() {
   fi
 }
 
-if [ "${1:-}" = --laws ]; then
-  laws "$2"
-  exit
-fi
 if [ "${1:-}" = --proof ]; then
   shift
   [ "$*" != all ] || set -- $(pages | cut -d ' ' -f 1)
