@@ -11,33 +11,19 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "model.h"
 
-/* The part of the cycle that begins may have another rounding mode; NULL: it ends. */
-static inline void round_part(const struct nb_model *model, const char *part) {
-  if (model->machine.rounding.mode != NB_TO_NEAREST)
-    nb_rounding_begin(&model->machine.rounding, part);
-}
-
 static void forces_of_block(const struct nb_model *model, const struct nb_block *block) {
   const struct nb_material_pair *material_pair = block->material_pair;
-  for (int p = 0; p < material_pair->pass_count; p++)
-    material_pair->passes[p].run(model, block);
-}
-
-/* The same in another rounding mode. */
-static void forces_of_block_rounded(const struct nb_model *model, const struct nb_block *block) {
-  const struct nb_material_pair *material_pair = block->material_pair;
   for (int p = 0; p < material_pair->pass_count; p++) {
-    round_part(model, material_pair->passes[p].name);
+    nb_rounding_begin(&model->machine.rounding, material_pair->passes[p].name);
     material_pair->passes[p].run(model, block);
   }
-  round_part(model, NULL);
 }
 
 static void forces_part(const struct nb_model *model, int part, int parts) {
   const size_t n = model->blocks.count;
-  const bool rounded = model->machine.rounding.mode != NB_TO_NEAREST;
   for (size_t v = n * (size_t)part / (size_t)parts; v < n * ((size_t)part + 1) / (size_t)parts; v++)
-    (rounded ? forces_of_block_rounded : forces_of_block)(model, &model->blocks.list[v]);
+    forces_of_block(model, &model->blocks.list[v]);
+  nb_rounding_begin(&model->machine.rounding, NULL);
 }
 
 void nb_forces(struct nb_model *model) {
@@ -55,20 +41,20 @@ void nb_forces(struct nb_model *model) {
 }
 
 static int motion_part(struct nb_model *model, int part, int parts) {
-  round_part(model, "motion");
+  nb_rounding_begin(&model->machine.rounding, "motion");
   const int out = nb_motion_part(model, part, parts);
-  round_part(model, NULL);
+  nb_rounding_begin(&model->machine.rounding, NULL);
   return out;
 }
 
 /* Returns the number of particles and walls that require a new search. */
 static int motion(struct nb_model *model) {
   const int threads = model->machine.threads_used;
-  round_part(model, "motion");
+  nb_rounding_begin(&model->machine.rounding, "motion");
   int out = model->walls.count ? nb_motion_walls(model) : 0;
   if (model->all_affine && model->cell)
     out += nb_cell_move(model);
-  round_part(model, NULL);
+  nb_rounding_begin(&model->machine.rounding, NULL);
   if (threads == 1)
     return out + motion_part(model, 0, 1);
 #pragma omp parallel for num_threads(threads) schedule(static, 1) reduction(+ : out)
@@ -81,17 +67,17 @@ static enum nb_status hooks(struct nb_model *model, enum nb_when when, struct nb
   const struct nb_hooks *all = &model->hooks[when];
   enum nb_status status = NB_OK;
   for (size_t h = 0; h < all->count && !status; h++) {
-    round_part(model, all->list[h].name);
+    nb_rounding_begin(&model->machine.rounding, all->list[h].name);
     status = all->list[h].run(model, error);
-    round_part(model, NULL);
+    nb_rounding_begin(&model->machine.rounding, NULL);
   }
   return status;
 }
 
 static enum nb_status rounded_search(struct nb_model *model, struct nb_error *error) {
-  round_part(model, "search");
+  nb_rounding_begin(&model->machine.rounding, "search");
   const enum nb_status status = nb_neighbours_search(model, error);
-  round_part(model, NULL);
+  nb_rounding_begin(&model->machine.rounding, NULL);
   return status;
 }
 

@@ -10,6 +10,7 @@
 enum nb_status nb_error_set(struct nb_error *error, enum nb_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 enum nb_status nb_error_memory(struct nb_error *error); /* NB_NO_MEMORY; called for each allocation that fails */
+static inline enum nb_status nb_worse(enum nb_status a, enum nb_status b) { return a > b ? a : b; }
 /* "WHAT: reason", the reason from errno. */
 enum nb_status nb_error_system(struct nb_error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
 

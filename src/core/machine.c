@@ -48,7 +48,7 @@ enum nb_status nb_machine_choose(struct nb_model *model, const struct nb_options
   return NB_OK;
 }
 
-void nb_rounding_begin(const struct nb_rounding *rounding, const char *part) {
+void nb_rounding_set(const struct nb_rounding *rounding, const char *part) {
   static const int modes[NB_ROUNDINGS] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
   const bool chosen = part && (!rounding->part || strcmp(part, rounding->part) == 0);
   fesetround(modes[chosen ? rounding->mode : NB_TO_NEAREST]);

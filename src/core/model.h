@@ -43,7 +43,7 @@ struct nb_particles {
   int *material;
   struct nb_vec *search_position; /* positions at the last search, m */
   struct nb_velocities *ahead;    /* change of velocity, m/s, and of surface speed from t_(N-1/2) to t_N, predicted from
-                                        * the last acceleration, for centred dashpots; NULL: no stage has them */
+                                     * the last acceleration, for centred dashpots; NULL: no stage has them */
   struct nb_vec *imposed;         /* c, the affine part of the velocity, m/s; NULL: none (affine.h) */
   const struct nb_vec *boundary_force; /* force of a boundary stress, N; NULL: none (loading/boundary.c) */
   bool *removed;                       /* removed from the scene (remove.c); NULL when no stage removes any */
@@ -228,8 +228,13 @@ struct nb_model {
 /* machine.c: instruction set and threads, from the options */
 enum nb_status nb_machine_choose(struct nb_model *model, const struct nb_options *options, struct nb_error *error);
 
-/* machine.c: sets the rounding mode of this thread for the part of the cycle that begins; NULL: a part ends. */
-void nb_rounding_begin(const struct nb_rounding *rounding, const char *part);
+/* machine.c: sets the rounding mode of this thread for a part of the cycle; NULL: to nearest */
+void nb_rounding_set(const struct nb_rounding *rounding, const char *part);
+/* The part of the cycle that begins may have another rounding mode; NULL: it ends. */
+static inline void nb_rounding_begin(const struct nb_rounding *rounding, const char *part) {
+  if (rounding->mode != NB_TO_NEAREST)
+    nb_rounding_set(rounding, part);
+}
 
 /* blocks.c: divides the contacts into blocks, after each search */
 enum nb_status nb_blocks_create(struct nb_model *model, struct nb_error *error);

@@ -22,8 +22,8 @@
  * [R89 4.42]. Particles held by a boundary have v = 0. A scene in which only a boundary moves affinely uses the loop
  * without c.
  *
- * Dashpots that are centred [pass/dashpots.c] need the velocity at t_(N+1). Its difference from v_(N+1/2) is predicted from the
- * acceleration at t_N: (v_(N+1/2) - v_(N-1/2)) dt/(2 tau), where tau is the duration of the kick.
+ * Dashpots that are centred [pass/dashpots.c] need the velocity at t_(N+1). Its difference from v_(N+1/2) is predicted
+ * from the acceleration at t_N: (v_(N+1/2) - v_(N-1/2)) dt/(2 tau), where tau is the duration of the kick.
  *
  * A page's velocities belong to time 0, those of the scheme to half steps. So the first kick lasts half a step, and a
  * kick between two steps of unequal length lasts their mean. CS79's program BALL starts from rest without forces, where

@@ -14,18 +14,19 @@
  * F_n + D_n may be tensile. ds/dt is the mean over the whole last step, even if the contact began in it and the law
  * used only a part of ds. The friction limit of F_s was computed from F_n alone, before this pass.
  *
- * With `damping centred` the rates are those at the time of the force: dn/dt + (a_x - a_y).e, with the predicted change a of
- * the velocities in the last half step (core/motion.c). At time 0 they are those of the page, where CS79's are 0. A dashpot that opposes an impact with a finite force from first
- * touch on needs more for second order. The force at t_N stands for the time from t_(N-1/2) to t_(N+1/2), of which the
- * contact exists for the fraction f + 1/2; f is the time from first touch to t_N over dt. As c is proportional to alpha^p
- * there, with p = 0 for linear springs, 1/2 for the stiffness of elastic spheres and 1/4 for its root, the force is
- * multiplied by
+ * With `damping centred` the rates are those at the time of the force: dn/dt + (a_x - a_y).e, with the predicted
+ * change a of the velocities in the last half step (core/motion.c). At time 0 they are those of the page, where CS79's
+ * are 0. A dashpot that opposes an impact with a finite force from first touch on needs more for second order. The
+ * force at t_N stands for the time from t_(N-1/2) to t_(N+1/2), of which the contact exists for the fraction f + 1/2;
+ * f is the time from first touch to t_N over dt. As c is proportional to alpha^p there, with p = 0 for linear springs,
+ * 1/2 for the stiffness of elastic spheres and 1/4 for its root, the force is multiplied by
  *
  *   w(f) = Int_0^(f+1/2) t^p dt / f^p = (f + 1/2)^(1+p)/((1 + p) f^p)
  *
- * The end of a contact is the same backwards, with the time f from t_N to the end. It is known only one cycle later, when
- * the contact has opened. Then w(f) - 1 times the force at t_N acts; it is computed again from the overlap before, with
- * the rate over the last step. The tangential dashpot needs no such term, because a contact slides at its end.
+ * The end of a contact is the same backwards, with the time f from t_N to the end. It is known only one cycle later,
+ * when the contact has opened. Then w(f) - 1 times the force at t_N acts; it is computed again from the overlap
+ * before, with the rate over the last step. The tangential dashpot needs no such term, because a contact slides at its
+ * end.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "laws/law.h"
@@ -137,10 +138,18 @@ static NB_COLD void weigh(const struct dashpots *spec, const struct nb_model *mo
   }
 }
 
+/* The rate of a tangential displacement of contact c, m/s. */
+static inline NB_FORM double slip_rate(const struct nb_block *block, const struct changes *changes, size_t c,
+                                       double displacement, double rate) {
+  if (!changes)
+    return displacement * rate;
+  const struct nb_vec e = vec(block->f[NB_EX][c], block->f[NB_EY][c]);
+  return displacement * rate + (vec_dot(changes->approach[c], vec_clockwise(e)) - changes->rotation[c]);
+}
+
 static inline NB_FORM void add_tangential(const struct dashpots *spec, const struct nb_block *block, double rate,
                                           const struct changes *changes) {
   const double *shear = block->f[NB_SHEAR], *shear_stiffness = block->f[NB_SHEAR_STIFFNESS];
-  const double *ex = block->f[NB_EX], *ey = block->f[NB_EY];
   const double *dn = block->f[NB_NORMAL_INCREMENT];
   const double *ds = block->f[NB_TANGENTIAL_INCREMENT], *sliding = block->f[NB_SLIDING],
                *overlap = block->f[NB_OVERLAP];
@@ -148,20 +157,16 @@ static inline NB_FORM void add_tangential(const struct dashpots *spec, const str
   unsigned long began = 0;
   NB_WIDE
   for (size_t c = 0; c < block->n; c++) {
-    double slip_rate = ds[c] * rate;
-    if (changes)
-      slip_rate += vec_dot(changes->approach[c], vec_clockwise(vec(ex[c], ey[c]))) - changes->rotation[c];
-    total_shear[c] = shear[c] + (1 - sliding[c]) * (coefficient(spec, shear_stiffness[c], c) * slip_rate);
+    const double slip = slip_rate(block, changes, c, ds[c], rate);
+    total_shear[c] = shear[c] + (1 - sliding[c]) * (coefficient(spec, shear_stiffness[c], c) * slip);
     began += nb_touch_began(overlap[c], dn[c]);
   }
   for (size_t c = 0; c < block->n && began > 0; c++) { /* new contacts, whose ds is not that of the whole step */
     const double fraction = nb_touch_fraction(overlap[c], dn[c]),
-                 displacement = fraction > 0 ? ds[c] / fraction : ds[c];
-    double first_rate = displacement * rate;
-    if (changes)
-      first_rate += vec_dot(changes->approach[c], vec_clockwise(vec(ex[c], ey[c]))) - changes->rotation[c];
+                 displacement = fraction > 0 ? ds[c] / fraction : ds[c],
+                 whole = slip_rate(block, changes, c, displacement, rate);
     if (nb_touch_began(overlap[c], dn[c]))
-      total_shear[c] = shear[c] + (1 - sliding[c]) * (coefficient(spec, shear_stiffness[c], c) * first_rate);
+      total_shear[c] = shear[c] + (1 - sliding[c]) * (coefficient(spec, shear_stiffness[c], c) * whole);
   }
 }
 

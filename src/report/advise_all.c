@@ -49,9 +49,7 @@ struct wanted {
   const char **settings; /* NULL-terminated; owned */
 };
 
-static void note_status(struct search_all *all, enum nb_status status) {
-  all->worst = status > all->worst ? status : all->worst;
-}
+static void note_status(struct search_all *all, enum nb_status status) { all->worst = nb_worse(all->worst, status); }
 
 static bool no_memory(struct search_all *all) {
   struct nb_error error;

@@ -17,8 +17,6 @@
 #include "laws/law.h"
 #include "run/restart.h"
 
-static enum nb_status worse(enum nb_status a, enum nb_status b) { return a > b ? a : b; }
-
 static enum nb_status print_error(const struct nb_error *error) {
   fprintf(stderr, "nineball: %s\n", error->text);
   return error->status;
@@ -120,7 +118,7 @@ static enum nb_status process_page(const struct nb_call *call, const char *path,
     nb_print_tap(&outcome, path);
   enum nb_status status = actions & VERDICT || outcome.status > NB_FAILED ? outcome.status : NB_OK;
   if (actions & (TABLES | FIGURE) && has_rows(&outcome))
-    status = worse(status, save_outputs(&outcome, call, path, actions, began));
+    status = nb_worse(status, save_outputs(&outcome, call, path, actions, began));
   remove_checkpoints(&outcome, status, call);
   nb_outcome_free(&outcome);
   return status;
@@ -135,8 +133,8 @@ static enum nb_status process_pages(const struct nb_call *call, unsigned actions
   if (worst)
     return worst;
   for (size_t k = 0; k < call->page_count; k++)
-    worst = worse(worst,
-                  is_stopped(call) ? NB_BROKEN : process_page(call, call->pages[k], actions, k ? nb_cost_clock() : 0));
+    worst = nb_worse(worst, is_stopped(call) ? NB_BROKEN
+                                             : process_page(call, call->pages[k], actions, k ? nb_cost_clock() : 0));
   return worst;
 }
 
@@ -187,9 +185,9 @@ static enum nb_status report_page(const struct nb_call *call, const char *path, 
                                      : "",
          error.status ? line->saved ? "; no figure" : "; no tables" : "");
   fflush(stdout);
-  remove_checkpoints(outcome, worse(outcome->status, error.status), call);
+  remove_checkpoints(outcome, nb_worse(outcome->status, error.status), call);
   nb_outcome_free_runs(outcome);
-  return worse(is_unchecked(outcome) ? NB_BAD_USE : outcome->status, error.status);
+  return nb_worse(is_unchecked(outcome) ? NB_BAD_USE : outcome->status, error.status);
 }
 
 enum nb_status nb_command_report(const struct nb_call *call) {
@@ -202,9 +200,9 @@ enum nb_status nb_command_report(const struct nb_call *call) {
   if (!lines)
     return nb_error_memory(&error), print_error(&error);
   for (size_t k = 0; k < call->page_count; k++)
-    worst = worse(worst, is_stopped(call) ? NB_BROKEN : report_page(call, call->pages[k], folder, &lines[k]));
+    worst = nb_worse(worst, is_stopped(call) ? NB_BROKEN : report_page(call, call->pages[k], folder, &lines[k]));
   if (nb_folder_create(folder, &error) || nb_report_write(folder, lines, call->page_count, &error))
-    worst = worse(worst, print_error(&error));
+    worst = nb_worse(worst, print_error(&error));
   else
     printf("look at %s/index.html\n", folder);
   for (size_t k = 0; k < call->page_count; k++)
@@ -224,7 +222,7 @@ enum nb_status nb_command_explain(const struct nb_call *call) {
     struct nb_outcome outcome;
     nb_outcome_read(&outcome, call->pages[k], call->settings);
     nb_print_errors(&outcome, call->pages[k]);
-    worst = worse(worst, outcome.status);
+    worst = nb_worse(worst, outcome.status);
     nb_references_prepare();
     const double reading = nb_cost_clock() - began + FILES_OF_A_PAGE * nb_cost_file();
     struct nb_cost sum = {.reading = reading / (double)(outcome.run_count ? outcome.run_count : 1)};
@@ -234,7 +232,7 @@ enum nb_status nb_command_explain(const struct nb_call *call) {
       printf("%s%s%s%s\n", r ? "\n" : "", outcome.page.name, run->label[0] ? ", run " : "", run->label);
       if (nb_explain(stdout, &run->scene, run, &call->options, &outcome.warnings, &sum, &error)) {
         nb_print_error(&error, &outcome.page, call->pages[k]);
-        worst = worse(worst, error.status);
+        worst = nb_worse(worst, error.status);
       }
     }
     if (outcome.run_count > 1 && sum.cycles.to > 0) {
@@ -371,7 +369,7 @@ enum nb_status nb_command_migrate(const struct nb_call *call) {
     const enum nb_status status = migrate(call->pages[k], call->in_place, &error);
     if (status)
       fprintf(stderr, "%s: error: %s\n", call->pages[k], error.text);
-    worst = worse(worst, status);
+    worst = nb_worse(worst, status);
   }
   return worst;
 }

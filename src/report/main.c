@@ -60,10 +60,9 @@ static const struct option_row {
      "folder of the saved states from which pages start (default: $NINEBALL_STATES, or states)"},
     {"all", NULL, 0, FLAG, AT(all), "advise",
      "advise on each page, also on those below a FOLDER (default: cases): --quantity and --within may be lists "
-     "separated "
-     "by `;`, by default up to three quantities that the page expects, at the middle run of a sweep, and 10 %; 1 %; "
-     "0.1 %. "
-     "The output folder (default: trades) gets the table trades.tsv, to which a later call adds, and a figure of each "
+     "separated by `;`, by default up to three quantities that the page expects, at the middle run of a sweep, and "
+     "10 %; 1 %; 0.1 %. The output folder (default: trades) gets the table trades.tsv, to which a later call adds, and "
+     "a figure of each "
      "page. Exit status 1: a search ended without advice"},
     {"quantity", "MEASURE", 0, TEXT, AT(quantity), "advise",
      "quantity whose error counts, as in an expect block (default: that of the first expectation)"},
@@ -119,16 +118,9 @@ static void catch_signals(struct nb_call *call) {
 static int stopped(const struct nb_call *call, char **words) {
   fputs("to continue:", stderr);
   for (; *words; words++) {
-    const bool plain =
-        **words &&
-        strspn(*words, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_+=./:,%@") == strlen(*words);
-    fputs(" ", stderr);
-    if (!plain)
-      fputc('\'', stderr);
-    for (const char *c = *words; *c; c++)
-      fputs(*c == '\'' ? "'\\''" : (const char[]){*c, 0}, stderr);
-    if (!plain)
-      fputc('\'', stderr);
+    char word[4096] = "";
+    nb_append_word(word, sizeof word, *words);
+    fprintf(stderr, " %s", word);
   }
   fputs(call->options.checkpoint.resume ? "\n" : " --resume\n", stderr);
   return 128 + (int)stop_signal;
@@ -308,10 +300,10 @@ static enum nb_status run_command(struct nb_call *call, const char *word) {
     }
   if (command >= 0 && commands[command].arguments[0] && call->page_count == 0 && !call->all)
     return usage("`nineball %s` needs a page, such as cases/3-nine-discs/nine-discs.md", word);
-  if (command >= 0)
+  if (command >= 0) {
     catch_signals(call);
-  if (command >= 0)
     return commands[command].run(call);
+  }
   char hint[NB_HINT_SIZE];
   struct nb_guess guess = nb_guess_begin(word);
   for (int k = 0; k < COMMANDS; k++)

@@ -13,8 +13,6 @@
 
 static const char *const mode_words[NB_ROUNDINGS] = {"nearest", "up", "down", "zero"};
 
-static enum nb_status worse(enum nb_status a, enum nb_status b) { return a > b ? a : b; }
-
 /* The bits of an expectation, the fewest over some modes and all runs. */
 struct least {
   int bits;
@@ -36,7 +34,10 @@ static enum nb_status make(struct nb_outcome *outcome, const struct nb_call *cal
   struct nb_progress_line line = {.page = path};
   const struct nb_progress progress = nb_print_progress(&line);
   options.rounding = rounding;
-  nb_outcome_make(outcome, path, call->settings, &options, &progress);
+  if (!nb_outcome_read(outcome, path, call->settings)) /* unlike nb_outcome_make, it keeps all scenes */
+    outcome->status = nb_outcome_run(outcome, &options, &progress);
+  if (!outcome->status)
+    outcome->status = nb_verdict(outcome);
   nb_print_progress_end(&line);
   return outcome->status;
 }
@@ -67,18 +68,17 @@ static struct least print_bits(const struct nb_outcome *nearest, const struct le
   return least;
 }
 
-/* Runs the page with one part of the cycle rounded up, then down, and prints the bits of the quantity with the fewest. */
-static void try_part(const struct nb_call *call, const struct nb_outcome *nearest, struct least least,
-                     const char *part) {
+/* Repeats the run with one part of the cycle rounded up, then down, and prints the bits of its least quantity. */
+static void try_part(const struct nb_call *call, const struct nb_page_run *nearest, size_t index, const char *part) {
+  struct nb_options options = call->options;
   int bits = NB_ALL_BITS;
   for (int mode = NB_UPWARD; mode <= NB_DOWNWARD; mode++) {
-    struct nb_outcome outcome;
-    make(&outcome, call, nearest->page.path, (struct nb_rounding){.mode = mode, .part = part});
-    const int now = outcome.status > NB_FAILED
-                        ? 0
-                        : nb_expected_bits(&outcome.runs[least.run], &nearest->runs[least.run], least.index);
+    struct nb_page_run run = {.expectations.reference = NULL};
+    options.rounding = (struct nb_rounding){.mode = mode, .part = part};
+    const bool failed = nb_run(&run.result, &nearest->scene, &options, NULL, &run.error);
+    const int now = failed ? 0 : nb_expected_bits(&run, nearest, index);
     bits = now < bits ? now : bits;
-    nb_outcome_free(&outcome);
+    nb_result_free(&run.result);
   }
   printf("    %2d  %s\n", bits, part);
 }
@@ -114,7 +114,7 @@ static enum nb_status try_parts(const struct nb_call *call, const struct nb_outc
   fputs("  with one part of the cycle rounded up and down, bits of: ", stdout);
   print_statement(nearest, &run->expectations.list[least.index]), puts("");
   for (size_t k = 0; k < count; k++)
-    try_part(call, nearest, least, parts[k]);
+    try_part(call, run, least.index, parts[k]);
   nb_model_free(model);
   return NB_OK;
 }
@@ -134,7 +134,7 @@ static enum nb_status try_modes(struct least *least, const struct nb_call *call,
       printf("  rounding %-4s  %zu of %zu checks passed\n", mode_words[mode], marks[NB_PASS],
              marks[NB_PASS] + marks[NB_FAIL]);
     }
-    worst = worse(worst, status);
+    worst = nb_worse(worst, status);
     nb_outcome_free(&outcome);
   }
   return worst;
@@ -158,7 +158,7 @@ static enum nb_status check_page(const struct nb_call *call, const char *path, b
   if (status <= NB_FAILED) {
     const struct least least = print_bits(&nearest, all, count);
     if (parts && least.bits < NB_ALL_BITS && !nearest.runs[0].scene.contact_test)
-      status = worse(status, try_parts(call, &nearest, least));
+      status = nb_worse(status, try_parts(call, &nearest, least));
   }
   free(all);
   nb_outcome_free(&nearest);
@@ -178,6 +178,6 @@ enum nb_status nb_rounding_check(const struct nb_call *call) {
     return NB_BAD_USE;
   }
   for (size_t k = 0; k < call->page_count; k++)
-    worst = worse(worst, check_page(call, call->pages[k], parts));
+    worst = nb_worse(worst, check_page(call, call->pages[k], parts));
   return worst;
 }

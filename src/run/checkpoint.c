@@ -183,7 +183,7 @@ enum nb_status nb_checkpoint_begin(struct nb_checkpoint *checkpoint, const struc
   if (!options || !(options->checkpoint.seconds > 0) || !options->checkpoint.key)
     return NB_OK;
   if (set_path(checkpoint->path, scene, options, options->checkpoint.key, error) ||
-      nb_folder_create(nb_states_folder(options), error) || nb_lock_own(&checkpoint->lock, checkpoint->path, error))
+      nb_folder_create(nb_states_folder(options), error))
     return error->status;
   checkpoint->options = &options->checkpoint;
   return NB_OK;
@@ -195,11 +195,6 @@ enum nb_status nb_checkpoint_lock(struct nb_lock *lock, const struct nb_scene *s
   if (set_path(path, scene, options, key, error) || nb_folder_create(nb_states_folder(options), error))
     return error->status;
   return nb_lock_own(lock, path, error);
-}
-
-void nb_checkpoint_end(struct nb_checkpoint *checkpoint) {
-  if (checkpoint->options)
-    nb_lock_release(&checkpoint->lock);
 }
 
 void nb_checkpoint_remove(const struct nb_scene *scene, const struct nb_options *options, unsigned long long key) {

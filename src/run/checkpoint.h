@@ -10,8 +10,7 @@
 struct nb_checkpoint {
   const struct nb_checkpointing *options; /* NULL: none are saved */
   const struct nb_scene *scene;
-  char path[NB_STATE_PATH]; /* of the last one; that before it has `.old` after its name */
-  struct nb_lock lock;
+  char path[NB_STATE_PATH];  /* of the last one; that before it has `.old` after its name */
   unsigned long until_check; /* cycles until the clock is read again */
   double saved, cost;        /* time of the last one, and how long it took, s */
 };
@@ -19,10 +18,9 @@ struct nb_checkpoint {
 /* Locks all runs of a page: NB_BAD_USE if another process saves checkpoints of them. `key` is that of no run. */
 enum nb_status nb_checkpoint_lock(struct nb_lock *lock, const struct nb_scene *scene, const struct nb_options *options,
                                   unsigned long long key, struct nb_error *error);
-/* Locks the files of the run: NB_BAD_USE if another process saves checkpoints of it. No effect without `seconds`. */
+/* Makes the folder and the path. No effect without `seconds`. The caller has the lock, or that of the state it makes. */
 enum nb_status nb_checkpoint_begin(struct nb_checkpoint *checkpoint, const struct nb_scene *scene,
                                    const struct nb_options *options, struct nb_error *error);
-void nb_checkpoint_end(struct nb_checkpoint *checkpoint);
 /* Reads the last one, or that before it if the last one is damaged; saved->store is empty if there is none. */
 enum nb_status nb_checkpoint_read(struct nb_saved *saved, const struct nb_checkpoint *checkpoint,
                                   const struct nb_progress *progress, struct nb_error *error);

@@ -57,11 +57,6 @@ static void clear_history(double *history, int doubles) {
   memset(history, 0, (doubles > NB_HISTORY ? 1 : (size_t)doubles) * sizeof *history);
 }
 
-static void round_part(const struct nb_contact_test *contact_test, const char *part) {
-  if (contact_test->rounding.mode != NB_TO_NEAREST)
-    nb_rounding_begin(&contact_test->rounding, part);
-}
-
 /* Computes contact_test->trial: the contact after a step from contact_test->now to this approach and slip, in m. */
 static void try_step(struct nb_contact_test *contact_test, double approach, double slip) {
   const struct nb_contact_test_state *now = &contact_test->now;
@@ -69,7 +64,7 @@ static void try_step(struct nb_contact_test *contact_test, double approach, doub
   memcpy(next->normal_history, now->normal_history, (size_t)contact_test->normal_doubles * sizeof(double));
   memcpy(next->shear_history, now->shear_history, (size_t)contact_test->shear_doubles * sizeof(double));
   next->approach = approach, next->slip = slip;
-  round_part(contact_test, "step");
+  nb_rounding_begin(&contact_test->rounding, "step");
 
   const double overlap = approach > 0 ? approach : 0, dn = approach - now->approach;
   const bool touching = overlap > 0;
@@ -85,18 +80,18 @@ static void try_step(struct nb_contact_test *contact_test, double approach, doub
     clear_history(next->normal_history, contact_test->normal_doubles);
     clear_history(next->shear_history, contact_test->shear_doubles);
   }
-  round_part(contact_test, NULL);
+  nb_rounding_begin(&contact_test->rounding, NULL);
 }
 
 /* Accepts the last trial step. */
 static void accept_step(struct nb_contact_test *contact_test) {
   const struct nb_contact_test_state before = contact_test->now, *after = &contact_test->trial;
-  round_part(contact_test, "step");
+  nb_rounding_begin(&contact_test->rounding, "step");
   const double fraction = nb_touch_fraction(after->n.overlap, after->approach - before.approach);
   contact_test->work_normal += (before.n.force + after->n.force) / 2 * (after->n.overlap - before.n.overlap);
   contact_test->work_shear += (before.s.force + after->s.force) / 2 * (after->slip - before.slip) * fraction;
   contact_test->dissipated += contact_test->shear->dissipative ? after->s.dissipated : 0;
-  round_part(contact_test, NULL);
+  nb_rounding_begin(&contact_test->rounding, NULL);
   contact_test->step++;
   contact_test->now = contact_test->trial;
   contact_test->trial = before;

@@ -107,9 +107,11 @@ void nb_save_cancel(struct nb_save *save) {
 }
 
 enum nb_status nb_save_end(struct nb_save *save, struct nb_error *error) {
-  errno = EIO; /* for a write that failed earlier */
-  if (fflush(save->file) == 0 && !ferror(save->file) && fsync(fileno(save->file)) == 0 &&
-      rename(save->temporary, save->path) == 0)
+  const bool failed = ferror(save->file);
+  errno = EIO;
+  if (failed) /* earlier: another write shows the reason */
+    clearerr(save->file), fputc('\n', save->file);
+  if (fflush(save->file) == 0 && !failed && fsync(fileno(save->file)) == 0 && rename(save->temporary, save->path) == 0)
     return fclose(save->file), release(save), NB_OK;
   const enum nb_status status = nb_error_system(error, "cannot write %s", save->path);
   nb_save_cancel(save);

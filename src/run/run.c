@@ -293,7 +293,6 @@ static enum nb_status run_scene(struct run *run, const struct nb_options *option
     result->warnings = run->model->warnings;
     nb_model_free(run->model);
   }
-  nb_checkpoint_end(&run->checkpoint);
   return status;
 }
 

@@ -419,12 +419,8 @@ enum nb_status nb_saved_write(const struct nb_saved *saved, const char *path, st
   if (!status)
     status = nb_save_begin(&file, path, error);
   if (!status) {
-    if (fwrite(text, 1, size, file.file) == size && fflush(file.file) == 0) {
-      status = nb_save_end(&file, error);
-    } else {
-      status = nb_error_system(error, "cannot write %s", path);
-      nb_save_cancel(&file);
-    }
+    fwrite(text, 1, size, file.file); /* nb_save_end reports failures */
+    status = nb_save_end(&file, error);
   }
   free(text);
   return status;
