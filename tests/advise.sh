@@ -125,6 +125,9 @@ until D.vx below 0 at most 100000 cycles
 EOF
 run 1 advise still.md --quantity D.vy --within '1 %' && said 'is not known well enough' && said 'an absolute one if the value is near 0'
 result $? 'a percentage of a quantity that has no limit other than 0'
+run 1 advise "$cases/5-numerics/changed-law.md" --quantity 'C.normal max in steps' --within '10 %' && said 'it is 0, and a percentage of 0 allows no error' &&
+  ! grep -q nan "$why"
+result $? 'a percentage of a quantity that is 0 with each step'
 run 0 advise still.md --quantity D.vx --within 0.1 && said 'within 0.1'
 result $? 'an absolute tolerance'
 run 2 advise still.md --within '1 %' && said 'name a quantity that it records, by --quantity'

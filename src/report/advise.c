@@ -97,11 +97,17 @@ static enum nb_status refuse(const struct nb_advice *advice, double ratio, size_
                         "differs from it by up to %.2g times the tolerance%s%s. Choose more --realizations, at most "
                         "%d, or a larger tolerance",
                         advice->text, advice->trials, ratio, in_run, label, NB_TRIALS);
+  char reason[2 * NB_NAME_SIZE];
+  if (isnan(ratio))
+    snprintf(reason, sizeof reason, "it is 0, and a percentage of 0 allows no error");
+  else
+    snprintf(reason, sizeof reason, "with the step divided by %g its uncertainty is %.2g times the tolerance",
+             exp2(advice->anchor - 1), ratio);
   return nb_error_set(error, NB_FAILED,
-                      "`%s`: the value is not known well enough: with the step divided by %g its uncertainty is %.2g "
-                      "times the tolerance%s%s. Choose a larger tolerance, an absolute one if the value is near 0, or "
+                      "`%s`: the value is not known well enough: %s%s%s. Choose a larger tolerance, an absolute one if "
+                      "the value is near 0, or "
                       "a larger --budget",
-                      advice->text, exp2(advice->anchor - 1), ratio, in_run, label);
+                      advice->text, reason, in_run, label);
 }
 
 static enum nb_status find_anchor(struct nb_advice *advice, struct nb_error *error) {
