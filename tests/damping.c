@@ -194,6 +194,40 @@ static void continued_impact(void) {
   written_free(&it);
 }
 
+/* First touch at the end of a step, or at time 0: whether the overlap is then 0, or larger or smaller by rounding, the dashpot acts for
+ * the same time. A gap that differs by 1e-12 of a step's displacement changes the restitution by no more than that. */
+static void a_touch_at_the_end_of_a_step(void) {
+  static const double offsets[] = {0, 1e-17, 1e-16, 1e-15, 1e-14, -1e-17, -1e-16, -1e-15, -1e-14};
+  static const char *const laws[] = {"normal linear", "normal hertz"};
+  for (int run = 0; run < 4; run++) {
+    const int law = run % 2, steps = run < 2 ? 3 : 0; /* before first touch */
+    double first = 0;
+    for (size_t k = 0; k < sizeof offsets / sizeof *offsets; k++) {
+      struct words page = {0};
+      struct written it;
+      struct nb_result result;
+      words_add(
+          &page,
+          "units none\nmaterial m density 3 kn 400 young 4000 poisson 0.3\n%s\nsphere %.17g 0 radius 1 m velocity 0.25 "
+          "0\n"
+          "wall w 1 -9 to 1 9 m\ndamping ratio 0.3\ndamping centred\nstep 0.03125\nmonitor D sphere 1\n"
+          "monitor C sphere 1 with wall w\nrecord D.vx C.overlap\nstage in\nrecord none\n"
+          "until C.overlap above 1e-6 at most 100 cycles\nstage out\nuntil C.overlap below 1e-300 at most 1000 cycles\n"
+          "stage free\nrecord every 2 cycles\ncycles 2\n",
+          laws[law], -steps * 0.03125 * 0.25 + offsets[k]);
+      written_scene(&it, &page);
+      written_run(&result, &it, NULL);
+      const double restitution = -written_last(&result, "D.vx") / 0.25;
+      first = k ? first : restitution;
+      /* as in `restitution` below; (w dt)^2 = dt^2 k/m = 0.031 */
+      const double beta = 0.3, expected = exp(-pi * beta / sqrt(1 - beta * beta));
+      CU_ASSERT(law || fabs(restitution / expected - 1) <= 3 * 2 * beta * 0.031 / 2);
+      CU_ASSERT_DOUBLE_EQUAL(restitution, first, 1e-9);
+      nb_result_free(&result), written_free(&it);
+    }
+  }
+}
+
 /* At a wall M* is the mass of the disc: [R89 4.6] with 1/M_wall = 0. */
 static void a_wall_has_infinite_mass(void) {
   struct words page = {0};
@@ -311,6 +345,7 @@ void suite_damping(void) {
   CU_add_test(suite, "centred dashpots", centred);
   CU_add_test(suite, "the stable step of centred dashpots", stable_step_of_centred_dashpots);
   CU_add_test(suite, "an impact with centred dashpots continues in any cycle", continued_impact);
+  CU_add_test(suite, "a touch at the end of a step", a_touch_at_the_end_of_a_step);
   CU_add_test(suite, "a wall has infinite mass", a_wall_has_infinite_mass);
   CU_add_test(suite, "a stage without dashpots", a_stage_without_dashpots);
   CU_add_test(suite, "the total normal force may be tensile", total_normal_force_may_be_tensile);

@@ -92,10 +92,12 @@ static inline NB_FORM void predict(struct changes *changes, const struct nb_mode
   }
 }
 
-/* Also true if it began at the end of the step before, within rounding: then f = 1, and that force was 0. */
+/* A displacement smaller than this share of that of the step is rounding: a touch at the end of a step then belongs to the
+ * next one, with f = 1, whatever the sign of the overlap. Coordinates that are 1e7 times the displacement still are more
+ * accurate. */
+static const double touch_rounding = 1e-9;
 static inline NB_FORM bool just_began(double overlap, double dn) {
-  const double rounding = 1e-9;
-  return overlap > 0 && overlap < dn * (1 + rounding);
+  return overlap > 0 && overlap < dn * (1 + touch_rounding);
 }
 
 /* w(f) */
@@ -121,20 +123,33 @@ static double end_force(const struct dashpots *spec, const struct nb_model *mode
   return (weight(spec, law, -before / dn) - 1) * coefficient(spec, k, c) * dn / model->previous_step;
 }
 
+/* Multiplies the forces of the dashpots of contact c by w. */
+static void multiply(const struct nb_block *block, size_t c, double w) {
+  const double normal = block->f[NB_NORMAL][c], shear = block->f[NB_SHEAR][c];
+  block->f[NB_TOTAL_NORMAL][c] = normal + w * (block->f[NB_TOTAL_NORMAL][c] - normal);
+  if (block->material_pair->shear)
+    block->f[NB_TOTAL_SHEAR][c] = shear + w * (block->f[NB_TOTAL_SHEAR][c] - shear);
+}
+
 /* First touch and the end of contacts. */
 static NB_COLD void weigh(const struct dashpots *spec, const struct nb_model *model, const struct nb_block *block) {
   const double *overlap = block->f[NB_OVERLAP], *dn = block->f[NB_NORMAL_INCREMENT];
-  const double *normal = block->f[NB_NORMAL], *shear = block->f[NB_SHEAR];
-  double *total_normal = block->f[NB_TOTAL_NORMAL], *total_shear = block->f[NB_TOTAL_SHEAR];
   for (size_t c = 0; c < block->n; c++) {
+    const double f = overlap[c] / dn[c];
     if (!(overlap[c] > 0) && dn[c] < 0)
-      total_normal[c] = end_force(spec, model, block, c);
-    if (!just_began(overlap[c], dn[c]))
-      continue;
-    const double w = weight(spec, block->material_pair->normal, overlap[c] / dn[c]);
-    total_normal[c] = normal[c] + w * (total_normal[c] - normal[c]);
-    if (block->material_pair->shear)
-      total_shear[c] = shear[c] + w * (total_shear[c] - shear[c]);
+      block->f[NB_TOTAL_NORMAL][c] = end_force(spec, model, block, c);
+    if (just_began(overlap[c], dn[c]))
+      multiply(block, c, f > touch_rounding ? weight(spec, block->material_pair->normal, f) : 0);
+  }
+}
+
+/* At time 0, when no step has been made: contacts that touch within rounding begin in the next step. */
+static NB_COLD void defer(const struct nb_model *model, const struct nb_block *block,
+                          const struct changes *velocities) {
+  for (size_t c = 0; c < block->n; c++) {
+    const struct nb_vec e = vec(block->f[NB_EX][c], block->f[NB_EY][c]);
+    if (block->f[NB_OVERLAP][c] < touch_rounding * model->step * vec_dot(velocities->approach[c], e))
+      multiply(block, c, 0);
   }
 }
 
@@ -199,6 +214,8 @@ static inline NB_FORM void add_dashpots(const struct nb_model *model, const stru
     add_tangential(&spec, block, rate, centred ? &changes : NULL);
   if (ends > 0)
     weigh(&spec, model, block);
+  if (centred && !(rate > 0))
+    defer(model, block, &changes);
 }
 
 #define FORM(name, form, centred)                                                                                      \
