@@ -118,6 +118,8 @@ PAGES = \
   cases/2-hertz/hertz-curve-bench.md \
   cases/2-hertz/hertz-impact.md \
   cases/2-hertz/hertz-impact-wall.md \
+  cases/2-hertz/hertz-range.md \
+  cases/2-hertz/hertz-contrast.md \
   cases/2-hertz/hertz-phase.md \
   cases/2-hertz/hertz-increment.md \
   cases/2-hertz/hertz-damped.md \
@@ -155,6 +157,7 @@ PAGES = \
   cases/4-oblique/spin-gears.md \
   cases/4-oblique/spin-pair.md \
   cases/4-oblique/grazing.md \
+  cases/4-oblique/friction-extremes.md \
   cases/5-numerics/order.md \
   cases/5-numerics/half-step.md \
   cases/5-numerics/centred-dashpots.md \
@@ -198,6 +201,8 @@ PAGES = \
   cases/7-assemblies/cyclic-shear.md \
   cases/7-assemblies/periodic-compression.md \
   cases/7-assemblies/biaxial.md \
+  cases/7-assemblies/photoelastic-discs.md \
+  cases/7-assemblies/photoelastic-positions.md \
   cases/7-assemblies/scaled-springs.md \
   cases/7-assemblies/plots-of-an-assembly.md \
   cases/8-published/chung-ooi-1.md \
@@ -216,6 +221,7 @@ PAGES = \
 
 # Pages that take longer: `make check-long`.
 PAGES_LONG = \
+  cases/7-assemblies/photoelastic-tables.md \
   cases/7-assemblies/isotropic-compression.md \
   cases/7-assemblies/isotropic-compression-seeds.md \
   cases/7-assemblies/preparation-price.md \
@@ -252,11 +258,35 @@ CASE_LISTS = \
   cases/7-assemblies/README.md \
   cases/8-published/README.md
 
+# Shown by the report after the cases.
+DOCUMENTS = \
+  README.md \
+  docs/TUTORIAL.md \
+  docs/METHOD.md \
+  docs/CONTACT.md \
+  docs/GLOSSARY.md \
+  docs/THESIS.md \
+  docs/ACCURACY.md \
+  docs/TRADES.md \
+  docs/STABILITY.md \
+  docs/EXTREMES.md \
+  docs/PATHS.md \
+  docs/ROUNDING.md \
+  docs/COST.md \
+  docs/FUZZING.md \
+  docs/STATE.md \
+  HACKING.md
+
 # Files with particles for pages.
 PACKINGS = \
   cases/packings/nine-discs-load.state \
   cases/packings/nine-discs-load.tsv \
-  cases/packings/nine-discs-load.txt
+  cases/packings/nine-discs-load.txt \
+  cases/packings/photo-5.tsv \
+  cases/packings/photo-7.tsv \
+  cases/packings/photo-20.tsv \
+  cases/packings/photo-32.tsv \
+  cases/packings/photo-38.tsv
 
 # One suite of unit tests each: tests/X.c defines suite_X.
 SUITES = \
@@ -354,6 +384,7 @@ SUITES = \
 
 # Tests that are scripts and print TAP.
 SHELL_TESTS = \
+  tests/aborted.sh \
   tests/mistakes.sh \
   tests/program.sh \
   tests/confine.sh \
@@ -380,7 +411,8 @@ SHELL_TESTS = \
 PLOTS = \
   plots/discs.gp plots/force-chains.gp plots/force-polygons.gp plots/force-rectangles.gp plots/histogram.gp plots/law-costs.gp \
   plots/mohr.gp plots/obliquity.gp plots/polar-normals.gp plots/porosity-rings.gp plots/rotations.gp plots/slid.gp \
-  plots/space-lattice.gp plots/stress-path.gp plots/style.gp plots/velocities.gp
+  plots/report.css plots/report.js plots/report.lua plots/space-lattice.gp plots/stress-path.gp plots/style.gp \
+  plots/velocities.gp
 
 # Shared by references.
 REFERENCES_SHARED = \
@@ -499,7 +531,8 @@ MEASURE = \
   src/measure/step.h \
   src/measure/strain.c \
   src/measure/stress.c \
-  src/measure/stability.c
+  src/measure/stability.c \
+  src/measure/wall_quantities.c
 
 # Loading of an assembly: boundary, cell, box, servo, removal of particles.
 LOADING = \
@@ -586,6 +619,7 @@ VERDICT = \
   src/report/outcome.c \
   src/report/outcome.h \
   src/report/reducers.c \
+  src/report/spool.c \
   src/report/trials.c \
   src/report/verdict.c \
   src/report/verdict.h \
@@ -598,17 +632,25 @@ PROGRAM = \
   src/report/advise_all.c \
   src/report/commands.c \
   src/report/commands.h \
+  src/report/convert.c \
   src/report/cost.c \
   src/report/cost.h \
   src/report/explain.c \
   src/report/figure.c \
   src/report/gnuplot.c \
+  src/report/html.c \
+  src/report/links.c \
   src/report/main.c \
   src/report/manual.c \
   src/report/print.c \
   src/report/report.c \
+  src/report/report.h \
   src/report/rounding.c \
+  src/report/row_table.c \
+  src/report/row_table.h \
   src/report/sandbox.c \
   src/report/sandbox.h \
-  src/report/tables.c
+  src/report/tables.c \
+  src/report/tool.c \
+  src/report/tool.h
 

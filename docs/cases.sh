@@ -57,7 +57,7 @@ features() {
 
 ## Features and the cases that use them
 
-For every word of the language, every law and every quantity, the cases that use it. If more than a dozen cases use a word, their number is given. A case that starts from another one is not listed for the words of the other one. Words without a case are covered by other tests.
+These tables give the cases that use each word of the language, each law and each quantity, or the number of these cases if there are more than a dozen. A case that starts from another case is not listed for the words of that case. Words without a case are covered by other tests.
 TEXT
 awk '
   # ---- rows: words from docs/LANGUAGE.md, laws from their files, others from the lists below ----

@@ -1,12 +1,12 @@
 #!/bin/sh
 # Writes docs/TRADES.md and the figures docs/trades/*.svg from the table of `nineball advise --all`: the cheapest settings within 10 %, 1 % and
-# 0.1 % on each case of at most 50 particles. Every number of that document comes from that table.
+# 0.1 % on each case of at most 50 particles, and those of two small assemblies. Every number of that document comes from that table.
 #
 #   docs/trades.sh -o FOLDER [PAGE…]    writes FOLDER/TRADES.md and FOLDER/trades; without pages: all of cases
 #
 #   NINEBALL   the program                    BUDGET   seconds for each search, 60
 #   RESULTS    folder of the table; a second call with the same program continues there. Default: a temporary one
-#   ASSEMBLIES seconds for each search on an assembly; 0, the default: none
+#   ASSEMBLIES seconds for each search on an assembly, 1800
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 set -eu
@@ -32,13 +32,13 @@ results=$(cd "$results" && pwd)
 NINEBALL_STATES=${NINEBALL_STATES:-$results/states} # of pages that start from another one
 export NINEBALL_STATES
 cd "$(dirname "$0")/.."
-budget=${BUDGET:-60} assemblies=${ASSEMBLIES:-0}
+budget=${BUDGET:-60} assemblies=${ASSEMBLIES:-1800}
 cksum <"$nineball" >"$work/program"
 cmp -s "$work/program" "$results/program" || rm -rf "$results"/*
 cp "$work/program" "$results/program"
 
-# The named cases: NAME | title | quantity of the figure | its tolerances, the last one that of the figure | further quantities. An assembly has
-# its settings in the sixth field.
+# The named cases: NAME | title | quantity of the figure | its tolerances, the last one that of the figure | further quantities. Instead of an
+# assembly a smaller one is searched, docs/trades/small-NAME.md.
 named() {
   cat <<'NAMED'
 two-wall-compression | Two-wall compression | B.normal at 6 cycles | 10 %; 1 %; 0.1 % | X.vx.half at 6 cycles |
@@ -46,8 +46,8 @@ mindlin-loops | Quasi-static Mindlin loops | work.shear in reload | 10 %; 1 %; 0
 hertz-impact | Hertz normal impact | impact.duration | 10 %; 1 %; 0.1 % | C.normal max in strike; impact.restitution |
 oblique-impact | Maw's oblique impact | impact.psi2 | 0.1; 0.01; 0.001 | impact.restitution; impact.duration |
 restitution-angle | Restitution against angle | impact.restitution | 10 %; 1 %; 0.1 % | |
-isotropic-compression | Isotropic compression | A.coordination.mechanical in friction | 1 % | | which=uniform
-constant-volume-shear | Constant-volume shear | A.stress.sinphi in shear | 10 % | | which=uniform
+isotropic-compression | Isotropic compression | A.coordination.mechanical in friction | 5 % |
+constant-volume-shear | Constant-volume shear | A.stress.sinphi mean in shear | 10 % |
 NAMED
 }
 
@@ -69,10 +69,17 @@ the whole sweep, so the figure has one curve. Restitution and duration depend le
   restitution-angle)
     echo 'Restitution compares speeds, and the shear force changes only a part of them. Within 1 % a law without micro-slip is enough at every angle,
 but not within 0.1 %.' ;;
+  isotropic-compression)
+    echo 'The search trades the strain rates of the case and the step. Its quantity is the mechanical coordination number. The motion
+of an assembly is chaotic, so only a mean over realizations has a limit.' ;;
   *)
-    echo 'The motion of an assembly is chaotic, so only a mean over realizations has a limit. One search runs eight realizations with several steps.' ;;
+    echo 'The search trades the rate of the shear and its step. The prepared assemblies are the same for all settings. The quantity is the mean of
+sin Φ over the test, which ends at a deviator strain of 0.1 %.' ;;
   esac
 }
+# The page that is searched for a named case.
+page_of() { if [ -f "docs/trades/small-$1.md" ]; then echo "docs/trades/small-$1.md"; else ls cases/*/"$1.md"; fi; }
+is_small() { case $1 in docs/*) ;; *) false ;; esac; }
 field() { echo "$1" | cut -d '|' -f "$2" | sed 's/^ *//; s/ *$//'; }
 
 given=" $* "
@@ -89,24 +96,26 @@ advise "$@"
 # The named cases: all runs of their sweeps. Assemblies: means over realizations, with one tolerance.
 named >"$work/named"
 while read -r line; do
-  name=$(field "$line" 1) settings=$(field "$line" 6)
-  page=$(ls cases/*/"$name.md")
-  is_given "$page" && { [ -z "$settings" ] || [ "$assemblies" != 0 ]; } || continue
-  set -- "$page"
-  if [ "$settings" ]; then
-    budget=$assemblies
-    set -- "$@" --set "$settings" --over seed
-  elif [ "$(field "$line" 5)" ]; then
-    advise "$page" --quantity "$(field "$line" 5)"
+  name=$(field "$line" 1)
+  page=$(page_of "$name")
+  is_given "$page" || continue
+  if is_small "$page"; then
+    (
+      budget=$assemblies
+      advise "$page" --over seed --quantity "$(field "$line" 3)" --within "$(field "$line" 4)" </dev/null
+    )
+  else
+    [ -z "$(field "$line" 5)" ] || advise "$page" --quantity "$(field "$line" 5)" </dev/null
+    advise "$page" --quantity "$(field "$line" 3)" --within "$(field "$line" 4)" </dev/null
   fi
-  advise "$@" --quantity "$(field "$line" 3)" --within "$(field "$line" 4)" </dev/null
-  [ ! -s "$results/$name.svg" ] || cp "$results/$name.svg" "$folder/trades/$name.svg"
+  figure=$results/$(basename "$page" .md).svg
+  [ ! -s "$figure" ] || cp "$figure" "$folder/trades/$name.svg"
 done <"$work/named"
 
 # The rows of the pages as they are now. Columns: 1 page, 2 hash, 3 condition, 4 over, 5 kind (-: a named case), 6 quantity, 7 tolerance, 8 result,
 # 9 setting or reason, 10 cost, 13 error, 14 unit, 15 next cheaper setting, 16 its error over tolerance, 17 order, 18 normal, 19 shear law of the
 # page, 20 laws that are enough, 21 laws that are not. Assemblies that need realizations are left out.
-awk -F '\t' -v OFS='\t' -v assemblies="$assemblies" '
+awk -F '\t' -v OFS='\t' '
   /^#/ || /^page\t/ { next }
   NR == FNR { hash[$1] = $2; next }
   hash[$1] == $2 && $9 !~ /^expected a page of at most/ {
@@ -212,29 +221,28 @@ summary() {
 section() {
   line=$1
   name=$(field "$line" 1)
-  page=$(ls cases/*/"$name.md")
+  page=$(page_of "$name")
   is_given "$page" || return 0
   printf '\n### %s\n\n' "$(field "$line" 2)"
-  printf '[%s](../%s), %s.\n' "$name" "$page" "$(if [ "$(field "$line" 6)" ]; then echo "$(field "$line" 6), mean over eight realizations"; else echo 'the whole sweep'; fi)"
+  if is_small "$page"; then
+    echo "A search on [$name](../$(ls cases/*/"$name.md")) would take hours. [A page with a sixth of its spheres](../$page) is searched instead:"
+    echo "about a hundred spheres, mean over eight realizations."
+  else
+    printf '[%s](../%s), the whole sweep.\n' "$name" "$page"
+  fi
   seen "$name"
   for other in 0 1; do # the quantity of the figure first
     awk -F '\t' -v page="$page" -v first="$(field "$line" 3)" -v other=$other '$1 == page && $5 == "-" && ($6 != first) == other' "$work/rows"
   done >"$work/section"
   summary
   if [ -f "$folder/trades/$name.svg" ]; then printf '\n![%s: estimated error against cost](trades/%s.svg)\n' "$(field "$line" 2)" "$name"; fi
-  if [ -s "$work/section" ]; then
-    echo
-    table 0 <"$work/section"
-  else
-    cat <<TEXT
+  echo
+  table 0 <"$work/section"
+  ! is_small "$page" || [ "$name" != isotropic-compression ] || cat <<TEXT
 
-It was not made here, because it takes too long: \`nineball advise $page --set $(field "$line" 6) --over seed\`
-with \`--quantity '$(field "$line" 3)' --within '$(field "$line" 4)' --budget 3600\`.
-
-Two cases measure prices of assemblies: [preparation-price](../cases/7-assemblies/preparation-price.md) those of a faster
-preparation, and [softness-price](../cases/7-assemblies/softness-price.md) those of softer spheres and faster loading.
+Two cases measure prices of larger assemblies: [preparation-price](../cases/7-assemblies/preparation-price.md) those of a
+faster preparation, and [softness-price](../cases/7-assemblies/softness-price.md) those of softer spheres and faster loading.
 TEXT
-  fi
 }
 
 orders >"$work/orders"
@@ -290,6 +298,7 @@ pages=$(lessons | cut -f 1 | sort -u | wc -l)
 answered() { count "\$7 == \"$1\" && \$8 == \"yes\""; }
 coarsest=$(count '$7 == "10 %" && $8 == "yes" && $15 == "-"')
 cheaper() { share "$(count "\$7 == \"$1\" && \$8 == \"yes\" && \$9 ~ /shear=|normal=/")" "$(answered "$1")"; }
+chosen_with() { share "$(count "\$7 == \"$2\" && \$8 == \"yes\" && \$9 ~ /$1/")" "$(answered "$2")"; }
 own_cost() { lessons | awk -F '\t' -v t="$1" '$7 == t && $8 == "yes" && $10 > 0 { print $10 }' | quantile %.2g "$2"; }
 # Instructions of a contact update with a law of docs/COST.md, over those with `mindlin`.
 law_cost() {
@@ -318,8 +327,8 @@ estimated, [ACCURACY](ACCURACY.md) how often such an estimate holds.
   the same number, the one that takes less time is chosen.
 - **Estimated error:** the largest one over eight moments of first touch within a step, relative to the limit of the case
   for a small step. It covers the laws as well as the step.
-- A dash in the last column means that no cheaper setting can be run: the step is at the stability limit, or the number
-  of cycles cannot be divided.
+- A dash in the last column means that no cheaper setting can be run: the step is at the stability limit, or it is
+  the longest one that divides the number of cycles.
 
 ## Lessons
 
@@ -368,6 +377,11 @@ No other law is enough within 1 % for: $(no_other_law).
 The chosen setting has other laws than the page for $(cheaper '10 %') of all quantities within 10 %, for
 $(cheaper '1 %') within 1 %, and for $(cheaper '0.1 %') within 0.1 %. Of laws with equal numbers of updates the fastest one is chosen. An update with the
 exact law takes $(law_cost exact) times the instructions of one with \`mindlin\`, and an update with \`randall\` $(law_cost randall) times ([COST](COST.md)).
+
+**Softer contacts and centred dashpots.** Softer contacts are the choice for $(chosen_with soften= '10 %') of all quantities within 10 %,
+for $(chosen_with soften= '1 %') within 1 %, and for $(chosen_with soften= '0.1 %') within 0.1 %. Most quantities of an impact depend on
+the stiffness, and where the step is a fraction of the collision a softer one saves nothing. Centred dashpots are the choice
+for $(chosen_with damping=centred '10 %'), $(chosen_with damping=centred '1 %') and $(chosen_with damping=centred '0.1 %').
 
 **No advice.** $(lessons | awk -F '\t' '$8 != "yes"' | wc -l) searches ended without advice:
 

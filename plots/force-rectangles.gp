@@ -28,3 +28,4 @@ set datafile nocolumnheaders
 plot $rectangles using 1:2 with filledcurves closed fc rgb '#0072b2' fs solid, \
      @particles every ::1 using 2:3:4 with circles lc rgb '#888888' fs empty, \
      @walls every ::1 using 2:3:($4-$2):($5-$3) with vectors nohead lw 2 lc rgb 'black'
+set datafile columnheaders

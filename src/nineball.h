@@ -464,6 +464,7 @@ struct nb_scene {
   bool unitless;              /* `units none` */
   bool contact_test;          /* a contact test: particle 1 with particle 2, or with the wall; stages are segments */
   double refine;              /* `--set refine=R`: the step of the page divided by R; 1: as written */
+  double soften;              /* `--set soften=S`: its stiffnesses divided by S; 1: as written */
   bool path_replaced;         /* a setting `follow=FILE` replaced the page's segments: expectations do not apply */
   struct nb_material *materials;
   size_t material_count;
@@ -528,12 +529,17 @@ struct nb_rounding {
 };
 
 struct nb_options {
-  int threads;        /* 0: OpenMP's default */
-  const char *isa;    /* "plain", "avx2", "avx512"; NULL: the best of this machine */
-  int jobs;           /* runs of a sweep in parallel; 0: as many as there are processors for `threads` each */
-  bool shuffle;       /* tests: store the particles in another order than their numbers, which changes no result */
-  bool keep_all;      /* keep all contact fields that a saved state contains */
-  const char *states; /* folder of saved states; NULL: `states` */
+  int threads;             /* 0: OpenMP's default */
+  const char *isa;         /* "plain", "avx2", "avx512"; NULL: the best of this machine */
+  int jobs;                /* runs of a sweep in parallel; 0: as many as there are processors for `threads` each */
+  bool shuffle;            /* tests: store the particles in another order than their numbers, which changes no result */
+  bool keep_all;           /* keep all contact fields that a saved state contains */
+  const char *states;      /* folder of saved states; NULL: `states` */
+  struct nb_results_kept { /* of a sweep */
+    size_t bytes;          /* kept in memory; those beyond are in a temporary file */
+    const char *folder;    /* of that file; NULL: all are kept in memory */
+    bool verdict_only;     /* snapshots are not kept */
+  } results;
   struct nb_rounding rounding; /* of cycles and of steps of contact tests; all else is rounded to nearest */
   struct nb_checkpointing {
     double seconds;                    /* between two checkpoints; 0: none are saved */
@@ -592,6 +598,7 @@ struct nb_result {
   unsigned long long searches;       /* for neighbours, the first one included */
   unsigned long long deep;           /* contact updates with overlaps beyond the range of Hertz theory [R89 6.4.3] */
   char deep_first[3 * NB_NAME_SIZE]; /* the first of them: "particle 1 and particle 2, cycle 7, time 1e-06 s" */
+  double stability;                  /* the largest step over the guaranteed stable one that a check has found */
   double seconds;                    /* wall-clock time, s */
   struct nb_warnings warnings;       /* found during the run */
 };
@@ -609,5 +616,6 @@ struct nb_progress {
 enum nb_status nb_run(struct nb_result *result, const struct nb_scene *scene, const struct nb_options *options,
                       const struct nb_progress *progress, struct nb_error *error);
 void nb_result_free(struct nb_result *result);
+void nb_result_free_snapshots(struct nb_result *result); /* only these */
 
 #endif

@@ -4,7 +4,7 @@
  * accuracy FOLDER [-o DOCUMENT ROWS] PAGE… [--means PAGE…]  draws a quantity, a condition and a tolerance for each page
  * several times, asks for advice, and computes
  *   - the true error: the largest difference, over all phases and runs, from the limit of the page for a small step;
- *   - the cheapest setting of a grid of all laws, four stiffnesses and steps a factor of the square root of 2 apart whose
+ *   - the cheapest setting of a grid of all laws, four stiffnesses, centred dashpots and steps a factor of the square root of 2 apart whose
  *     true error is within the tolerance;
  *   - the same for estimators that lack something, the negative controls.
  * The results of a page are stored in FOLDER, so a run that was interrupted can be continued. Then it writes
@@ -28,8 +28,6 @@
 #include "../src/measure/step.h"
 #include "calibration/results.h"
 #include "calibration/runs.h"
-
-enum { SOFTER = 3 };
 
 /* The clock of all budgets is that of this process: other programs on the machine change no result. */
 int timespec_get(struct timespec *time, int base) { return clock_gettime(CLOCK_PROCESS_CPUTIME_ID, time) ? 0 : base; }
@@ -135,25 +133,6 @@ static size_t fix_condition(const struct nb_page_run *run, struct question *ques
   return count;
 }
 
-/* A stiffness that the page names and does not sweep is also traded: three softer ones. */
-static size_t trade_stiffness(const struct nb_page_run *run, struct question *question, size_t count) {
-  static const char *const names[] = {"kn", "k", "E"};
-  for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
-    const int at_name = NB_FIND(run->scene.bindings, run->scene.binding_count, names[n]);
-    const struct nb_binding *binding = at_name < 0 ? NULL : &run->scene.bindings[at_name];
-    if (!binding || binding->sweep >= 0 || binding->computed || !isfinite(binding->value))
-      continue;
-    char *unit, *text = question->texts[count];
-    double value = strtod(binding->text, &unit);
-    size_t length = (size_t)snprintf(text, sizeof *question->texts, "trade=%s", names[n]);
-    for (int k = 0; k < SOFTER; k++)
-      length += (size_t)snprintf(text + length, sizeof *question->texts - length, " %.9g%s", value /= 10, unit);
-    question->settings[count++] = text;
-    break;
-  }
-  return count;
-}
-
 /* Measures of the page that have a value other than 0. */
 static size_t list_quantities(const struct nb_page_run *run, const char *quantities[], size_t most) {
   size_t count = 0;
@@ -192,7 +171,6 @@ static bool draw_question(struct question *question, const struct nb_outcome *pa
   }
   question->tolerance = lowest_tolerance * pow(highest_tolerance / lowest_tolerance, gsl_rng_uniform(random));
   snprintf(question->within, sizeof question->within, "%.9g %%", 100 * question->tolerance);
-  count = trade_stiffness(run, question, count);
   question->settings[count] = NULL;
   return true;
 }

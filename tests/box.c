@@ -156,11 +156,57 @@ static void box_stress_counts_the_four_walls(void) {
   }
 }
 
+/* Heavy discs press on the walls of a box of 10 by 8: 100 and 50 on south, at -3 and 2 from its middle along the wall,
+ * 20 and 50 on east, at 2 and -2, 80 on north, 10 on west. Then east moves along itself by 0.004 and drags its discs: 4,
+ * of 10 and of 25 that friction allows. The wall `free`, which is given about an end, carries 100 at 2 from its middle; it
+ * is no wall of the box. */
+static void forces_on_walls(void) {
+  static const struct {
+    const char *name;
+    double wanted;
+  } first[] = {{"S.fy", -150},
+               {"S.moment", 200},
+               {"S.eccentricity", -200. / 150 / 5},
+               {"E.moment", 60},
+               {"E.eccentricity", -60. / 70 / 4},
+               {"N.eccentricity", 0.2},
+               {"W.eccentricity", 0.75},
+               {"E.obliquity", 0},
+               {"free.eccentricity", 0.5},
+               {"free.fx", 100},
+               {"free.moment", -600},
+               {"walls.stress.xx", 80. / 2 / 8},
+               {"walls.stress.yy", 230. / 2 / 10},
+               {"walls.stress.xy", 0},
+               {"box.stress.xx", 80. / 2 / 8},
+               {"box.stress.xy", (20 * 2 - 50 * 2 + 10 * 3) / 80.},
+               {"walls.ratio", 80. / 230},
+               {"walls.force.residual", 92.19544457292888}},
+    last[] = {{"E.obliquity", 0.4}, {"E.fy", -8}, {"walls.stress.yx", -0.5}, {"walls.stress.xy", 0}};
+  struct nb_result result;
+  run(&result, "units none\nmaterial m density 2e15 kn 1000 ks 1000 friction 0.5\nstep 0.004\nbox 0 0 to 10 8 m\n"
+               "wall free 12 0 to 12 8 m about 12 0\ndisc 11.5 6 radius 0.6 m\n"
+               "disc 2 0.4 radius 0.5 m\ndisc 7 0.45 radius 0.5 m\ndisc 9.52 6 radius 0.5 m\ndisc 9.55 2 radius 0.5 m\n"
+               "disc 4 7.58 radius 0.5 m\ndisc 0.49 1 radius 0.5 m\nmonitor S wall south\n"
+               "monitor E wall east\nmonitor N wall north\nmonitor W wall west\nmonitor free wall free\n"
+               "normal linear\nshear linear\nrecord S.fy S.moment S.eccentricity E.moment E.eccentricity E.obliquity\n"
+               "record N.eccentricity W.eccentricity free.eccentricity free.fx free.moment walls.stress.xx "
+               "walls.stress.yy walls.stress.xy\n"
+               "record walls.stress.yx box.stress.xx box.stress.xy walls.ratio walls.force.residual E.fy\n"
+               "stage s\nwall east velocity 0 1\ncycles 1\n");
+  for (size_t k = 0; k < sizeof first / sizeof *first; k++)
+    CU_ASSERT_DOUBLE_EQUAL(written_cell(&result.table, 0, first[k].name), first[k].wanted, 1e-9);
+  for (size_t k = 0; k < sizeof last / sizeof *last; k++)
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, last[k].name), last[k].wanted, 1e-9);
+  nb_result_free(&result);
+}
+
 void suite_box(void) {
   CU_pSuite suite = CU_add_suite("box", NULL, NULL);
   CU_add_test(suite, "a servo through the box follows the recursion", the_servo_follows_the_recursion);
   CU_add_test(suite, "corners stay closed, also after transform", corners_stay_closed);
   CU_add_test(suite, "box.stress counts the four walls only", box_stress_counts_the_four_walls);
+  CU_add_test(suite, "forces on walls: traction, moment, eccentricity, obliquity", forces_on_walls);
   CU_add_test(suite, "walls follow the box until they are moved otherwise", walls_follow_until_they_are_moved);
   CU_add_test(suite, "other walls keep their own motion", other_walls_keep_their_motion);
 }

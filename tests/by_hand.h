@@ -1,7 +1,7 @@
-/* The exact law of two elastic spheres (docs/CONTACT.md), implemented a second time for the tests: slow, with no
- * limit on the number of rings, and no two rings are joined. The rings are listed from inside to outside by the
- * overlap x (m) at which each was added; D is the fraction of its friction limit that a ring carries. Nothing is
- * summed in advance. The edge of the stick region is found by bisection, and forces use pow.
+/* The exact law of two elastic spheres (docs/CONTACT.md), implemented a second time for the tests: with no limit on the
+ * number of rings, and no two rings are joined. The rings are listed from inside to outside by the overlap x (m) at
+ * which each was added; D is the fraction of its friction limit that a ring carries. Slip removes rings from the outside
+ * until the one in which its front lies, so a long path costs little.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_BY_HAND_H
@@ -10,68 +10,82 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { BY_HAND_MOST = 4096 };
-
-struct by_hand {
-  int count;
-  double end[BY_HAND_MOST], d[BY_HAND_MOST]; /* overlap at which ring k ends, m; its D */
-  double slid;                               /* the part of u that slid as a whole in the last step, m */
+/* n = x^(3/2), and Int D dx and Int D dn up to the outer end. */
+struct ring {
+  double end, d;  /* overlap at the outer end, m; D */
+  double n, u, t; /* at the outer end: m^(3/2), m, m^(3/2) */
 };
 
-static inline double by_hand_begin(const struct by_hand *it, int k) { return k > 0 ? it->end[k - 1] : 0; }
+/* Empty at first; `count` = 0 begins a new contact. Free it with by_hand_free. */
+struct by_hand {
+  int count, capacity;
+  struct ring *ring;
+  double slid; /* the part of u that slid as a whole in the last step, m */
+};
 
-/* Int_0^x D dx, and Int_0^x D d(x^(3/2)). */
-static inline double by_hand_slip(const struct by_hand *it, double x) {
-  double sum = 0;
-  for (int k = 0; k < it->count && by_hand_begin(it, k) < x; k++)
-    sum += it->d[k] * ((it->end[k] < x ? it->end[k] : x) - by_hand_begin(it, k));
-  return sum;
-}
-static inline double by_hand_force(const struct by_hand *it, double x) {
-  double sum = 0;
-  for (int k = 0; k < it->count && by_hand_begin(it, k) < x; k++)
-    sum += it->d[k] * (pow(it->end[k] < x ? it->end[k] : x, 1.5) - pow(by_hand_begin(it, k), 1.5));
-  return sum;
+static inline void by_hand_free(struct by_hand *it) {
+  free(it->ring);
+  *it = (struct by_hand){0};
 }
 
+/* The outer end of ring k; all 0 for k = -1, the centre. */
+static inline struct ring by_hand_ring(const struct by_hand *it, int k) {
+  return k >= 0 ? it->ring[k] : (struct ring){0};
+}
+static inline double by_hand_begin(const struct by_hand *it, int k) { return by_hand_ring(it, k - 1).end; }
+
+static inline void by_hand_add(struct by_hand *it, double end, double d) {
+  const struct ring inner = by_hand_ring(it, it->count - 1);
+  if (!(end > inner.end))
+    return;
+  if (it->count == it->capacity) {
+    it->capacity = it->capacity ? 2 * it->capacity : 64;
+    it->ring = realloc(it->ring, (size_t)it->capacity * sizeof *it->ring);
+    if (!it->ring)
+      abort();
+  }
+  const double n = pow(end, 1.5);
+  it->ring[it->count++] = (struct ring){end, d, n, inner.u + d * (end - inner.end), inner.t + d * (n - inner.n)};
+}
+
+/* Removes what is outside the overlap x. */
 static inline void by_hand_cut(struct by_hand *it, double x) {
   while (it->count > 0 && by_hand_begin(it, it->count - 1) >= x)
     it->count--;
-  if (it->count > 0 && it->end[it->count - 1] > x)
-    it->end[it->count - 1] = x;
+  if (it->count > 0 && it->ring[it->count - 1].end > x) {
+    const double d = it->ring[--it->count].d;
+    by_hand_add(it, x, d);
+  }
 }
 
-static inline void by_hand_ring(struct by_hand *it, double end, double d) {
-  if (it->count == BY_HAND_MOST)
-    abort();
-  it->end[it->count] = end, it->d[it->count++] = d;
+/* Slip in the sense s, until u at the edge x is `target`: the front is at the overlap c with s (target - u(c)) = x - c.
+ * Without such a c the contact slides. */
+static inline void by_hand_slip(struct by_hand *it, double x, double target, double s) {
+  while (it->count > 0) {
+    const struct ring inner = by_hand_ring(it, it->count - 2);
+    const double beyond = x - inner.end - s * (target - inner.u); /* >= 0: the front is in this ring or at its begin */
+    if (beyond >= 0) {
+      by_hand_cut(it, inner.end + beyond / (1 - s * it->ring[it->count - 1].d));
+      break;
+    }
+    it->count--;
+  }
+  it->slid = it->count == 0 && s * target > x ? s * target - x : 0;
+  by_hand_add(it, x, s);
 }
 
 /* Advances to the overlap x and by u = slip/(mu kappa), m. Returns T/(mu N). */
 static inline double by_hand_go(struct by_hand *it, double x, double u) {
-  const double before = by_hand_begin(it, it->count), target = by_hand_slip(it, before) + u;
+  const double target = by_hand_ring(it, it->count - 1).u + u;
   it->slid = 0;
   by_hand_cut(it, x);
-  const double edge = by_hand_begin(it, it->count), missing = target - by_hand_slip(it, edge);
-  if (fabs(missing) <= x - edge) {
-    if (x > edge)
-      by_hand_ring(it, x, missing / (x - edge));
-    return by_hand_force(it, x) / pow(x, 1.5);
-  }
-  const double s = missing > 0 ? 1 : -1;
-  double low = 0, high = edge; /* lower and upper bound of the overlap at the edge of the stick region */
-  for (int k = 0; k < 200; k++) {
-    const double c = (low + high) / 2;
-    if (s * (target - by_hand_slip(it, c)) <= x - c)
-      low = c;
-    else
-      high = c;
-  }
-  if (s * target > x)
-    it->slid = s * target - x, low = 0;
-  by_hand_cut(it, low);
-  by_hand_ring(it, x, s);
-  return by_hand_force(it, x) / pow(x, 1.5);
+  const struct ring edge = by_hand_ring(it, it->count - 1);
+  const double missing = target - edge.u;
+  if (fabs(missing) > x - edge.end)
+    by_hand_slip(it, x, target, missing > 0 ? 1 : -1);
+  else
+    by_hand_add(it, x, missing / (x - edge.end));
+  return it->count > 0 ? it->ring[it->count - 1].t / pow(x, 1.5) : 0;
 }
 
 #endif

@@ -97,6 +97,9 @@ interrupted() {
   test -s "$file" && test -s "$file.old"
 }
 interrupted && cp -r "$states" "$work/kept"
+"$nineball" run "$page" --states "$states" -o "$work/out" --checkpoint >"$work/printed" 2>"$why"
+test $? -eq 2 && said "this page has been interrupted, its checkpoint is $file: --resume continues from it" && diff -r "$states" "$work/kept" >>"$why"
+result $? '--checkpoint without --resume does not replace a checkpoint: an error with its name'
 size=$(wc -c <"$file")
 head -c $((size / 2)) "$file" >"$work/half" && cp "$work/half" "$file" && again && said 'the file is cut off; the run continues from the checkpoint before it' && same
 result $? 'a checkpoint that is cut off: the one before it is used'
@@ -141,10 +144,19 @@ result $? 'stopped on a full disk: an error, and the checkpoint before it can be
 "$nineball" check "$page" --states /dev/null/states --checkpoint >"$work/printed" 2>"$why"
 test $? -eq 2 && said 'cannot make the folder'
 result $? 'no folder: an error'
+if test -d /sys; then
+  "$nineball" run "$page" -o /sys >"$work/printed" 2>"$why"
+  test $? -eq 2 && said 'cannot write /sys/nineball.lock: ' && test ! -s "$work/printed"
+  result $? 'a folder that is read-only: an error before the runs, not after them'
+fi
 rm -rf "$states" "$work/out"
 "$nineball" check "$page" --states "$states" --jobs 1 --checkpoint=0.01 2>"$why" | true
 again && ! said 'there is no checkpoint' && same
 result $? 'a closed pipe: the verdict is lost, the runs are not'
+rm -rf "$work/out"
+"$nineball" run "$page" -o "$work/out" --jobs 1 2>"$why" | true
+said 'the output could not be written' && same
+result $? 'a closed pipe: an error, and the tables are written'
 # limits: memory limits from ample to none, kB. Somewhere between them memory runs out, and the checkpoints stay.
 rm -rf "$states" && cp -r "$work/kept" "$states"
 for limit in 400000 100000 60000 40000 30000 24000 20000 17000 15000 13000 11000 9000 5000; do
@@ -161,6 +173,15 @@ test $? -eq 2 && said "process $first runs this page with these settings and sav
 result $? 'two runs of one page: an error names the first one'
 wait $first && same
 result $? 'the first one is not disturbed'
+rm -rf "$work/out"
+start
+first=$!
+while kill -0 $first && [ ! -e "$work/out/nineball.lock" ]; do sleep 0.01; done
+"$nineball" figure "$page" --set friction=0.1 -o "$work/out" >"$work/printed" 2>"$why"
+test $? -eq 2 && said "process $first writes into this folder, $work/out/nineball.lock: wait for its end, or choose another folder with -o"
+result $? 'two runs with one output folder: an error names the first one'
+wait $first && same
+result $? 'the folder has the files of the first one'
 # The same between two runs of the sweep, when no run is locked: many attempts while the first process is running.
 start --checkpoint=0.01
 first=$!
@@ -173,6 +194,19 @@ while kill -0 $first 2>/dev/null && [ $refused -lt 20 ]; do
 done
 wait $first && same && test $refused -gt 0
 result $? 'nor is it between two runs of a sweep'
+
+# ---- the memory of a sweep ----
+
+# 20 runs with 25000 rows of 32 numbers each need 132 MB. Up to 32 MB stay in memory, and the program alone needs less than 60 MB.
+awk 'BEGIN { print "```scene\nunits none"; printf "sweep g"; for (k = 1; k <= 20; k++) printf " %d", k
+  print "\nmaterial m density 1 kn 1\ngravity 0 -$g\nstep 1e-3"
+  for (k = 1; k <= 8; k++) printf "disc %d 0 radius 1 m\nmonitor D%d disc %d\nrecord D%d.x D%d.y D%d.vx D%d.vy\n", 3 * k, k, k, k, k, k, k
+  print "stage fall\ncycles 25000\n```\n```expect\nD8.vy expected (-25*g) within 1e-9 [g t]\nD8.vy decreases with g\n```" }' >"$work/many.md"
+limited() { (ulimit -v 120000 && "$nineball" "$@"); }
+if limited list >"$work/printed" 2>&1; then
+  limited check "$work/many.md" --jobs 1 >"$work/printed" 2>"$why" && grep -q '21 of 21 checks passed' "$work/printed"
+  result $? 'the results of a sweep do not stay in memory'
+fi
 
 # ---- a page that starts from another one ----
 

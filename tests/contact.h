@@ -1,16 +1,14 @@
-/* One contact with its laws, without particles: shared by the test suites of contact laws.
+/* One contact with its laws, without particles: shared by the tests of contact laws.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_CONTACT_H
 #define NB_CONTACT_H
 
-#include <CUnit/CUnit.h>
-
 #include "../src/laws/law.h"
 #include "chance.h"
 #include "laws/laws_now.h"
 
-enum { PAIRS = 200, MOST = 16 + 5 * 64 };   /* MOST: history variables per contact */
+enum { MOST = 16 + 5 * 65 };                /* history variables per contact */
 static const double untouched = -12345.678; /* value of history slots that a law does not use */
 
 /* A contact under test, with the histories of its laws. */
@@ -83,37 +81,11 @@ static inline struct nb_pair pair_by(struct chance *chance) {
   return pair;
 }
 
-/* Calls `test` PAIRS times for each normal law alone (shear NULL), or with every shear law. */
-static inline void every_law(bool shears, void (*test)(struct contact it, struct chance *chance)) {
-  int tried = 0;
-  for (const struct nb_law *const *normal = nb_laws(); *normal; normal++) {
-    if (!(*normal)->normal)
-      continue;
-    for (const struct nb_law *const *shear = nb_laws(); *shear; shear++) {
-      if (shears ? !(*shear)->shear || ((*shear)->elastic && !(*normal)->elastic) : *shear != *normal)
-        continue;
-      const unsigned before = CU_get_number_of_failures();
-      struct chance chance = chance_begin(1);
-      for (int k = 0; k < PAIRS && CU_get_number_of_failures() == before; k++, tried++) /* stops at the first failure */
-        test(contact_of(*normal, shears ? *shear : NULL, pair_by(&chance)), &chance);
-      if (CU_get_number_of_failures() > before)
-        printf("# failed for normal %s%s%s\n", (*normal)->name, shears ? " with shear " : "",
-               shears ? (*shear)->name : "");
-    }
-  }
-  CU_ASSERT(tried > 0);
-}
-
 static inline double stored(const struct contact *it) {
   double sum = it->normal->stored(it->pair, it->n, it->normal_history);
   if (it->shear)
     sum += it->shear->stored(it->pair, it->n, it->shear_history);
   return sum;
 }
-
-#define OF_NORMAL(test)                                                                                                \
-  static void normal_##test(void) { every_law(false, test); }
-#define OF_SHEAR(test)                                                                                                 \
-  static void shear_##test(void) { every_law(true, test); }
 
 #endif

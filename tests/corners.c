@@ -155,28 +155,34 @@ static void corners_move(void) {
 
 /* ---- the law with its pieces ---- */
 
-/* A step adds a piece from |D_1 - D_2| x_1 x_2/(x_1 + x_2) = 1e-7/1.5 x on; the error that the piece before has
- * already is subtracted from this limit. Both signs, rings and slip, without and with a piece before. */
+/* A step adds a piece if a merge would change u by |D_1 - D_2| x_1 x_2/(x_1 + x_2) = 1e-7/1.5 x or more; the error that the
+ * piece before has already is subtracted from this limit. Where the larger u at both ends of the new piece is below x/100,
+ * it counts a hundredfold instead of x. Both signs, rings and slip, without and with a piece before, and small u. */
 static void small_pieces_join(void) {
+  static const struct {
+    double first, before, d; /* x and -D of the piece before, D of the piece that is joined */
+    bool slips;
+  } ways[] = {{0, 0, 0.5, false},    {1e-3, 0.2, 0.5, false}, {0, 0, -0.25, false},
+              {1e-3, 0.2, 0, false}, {1e-3, 0.4, 0, true},    {1e-3, 0.2, 0, true}};
   for (int sign = -1; sign < 2; sign += 2)
     for (int way = 0; way < 6; way++)
-      for (int more = 0; more < 2; more++) {
-        const double by = more ? 1.0003 : 0.9997, little = 1e-7 / 1.5;
+      for (int more = 0; more < 4; more++) {
+        const double small = more < 2 ? 1 : 1e-3;
+        const double first = ways[way].first, d = small * ways[way].d, x1 = 2e-3 - first;
         struct one it = one_of(plain);
-        const double d = way < 2 ? 0.5 : 0, first = way % 2 ? 1e-3 : 0;
         if (first > 0)
-          one_go(&it, first, -0.2 * sign * first);
-        one_go(&it, 2e-3, d * sign * (2e-3 - first));
+          one_go(&it, first, -small * ways[way].before * sign * first);
+        one_go(&it, 2e-3, d * sign * x1);
         const int had = pieces(&it);
-        const double x1 = 2e-3 - first;
-        if (way < 4) { /* a new ring with a smaller or larger D: equal spans, so that (D - D') x_1/2 = little x */
-          const double x = 2e-3 + x1, turn = by * little * x * 2 / x1 * (way < 2 ? -1 : 1);
-          one_go(&it, x, sign * (d + turn) * x1);
+        const double u1 = d * x1 - small * ways[way].before * first, u2 = u1 + d * x1;
+        const double x = ways[way].slips ? 2e-3 : 2e-3 + x1, u = fmax(fabs(u1), fabs(u2));
+        const double limit = (more % 2 ? 1.0003 : 0.9997) * 1e-7 / 1.5 * fmin(x, 100 * u);
+        if (!ways[way].slips) { /* a new ring with another D: equal spans, so that |D - D'| x_1/2 = limit */
+          one_go(&it, 2e-3 + x1, sign * (d + (way < 2 ? -1 : 1) * 2 * limit / x1) * x1);
         } else { /* slip from the edge to c: (1 - D) x_1 x_2/(x_1 + x_2) with x_1 = c, x_2 = x - c */
-          const double all = 2e-3, want = by * little * all * x1, x2 = (x1 - sqrt(x1 * x1 - 4 * want)) / 2;
-          one_go(&it, all, sign * x2);
+          one_go(&it, 2e-3, sign * (x1 - sqrt(x1 * x1 - 4 * limit * x1)) / 2);
         }
-        CU_ASSERT_EQUAL(pieces(&it), had + more);
+        CU_ASSERT_EQUAL(pieces(&it), had + more % 2);
       }
 }
 
@@ -186,14 +192,14 @@ static void joined_pieces_count(void) {
   for (int way = 0; way < 3; way++) {
     const double by = way == 0 ? 0.7999 : way == 1 ? 0.8001 : 0.9999;
     struct one it = one_of(plain);
-    one_go(&it, 1e-3, 0);
-    one_go(&it, 2e-3, 0.8 * little * 4e-3); /* 0.8 of the limit, which is 0.2 of the limit at the next x */
+    one_go(&it, 1e-3, 0.5e-3);
+    one_go(&it, 2e-3, 0.5e-3 + 0.8 * little * 4e-3); /* 0.8 of the limit, which is 0.2 of the limit at the next x */
     CU_ASSERT_EQUAL(pieces(&it), 1);
     if (way == 2) { /* to the friction limit: D = 1 everywhere */
       one_go(&it, 2e-3, 4e-3);
       CU_ASSERT_EQUAL(pieces(&it), 1);
     }
-    const double d = way == 2 ? 1 : 0.4 * little * 4;
+    const double d = way == 2 ? 1 : 0.5 + 0.4 * little * 4;
     one_go(&it, 4e-3, (d - by * little * 4) * 2e-3);
     CU_ASSERT_EQUAL(pieces(&it), way == 1 ? 2 : 1);
   }

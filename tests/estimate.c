@@ -11,6 +11,8 @@
 #include "report/cost.h"
 #include "suites.h"
 
+static const struct nb_ratios halved = {2, 2};
+
 /* Q(n) = 5 - 3/n^p: the error of Q(n) is 3/n^p. */
 static double term(double n, double order) { return 5 - 3 / pow(n, order); }
 
@@ -18,23 +20,36 @@ static void richardson_finds_the_error_of_a_power(void) {
   static const double orders[] = {0.5, 1, 1.5, 2};
   for (size_t k = 0; k < sizeof orders / sizeof *orders; k++) {
     const double p = orders[k];
-    NEAR(nb_estimate_step(term(10, p), term(20, p), term(40, p)), 3 / pow(10, p), 1e-9);
-    NEAR(nb_estimate_step(-term(10, p), -term(20, p), -term(40, p)), 3 / pow(10, p), 1e-9);
+    NEAR(nb_estimate_step(term(10, p), term(20, p), term(40, p), halved), 3 / pow(10, p), 1e-9);
+    NEAR(nb_estimate_step(-term(10, p), -term(20, p), -term(40, p), halved), 3 / pow(10, p), 1e-9);
   }
+}
+
+/* Steps that are not halved: the estimate is never below the error, and at most 1.71 times as large, its value for the order 2
+ * and three steps of the ratio 1.5. */
+static void other_ratios_give_no_smaller_estimate(void) {
+  for (double p = 0.5; p <= 2; p += 0.25)
+    for (double first = 1.5; first <= 2; first += 0.125)
+      for (double second = 1.5; second <= 2; second += 0.125) {
+        const double n2 = 10 * first, n4 = n2 * second, error = 3 / pow(10, p);
+        const double ratio =
+            nb_estimate_step(term(10, p), term(n2, p), term(n4, p), (struct nb_ratios){first, second}) / error;
+        CU_ASSERT(ratio >= 1 - 1e-9 && ratio <= 1.71);
+      }
 }
 
 /* d_1 = 1 and d_2: of order 3 it counts as order 2, of order 0.2 as order 0.5. */
 static void the_order_is_limited(void) {
-  NEAR(nb_estimate_step(0, 1, 1 + exp2(-3)), 4.0 / 3, 1e-14);
-  NEAR(nb_estimate_step(0, 1, 1 + exp2(-0.2)), sqrt(2) / (sqrt(2) - 1), 1e-14);
+  NEAR(nb_estimate_step(0, 1, 1 + exp2(-3), halved), 4.0 / 3, 1e-14);
+  NEAR(nb_estimate_step(0, 1, 1 + exp2(-0.2), halved), sqrt(2) / (sqrt(2) - 1), 1e-14);
 }
 
 static void differences_that_do_not_shrink(void) {
-  CU_ASSERT_EQUAL(nb_estimate_step(0, 1, 2), 3);
-  CU_ASSERT_EQUAL(nb_estimate_step(0, 1, -1), 6);
-  CU_ASSERT_EQUAL(nb_estimate_step(4, 4, 3), 3);
-  CU_ASSERT_EQUAL(nb_estimate_step(7, 7, 7), 0);
-  NEAR(nb_estimate_step(8, 7, 7), 4.0 / 3, 1e-14); /* d_2 = 0: the order is the highest one */
+  CU_ASSERT_EQUAL(nb_estimate_step(0, 1, 2, halved), 3);
+  CU_ASSERT_EQUAL(nb_estimate_step(0, 1, -1, halved), 6);
+  CU_ASSERT_EQUAL(nb_estimate_step(4, 4, 3, halved), 3);
+  CU_ASSERT_EQUAL(nb_estimate_step(7, 7, 7, halved), 0);
+  NEAR(nb_estimate_step(8, 7, 7, halved), 4.0 / 3, 1e-14); /* d_2 = 0: the order is the highest one */
 }
 
 static void what_is_not_finite_has_no_estimate(void) {
@@ -42,13 +57,13 @@ static void what_is_not_finite_has_no_estimate(void) {
   for (size_t k = 0; k < 3; k++) {
     double step;
     const double one[] = {1, 1}, with[] = {1, bad[k]};
-    CU_ASSERT_EQUAL(nb_estimate_step(bad[k], 1, 1), INFINITY);
-    CU_ASSERT_EQUAL(nb_estimate_step(1, bad[k], 1), INFINITY);
-    CU_ASSERT_EQUAL(nb_estimate_step(1, 1, bad[k]), INFINITY);
-    CU_ASSERT_EQUAL(nb_estimate_claim(&step, with, one, one, 2, (struct nb_anchor){1, 0}), INFINITY);
+    CU_ASSERT_EQUAL(nb_estimate_step(bad[k], 1, 1, halved), INFINITY);
+    CU_ASSERT_EQUAL(nb_estimate_step(1, bad[k], 1, halved), INFINITY);
+    CU_ASSERT_EQUAL(nb_estimate_step(1, 1, bad[k], halved), INFINITY);
+    CU_ASSERT_EQUAL(nb_estimate_claim(&step, with, one, one, 2, halved, (struct nb_anchor){1, 0}), INFINITY);
     CU_ASSERT_EQUAL(step, INFINITY);
-    CU_ASSERT_EQUAL(nb_estimate_claim(&step, one, one, one, 2, (struct nb_anchor){bad[k], 0}), INFINITY);
-    CU_ASSERT_EQUAL(nb_estimate_claim(&step, one, one, one, 2, (struct nb_anchor){1, fabs(bad[k])}), INFINITY);
+    CU_ASSERT_EQUAL(nb_estimate_claim(&step, one, one, one, 2, halved, (struct nb_anchor){bad[k], 0}), INFINITY);
+    CU_ASSERT_EQUAL(nb_estimate_claim(&step, one, one, one, 2, halved, (struct nb_anchor){1, fabs(bad[k])}), INFINITY);
     CU_ASSERT(!isfinite(nb_estimate_anchor(with, one, 2).uncertainty));
     CU_ASSERT(!isfinite(nb_estimate_anchor(one, with, 2).uncertainty));
   }
@@ -71,15 +86,16 @@ static void a_claim_is_that_of_the_worst_phase(void) {
   for (size_t worst = 0; worst < 3; worst++) {
     double n[] = {1, 1, 1}, n2[] = {1, 1, 1}, n4[] = {1, 1, 1};
     n[worst] = 0.5;
-    CU_ASSERT_EQUAL(nb_estimate_claim(&step, n, n2, n4, 3, (struct nb_anchor){1, 0.125}), 0.75); /* 1.25 0.5 + U */
+    CU_ASSERT_EQUAL(nb_estimate_claim(&step, n, n2, n4, 3, halved, (struct nb_anchor){1, 0.125}),
+                    0.75); /* 1.25 0.5 + U */
     NEAR(step, 0.5 * 4 / 3, 1e-14);
-    CU_ASSERT_EQUAL(nb_estimate_claim(&step, n, n2, n4, 3, (struct nb_anchor){1, 0}), step);
+    CU_ASSERT_EQUAL(nb_estimate_claim(&step, n, n2, n4, 3, halved, (struct nb_anchor){1, 0}), step);
     n[worst] = n2[worst] = 1, n4[worst] = 3;
-    CU_ASSERT_EQUAL(nb_estimate_claim(&step, n, n2, n4, 3, (struct nb_anchor){1, 0}), 6); /* 3 |d_2| */
+    CU_ASSERT_EQUAL(nb_estimate_claim(&step, n, n2, n4, 3, halved, (struct nb_anchor){1, 0}), 6); /* 3 |d_2| */
   }
   const double two[] = {2, 2};
-  CU_ASSERT_EQUAL(nb_estimate_claim(&step, two, two, two, 2, (struct nb_anchor){1, 0}), 1.25);
-  CU_ASSERT_EQUAL(nb_estimate_claim(&step, two, two, two, 2, (struct nb_anchor){3, 0}), 1.25);
+  CU_ASSERT_EQUAL(nb_estimate_claim(&step, two, two, two, 2, halved, (struct nb_anchor){1, 0}), 1.25);
+  CU_ASSERT_EQUAL(nb_estimate_claim(&step, two, two, two, 2, halved, (struct nb_anchor){3, 0}), 1.25);
   CU_ASSERT_EQUAL(step, 0);
 }
 
@@ -130,6 +146,7 @@ static void a_time_that_differs(void) {
 void suite_estimate(void) {
   CU_pSuite suite = CU_add_suite("estimate", NULL, NULL);
   CU_ADD_TEST(suite, richardson_finds_the_error_of_a_power);
+  CU_ADD_TEST(suite, other_ratios_give_no_smaller_estimate);
   CU_ADD_TEST(suite, the_order_is_limited);
   CU_ADD_TEST(suite, differences_that_do_not_shrink);
   CU_ADD_TEST(suite, what_is_not_finite_has_no_estimate);

@@ -157,8 +157,8 @@ static void dissipation_is_independent_of_the_step(void) {
 static double smallest_change(const struct by_hand *it) {
   double least = 1;
   for (int k = 0; k + 1 < it->count; k++) {
-    const double n0 = pow(by_hand_begin(it, k), 1.5), n1 = pow(it->end[k], 1.5), n2 = pow(it->end[k + 1], 1.5);
-    const double change = fabs(it->d[k] - it->d[k + 1]) * (n1 - n0) * (n2 - n1) / (n2 - n0) / n2;
+    const double n0 = by_hand_ring(it, k - 1).n, n1 = it->ring[k].n, n2 = it->ring[k + 1].n;
+    const double change = fabs(it->ring[k].d - it->ring[k + 1].d) * (n1 - n0) * (n2 - n1) / (n2 - n0) / n2;
     least = change < least && change > 1e-13 ? change : least;
   }
   return least;
@@ -253,6 +253,36 @@ static void very_small_friction(void) {
     }
 }
 
+/* Friction so high that the contact never comes near sliding: T is accurate relative to itself, not only to mu N. Slip is
+ * some fraction of the overlap, so u is about a millionth of x. */
+static void very_high_friction(void) {
+  static struct by_hand hand;
+  struct chance chance = chance_begin(8);
+  struct exact it = exact_of(steel);
+  it.pair.friction = 1e6, it.pair.pieces = 200;
+  hand.count = 0;
+  double x = 1e-6, worst = 0, largest = 0;
+  for (int k = 0; k < 100; k++) {
+    x = 1e-6 * chance_between(&chance, 0.5, 1.5);
+    const double slip = chance_between(&chance, -1e-7, 1e-7), wanted = by_hand_go(&hand, x, slip / unit(it.pair));
+    exact_go(&it, x, slip);
+    worst = fmax(worst, fabs(fraction(&it) - wanted)), largest = fmax(largest, fabs(wanted));
+  }
+  CU_ASSERT(largest < 1e-5 && worst < 1e-6 * largest);
+}
+
+/* The contact returns to the very point of an earlier corner: no piece without width stays, which a saved state would
+ * refuse. */
+static void back_to_a_corner(void) {
+  struct exact it = exact_of(steel);
+  const double u = 0.2e-6 * unit(steel);
+  exact_go(&it, 1e-6, u);
+  exact_go(&it, 2e-6, 2 * u);
+  exact_go(&it, 3e-6, -u);
+  exact_go(&it, 2e-6, u);
+  CU_ASSERT(it.law->valid(it.memory, it.law->used(it.memory), (int)it.pair.pieces));
+}
+
 /* pieces_of returns the pieces from inside to outside, up to alpha; their forces sum to T. */
 static void pieces_of_a_contact(void) {
   struct exact it = exact_of(steel);
@@ -282,5 +312,7 @@ void suite_exact(void) {
   CU_add_test(suite, "random paths, against by_hand.h, at any step", random_paths);
   CU_add_test(suite, "friction changes under load", friction_changes);
   CU_add_test(suite, "very small friction", very_small_friction);
+  CU_add_test(suite, "very high friction", very_high_friction);
+  CU_add_test(suite, "back to a corner", back_to_a_corner);
   CU_add_test(suite, "pieces of a contact", pieces_of_a_contact);
 }

@@ -70,6 +70,28 @@ static void overlap_at_the_start(void) {
       NB_OK);
 }
 
+/* A search that finds coincident particles lists none of their pairs, which are as many as half the square of their
+ * number, and names the first two. */
+static void coincident_particles(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  words_add(&page, HEAD "lattice discs 100 by 5 from 1 1 radius 1 spacing 4 m\nstage s\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, &(struct nb_options){.threads = 1, .shuffle = true});
+  for (size_t i = 0; i < model->particles.count; i++)
+    if (model->particles.number[i] != 1)
+      model->particles.position[i] = vec(7, 9);
+  CU_ASSERT_EQUAL(nb_neighbours_search(model, &error), NB_BAD_USE);
+  CU_ASSERT(has(&error, "particle 3 overlaps particle 2 (line 6) by 2. Expected at most the smaller radius, 1:"));
+  CU_ASSERT_EQUAL(model->contacts.count, 0);
+  model->cycle = 7;
+  CU_ASSERT_EQUAL(nb_neighbours_search(model, &error), NB_BROKEN);
+  CU_ASSERT(has(&error, "particle 2 (line 6) and particle 3 (line 6): at cycle 7, time 0, they overlap by 2."));
+  nb_model_free(model);
+  written_free(&it);
+}
+
 /* With the radius 1 and the step 1/2 the limit is 2 m/s, in any direction, also for fixed particles and with any
  * skin. */
 static void displacement_in_a_step(void) {
@@ -305,6 +327,7 @@ static void each_warning_once(void) {
 void suite_guard(void) {
   CU_pSuite suite = CU_add_suite("guard", NULL, NULL);
   CU_add_test(suite, "overlap at the start", overlap_at_the_start);
+  CU_add_test(suite, "coincident particles", coincident_particles);
   CU_add_test(suite, "displacement in a step", displacement_in_a_step);
   CU_add_test(suite, "displacement imposed by a cell", imposed_by_a_cell);
   CU_add_test(suite, "rotation in a step", rotation_in_a_step);

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <string.h>
 
-#include "contact.h"
+#include "every_law.h"
 #include "suites.h"
 
 static void nothing_at_zero_overlap(struct contact it, struct chance *chance) {

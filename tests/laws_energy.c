@@ -4,7 +4,7 @@
 #include <CUnit/CUnit.h>
 #include <float.h>
 
-#include "contact.h"
+#include "every_law.h"
 #include "suites.h"
 
 struct corner {

@@ -1,5 +1,5 @@
-# Prints the messages in a C file: the string constants, adjacent ones joined, of statements that call one of the functions below. One
-# per line: LINE TAB TEXT. Escapes that are visible in a message are undone.
+# Prints the messages in a C file: the string constants, adjacent ones joined, of statements that call one of the functions below, or
+# that have the word `speaks`. One per line: LINE TAB TEXT. Escapes that are visible in a message are undone.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 function statement_ends() {
@@ -9,7 +9,7 @@ function statement_ends() {
   joining = 0
 }
 BEGIN {
-  speaks = "(nb_mistake|nb_token_mistake|nb_line_mistake|nb_expected|nb_unknown_name|number_mistake|nb_scene_mistake|report_law|report|say|nb_take_token|nb_take_name|snprintf[(](hint|what))[(,]"
+  if (!speaks) speaks = "(nb_mistake|nb_token_mistake|nb_line_mistake|nb_expected|nb_unknown_name|number_mistake|nb_scene_mistake|report_law|say|nb_take_token|nb_take_name|snprintf[(](hint|what))[(,]|(report)[(]"
 }
 /^#/ { next } # an #include is no message
 {

@@ -197,12 +197,6 @@ cat "$work/why" >>"$work/heard"
 # Messages that cannot occur here: that of the command line about a --set without `=`.
 unheard='^expected NAME=VALUE'
 
-# Converts a format string of the sources to a pattern; a conversion with % matches anything.
-as_pattern() {
-  sed -e 's/%[-+ 0#]*[0-9]*\(\.[0-9*]*\)*[lzh]*[a-zA-Z]/\n/g' -e 's/%%/%/g' -e 's/\\n//g' |
-    sed -e 's/[][\\.*^$+?(){}|/]/\\&/g' | awk 'NR > 1 { printf ".*" } { printf "%s", $0 } END { print "" }'
-}
-
 for source in $(grep -lE '"(input/)?(reader|scene)\.h"' src/*/*.c | grep -v manual); do
   awk -f tests/messages.awk "$source" | grep '[a-z]' | while IFS='	' read -r line text; do
     bare=$(echo "$text" | sed 's/%[-+ 0#]*[0-9]*\(\.[0-9*]*\)*[lzh]*[a-zA-Z]//g')

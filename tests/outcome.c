@@ -11,6 +11,7 @@
 
 #include "report/outcome.h"
 #include "suites.h"
+#include "written.h"
 
 /* The number of progress reports and of notes, and the last text of each. */
 struct heard {
@@ -34,8 +35,8 @@ static void note(void *data, const char *text) {
 }
 
 /* Runs a page with these statements and these expectations. */
-static void carry_out(struct nb_outcome *outcome, const char *scene, const char *expectations,
-                      const struct nb_progress *progress) {
+static void carry_out_with(struct nb_outcome *outcome, const char *scene, const char *expectations,
+                           const struct nb_options *options, const struct nb_progress *progress) {
   char path[] = "/tmp/nineball-outcome-XXXXXX";
   const int descriptor = mkstemp(path);
   CU_ASSERT_FATAL(descriptor >= 0);
@@ -43,10 +44,15 @@ static void carry_out(struct nb_outcome *outcome, const char *scene, const char 
   CU_ASSERT_PTR_NOT_NULL_FATAL(file);
   fprintf(file, "```scene\n%s\n```\n```expect\n%s\n```\n", scene, expectations);
   fclose(file);
-  nb_outcome_make(outcome, path, NULL, NULL, progress);
+  nb_outcome_make(outcome, path, NULL, options, progress);
   unlink(path);
   if (outcome->mistakes.text)
     printf("# %s", outcome->mistakes.text);
+}
+
+static void carry_out(struct nb_outcome *outcome, const char *scene, const char *expectations,
+                      const struct nb_progress *progress) {
+  carry_out_with(outcome, scene, expectations, NULL, progress);
 }
 
 /* Runs a page with one disc, another shear law in its second stage, these sweeps and these expectations. */
@@ -288,6 +294,65 @@ static void many_particles(void) {
   nb_outcome_free(&outcome);
 }
 
+/* Results that were written to a temporary file and read again are those in memory, in any order of reading, whether all three runs or
+ * only the last two are in the file. A file that cannot be written is one note, and the results stay in memory. One that cannot be read
+ * any more is an error. As long as an outcome has a folder, no other one has it. */
+static void results_in_a_file(void) {
+  static const char scene[] = "units none\nsweep v 1 2 3\nmaterial m density 1 kn 1 ks 1 friction 0.5\ndisc 0 0 radius "
+                              "1 m velocity $v 0\nwall w 0.9 -9 to "
+                              "0.9 9 m\nmonitor A disc 1\nregion R all\nstep 1e-3\nrecord time A.x\nstage one\ncycles "
+                              "7\nsnapshot\nstage two\ncycles 4\n"
+                              "snapshot from one";
+  static const char expectations[] =
+      "time expected 0.011 within 1e-12 [t]\nA.x increases with v\nA.x constant with v within 9";
+  char folder[] = "/tmp/nineball-outcome-XXXXXX", other[sizeof folder + 8];
+  struct nb_options options = {.threads = 1, .jobs = 1, .results = {.bytes = 1 << 20, .folder = mkdtemp(folder)}};
+  struct nb_outcome memory, outcome;
+  struct heard heard = {0};
+  const struct nb_progress progress = {NULL, note, &heard};
+  CU_ASSERT_PTR_NOT_NULL_FATAL(options.results.folder);
+  carry_out_with(&memory, scene, expectations, &options, NULL);
+  CU_ASSERT_FATAL(memory.status == NB_OK && memory.run_count == 3 && memory.check_count == 5);
+  CU_ASSERT(memory.runs[2].result.snapshot_count == 2 && memory.runs[2].result.snapshots[1].contacts.row_count == 1);
+  const size_t kept[] = {0, memory.spool.kept / 3};
+  carry_out_with(&outcome, scene, expectations, &options, NULL);
+  CU_ASSERT(outcome.status == NB_BAD_USE && outcome.runs[0].result.cycles == 0);
+  CU_ASSERT_PTR_NOT_NULL(
+      strstr(outcome.error.text, "nineball.lock: wait for its end, or choose another folder with -o"));
+  nb_outcome_free(&outcome);
+  snprintf(other, sizeof other, "%s/other", folder);
+  options.results.folder = other;
+  for (int first = 0; first < 2; first++) {
+    options.results.bytes = kept[first];
+    carry_out_with(&outcome, scene, expectations, &options, NULL);
+    CU_ASSERT_FATAL(outcome.status == NB_OK && outcome.run_count == 3 && outcome.check_count == 5);
+    CU_ASSERT_EQUAL(outcome.runs[0].spool == NULL, first == 1);
+    CU_ASSERT_PTR_NOT_NULL(outcome.runs[1].spool);
+    CU_ASSERT_EQUAL(outcome.runs[2].result.snapshot_count, 0);
+    for (int k = 0; k < 9; k++) {
+      const struct nb_page_run *run = &outcome.runs[k * k % 3], *same = &memory.runs[k * k % 3];
+      CU_ASSERT(written_same_table(nb_run_table(run), &same->result.table));
+      CU_ASSERT(k % 2 || written_same_snapshots(nb_run_result(run), &same->result));
+    }
+    for (size_t k = 0; k < 5; k++)
+      CU_ASSERT_STRING_EQUAL(memory.checks[k].message, outcome.checks[k].message);
+    CU_ASSERT_EQUAL(ftruncate(fileno(outcome.spool.file), 0), 0);
+    CU_ASSERT_EQUAL(nb_verdict(&outcome), NB_BAD_USE);
+    CU_ASSERT_STRING_EQUAL(outcome.error.text,
+                           "cannot read the temporary file with the results of the runs: Input/output error");
+    nb_outcome_free(&outcome);
+  }
+  nb_outcome_free(&memory);
+  CU_ASSERT(rmdir(other) == 0 && rmdir(folder) == 0);
+  options.results = (struct nb_results_kept){0, folder, true};
+  carry_out_with(&outcome, scene, expectations, &options, &progress);
+  CU_ASSERT(outcome.status == NB_OK && outcome.check_count == 5 && outcome.runs[2].result.table.row_count > 0);
+  CU_ASSERT(outcome.runs[2].result.snapshot_count == 0 && heard.notes == 1);
+  CU_ASSERT_PTR_NOT_NULL(
+      strstr(heard.note, "the results stay in memory: cannot write a temporary file in /tmp/nineball-outcome-"));
+  nb_outcome_free(&outcome);
+}
+
 void suite_outcome(void) {
   CU_pSuite suite = CU_add_suite("outcome", NULL, NULL);
   CU_add_test(suite, "progress and notes of several runs", progress);
@@ -298,5 +363,6 @@ void suite_outcome(void) {
   CU_add_test(suite, "mistakes in all runs, and the error of a reference", mistakes_of_all_runs);
   CU_add_test(suite, "warnings of all runs", warnings_of_all_runs);
   CU_add_test(suite, "many particles in many runs", many_particles);
+  CU_add_test(suite, "results of runs in a temporary file", results_in_a_file);
   CU_add_test(suite, "deep contacts of all runs together", deep_overlaps_of_all_runs);
 }

@@ -19,6 +19,15 @@ particles() { grep '^body ' "$1" | cut -d ' ' -f 1-8; }
 diff "$work/nine.state.numbers" "$work/nine-discs-load.state.numbers" >>"$work/said"
 result $? 'the packing stored with the cases is the one that nine-discs computes'
 
+"$nineball" run cases/7-assemblies/photoelastic-discs.md --set seed=5 -o "$work/photo" >"$work/said" 2>&1 && {
+  sed -n '1,/^x/p' cases/packings/photo-5.tsv
+  awk -F'\t' 'FILENAME ~ /walls/ && $1 == 1 { south = $3 } FILENAME ~ /walls/ && $1 == 4 { west = $2 }
+    FILENAME ~ /particles/ && /^[0-9]/ { printf "%.1f\t%.1f\t%g\n", $2 - west, $3 - south, $4 }' \
+    "$work/photo/A-walls.tsv" "$work/photo/A-particles.tsv"
+} >"$work/photo-5.tsv"
+diff "$work/photo-5.tsv" cases/packings/photo-5.tsv >>"$work/said"
+result $? 'photo-5.tsv holds the positions of photoelastic-discs at stage A, rounded'
+
 # Randomly placed spheres of two materials, one fixed, one removed; they move for 500 cycles.
 cat >"$pages/made.md" <<'END'
 # At random

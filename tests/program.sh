@@ -562,7 +562,7 @@ out 'ok 2 - D.x constant with v within 0 # SKIP `v` has one value only, so there
 run 0 run "$pages/hidden.md" -o hidden
 grep -q '^skip	45	' hidden/verdict.tsv || echo 'verdict.tsv does not have it' >>why
 run 0 report "$pages/hidden.md" -o hidden
-grep -q '<td class="skip">skip</td><td>D.x constant with v' hidden/index.html || echo 'the report does not have it' >>why
+grep -q '<td class="skip">skip</td><td>D.x constant with v' hidden/hidden/index.html || echo 'the report does not have it' >>why
 run 2 check "$pages/swept.md" --set v=1
 out '1 expectation was not checked:'
 said 'no expectation of this page could fail'

@@ -138,9 +138,55 @@ static void a_product_that_rounding_makes_no_whole_number(void) {
   written_free(&written);
 }
 
+/* All stiffnesses are divided by r, also those of a pair and those that a stage changes. Powers of two and four: to the last
+ * bit. */
+static void soft_page(struct words *page, double r) {
+  words_add(page,
+            "units none\nmaterial m density 2 kn %.17g ks %.17g friction 0.5\nmaterial n density 2 kn %.17g\n"
+            "pair m n kn %.17g ks %.17g\ndisc 0 0 radius 1 m velocity 1 0.5\ndisc 1.875 0 radius 1 n\n"
+            "disc 0 1.9375 radius 1 m\nmonitor C disc 1 with disc 2\nmonitor D disc 1\n",
+            1024 / r, 512 / r, 256 / r, 2048 / r, 128 / r);
+  words_add(page,
+            "shear linear\nrecord C.normal C.shear D.vx D.vy D.spin\nstep 0.0078125\nstage a\ncycles 20\nstage b\n"
+            "material m kn %.17g ks %.17g\npair m n kn %.17g\ncycles 20\n",
+            4096 / r, 2048 / r, 8192 / r);
+}
+
+static void soft_spheres(struct words *page, double r) {
+  words_add(page,
+            "units none\nmaterial m density 2 young %.17g poisson 0.25 friction 0.5\nnormal hertz\nshear mindlin\n"
+            "sphere 0 0 radius 1 m velocity 1 0.5\nsphere 1.875 0 radius 1 m\nmonitor C sphere 1 with sphere 2\n"
+            "record C.normal C.shear\nstep 0.0078125\nstage a\ncycles 20\n",
+            4096 / r);
+}
+
+static void tables_of_a_page_with_softer_contacts(void) {
+  add_page *const pages[] = {soft_page, soft_spheres};
+  for (size_t k = 0; k < sizeof pages / sizeof *pages; k++)
+    for (double soften = 0.25; soften <= 16; soften *= 4) {
+      char text[32];
+      snprintf(text, sizeof text, "soften=%g", soften);
+      same_tables(pages[k], text, soften);
+    }
+}
+
+/* --set damping=centred instead of `damping late` in the scene and in a stage; 1 and 2: the two words. */
+static void dashpots_page(struct words *page, double r) {
+  static const char *const words[] = {"", "late", "centred"};
+  words_add(page,
+            "units none\nmaterial m density 2 kn 1024\ndisc 0 0 radius 1 m velocity 1 0\ndisc 1.99 0 radius 1 m\n"
+            "monitor D disc 1\nrecord D.vx\ndamping ratio 0.25\ndamping %s\nstep 0.0078125\nstage a\ncycles 20\n"
+            "stage b\ndamping %s\ncycles 20\n",
+            words[(int)r], words[(int)r]);
+}
+
+static void tables_of_a_page_with_other_dashpots(void) { same_tables(dashpots_page, "damping=centred", 2); }
+
 void suite_refine(void) {
   CU_pSuite suite = CU_add_suite("refine", NULL, NULL);
   CU_ADD_TEST(suite, tables_of_a_page_with_all_numbers_multiplied);
   CU_ADD_TEST(suite, a_longer_step);
+  CU_ADD_TEST(suite, tables_of_a_page_with_softer_contacts);
+  CU_ADD_TEST(suite, tables_of_a_page_with_other_dashpots);
   CU_ADD_TEST(suite, a_product_that_rounding_makes_no_whole_number);
 }

@@ -30,14 +30,15 @@ rm -f "$bell" "$newline.md"
 strange="<b>&\"'#%20?"
 sed 's/^# .*/# <script>alert(1)<\/script>/' "$pages/asks-nothing.md" >"$strange.md"
 run 2 report "$strange.md" -o strange && said 'nothing was checked' &&
-  test "$(grep -c '<script>\|<b>' strange/index.html)" -eq 0 &&
+  ! grep -q 'script>alert\|<b>' strange/index.html "strange/$strange/index.html" &&
   grep -q '&lt;b&gt;&amp;&quot;&#39;#%20?</a>' strange/index.html &&
-  grep -q 'href="%3Cb%3E%26%22%27%23%2520%3F/table.tsv"' strange/index.html
+  grep -q 'href="%3Cb%3E%26%22%27%23%2520%3F/index.html"' strange/index.html &&
+  grep -q 'href="table.tsv"' "strange/$strange/index.html"
 result $? 'characters of HTML in a name and a title are escaped'
 
-run 0 report "$pages/warns.md" --set refine=0.5 --set refine=1 -o warns && cp warns/index.html "$why" &&
-  grep -qx '<p>Warning: --set refine=0.5 has no effect: --set refine=1 follows it</p>' warns/index.html &&
-  grep -q '^<p>Warning: line 4: friction between' warns/index.html
+run 0 report "$pages/warns.md" --set refine=0.5 --set refine=1 -o warns && cp warns/warns/index.html "$why" &&
+  grep -qx '<p>Warning: --set refine=0.5 has no effect: --set refine=1 follows it</p>' "$why" &&
+  grep -q '^<p>Warning: line 4: friction between' "$why"
 result $? 'warnings of the report have the line of the page, if they have one'
 
 mkdir one other
@@ -81,38 +82,82 @@ result $? 'the temporary file of a running process stays'
 # ---- status ----
 
 run 3 report "$pages/never-ends.md" "$pages/passes.md" -o some && said 'did not run to its end' &&
-  grep -q 'href="never-ends/table.tsv"' some/index.html && test -s some/never-ends/wait-particles.tsv &&
-  grep -q 'did not end within 20 cycles' some/index.html
+  grep -q 'href="table.tsv"' some/never-ends/index.html && test -s some/never-ends/wait-particles.tsv &&
+  grep -q 'did not end within 20 cycles' some/index.html some/never-ends/index.html &&
+  sed '/<h2>All pages/,$d; /id="pages-of/,$d' some/index.html | grep -q 'never-ends/index.html'
 result $? 'report: an aborted run is status 3, and its tables are written'
 run 2 report none.md "$pages/passes.md" -o some && grep -q '>none</a>' some/index.html
 result $? 'report: a page that cannot be read has a line'
 run 0 report "$pages/hidden.md" -o some && said '2 checks, 0 failed' &&
-  grep -q '<td>2</td><td class="pass">0</td><td>0</td><td>6</td>' some/index.html &&
-  grep -q '2 checks, 0 failed, 0 noted, 6 skipped' some/index.html
+  grep -q '<td class="pass">2 checks passed</td>' some/index.html &&
+  grep -q '2 checks, 0 failed, 0 noted, 6 skipped' some/hidden/index.html
 result $? 'report: skipped expectations are counted separately'
 run 2 report "$pages/passes.md" "$pages/asks-nothing.md" -o some && said '0 checks, 0 failed; nothing was checked' &&
-  grep -q '<td>0</td><td class="fail">0, nothing was checked</td>' some/index.html &&
-  grep -q '1 on which nothing was checked' some/index.html
+  test "$(grep -c '<td class="fail">nothing was checked</td>' some/index.html)" -eq 2
 result $? 'report: a page on which nothing was checked has not passed'
 run 2 report "$pages/fails.md" "$pages/mistaken.md" "$pages/passes.md" -o mixed &&
   grep -q '>fails</a>' mixed/index.html && grep -q '>mistaken</a>' mixed/index.html && grep -q '>passes</a>' mixed/index.html &&
-  test -s mixed/fails/table.tsv && test -s mixed/passes/table.tsv && test ! -e mixed/mistaken &&
-  grep -q 'mistaken.md:6:16: error: expected' mixed/index.html
+  test -s mixed/fails/table.tsv && test -s mixed/passes/table.tsv && test ! -e mixed/mistaken/table.tsv &&
+  grep -q 'mistaken.md:6:16: error: expected' mixed/index.html mixed/mistaken/index.html
 result $? 'report: an invalid page is status 2, and the other pages are run'
 sed 's/kn 1  ks 1 //; s/^shear .*//; s/^step .*/step 0.1 of single-contact/' "$pages/passes.md" >endless.md
-run 2 report endless.md -o mixed && grep -q 'line 12: the step is computed as inf: ' mixed/index.html
+run 2 report endless.md -o mixed && grep -q 'line 12: the step is computed as inf: ' mixed/endless/index.html
 result $? 'report: an error at run time names its line'
 run 3 report "$pages/mistaken.md" "$pages/never-ends.md" "$pages/fails.md" "$pages/passes.md" -o mixed &&
   test -s mixed/fails/table.tsv && test -s mixed/passes/table.tsv && test -s mixed/never-ends/table.tsv
 result $? 'report: the status is the worst of all pages'
-mkdir -p blocked && : >blocked/passes
+mkdir -p blocked/passes/table.tsv
 run 2 report "$pages/passes.md" -o blocked && said 'no tables' && grep -q 'no tables' blocked/index.html
 result $? 'report: tables that cannot be written are status 2'
+
+# ---- the site ----
+
+mkdir -p site/sub
+cat >site/README.md <<'END'
+# All about it
+
+Read [the page](first.md#theory), [data](sub/data.tsv), [code](../secret.c), [mail](mailto:a@b.c), [bad](javascript:alert(1)),
+[away](https://example.org/x) and [none](nothing.md). <script>alert(2)</script> <b onclick="alert(3)">bold</b>
+
+![picture](sub/p.svg) ![outside](../secret.svg)
+END
+sed 's/^# .*/# First \& <last>\n\nThe root is $\\sqrt{2}$, see [all](README.md) and [second](second.md)./' "$pages/passes.md" >site/first.md
+cp "$pages/swept.md" site/second.md
+printf '1\t2\n' >site/sub/data.tsv
+printf '<svg xmlns="http://www.w3.org/2000/svg"/>' | tee site/sub/p.svg >secret.svg
+echo 'int secret;' >secret.c
+run 0 report site/README.md site/first.md site/second.md -o made && cp made/index.html "$why" &&
+  grep -q 'href="first/index.html#theory"' made/index.html && grep -q 'title="1 check passed"' made/index.html &&
+  grep -q 'href="files/sub-data.tsv.txt"' made/index.html && cmp -s site/sub/data.tsv made/files/sub-data.tsv.txt &&
+  grep -q 'src="files/sub-p.svg"' made/index.html && grep -q 'href="mailto:a@b.c"' made/index.html &&
+  grep -q 'href="https://example.org/x"' made/index.html
+result $? 'report: links to pages and to files below the folder of the page; the first document is the index'
+! grep -q -i 'secret\|javascript:\|alert(2)</script\|onclick\|nothing.md' made/index.html && test "$(ls made/files | wc -l)" -eq 2
+result $? 'report: no raw HTML, no script, no file outside of the folder of the page'
+run 0 report site/README.md site/first.md site/second.md -o made --trust && grep -q 'files/.*-secret.c.txt' made/index.html
+result $? 'report --trust copies any file to which a page links'
+grep -q '<math.*<msqrt>' made/first/index.html && grep -q '<h1 [^>]*>First &amp; &lt;last&gt;</h1>\|<h1 [^>]*>First &amp;' made/first/index.html &&
+  grep -q 'href="../second/index.html"' made/first/index.html && grep -q '<a rel="next"' made/first/index.html &&
+  grep -q '<a rel="prev"' made/second/index.html && cmp -s site/first.md made/first/first.md
+result $? 'report: typeset mathematics, previous and next page, the source'
+awk '/```expect/ { checks = NR } END { exit !checks }' site/second.md && grep -q '<circle' made/second/index.html
+result $? 'report: a trend shows its points'
+run 0 report site/first.md --unrun site/second.md -o unrun && grep -q 'not run' unrun/index.html &&
+  grep -q 'nineball check site/second.md' unrun/second/index.html && test ! -e unrun/second/table.tsv
+result $? 'report: a page that is not run says how to run it'
+run 2 report site/first.md other/../site/first.md -o unrun && said 'have the same name'
+result $? 'report: a page that is given twice'
+PATH=$work/none run 2 report site/first.md -o without && said 'needs pandoc' && test ! -e without
+result $? 'report: without pandoc nothing is run'
+sed 's/^cycles .*/cycles 40000/' "$pages/passes.md" >long.md
+run 1 report long.md -o long && test ! -e long/long/table.tsv && test ! -e long/long/long.gp && test -e long/long/values.tsv &&
+  grep -q 'Not kept here, because they are large: ' long/long/index.html && ! grep -q 'href="table.tsv"' long/long/index.html
+result $? 'report: a large table is not kept, and the page says how to make it'
 
 if command -v gnuplot >/dev/null; then
   sed 's/^plot .*/plot $nothing/' "$pages/passes.md" >broken.md
   run 2 report broken.md -o some && said 'no datablock named $nothing' && said 'no figure' &&
-    grep -q 'no datablock named' some/index.html && test ! -e some/broken/broken.svg
+    grep -q 'no datablock named' some/broken/index.html && test ! -e some/broken/broken.svg
   result $? 'report: a figure that cannot be drawn is status 2, and says why'
   sed 's/^plot .*//' "$pages/passes.md" >empty.md
   run 2 figure empty.md -o some && said 'draws nothing'

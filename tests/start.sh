@@ -409,7 +409,7 @@ result $? 'and no process waits for it'
 # ---- damaged states and failures of writing ----
 
 state=$(ls "$states"/*.state)
-sed 's/^body 3 disc/body 3 sphere/' "$state" >"$work/damaged" && cp "$work/damaged" "$state"
+sed 's/^body 3 disc/body 3 sphere/' "$state" >"$work/damaged.state" && cp "$work/damaged.state" "$state"
 run damaged "$pages/saved-stage.md"
 test $? -eq 2 && grep -q 'expected the checksum of the lines above, found another one: the file has been changed' "$work/said"
 result $? 'a damaged state is not used'
@@ -426,6 +426,15 @@ result $? 'no folder: an error'
 # base CYCLES: prints a small page with a stage `go` of one disc. on NAME: prints a page that starts from it.
 base() { printf '# Base\n```scene\nunits none\nmaterial m density 1 kn 100\ndisc 0 0 radius 1 m\nstep 0.1\nrecord time\nstage go\n  cycles %d\n```\n' "$1"; }
 on() { printf '# On\n```scene\nstart %s stage go\nrecord cycle\nstage more\n  cycles 1\n```\n' "$1"; }
+base 3 >"$work/base.md" && on base >"$work/on.md"
+"$nineball" run "$work/on.md" --states "$work/bare" --set step=0.0625 -o "$work/bare-step" >"$work/out" 2>"$work/said" &&
+  grep -q '^more	4$' "$work/bare-step/table.tsv" &&
+  ! "$nineball" run "$work/on.md" --states "$work/bare" --set step='0.0625 s' -o "$work/bare-step" >"$work/out" 2>"$work/said" &&
+  grep -q 'expected a time as a bare number (the scene says `units none`), found `0.0625 s`' "$work/said" &&
+  sed 's/^record.*/record time/' "$work/on.md" >"$work/on-time.md" &&
+  "$nineball" run "$work/on-time.md" --states "$work/bare" --set step=0.0625 -o "$work/bare-step" >"$work/out" 2>"$work/said" &&
+  awk '$1 == "more" { last = $2 } END { exit !(last > 0.3624 && last < 0.3626) }' "$work/bare-step/table.tsv"
+result $? '--set step of a page without `units` that starts from one with `units none`: a bare number'
 root=$work/root
 mkdir -p "$root/cases/1-one/deeper" "$root/cases/2-two" "$root/cases/3-three/cases/inner" "$root/other" "$root/outside"
 base 3 >"$root/cases/1-one/deeper/far.md"

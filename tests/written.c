@@ -5,6 +5,7 @@
 #define _POSIX_C_SOURCE 200809L /* mkstemp */
 #endif
 #include "written.h"
+#include "../src/measure/snapshot.h"
 
 #include <CUnit/CUnit.h>
 #include <math.h>
@@ -104,4 +105,29 @@ double written_cell(const struct nb_table *table, size_t row, const char *name) 
 
 double written_last(const struct nb_result *result, const char *name) {
   return written_cell(&result->table, result->table.row_count - 1, name);
+}
+
+bool written_same_table(const struct nb_table *a, const struct nb_table *b) {
+  const size_t rows = a->row_count, numbers = rows * a->column_count;
+  if (rows != b->row_count || a->column_count != b->column_count)
+    return false;
+  return rows == 0 || ((numbers == 0 || memcmp(a->values, b->values, numbers * sizeof *a->values) == 0) &&
+                       memcmp(a->cycle, b->cycle, rows * sizeof *a->cycle) == 0 &&
+                       memcmp(a->time, b->time, rows * sizeof *a->time) == 0 &&
+                       memcmp(a->stage, b->stage, rows * sizeof *a->stage) == 0);
+}
+
+bool written_same_snapshots(const struct nb_result *a, const struct nb_result *b) {
+  bool same = a->snapshot_count == b->snapshot_count;
+  for (size_t k = 0; same && k < a->snapshot_count; k++) {
+    const char *name, *other;
+    const struct nb_table *one, *two;
+    bool more = true;
+    same = a->snapshots[k].stage == b->snapshots[k].stage;
+    for (int part = 0; same && more; part++) {
+      more = nb_snapshot_part(&a->snapshots[k], part, &name, &one);
+      same = nb_snapshot_part(&b->snapshots[k], part, &other, &two) == more && (!more || written_same_table(one, two));
+    }
+  }
+  return same;
 }

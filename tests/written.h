@@ -37,4 +37,8 @@ void written_run(struct nb_result *result, const struct written *written, const 
 double written_cell(const struct nb_table *table, size_t row, const char *name);
 double written_last(const struct nb_result *result, const char *name);
 
+/* Whether the rows of two tables, and all tables of the snapshots of two results, are the same to the last bit. */
+bool written_same_table(const struct nb_table *a, const struct nb_table *b);
+bool written_same_snapshots(const struct nb_result *a, const struct nb_result *b);
+
 #endif

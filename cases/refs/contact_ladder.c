@@ -92,9 +92,10 @@ static void advance(struct state *s, double d) {
     const double sense = d > s->d ? 1 : -1;
     struct branch *b = &s->branches[s->count - 1];
     const bool reversal = s->count == 0 || sense != b->sense;
-    if (reversal && s->count < s->law.branches)
-      s->branches[s->count++] = (struct branch){s->t, s->d, sense, s->count == 1 ? 1 : 2},
-      b = &s->branches[s->count - 1];
+    if (reversal && s->count < s->law.branches) {
+      b = &s->branches[s->count++];
+      *b = (struct branch){s->t, s->d, sense, s->count == 1 ? 1 : 2};
+    }
     const bool back = sense != b->sense; /* back along the last branch, elastically, up to T** */
     const double end = back ? b->d : end_of(s);
     const bool beyond = sense * (d - end) > 0;

@@ -46,7 +46,7 @@ static bool steady(const struct nb_scene *scene) {
 static bool read_impact(struct hertz *hertz, const struct nb_wall *wall) {
   const struct nb_particle *a = hertz->particles[0], *b = hertz->particles[1];
   double x = b ? b->x - a->x : wall->x - a->x, y = b ? b->y - a->y : wall->y - a->y;
-  if (wall) { /* the foot of the perpendicular must lie on the wall */
+  if (!b) { /* the foot of the perpendicular must lie on the wall */
     const double s = -(x * wall->ex + y * wall->ey);
     if (!(s > wall->h1 && s < wall->h2) || wall->spin != 0 || wall->h0 != 0)
       return false;

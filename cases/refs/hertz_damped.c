@@ -58,7 +58,7 @@ static void state_at(const struct impact *impact, double t, double y[]) {
   memset(y, 0, HERTZ_UNKNOWNS * sizeof *y);
   if (!(time > 0) || !(time < impact->end))
     return;
-  if (time > 100 * impact->last) { /* an overdamped contact creeps for ever; do not follow it */
+  if (time > 100 * impact->last) { /* the overlap of an overdamped contact tends to 0 and never ends */
     y[HERTZ_OVERLAP] = y[HERTZ_SPEED] = NAN;
     return;
   }

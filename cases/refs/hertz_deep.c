@@ -14,7 +14,7 @@
 #include "hertz.h"
 #include "hertz_motion.h"
 
-/* False: GSL gave up, or s does not return to `end`. */
+/* False: GSL failed, or s does not return to `end`. */
 static bool integrate_to_rebound(double y[], double beta, double end, double deepest[]) {
   return hertz_rebound(y, beta, end, 50, deepest) && !(y[HERTZ_OVERLAP] > end);
 }

@@ -15,7 +15,7 @@
 #include "hertz_motion.h"
 #include "impact_springs.h"
 
-/* Duration of the contact in units of alpha_max/V_N; NAN: it does not end, or GSL gave up. */
+/* Duration of the contact in units of alpha_max/V_N; NAN: it does not end, or GSL failed. */
 static double duration(double beta) {
   double y[HERTZ_UNKNOWNS] = HERTZ_FIRST_CONTACT, deepest[HERTZ_UNKNOWNS];
   const double longest = 1000; /* near critical damping it is a few times the undamped one */

@@ -39,7 +39,7 @@ bool impact_law(struct impact_path *path, const char *law, double spring, double
 /* The exact contact without its second-order error, extrapolated from half of the steps and all of them. */
 bool impact_exact(struct impact_path *path, double chi, double psi1, int steps);
 /* psi2 with normal and tangential dashpots of the damping ratio beta (impact_damped.c); NAN: out of memory, INFINITY:
- * the contact does not end, or GSL gave up. */
+ * the contact does not end, or GSL failed. */
 double impact_damped(double chi, double kappa, double beta, double psi1, int steps);
 /* Updates the deflections u of the springs for a change of xi from `from` to `to` and of d by `slip`. Returns f. Spring
  * i touches while xi > depth[i]. *sliding: the gross sliding of the contact. */

@@ -1,19 +1,19 @@
-/* Reference: touching discs between walls that have moved and stopped, in equilibrium without sliding: the forces of
- * the linear network [CS79 figures 5, 6].
+/* Reference: forces of touching discs in equilibrium, after the walls have moved and stopped. No contact slides, so the
+ * contacts form a linear network [CS79 figures 5, 6].
  *
- * Returns, for C that monitors a contact, the forces in equilibrium with the walls where they are at the end:
+ * Returns the forces in equilibrium at the contact that C monitors, for the positions of the walls at the end:
  *   C.normal, C.shear              of the run;    if the walls are at rest then, also C.normal mean, C.shear mean
  *   C.normal, C.shear in STAGE     of a stage;    likewise
  *
- * For nine equal discs, each wall displaced inward by d, with r = k_s/k_n, the corner discs and the discs in the middle
- * of a side move by d_c and d_m (in units of d) along each axis:
+ * For nine equal discs, each wall displaced inward by d, with r = k_s/k_n, the corner discs move by d_c along both axes,
+ * and the discs in the middle of a side by d_m towards the centre, in units of d:
  *
  *   (2 + 2 r) d_c - r d_m = 1,   (2 + 2 r) d_m - 2 r d_c = 1
  *
  * In units of k_n d the normal forces are: centre contact d_m, corner with middle d_c, corner with wall 1 - d_c, middle
  * with wall 1 - d_m. For r = 1 they are 3/7, 5/14, 9/14 and 4/7; without shear force 1/2 everywhere.
  *
- * Error    0.01 (overlap / radius) of the forces, because the network is linear.
+ * Error    about 0.01 (overlap / radius) of the forces, because the network neglects the change of geometry.
  * Damping does not change the values if nothing slides.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */

@@ -196,7 +196,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
 const struct nb_reference reference_path_randall = {
     .name = "path_randall",
     .title = "R89's law in the limit of small steps, where approach and slip change in turns",
-    .source = "[R89 3.70-3.98, 4.20-4.24]",
+    .source = "[R89 3.70, 3.71, 3.94-3.98, 4.16, 4.20-4.24]",
     .accepts = {HAS_SPHERES, HAS_WALLS, HAS_FRICTION},
     .needs = {HAS_CONTACT_TEST},
     .normal = "hertz",

@@ -1,5 +1,5 @@
 /* A reference solution: theory's values and curves for one run, computed from the scene alone and named as the page's
- * checks name them. It never sees a number that the simulator computed. The methods are closed forms, quadrature, root
+ * checks name them. It never uses a number that the simulator computed. The methods are closed forms, quadrature, root
  * finding, ordinary differential equations and eigenvalues. Only cases/refs uses GSL.
  *
  * To add one, write the file, whose last lines define `const struct nb_reference reference_NAME`, and add its path to

@@ -6,7 +6,7 @@
  *   x_i <- x_i + (v_i + c_i) dt          with v = 0, s in x_i - x_0 = H s is constant: the strain is uniform
  *   x_j + H m,   v_j + c_j + L H m       position and velocity of the image of j that i touches, m two integers
  *
- * Forces change v only. It is the same for all images of a particle; their total velocities differ by L H m.
+ * Forces change v only. v is the same for all images of a particle; their total velocities differ by L H m.
  *
  * Particles are never moved back into the cell. A contact stores two integers that identify the image of its second
  * particle. So positions and velocities never jump, contact histories stay valid, and the time of a search changes no
@@ -47,11 +47,11 @@ void nb_cell_reset_travel(struct nb_cell *cell, double skin) {
 
 int nb_cell_move(struct nb_model *model) {
   struct nb_cell *cell = model->cell;
-  if (!(model->search.skin < INFINITY))
-    cell->deformation = one; /* there is no search */
   const struct nb_tensor rate = model->affine->rate[NB_AFFINE_CELL], step = tensor_scale(model->step, rate);
   cell->image_velocity = tensor_product(rate, cell->h);
   cell->h = tensor_add(cell->h, tensor_product(step, cell->h));
+  if (!(model->search.skin < INFINITY))
+    return 0; /* there is no search */
   cell->deformation = tensor_add(cell->deformation, tensor_product(step, cell->deformation));
   const struct nb_tensor change = tensor_sub(cell->deformation, one);
   const double strained =

@@ -23,7 +23,7 @@ void nb_pairs_store(struct nb_store *store, const char *name, struct nb_neighbou
     free(pairs->list);
     pairs->list = nb_array(count, sizeof *pairs->list), pairs->count = pairs->list ? count : 0;
   }
-  nb_store_integers(store, name, pairs->list, pairs->count * INTEGERS, sizeof(int));
+  NB_STORE_INTEGERS(store, name, (int *)pairs->list, pairs->count * INTEGERS);
   for (size_t p = 0; store->restoring && p < pairs->count; p++)
     store->failed = store->failed || !pair_exists(pairs->list[p], model);
 }

@@ -87,33 +87,35 @@ enum nb_status nb_guard_motion(const struct nb_model *model, struct nb_error *er
   return status;
 }
 
-enum nb_status nb_guard_pairs(const struct nb_model *model, struct nb_error *error) {
+enum nb_status nb_guard_pair(const struct nb_model *model, struct nb_close_pair pair, struct nb_error *error) {
   const struct nb_particles *particles = &model->particles;
-  for (size_t c = 0; c < model->contacts.wall_from; c++) {
-    const int i = model->contacts.a[c], j = model->contacts.b[c];
-    const double overlap = nb_overlap(model, c),
-                 radius = fmin(particles->surface[i].radius, particles->surface[j].radius);
-    if (!(overlap > radius))
-      continue;
-    const int a = particles->number[i], b = particles->number[j];
-    const char *m = nb_unit(model->scene, " m"), *s = nb_unit(model->scene, " s");
-    if (model->cycle == 0) {
-      nb_error_set(
-          error, NB_BAD_USE,
-          "particle %d overlaps particle %d (line %d) by %g%s. Expected at most the smaller radius, %g%s: move "
-          "them apart, or make them smaller",
-          b, a, line_of(model, a), overlap, m, radius, m);
-      error->line = line_of(model, b);
-      return NB_BAD_USE;
-    }
-    return nb_error_set(
-        error, NB_BROKEN,
-        "particle %d (line %d) and particle %d (line %d): at cycle %lu, time %g%s, they overlap by %g%s. The "
-        "limit is the smaller radius, %g%s: beyond that they pass through each other. Try a smaller "
-        "step, a stiffer contact, or a smaller load",
-        a, line_of(model, a), b, line_of(model, b), model->cycle, model->time, s, overlap, m, radius, m);
+  const double radius = fmin(particles->surface[pair.a].radius, particles->surface[pair.b].radius);
+  if (!(pair.overlap > radius))
+    return NB_OK;
+  const int a = particles->number[pair.a], b = particles->number[pair.b];
+  const char *m = nb_unit(model->scene, " m"), *s = nb_unit(model->scene, " s");
+  if (model->cycle == 0) {
+    nb_error_set(error, NB_BAD_USE,
+                 "particle %d overlaps particle %d (line %d) by %g%s. Expected at most the smaller radius, %g%s: move "
+                 "them apart, or make them smaller",
+                 b, a, line_of(model, a), pair.overlap, m, radius, m);
+    error->line = line_of(model, b);
+    return NB_BAD_USE;
   }
-  return NB_OK;
+  return nb_error_set(
+      error, NB_BROKEN,
+      "particle %d (line %d) and particle %d (line %d): at cycle %lu, time %g%s, they overlap by %g%s. The "
+      "limit is the smaller radius, %g%s: beyond that they pass through each other. Try a smaller "
+      "step, a stiffer contact, or a smaller load",
+      a, line_of(model, a), b, line_of(model, b), model->cycle, model->time, s, pair.overlap, m, radius, m);
+}
+
+static enum nb_status check_pairs(const struct nb_model *model, struct nb_error *error) {
+  const struct nb_contacts *contacts = &model->contacts;
+  enum nb_status status = NB_OK;
+  for (size_t c = 0; c < contacts->wall_from && !status; c++)
+    status = nb_guard_pair(model, (struct nb_close_pair){contacts->a[c], contacts->b[c], nb_overlap(model, c)}, error);
+  return status;
 }
 
 enum nb_status nb_guard_cycle(const struct nb_model *model, struct nb_error *error) {
@@ -121,7 +123,7 @@ enum nb_status nb_guard_cycle(const struct nb_model *model, struct nb_error *err
     return error->status;
   if (model->search.skin > model->search.smallest_radius && nb_guard_motion(model, error))
     return error->status;
-  return model->search.check_pairs ? nb_guard_pairs(model, error) : NB_OK;
+  return model->search.check_pairs ? check_pairs(model, error) : NB_OK;
 }
 
 static double coordinate(const struct nb_model *model, int i) {

@@ -129,16 +129,23 @@ struct nb_blocks {
   struct nb_coefficients *coefficients; /* for each contact: working memory of measure/stable_step.c */
 };
 
+/* Two particles, as slots, and their overlap, m. */
+struct nb_close_pair {
+  int a, b;
+  double overlap;
+};
+
 /* The neighbour search and its results: neighbours.c, guard.c. */
 struct nb_search {
   double skin; /* m: pairs closer than this are listed [R89 TOL]; infinite: nothing can touch, and there is no search */
   double smallest_radius;               /* of all particles, m */
   unsigned long last_cycle;             /* cycle of the last search */
   unsigned long long count, candidates; /* number of searches; number of distances computed in them */
-  bool keep_forces;   /* contacts keep their forces in the next search, because no force calculation follows it */
-  bool check_walls;   /* a centre was within the skin of a wall: test crossings in every cycle */
-  bool check_pairs;   /* a pair was within the skin of the overlap limit of guard.c: test pairs in every cycle */
-  bool coarse_warned; /* the warning about coarse positions has been given */
+  bool keep_forces; /* contacts keep their forces in the next search, because no force calculation follows it */
+  bool check_walls; /* a centre was within the skin of a wall: test crossings in every cycle */
+  bool check_pairs; /* a pair was within the skin of the overlap limit of guard.c: test pairs in every cycle */
+  struct nb_close_pair too_deep; /* of this search: the first pair beyond the overlap limit; overlap 0: none */
+  bool coarse_warned;            /* the warning about coarse positions has been given */
 };
 
 /* A vertex, the common end of two walls, that a disc may touch. */
@@ -267,8 +274,8 @@ double nb_thickness(const struct nb_model *model); /* discs 1 m; spheres their m
 enum nb_status nb_guard_positions(const struct nb_model *model, struct nb_error *error);
 /* NB_BROKEN when a particle moved, or a wall rotated, too far in the last step. */
 enum nb_status nb_guard_motion(const struct nb_model *model, struct nb_error *error);
-/* NB_BROKEN (at cycle 0 NB_BAD_USE) when a listed pair of particles overlaps by more than the smaller radius. */
-enum nb_status nb_guard_pairs(const struct nb_model *model, struct nb_error *error);
+/* NB_BROKEN (at cycle 0 NB_BAD_USE) when the particles overlap by more than the smaller radius. */
+enum nb_status nb_guard_pair(const struct nb_model *model, struct nb_close_pair pair, struct nb_error *error);
 
 /* The guards of a cycle without a search. */
 enum nb_status nb_guard_cycle(const struct nb_model *model, struct nb_error *error);

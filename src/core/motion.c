@@ -72,7 +72,7 @@ static void add_boundary_force(struct batch *batch, const struct nb_vec *boundar
 
 /* The arguments of one thread. */
 struct task {
-  struct nb_particles particles; /* a copy: the compiler knows that stores to particle data do not change it */
+  struct nb_particles particles; /* a copy, which stores to particle data cannot change */
   const struct nb_incidence *incidence;
   struct nb_kick_factors factors;
   struct nb_vec gravity; /* m/s2 */
@@ -80,8 +80,8 @@ struct task {
   const struct nb_vec *boundary_force; /* NULL: no stress on a boundary */
   const struct nb_affine *affine;      /* NULL: no affine motion */
   bool along;                          /* all particles move affinely */
-  bool cell;                           /* so does the cell */
-  bool rotates;                        /* some particle */
+  bool cell;                           /* the cell moves affinely too */
+  bool rotates;                        /* some particle rotates */
   bool predicts;                       /* centred dashpots need the velocity at the end of the step */
   double time, step;                   /* duration of the kick and of the drift, s */
   double travel_limit;                 /* displacement since the last search that requires a new one, m */

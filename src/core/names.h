@@ -54,6 +54,7 @@ extern const struct nb_quantity_kind nb_contact_test_kinds[];
 /* input/names.c */
 /* What to type instead of a name that is no quantity of the scene: the nearest name, or a list. */
 const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const char *text);
+bool nb_is_quantity(const char *name);                     /* of any monitor, or of a scene */
 bool nb_quantity_is_residual(struct nb_quantity quantity); /* a residual, 0 by definition */
 /* The k-th quantity, for the manual; false past the last one. */
 struct nb_quantity_row {

@@ -71,21 +71,34 @@ static int material_pair_of(const struct nb_model *model, int material_a, int ma
   return -1;
 }
 
-/* Lists particles i and j, separated by `apart`, if they are near; the one with the smaller number first. */
+/* Keeps the first pair, in the order of contacts, that overlaps too far. */
+static void note_too_deep(struct nb_model *model, struct nb_close_pair pair) {
+  const int *number = model->particles.number;
+  struct nb_close_pair *first = &model->search.too_deep;
+  if (!(first->overlap > 0) || number[pair.a] < number[first->a] ||
+      (pair.a == first->a && number[pair.b] < number[first->b]))
+    *first = pair;
+}
+
+/* Lists particles i and j, separated by `apart`, if they are near; the one with the smaller number first. A pair that
+ * overlaps too far ends the run, so the search then lists nothing more: coincident particles would fill the memory. */
 static bool neighbour_pair(struct nb_neighbour_pairs *pairs, struct nb_model *model, int i, int j,
                            struct nb_vec apart) {
   const struct nb_particles *particles = &model->particles;
   model->search.candidates++;
-  const double distance = vec_length(apart), larger = fmax(particles->surface[i].radius, particles->surface[j].radius);
-  if (!(distance < particles->surface[i].radius + particles->surface[j].radius + model->search.skin))
+  const double distance = vec_length(apart), one = particles->surface[i].radius, other = particles->surface[j].radius;
+  if (!(distance < one + other + model->search.skin))
     return true;
   if (!(particles->inverse_mass[i] > 0 || particles->inverse_mass[j] > 0))
     return true; /* both are fixed */
   if (nb_removed(model, (size_t)i) || nb_removed(model, (size_t)j))
     return true;
   const int a = particles->number[i] < particles->number[j] ? i : j, b = a == i ? j : i;
-  model->search.check_pairs = model->search.check_pairs || !(distance > larger + model->search.skin);
-  return pairs_add(pairs, a, b, material_pair_of(model, particles->material[a], particles->material[b], false));
+  model->search.check_pairs = model->search.check_pairs || !(distance > fmax(one, other) + model->search.skin);
+  if (one + other - distance > fmin(one, other))
+    note_too_deep(model, (struct nb_close_pair){a, b, one + other - distance});
+  return model->search.too_deep.overlap > 0 ||
+         pairs_add(pairs, a, b, material_pair_of(model, particles->material[a], particles->material[b], false));
 }
 
 /* A particle, and the position, its own or an image's, from which to search. */
@@ -231,18 +244,17 @@ enum nb_status nb_neighbours_search(struct nb_model *model, struct nb_error *err
   if (model->cell && searching && nb_cell_check_width(model, error))
     return error->status;
   model->search.check_walls = model->search.check_pairs = false;
-  const bool made = (!searching || find_pairs(&pairs, model)) && renew_contacts(model, &pairs);
+  model->search.too_deep.overlap = 0;
+  const bool found = !searching || find_pairs(&pairs, model), too_deep = model->search.too_deep.overlap > 0;
+  const bool made = found && !too_deep && renew_contacts(model, &pairs);
   free(pairs.list);
   if (!made)
-    return nb_error_memory(error);
+    return found && too_deep ? nb_guard_pair(model, model->search.too_deep, error) : nb_error_memory(error);
   memcpy(model->particles.search_position, model->particles.position, model->particles.count * sizeof(struct nb_vec));
   nb_walls_reset_travel(&model->walls);
   if (model->cell)
     nb_cell_reset_travel(model->cell, model->search.skin);
   model->search.count += searching;
   model->search.last_cycle = model->cycle;
-  /* Before the guard, which may end the run: the old blocks were freed with the old contacts. */
-  if (nb_blocks_create(model, error))
-    return error->status;
-  return model->search.check_pairs ? nb_guard_pairs(model, error) : NB_OK;
+  return nb_blocks_create(model, error);
 }

@@ -3,6 +3,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "store.h"
 
+#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -46,9 +47,17 @@ void nb_store_doubles(struct nb_store *store, const char *name, double *values, 
     memcpy(store->restoring ? values : own, store->restoring ? own : values, count * sizeof *values);
 }
 
-void nb_store_integers(struct nb_store *store, const char *name, void *values, size_t count, size_t size) {
+static bool integers(const double *values, size_t count, double least, double most) {
+  for (size_t k = 0; k < count; k++)
+    if (!(values[k] >= least && values[k] <= most && values[k] == nearbyint(values[k])))
+      return false;
+  return true;
+}
+
+void nb_store_integers(struct nb_store *store, const char *name, void *values, size_t count, size_t size, double most) {
   double *own = next_part(store, name, count);
-  for (size_t k = 0; own && k < count; k++) {
+  store->failed = store->failed || (own && store->restoring && !integers(own, count, size == 1 ? 0 : -most, most));
+  for (size_t k = 0; own && !store->failed && k < count; k++) {
     unsigned char *byte = (unsigned char *)values + k;
     int32_t *word = (int32_t *)values + k;
     int64_t *longer = (int64_t *)values + k;
@@ -71,8 +80,8 @@ const struct nb_store_part *nb_store_find(const struct nb_store *store, const ch
 }
 
 size_t nb_store_length(const struct nb_store *store, const char *name, size_t now) {
-  const struct nb_store_part *part = store->parts + store->next;
+  const struct nb_store_part *part = store->next < store->part_count ? &store->parts[store->next] : NULL;
   if (!store->restoring)
     return now;
-  return store->next < store->part_count && strcmp(part->name, name) == 0 ? part->count : 0;
+  return part && strcmp(part->name, name) == 0 ? part->count : 0;
 }

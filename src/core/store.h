@@ -23,8 +23,8 @@ struct nb_store {
 void nb_store_free(struct nb_store *store);
 /* Saves or restores numbers, in the order of the calls. A part of another name or length is a failure. */
 void nb_store_doubles(struct nb_store *store, const char *name, double *values, size_t count);
-/* Integers of 1, 4 or 8 bytes; those of 8 bytes are below 2^53. */
-void nb_store_integers(struct nb_store *store, const char *name, void *values, size_t count, size_t size);
+/* Integers of 1, 4 or 8 bytes, of at most that absolute value. */
+void nb_store_integers(struct nb_store *store, const char *name, void *values, size_t count, size_t size, double most);
 /* Length of the next part if it has that name and is restored, else `now`. */
 size_t nb_store_length(const struct nb_store *store, const char *name, size_t now);
 const struct nb_store_part *nb_store_find(const struct nb_store *store, const char *name); /* NULL: none */
@@ -32,7 +32,9 @@ const struct nb_store_part *nb_store_find(const struct nb_store *store, const ch
 /* Objects of doubles alone; integers, also Boolean ones and characters. */
 #define NB_STORE(store, name, at, count)                                                                               \
   nb_store_doubles(store, name, (double *)(void *)(at), (count) * sizeof *(at) / sizeof(double))
-#define NB_STORE_INTEGERS(store, name, at, count) nb_store_integers(store, name, at, count, sizeof *(at))
+#define NB_STORE_INTEGERS(store, name, at, count)                                                                      \
+  nb_store_integers(store, name, at, count, sizeof *(at),                                                              \
+                    _Generic(*(at), bool : 1, char : 255, unsigned char : 255, int : 0x7fffffff, default : 0x1p53))
 
 void nb_store_table(struct nb_store *store, struct nb_table *table); /* table.c: the rows */
 

@@ -135,6 +135,8 @@ static bool take_segment(struct nb_reader *reader, struct nb_stage *stage) {
     if (word == HOLD && !nb_token_is(reader, "normal") && !nb_token_is(reader, "shear"))
       return nb_expected(reader, "overlap and slip stay constant where the segment does not name them",
                          "`normal` or `shear`");
+    if (word == FOLLOW && any)
+      reader->next--;
     if (word == WORDS || (word == FOLLOW && any))
       return nb_expected(reader, NULL,
                          "`overlap`, `normal`, `slip`, `shear`, `hold`, `in N steps` or the end of the line");

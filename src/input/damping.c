@@ -62,16 +62,27 @@ static void take_damping(struct nb_reader *reader, struct given *given) {
     given->of.global_kind = take_con1(reader);
 }
 
+/* --set damping=centred or late overrides what the page says of the time. */
+static void override_timing(const struct nb_scene_reading *reading, struct nb_reader *reader, struct given *given) {
+  if (reader != &reading->setting)
+    given->timing = given->timing && nb_setting_find(reading, "damping") == 0;
+  else if (!reader->bad && (given->all || !given->timing))
+    nb_expected_at(reader, &reader->tokens[1], "other kinds of damping are statements of the page",
+                   "`centred` or `late`");
+}
+
 /* There is one statement each for all contacts, for contacts with walls, for deep contacts, for all particles and for
  * the time of the velocity that dashpots use; `none` sets all of them. In a stage each replaces the inherited one. */
 NB_APPLY(apply_damping) {
-  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  struct nb_scene_reading *reading = subject;
+  struct nb_scene *scene = reading->scene;
   struct nb_stage *stage = nb_current_stage(scene);
   struct nb_damping *damping = stage ? &stage->damping : &scene->damping;
   const int line = (int)reader->line, stage_line = stage ? stage->line : 0;
   struct given given = {0};
   (void)record;
   take_damping(reader, &given);
+  override_timing(reading, reader, &given);
   const struct {
     bool given;
     int *line;
@@ -112,7 +123,7 @@ NB_STATEMENTS(damping) = {
    "default none. `ratio` is a fraction of critical damping. `walls` sets the damping of contacts with walls; without it they are damped like all others. `critical beyond overlap`: contacts "
    "that overlap by more than that fraction of the smaller diameter are damped critically [R89 6.4.3]. `centred`: dashpots use "
    "the velocity at the time of the force, and act from first touch to the end of the contact. `late`, the default: they use "
-   "that of half a step before [CS79 26, 27]. In a stage: from this stage on.",
+   "that of half a step before [CS79 26, 27]; --set damping=centred or late overrides both. In a stage: from this stage on.",
    "damping   ratio 0.1\ndamping   walls ratio 0.3\ndamping   mass 2 1/s"},
   {0},
 };

@@ -294,13 +294,14 @@ NB_APPLY(apply_trade) {
   }
   char hint[NB_HINT_SIZE];
   struct nb_binding values[NB_TOKENS_MAX];
+  static const struct nb_binding soften = {.value = 1};
   const int index = NB_FIND(scene->bindings, scene->binding_count, name->text);
-  if (index < 0) {
+  if (index < 0 && strcmp(name->text, "soften") != 0) {
     nb_unknown_name(reader, name, NB_NEAREST(hint, name->text, scene->bindings, scene->binding_count),
-                    "a name that a `let` or `sweep` above defines, or `laws`");
+                    "a name that a `let` or `sweep` above defines, `soften` or `laws`");
     return;
   }
-  const struct nb_binding *binding = &scene->bindings[index];
+  const struct nb_binding *binding = index < 0 ? &soften : &scene->bindings[index];
   const struct nb_token *first = nb_token_peek(reader);
   if (binding->swept)
     nb_expected_at(reader, name, "advice holds for all values of a sweep", "a name that is not swept");
@@ -322,17 +323,22 @@ NB_APPLY(apply_trade) {
 /* Names that --set knows on every page: first the statements that it overrides. */
 static const struct {
   char name[NB_NAME_SIZE];
-} settable[] = {{"normal"}, {"shear"}, {"step"}, {"trade"}, {"refine"}, {"follow"}};
-enum { OVERRIDDEN = 4, SETTABLE = sizeof settable / sizeof *settable };
+} settable[] = {{"normal"}, {"shear"}, {"step"}, {"damping"}, {"trade"}, {"refine"}, {"soften"}, {"follow"}};
+enum { OVERRIDDEN = 5, SETTABLE = sizeof settable / sizeof *settable };
 
-/* refine=R */
-static void read_refine(struct nb_reader *setting, size_t line, double *refine) {
+/* refine=R, soften=S */
+static void read_divisor(struct nb_reader *setting, size_t line, double *divisor) {
   if (!nb_line_read(setting, line))
     return;
   setting->next = 1;
-  nb_take_number(setting, NB_UNIT_NUMBER, NB_POSITIVE, refine);
+  nb_take_number(setting, NB_UNIT_NUMBER, NB_POSITIVE, divisor);
   if (!setting->bad && nb_token_peek(setting))
     nb_expected(setting, NULL, "the end of the setting");
+}
+
+/* Whether it is the last one of its name, and its units are known. */
+static bool is_read_now(const struct nb_scene_reading *reading, size_t line, const char *name) {
+  return line == nb_setting_find(reading, name) && !(reading->before_start && strcmp(name, "step") == 0);
 }
 
 /* NAME=VALUE in a line of the settings. */
@@ -355,10 +361,12 @@ static void read_setting(struct nb_scene_reading *reading, size_t line) {
              nb_name_suppressed(reading->reader.mistakes, name)) {
     return; /* its `let` or `sweep` reads it */
   } else if (NB_FIND(settable, OVERRIDDEN, name) >= 0) {
-    if (line == nb_setting_find(reading, name) && nb_line_read(&reading->setting, line))
+    if (is_read_now(reading, line, name) && nb_line_read(&reading->setting, line))
       nb_statement_read(&reading->setting, nb_keywords(), reading->here, reading);
   } else if (strcmp(name, "refine") == 0) {
-    read_refine(&reading->setting, line, &reading->scene->refine);
+    read_divisor(&reading->setting, line, &reading->scene->refine);
+  } else if (strcmp(name, "soften") == 0) {
+    read_divisor(&reading->setting, line, &reading->scene->soften);
   } else if (strcmp(name, "follow") == 0) {
     reading->follow = equals + 1;
     if (!scene->contact_test)
@@ -367,7 +375,8 @@ static void read_setting(struct nb_scene_reading *reading, size_t line) {
   } else {
     nb_mistake(mistakes, &reading->settings, line, 1, (int)length,
                near ? near : NB_NEAREST(hint, name, settable, SETTABLE),
-               "expected a name that the page defines by `let` or `sweep`, or `normal`, `shear`, `step` or `refine`, "
+               "expected a name that the page defines by `let` or `sweep`, or `normal`, `shear`, `step`, `refine` or "
+               "`soften`, "
                "found `%.*s`",
                (int)(length < 80 ? length : 80), text);
   }
@@ -375,6 +384,13 @@ static void read_setting(struct nb_scene_reading *reading, size_t line) {
 
 void nb_settings_read(struct nb_scene_reading *reading) {
   for (size_t line = 1; line <= reading->settings.line_count; line++)
+    read_setting(reading, line);
+}
+
+void nb_setting_read_step(struct nb_scene_reading *reading) {
+  const size_t line = nb_setting_find(reading, "step");
+  reading->before_start = false;
+  if (line)
     read_setting(reading, line);
 }
 
@@ -392,9 +408,9 @@ NB_STATEMENTS(let) = {
    "Gives a name several values, one for each run. With several names, each run takes one value for each, and --set of one name selects the runs with this value. "
    "Several sweeps make all combinations; the last one varies fastest.",
    "sweep     speed 0.1 m/s 0.2 m/s"},
-  {"trade", NB_IN_SCENE | NB_IN_CONTACT_TEST, value_fields, "VALUE …, or laws all|none", 0, false, apply_trade,
+  {"trade", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_START, value_fields, "VALUE …, or laws all|none", 0, false, apply_trade,
    "Other values of the name that `nineball advise` may choose, if they are cheaper and the error stays within the tolerance. `trade laws none`: it keeps the page's contact laws. "
-   "It changes no run. On the command line: --set 'trade=NAME VALUE …'.",
+   "The name `soften` divides all stiffnesses by the values. It changes no run. On the command line: --set 'trade=NAME VALUE …'.",
    "let       rate = 1\ntrade     rate 3 10"},
   {0},
 };

@@ -21,6 +21,7 @@ extern const struct nb_quantity_kind nb_step_kinds[];    /* step.c */
 extern const struct nb_quantity_kind nb_loading_kinds[]; /* loading_quantities.c */
 extern const struct nb_quantity_kind nb_impact_kinds[];  /* impact.c */
 extern const struct nb_quantity_kind nb_fill_kinds[];    /* fill_quantities.c */
+extern const struct nb_quantity_kind nb_wall_kinds[];    /* wall_quantities.c */
 extern const struct nb_quantity_kind nb_region_kinds[];  /* region_quantities.c */
 
 /* ---- the whole scene ---- */
@@ -83,35 +84,6 @@ OF_PARTICLE(particle_spin_half, particles->spin ? particles->spin[i] : 0)
 OF_PARTICLE(particle_fx, nb_force_on(model, i).force.x)
 OF_PARTICLE(particle_fy, nb_force_on(model, i).force.y)
 OF_PARTICLE(particle_moment, nb_force_on(model, i).moment)
-
-/* ---- a wall ---- */
-
-static struct nb_vec force_on_wall(const struct nb_model *model, int wall) {
-  struct nb_vec sum = vec(0, 0);
-  const struct nb_contacts *contacts = &model->contacts;
-  for (size_t c = 0; c < contacts->count; c++)
-    if (model->material_pairs[contacts->material_pair[c]].wall && contacts->b[c] == wall)
-      sum = vec_sub(sum, contacts->force[c]);
-  return sum;
-}
-static double wall_fx(const struct nb_model *model, const struct nb_monitor *monitor) {
-  return force_on_wall(model, monitor->a).x;
-}
-static double wall_fy(const struct nb_model *model, const struct nb_monitor *monitor) {
-  return force_on_wall(model, monitor->a).y;
-}
-static double wall_x(const struct nb_model *model, const struct nb_monitor *monitor) {
-  return model->walls.pivot[monitor->a].x;
-}
-static double wall_y(const struct nb_model *model, const struct nb_monitor *monitor) {
-  return model->walls.pivot[monitor->a].y;
-}
-static double wall_angle(const struct nb_model *model, const struct nb_monitor *monitor) {
-  return model->walls.angle[monitor->a];
-}
-static double wall_spin(const struct nb_model *model, const struct nb_monitor *monitor) {
-  return model->walls.spin[monitor->a];
-}
 
 /* ---- a contact: 0 while it is not in the neighbour list ---- */
 
@@ -190,12 +162,6 @@ static const struct nb_quantity_kind kinds[] = {
     {"fx", PARTICLE, "N", 0, particle_fx, "sum of the contact forces, dashpots included"},
     {"fy", PARTICLE, "N", 0, particle_fy, "sum of the contact forces"},
     {"moment", PARTICLE, "N.m", 0, particle_moment, "sum of the moments of the contact forces, counterclockwise"},
-    {"x", WALL, "m", 0, wall_x, "position of the wall's point P"},
-    {"y", WALL, "m", 0, wall_y, "position of the wall's point P"},
-    {"angle", WALL, "rad", 0, wall_angle, "rotation since the start, counterclockwise"},
-    {"spin", WALL, "rad/s", 0, wall_spin, "angular velocity over the last step"},
-    {"fx", WALL, "N", 0, wall_fx, "force of the particles on the wall"},
-    {"fy", WALL, "N", 0, wall_fy, "force of the particles on the wall"},
     {"overlap", PAIR, "m", NB_BIT(NB_OVERLAP), pair_overlap, "overlap of the particles"},
     {"normal", PAIR, "N", NB_BIT(NB_NORMAL), pair_normal, "elastic normal force F_n, dashpot not included"},
     {"shear", PAIR, "N", NB_BIT(NB_SHEAR), pair_shear, "elastic shear force F_s, on the first particle along -t"},
@@ -207,8 +173,9 @@ enum { KINDS = sizeof kinds / sizeof *kinds };
 
 /* Row k, first of this file, then of the others; NULL after the last one. */
 static const struct nb_quantity_kind *kind_at(size_t k) {
-  static const struct nb_quantity_kind *const others[] = {nb_step_kinds,   nb_loading_kinds, nb_fill_kinds,
-                                                          nb_impact_kinds, nb_region_kinds,  nb_contact_test_kinds};
+  static const struct nb_quantity_kind *const others[] = {nb_step_kinds,        nb_wall_kinds,   nb_loading_kinds,
+                                                          nb_fill_kinds,        nb_impact_kinds, nb_region_kinds,
+                                                          nb_contact_test_kinds};
   if (k < KINDS)
     return &kinds[k];
   k -= KINDS;
@@ -250,6 +217,14 @@ static bool matches(const struct nb_quantity_kind *kind, const char *name, const
     if (*suffix ? name[length] == '.' && strcmp((*suffix)->name, name + length + 1) == 0 : name[length] == '\0')
       return true;
   return false;
+}
+
+bool nb_is_quantity(const char *name) {
+  const struct nb_suffix *suffix;
+  size_t k = 0;
+  while (kind_at(k) && !matches(kind_at(k), name, &suffix))
+    k++;
+  return kind_at(k);
 }
 
 /* Finds a quantity of monitor w by the name after the dot; -1: of the whole scene. */
@@ -453,6 +428,16 @@ static const char *owned_hint(char *hint, const struct nb_scene *scene, const ch
   return found;
 }
 
+/* Whether it is a quantity of a cell, a box or an impact, which the scene does not have. */
+static bool lacks_owner(const struct nb_scene *scene, const char *text) {
+  const unsigned owners_without_name = NB_OF_CELL | NB_OF_BOX | NB_OF_IMPACT;
+  const struct nb_suffix *suffix;
+  size_t k = 0;
+  while (kind_at(k) && !(kind_at(k)->monitors & owners_without_name && matches(kind_at(k), text, &suffix)))
+    k++;
+  return kind_at(k) && !scene->contact_test;
+}
+
 const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const char *text) {
   const char *const rest = strchr(text, '.');
   const int owner = monitor_named(scene, text, strcspn(text, "."));
@@ -461,7 +446,7 @@ const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const cha
   struct nb_guess guess = nb_guess_begin(text), of_stem = nb_guess_begin(stem);
   for (int w = -1; w < (int)scene->monitor_count; w++)
     offer_names(&guess, scene, w), offer_names(&of_stem, scene, w);
-  if (nb_guess_hint(&guess, hint))
+  if (lacks_owner(scene, text) ? owner_hint(hint, scene, text) : nb_guess_hint(&guess, hint))
     return hint;
   if (owner >= 0)
     return list_quantities(hint, scene, owner);

@@ -1,4 +1,6 @@
-/* `--set refine=R`: the page with its time step divided by R, otherwise the same in time.
+/* The page with a shorter step, or with softer contacts.
+ *
+ * `--set refine=R`: the page with its time step divided by R, otherwise the same in time.
  *
  *   step                        divided by R, whatever its unit
  *   cycles N, in N steps        N R
@@ -11,6 +13,9 @@
  *   damping con1 X as velocity  and as all: X becomes X^(1/R), so that free motion decays at the same rate in time
  *
  * Of a page that starts from another one, only its own stages are refined.
+ *
+ * `--set soften=S` divides kn, ks and young of all materials and pairs by S, also where a stage changes them. A damping
+ * ratio stays; the time of `damping stiffness` stays, too, so the ratio becomes smaller by S^(1/2).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -109,4 +114,21 @@ void nb_refine(struct nb_scene_reading *reading) {
   for (size_t s = first; s < scene->stage_count; s++)
     if (!refine_stage(reading, &scene->stages[s]))
       return;
+}
+
+void nb_soften(struct nb_scene_reading *reading) {
+  struct nb_scene *scene = reading->scene;
+  const double soften = scene->soften;
+  if (soften != 1 && scene->start.stages > 0) {
+    nb_line_mistake(&reading->reader, (size_t)scene->start.line, NULL,
+                    "expected no `soften` with `start`, because the other page has computed the contacts");
+    return;
+  }
+  for (size_t k = 0; k < scene->material_count; k++)
+    scene->materials[k].kn /= soften, scene->materials[k].ks /= soften, scene->materials[k].young /= soften;
+  for (size_t k = 0; k < scene->pair_rule_count; k++)
+    scene->pair_rules[k].kn /= soften, scene->pair_rules[k].ks /= soften;
+  for (size_t s = 0; s < scene->stage_count; s++)
+    for (size_t k = 0; k < scene->stages[s].change_count; k++)
+      scene->stages[s].changes[k].kn /= soften, scene->stages[s].changes[k].ks /= soften;
 }

@@ -64,6 +64,11 @@ static bool defines_value(const char *verb) {
   return strcmp(verb, "units") == 0 || strcmp(verb, "let") == 0 || strcmp(verb, "sweep") == 0;
 }
 
+static void note_start(struct nb_scene_reading *reading) {
+  if (reading->survey && strcmp(reading->reader.tokens[0].text, "start") == 0)
+    reading->before_start = true;
+}
+
 /* Reads the statement of a line, if there is one. */
 static void read_line(struct nb_scene_reading *reading, size_t line) {
   struct nb_reader *reader = &reading->reader;
@@ -71,6 +76,7 @@ static void read_line(struct nb_scene_reading *reading, size_t line) {
   if (reader->page->kind_of[line - 1] != 1 + kind || !nb_line_read(reader, line))
     return;
   const bool value = defines_value(reader->tokens[0].text);
+  note_start(reading);
   if (value ? reading->repeat.now > 0 : reading->survey)
     return;
   if (!value)
@@ -210,6 +216,7 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
     strcpy(scene->normal, "linear");
   if (!scene->shear[0])
     strcpy(scene->shear, "none");
+  nb_soften(reading);
   if (scene->impact.line && mistakes->total == before)
     nb_impact_set(reading);
   if (!nb_scene_transform(scene, &reading->transform) && mistakes->total == before)
@@ -227,7 +234,7 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
 static enum nb_status read_run(struct nb_scene *scene, const struct nb_page *page, size_t run, nb_settings settings,
                                struct nb_mistakes *mistakes, const struct nb_scene_reading *parent, size_t *runs) {
   size_t before = mistakes->total;
-  *scene = (struct nb_scene){.page = page, .refine = 1};
+  *scene = (struct nb_scene){.page = page, .refine = 1, .soften = 1};
   struct nb_scene_reading *reading = calloc(1, sizeof *reading);
   *runs = 1;
   if (reading && store_settings(reading, settings)) {

@@ -33,6 +33,7 @@ struct nb_scene_reading {
   struct nb_reader reader;  /* of the page */
   struct nb_reader setting; /* of the --set texts, which are stored as the lines of a page */
   struct nb_page settings;
+  bool before_start;         /* the page has a `start`, which has not been read */
   bool law_set[2], step_set; /* by --set: the statements of the page are checked, but not used */
 
   bool survey; /* first pass: only units, let and sweep; the second one reports mistakes */
@@ -121,8 +122,10 @@ void nb_stage_name(struct nb_stage *stage, const struct nb_scene_reading *readin
 
 /* Line among the settings of the last --set of that name; 0: none. */
 size_t nb_setting_find(const struct nb_scene_reading *reading, const char *name);
-/* Applies --set of laws and the step, and reports those of unknown names. */
+/* Applies --set of laws and the step, and reports those of unknown names. On a page with `start` the second function does so for the
+ * step, when the units of the other page are known. */
 void nb_settings_read(struct nb_scene_reading *reading);
+void nb_setting_read_step(struct nb_scene_reading *reading);
 /* Number of runs by the sweeps so far. */
 size_t nb_run_count(const struct nb_scene_reading *reading);
 /* The hash of everything that a state depends on: of the settings; then nb_hash_line adds each statement. */
@@ -149,6 +152,8 @@ void nb_contact_test_check(struct nb_scene_reading *reading);
 void nb_contact_test_laws_check(struct nb_scene_reading *reading);
 /* Applies `--set refine=R` to steps, cycles and what is given per cycle (refine.c). */
 void nb_refine(struct nb_scene_reading *reading);
+/* Applies `--set soften=S`. */
+void nb_soften(struct nb_scene_reading *reading);
 /* Sets position and velocity of the particle of `impact`; materials, pairs and laws must be known. */
 void nb_impact_set(struct nb_scene_reading *reading);
 /* Applies `transform` to the whole scene, after all stages have been read. False: a coordinate is not finite. */

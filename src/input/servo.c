@@ -6,7 +6,7 @@
 #include "statement.h"
 
 enum { AT_ISOTROPIC, AT_MEAN, AT_XX, AT_YY, AT_XY, AT_ON, AT_THROUGH, AT_AFFINE, AT_MOST };
-#define PLACE "a region, `boundary`, `cell` or `box`"
+#define PLACE "a region, `boundary`, `cell`, `box` or `walls`"
 #define TARGET(word, at, help) CLAUSE(word, "P", NB_UNIT_PRESSURE, NB_ANY, at, 1, "|not controlled", help)
 
 /* clang-format off */
@@ -16,7 +16,7 @@ static const struct nb_argument servo_fields[] = {
   TARGET("xx", AT_XX, "Target of this component. One or more of xx, yy and xy."),
   TARGET("yy", AT_YY, "Target of this component."),
   TARGET("xy", AT_XY, "Target of this component."),
-  {"on", "REGION|boundary|cell|box", NB_ARGUMENT_WORD, NB_UNIT_NUMBER, NB_ANY, AT_ON, 1, NULL, PLACE},
+  {"on", "REGION|boundary|cell|box|walls", NB_ARGUMENT_WORD, NB_UNIT_NUMBER, NB_ANY, AT_ON, 1, NULL, PLACE},
   CHOICE("through", "boundary|cell|box", AT_THROUGH, NULL, "`boundary`, `cell` or `box`"),
   FLAG("affine", AT_AFFINE, "the boundary alone", "Through the boundary and the affine motion of the particles inside."),
   CLAUSE("at most", "RATE", NB_UNIT_STRAIN_RATE, NB_POSITIVE, AT_MOST, 1, NULL, "Largest magnitude of the added strain rate."),
@@ -85,7 +85,7 @@ NB_APPLY(apply_servo) {
 /* clang-format off */
 NB_STATEMENTS(servo) = {
   {"servo", NB_IN_STAGE | NB_IN_RAMP, servo_fields, "{every N cycles}", 0, false, apply_servo,
-   "Controls a stress in this stage: that of a region, on the boundary, in the cell or on the box. It adds a strain rate to that of the boundary, the cell or the box. "
+   "Controls a stress in this stage: that of a region, on the boundary, in the cell, on the box, or the mean traction of its walls. It adds a strain rate to that of the boundary, the cell or the box. "
    "`isotropic` controls all components [R89 4.1]; through a box xy is not controlled, because its walls do not rotate. `mean` changes the area only, so that the shape follows the stage's own strain rates. "
    "Components that are not named are not controlled. The gain is computed from the stiffness of the contacts. The strain rate is updated `every` N cycles, default 10.",
    "stage     even\n  servo   isotropic 1 kPa  on boundary  through boundary affine  at most 1e-6 per cycle\n  cycles  10\n"

@@ -254,6 +254,7 @@ NB_APPLY(apply_start) {
     return;
   }
   reading->reader.unitless = reading->setting.unitless = start->scene->unitless;
+  nb_setting_read_step(reading);
   reading->hash = nb_hash(reading->hash, &start->scene->stages[start->scene->stage_count - 1].hash,
                           sizeof start->scene->stages->hash);
   if (!copy_scene(scene, start->scene, start->line)) {
@@ -279,7 +280,7 @@ void nb_start_free(struct nb_start *start) {
 /* Begins with the program, and settings that override statements; settings of values are in the statements that use
  * them. */
 unsigned long long nb_hash_settings(nb_settings settings) {
-  static const char *const statements[] = {"normal=", "shear=", "step=", "refine="};
+  static const char *const statements[] = {"normal=", "shear=", "step=", "damping=", "refine=", "soften="};
   unsigned long long hash = nb_hash(NB_HASH_BEGIN, NB_VERSION, sizeof NB_VERSION);
   for (size_t k = 0; settings && settings[k]; k++)
     for (size_t s = 0; s < sizeof statements / sizeof *statements; s++)

@@ -207,13 +207,9 @@ static const char *other_statement(char *hint, const struct nb_reader *reader, c
 
 /* The hint for a quantity in place of a statement: `time 1 s`; NULL: it is none. */
 static const char *quantity_hint(char *hint, unsigned here, const char *word) {
-  struct nb_quantity_row row;
-  bool found = false;
-  for (size_t k = 0; !found && here & (NB_IN_SCENE | NB_IN_STAGE) && nb_quantity_row(&row, k); k++)
-    found = strcmp(row.name, word) == 0;
   snprintf(hint, NB_HINT_SIZE,
            "`%s` is a quantity: `record %s`, and in a stage `until %s above VALUE at most N cycles`", word, word, word);
-  return found ? hint : NULL;
+  return here & (NB_IN_SCENE | NB_IN_STAGE) && nb_is_quantity(word) ? hint : NULL;
 }
 
 /* Reports a first word that no row begins with. Returns the row that was probably meant, or NULL. */

@@ -113,7 +113,10 @@ NB_APPLY(apply_wall) {
 }
 
 bool nb_corners_swapped(struct nb_reader *reader, double x, double y, double x1, double y1) {
-  if (!(x1 > x && y1 > y && isfinite(x1 - x) && isfinite(y1 - y)))
+  if (isinf(x1 - x) || isinf(y1 - y))
+    nb_token_mistake(reader, &reader->tokens[0], NULL,
+                     "expected two corners at a finite distance, these are too far apart");
+  else if (!(x1 > x && y1 > y))
     nb_token_mistake(reader, &reader->tokens[0], NULL,
                      "expected the corner of smaller x and y first, then the one of larger x and y");
   return reader->bad;

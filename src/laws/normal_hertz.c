@@ -4,7 +4,7 @@
  *   a       radius of the contact circle, a^2 = R* alpha, m
  *   E*, R*  1/E* = (1 - nu_x^2)/E_x + (1 - nu_y^2)/E_y, Pa;  1/R* = 1/R_x + 1/R_y, m
  *
- * Source     [R89 3.13]; a from [R89 3.11]; dN/d(alpha) = 2 E* a [R89 4.12]. The force is a function of the overlap, so
+ * Source     [R89 3.13]; a from [R89 3.12]; dN/d(alpha) = 2 E* a [R89 3.15]. The force is a function of the overlap, so
  *            it does not drift; the increments that R89 coded are normal_hertz_increment.
  * Range      smooth elastic spheres with a small compared with R*: overlaps below 7 % of the smaller diameter
  *            [R89 6.4.3].

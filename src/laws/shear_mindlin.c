@@ -7,7 +7,7 @@
  *   N    the elastic normal force, without dashpots
  *
  * Source     the stiffness of a contact that sticks everywhere [R89 3.27; 3.94 with theta = 1], with Coulomb's limit
- *            for the whole contact. In wide use; it neglects the slip that begins at the edge.
+ *            for the whole contact. Widely used; it neglects the slip that begins at the edge.
  * Order      exact at constant N. While N changes, using the radius at the end of the step makes it first order in the
  *            step: the error of T is half a step of 8 G* Int (da/dt) ds.
  * Range      as normal_hertz.c.

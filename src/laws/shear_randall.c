@@ -4,17 +4,17 @@
  *   dT = CDF (theta (8 G* a ds CDF - mu dN UFL) + mu dN UFL),       |T| <= mu N       [R89 4.15]
  *
  *   ds, dN  tangential increment, m, and change of normal force, N, in this step;  a  the radius after it, m
- *   theta   slip factor c/a, c the radius of the stick region [R89 4.22-4.24]; 1 in a step that only loads rings that
- *           stick outside c [R89 4.25]
+ *   theta   slip factor c/a, c the radius of the stick region [R89 4.22-4.24]; 1 if the step only loads sticking
+ *           rings outside c [R89 4.25]
  *   CDF     sense of the virgin loading;  UFL  -1 in unloading, else 1
  *   T*, T** forces at which unloading and reloading began; a change of N moves them to the curves of the new N
  *           [R89 4.20, 4.21]
- *   DD      deficit, m: tangential displacement that the rings outside c, which joined without slip, lack to full slip
+ *   DD      deficit, m: the rings outside c joined without slip; DD is the displacement that they lack to slip
  *           [R89 4.17]
- *   ds_c    mu dN/(8 G* a), the increment at which a new ring is just at its limit and the front stays in place
+ *   ds_c    mu dN/(8 G* a), the increment at which a new ring is just at its limit and c does not change
  *           [R89 4.16]
  *
- * The text of FORD and THETA contradicts itself and the exact contact in places; shear_randall_literal.c follows the
+ * The text of R89 on its subroutines FORD and THETA contradicts itself and the exact contact in places; shear_randall_literal.c follows the
  * text. The interpretation here:
  *
  *   - A reversal sets T* or T** before theta is computed. `branch` tells whether they have a value, because 0 is a
@@ -49,7 +49,7 @@ struct history {
   double n, t, t_star, t_star2, deficit, cdf, branch;
 };
 
-/* x CDF, and x UFL. */
+/* x multiplied by CDF; x multiplied by UFL. */
 static inline double along_virgin(const struct history *h, double x) { return flip_if(h->cdf < 0, x); }
 static inline double unloading(const struct history *h, double x) { return flip_if(h->branch == UNLOADING, x); }
 

@@ -8,7 +8,7 @@
  * limits any theta to 1. The critical increment contains mu twice. DD loses |ds_c| in every step in which N falls
  * [R89 4.18], grows with |ds| in unloading, and is never reset.
  *
- * Choices where the text cannot be coded, or is silent:
+ * Choices where the text cannot be coded, or says nothing:
  *
  *   - Chapter 3 has positive forces only. Sliding is |T| > mu N, with the sign of T; the increment compared with
  *     ds_c + DD is ds CDF.
@@ -94,7 +94,7 @@ static inline struct nb_shear shear_randall_literal(struct nb_pair p, struct nb_
   if (ds != 0 && limit > 0)
     stiffness = ford_increment(&h, ds, stiffness, rise, limit, p.friction, &reversed);
   const bool slides = limit > 0 ? !(fabs(h.t) <= limit) : ds != 0;
-  if (slides)
+  if (!(fabs(h.t) <= limit)) /* also without friction or normal force, where nothing moves */
     h.t = copysign(limit, h.t);
   const bool back = h.t_star < 0;
   if (h.t_star != 0 && !reversed)

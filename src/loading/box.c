@@ -9,13 +9,16 @@
  *   L    strain rate, extension positive, 1/s
  *
  * The corners move as x_(N+1) - x_0 = (1 + L dt)(x_N - x_0), so they stay closed. The walls grow or shrink at their
- * ends; a particle that touches one sees the velocity v_P only.
+ * ends; in a contact with one only the velocity v_P counts.
  *
  * The stress of the box is computed from the forces F of its walls on particles, at the points of contact X:
  *
  *   s_ij = -(1/V) sum F_i (X - x_0)_j        compression positive, V the box's area times the thickness, m3
  *
- * At rest and without gravity it equals the mean stress of the assembly inside.
+ * At rest and without gravity it equals the mean stress of the assembly inside. The stress of the walls has the foot
+ * of the perpendicular from x_0 to the wall's line instead of X. It is the mean traction of opposite walls: s_xx is the
+ * mean of the forces of the east and the west wall, along their normals, over height and thickness. Without friction at
+ * the walls, both have the same s_xx and s_yy.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "loading.h"
@@ -89,16 +92,49 @@ struct nb_vec nb_box_initial_sides(const struct nb_scene *scene) {
   return vec(south->h2 - south->h1, east->h2 - east->h1);
 }
 
-struct nb_tensor nb_box_stress(const struct nb_model *model) {
+/* -sum F_i X_j over the contacts with the walls of the box, X from the middle of the box. `at_middle`: X is the foot of
+ * the perpendicular to the wall's line instead of the contact. */
+static struct nb_tensor virial(const struct nb_model *model, bool at_middle) {
   const struct nb_contacts *contacts = &model->contacts;
+  const struct nb_walls *walls = &model->walls;
   const int first = nb_box_first_wall(model->scene);
-  const struct nb_vec sides = nb_box_sides(model), middle = centre(&model->walls, first);
+  const struct nb_vec middle = centre(walls, first);
   struct nb_tensor sum = {0, 0, 0, 0};
   for (size_t c = model->contacts.wall_from; c < contacts->count; c++) {
-    if (contacts->b[c] < first || contacts->b[c] >= first + SIDES)
+    const int w = contacts->b[c];
+    if (w < first || w >= first + SIDES)
       continue;
-    const struct nb_vec at = nb_wall_nearest(&model->walls, contacts->b[c], model->particles.position[contacts->a[c]]);
-    sum = tensor_sub(sum, tensor_outer(contacts->force[c], vec_sub(at, middle)));
+    const struct nb_vec at = nb_wall_nearest(walls, w, model->particles.position[contacts->a[c]]);
+    const struct nb_vec n = vec_clockwise(walls->along[w]), x = vec_sub(at, middle);
+    sum = tensor_sub(sum, tensor_outer(contacts->force[c], at_middle ? vec_scale(vec_dot(n, x), n) : x));
   }
-  return tensor_scale(1 / (sides.x * sides.y * nb_thickness(model)), sum);
+  return sum;
+}
+
+static double volume(const struct nb_model *model) {
+  const struct nb_vec sides = nb_box_sides(model);
+  return sides.x * sides.y * nb_thickness(model);
+}
+
+struct nb_tensor nb_box_stress(const struct nb_model *model) {
+  return tensor_scale(1 / volume(model), virial(model, false));
+}
+
+struct nb_tensor nb_walls_stress(const struct nb_model *model) {
+  return tensor_scale(1 / volume(model), virial(model, true));
+}
+
+double nb_walls_ratio(const struct nb_model *model) {
+  const struct nb_tensor stress = nb_walls_stress(model);
+  const struct nb_vec sides = nb_box_sides(model);
+  return stress.yy != 0 ? stress.xx * sides.y / (stress.yy * sides.x) : 0;
+}
+
+double nb_walls_residual(const struct nb_model *model) {
+  const int first = nb_box_first_wall(model->scene);
+  struct nb_vec sum = vec(0, 0);
+  for (size_t c = model->contacts.wall_from; c < model->contacts.count; c++)
+    if (model->contacts.b[c] >= first && model->contacts.b[c] < first + SIDES)
+      sum = vec_add(sum, model->contacts.force[c]);
+  return vec_length(sum);
 }

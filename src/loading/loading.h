@@ -40,6 +40,9 @@ void nb_box_set_velocities(struct nb_model *model);       /* of its walls over t
 struct nb_vec nb_box_sides(const struct nb_model *model); /* width and height, m */
 struct nb_vec nb_box_initial_sides(const struct nb_scene *scene); /* at time 0, m */
 struct nb_tensor nb_box_stress(const struct nb_model *model);     /* from the forces on its walls, Pa */
+struct nb_tensor nb_walls_stress(const struct nb_model *model);   /* mean traction of opposite walls, Pa */
+double nb_walls_ratio(const struct nb_model *model);    /* normal force on east and west over south and north */
+double nb_walls_residual(const struct nb_model *model); /* sum of the forces of the four walls, magnitude, N */
 
 /* ---- servo.c: strain rates that bring a stress to its target ---- */
 void nb_servo_begin(struct nb_model *model); /* after the stage's other statements */

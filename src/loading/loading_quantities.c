@@ -34,6 +34,9 @@ NB_QUANTITY(box_height, nb_box_sides(model).y)
 NB_QUANTITY(box_strain_width, nb_box_sides(model).x / nb_box_initial_sides(model->scene).x - 1)
 NB_QUANTITY(box_strain_height, nb_box_sides(model).y / nb_box_initial_sides(model->scene).y - 1)
 NB_TENSOR_QUANTITY(box_stress, nb_box_stress(model))
+NB_TENSOR_QUANTITY(walls_stress, nb_walls_stress(model))
+NB_QUANTITY(walls_ratio, nb_walls_ratio(model))
+NB_QUANTITY(walls_residual, nb_walls_residual(model))
 
 #define TENSOR(called, of, in, kind, tensor, what)                                                                     \
   { .name = called, .family = kind, .monitors = of, .unit = in, .parts = tensor, .help = what }
@@ -72,5 +75,12 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
      "relative change of the box's width since time 0, extension positive"},
     {"box.strain.height", NB_OF_BOX, "1", 0, box_strain_height,
      "relative change of the box's height since time 0, extension positive"},
+    TENSOR("walls.stress", NB_OF_BOX, "Pa", NB_STRESSES, walls_stress,
+           "mean traction of opposite walls of the box, xx that of `east` and `west`; compression positive, dashpots "
+           "included"),
+    {"walls.ratio", NB_OF_BOX, "1", 0, walls_ratio,
+     "normal force on `east` and `west` over that on `south` and `north`: F_H/F_V of [CS79 tables 1-3]"},
+    {"walls.force.residual", NB_OF_BOX, "N", 0, walls_residual,
+     "magnitude of the sum of the forces of the four walls; 0 at rest without gravity"},
     {.name = NULL},
 };

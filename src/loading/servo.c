@@ -10,21 +10,21 @@
  *   T      time in which a pressure wave crosses the assembly, s: 2 R (rho/B)^(1/2), R the boundary's mean radius, rho
  *          the mass of all particles over A h; for a cell or a box A^(1/2) replaces 2 R
  *
- * Particles that give way make the assembly softer: its stiffness is f B with 0 < f <= 1, and the error e of the stress
- * obeys
+ * If the particles do not follow the strain exactly, the assembly is softer: its stiffness is f B with 0 < f <= 1, and
+ * the error e of the stress obeys
  *
  *   e'' + f e'/T + f e/(16 T^2) = 0          with decay rates r = f (1 -+ (1 - 1/(4f))^(1/2))/(2T)
  *
- * This is stable for each f and does not oscillate for f >= 1/4. T is the shortest time in which the middle of the
- * assembly can respond. P alone would leave the error B T e_v at a steady dilatation rate e_v; Z removes it. Z begins
+ * This is stable for each f and does not oscillate for f >= 1/4. In the time T a wave reaches the middle and
+ * returns to the boundary. P alone would leave the error B T e_v at a steady dilatation rate e_v; Z removes it. Z begins
  * at -a P, a = (1 - (3/4)^(1/2))/2, which selects the faster decay for f = 1, exp(-0.93 t/T), so that Z does not
  * overshoot.
  *
  * Controlled components and the bound `at most` refer to the servo's own axes, which `transform` rotates and mirrors
  * with the scene.
  *
- * As B falls to 0 with the load, P would grow without bound. So no component of the added strain rate exceeds `at
- * most`: all are reduced by the same factor, and Z begins again.
+ * When the assembly is unloaded, B decreases to 0, and P would grow without bound. So no component of the added strain
+ * rate exceeds `at most`: all components are scaled by one factor, and Z is set to -a P again.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "core/names.h"

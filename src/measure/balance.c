@@ -33,7 +33,7 @@
  * sigma_ij L_ij, with sigma compression positive and l from centre to centre. During the kick around t_N the imposed
  * velocity is c_(N-1/2) in the first half and c_(N+1/2) in the second.
  *
- * The shear work of a shear law without stored energy is in the residual in place of U_s and frictional. One thread
+ * For a shear law without stored energy the residual contains the shear work in place of U_s and frictional. One thread
  * computes the sums, over particles and contacts in the order of their numbers, with compensation of rounding (Neumaier
  * 1974): the same bits with any number of threads.
  *

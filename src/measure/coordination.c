@@ -5,8 +5,8 @@
  *
  * A rattler has fewer than two contacts, not counting contacts with other rattlers. Rattlers are found by removing
  * particles with fewer than two contacts, inside the region or not, until none is left. Fixed particles are no
- * rattlers. A particle with two contacts that are not opposite counts as loaded, although without friction they cannot
- * hold it.
+ * rattlers. A particle with two contacts that are not opposite counts as loaded, although without friction the two
+ * forces cannot balance.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "region.h"

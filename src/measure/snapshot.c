@@ -180,9 +180,14 @@ static const struct {
     {"pieces", offsetof(struct nb_snapshot, pieces)},
 };
 
+struct nb_table *nb_snapshot_table_at(struct nb_snapshot *snapshot, size_t index) {
+  return index < COUNT(parts) ? (struct nb_table *)(void *)((char *)snapshot + parts[index].at) : NULL;
+}
+
 void nb_snapshot_free(struct nb_snapshot *snapshot) {
-  for (size_t k = 0; k < COUNT(parts); k++)
-    nb_table_free((struct nb_table *)(void *)((char *)snapshot + parts[k].at));
+  struct nb_table *table;
+  for (size_t k = 0; (table = nb_snapshot_table_at(snapshot, k)); k++)
+    nb_table_free(table);
 }
 
 bool nb_snapshot_part(const struct nb_snapshot *snapshot, int part, const char **name, const struct nb_table **table) {

@@ -13,16 +13,16 @@
  *
  *   S_i/m_i + S_j/m_j  <=  L        and        h (S_i (1/m_i + R_i^2/I_i) + S_j (1/m_j + R_j^2/I_j))  <=  L
  *
- * What a contact leaves of L is divided equally between its two particles. The smallest remainder of a particle is
- * divided equally among all its contacts. So q of a contact may increase by
+ * L minus the left side is the remainder of a contact, and each of its two particles gets half of it. The smallest of
+ * these halves at a particle is divided equally among all its contacts. So q of a contact may increase by
  *
- *   min over its particles of  (smallest remainder)/n / max(1/m, h (1/m + R^2/I))
+ *   min over its particles of  (smallest half)/n / max(1/m, h (1/m + R^2/I))
  *
  * and the step remains stable while every contact stays below its limit. NB_STABLE_OVERLAP is the overlap of that q.
  * pass/deep.c compares overlaps with it. The first contact above it triggers a new check, before its force has moved a
  * particle.
  *
- * h is k_s/k_n = 4 G* / E* without dashpots; with dashpots of sqrt(M* k) it lies between that and its root.
+ * h is k_s/k_n = 4 G* / E* without dashpots; with dashpots of sqrt(M* k) it lies between k_s/k_n and sqrt(k_s/k_n).
  *
  * Range     normal laws whose stiffness increases with the overlap, except Hertz's law by increments, whose stiffness
  *           follows from the force; and shear laws of elastic spheres, or none: the k_s of others is not proportional
@@ -178,7 +178,9 @@ static void proposed_step(char *text, size_t size, const struct nb_model *model,
 
 /* A step equal to the bound must not exceed it by rounding of `step F of stable`. */
 static enum nb_status check_step(const struct nb_model *model, const struct nb_stable *stable, struct nb_error *error) {
-  if (model->step <= stable->step * (1 + 4 * DBL_EPSILON))
+  const double ratio = model->step / stable->step;
+  model->stability->largest = ratio > model->stability->largest ? ratio : model->stability->largest;
+  if (ratio <= 1 + 4 * DBL_EPSILON)
     return NB_OK;
   char cause[3 * NB_NAME_SIZE], proposal[NB_NAME_SIZE];
   const int number = model->particles.number[stable->a];

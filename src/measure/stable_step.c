@@ -86,7 +86,9 @@ static struct nb_coefficients coefficients_at(const struct nb_model *model,
     k.ks = material_pair->next_shear->shear(values, normal, 0, shear_history).stiffness;
   if (!model->stability->damped)
     return k;
-  const struct nb_dashpot dashpot = deep ? (struct nb_dashpot){.ratio = 2} : nb_dashpot(model, material_pair->wall);
+  struct nb_dashpot dashpot = {.ratio = 2};
+  if (!deep)
+    dashpot = nb_dashpot(model, material_pair->wall);
   const double mass = inverse_mass > 0 ? 1 / inverse_mass : 0;
   const double times = model->damping.centred ? 2 : 1; /* see above */
   k.cn = times * (dashpot.time * k.kn + dashpot.ratio * sqrt(mass * k.kn));
@@ -106,10 +108,10 @@ static const double smallest_overlap = DBL_MIN;
 static struct nb_coefficients coefficients_of(const struct nb_model *model, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_material_pair *material_pair = &model->material_pairs[contacts->material_pair[c]];
-  double normal_history[NB_HISTORY], shear_history[NB_HISTORY_MAX];
+  double copies[2][NB_HISTORY_MAX];
   for (int shear = 0; shear < 2; shear++) { /* copies, because laws write into their history */
     const struct nb_history *history = shear ? &contacts->shear_history : &contacts->normal_history;
-    double buffer[NB_HISTORY], *to = shear ? shear_history : normal_history;
+    double buffer[NB_HISTORY], *to = copies[shear];
     const int doubles = history->doubles > NB_HISTORY ? history->doubles : NB_HISTORY;
     const bool changes = shear ? nb_laws_shear_changes(model) : nb_laws_normal_changes(model);
     if (changes)
@@ -120,7 +122,7 @@ static struct nb_coefficients coefficients_of(const struct nb_model *model, size
   const double overlap = nb_overlap(model, c), least = model->next_laws.normal->elastic ? 0 : smallest_overlap;
   return coefficients_at(model, material_pair, overlap > least ? overlap : least, nb_inverse_mass(model, c),
                          nb_contact_constants(model, c, material_pair->next).radius,
-                         model->damping.deep > 0 && nb_is_deep(model, c), normal_history, shear_history);
+                         model->damping.deep > 0 && nb_is_deep(model, c), copies[0], copies[1]);
 }
 
 double nb_stability_limit(const struct nb_damping *damping) {

@@ -8,16 +8,16 @@
  *
  * k is k_n for c_n and k_s for c_s; for elastic spheres 2 E* a and 8 G* a. Contacts with walls may have their own beta.
  *
- * Scenes without damping ratios keep no M* and take no roots.
+ * Scenes without damping ratios keep no M* and compute no square roots.
  *
  * The stiffnesses are those that the laws returned in this cycle. D_s is 0 while the contact slides [CS79, Damping];
  * F_n + D_n may be tensile. ds/dt is the mean over the whole last step, even if the contact began in it and the law
  * used only a part of ds. The friction limit of F_s was computed from F_n alone, before this pass.
  *
  * With `damping centred` the rates are those at the time of the force: dn/dt + (a_x - a_y).e, with the predicted
- * change a of the velocities in the last half step (core/motion.c). At time 0 they are those of the page, where CS79's
- * are 0. A dashpot that opposes an impact with a finite force from first touch on needs more for second order. The
- * force at t_N stands for the time from t_(N-1/2) to t_(N+1/2), of which the contact exists for the fraction f + 1/2;
+ * change a of the velocities in the last half step (core/motion.c). At time 0 they follow from the velocities of the
+ * page; in CS79's scheme they are 0 then. The force of a dashpot jumps at first touch, so second order needs a
+ * correction there. The force at t_N stands for the time from t_(N-1/2) to t_(N+1/2), of which the contact exists for the fraction f + 1/2;
  * f is the time from first touch to t_N over dt. As c is proportional to alpha^p there, with p = 0 for linear springs,
  * 1/2 for the stiffness of elastic spheres and 1/4 for its root, the force is multiplied by
  *
@@ -92,9 +92,9 @@ static inline NB_FORM void predict(struct changes *changes, const struct nb_mode
   }
 }
 
-/* A displacement smaller than this share of that of the step is rounding: a touch at the end of a step then belongs to the
- * next one, with f = 1, whatever the sign of the overlap. Coordinates that are 1e7 times the displacement still are more
- * accurate. */
+/* A displacement smaller than this fraction of that of the step is rounding: a touch at the end of a step then belongs
+ * to the next one, with f = 1, whatever the sign of the overlap. Coordinates that are 1e7 times the displacement are
+ * still more accurate than this. */
 static const double touch_rounding = 1e-9;
 static inline NB_FORM bool just_began(double overlap, double dn) {
   return overlap > 0 && overlap < dn * (1 + touch_rounding);
@@ -102,7 +102,7 @@ static inline NB_FORM bool just_began(double overlap, double dn) {
 
 /* w(f) */
 static double weight(const struct dashpots *spec, const struct nb_law *law, double f) {
-  static const double least = 1e-6; /* keeps f^(-p) finite, whose factor c is proportional to f^p */
+  static const double least = 1e-6; /* keeps f^(-p) finite; c is proportional to f^p */
   const double from = f > least ? f : least, to = from + 0.5, root = sqrt(to / from);
   if (!law->elastic)
     return to;

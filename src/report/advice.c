@@ -33,14 +33,22 @@ static void append_values(char *text, size_t size, const struct nb_advice *advic
   }
 }
 
+/* The value of --set refine at a level. */
+static double refine_of(const struct nb_advice *advice, int level) {
+  return advice->page.runs[0].scene.refine * nb_level_refine(advice, level);
+}
+
 void nb_advice_options(char *text, size_t size, const struct nb_advice *advice, const struct nb_setting *setting) {
   const struct nb_variant *variant = &advice->variants[setting->variant];
   text[0] = 0;
   if (variant->normal[0])
     nb_append(text, size, "--set normal=%s --set shear=%s", variant->normal, variant->shear);
+  if (variant->soften > 0)
+    nb_append(text, size, "--set soften=%g", advice->page.runs[0].scene.soften * variant->soften);
+  if (variant->centred)
+    nb_append(text, size, "--set damping=centred");
   append_values(text, size, advice, variant, true);
-  nb_append(text, size, "%s--set refine=%.9g", text[0] ? " " : "",
-            advice->page.runs[0].scene.refine * exp2(setting->level));
+  nb_append(text, size, "%s--set refine=%.10g", text[0] ? " " : "", refine_of(advice, setting->level));
 }
 
 /* Those of the caller that the next command needs, too. */
@@ -77,6 +85,10 @@ static const char *word(const char *law, const char *own) { return law[0] ? law 
 static void name_variant(char *text, size_t size, const struct nb_advice *advice, const struct nb_variant *variant) {
   const struct nb_scene *scene = &advice->page.runs[0].scene;
   snprintf(text, size, "normal %s, shear %s", word(variant->normal, scene->normal), word(variant->shear, scene->shear));
+  if (variant->soften > 0)
+    nb_append(text, size, ", stiffness divided by %g", variant->soften);
+  if (variant->centred)
+    nb_append(text, size, ", damping centred");
   append_values(text, size, advice, variant, false);
 }
 
@@ -97,7 +109,7 @@ static void print_setting(const struct nb_advice *advice, const struct nb_settin
   const struct nb_scene *scene = &advice->page.runs[0].scene;
   const double step = nb_point_at(advice, setting)->step;
   char length[NB_NAME_SIZE] = "", level[NB_NAME_SIZE], name[512];
-  nb_level_text(level, sizeof level, setting->level);
+  nb_refine_text(level, sizeof level, nb_level_refine(advice, setting->level));
   name_variant(name, sizeof name, advice, &advice->variants[setting->variant]);
   if (step > 0)
     snprintf(length, sizeof length, " (%.3g%s)", step, scene->unitless ? "" : " s");
@@ -167,7 +179,7 @@ static void print_choice(struct nb_advice *advice, const struct nb_setting *chos
   }
   const struct nb_point *coarser = chosen->level > NB_LEVEL_LOW ? point - 1 : NULL;
   if (!cheaper && coarser && coarser->reason[0])
-    printf("  a step twice as long cannot be run: %s\n", coarser->reason);
+    printf("  the next longer step cannot be run: %s\n", coarser->reason);
   nb_advice_options(options, sizeof options, advice, chosen);
   char path[4096] = "";
   nb_append_word(path, sizeof path, advice->query->path);
@@ -204,6 +216,10 @@ static void print_left_out(const struct nb_advice *advice) {
   char name[512];
   print_count(out.equal, "gives", "give", "the same values as another one\n");
   print_count(out.refused, "cannot", "cannot", "be run with this page\n");
+  if (nb_advice_softness_is_useless(advice))
+    puts("  softer contacts save nothing in this impact: the step is a fraction of the collision, and both last longer "
+         "by "
+         "the same factor");
   print_count(out.farther, "gives", "give", "too different values; ");
   if (out.nearest) {
     name_variant(name, sizeof name, advice, out.nearest);
@@ -248,10 +264,10 @@ static void write_rows(FILE *out, const struct nb_advice *advice, int which) {
     append_values(values, sizeof values, advice, variant, false);
     if (which == CHOSEN ? (int)k != advice->chosen : which != ALL_VARIANTS && (int)setting->variant != which)
       continue;
-    fprintf(out, "%s\t%s\t%.17g\t%.6g\t%.6g\t%.6g\t%.6g\t%.6g\t%.6g\t%s\t%s\t%s\t%.0f\n",
-            word(variant->normal, scene->normal), word(variant->shear, scene->shear),
-            scene->refine * exp2(setting->level), point->step, point->updates, point->seconds, setting->ratio,
-            setting->ratio * advice->tolerance.value, setting->step_ratio * advice->tolerance.value,
+    fprintf(out, "%s\t%s\t%.10g\t%.6g\t%.6g\t%.6g\t%.6g\t%.6g\t%.6g\t%s\t%s\t%s\t%.0f\n",
+            word(variant->normal, scene->normal), word(variant->shear, scene->shear), refine_of(advice, setting->level),
+            point->step, point->updates, point->seconds, setting->ratio, setting->ratio * advice->tolerance.value,
+            setting->step_ratio * advice->tolerance.value,
             (int)k == advice->chosen ? "chosen"
             : setting->ratio <= 1    ? "within"
                                      : "misses",
@@ -337,7 +353,7 @@ static enum nb_status save_advice(const struct nb_advice *advice, const char *fo
   write_rows(file.file, advice, ALL_VARIANTS);
   for (int level = NB_LEVEL_LOW; level <= NB_LEVEL_HIGH; level++)
     if (advice->variants[0].points[level - NB_LEVEL_LOW].reason[0])
-      fprintf(file.file, "# not run: refine=%.9g: %s\n", advice->page.runs[0].scene.refine * exp2(level),
+      fprintf(file.file, "# not run: refine=%.10g: %s\n", refine_of(advice, level),
               advice->variants[0].points[level - NB_LEVEL_LOW].reason);
   for (size_t k = 1; k < advice->variant_count; k++)
     if (advice->variants[k].reason[0]) {

@@ -2,8 +2,9 @@
  *
  * Errors are relative to the limit of the page for a step towards zero, with its own laws and values; the anchor of
  * estimate.c approximates it. The reference of the page is not used, because for a candidate with other laws it would
- * return another solution. A setting is a variant, which is the page with other laws or other values of the names that
- * it trades, and a level: the variant with --set refine=2^level. Each setting is run in several trials (trials.c).
+ * return another solution. A setting is a variant, which is the page with other laws, softer contacts, centred dashpots or
+ * other values of the names that it trades, and a level: the variant with --set refine=2^level. Each setting is run in
+ * several trials (trials.c).
  *
  * The estimated error of a setting needs the results at its level, at the two finer ones, and an anchor that is at least
  * two levels finer. Levels are tried from the coarsest one on; the first one within the tolerance is the cheapest of
@@ -11,7 +12,10 @@
  * or if they differ from the anchor by more than twice the tolerance at the level that was found for the page as it is.
  *
  * With realizations only their mean is estimated. Its anchor is the page with half its step, and no step is shorter
- * than that of the page.
+ * than that of the page. The guaranteed stable step differs between realizations, so a setting is left out if another
+ * realization may stop: with the largest ratios s_k of the step to the stable one, their mean s and standard deviation d,
+ *
+ *   s + t d (1 + 1/m)^(1/2) > 1              t: quantile of Student's distribution for one realization in a thousand
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "advise.h"
@@ -30,7 +34,9 @@ enum { PARTICLES_MAX = 50 };
 static const double anchor_share = 0.5;   /* largest uncertainty of the anchor, as a fraction of the tolerance */
 static const double variant_distance = 2; /* over the tolerance: a variant farther from the anchor is left out */
 static const double confidence = 0.95;    /* of a mean over realizations */
-static const double equal_share = 0.1;    /* numbers of updates that differ by less are nearly equal */
+static const double runnable = 0.998;     /* two-sided: one further realization in a thousand stops */
+static const double softer[] = {10, 100, 1000};
+static const double equal_share = 0.1; /* numbers of updates that differ by less are nearly equal */
 
 /* Runs `count` trials, evenly spaced. */
 static bool run_trials(struct nb_advice *advice, struct nb_variant *variant, int level, size_t count) {
@@ -126,10 +132,26 @@ static enum nb_status find_anchor(struct nb_advice *advice, struct nb_error *err
                                            : "the budget is too small; choose a larger --budget");
 }
 
+/* Whether realizations other than those of the search will not stop by the stability check, too. The page as it is needs
+ * no such margin. */
+static bool keeps_margin(const struct nb_advice *advice, const struct nb_variant *variant, int level) {
+  struct nb_point *point = (struct nb_point *)&variant->points[level - NB_LEVEL_LOW];
+  const double m = (double)advice->trials, mean = nb_estimate_average(point->stability, advice->trials);
+  const double margin =
+      student_quantile(m, runnable) * nb_estimate_scatter(point->stability, advice->trials) * sqrt(1 + 1 / m);
+  if ((variant == advice->variants && level >= 0) || mean + margin <= 1)
+    return true;
+  snprintf(point->reason, sizeof point->reason,
+           "its step is %.2g of the guaranteed stable one in the mean, and scatters between realizations: another one "
+           "may stop",
+           mean);
+  return false;
+}
+
 /* Runs the trials that the estimated error of a setting needs. False: it has none. */
 static bool run_setting(struct nb_advice *advice, struct nb_variant *variant, int level) {
   if (is_mean(advice))
-    return run_trials(advice, variant, level, advice->trials);
+    return run_trials(advice, variant, level, advice->trials) && keeps_margin(advice, variant, level);
   for (int k = 0; k < 3; k++)
     if (!run_trials(advice, variant, level + k, advice->trials))
       return false;
@@ -142,7 +164,7 @@ static double claim_of(double *step, const struct nb_advice *advice, const struc
   if (is_mean(advice))
     return claim_of_mean(step, advice, point, run);
   return nb_estimate_claim(step, point[0].values + run * NB_TRIALS, point[1].values + run * NB_TRIALS,
-                           point[2].values + run * NB_TRIALS, advice->trials,
+                           point[2].values + run * NB_TRIALS, advice->trials, nb_level_ratios(advice, level),
                            anchor_of(advice, level + 2 > advice->anchor ? level + 2 : advice->anchor, run));
 }
 
@@ -169,12 +191,14 @@ static bool add_claim(struct nb_advice *advice, size_t index, int level) {
 
 bool nb_setting_cheaper(const struct nb_advice *advice, const struct nb_setting *a, const struct nb_setting *b) {
   const struct nb_point *one = nb_point_at(advice, a), *other = nb_point_at(advice, b);
-  return fabs(one->updates - other->updates) > equal_share * other->updates ? one->updates < other->updates
-                                                                            : one->seconds < other->seconds;
+  const double softness = advice->variants[a->variant].soften - advice->variants[b->variant].soften;
+  if (fabs(one->updates - other->updates) > equal_share * other->updates)
+    return one->updates < other->updates;
+  return softness != 0 ? softness < 0 : one->seconds < other->seconds;
 }
 
 /* Tries the levels of a variant from the coarsest one on, up to the first one within the tolerance, or until the next
- * one, with twice the updates of this one, would have more than the chosen setting. With nearly as many it is tried,
+ * one, which mostly has twice the updates of this one, would have more than the chosen setting. With nearly as many it is tried,
  * because its laws may take less time. */
 static void search_levels(struct nb_advice *advice, size_t index, int highest) {
   struct nb_variant *variant = &advice->variants[index];
@@ -187,7 +211,8 @@ static void search_levels(struct nb_advice *advice, size_t index, int highest) {
     if (last->ratio <= 1 && (!chosen || nb_setting_cheaper(advice, last, chosen)))
       advice->chosen = (int)advice->setting_count - 1;
     if (last->ratio <= 1 ||
-        (chosen && 2 * (1 - equal_share) * nb_point_at(advice, last)->updates > nb_point_at(advice, chosen)->updates))
+        (chosen && nb_level_ratios(advice, level).first * (1 - equal_share) * nb_point_at(advice, last)->updates >
+                       nb_point_at(advice, chosen)->updates))
       return;
   }
   if (advice->setting_count == before && index > 0)
@@ -213,7 +238,7 @@ static const struct nb_variant *equal_variant(const struct nb_advice *advice, co
 
 /* Whether the variant is near enough to the anchor to be tried, with the longest step from this level on with which it
  * can be run. Means over realizations show it only after all trials, and quantities such as a number of contacts can be
- * equal by chance in one of them. */
+ * equal by chance in one of them. Softer contacts that change nothing allow a longer step. */
 static bool is_near(struct nb_advice *advice, struct nb_variant *variant, int level, int highest) {
   while (!nb_trials_run(advice, variant, level, 0, 1, 1) && level < highest && !advice->exhausted)
     level++;
@@ -223,7 +248,8 @@ static bool is_near(struct nb_advice *advice, struct nb_variant *variant, int le
              advice->exhausted ? "the budget was used up" : point->reason);
     return false;
   }
-  const struct nb_variant *other = is_mean(advice) ? NULL : equal_variant(advice, variant, level);
+  const struct nb_variant *other =
+      is_mean(advice) || variant->soften > 0 ? NULL : equal_variant(advice, variant, level);
   if (other) {
     snprintf(variant->reason, sizeof variant->reason, "it gives the same values as %s",
              other == advice->variants ? "the page" : "a variant before it");
@@ -305,10 +331,45 @@ static bool list_values(struct nb_advice *advice, size_t trade) {
   return true;
 }
 
-/* The page as it is, with all other pairs of laws, and each of these with all combinations of traded values. */
+/* Whether the page has dashpots and does not say which velocity they use. */
+static bool has_late_dashpots(const struct nb_advice *advice) {
+  bool dashpots = false, timing = false;
+  for (size_t r = 0; r < advice->runs; r++)
+    for (size_t s = 0; s < advice->page.runs[r].scene.stage_count; s++) {
+      const struct nb_damping *damping = &advice->page.runs[r].scene.stages[s].damping;
+      dashpots = dashpots || nb_damping_contact_line(damping) > 0, timing = timing || damping->centred_line;
+    }
+  return dashpots && !timing;
+}
+
+bool nb_advice_softness_is_useless(const struct nb_advice *advice) {
+  const struct nb_scene *scene = &advice->page.runs[0].scene;
+  bool per_collision = !is_mean(advice) && scene->impact.line;
+  for (size_t s = 0; s < scene->stage_count; s++)
+    per_collision = per_collision && scene->stages[s].step.kind == NB_STEP_COLLISION;
+  return per_collision;
+}
+
+static bool trades_softness(const struct nb_advice *advice) {
+  const struct nb_scene *scene = &advice->page.runs[0].scene;
+  return !scene->contact_test && scene->start.stages == 0 && !nb_advice_softness_is_useless(advice);
+}
+
+/* The page with softer contacts, and with centred dashpots. */
+static void list_own_laws(struct nb_advice *advice) {
+  for (size_t k = 0; k < sizeof softer / sizeof *softer && trades_softness(advice); k++)
+    copy_variant(advice, 0)->soften = softer[k];
+  if (has_late_dashpots(advice))
+    copy_variant(advice, 0)->centred = true;
+}
+
+/* The page as it is, with softer contacts, with centred dashpots, with all other pairs of laws, and each of these with all
+ * combinations of traded values. */
 static enum nb_status list_variants(struct nb_advice *advice, struct nb_error *error) {
   const size_t trades = advice->page.runs[0].scene.trade_count;
   advice->variant_count = 1;
+  if (trades_laws(advice) && !is_mean(advice))
+    list_own_laws(advice);
   bool few = trades <= NB_TRADES && (!trades_laws(advice) || list_laws(advice));
   for (size_t k = 0; k < trades && few; k++)
     few = list_values(advice, k);
@@ -355,6 +416,31 @@ static enum nb_status check_page(const struct nb_advice *advice, struct nb_error
   return NB_OK;
 }
 
+static unsigned long common_divisor(unsigned long a, unsigned long b) { return b ? common_divisor(b, a % b) : a; }
+
+/* All numbers of cycles that the page gives, as lengths of stages and in expectations. */
+static void find_divisor(struct nb_advice *advice) {
+  for (size_t r = 0; r < advice->runs; r++) {
+    const struct nb_page_run *run = &advice->page.runs[r];
+    for (size_t s = run->scene.start.stages; s < run->scene.stage_count; s++)
+      if (run->scene.stages[s].condition_count == 0)
+        advice->divisor = common_divisor(run->scene.stages[s].cycles, advice->divisor);
+    for (size_t k = 0; k < run->expectations.count; k++)
+      if (run->expectations.list[k].measure.reducer == NB_AT_CYCLE)
+        advice->divisor = common_divisor((unsigned long)run->expectations.list[k].measure.at, advice->divisor);
+  }
+}
+
+double nb_level_refine(const struct nb_advice *advice, int level) {
+  const double wanted = exp2(level), divisor = (double)advice->divisor;
+  return advice->divisor ? ceil(divisor * wanted) / divisor : wanted;
+}
+
+struct nb_ratios nb_level_ratios(const struct nb_advice *advice, int level) {
+  const double next = nb_level_refine(advice, level + 1);
+  return (struct nb_ratios){next / nb_level_refine(advice, level), nb_level_refine(advice, level + 2) / next};
+}
+
 /* Reads the page, with the first realization. */
 static enum nb_status read_page(struct nb_advice *advice, struct nb_error *error) {
   const struct nb_advise_query *query = advice->query;
@@ -379,6 +465,7 @@ static enum nb_status read_page(struct nb_advice *advice, struct nb_error *error
   advice->runs = advice->page.run_count;
   advice->trials = query->over ? query->realizations : nb_phase_count(&advice->page.runs[0].scene);
   advice->allowed = calloc(advice->runs, sizeof *advice->allowed);
+  find_divisor(advice);
   return advice->allowed ? NB_OK : nb_error_memory(error);
 }
 
@@ -429,11 +516,12 @@ double nb_advice_scatter(const struct nb_advice *advice, const struct nb_setting
   return largest;
 }
 
-void nb_level_text(char *text, size_t size, int level) {
-  if (level == 0)
+void nb_refine_text(char *text, size_t size, double refine) {
+  if (refine == 1)
     snprintf(text, size, "that of the page");
   else
-    snprintf(text, size, "%g times as %s as that of the page", exp2(abs(level)), level < 0 ? "long" : "short");
+    snprintf(text, size, "%.3g times as %s as that of the page", refine < 1 ? 1 / refine : refine,
+             refine < 1 ? "long" : "short");
 }
 
 static int ascending(const void *a, const void *b) {

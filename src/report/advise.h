@@ -7,24 +7,28 @@
 #include "estimate.h"
 #include "outcome.h"
 
-/* The step of the page is divided by 2^level. A trial is one phase, or one realization. */
+/* The step of the page is divided by 2^level, or by the next larger number that divides its stages into whole numbers of
+ * cycles. A trial is one phase, or one realization. */
 enum { NB_LEVEL_LOW = -7, NB_LEVEL_HIGH = 12, NB_LEVELS = NB_LEVEL_HIGH - NB_LEVEL_LOW + 1 };
 enum { NB_REALIZATIONS_MIN = 8, NB_VARIANTS_MAX = 500, NB_TRADES = 8 };
 
 /* One variant at one step, run in some of the trials. */
 struct nb_point {
-  unsigned done;    /* bit set of the trials that were run */
-  double *values;   /* of the quantity: NB_TRIALS for each run of the page; owned */
-  double seconds;   /* shortest of the trials, all runs of the page */
-  double updates;   /* of contacts and particles, all runs; mean over the trials */
-  double recorded;  /* values in the rows of all runs; of the last trial */
-  double step;      /* mean over the first run, s; 0: a contact test, which has no time */
-  char reason[512]; /* why it could not be run; empty: it could */
+  unsigned done;               /* bit set of the trials that were run */
+  double *values;              /* of the quantity: NB_TRIALS for each run of the page; owned */
+  double seconds;              /* shortest of the trials, all runs of the page */
+  double updates;              /* of contacts and particles, all runs; mean over the trials */
+  double recorded;             /* values in the rows of all runs; of the last trial */
+  double step;                 /* mean over the first run, s; 0: a contact test, which has no time */
+  double stability[NB_TRIALS]; /* of each trial: the largest step over the guaranteed stable one, of all runs */
+  char reason[512];            /* why it could not be run; empty: it could */
 };
 
-/* The page with other laws, or with other values of names that it trades. */
+/* The page with other laws, softer contacts or centred dashpots, or with other values of names that it trades. */
 struct nb_variant {
   char normal[NB_NAME_SIZE], shear[NB_NAME_SIZE]; /* empty: as on the page */
+  double soften;                                  /* the stiffness of the page is divided by it; 0: it is not */
+  bool centred;                                   /* --set damping=centred */
   size_t value[NB_TRADES]; /* for each `trade` of the page: 0: the page's own value; k: its k-th one */
   struct nb_point points[NB_LEVELS];
   bool covered;     /* the reference of the page, if it has one, accepts it */
@@ -62,6 +66,7 @@ struct nb_advice {
   struct nb_outcome page; /* as read with these settings */
   struct nb_tolerance tolerance;
   const char *unit;
+  unsigned long divisor; /* the greatest common one of all numbers of cycles; 0: there are none */
   size_t runs;
   size_t trials;   /* realizations; or NB_PHASES; or 1: the page has no first touch whose moment could vary */
   double *allowed; /* the tolerance, for each run; owned */
@@ -88,8 +93,13 @@ void nb_advice_free(struct nb_advice *advice);
 /* Runs a trial of a variant at a level, unless it has been run. False: it cannot be run, or the budget is used up. */
 bool nb_advice_run(struct nb_advice *advice, size_t variant, int level, size_t trial);
 
-/* The numbers of updates decide. If they are nearly equal, as those of different laws with the same step, the times of
- * computation do. */
+/* The divisor of the page's step at a level. */
+double nb_level_refine(const struct nb_advice *advice, int level);
+/* The steps of a level, of the next finer one and of that after it. */
+struct nb_ratios nb_level_ratios(const struct nb_advice *advice, int level);
+
+/* The numbers of updates decide. If they are nearly equal, as those of different laws with the same step, contacts that
+ * are as stiff as those of the page are cheaper than softer ones, and then the times of computation decide. */
 bool nb_setting_cheaper(const struct nb_advice *advice, const struct nb_setting *a, const struct nb_setting *b);
 /* The most expensive setting that is cheaper than this one, of equal ones the most accurate; NULL: none. */
 const struct nb_setting *nb_advice_cheaper(const struct nb_advice *advice, const struct nb_setting *setting);
@@ -97,8 +107,8 @@ const struct nb_setting *nb_advice_cheaper(const struct nb_advice *advice, const
 const struct nb_setting *nb_advice_most_accurate(const struct nb_advice *advice);
 /* The largest standard deviation of single realizations, of all runs, at the setting. */
 double nb_advice_scatter(const struct nb_advice *advice, const struct nb_setting *setting);
-/* The step at a level in words: "that of the page", "2 times as long as that of the page". */
-void nb_level_text(char *text, size_t size, int level);
+/* The page's step divided by a number in words: "that of the page", "2 times as long as that of the page". */
+void nb_refine_text(char *text, size_t size, double refine);
 /* "0.023 s (0.022 to 0.025)": median and range of an odd number of times, which are sorted. */
 void nb_times_text(char *text, size_t size, double times[], size_t count);
 /* What to do if no setting is within the tolerance. */
@@ -111,6 +121,8 @@ struct nb_left_out {
 };
 struct nb_left_out nb_advice_left_out(const struct nb_advice *advice);
 /* Whether checks of the page that the setting of the page passes may fail with this one. */
+/* Whether softer contacts save nothing, since the step is a fraction of the collision and both last longer. */
+bool nb_advice_softness_is_useless(const struct nb_advice *advice);
 static inline bool nb_setting_loosens(const struct nb_setting *setting) {
   return setting->level < 0 || setting->variant > 0;
 }

@@ -1,9 +1,9 @@
 /* `nineball advise --all`: the cheapest settings of many pages. Writes a table with one row for each search, and a figure
  * for each page.
  *
- * Of a page it takes up to three quantities from its expectations, each at the middle run of its sweeps; or the quantities
- * of --quantity, in all runs. A quantity is searched with one tolerance after the other, up to the first one without
- * advice. If its value is near 0 or not known well enough for a fraction, the absolute tolerance of the page counts.
+ * It searches up to three quantities that a page expects, in the middle run of the sweeps. With --quantity it searches
+ * those, in all runs. It tries the tolerances in their order and stops at the first one without advice. If a value is near
+ * 0, or too uncertain for a relative tolerance, it takes the absolute tolerance of the page.
  *
  * Every row is written when its search ends, and a later call adds to the table what it does not have yet. So a call that was
  * interrupted can be repeated.
@@ -24,6 +24,7 @@
 #include "core/clean.h"
 #include "core/clock.h"
 #include "input/reader.h"
+#include "row_table.h"
 
 enum { QUANTITIES = 3, DEPTH_MAX = 16, TEXT_SIZE = 512 };
 static const char default_tolerances[] = "10 %; 1 %; 0.1 %";
@@ -36,8 +37,7 @@ struct search_all {
   char **paths; /* owned */
   size_t path_count;
   const char *folder;
-  FILE *table;
-  char *before; /* the rows of an earlier call; owned */
+  struct nb_row_table table;
   size_t searched, answered, kept;
   enum nb_status worst;
 };
@@ -103,39 +103,12 @@ static const char head[] = "page\thash\tcondition\tover\tkind\tquantity\ttoleran
                            "onds\terror\tunit\tnext\t"
                            "next error/tolerance\torder\tnormal\tshear\tlaws enough\tlaws not enough\tsearch seconds\n";
 
-/* Opens the table. Complete rows of an earlier call stay; a last row without its end is cut off. */
 static enum nb_status open_table(struct search_all *all, struct nb_error *error) {
   char path[4096], version[64];
   snprintf(path, sizeof path, "%.4000s/trades.tsv", all->folder);
   snprintf(version, sizeof version, "# nineball %s, advise --all\n", NB_VERSION);
-  if (nb_folder_create(all->folder, error))
-    return error->status;
-  size_t size = 0;
-  if (access(path, F_OK) == 0 && !(all->before = nb_file_read(path, NB_PAGE_MAX, &size, error)))
-    return error->status;
-  char *end = all->before ? strrchr(all->before, '\n') : NULL;
-  if (all->before && *all->before && strncmp(all->before, version, strlen(version)) != 0)
-    return nb_error_set(error, NB_BAD_USE,
-                        "%s is not a table that this version wrote: remove it, or choose another folder with -o", path);
-  if (end)
-    end[1] = 0;
-  all->table = fopen(path, end ? "r+" : "w");
-  if (!all->table ||
-      (end && (ftruncate(fileno(all->table), end + 1 - all->before) != 0 || fseek(all->table, 0, SEEK_END))))
-    return nb_error_system(error, "cannot write %s", path);
-  if (!end)
-    fprintf(all->table, "%s%s", version, head);
-  return NB_OK;
-}
-
-/* Whether the table has the row that begins so; *answered: whether it has advice. */
-static bool find_row(const struct search_all *all, const char *key, bool *answered) {
-  const size_t length = strlen(key);
-  const char *line = all->before;
-  while (line && strncmp(line, key, length) != 0)
-    line = (line = strchr(line, '\n')) ? line + 1 : NULL;
-  *answered = line && strncmp(line + length, "yes\t", 4) == 0;
-  return line != NULL;
+  return nb_folder_create(all->folder, error) ? error->status
+                                              : nb_row_table_open(&all->table, path, version, head, error);
 }
 
 /* Tabs and line ends separate columns and rows. */
@@ -241,15 +214,16 @@ static void draw(struct search_all *all, const struct nb_advice *advice) {
 static char search_one(struct search_all *all, const struct nb_page *page, const struct wanted *wanted,
                        const char *tolerance, bool first) {
   char key[4096];
-  bool answered;
   snprintf(key, sizeof key, "%s\t%016llx\t%s\t%s\t%s\t%s\t%s\t", page->path, page->hash,
            wanted->condition[0] ? wanted->condition : "-", all->call->over ? all->call->over : "-", wanted->kind,
            wanted->measure, tolerance);
   all->searched++;
-  if (find_row(all, key, &answered)) {
+  const char *row = nb_row_table_find(&all->table, key);
+  if (row) {
+    const bool answered = strncmp(row, "yes\t", 4) == 0;
     all->kept++, all->answered += answered;
     note_status(all, answered ? NB_OK : NB_FAILED);
-    return answered ? 'y' : 'n';
+    return row[0];
   }
   const struct nb_advise_query query = {.path = page->path,
                                         .settings = wanted->settings,
@@ -267,11 +241,11 @@ static char search_one(struct search_all *all, const struct nb_page *page, const
   if (status != NB_NO_MEMORY) {
     if (first && advice.chosen >= 0 && advice.settings[advice.chosen].ratio * advice.tolerance.value > exact)
       draw(all, &advice);
-    fprintf(all->table, "%s%s\t", key, result);
-    put_result(all->table, &advice, reason);
+    fprintf(all->table.file, "%s%s\t", key, result);
+    put_result(all->table.file, &advice, reason);
     if (strcmp(result, "refused") == 0)
       printf("  %s within %s: ", wanted->measure, tolerance), put_text(stdout, reason, "\n");
-    fflush(all->table);
+    fflush(all->table.file);
     all->answered += result[0] == 'y';
   }
   note_status(all, status == NB_NO_MEMORY ? status : result[0] == 'y' ? NB_OK : NB_FAILED);
@@ -467,12 +441,12 @@ enum nb_status nb_command_advise_all(const struct nb_call *call, double budget, 
   } else if (good) {
     search_pages(&all);
   }
-  if (all.table && (ferror(all.table) || fclose(all.table) != 0)) {
+  if (!nb_row_table_close(&all.table)) {
     fprintf(stderr, "nineball: %s/trades.tsv could not be written\n", all.folder);
     note_status(&all, NB_BAD_USE);
   }
   for (size_t k = 0; k < all.path_count; k++)
     free(all.paths[k]);
-  free(all.paths), free(all.before);
+  free(all.paths);
   return all.worst;
 }

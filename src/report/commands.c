@@ -22,20 +22,39 @@ static enum nb_status print_error(const struct nb_error *error) {
   return error->status;
 }
 
-/* ---- run, check, figure, report ---- */
+/* ---- run, check, figure ---- */
+
+#ifndef NB_RESULTS_KEPT
+#define NB_RESULTS_KEPT (32 << 20) /* bytes of the results of a sweep that stay in memory; the tests have 0 */
+#endif
 
 /* What a command does with the outcome of a page: a set. */
 enum { VERDICT = 1, REQUIRE_CHECKS = 2, TABLES = 4, FIGURE = 8 };
 
-static bool is_stopped(const struct nb_call *call) {
+bool nb_is_stopped(const struct nb_call *call) {
   return call->options.checkpoint.stop && *call->options.checkpoint.stop;
 }
 
-static void run_page(struct nb_outcome *outcome, const struct nb_call *call, const char *path) {
+void nb_run_page(struct nb_outcome *outcome, const struct nb_call *call, const char *path, const char *folder) {
   struct nb_progress_line line = {.page = path};
   const struct nb_progress progress = nb_print_progress(&line);
-  nb_outcome_make(outcome, path, call->settings, &call->options, &progress);
+  const char *temporary = getenv("TMPDIR");
+  struct nb_options options = call->options;
+  options.results = (struct nb_results_kept){NB_RESULTS_KEPT,
+                                             folder                      ? folder
+                                             : temporary && temporary[0] ? temporary
+                                                                         : "/tmp",
+                                             !folder};
+  nb_outcome_make(outcome, path, call->settings, &options, &progress);
   nb_print_progress_end(&line);
+}
+
+/* The folder of the output files of a page: that of the call, or NAME.out. */
+static const char *output_folder(char *name, size_t size, const struct nb_call *call, const char *path) {
+  const char *page;
+  const size_t length = nb_page_name(path, &page);
+  snprintf(name, size, "%.*s.out", (int)length, page);
+  return call->folder ? call->folder : name;
 }
 
 /* Two pages of the same name would overwrite each other's files. */
@@ -54,27 +73,23 @@ static enum nb_status check_folders(const struct nb_call *call) {
   return NB_OK;
 }
 
-/* Whether there is anything to write; aborted runs may have rows. */
-static bool has_rows(const struct nb_outcome *outcome) {
+bool nb_outcome_has_rows(const struct nb_outcome *outcome) {
   bool found = outcome->status <= NB_FAILED;
   for (size_t r = 0; r < outcome->run_count && outcome->status == NB_BROKEN; r++)
-    found = found || outcome->runs[r].result.table.row_count > 0;
+    found = found || nb_run_table(&outcome->runs[r])->row_count > 0;
   return found;
 }
 
-/* A page without a single check must not pass. */
-static bool is_unchecked(const struct nb_outcome *outcome) {
+bool nb_outcome_is_unchecked(const struct nb_outcome *outcome) {
   return outcome->status == NB_OK && !outcome->mark_count[NB_PASS];
 }
 
 /* Writes tables and figure, and prints where they are. */
 static enum nb_status save_outputs(const struct nb_outcome *outcome, const struct nb_call *call, const char *path,
-                                   unsigned actions, double began) {
+                                   const char *folder, unsigned actions, double began) {
   struct nb_error error;
-  char name[NB_NAME_SIZE + 8], word[4096] = "";
+  char word[4096] = "";
   bool drawn = false;
-  snprintf(name, sizeof name, "%s.out", outcome->page.name);
-  const char *folder = call->folder ? call->folder : name;
   const char *incomplete = outcome->status > NB_FAILED ? ", up to where the run was stopped" : "";
   if (actions & TABLES) {
     if (nb_tables_save(outcome, folder, &error))
@@ -96,18 +111,19 @@ static enum nb_status save_outputs(const struct nb_outcome *outcome, const struc
   return NB_OK;
 }
 
-/* When all has been written. */
-static void remove_checkpoints(struct nb_outcome *outcome, enum nb_status status, const struct nb_call *call) {
+void nb_remove_checkpoints(struct nb_outcome *outcome, enum nb_status status, const struct nb_call *call) {
   if (status <= NB_FAILED && fflush(stdout) == 0)
     nb_outcome_remove_checkpoints(outcome, &call->options);
 }
 
 static enum nb_status process_page(const struct nb_call *call, const char *path, unsigned actions, double began) {
   struct nb_outcome outcome;
-  run_page(&outcome, call, path);
+  char name[NB_NAME_SIZE + 8];
+  const char *folder = actions & (TABLES | FIGURE) ? output_folder(name, sizeof name, call, path) : NULL;
+  nb_run_page(&outcome, call, path, folder);
   if (actions & VERDICT && !call->tap && outcome.status <= NB_FAILED)
     nb_print_verdict(&outcome);
-  if (actions & REQUIRE_CHECKS && is_unchecked(&outcome))
+  if (actions & REQUIRE_CHECKS && nb_outcome_is_unchecked(&outcome))
     outcome.status = nb_error_set(
         &outcome.error, NB_BAD_USE,
         "the scene is read and run without mistakes, but %s, so nothing was checked; %s, or use `nineball run`",
@@ -117,9 +133,9 @@ static enum nb_status process_page(const struct nb_call *call, const char *path,
   if (actions & VERDICT && call->tap)
     nb_print_tap(&outcome, path);
   enum nb_status status = actions & VERDICT || outcome.status > NB_FAILED ? outcome.status : NB_OK;
-  if (actions & (TABLES | FIGURE) && has_rows(&outcome))
-    status = nb_worse(status, save_outputs(&outcome, call, path, actions, began));
-  remove_checkpoints(&outcome, status, call);
+  if (actions & (TABLES | FIGURE) && nb_outcome_has_rows(&outcome))
+    status = nb_worse(status, save_outputs(&outcome, call, path, folder, actions, began));
+  nb_remove_checkpoints(&outcome, status, call);
   nb_outcome_free(&outcome);
   return status;
 }
@@ -133,8 +149,8 @@ static enum nb_status process_pages(const struct nb_call *call, unsigned actions
   if (worst)
     return worst;
   for (size_t k = 0; k < call->page_count; k++)
-    worst = nb_worse(worst, is_stopped(call) ? NB_BROKEN
-                                             : process_page(call, call->pages[k], actions, k ? nb_cost_clock() : 0));
+    worst = nb_worse(worst, nb_is_stopped(call) ? NB_BROKEN
+                                                : process_page(call, call->pages[k], actions, k ? nb_cost_clock() : 0));
   return worst;
 }
 
@@ -143,73 +159,6 @@ enum nb_status nb_command_check(const struct nb_call *call) {
   return call->rounding ? nb_rounding_check(call) : process_pages(call, VERDICT | REQUIRE_CHECKS);
 }
 enum nb_status nb_command_figure(const struct nb_call *call) { return process_pages(call, FIGURE); }
-
-static void put_message(struct nb_report_line *line, const struct nb_outcome *outcome) {
-  const char *const text = outcome->mistakes.text ? outcome->mistakes.text : outcome->error.text;
-  char place[NB_NAME_SIZE] = "";
-  if (outcome->error.line && !outcome->mistakes.text)
-    snprintf(place, sizeof place, "line %d: ", outcome->error.line);
-  snprintf(line->message, sizeof line->message, "%s%s", place, text);
-}
-
-/* Tables and figure of one page, and its line of the report; the line keeps the outcome without the runs. */
-static enum nb_status report_page(const struct nb_call *call, const char *path, const char *folder,
-                                  struct nb_report_line *line) {
-  struct nb_outcome *outcome = &line->outcome;
-  struct nb_error error = {NB_OK, ""};
-  char subfolder[4096];
-  const char *name;
-  const size_t length = nb_page_name(path, &name);
-  snprintf(line->name, sizeof line->name, "%.*s", (int)length, name); /* also if the page cannot be read */
-  run_page(outcome, call, path);
-  nb_print_errors(outcome, path);
-  if (outcome->status > NB_FAILED)
-    put_message(line, outcome);
-  if (has_rows(outcome)) {
-    snprintf(subfolder, sizeof subfolder, "%.3900s/%s", folder, outcome->page.name);
-    line->saved = !nb_tables_save(outcome, subfolder, &error);
-    if (line->saved)
-      nb_figure_draw(outcome, subfolder, call->trust, &line->drawn, &error);
-    if (error.status) {
-      const size_t used = strlen(line->message);
-      print_error(&error);
-      snprintf(line->message + used, sizeof line->message - used, "%s%s", used ? "; " : "", error.text);
-    }
-  }
-  for (size_t r = 0; r < outcome->run_count; r++)
-    line->seconds += outcome->runs[r].result.seconds;
-  printf("%-28s %4zu checks, %zu failed%s%s\n", line->name, outcome->mark_count[NB_PASS] + outcome->mark_count[NB_FAIL],
-         outcome->mark_count[NB_FAIL],
-         outcome->status > NB_FAILED ? "; did not run to its end"
-         : is_unchecked(outcome)     ? "; nothing was checked"
-                                     : "",
-         error.status ? line->saved ? "; no figure" : "; no tables" : "");
-  fflush(stdout);
-  remove_checkpoints(outcome, nb_worse(outcome->status, error.status), call);
-  nb_outcome_free_runs(outcome);
-  return nb_worse(is_unchecked(outcome) ? NB_BAD_USE : outcome->status, error.status);
-}
-
-enum nb_status nb_command_report(const struct nb_call *call) {
-  const char *folder = call->folder ? call->folder : "report";
-  enum nb_status worst = check_folders(call);
-  struct nb_error error;
-  if (worst)
-    return worst;
-  struct nb_report_line *lines = calloc(call->page_count, sizeof *lines);
-  if (!lines)
-    return nb_error_memory(&error), print_error(&error);
-  for (size_t k = 0; k < call->page_count; k++)
-    worst = nb_worse(worst, is_stopped(call) ? NB_BROKEN : report_page(call, call->pages[k], folder, &lines[k]));
-  if (nb_folder_create(folder, &error) || nb_report_write(folder, lines, call->page_count, &error))
-    worst = nb_worse(worst, print_error(&error));
-  else
-    printf("look at %s/index.html\n", folder);
-  for (size_t k = 0; k < call->page_count; k++)
-    nb_outcome_free(&lines[k].outcome);
-  free(lines);
-  return worst;
-}
 
 /* ---- explain ---- */
 

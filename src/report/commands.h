@@ -15,6 +15,7 @@ struct nb_call {
   const char *folder;    /* output folder, or file; NULL: the default */
   const char *stage;     /* at whose end a state is taken; NULL: the last one */
   const char **settings; /* NULL-terminated */
+  const char **unrun;    /* pages that a report shows without running them; NULL-terminated */
   struct nb_options options;
   bool tap;
   bool in_place;
@@ -32,7 +33,7 @@ struct nb_call {
 enum nb_status nb_command_run(const struct nb_call *call);
 enum nb_status nb_command_check(const struct nb_call *call);
 enum nb_status nb_command_figure(const struct nb_call *call);
-enum nb_status nb_command_report(const struct nb_call *call);
+enum nb_status nb_command_report(const struct nb_call *call); /* report.c */
 enum nb_status nb_command_explain(const struct nb_call *call);
 enum nb_status nb_command_state(const struct nb_call *call);
 enum nb_status nb_command_migrate(const struct nb_call *call);
@@ -40,6 +41,16 @@ enum nb_status nb_command_advise(const struct nb_call *call);                   
 enum nb_status nb_command_advise_all(const struct nb_call *call, double budget, size_t realizations); /* advise_all.c */
 enum nb_status nb_command_laws(const struct nb_call *call);
 enum nb_status nb_command_list(const struct nb_call *call);
+
+/* Without a folder of output files the outcome serves the verdict alone. */
+void nb_run_page(struct nb_outcome *outcome, const struct nb_call *call, const char *path, const char *folder);
+bool nb_is_stopped(const struct nb_call *call); /* by a signal */
+/* Whether there is anything to write; aborted runs may have rows. */
+bool nb_outcome_has_rows(const struct nb_outcome *outcome);
+/* A page without a single check must not pass. */
+bool nb_outcome_is_unchecked(const struct nb_outcome *outcome);
+/* When all has been written. */
+void nb_remove_checkpoints(struct nb_outcome *outcome, enum nb_status status, const struct nb_call *call);
 
 /* ---- rounding.c ---- */
 
@@ -83,6 +94,8 @@ void nb_print_escaped(FILE *out, const char *text, const struct nb_escape *list)
 /* Begins the output file FOLDER/NAME. */
 enum nb_status nb_save_begin_in(struct nb_save *file, struct nb_error *error, const char *folder, const char *format,
                                 ...) __attribute__((format(printf, 4, 5)));
+/* As nb_save_end, unless a result of the outcome could not be read; then the file is discarded. */
+enum nb_status nb_outcome_save_end(const struct nb_outcome *outcome, struct nb_save *file, struct nb_error *error);
 /* Writes into the folder: table.tsv, values.tsv, verdict.tsv; for each snapshot STAGE-particles.tsv, -walls.tsv,
  * -contacts.tsv, and of a contact test SEGMENT-traction.tsv, -pieces.tsv. */
 enum nb_status nb_tables_save(const struct nb_outcome *outcome, const char *folder, struct nb_error *error);
@@ -97,6 +110,9 @@ void nb_preamble_write(FILE *out, const struct nb_outcome *outcome);
 
 /* ---- figure.c ---- */
 
+/* Finds the folder of style and recipes, never one of the page: beside the program in the build tree, else where both
+ * were installed; it ends in a slash. Empty with an error if not found. */
+void nb_plots_find(char *plots, size_t size, struct nb_error *error);
 bool nb_page_has_figure(const struct nb_page *page); /* whether it has a `gnuplot` block */
 /* Writes NAME.gp into the folder, and by gnuplot NAME.svg and NAME.png. If the page has no figure it does nothing, and
  * *drawn is false. Only `figure` and `report` draw, because gnuplot runs code of the page: confined (sandbox.h), or
@@ -121,16 +137,5 @@ struct nb_gnuplot {
   bool trust, verbose;
 };
 enum nb_status nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error *error);
-
-/* ---- report.c: one HTML page about all pages; folders are relative to it ---- */
-
-struct nb_report_line {
-  char name[NB_NAME_SIZE], message[512]; /* of the page; an error other than a failed check, or empty */
-  struct nb_outcome outcome;             /* without its runs */
-  bool saved, drawn;                     /* tables, a figure */
-  double seconds;
-};
-enum nb_status nb_report_write(const char *folder, const struct nb_report_line *lines, size_t count,
-                               struct nb_error *error);
 
 #endif

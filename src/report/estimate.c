@@ -6,6 +6,9 @@
  *   G = |d_1| 2^p/(2^p - 1)                  error of Q(n) by Richardson's extrapolation
  *   G = 3 max(|d_1|, |d_2|)                  where |d_2| >= |d_1|, because no order is visible
  *
+ * If numbers of cycles allow no step of half the length, but one of the length 1/r with 1 < r < 2, the difference of the
+ * two counts as d ln 2/ln r: as if Q changed as much for each factor of the step.
+ *
  * The moment of first touch within a step changes Q(n). So Q(n) is computed for several such moments, the phases, and
  * the largest G counts. The anchor is a result with the laws of the page and a smaller step:
  *
@@ -29,8 +32,8 @@
 static const double no_order_factor = 3, anchor_factor = 3, distance_factor = 1.25;
 static const double lowest_order = 0.5, highest_order = 2;
 
-double nb_estimate_step(double n, double n2, double n4) {
-  const double d1 = fabs(n - n2), d2 = fabs(n2 - n4);
+double nb_estimate_step(double n, double n2, double n4, struct nb_ratios ratios) {
+  const double d1 = fabs(n - n2) / log2(ratios.first), d2 = fabs(n2 - n4) / log2(ratios.second);
   if (!isfinite(d1) || !isfinite(d2))
     return INFINITY;
   if (d1 == 0 && d2 == 0)
@@ -41,7 +44,7 @@ double nb_estimate_step(double n, double n2, double n4) {
   return d1 * ratio / (ratio - 1);
 }
 
-static double mean(const double values[], size_t count) {
+double nb_estimate_average(const double values[], size_t count) {
   double sum = 0;
   for (size_t k = 0; k < count; k++)
     sum += values[k];
@@ -52,25 +55,26 @@ struct nb_anchor nb_estimate_anchor(const double at_anchor[], const double at_do
   double low = INFINITY, high = -INFINITY;
   for (size_t k = 0; k < phases; k++)
     low = fmin(low, at_anchor[k]), high = fmax(high, at_anchor[k]);
-  const double value = mean(at_anchor, phases);
-  return (struct nb_anchor){value, anchor_factor * fabs(value - mean(at_double_step, phases)) + (high - low)};
+  const double value = nb_estimate_average(at_anchor, phases);
+  return (struct nb_anchor){value,
+                            anchor_factor * fabs(value - nb_estimate_average(at_double_step, phases)) + (high - low)};
 }
 
 double nb_estimate_claim(double *step, const double n[], const double n2[], const double n4[], size_t phases,
-                         struct nb_anchor anchor) {
+                         struct nb_ratios ratios, struct nb_anchor anchor) {
   double distance = 0;
   *step = 0;
   if (!isfinite(anchor.value) || !isfinite(anchor.uncertainty))
     return INFINITY;
   for (size_t k = 0; k < phases; k++) {
-    *step = fmax(*step, nb_estimate_step(n[k], n2[k], n4[k]));
+    *step = fmax(*step, nb_estimate_step(n[k], n2[k], n4[k], ratios));
     distance = fmax(distance, fabs(n[k] - anchor.value));
   }
   return fmax(*step, distance_factor * distance + anchor.uncertainty);
 }
 
 double nb_estimate_scatter(const double values[], size_t count) {
-  const double average = mean(values, count);
+  const double average = nb_estimate_average(values, count);
   double squares = 0;
   for (size_t k = 0; k < count; k++)
     squares += (values[k] - average) * (values[k] - average);
@@ -81,7 +85,7 @@ double nb_estimate_mean(double *difference, const double n[], const double ancho
   double differences[NB_TRIALS];
   for (size_t k = 0; k < count; k++)
     differences[k] = n[k] - anchor[k];
-  *difference = fabs(mean(differences, count));
+  *difference = fabs(nb_estimate_average(differences, count));
   const double claim = *difference + quantile * nb_estimate_scatter(differences, count) / sqrt((double)count);
   return isfinite(claim) ? claim : INFINITY;
 }

@@ -8,9 +8,14 @@
 
 enum { NB_PHASES = 8, NB_TRIALS = 32 }; /* NB_TRIALS: the most realizations */
 
+/* Of three steps the first over the second, and the second over the third: each above 1 and at most 2. */
+struct nb_ratios {
+  double first, second;
+};
+
 /* The estimate G of the error of Q(n) that is due to the step, from Q(n), Q(2n) and Q(4n), where n is the number of
  * steps per unit of time (estimate.c). Infinite if one of them is not finite. */
-double nb_estimate_step(double n, double n2, double n4);
+double nb_estimate_step(double n, double n2, double n4, struct nb_ratios ratios);
 
 /* The anchor: the value from which the error of a setting is measured, and its uncertainty. */
 struct nb_anchor {
@@ -22,9 +27,10 @@ struct nb_anchor nb_estimate_anchor(const double at_anchor[], const double at_do
 /* The estimated error of a setting, from Q(n), Q(2n) and Q(4n), each at `phases` phases, and from the anchor. *step
  * receives the largest G. */
 double nb_estimate_claim(double *step, const double n[], const double n2[], const double n4[], size_t phases,
-                         struct nb_anchor anchor);
+                         struct nb_ratios ratios, struct nb_anchor anchor);
 
-/* The standard deviation. */
+/* The mean and the standard deviation. */
+double nb_estimate_average(const double values[], size_t count);
 double nb_estimate_scatter(const double values[], size_t count);
 /* The estimated error of the mean over realizations, from Q of each realization and from that of the same realization at
  * the anchor; `quantile`: Student's, of count values. *difference receives the difference of the two means. */

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/clean.h"
 #include "core/model.h"
 #include "core/names.h"
 #include "input/reader.h"
@@ -544,9 +545,11 @@ static enum nb_status explain_before_start(FILE *out, const struct nb_scene *sce
                                            struct nb_cost *cost, struct nb_error *error) {
   const struct nb_start *start = &scene->start;
   struct nb_model *model = model_before_start(scene, options, error);
+  char path[4096] = "";
+  nb_append_word(path, sizeof path, scene->page->path);
   explain_start(out, scene, options);
   fprintf(out, "  `nineball check %s` computes that state; then `explain` shows contacts, step and seconds, too\n",
-          scene->page->path);
+          path);
   if (!model)
     return error->status == NB_NO_MEMORY ? error->status : NB_OK;
   fprintf(out, "before stage `%s` of `%s` is run: laws and materials of its end, positions at time 0\n",

@@ -48,7 +48,7 @@ static void write_measures(FILE *out, const struct nb_page_run *run, const char 
     const struct nb_expectation *e = &run->expectations.list[k];
     struct nb_error error;
     double computed;
-    if (e->kind != NB_VERSUS && nb_measure_value(&computed, &e->measure, &run->result.table, &error))
+    if (e->kind != NB_VERSUS && nb_measure_value(&computed, &e->measure, nb_run_table(run), &error))
       write_value(out, "", e->measure.label, number, computed);
   }
   for (size_t k = 0; k < run->solution.value_count; k++)
@@ -73,8 +73,9 @@ static void write_run(FILE *out, const struct nb_outcome *outcome, size_t r) {
   fprintf(out, "$table%s << EOD\n", number);
   nb_table_write_run(out, run);
   fputs("EOD\n", out);
-  for (size_t k = 0; k < run->result.snapshot_count; k++) {
-    const struct nb_snapshot *snapshot = &run->result.snapshots[k];
+  const struct nb_result *result = nb_run_result(run);
+  for (size_t k = 0; k < result->snapshot_count; k++) {
+    const struct nb_snapshot *snapshot = &result->snapshots[k];
     const struct nb_table *table;
     const char *part;
     for (int t = 0; nb_snapshot_part(snapshot, t, &part, &table); t++) {
@@ -87,9 +88,7 @@ static void write_run(FILE *out, const struct nb_outcome *outcome, size_t r) {
   }
 }
 
-/* Finds the folder of style and recipes, never one of the page: beside the program in the build tree, else where both
- * were installed. Empty with an error if not found. */
-static void find_plots(char *plots, size_t size, struct nb_error *error) {
+void nb_plots_find(char *plots, size_t size, struct nb_error *error) {
   char program[2048], style[4096];
   const ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
   program[length > 0 ? length : 0] = 0;
@@ -158,7 +157,7 @@ static enum nb_status save_script(const struct nb_script *script, const char *fo
     write_quoted(file.file, "plots", plots);
     fputs(style, file.file);
     script->write(file.file, script->outcome, script->data);
-    status = nb_save_end(&file, error);
+    status = nb_outcome_save_end(script->outcome, &file, error);
   }
   free(style);
   return status;
@@ -179,7 +178,7 @@ static enum nb_status draw(struct nb_gnuplot *drawing, const char *kind, const c
 
 enum nb_status nb_script_draw(const struct nb_script *script, const char *folder, bool trust, struct nb_error *error) {
   char plots[4096];
-  find_plots(plots, sizeof plots, error);
+  nb_plots_find(plots, sizeof plots, error);
   if (!plots[0] || nb_folder_create(folder, error) || save_script(script, folder, plots, error))
     return error->status;
   struct nb_gnuplot drawing = {.folder = folder, .name = script->name, .recipes = plots, .trust = trust};

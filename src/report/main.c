@@ -24,7 +24,8 @@ static const struct {
     {"run", nb_command_run, "PAGE… [-o FOLDER]", "run pages, print the verdicts, write tables"},
     {"check", nb_command_check, "PAGE… [--tap]", "run pages, print the verdicts"},
     {"figure", nb_command_figure, "PAGE… [-o FOLDER]", "run pages, draw their figures with gnuplot"},
-    {"report", nb_command_report, "PAGE… [-o FOLDER]", "run pages, draw figures, write one HTML page about all"},
+    {"report", nb_command_report, "PAGE… [-o FOLDER]",
+     "run pages, draw figures, write a site with texts, results and figures"},
     {"explain", nb_command_explain, "PAGE…",
      "print the plan: passes and hooks, the lines that request them, the step, the cost"},
     {"advise", nb_command_advise, "PAGE --within TOLERANCE",
@@ -43,18 +44,20 @@ enum { COMMANDS = sizeof commands / sizeof *commands };
 
 #define AT(member) offsetof(struct nb_call, member)
 static const struct option_row {
-  const char *name, *value;                           /* name of the value in the help; NULL: none */
-  int letter;                                         /* short form; 0: none */
-  enum { TEXT, NUMBER, SECONDS, FLAG, SETTING } kind; /* the value of SECONDS may be missing */
-  size_t at;                                          /* offset in struct nb_call */
-  const char *commands;                               /* that take it; NULL: it is used alone */
+  const char *name, *value;                                 /* name of the value in the help; NULL: none */
+  int letter;                                               /* short form; 0: none */
+  enum { TEXT, NUMBER, SECONDS, FLAG, SETTING, PAGE } kind; /* the value of SECONDS may be missing */
+  size_t at;                                                /* offset in struct nb_call */
+  const char *commands;                                     /* that take it; NULL: it is used alone */
   const char *help;
 } options[] = {
     {"output", "FOLDER", 'o', TEXT, AT(folder), "run, figure, report, advise, state",
      "output folder (default: NAME.out; report: report; advise --all: trades); for `state` a FILE (NAME-STAGE.state)"},
     {"set", "NAME=VALUE", 0, SETTING, 0, ALL,
-     "replaces the value of the page's `let` or `sweep` NAME. NAME may also be normal, shear or step; refine, a number "
-     "that divides the step and multiplies the cycles; follow, a FILE with the points of a contact test"},
+     "replaces the value of the page's `let` or `sweep` NAME. NAME may also be normal, shear, step or damping; refine, "
+     "a "
+     "number that divides the step and multiplies the cycles; soften, one that divides the stiffnesses; follow, a FILE "
+     "with the points of a contact test"},
     {"stage", "NAME", 0, TEXT, AT(stage), "state", "the stage at whose end the state is taken (default: the last one)"},
     {"states", "FOLDER", 0, TEXT, AT(options.states), ALL,
      "folder of the saved states from which pages start (default: $NINEBALL_STATES, or states)"},
@@ -80,11 +83,12 @@ static const struct option_row {
      "instruction set: plain, avx2 or avx512 (default: the widest); the results do not depend on it"},
     {"checkpoint", "SECONDS", 0, SECONDS, AT(options.checkpoint.seconds), CHECKING,
      "save the run in the folder of states at the ends of stages, every SECONDS (--checkpoint=30; default: 60), and "
-     "when it is interrupted by SIGINT or SIGTERM"},
+     "when it is interrupted by SIGINT or SIGTERM; refused if there is a checkpoint that --resume could continue"},
     {"resume", NULL, 0, FLAG, AT(options.checkpoint.resume), CHECKING,
      "continue from the last checkpoint, with the same results as a run without interruption; implies --checkpoint"},
+    {"unrun", "PAGE", 0, PAGE, 0, "report", "show this page too, without running it; may be given many times"},
     {"trust", NULL, 0, FLAG, AT(trust), "figure, report, advise",
-     "draw even where gnuplot cannot be confined: for pages that you trust"},
+     "draw even where gnuplot cannot be confined, and copy all files to which a page links: for pages that you trust"},
     {"in-place", NULL, 0, FLAG, AT(in_place), "migrate", "write into the pages (default: to standard output)"},
     {"rounding", "WHICH", 0, TEXT, AT(rounding), "check",
      "all: run under the four rounding modes, print how many bits of the expected quantities do not depend on them; "
@@ -105,6 +109,7 @@ static void note_signal(int number) { stop_signal = number; }
 /* The first signal stops the run after its cycle; the second one ends the process. */
 static void catch_signals(struct nb_call *call) {
   struct sigaction action = {.sa_handler = note_signal, .sa_flags = (int)SA_RESETHAND};
+  signal(SIGPIPE, SIG_IGN); /* output files are written, also if nobody reads the verdict */
   if (call->options.checkpoint.resume && !(call->options.checkpoint.seconds > 0))
     call->options.checkpoint.seconds = checkpoint_seconds;
   if (!(call->options.checkpoint.seconds > 0))
@@ -236,12 +241,16 @@ static bool parse_number(int *number, const char *text) {
   return !*end && end != text && value >= 1 && value <= 256;
 }
 
+/* To a list that ends in NULL and is long enough. */
+static void append(const char **list, const char *word) {
+  while (*list)
+    list++;
+  *list = word;
+}
+
 static enum nb_status set_option(struct nb_call *call, const struct option_row *row, char *value) {
   void *at = (char *)call + row->at;
   char *end = value;
-  size_t settings = 0;
-  while (call->settings[settings])
-    settings++;
   switch (row->kind) {
   case TEXT:
     *(const char **)at = value;
@@ -258,10 +267,13 @@ static enum nb_status set_option(struct nb_call *call, const struct option_row *
     if ((value && (*end || end == value)) || !(*(double *)at > 0) || !isfinite(*(double *)at))
       return usage("expected a number of seconds above 0 after --%s=, found `%s`", row->name, value);
     break;
+  case PAGE:
+    append(call->unrun, value);
+    break;
   case SETTING:
     if (!strchr(value, '='))
       return usage("expected NAME=VALUE after --set, found `%s`", value);
-    call->settings[settings] = value;
+    append(call->settings, value);
     break;
   }
   return NB_OK;
@@ -359,16 +371,17 @@ int main(int count, char **words) {
   if (status)
     return (int)status;
   call.settings = calloc((size_t)count + 1, sizeof *call.settings);
-  if (!call.settings)
-    return out_of_memory();
+  call.unrun = calloc((size_t)count + 1, sizeof *call.unrun);
+  if (!call.settings || !call.unrun)
+    return free(call.settings), free(call.unrun), out_of_memory();
   char **command = calloc((size_t)count + 1, sizeof *command); /* getopt permutes the words */
   if (!command)
-    return free(call.settings), out_of_memory();
+    return free(call.settings), free(call.unrun), out_of_memory();
   memcpy(command, words, (size_t)count * sizeof *command);
   status = execute(&call, count, words);
   const int code = stop_signal && status > NB_FAILED ? stopped(&call, command) : (int)status;
   free(command);
-  free(call.settings);
+  free(call.settings), free(call.unrun);
   if (fflush(stdout) != 0 || ferror(stdout)) { /* a full disk, a closed pipe */
     fputs("nineball: the output could not be written\n", stderr);
     return NB_BAD_USE;

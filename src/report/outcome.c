@@ -14,13 +14,14 @@
 #include "input/hash.h"
 #include "input/reader.h"
 #include "run/checkpoint.h"
+#include "run/output_file.h"
 
 static void add_warnings(struct nb_outcome *outcome, const struct nb_warnings *warnings) {
   for (size_t k = 0; k < warnings->count; k++)
     nb_warnings_add(&outcome->warnings, &warnings->list[k]);
 }
 
-/* The particles of all runs of a page that are kept at once. Further runs are read again when they run, so the memory of
+/* The largest number of particles in memory, of all runs of a page together. Further runs are read again when they run, so the memory of
  * a sweep is bounded. */
 enum { PARTICLES_KEPT = 1000000 };
 
@@ -135,24 +136,56 @@ static struct nb_options options_of_run(const struct nb_outcome *outcome, const 
   return own;
 }
 
-/* One process at a time saves checkpoints of a page with these settings, from its first run until they are removed. */
+/* One process at a time saves checkpoints of a page with these settings, from its first run until they are removed. Unless it resumes,
+ * there must be none of any run. */
 static enum nb_status lock(struct nb_outcome *outcome, const struct nb_options *options) {
   const unsigned long long key = options_of_run(outcome, options, outcome->run_count).checkpoint.key;
   if (!options || !(options->checkpoint.seconds > 0) || outcome->run_count == 0)
     return NB_OK;
-  const enum nb_status status =
-      nb_checkpoint_lock(&outcome->lock, &outcome->runs[0].scene, options, key, &outcome->error);
+  enum nb_status status = nb_checkpoint_lock(&outcome->lock, &outcome->runs[0].scene, options, key, &outcome->error);
   outcome->locked = !status;
+  for (size_t r = 0; r < outcome->run_count && !status; r++) {
+    const struct nb_options own = options_of_run(outcome, options, r);
+    status = nb_checkpoint_absent(&outcome->runs[r].scene, &own, &outcome->error);
+  }
+  return status;
+}
+
+/* One process at a time writes into a folder. */
+static enum nb_status lock_folder(struct nb_outcome *outcome, const struct nb_options *options) {
+  const struct nb_results_kept *results = options ? &options->results : NULL;
+  char path[NB_STATE_PATH];
+  if (!results || !results->folder || results->verdict_only)
+    return NB_OK;
+  if (snprintf(path, sizeof path, "%s/nineball", results->folder) >= (int)sizeof path)
+    return nb_error_set(&outcome->error, NB_BAD_USE, "the name of the folder is too long: %.200s…", results->folder);
+  enum nb_status status = nb_folder_create(results->folder, &outcome->error);
+  if (!status)
+    status = nb_lock_own(&outcome->output, path, "writes into this folder", "-o", &outcome->error);
+  outcome->output_locked = !status;
   return status;
 }
 
 static void unlock(struct nb_outcome *outcome) {
   if (outcome->locked)
     nb_lock_release(&outcome->lock);
-  outcome->locked = false;
+  if (outcome->output_locked)
+    nb_lock_release(&outcome->output);
+  outcome->locked = outcome->output_locked = false;
 }
 
-static void run_one(const struct nb_outcome *outcome, struct nb_page_run *run, const struct nb_options *options,
+/* Keeps of a result what is needed later. */
+static void keep_result(struct nb_outcome *outcome, struct nb_page_run *run, const struct nb_results_kept *results,
+                        const struct nb_progress *progress) {
+  struct nb_error error = {NB_OK, ""};
+  if (results->verdict_only)
+    nb_result_free_snapshots(&run->result);
+#pragma omp critical(nb_outcome_spool)
+  if (results->folder && nb_spool_put(&outcome->spool, run, results, &error) && !outcome->noted)
+    outcome->noted = true, nb_note(progress, error.text);
+}
+
+static void run_one(struct nb_outcome *outcome, struct nb_page_run *run, const struct nb_options *options,
                     const struct nb_progress *progress) {
   run->status = NB_OK;
   if (run->released)
@@ -161,6 +194,7 @@ static void run_one(const struct nb_outcome *outcome, struct nb_page_run *run, c
     run->status = nb_reference_solve(run->expectations.reference, &run->solution, &run->scene, &run->error);
   if (!run->status)
     run->status = nb_run(&run->result, &run->scene, options, progress, &run->error);
+  keep_result(outcome, run, &options->results, progress);
   if (run->released)
     release_particles(run);
 }
@@ -237,6 +271,8 @@ enum nb_status nb_outcome_make(struct nb_outcome *outcome, const char *path, nb_
                                const struct nb_options *options, const struct nb_progress *progress) {
   read_page(outcome, path, settings, PARTICLES_KEPT);
   if (!outcome->status)
+    outcome->status = lock_folder(outcome, options);
+  if (!outcome->status)
     outcome->status = nb_outcome_run(outcome, options, progress);
   if (!outcome->status)
     outcome->status = nb_verdict(outcome);
@@ -252,12 +288,15 @@ void nb_outcome_free_runs(struct nb_outcome *outcome) {
     nb_result_free(&run->result);
     nb_scene_free(&run->scene);
   }
+  nb_spool_free(&outcome->spool);
   free(outcome->runs);
   outcome->runs = NULL, outcome->run_count = 0;
 }
 
 void nb_outcome_free(struct nb_outcome *outcome) {
   nb_outcome_free_runs(outcome);
+  for (size_t k = 0; k < outcome->check_count; k++)
+    free(outcome->checks[k].points);
   free(outcome->checks);
   nb_page_free(&outcome->page);
   nb_mistakes_free(&outcome->mistakes);

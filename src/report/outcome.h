@@ -14,6 +14,8 @@ struct nb_page_run {
   struct nb_expectations expectations;
   struct nb_solution solution;
   struct nb_result result;
+  struct nb_spool *spool; /* has what the result has recorded, at the byte `at`; NULL: the result itself has it */
+  long at;
   char label[256];       /* "v=0.12 n=40", empty without a sweep */
   bool released;         /* the scene has its particles only while it runs */
   double done;           /* fraction of the cycles, 0 to 1 */
@@ -30,10 +32,18 @@ enum nb_mark {
   NB_MARKS
 };
 
+/* Numbers in the message of a check, with their units. */
+enum nb_part_kind { NB_PART_COMPUTED, NB_PART_REFERENCE, NB_PART_ERROR, NB_PART_TOLERANCE, NB_PARTS };
+
 /* One expectation and its result. */
 struct nb_check {
   char label[640];   /* "C.normal mean within 0.1 %" and the run */
   char message[512]; /* "computed 1.002 N, reference 1.003 N, error 0.05 %, tolerance 0.1 %" */
+  struct nb_part {
+    unsigned short at, length;
+  } parts[NB_PARTS]; /* parts of the message, for a table; length 0: not in it */
+  double *points;    /* of a trend: pairs of a swept value, or its number, and the computed value; owned */
+  size_t point_count;
   enum nb_mark mark;
   int line;
 };
@@ -51,6 +61,18 @@ struct nb_outcome {
   struct nb_error error;                    /* the message, if status is NB_BAD_USE without mistakes, or NB_BROKEN */
   struct nb_lock lock;                      /* of the checkpoints, until they are removed */
   bool locked;
+  struct nb_lock output; /* of the folder of output files */
+  bool output_locked;
+  struct nb_spool {
+    FILE *file;              /* NULL: none was needed */
+    long end;                /* bytes in it */
+    size_t kept;             /* bytes of results in memory */
+    struct nb_result loaded; /* table of the run that was read last, and its snapshots */
+    const struct nb_page_run *loaded_run;
+    bool has_snapshots;
+    struct nb_error error; /* of reading; status NB_OK: none */
+  } spool;
+  bool noted; /* that results stay in memory */
 };
 
 /* Reads the page, runs it, options->jobs runs at a time, and checks its expectations. After an error the outcome has
@@ -67,6 +89,19 @@ void nb_outcome_remove_checkpoints(struct nb_outcome *outcome, const struct nb_o
 int nb_job_count(const struct nb_options *options, size_t most);
 void nb_outcome_free(struct nb_outcome *outcome);
 void nb_outcome_free_runs(struct nb_outcome *outcome); /* keeps page, checks, warnings and error */
+
+/* ---- spool.c: results of runs that are not in memory ---- */
+
+/* Writes what the run has recorded to the file of the spool, unless less than options->results.bytes are in memory. After an error the
+ * result stays in memory. */
+enum nb_status nb_spool_put(struct nb_spool *spool, struct nb_page_run *run, const struct nb_results_kept *limit,
+                            struct nb_error *error);
+/* The table of a run, and the result with its snapshots; valid until that of another run is asked for. Of both only the recorded tables
+ * may be used. If the file cannot be read they are empty, and the spool has the error. */
+const struct nb_table *nb_run_table(const struct nb_page_run *run);
+const struct nb_result *nb_run_result(const struct nb_page_run *run);
+enum nb_status nb_spool_status(const struct nb_spool *spool, struct nb_error *error); /* of reading, so far */
+void nb_spool_free(struct nb_spool *spool);
 
 /* ---- reducers.c: from the rows of a table to one number ---- */
 

@@ -1,161 +1,480 @@
-/* The report: one static HTML page with verdicts and figures of all pages. It needs no server and no script.
+/* The command `report`: runs pages, draws their figures, and writes a static site about them. It needs no server. A page
+ * is written as soon as it has run, the index at the end.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include <ctype.h>
+#define _XOPEN_SOURCE 700
+
+#include "report.h"
+
+#include <dirent.h>
+#include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
-#include "commands.h"
+#include "core/clean.h"
+#include "core/clock.h"
+#include "input/reader.h"
+#include "sandbox.h"
 
-enum { FOLD_LIMIT = 20 }; /* checks; longer lists are folded unless one failed */
+/* Bytes: the largest table or script, and the largest drawing, that a report keeps; at most of report.css. */
+enum { TABLE_BYTES = 100000, DRAWING_BYTES = 300000, STYLE_BYTES = 100000 };
 
-/* Writes HTML, an escaped text, and HTML. */
-static void text(FILE *out, const char *before, const char *words, const char *after) {
-  static const struct nb_escape list[] = {{'<', "&lt;"},   {'>', "&gt;"},   {'&', "&amp;"},
-                                          {'"', "&quot;"}, {'\'', "&#39;"}, {0, NULL}};
-  fputs(before, out);
-  nb_print_escaped(out, words, list);
-  fputs(after, out);
+static enum nb_status print_error(const struct nb_error *error) {
+  fprintf(stderr, "nineball: %s\n", error->text);
+  return error->status;
 }
 
-/* An attribute with the URL FOLDER/NAME.KIND, percent-encoded (RFC 3986). */
-static void address(FILE *out, const char *attribute, const char *folder, const char *name, const char *kind) {
-  fprintf(out, "%s=\"", attribute);
-  for (int k = 0; k < 2; k++) {
-    for (const char *c = k == 0 ? folder : name; *c; c++)
-      fprintf(out, isalnum((unsigned char)*c) || strchr("-_.", *c) ? "%c" : "%%%02X", (unsigned char)*c);
-    fputs(k == 0 ? "/" : kind, out);
+/* ---- the pages of a report ---- */
+
+static bool is_readme(const char *path) {
+  const char *name;
+  return nb_page_name(path, &name) == strlen("README") && strncmp(name, "README", strlen("README")) == 0;
+}
+
+/* The name of a page is that of its file, and that of the folder for a README in a folder. */
+static void name_page(struct nb_report_page *page) {
+  const char *name;
+  size_t length = nb_page_name(page->path, &name);
+  if (is_readme(page->path) && page->real) {
+    const char *end = strrchr(page->real, '/'), *begin = end;
+    while (begin > page->real && begin[-1] != '/')
+      begin--;
+    if (begin < end)
+      name = begin, length = (size_t)(end - begin);
   }
-  fputc('"', out);
+  snprintf(page->name, sizeof page->name, "%.*s", (int)length, name);
 }
 
-static void write_link(FILE *out, const char *before, const struct nb_report_line *line, const char *file,
-                       const char *kind, const char *word) {
-  fprintf(out, "%s<a ", before);
-  address(out, "href", line->name, file, kind);
-  fprintf(out, ">%s</a>", word);
+/* Whether the page has no block of the page language, so there is nothing to run. */
+static bool is_document(const struct nb_page *page) {
+  size_t k = 0;
+  while (k < page->line_count && page->kind_of[k] == 0)
+    k++;
+  return page->line_count > 0 && k == page->line_count;
 }
 
-static const char style[] =
-    "body{font:16px/1.5 sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem;color:#222}"
-    "table{border-collapse:collapse;width:100%;margin:1rem 0;font-size:.85rem}"
-    "td,th{text-align:left;padding:.25rem .6rem;border-bottom:1px solid #ddd;vertical-align:top}"
-    "img{max-width:100%}.pass{color:#17652b}.fail{color:#a3123a;font-weight:bold}h2{margin-top:3rem}"
-    "@media(prefers-color-scheme:dark){body{background:#111;color:#ddd}td,th{border-color:#444}.pass{color:#7ccf8f}"
-    ".fail{color:#ff8095}a{color:#9cf}}";
-
-static void write_summary(FILE *out, const struct nb_report_line *lines, size_t count) {
-  fputs("<table><tr><th>page</th><th>about</th><th>checks</th><th>failed</th><th>noted</th><th>skipped</"
-        "th><th>seconds</th></tr>\n",
-        out);
-  for (size_t k = 0; k < count; k++) {
-    const struct nb_report_line *line = &lines[k];
-    const size_t *mark_count = line->outcome.mark_count, checks = mark_count[NB_PASS] + mark_count[NB_FAIL];
-    fprintf(out, "<tr><td><a href=\"#page%zu\">", k + 1);
-    text(out, "", line->name, "</a></td><td>");
-    text(out, "", line->outcome.page.title, "</td>");
-    if (line->outcome.status > NB_FAILED) {
-      fputs("<td colspan=\"5\" class=\"fail\">did not run to its end</td></tr>\n", out);
-      continue;
-    }
-    fprintf(out, "<td>%zu</td><td class=\"%s\">%zu%s%s</td>", checks,
-            mark_count[NB_FAIL] || !checks || line->message[0] ? "fail" : "pass", mark_count[NB_FAIL],
-            checks ? "" : ", nothing was checked",
-            !line->message[0] ? ""
-            : line->saved     ? ", no figure"
-                              : ", no tables");
-    fprintf(out, "<td>%zu</td><td>%zu</td><td>%.2f</td></tr>\n", mark_count[NB_NOTE], mark_count[NB_SKIP],
-            line->seconds);
+/* Reads the text of a page; documents and pages that are not run keep it. */
+static void survey(struct nb_report_page *page) {
+  struct nb_mistakes mistakes = {0};
+  struct nb_page content;
+  page->real = realpath(page->path, NULL);
+  name_page(page);
+  if (nb_page_read(&content, page->path, &mistakes) == NB_OK) {
+    snprintf(page->title, sizeof page->title, "%s", content.title);
+    page->document = is_document(&content);
+    if (page->document || page->unrun)
+      page->outcome.page = content;
+    else
+      nb_page_free(&content);
   }
-  fputs("</table>\n", out);
+  nb_mistakes_free(&mistakes);
 }
 
-static void write_checks(FILE *out, const struct nb_outcome *outcome) {
-  const size_t *mark_count = outcome->mark_count;
-  fprintf(out,
-          "<details%s><summary>%zu checks, %zu "
-          "failed, %zu noted, %zu skipped</summary>\n<table><tr><th></th><th>expected</th><th>computed</th></tr>\n",
-          outcome->check_count < FOLD_LIMIT || mark_count[NB_FAIL] ? " open" : "",
-          mark_count[NB_PASS] + mark_count[NB_FAIL], mark_count[NB_FAIL], mark_count[NB_NOTE], mark_count[NB_SKIP]);
-  for (size_t k = 0; k < outcome->check_count; k++) {
-    const struct nb_check *check = &outcome->checks[k];
-    fprintf(out, "<tr><td class=\"%s\">%s", /* note and skip have no style */
-            check->mark == NB_FAIL ? "fail" : nb_mark_word(check->mark), nb_mark_word(check->mark));
-    text(out, "</td><td>", check->label, "</td>");
-    text(out, "<td>", check->message, "</td></tr>\n");
-  }
-  fputs("</table></details>\n", out);
+/* Two pages of the same name would overwrite each other's files. */
+static bool has_unique_names(const struct nb_report *report) {
+  for (size_t k = 0; k < report->count; k++)
+    for (size_t j = 0; j < k; j++)
+      if (strcmp(report->pages[k].name, report->pages[j].name) == 0) {
+        fprintf(stderr, "nineball: %s and %s have the same name, so the same output folder: rename one of them\n",
+                report->pages[j].path, report->pages[k].path);
+        return false;
+      }
+  return true;
 }
 
-static void write_page(FILE *out, const struct nb_report_line *line, size_t number) {
-  const struct nb_outcome *outcome = &line->outcome;
-  fprintf(out, "<h2 id=\"page%zu\">", number);
-  text(out, "", outcome->page.title[0] ? outcome->page.title : line->name, "</h2>\n");
-  if (line->message[0])
-    text(out, "<p class=\"fail\">", line->message, "</p>\n");
-  for (size_t k = 0; k < outcome->warnings.count; k++) {
-    const struct nb_warning *warning = &outcome->warnings.list[k];
+/* ---- large files ---- */
+
+/* Removes a file that the program has written if it is large; says its name. */
+static void drop_if_large(struct nb_report_page *page, FILE *names, const char *folder, const char *name) {
+  char path[8192];
+  struct stat status;
+  const off_t most = strcmp(strrchr(name, '.'), ".svg") == 0 ? DRAWING_BYTES : TABLE_BYTES;
+  snprintf(path, sizeof path, "%s/%s", folder, name);
+  if (lstat(path, &status) != 0 || !S_ISREG(status.st_mode) || status.st_size <= most || remove(path) != 0)
+    return;
+  fprintf(names, "%s%s", ftell(names) ? ", " : "", name);
+  if (page->drawn && strcmp(name, page->figure) == 0)
+    strcpy(strrchr(page->figure, '.'), ".png");
+}
+
+static bool is_output(const struct nb_report_page *page, const char *name) {
+  const size_t length = strlen(page->name);
+  const char *dot = strrchr(name, '.');
+  return dot && (strcmp(dot, ".tsv") == 0 || (strncmp(name, page->name, length) == 0 && name + length == dot &&
+                                              (strcmp(dot, ".gp") == 0 || strcmp(dot, ".svg") == 0)));
+}
+
+/* Tables, scripts and drawings with many points are removed, so that the report stays small; a figure is then the PNG. */
+static void drop_large_files(struct nb_report_page *page, const char *folder) {
+  size_t size;
+  FILE *names = open_memstream(&page->dropped, &size);
+  DIR *entries = opendir(folder);
+  for (struct dirent *entry; names && entries && (entry = readdir(entries));)
+    if (is_output(page, entry->d_name))
+      drop_if_large(page, names, folder, entry->d_name);
+  if (entries)
+    closedir(entries);
+  if (names)
+    fclose(names);
+}
+
+/* ---- a page ---- */
+
+static void write_neighbour(FILE *out, const struct nb_report_page *page, const char *relation, const char *arrow) {
+  char address[4 * NB_NAME_SIZE] = "";
+  nb_html_address(address, sizeof address, page->name);
+  fprintf(out, "<a rel=\"%s\" href=\"../%s/index.html\">%s ", relation, address, arrow);
+  nb_html_text(out, "", page->name, "</a>\n");
+}
+
+static void write_navigation(FILE *out, const struct nb_report *report, size_t k) {
+  fputs("<nav><a href=\"../index.html\">contents</a>\n", out);
+  if (k > 0)
+    write_neighbour(out, &report->pages[k - 1], "prev", "previous:");
+  if (k + 1 < report->count)
+    write_neighbour(out, &report->pages[k + 1], "next", "next:");
+  fputs("</nav>\n", out);
+}
+
+/* The verdict, what went wrong, and the warnings, before the text. */
+static void write_state(FILE *out, const struct nb_report_page *page) {
+  char verdict[NB_NAME_SIZE * 2];
+  fprintf(out, "<p class=\"%s\">", nb_html_verdict(verdict, sizeof verdict, page));
+  nb_html_text(out, "", verdict, "</p>\n");
+  if (page->unrun && !page->document)
+    nb_html_text(out, "<p>The report was made without running this page. To run it, type <code>nineball check ",
+                 page->path, "</code>.</p>\n");
+  if (page->message[0])
+    nb_html_text(out, "<pre class=\"fail\">", page->message, "</pre>\n");
+  for (size_t k = 0; k < page->outcome.warnings.count; k++) {
+    const struct nb_warning *warning = &page->outcome.warnings.list[k];
     fputs("<p>Warning: ", out);
     if (warning->line)
       fprintf(out, "line %d: ", warning->line);
-    text(out, "", warning->text, "</p>\n");
+    nb_html_text(out, "", warning->text, "</p>\n");
   }
-  if (line->drawn) {
-    fputs("<p><img ", out);
-    address(out, "src", line->name, line->name, ".svg");
-    text(out, " alt=\"figure of ", line->name, "\"></p>\n");
-  }
-  if (outcome->check_count)
-    write_checks(out, outcome);
-  if (!line->saved)
+}
+
+static void write_file(FILE *out, const struct nb_report *report, const struct nb_report_page *page, const char *name) {
+  char path[8192], address[4 * NB_NAME_SIZE] = "";
+  snprintf(path, sizeof path, "%.4000s/%s/%s", report->folder, page->name, name);
+  if (access(path, R_OK) != 0)
     return;
-  write_link(out, "<p>Files: ", line, "table", ".tsv", "table");
-  write_link(out, ", ", line, "values", ".tsv", "values");
-  write_link(out, ", ", line, "verdict", ".tsv", "verdict");
-  if (line->drawn) {
-    write_link(out, ", figure as ", line, line->name, ".png", "PNG");
-    write_link(out, " and ", line, line->name, ".gp", "script");
+  nb_html_address(address, sizeof address, name);
+  fprintf(out, "<a href=\"%s\">", address);
+  nb_html_text(out, "", name, "</a>\n");
+}
+
+/* Cost, tables, figure and source, after the text. */
+static void write_files(FILE *out, const struct nb_report *report, const struct nb_report_page *page) {
+  static const char *const kinds[] = {".md", ".png", ".gp"};
+  if (page->cost[0])
+    nb_html_text(out, "<p>Cost: ", page->cost, "</p>\n");
+  fputs("<p>Files: ", out);
+  for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
+    char name[NB_NAME_SIZE + 8];
+    snprintf(name, sizeof name, "%s%s", page->name, kinds[k]);
+    write_file(out, report, page, name);
   }
+  static const char *const tables[] = {"table.tsv", "values.tsv", "verdict.tsv"};
+  for (size_t k = 0; page->saved && k < sizeof tables / sizeof *tables; k++)
+    write_file(out, report, page, tables[k]);
   fputs("</p>\n", out);
-}
-
-/* The heading, and the numbers of pages, checks and failures. */
-static void write_head(FILE *out, const struct nb_report_line *lines, size_t count) {
-  size_t checks = 0, failed = 0, broken = 0, bare = 0, unchecked = 0;
-  for (size_t k = 0; k < count; k++) {
-    const size_t *mark_count = lines[k].outcome.mark_count, compared = mark_count[NB_PASS] + mark_count[NB_FAIL];
-    const bool stopped = lines[k].outcome.status > NB_FAILED;
-    checks += compared, failed += mark_count[NB_FAIL], broken += stopped;
-    bare += !stopped && lines[k].message[0];
-    unchecked += !stopped && compared == 0;
+  if (page->dropped && page->dropped[0]) {
+    nb_html_text(out, "<p>Not kept here, because they are large: ", page->dropped, ".");
+    nb_html_text(out, " They are written by <code>nineball run ", page->path, "</code> and");
+    nb_html_text(out, " <code>nineball figure ", page->path, "</code>.</p>\n");
   }
-  fprintf(out,
-          "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><meta http-equiv=\"Content-Security-Policy\" "
-          "content=\"default-src 'none'; img-src 'self' file:; style-src 'unsafe-inline'\"><title>nineball "
-          "report</title><style>%s</style>\n",
-          style);
-  fprintf(out, "<h1>nineball %s</h1>\n<p>%zu pages, %zu checks, <span class=\"%s\">%zu failed</span>", NB_VERSION,
-          count, checks, failed ? "fail" : "pass", failed);
-  const struct {
-    size_t pages;
-    const char *what;
-  } wrong[] = {{broken, "did not run to their end"},
-               {unchecked, "on which nothing was checked"},
-               {bare, "without figure or tables"}};
-  for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++)
-    if (wrong[k].pages)
-      fprintf(out, ", <span class=\"fail\">%zu %s</span>", wrong[k].pages, wrong[k].what);
-  fputs(".</p>\n", out);
 }
 
-enum nb_status nb_report_write(const char *folder, const struct nb_report_line *lines, size_t count,
-                               struct nb_error *error) {
+/* The Markdown file beside the page, for the link to the source. */
+static enum nb_status save_source(const struct nb_report_page *page, const char *folder, struct nb_error *error) {
   struct nb_save file;
-  if (nb_save_begin_in(&file, error, folder, "index.html"))
+  if (nb_save_begin_in(&file, error, folder, "%s.md", page->name))
     return error->status;
-  write_head(file.file, lines, count);
-  write_summary(file.file, lines, count);
-  for (size_t k = 0; k < count; k++)
-    write_page(file.file, &lines[k], k + 1);
-  fputs("</html>\n", file.file);
+  for (size_t k = 0; k < page->outcome.page.line_count; k++)
+    fprintf(file.file, "%s\n", page->outcome.page.lines[k]);
   return nb_save_end(&file, error);
+}
+
+static enum nb_status write_page(struct nb_report *report, size_t k, struct nb_error *error) {
+  const struct nb_report_page *page = &report->pages[k];
+  char folder[4096];
+  struct nb_save file;
+  enum nb_status status = NB_OK;
+  snprintf(folder, sizeof folder, "%.3900s/%s", report->folder, page->name);
+  if (nb_folder_create(folder, error) || save_source(page, folder, error) ||
+      nb_save_begin_in(&file, error, folder, "index.html"))
+    return error->status;
+  nb_html_begin(file.file, page->title[0] ? page->title : page->name, "../", NULL);
+  write_navigation(file.file, report, k);
+  fputs("<main>\n", file.file);
+  write_state(file.file, page);
+  if (page->outcome.page.line_count && page->real)
+    status = nb_report_convert(file.file, report, page, "../", false, error);
+  if (status)
+    nb_html_text(file.file, "<p class=\"fail\">", error->text, "</p>\n");
+  write_files(file.file, report, page);
+  fputs("</main>\n<footer>", file.file);
+  write_navigation(file.file, report, k);
+  fputs("</footer></body></html>\n", file.file);
+  struct nb_error saving;
+  return nb_save_end(&file, &saving) ? (*error = saving).status : status;
+}
+
+/* ---- the index ---- */
+
+static size_t folder_length(const char *path) {
+  const char *slash = strrchr(path, '/');
+  return slash ? (size_t)(slash - path) : 0;
+}
+
+static bool same_folder(const char *one, const char *other) {
+  const size_t length = folder_length(one);
+  return length == folder_length(other) && strncmp(one, other, length) == 0;
+}
+
+/* The heading of the pages of a folder: the title of its README, or its name. */
+static void write_folder(FILE *out, const struct nb_report *report, size_t first) {
+  const char *path = report->pages[first].path;
+  const size_t length = folder_length(path);
+  char name[NB_NAME_SIZE] = ".";
+  const char *title = name;
+  for (size_t k = 0; k < report->count; k++)
+    if (is_readme(report->pages[k].path) && report->pages[k].document && same_folder(path, report->pages[k].path))
+      title = report->pages[k].title;
+  if (length > 0) {
+    size_t begin = length;
+    while (begin > 0 && path[begin - 1] != '/')
+      begin--;
+    snprintf(name, sizeof name, "%.*s", (int)(length - begin), path + begin);
+  }
+  nb_html_text(out, "<tr><th colspan=\"4\">", title, "</th></tr>\n");
+}
+
+static void write_row(FILE *out, const struct nb_report_page *page) {
+  char address[4 * NB_NAME_SIZE] = "", verdict[NB_NAME_SIZE * 2];
+  const char *class = nb_html_verdict(verdict, sizeof verdict, page);
+  nb_html_address(address, sizeof address, page->name);
+  fprintf(out, "<tr><td><a href=\"%s/index.html\">", address);
+  nb_html_text(out, "", page->name, "</a></td>");
+  nb_html_text(out, "<td>", page->title, "</td>");
+  fprintf(out, "<td class=\"%s\">", class);
+  nb_html_text(out, "", verdict, "");
+  if (page->message[0])
+    nb_html_text(out, "<br><small>", page->message, "</small>");
+  fputs("</td>", out);
+  if (page->seconds > 0)
+    fprintf(out, "<td class=\"number\">%.3g s</td></tr>\n", page->seconds);
+  else
+    fputs("<td></td></tr>\n", out);
+}
+
+static void write_list(FILE *out, const struct nb_report *report) {
+  fputs("<h2 id=\"pages-of-the-report\">All pages</h2>\n<p><label>Search names, titles and results: "
+        "<input type=\"search\"></label></p>\n<p id=\"none\" hidden>No page has all of these words.</p>\n"
+        "<table id=\"pages\"><thead><tr><th>page</th><th>title</th><th>checks</th><th>time</th></tr></thead><tbody>\n",
+        out);
+  for (size_t k = 0; k < report->count; k++) {
+    if (k == 0 || !same_folder(report->pages[k - 1].path, report->pages[k].path))
+      write_folder(out, report, k);
+    write_row(out, &report->pages[k]);
+  }
+  fputs("</tbody></table>\n", out);
+}
+
+static bool is_wrong(const struct nb_report_page *page) {
+  char verdict[NB_NAME_SIZE * 2];
+  return strcmp(nb_html_verdict(verdict, sizeof verdict, page), "fail") == 0;
+}
+
+/* The numbers of pages, checks and failures, and what failed. */
+static void write_summary(FILE *out, const struct nb_report *report) {
+  size_t run = 0, checks = 0, failed = 0, wrong = 0;
+  for (size_t k = 0; k < report->count; k++) {
+    const struct nb_report_page *page = &report->pages[k];
+    const size_t *count = page->outcome.mark_count;
+    run += !page->document && !page->unrun, wrong += is_wrong(page);
+    checks += count[NB_PASS] + count[NB_FAIL], failed += count[NB_FAIL];
+  }
+  fprintf(out, "<p>%zu pages were run: %zu checks, <span class=\"%s\">%zu failed</span>. ", run, checks,
+          failed ? "fail" : "pass", failed);
+  nb_html_text(out, "Made by nineball ", NB_VERSION,
+               ". <a href=\"#pages-of-the-report\">Search and list of all pages</a></p>\n");
+  if (wrong)
+    fputs("<div class=\"failures\"><h2>What failed</h2><table><tbody>\n", out);
+  for (size_t k = 0; k < report->count; k++)
+    if (is_wrong(&report->pages[k]))
+      write_row(out, &report->pages[k]);
+  if (wrong)
+    fputs("</tbody></table></div>\n", out);
+}
+
+static enum nb_status write_index(struct nb_report *report, struct nb_error *error) {
+  const struct nb_report_page *front = report->pages[0].document ? &report->pages[0] : NULL;
+  enum nb_status status = NB_OK;
+  struct nb_save file;
+  struct nb_error saving;
+  if (nb_save_begin_in(&file, error, report->folder, "index.html"))
+    return error->status;
+  nb_html_begin(file.file, "nineball report", "", "report.js");
+  fputs("<main>\n", file.file);
+  if (!front)
+    fputs("<h1>nineball report</h1>\n", file.file);
+  write_summary(file.file, report);
+  if (front && front->real)
+    status = nb_report_convert(file.file, report, front, "", true, error);
+  write_list(file.file, report);
+  fputs("</main></body></html>\n", file.file);
+  return nb_save_end(&file, &saving) ? (*error = saving).status : status;
+}
+
+/* Copies a file of plots into the report. */
+static enum nb_status copy_style(const struct nb_report *report, const char *name, struct nb_error *error) {
+  char plots[4096], path[8192];
+  struct nb_save file;
+  size_t size;
+  nb_plots_find(plots, sizeof plots, error);
+  snprintf(path, sizeof path, "%s%s", plots, name);
+  char *bytes = plots[0] ? nb_file_read(path, STYLE_BYTES, &size, error) : NULL;
+  if (!bytes || nb_save_begin_in(&file, error, report->folder, "%s", name))
+    return free(bytes), error->status;
+  fwrite(bytes, 1, size, file.file);
+  free(bytes);
+  return nb_save_end(&file, error);
+}
+
+/* ---- the command ---- */
+
+static void put_message(struct nb_report_page *page) {
+  const struct nb_outcome *outcome = &page->outcome;
+  const char *const text = outcome->mistakes.text ? outcome->mistakes.text : outcome->error.text;
+  char place[NB_NAME_SIZE] = "";
+  if (outcome->error.line && !outcome->mistakes.text)
+    snprintf(place, sizeof place, "line %d: ", outcome->error.line);
+  snprintf(page->message, sizeof page->message, "%s%.447s", place, text);
+}
+
+/* One line of text from what the function writes for a terminal. */
+static void put_cost(struct nb_report_page *page, double seconds, const struct nb_options *options) {
+  FILE *line = fmemopen(page->cost, sizeof page->cost, "w");
+  if (!line)
+    return;
+  nb_cost_print_actual(line, &page->outcome, seconds, options);
+  fclose(line);
+  page->cost[sizeof page->cost - 1] = 0;
+  page->cost[strcspn(page->cost, "\n")] = 0;
+}
+
+static void add_message(struct nb_report_page *page, const struct nb_error *error) {
+  print_error(error);
+  nb_append(page->message, sizeof page->message, "%s%s", page->message[0] ? "; " : "", error->text);
+}
+
+/* Runs one page; its tables and its figure. */
+static enum nb_status run(const struct nb_call *call, struct nb_report *report, struct nb_report_page *page) {
+  struct nb_outcome *outcome = &page->outcome;
+  struct nb_error error = {NB_OK, ""};
+  char folder[4096];
+  const double began = nb_cost_clock();
+  snprintf(folder, sizeof folder, "%.3900s/%s", report->folder, page->name);
+  nb_run_page(outcome, call, page->path, folder);
+  nb_print_errors(outcome, page->path);
+  if (outcome->status > NB_FAILED)
+    put_message(page);
+  if (nb_outcome_has_rows(outcome)) {
+    put_cost(page, (nb_cost_clock() - began) / call->options.threads, &call->options);
+    page->saved = !nb_tables_save(outcome, folder, &error);
+    if (page->saved)
+      nb_figure_draw(outcome, folder, call->trust, &page->drawn, &error);
+    snprintf(page->figure, sizeof page->figure, "%s.svg", page->name);
+    if (error.status)
+      add_message(page, &error);
+    drop_large_files(page, folder);
+  }
+  for (size_t r = 0; r < outcome->run_count; r++)
+    page->seconds += outcome->runs[r].result.seconds;
+  nb_remove_checkpoints(outcome, nb_worse(outcome->status, error.status), call);
+  nb_outcome_free_runs(outcome);
+  return nb_worse(nb_outcome_is_unchecked(outcome) ? NB_BAD_USE : outcome->status, error.status);
+}
+
+static void print_line(const struct nb_report_page *page) {
+  const size_t *count = page->outcome.mark_count;
+  if (page->document || page->unrun || (isatty(STDOUT_FILENO) && !is_wrong(page)))
+    return;
+  printf("%-28s %4zu checks, %zu failed%s%s\n", page->name, count[NB_PASS] + count[NB_FAIL], count[NB_FAIL],
+         page->outcome.status > NB_FAILED          ? "; did not run to its end"
+         : nb_outcome_is_unchecked(&page->outcome) ? "; nothing was checked"
+                                                   : "",
+         page->outcome.status > NB_FAILED || !page->message[0] ? ""
+         : page->saved                                         ? "; no figure"
+                                                               : "; no tables");
+  fflush(stdout);
+}
+
+/* Which page is next, and the time left: that of the pages so far, for as many pages. */
+static void print_progress(const struct nb_report *report, size_t k, double elapsed) {
+  if (!isatty(STDERR_FILENO))
+    return;
+  fprintf(stderr, "\r\033[K%zu of %zu: %s", k + 1, report->count, report->pages[k].name);
+  if (k > 0 && elapsed > 2)
+    fprintf(stderr, ", about %.0f s left", elapsed * (double)(report->count - k) / (double)k);
+}
+
+static enum nb_status make(const struct nb_call *call, struct nb_report *report) {
+  enum nb_status worst = NB_OK;
+  struct nb_error error;
+  const double began = nb_clock();
+  if (nb_folder_create(report->folder, &error) || copy_style(report, "report.css", &error) ||
+      copy_style(report, "report.js", &error))
+    return print_error(&error);
+  for (size_t k = 0; k < report->count; k++) {
+    struct nb_report_page *page = &report->pages[k];
+    print_progress(report, k, nb_clock() - began);
+    if (!page->document && !page->unrun)
+      worst = nb_worse(worst, nb_is_stopped(call) ? NB_BROKEN : run(call, report, page));
+    if (write_page(report, k, &error))
+      add_message(page, &error), worst = nb_worse(worst, error.status);
+    print_line(page);
+  }
+  if (isatty(STDERR_FILENO))
+    fputs("\r\033[K", stderr);
+  if (write_index(report, &error))
+    worst = nb_worse(worst, print_error(&error));
+  printf("look at %s/index.html\n", report->folder);
+  return worst;
+}
+
+enum nb_status nb_command_report(const struct nb_call *call) {
+  size_t unrun = 0;
+  while (call->unrun[unrun])
+    unrun++;
+  struct nb_report report = {.folder = call->folder ? call->folder : "report",
+                             .count = call->page_count + unrun,
+                             .trust = call->trust,
+                             .pages = calloc(call->page_count + unrun, sizeof *report.pages)};
+  char pandoc[NB_CONFINE_PATH];
+  struct nb_error error;
+  enum nb_status status = NB_BAD_USE;
+  if (!report.pages)
+    return nb_error_memory(&error), print_error(&error);
+  for (size_t k = 0; k < report.count; k++) {
+    report.pages[k].unrun = k >= call->page_count;
+    report.pages[k].path = k < call->page_count ? call->pages[k] : call->unrun[k - call->page_count];
+    survey(&report.pages[k]);
+  }
+  if (!nb_program_find(pandoc, sizeof pandoc, "pandoc"))
+    fputs("nineball: a report needs pandoc, which was not found (its package is pandoc)\n", stderr);
+  else if (has_unique_names(&report))
+    status = make(call, &report);
+  for (size_t k = 0; k < report.count; k++) {
+    nb_outcome_free(&report.pages[k].outcome);
+    free(report.pages[k].real), free(report.pages[k].dropped);
+  }
+  for (size_t k = 0; k < report.file_count; k++)
+    free(report.files[k].real), free(report.files[k].name);
+  free(report.files), free(report.pages);
+  return status;
 }

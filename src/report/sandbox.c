@@ -1,4 +1,4 @@
-/* Confines a program that runs code of a page, by Landlock (Linux 5.13 and later, landlock(7)) or bubblewrap
+/* Confines a program that reads a page, by Landlock (Linux 5.13 and later, landlock(7)) or bubblewrap
  * (bwrap(1)).
  *
  * The program can read the libraries and fonts of the system, one file and one folder. It can write no file. It can
@@ -26,7 +26,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* Files and folders that gnuplot and its graphics libraries read, if they exist. */
+/* Files and folders that gnuplot, its graphics libraries and pandoc read, if they exist. */
 static const char *const readable[] = {"/lib",
                                        "/lib64",
                                        "/usr/lib",
@@ -40,6 +40,7 @@ static const char *const readable[] = {"/lib",
                                        "/usr/share/gnuplot",
                                        "/usr/share/libthai",
                                        "/usr/share/locale",
+                                       "/usr/share/pandoc",
                                        "/var/cache/fontconfig"};
 enum { READABLE = sizeof readable / sizeof *readable };
 
@@ -161,7 +162,7 @@ static void limit(int what, rlim_t maximum) {
 
 /* In the child process: drops rights and executes the program. Exits with status 126 if that fails. */
 _Noreturn static void exec_confined(const struct nb_confined *confined) {
-  static const char message[] = "gnuplot could not be confined\n";
+  static const char message[] = "it could not be confined\n";
   const bool landlock = confined->method == NB_CONFINE_LANDLOCK, bwrap = confined->method == NB_CONFINE_BWRAP;
   limit(RLIMIT_CPU, 120);
   limit(RLIMIT_FSIZE, 200 << 20);

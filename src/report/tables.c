@@ -42,7 +42,7 @@ static void write_swept_values(FILE *out, const struct nb_page_run *run, bool na
 }
 
 static void write_head(FILE *out, const struct nb_page_run *run) {
-  const struct nb_table *table = &run->result.table;
+  const struct nb_table *table = nb_run_table(run);
   if (!table->names)
     return; /* a run that was not started because another one failed */
   fputs("stage", out);
@@ -58,7 +58,7 @@ static void write_head(FILE *out, const struct nb_page_run *run) {
 }
 
 static void write_row(FILE *out, const struct nb_page_run *run, size_t r) {
-  const struct nb_table *table = &run->result.table;
+  const struct nb_table *table = nb_run_table(run);
   const double *values = table->values + r * table->column_count;
   fputs(run->scene.stages[table->stage[r]].name, out);
   for (size_t c = 0; c < table->column_count; c++)
@@ -76,7 +76,7 @@ static void write_row(FILE *out, const struct nb_page_run *run, size_t r) {
 
 void nb_table_write_run(FILE *out, const struct nb_page_run *run) {
   write_head(out, run);
-  for (size_t r = 0; r < run->result.table.row_count; r++)
+  for (size_t r = 0; r < nb_run_table(run)->row_count; r++)
     write_row(out, run, r);
 }
 
@@ -96,7 +96,7 @@ static void write_all_runs(FILE *out, const struct nb_outcome *outcome) {
       write_swept_values(out, run, true);
       write_head(out, run);
     }
-    for (size_t k = 0; k < run->result.table.row_count; k++) {
+    for (size_t k = 0; k < nb_run_table(run)->row_count; k++) {
       write_swept_values(out, run, false);
       write_row(out, run, k);
     }
@@ -135,7 +135,7 @@ void nb_values_write(FILE *out, const struct nb_outcome *outcome) {
       if (!first_of_its_name(all, k))
         continue;
       const double *solution = nb_measure_solution(&all->list[k].measure, &run->solution);
-      nb_measure_value(&computed, &all->list[k].measure, &run->result.table, &error);
+      nb_measure_value(&computed, &all->list[k].measure, nb_run_table(run), &error);
       fprintf(out, "\t%.17g\t%.17g", computed, solution ? *solution : NAN);
     }
     fputc('\n', out);
@@ -165,6 +165,12 @@ enum nb_status nb_save_begin_in(struct nb_save *file, struct nb_error *error, co
   return nb_save_begin(file, path, error);
 }
 
+enum nb_status nb_outcome_save_end(const struct nb_outcome *outcome, struct nb_save *file, struct nb_error *error) {
+  if (nb_spool_status(&outcome->spool, error))
+    return nb_save_cancel(file), error->status;
+  return nb_save_end(file, error);
+}
+
 static enum nb_status save(const char *folder, const char *name, void (*write)(FILE *, const struct nb_outcome *),
                            const struct nb_outcome *outcome, struct nb_error *error) {
   struct nb_save file;
@@ -172,7 +178,7 @@ static enum nb_status save(const char *folder, const char *name, void (*write)(F
     return error->status;
   nb_preamble_write(file.file, outcome);
   write(file.file, outcome);
-  return nb_save_end(&file, error);
+  return nb_outcome_save_end(outcome, &file, error);
 }
 
 static enum nb_status save_snapshot(const struct nb_outcome *outcome, size_t r, const struct nb_snapshot *snapshot,
@@ -197,14 +203,22 @@ static enum nb_status save_snapshot(const struct nb_outcome *outcome, size_t r, 
   return NB_OK;
 }
 
+static enum nb_status save_snapshots(const struct nb_outcome *outcome, size_t r, const char *folder,
+                                     struct nb_error *error) {
+  const struct nb_result *result = nb_run_result(&outcome->runs[r]);
+  for (size_t k = 0; k < result->snapshot_count; k++)
+    if (save_snapshot(outcome, r, &result->snapshots[k], folder, error))
+      return error->status;
+  return nb_spool_status(&outcome->spool, error);
+}
+
 enum nb_status nb_tables_save(const struct nb_outcome *outcome, const char *folder, struct nb_error *error) {
   if (nb_folder_create(folder, error) || save(folder, "table.tsv", write_all_runs, outcome, error) ||
       save(folder, "values.tsv", nb_values_write, outcome, error) ||
       save(folder, "verdict.tsv", write_verdict, outcome, error))
     return error->status;
   for (size_t r = 0; r < outcome->run_count; r++)
-    for (size_t k = 0; k < outcome->runs[r].result.snapshot_count; k++)
-      if (save_snapshot(outcome, r, &outcome->runs[r].result.snapshots[k], folder, error))
-        return error->status;
+    if (save_snapshots(outcome, r, folder, error))
+      return error->status;
   return NB_OK;
 }

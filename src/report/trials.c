@@ -2,8 +2,8 @@
  * several phases or realizations.
  *
  * A phase is a moment of first touch within a step. `impact` sets it; a page whose stages all end by `until` is run
- * with slightly different steps instead. Any other page has one phase. A realization is a value 1, 2, … of the name of
- * --over, such as the seed of a random packing.
+ * with slightly different steps instead. Any other page has one phase. `--over NAME` runs the page with NAME = 1, 2, …,
+ * such as the seed of a random packing; each value is a realization.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -13,7 +13,7 @@
 #include "advise.h"
 #include "core/clock.h"
 
-enum { SETTINGS_EXTRA = NB_TRADES + 5, SETTING_SIZE = 3 * NB_NAME_SIZE };
+enum { SETTINGS_EXTRA = NB_TRADES + 7, SETTING_SIZE = 3 * NB_NAME_SIZE };
 static const double phase_spread =
     0.08; /* of a page without `impact`: largest relative difference of the steps of two phases */
 
@@ -83,8 +83,13 @@ static bool read_trial(struct trial *trial, const struct nb_advice *advice, cons
   if (!trial->settings)
     return false;
   memcpy(trial->settings, advice->query->settings, count * sizeof *trial->settings);
-  snprintf(value, sizeof value, "%.17g", page->refine * exp2(level));
+  snprintf(value, sizeof value, "%.17g", page->refine * nb_level_refine(advice, level));
   add_setting(trial, &count, &text, "refine", value);
+  snprintf(value, sizeof value, "%.17g", page->soften * variant->soften);
+  if (variant->soften > 0)
+    add_setting(trial, &count, &text, "soften", value);
+  if (variant->centred)
+    add_setting(trial, &count, &text, "damping", "centred");
   if (variant->normal[0]) {
     add_setting(trial, &count, &text, "normal", variant->normal);
     add_setting(trial, &count, &text, "shear", variant->shear);
@@ -143,7 +148,7 @@ static unsigned count_bits(unsigned set) {
 /* Stores the quantity of each run, and the cost of the setting. */
 static bool take_values(struct nb_advice *advice, struct nb_point *point, struct trial *trial) {
   struct nb_outcome *outcome = &trial->outcome;
-  double seconds = 0, updates = 0, recorded = 0;
+  double seconds = 0, updates = 0, recorded = 0, stability = 0;
   if (outcome->status)
     return outcome->status == NB_NO_MEMORY ? nb_advice_no_memory(advice) : fail(point, outcome->error.text);
   for (size_t r = 0; r < advice->runs; r++) {
@@ -156,13 +161,14 @@ static bool take_values(struct nb_advice *advice, struct nb_point *point, struct
       return fail(point, error.text);
     seconds += run->result.seconds;
     recorded += (double)run->result.table.row_count * (double)run->scene.column_count;
+    stability = fmax(stability, run->result.stability);
     updates += (double)run->result.updates + (double)run->result.cycles * (double)run->scene.particle_count;
   }
   const struct nb_result *first = &outcome->runs[0].result;
   if (first->cycles > 0 && first->table.row_count > 0)
     point->step = (first->table.time[first->table.row_count - 1] - first->table.time[0]) / (double)first->cycles;
   point->seconds = point->done ? fmin(point->seconds, seconds) : seconds;
-  point->recorded = recorded;
+  point->recorded = recorded, point->stability[trial->index] = stability;
   point->done |= 1U << trial->index;
   point->updates += (updates - point->updates) / count_bits(point->done);
   return true;
@@ -214,6 +220,8 @@ bool nb_trials_run(struct nb_advice *advice, struct nb_variant *variant, int lev
   const int jobs = nb_job_count(&advice->query->options, NB_TRIALS);
   struct trial *batch;
   bool good = !point->reason[0];
+  if (good && nb_level_ratios(advice, level).first == 1)
+    return fail(point, "a longer step does not divide its stages into whole numbers of cycles");
   if (!point->values)
     point->values = calloc(advice->runs * NB_TRIALS, sizeof *point->values);
   if (!point->values)

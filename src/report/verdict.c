@@ -29,10 +29,22 @@ const char *nb_mark_word(enum nb_mark mark) {
 void nb_check_result(struct nb_check *check, bool passed, const char *format, ...) {
   va_list arguments;
   check->message[0] = 0;
+  memset(check->parts, 0, sizeof check->parts);
   check->mark = passed ? NB_PASS : NB_FAIL;
   va_start(arguments, format);
   nb_append_list(check->message, sizeof check->message, format, arguments);
   va_end(arguments);
+}
+
+static void append_part(struct nb_check *check, enum nb_part_kind kind, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+static void append_part(struct nb_check *check, enum nb_part_kind kind, const char *format, ...) {
+  va_list arguments;
+  const size_t at = strlen(check->message);
+  va_start(arguments, format);
+  nb_append_list(check->message, sizeof check->message, format, arguments);
+  va_end(arguments);
+  check->parts[kind] = (struct nb_part){(unsigned short)at, (unsigned short)(strlen(check->message) - at)};
 }
 
 double nb_error_ratio(const struct nb_tolerance *tolerance, double computed, double reference, double scale) {
@@ -56,11 +68,13 @@ void nb_check_error(struct nb_check *check, const char *what, double error, doub
   const bool percent = relative && !(tolerance->value > 0 && (tolerance->value < 1e-7 || tolerance->value > 1e7));
   const double of = relative ? fabs(scale) : 1, factor = percent ? 100 : 1;
   const char *in = percent ? " %" : relative ? "" : unit;
-  nb_append(check->message, sizeof check->message, ", %s %.3g%s, tolerance %.3g%s", what,
-            error > 0 ? factor * error / of : 0, in, factor * tolerance->value, in);
+  char fraction[sizeof tolerance->of.label + 8] = "";
   if (tolerance->kind == NB_OF_PEAK || tolerance->kind == NB_OF_MEASURE)
-    nb_append(check->message, sizeof check->message, " of %s",
-              tolerance->kind == NB_OF_PEAK ? "peak" : tolerance->of.label);
+    snprintf(fraction, sizeof fraction, " of %s", tolerance->kind == NB_OF_PEAK ? "peak" : tolerance->of.label);
+  nb_append(check->message, sizeof check->message, ", %s ", what);
+  append_part(check, NB_PART_ERROR, "%.3g%s", error > 0 ? factor * error / of : 0, in);
+  nb_append(check->message, sizeof check->message, ", tolerance ");
+  append_part(check, NB_PART_TOLERANCE, "%.3g%s%s", factor * tolerance->value, in, fraction);
 }
 
 /* Compares two numbers. The message has both, the error and the tolerance, or why there is no error. `unit` begins with
@@ -70,8 +84,10 @@ static void compare(struct nb_check *check, const struct nb_tolerance *tolerance
   const bool relative = tolerance->kind != NB_ABSOLUTE;
   const double error = fabs(computed - reference);
   const int precision = digit_count(computed, reference);
-  nb_check_result(check, nb_error_ratio(tolerance, computed, reference, scale) <= 1, "computed %.*g%s, %s %.*g%s",
-                  precision, computed, unit, from, precision, reference, unit);
+  nb_check_result(check, nb_error_ratio(tolerance, computed, reference, scale) <= 1, "computed ");
+  append_part(check, NB_PART_COMPUTED, "%.*g%s", precision, computed, unit);
+  nb_append(check->message, sizeof check->message, ", %s ", from);
+  append_part(check, NB_PART_REFERENCE, "%.*g%s", precision, reference, unit);
   if (!isfinite(computed) || !isfinite(reference)) {
     nb_append(check->message, sizeof check->message, ": not a finite number");
   } else if (relative && !isfinite(tolerance->value * scale)) {
@@ -90,7 +106,7 @@ static bool find_scale(double *scale, double own, struct nb_check *check, const 
                        const struct nb_tolerance *tolerance) {
   struct nb_error error;
   *scale = own;
-  if (tolerance->kind != NB_OF_MEASURE || nb_measure_value(scale, &tolerance->of, &run->result.table, &error))
+  if (tolerance->kind != NB_OF_MEASURE || nb_measure_value(scale, &tolerance->of, nb_run_table(run), &error))
     return true;
   nb_check_result(check, false, "%s", error.text);
   return false;
@@ -100,8 +116,8 @@ bool nb_check_computed(double *value, struct nb_check *check, const struct nb_pa
                        const struct nb_expectation *e) {
   struct nb_error error;
   double scale = 1;
-  if (!nb_measure_value(value, &e->measure, &run->result.table, &error) ||
-      (e->has_scale && !nb_measure_value(&scale, &e->other, &run->result.table, &error))) {
+  if (!nb_measure_value(value, &e->measure, nb_run_table(run), &error) ||
+      (e->has_scale && !nb_measure_value(&scale, &e->other, nb_run_table(run), &error))) {
     nb_check_result(check, false, "%s", error.text);
     return false;
   }
@@ -144,8 +160,8 @@ static void check_value(struct nb_check *check, const struct nb_page_run *run, c
 
 /* Compares a curve at every row. All rows must pass; the message is about the worst one. */
 static void check_curve(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
-  const struct nb_table *table = &run->result.table;
-  const char *quantity = table->names[e->measure.column];
+  const struct nb_table *table = nb_run_table(run);
+  const char *quantity = table->names ? table->names[e->measure.column] : "";
   const struct nb_solution_curve *curve = solution_find_curve(&run->solution, quantity, e->against);
   char unit[NB_NAME_SIZE];
   size_t from, to;
@@ -181,8 +197,8 @@ static void check_measures(struct nb_check *check, const struct nb_page_run *run
   double one, other = 0;
   char unit[NB_NAME_SIZE];
   const bool reported = e->kind == NB_REPORTED;
-  if (!nb_measure_value(&one, &e->measure, &run->result.table, &error) ||
-      (!reported && !nb_measure_value(&other, &e->other, &run->result.table, &error))) {
+  if (!nb_measure_value(&one, &e->measure, nb_run_table(run), &error) ||
+      (!reported && !nb_measure_value(&other, &e->other, nb_run_table(run), &error))) {
     nb_check_result(check, false, "%s", error.text);
     return;
   }
@@ -293,6 +309,8 @@ enum nb_status nb_verdict(struct nb_outcome *outcome) {
     stored = evaluate_run(outcome, r);
   if (!stored || !skip_unread(outcome))
     return nb_error_memory(&outcome->error);
+  if (nb_spool_status(&outcome->spool, &outcome->error))
+    return outcome->error.status;
   for (size_t k = 0; k < outcome->check_count; k++)
     outcome->mark_count[outcome->checks[k].mark]++;
   return outcome->mark_count[NB_FAIL] ? NB_FAILED : NB_OK;

@@ -18,6 +18,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/array.h"
 #include "core/clean.h"
 #include "input/expression.h"
 #include "student.h"
@@ -148,6 +149,18 @@ static double standard_deviation(const struct sample *sample) { return sqrt(samp
 
 /* ---- trends ---- */
 
+/* For the picture in the report; without memory it has fewer points. */
+static void add_point(const struct group *group, size_t r, double value) {
+  struct nb_check *check = group->check;
+  const double swept = binding_of(&group->outcome->runs[r], group->e->against)->value;
+  double *points = nb_array_reserve(check->points, 2 * check->point_count, 2, sizeof *points);
+  if (!points)
+    return;
+  points[2 * check->point_count] = group->has_words ? (double)check->point_count : swept;
+  points[2 * check->point_count++ + 1] = value;
+  check->points = points;
+}
+
 static void check_trend(const struct group *group) {
   const struct nb_expectation *e = group->e;
   struct sample sample = {.count = 0};
@@ -165,6 +178,7 @@ static void check_trend(const struct group *group) {
     nb_append(group->check->message, sizeof group->check->message, "%s%.6g%s at %s%s%s",
               sample.count > 0 ? ", " : "computed ", computed, unit, sample.count > 0 ? "" : e->against,
               sample.count > 0 ? "" : " = ", swept_text(group, r));
+    add_point(group, r, computed);
     add(&sample, computed);
     before = computed;
   }
@@ -203,6 +217,7 @@ static void check_slope(const struct group *group) {
       return;
     }
     n++, x += lx, y += ly, xx += lx * lx, xy += lx * ly;
+    add_point(group, r, error);
     nb_append(errors, sizeof errors, "%s%.3g%s at %s%s%s", n > 1 ? ", " : "", error, unit, n > 1 ? "" : e->against,
               n > 1 ? "" : " = ", swept_text(group, r));
   }

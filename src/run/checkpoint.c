@@ -30,14 +30,13 @@ static const double spacing = 10, stage_spacing = 50, first_cost = 2e-3;
 
 /* ---- what the model keeps ---- */
 
+/* The other fields are in the state, or the next forces compute them. */
 static void store_contacts(struct nb_store *store, struct nb_contacts *contacts) {
   const size_t n = contacts->count;
   struct nb_history *slip_sum = &contacts->slip_sum;
-  NB_STORE(store, "force", contacts->force, n);
   NB_STORE(store, "image", contacts->image, contacts->image ? n : 0);
   NB_STORE_INTEGERS(store, "suppressed", contacts->suppressed, contacts->suppressed ? n : 0);
-  for (int f = 0; f < NB_FIELDS; f++)
-    NB_STORE(store, "field", contacts->kept[f], contacts->kept[f] ? n : 0);
+  NB_STORE(store, "stable_overlap", contacts->kept[NB_STABLE_OVERLAP], contacts->kept[NB_STABLE_OVERLAP] ? n : 0);
   for (int m = 0; m < NB_HISTORY; m++)
     NB_STORE(store, "slip_sum", slip_sum->field[m], slip_sum->field[m] ? n : 0);
   NB_STORE(store, "slip_sums", slip_sum->rows, slip_sum->rows ? n * (size_t)slip_sum->doubles : 0);
@@ -65,11 +64,20 @@ static void store_deep(struct nb_store *store, struct nb_model *model) {
   NB_STORE_INTEGERS(store, "deep", model->deep.first, sizeof model->deep.first);
   if (store->restoring)
     model->deep.count = count; /* the counters of the blocks are 0 */
+  model->deep.first[sizeof model->deep.first - 1] = 0;
+}
+
+static void store_warnings(struct nb_store *store, struct nb_warnings *warnings) {
+  NB_STORE_INTEGERS(store, "warnings", &warnings->count, 1);
+  if (warnings->count > NB_WARNINGS)
+    store->failed = true, warnings->count = 0;
+  NB_STORE_INTEGERS(store, "warnings", (char *)warnings->list, warnings->count * sizeof *warnings->list);
+  for (size_t k = 0; k < warnings->count; k++)
+    warnings->list[k].text[sizeof warnings->list[k].text - 1] = 0;
 }
 
 static void store_affine(struct nb_store *store, struct nb_affine *affine) {
   struct nb_servo_state *servo = &affine->servo_state;
-  NB_STORE(store, "affine", affine->rate, NB_AFFINE_SOURCES);
   NB_STORE(store, "affine", affine->base_rate, NB_AFFINE_SOURCES);
   NB_STORE_INTEGERS(store, "affine", affine->used, NB_AFFINE_SOURCES);
   NB_STORE_INTEGERS(store, "affine", &affine->free_before, 1);
@@ -84,6 +92,7 @@ static void store_stability(struct nb_store *store, struct nb_model *model) {
   struct nb_stability *stability = model->stability;
   NB_STORE_INTEGERS(store, "stability", &stability->step_line, 1);
   NB_STORE(store, "stability", &stability->stable_step, 1);
+  NB_STORE(store, "stability", &stability->largest, 1);
   NB_STORE_INTEGERS(store, "stability", &stability->allow_unstable, 1);
   NB_STORE_INTEGERS(store, "stability", &stability->damped, 1);
   NB_STORE_INTEGERS(store, "stability", &stability->checks, 1);
@@ -93,7 +102,6 @@ static void store_stability(struct nb_store *store, struct nb_model *model) {
 
 static void store_balance(struct nb_store *store, struct nb_model *model) {
   struct nb_balance *balance = model->balance;
-  NB_STORE(store, "balance", balance->walls, model->walls.count);
   NB_STORE(store, "balance", &balance->initial_kinetic, 1);
   NB_STORE(store, "balance", &balance->initial_energy, 1);
   NB_STORE(store, "balance", &balance->work, 1);
@@ -134,9 +142,7 @@ void nb_model_store(struct nb_store *store, struct nb_model *model) {
   NB_STORE(store, "central", &model->central, 1);
   NB_STORE(store, "walls", model->walls.point, model->walls.count);
   NB_STORE_INTEGERS(store, "all_affine", &model->all_affine, 1);
-  NB_STORE_INTEGERS(store, "warnings", &model->warnings.count, 1);
-  NB_STORE_INTEGERS(store, "warnings", (char *)model->warnings.list,
-                    model->warnings.count * sizeof *model->warnings.list);
+  store_warnings(store, &model->warnings);
   nb_changes_store(store, model);
   store_stability(store, model);
   if (model->affine)
@@ -146,10 +152,6 @@ void nb_model_store(struct nb_store *store, struct nb_model *model) {
   for (size_t r = 0; model->regions && r < model->scene->region_count; r++)
     store_region(store, &model->regions->list[r], model);
   nb_configuration_store(store, model);
-  if (model->fracc) {
-    NB_STORE(store, "fracc", &model->fracc->largest, 1);
-    NB_STORE(store, "fracc", model->fracc->previous_force, model->particles.count);
-  }
   if (store->restoring)
     nb_hooks_plan(model);
 }
@@ -177,13 +179,29 @@ static enum nb_status set_path(char *path, const struct nb_scene *scene, const s
 
 static void old_path(char *old, const char *path) { snprintf(old, NB_STATE_PATH + 8, "%s.old", path); }
 
+enum nb_status nb_checkpoint_absent(const struct nb_scene *scene, const struct nb_options *options,
+                                    struct nb_error *error) {
+  char path[NB_STATE_PATH], old[NB_STATE_PATH + 8];
+  if (options->checkpoint.resume)
+    return NB_OK;
+  if (set_path(path, scene, options, options->checkpoint.key, error))
+    return error->status;
+  old_path(old, path);
+  if (access(path, F_OK) != 0 && access(old, F_OK) != 0)
+    return NB_OK;
+  return nb_error_set(error, NB_BAD_USE,
+                      "this page has been interrupted, its checkpoint is %.300s: --resume continues from it; to start "
+                      "from the beginning, remove it and the one with `.old` behind its name",
+                      path);
+}
+
 enum nb_status nb_checkpoint_begin(struct nb_checkpoint *checkpoint, const struct nb_scene *scene,
                                    const struct nb_options *options, struct nb_error *error) {
   *checkpoint = (struct nb_checkpoint){.scene = scene, .saved = nb_clock(), .cost = first_cost};
   if (!options || !(options->checkpoint.seconds > 0) || !options->checkpoint.key)
     return NB_OK;
   if (set_path(checkpoint->path, scene, options, options->checkpoint.key, error) ||
-      nb_folder_create(nb_states_folder(options), error))
+      nb_checkpoint_absent(scene, options, error) || nb_folder_create(nb_states_folder(options), error))
     return error->status;
   checkpoint->options = &options->checkpoint;
   return NB_OK;
@@ -194,7 +212,7 @@ enum nb_status nb_checkpoint_lock(struct nb_lock *lock, const struct nb_scene *s
   char path[NB_STATE_PATH];
   if (set_path(path, scene, options, key, error) || nb_folder_create(nb_states_folder(options), error))
     return error->status;
-  return nb_lock_own(lock, path, error);
+  return nb_lock_own(lock, path, "runs this page with these settings and saves checkpoints", "--states", error);
 }
 
 void nb_checkpoint_remove(const struct nb_scene *scene, const struct nb_options *options, unsigned long long key) {
@@ -268,7 +286,8 @@ enum nb_status nb_checkpoint_save(struct nb_checkpoint *checkpoint, const struct
   const double began = nb_clock();
   for (size_t s = 0; s < checkpoint->scene->stage_count; s++) {
     snprintf(name, sizeof name, "hash.%zu", s);
-    nb_store_integers(store, name, &checkpoint->scene->stages[s].hash, sizeof checkpoint->scene->stages[s].hash, 1);
+    NB_STORE_INTEGERS(store, name, (unsigned char *)&checkpoint->scene->stages[s].hash,
+                      sizeof checkpoint->scene->stages[s].hash);
   }
   enum nb_status status = nb_saved_capture(&saved, model, error);
   saved.store = *store, saved.hash = hash_of(checkpoint->scene);

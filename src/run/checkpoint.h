@@ -18,6 +18,9 @@ struct nb_checkpoint {
 /* Locks all runs of a page: NB_BAD_USE if another process saves checkpoints of them. `key` is that of no run. */
 enum nb_status nb_checkpoint_lock(struct nb_lock *lock, const struct nb_scene *scene, const struct nb_options *options,
                                   unsigned long long key, struct nb_error *error);
+/* NB_BAD_USE if there is a checkpoint of the run with options->checkpoint.key, unless it is to be resumed. */
+enum nb_status nb_checkpoint_absent(const struct nb_scene *scene, const struct nb_options *options,
+                                    struct nb_error *error);
 /* Makes the folder and the path. No effect without `seconds`. The caller has the lock, or that of the state it makes. */
 enum nb_status nb_checkpoint_begin(struct nb_checkpoint *checkpoint, const struct nb_scene *scene,
                                    const struct nb_options *options, struct nb_error *error);

@@ -19,6 +19,7 @@
 #include "core/array.h"
 #include "core/clock.h"
 #include "core/hertz_impact.h"
+#include "restart.h"
 #include "result.h"
 
 enum nb_status nb_contact_test_create(struct nb_contact_test *contact_test, const struct nb_scene *scene,
@@ -275,6 +276,8 @@ enum nb_status nb_contact_test_run(struct nb_result *result, const struct nb_sce
   enum nb_status status = nb_contact_test_create(&contact_test, scene, error);
   if (status)
     return status;
+  if (options && options->checkpoint.seconds > 0)
+    nb_note(progress, "a contact test has no checkpoints, because it takes seconds");
   if (options)
     contact_test.rounding = options->rounding;
   if (!add_row(&result->table, &contact_test, 0))

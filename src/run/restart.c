@@ -127,11 +127,10 @@ static enum nb_status lock_wait(struct nb_lock *lock, const struct nb_progress *
   if (errno == EWOULDBLOCK) {
     const ssize_t n = pread(lock->file, holder, sizeof holder - 1, 0);
     holder[n > 0 ? strspn(holder, "0123456789") : 0] = 0;
-    if (!lock->waits)
+    if (lock->use)
       return nb_error_set(error, NB_BAD_USE,
-                          "process %s runs this page with these settings and saves checkpoints, %.300s: wait for its "
-                          "end, or choose another folder with --states",
-                          holder[0] ? holder : "?", lock->path);
+                          "process %s %s, %.300s: wait for its end, or choose another folder with %s",
+                          holder[0] ? holder : "?", lock->use, lock->path, lock->option);
     snprintf(message, sizeof message, "waiting for process %s, which writes %.*s", holder[0] ? holder : "?",
              (int)(strlen(lock->path) - strlen(".lock")), lock->path);
     nb_note(progress, message);
@@ -171,7 +170,7 @@ static enum nb_status lock_acquire(struct nb_lock *lock, const char *path, const
         current.st_dev == there.st_dev)
       break;
     close(lock->file), lock->file = -1;
-    if (lock->waits && access(path, F_OK) == 0)
+    if (!lock->use && access(path, F_OK) == 0)
       return NB_OK;
   }
   char holder[32];
@@ -181,8 +180,9 @@ static enum nb_status lock_acquire(struct nb_lock *lock, const char *path, const
   return NB_OK;
 }
 
-enum nb_status nb_lock_own(struct nb_lock *lock, const char *path, struct nb_error *error) {
-  lock->waits = false;
+enum nb_status nb_lock_own(struct nb_lock *lock, const char *path, const char *use, const char *option,
+                           struct nb_error *error) {
+  *lock = (struct nb_lock){.use = use, .option = option};
   return lock_acquire(lock, path, NULL, error);
 }
 
@@ -236,7 +236,7 @@ static enum nb_status read_state(struct nb_saved *saved, const char *path, const
 enum nb_status nb_start_obtain(struct nb_saved *saved, const struct nb_scene *scene, const struct nb_options *options,
                                const struct nb_progress *progress, bool make, struct nb_error *error) {
   char path[PATH_SIZE];
-  struct nb_lock lock = {.waits = true};
+  struct nb_lock lock = {.use = NULL};
   *saved = (struct nb_saved){0};
   enum nb_status status = nb_start_path(path, sizeof path, scene, options, error);
   if (status)

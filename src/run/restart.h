@@ -12,10 +12,12 @@ enum { NB_STATE_PATH = 4096 };
 struct nb_lock {
   char path[NB_STATE_PATH + 8];
   int file;
-  bool waits; /* until another process releases it */
+  const char *use,
+      *option; /* what the process does that holds it, and the option for another folder; NULL: waits for it */
 };
 /* Without waiting: NB_BAD_USE if another process holds it. */
-enum nb_status nb_lock_own(struct nb_lock *lock, const char *path, struct nb_error *error);
+enum nb_status nb_lock_own(struct nb_lock *lock, const char *path, const char *use, const char *option,
+                           struct nb_error *error);
 void nb_lock_release(struct nb_lock *lock);
 const char *nb_states_folder(const struct nb_options *options);
 void nb_note(const struct nb_progress *progress, const char *message);

@@ -9,6 +9,7 @@
 #include "core/clock.h"
 #include "laws/laws_now.h"
 #include "measure/snapshot.h"
+#include "measure/step.h"
 #include "plan.h"
 #include "result.h"
 
@@ -112,6 +113,13 @@ static enum nb_status run_cycle(struct run *run, int index, int *outcome, struct
 
 /* ---- checkpoints ---- */
 
+/* The stages of restored rows are those of the scene. */
+static void store_table(struct nb_store *store, const struct run *run, struct nb_table *table) {
+  nb_store_table(store, table);
+  for (size_t k = 0; k < table->row_count && store->restoring; k++)
+    store->failed = store->failed || table->stage[k] < 0 || table->stage[k] >= (int)run->scene->stage_count;
+}
+
 static void store_snapshots(struct nb_store *store, struct run *run) {
   struct nb_result *result = run->result;
   size_t count = result->snapshot_count;
@@ -121,14 +129,16 @@ static void store_snapshots(struct nb_store *store, struct run *run) {
     NB_STORE_INTEGERS(store, "snapshot", &stage, 1);
     if (store->restoring) { /* one of the present state has the columns; its rows are replaced */
       struct nb_snapshot *new = NB_ARRAY_APPEND(result->snapshots, result->snapshot_count);
-      if (!new || stage < 0 || stage >= (int)run->scene->stage_count || !nb_snapshot_take(new, run->model, stage)) {
+      const bool taken = stage >= 0 && stage < (int)run->scene->stage_count && run->scene->stages[stage].snapshot;
+      if (!new || !taken || !nb_snapshot_take(new, run->model, stage)) {
         store->failed = true;
         return;
       }
     }
     struct nb_snapshot *it = &result->snapshots[k];
-    nb_store_table(store, &it->particles), nb_store_table(store, &it->walls), nb_store_table(store, &it->contacts);
-    nb_store_table(store, &it->rings), nb_store_table(store, &it->lattice);
+    struct nb_table *const tables[] = {&it->particles, &it->walls, &it->contacts, &it->rings, &it->lattice};
+    for (size_t t = 0; t < sizeof tables / sizeof *tables; t++)
+      store_table(store, run, tables[t]);
   }
 }
 
@@ -148,7 +158,7 @@ static void store_run(struct nb_store *store, struct run *run) {
     NB_STORE(store, "cost", &cost->step, 1);
     NB_STORE(store, "cost", &cost->seconds, 1);
   }
-  nb_store_table(store, &run->result->table);
+  store_table(store, run, &run->result->table);
   store_snapshots(store, run);
   if (store->restoring)
     run->reporter.began -= seconds, run->reporter.stage_began = nb_processor_clock() - stage_seconds;
@@ -287,6 +297,7 @@ static enum nb_status run_scene(struct run *run, const struct nb_options *option
     result->cycles = run->model->cycle - run->first_cycle;
     result->updates = run->model->updates;
     result->searches = run->model->search.count;
+    result->stability = run->model->stability->largest;
     result->deep = nb_deep_count(run->model);
     snprintf(result->deep_first, sizeof result->deep_first, "%s", run->model->deep.first);
     result->seconds = nb_clock() - run->reporter.began;
@@ -319,11 +330,16 @@ enum nb_status nb_run_to(struct nb_saved *saved, const struct nb_scene *scene, c
   return status;
 }
 
-void nb_result_free(struct nb_result *result) {
-  nb_table_free(&result->table);
+void nb_result_free_snapshots(struct nb_result *result) {
   for (size_t s = 0; s < result->snapshot_count; s++)
     nb_snapshot_free(&result->snapshots[s]);
   free(result->snapshots);
+  result->snapshots = NULL, result->snapshot_count = 0;
+}
+
+void nb_result_free(struct nb_result *result) {
+  nb_table_free(&result->table);
+  nb_result_free_snapshots(result);
   free(result->stages);
   *result = (struct nb_result){0};
 }

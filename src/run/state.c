@@ -216,17 +216,27 @@ static bool same_laws(const struct nb_saved *saved, struct nb_active_laws laws) 
          strcmp(laws.shear->name, saved->shear) == 0 && (int)laws.pieces == saved->pieces;
 }
 
+static enum nb_status check_stage(const struct nb_saved *saved, const struct nb_scene *scene, const char *path,
+                                  struct nb_error *error) {
+  const size_t stages = stages_of(saved, scene);
+  struct nb_active_laws laws = nb_laws_initial(scene);
+  if (stages == 0 && saved->store.part_count > 0)
+    return nb_error_set(error, NB_BAD_USE, "%.200s: expected a stage of the page, found `%s`", path, saved->stage);
+  for (size_t s = 0; s < stages; s++)
+    laws = nb_laws_of(&scene->stages[s], laws);
+  return same_laws(saved, laws)
+             ? NB_OK
+             : nb_error_set(error, NB_BAD_USE, "%.200s: expected the laws of the page, found normal %s and shear %s",
+                            path, saved->normal, saved->shear);
+}
+
 enum nb_status nb_saved_fits(const struct nb_saved *saved, const struct nb_scene *scene, const char *path,
                              struct nb_error *error) {
   size_t rules = scene->pair_rule_count, removals = 0, k = 0;
   for (size_t s = 0; s < scene->stage_count; s++)
     rules += scene->stages[s].change_count, removals += scene->stages[s].removal_count;
-  struct nb_active_laws laws = nb_laws_initial(scene);
-  for (size_t s = 0; s < stages_of(saved, scene); s++)
-    laws = nb_laws_of(&scene->stages[s], laws);
-  if (!same_laws(saved, laws))
-    return nb_error_set(error, NB_BAD_USE, "%.200s: expected the laws of the page, found normal %s and shear %s", path,
-                        saved->normal, saved->shear);
+  if (check_stage(saved, scene, path, error))
+    return error->status;
   const bool named = same_names(saved, scene);
   while (k < saved->particle_count && k < scene->particle_count &&
          same_particle(&saved->particles[k], &scene->particles[k], removals > 0))
@@ -410,7 +420,7 @@ static enum nb_status check_text(const char *path, const char *text, size_t size
 }
 
 enum nb_status nb_saved_write(const struct nb_saved *saved, const char *path, struct nb_error *error) {
-  struct nb_save file;
+  struct nb_save file = {0};
   size_t size = 0;
   char *text = nb_saved_text(saved, &size);
   if (!text)

@@ -185,6 +185,7 @@ records conditions servo : input/names.c core/families.c
 measures : measure/areas.c measure/areas.h measure/chains.c measure/coordination.c measure/fabric.c
 measures : measure/loads.c measure/region.c measure/region.h measure/region_quantities.c measure/snapshot.c measure/snapshot.h
 measures : measure/strain.c measure/stress.c measure/impact.c measure/impact.h core/names.h loading/loading_quantities.c
+monitors measures : measure/wall_quantities.c
 search : core/neighbours.c core/grid.c core/grid.h core/blocks.c
 search records : core/array.h core/array.c
 search servo balance fracc configuration measures monitors elastic boundary : core/contacts.h
@@ -283,6 +284,7 @@ profile() {
 # Runs page $1 with $2 cycles; the profile is in $3.
 callgrind() {
   write_page "$1" "$2" >"$work/page.md"
+  rm -rf "$work/page.out" # the folder of the run before takes another way
   (cd "$work" && valgrind --tool=callgrind --callgrind-out-file="$work/callgrind" "$nineball" figure page.md --isa avx2 --jobs 1 \
     >"$work/said" 2>&1) || {
     grep -v '^==' "$work/said" >&2

@@ -21,6 +21,7 @@ static double control_claim(const struct nb_advice *advice, enum estimator contr
                             int level, size_t r, size_t phases) {
   const struct nb_point *point = point_of(variant, level);
   const double *n = point[0].values + r * NB_TRIALS, *n2 = point[1].values + r * NB_TRIALS;
+  const struct nb_ratios ratios = nb_level_ratios(advice, level);
   double largest = 0, step;
   if (control == TWO_STEPS)
     return fabs(n[0] - n2[0]);
@@ -28,12 +29,12 @@ static double control_claim(const struct nb_advice *advice, enum estimator contr
   if (control == ONE_PHASE) {
     const struct nb_point *fine =
         point_of(&advice->variants[0], level + 2 > advice->anchor ? level + 2 : advice->anchor);
-    return nb_estimate_claim(&step, n, n2, n4, 1,
+    return nb_estimate_claim(&step, n, n2, n4, 1, ratios,
                              nb_estimate_anchor(fine[0].values + r * NB_TRIALS, fine[-1].values + r * NB_TRIALS, 1));
   }
   for (size_t phase = 0; phase < phases; phase++) {
     const size_t trial = phase * (advice->trials / phases);
-    largest = fmax(largest, nb_estimate_step(n[trial], n2[trial], n4[trial]));
+    largest = fmax(largest, nb_estimate_step(n[trial], n2[trial], n4[trial], ratios));
   }
   return largest;
 }
@@ -93,7 +94,8 @@ static double reference_ratio(const struct nb_advice *advice, const struct nb_va
   size_t count = 0;
   while (advice->query->settings[count])
     settings[count] = advice->query->settings[count], count++;
-  snprintf(texts[0], sizeof texts[0], "refine=%.17g", advice->page.runs[0].scene.refine * exp2(level));
+  snprintf(texts[0], sizeof texts[0], "refine=%.17g",
+           advice->page.runs[0].scene.refine * nb_level_refine(advice, level));
   snprintf(texts[1], sizeof texts[1], "normal=%s", variant->normal);
   snprintf(texts[2], sizeof texts[2], "shear=%s", variant->shear);
   for (int k = 0; k < (variant->normal[0] ? 3 : 1); k++)

@@ -51,6 +51,7 @@ static void take_mean(struct results *results, char **fields) {
   if (results->mean_count == DRAWS_MAX)
     return;
   snprintf(draw->page, sizeof draw->page, "%s", strsep(fields, "\t"));
+  draw->realizations = (size_t)number(strsep(fields, "\t"));
   for (int control = 0; control < MEAN_CONTROLS; control++)
     draw->errors[control] = number(strsep(fields, "\t"));
   draw->answered = !isnan(draw->errors[WITH_STUDENT]);
@@ -209,6 +210,28 @@ static bool write_mean_controls(FILE *out, const struct results *results) {
   return good;
 }
 
+/* Answers by the number of realizations of the search. */
+static void write_realizations(FILE *out, const struct results *results) {
+  fputs("\n| realizations of a search | draws | answered | true error within the tolerance |\n"
+        "| --- | --- | --- | --- |\n",
+        out);
+  for (int k = 0; k < REALIZATIONS; k++) {
+    const size_t realizations = (size_t)NB_REALIZATIONS_MIN << k;
+    size_t draws = 0, answered = 0, within = 0;
+    for (size_t d = 0; d < results->mean_count; d++) {
+      const struct mean_draw *draw = &results->means[d];
+      const bool counts = draw->realizations == realizations;
+      draws += counts, answered += counts && draw->answered;
+      within += counts && draw->errors[WITH_STUDENT] <= 1;
+    }
+    fprintf(out, "| %zu | %zu | ", realizations, draws);
+    write_share(out, answered, draws);
+    fputs(" | ", out);
+    write_share(out, within, answered);
+    fputs(" |\n", out);
+  }
+}
+
 static bool write_means(FILE *out, const struct results *results) {
   static double ratio[DRAWS_MAX], cost[DRAWS_MAX];
   size_t answered = 0, pages = 0, stopped = 0;
@@ -222,18 +245,31 @@ static bool write_means(FILE *out, const struct results *results) {
       out,
       "\n## Means over realizations\n\n"
       "The same for `--over seed` on %zu pages of assemblies of about a hundred particles, with %d draws for each.\n"
-      "Each draw has its own %d realizations. The pages trade a rate of loading or a stiffness. The truth is the\n"
-      "mean over %d other realizations, with half the step of the page. The true error is that of the mean over\n"
+      "Each draw has its own 8, 16 or 32 realizations. The pages trade a rate of loading or the stiffness. The truth "
+      "is\n"
+      "the mean over %d other realizations, with half the step of the page. The true error is that of the mean over\n"
       "these with the setting. The tolerance lies between the smallest and the largest true error of the traded\n"
-      "values, with the page's step and with twice this step, and is at least %g. Of the draws, ",
-      pages, MEAN_DRAWS, NB_REALIZATIONS_MIN, TRUTH_REALIZATIONS, lowest_of_mean);
+      "values, with the page's step and with twice this step. It is at least %g, and at least twice the standard "
+      "error\n"
+      "with which these %d realizations resolve the step of the page. The largest one is at least 8 times the "
+      "smallest.\n"
+      "Of the draws, ",
+      pages, MEAN_DRAWS, TRUTH_REALIZATIONS, lowest_of_mean, TRUTH_REALIZATIONS);
   write_share(out, answered, results->mean_count);
-  fputs("\nare answered.\n\n", out);
+  fputs("\nare answered. The others have a tolerance below what the realizations of the search resolve. With more of "
+        "them\n"
+        "more draws are answered:\n",
+        out);
+  write_realizations(out, results);
+  fputs("\n", out);
   const bool good = write_mean_controls(out, results);
   fprintf(
       out,
-      "\nWith the setting of %zu draws one of the %d other realizations stops with an error, because the step is\n"
-      "too long for it. This counts as an error above the tolerance.\n"
+      "\nThe guaranteed stable step differs between realizations. So advice needs a margin, which METHOD defines. With "
+      "the\n"
+      "settings of %zu draws one of the %d other realizations stops with an error, because the step is too long for "
+      "it.\n"
+      "This counts as an error above the tolerance.\n"
       "\nThe estimated error over the true one is %.2g in the median, and %.2g at 5 %%. The advice costs %.2g of the\n"
       "page as it is, in the median.\n",
       stopped, TRUTH_REALIZATIONS, quantile(ratio, results->mean_count, 0.5),
@@ -252,13 +288,11 @@ static void write_beginning(FILE *out, const struct results *results) {
         "over all runs and phases, from the limit of the page for small steps.\n"
         "[METHOD](METHOD.md#the-accuracy-of-a-step) defines the terms.\n\n",
         out);
-  fprintf(
-      out,
-      "There are %d draws for each of %zu pages. The logarithm of the tolerance is uniform between %g and %g. The\n"
-      "search may take %g s of computing time. It takes %.2g s in the median, and %.2g s at 90 %%. Pages that name\n"
-      "a stiffness also trade three softer ones, a tenth, a hundredth and a thousandth of it.\n\n",
-      DRAWS, results->pages, lowest_tolerance, highest_tolerance, search_time,
-      quantile(seconds, results->draw_count, 0.5), quantile(seconds, results->draw_count, 0.9));
+  fprintf(out,
+          "There are %d draws for each of %zu pages. The logarithm of the tolerance is uniform between %g and %g. The\n"
+          "search may take %g s of computing time. It takes %.2g s in the median, and %.2g s at 90 %%.\n\n",
+          DRAWS, results->pages, lowest_tolerance, highest_tolerance, search_time,
+          quantile(seconds, results->draw_count, 0.5), quantile(seconds, results->draw_count, 0.9));
 }
 
 bool write_document(FILE *out, FILE *header, struct results *results) {
@@ -279,13 +313,12 @@ bool write_document(FILE *out, FILE *header, struct results *results) {
       "draws. The program refuses %zu more, for pages of more than fifty particles and for quantities that cannot be\n"
       "computed.\n"
       "\n## The criteria\n\n"
-      "The cheapest setting is that of an exhaustive grid: all contact laws, the stiffnesses, and steps a factor of\n"
-      "√2 apart. It is the one with the fewest updates of contacts and particles whose true error, over all phases\n"
-      "and runs, is within the tolerance. The steps of advice are a factor of 2 apart. The grid of a draw may take\n"
-      "%g s of computing time. The cost is counted for the %zu of %zu answers whose grid was completed. It is\n"
-      "highest on pages with a fixed number of cycles. Advice leaves out a step if it does not divide the stage into "
+      "The cheapest setting is that of an exhaustive grid. It has all contact laws, three softer stiffnesses (a tenth, "
       "a\n"
-      "whole number of cycles. The grid takes the nearest step that does.\n\n"
+      "hundredth and a thousandth), centred dashpots, and steps a factor of √2 apart. It is the one with the fewest "
+      "updates of contacts and particles whose true error, over all phases\n"
+      "and runs, is within the tolerance. The steps of advice are a factor of 2 apart. The grid of a draw may take\n"
+      "%g s of computing time. The cost is counted for the %zu of %zu answers whose grid was completed.\n\n"
       "The ratio of the estimated to the true error is counted for %zu of %zu answers. Their true error is at\n"
       "least %g times the last change of the limit when the step was halved. The true error of the others is zero "
       "(%zu\n"

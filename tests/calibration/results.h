@@ -21,10 +21,12 @@ static const double truth_margin = 10; /* a true error is known if it is so many
 enum { BINS = 10, ERRORS_MAX = 8000 };
 static const double first_bin = 2;
 
+enum { REALIZATIONS = 3 }; /* numbers of realizations that are drawn: the smallest, twice and four times as many */
 /* What is chosen from the paired differences of the realizations. */
 enum mean_control { WITH_STUDENT, MEAN_ALONE, ONE_REALIZATION, MEAN_CONTROLS };
 struct mean_draw {
   char page[64];
+  size_t realizations; /* 8, 16 or 32 */
   bool answered;
   double errors[MEAN_CONTROLS]; /* true error over the tolerance; infinite: it cannot be run; NaN: nothing is chosen */
   double claim, cost;

@@ -56,17 +56,11 @@ double true_error(struct nb_advice *advice, const struct truth *truth, struct nb
 
 /* ---- the exhaustive grid ---- */
 
-static unsigned long divisor(unsigned long a, unsigned long b) { return b ? divisor(b, a % b) : a; }
-
 /* The number nearest to 2^(half/2) that divides the step of the page such that all its stages have whole numbers of
  * cycles. */
-static double refine_of(const struct nb_scene *page, int half) {
-  unsigned long common = 0;
-  for (size_t s = page->start.stages; s < page->stage_count; s++)
-    if (page->stages[s].condition_count == 0)
-      common = divisor(page->stages[s].cycles, common);
-  const double wanted = exp2(half / 2.0);
-  return common ? nearbyint((double)common * wanted) / (double)common : wanted;
+static double refine_of(const struct nb_advice *advice, int half) {
+  const double wanted = exp2(half / 2.0), divisor = (double)advice->divisor;
+  return advice->divisor ? nearbyint(divisor * wanted) / divisor : wanted;
 }
 
 /* The fewest updates of a setting of the grid whose true error is within the tolerance; `most`: none has as few. Steps
@@ -81,7 +75,7 @@ static double search_grid(struct nb_advice *advice, const struct truth *truth, s
       const int level = (half - is_between) / 2;
       struct nb_variant *variant = is_between ? &between[k] : &advice->variants[k];
       if (is_between)
-        *refine = own * refine_of(&advice->page.runs[0].scene, half) / exp2(level);
+        *refine = own * refine_of(advice, half) / nb_level_refine(advice, level);
       bool done = run_one(advice, variant, level, 0);
       if (done && point_of(variant, level)->updates >= most)
         half = 2 * FINEST;
@@ -95,10 +89,8 @@ static double search_grid(struct nb_advice *advice, const struct truth *truth, s
 double cheapest(struct nb_advice *advice, const struct truth *truth, double most) {
   struct nb_variant *between = calloc(advice->variant_count, sizeof *between);
   for (size_t k = 0; k < advice->variant_count && between; k++) {
-    const struct nb_variant *variant = &advice->variants[k];
-    memcpy(between[k].normal, variant->normal, sizeof variant->normal);
-    memcpy(between[k].shear, variant->shear, sizeof variant->shear);
-    memcpy(between[k].value, variant->value, sizeof variant->value);
+    between[k] = advice->variants[k];
+    memset(between[k].points, 0, sizeof between[k].points);
   }
   if (between)
     most = search_grid(advice, truth, between, most);

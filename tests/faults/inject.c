@@ -63,6 +63,11 @@ static struct {
 static ssize_t write_out(void *cookie, const char *bytes, size_t size) {
   return fails(ENOSPC) ? 0 : write(*(int *)cookie, bytes, size);
 }
+static ssize_t read_in(void *cookie, char *bytes, size_t size) { return read(*(int *)cookie, bytes, size); }
+static int seek(void *cookie, off64_t *to, int from) {
+  *to = lseek(*(int *)cookie, *to, from);
+  return *to < 0 ? -1 : 0;
+}
 static int close_out(void *cookie) {
   for (int k = 0; k < STREAMS; k++)
     if (cookie == &streams[k].file)
@@ -80,7 +85,7 @@ static FILE *own(FILE *plain, const char *mode) {
   streams[k].file = dup(fileno(plain));
   fclose(plain);
   return streams[k].stream =
-             fopencookie(&streams[k].file, "w", (cookie_io_functions_t){NULL, write_out, NULL, close_out});
+             fopencookie(&streams[k].file, mode, (cookie_io_functions_t){read_in, write_out, seek, close_out});
 }
 
 FILE *__real_fopen(const char *path, const char *mode);

@@ -1,6 +1,7 @@
 /* Random changes of a page: another word, a line twice, a number that is much too large, another byte.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <stdio.h>
 #include <string.h>
 
 #include "../../src/input/reader.h"
@@ -34,66 +35,69 @@ static size_t replace(unsigned char *bytes, size_t size, size_t most, size_t at,
 }
 
 /* Words of the page language, and others. */
+static const char *const units[] = {"m",     "mm",  "\u00B5m", "s", "us",  "kg/m3", "kN/m", "N.m", "1/s",
+                                    "rad/s", "rad", "deg",     "J", "kPa", "%",     "ppm",  "m/",  "kg.m/s"};
+static const char *const odd[] = {"0",
+                                  "-1",
+                                  "1e308",
+                                  "1e-320",
+                                  "9999999999",
+                                  "0x10",
+                                  "nan",
+                                  "$a",
+                                  "$",
+                                  "#",
+                                  "1",
+                                  "2",
+                                  "3",
+                                  "`",
+                                  "```",
+                                  "```scene",
+                                  "~~~",
+                                  "```expect",
+                                  "\n",
+                                  "rock",
+                                  "%",
+                                  "of",
+                                  "at",
+                                  "most",
+                                  "1e400",
+                                  "\xC3",
+                                  "\t",
+                                  "none",
+                                  "critical",
+                                  "with",
+                                  "to",
+                                  "by",
+                                  "{",
+                                  "[x]",
+                                  "and",
+                                  "every",
+                                  "cycles",
+                                  "in",
+                                  "peak",
+                                  "reading",
+                                  "all",
+                                  "load",
+                                  "C.normal",
+                                  "C",
+                                  "contact-beta",
+                                  "global",
+                                  "con1",
+                                  "mirror",
+                                  "turn",
+                                  "-$a",
+                                  "$a$b",
+                                  "=",
+                                  "(2*a)",
+                                  "(",
+                                  ")",
+                                  "-(a)",
+                                  "(sqrt(a) m)",
+                                  "v=(1/3)",
+                                  "let a = (1 + 2) mm ^ a / pi"};
+
 static const char *word(unsigned long long *chance) {
-  static const char *const odd[] = {"0",
-                                    "-1",
-                                    "1e308",
-                                    "1e-320",
-                                    "9999999999",
-                                    "0x10",
-                                    "nan",
-                                    "$a",
-                                    "$",
-                                    "#",
-                                    "1",
-                                    "2",
-                                    "3",
-                                    "`",
-                                    "```",
-                                    "```scene",
-                                    "~~~",
-                                    "```expect",
-                                    "\n",
-                                    "rock",
-                                    "%",
-                                    "of",
-                                    "at",
-                                    "most",
-                                    "1e400",
-                                    "\xC3",
-                                    "\t",
-                                    "none",
-                                    "critical",
-                                    "with",
-                                    "to",
-                                    "by",
-                                    "{",
-                                    "[x]",
-                                    "and",
-                                    "every",
-                                    "cycles",
-                                    "in",
-                                    "peak",
-                                    "reading",
-                                    "all",
-                                    "load",
-                                    "C.normal",
-                                    "C",
-                                    "contact-beta",
-                                    "global",
-                                    "con1",
-                                    "mirror",
-                                    "turn",
-                                    "-$a",
-                                    "$a$b",
-                                    "=",
-                                    "(2*a)",
-                                    "(",
-                                    ")",
-                                    "-(a)",
-                                    "(sqrt(a) m)",
-                                    "v=(1/3)",
-                                    "let a = (1 + 2) mm ^ a / pi"};
   const size_t kind = below(chance, 5);
   if (kind == 0) {
     size_t count = 0;
@@ -107,8 +111,6 @@ static const char *word(unsigned long long *chance) {
     return clause && below(chance, 2) ? clause : row->word;
   }
   if (kind == 1) {
-    static const char *const units[] = {"m",     "mm",  "\u00B5m", "s", "us",  "kg/m3", "kN/m", "N.m", "1/s",
-                                        "rad/s", "rad", "deg",     "J", "kPa", "%",     "ppm",  "m/",  "kg.m/s"};
     return units[below(chance, sizeof units / sizeof *units)];
   }
   if (kind == 2) {
@@ -188,4 +190,34 @@ size_t fuzz_change_number(unsigned char *bytes, size_t size, size_t most, unsign
       return replace(bytes, size, most, from, to, text, strlen(text));
   }
   return size;
+}
+
+/* ---- a dictionary ---- */
+
+static void print_word(const char *word) {
+  if (!word || !*word)
+    return;
+  putchar('"');
+  for (const char *c = word; *c; c++)
+    if (*c >= ' ' && *c <= '~' && *c != '"' && *c != '\\')
+      putchar(*c);
+    else
+      printf("\\x%02X", (unsigned char)*c);
+  puts("\"");
+}
+
+void fuzz_print_words(void) {
+  const struct nb_expectation_row *rows = nb_expectation_rows();
+  const struct nb_keyword *row;
+  for (size_t k = 0; (row = nb_keyword_row(nb_keywords(), k)); k++) {
+    print_word(row->word);
+    for (size_t f = 0; row->arguments[f].count; f++)
+      print_word(row->arguments[f].word);
+  }
+  for (size_t k = 0; rows[k].word; k++)
+    print_word(rows[k].word);
+  for (size_t k = 0; k < sizeof units / sizeof *units; k++)
+    print_word(units[k]);
+  for (size_t k = 0; k < sizeof odd / sizeof *odd; k++)
+    print_word(odd[k]);
 }

@@ -1,16 +1,25 @@
 /* Invariants of all readers. An input that violates one is written to a file.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include <stdio.h>
+#define _POSIX_C_SOURCE 200809L
+
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
+#include "../../src/input/hash.h"
+#include "../../src/input/reader.h"
 #include "fuzz.h"
 
 static const void *input; /* the present input */
 static size_t input_size;
+bool fuzz_saves_time;
 
 void fuzz_begin(const void *bytes, size_t size) { input = bytes, input_size = size; }
+
+bool fuzz_one_of(int count) {
+  return !fuzz_saves_time || (nb_hash(NB_HASH_BEGIN, input, input_size) >> 40) % (unsigned)count == 0;
+}
 
 void fuzz_hold(bool holds, const char *what) {
   if (holds)
@@ -25,17 +34,55 @@ void fuzz_hold(bool holds, const char *what) {
   abort();
 }
 
+/* "PATH:7:12: error: …", "PATH: error: …", or the same of a setting. */
+static void hold_message(const char *message, const char *end) {
+  const char *error = strstr(message, ": error: ");
+  fuzz_hold(error && error < end && error > message, "an error has a place");
+  fuzz_hold(error + strlen(": error: ") < end, "an error has a text");
+}
+
 void fuzz_hold_mistakes(const struct nb_mistakes *mistakes, enum nb_status status) {
+  fuzz_hold(status == NB_OK || status == NB_BAD_USE, "the status is 0 or 2");
   fuzz_hold((status == NB_OK) == (mistakes->count == 0), "the status agrees with the number of errors");
   fuzz_hold((mistakes->text != NULL) == (mistakes->count > 0), "errors have a text");
   size_t given = 0, length = mistakes->text ? strlen(mistakes->text) : 0;
   for (const char *c = mistakes->text; c && *c; c = strchr(c, '\n') + 1) {
-    fuzz_hold(strchr(c, '\n') != NULL, "every line of the messages ends");
-    const char *error = strstr(c, ": error: "); /* of this page, or of one that it starts from */
-    given += *c != ' ' && error && error < strchr(c, '\n');
+    const char *end = strchr(c, '\n');
+    fuzz_hold(end != NULL, "every line of the messages ends");
+    if (*c != ' ') /* of this page, or of one that it starts from */
+      hold_message(c, end), given++;
     for (const char *d = c; *d != '\n'; d++)
       fuzz_hold((unsigned char)*d >= 0x20 || *d == '\t', "no control characters in messages");
   }
   fuzz_hold(given == mistakes->count, "every error is reported once");
   fuzz_hold(length < (size_t)4 << 20, "the messages have a limited length");
+}
+
+static char path[NB_PATH_SIZE];
+
+static void remove_file(void) { remove(path); }
+
+const char *fuzz_file(void) {
+  static int file = -1;
+  const char *folder = getenv("TMPDIR");
+  if (file < 0) {
+    snprintf(path, sizeof path, "%s/nineball-fuzz-XXXXXX", folder ? folder : "/tmp");
+    file = mkstemp(path);
+    atexit(remove_file);
+  }
+  fuzz_hold(file >= 0 && pwrite(file, input, input_size, 0) == (ssize_t)input_size &&
+                !ftruncate(file, (off_t)input_size),
+            "the temporary file can be written");
+  return path;
+}
+
+void fuzz_read_page(struct nb_page *page, struct nb_scene *scene, const char *name, const char *statements) {
+  struct nb_mistakes mistakes = {0};
+  char text[2000];
+  const int n = snprintf(text, sizeof text, "# Seed\n\n%s```\n", statements);
+  if (nb_page_read_bytes(page, name, text, (size_t)n, &mistakes) ||
+      (scene && nb_scene_read(scene, page, 0, NULL, &mistakes))) {
+    printf("%sBail out! a page of this test is wrong\n", mistakes.text);
+    exit(1);
+  }
 }

@@ -1,0 +1,99 @@
+#!/bin/sh
+# Writes docs/EXTREMES.md: the messages of tests/aborted, and the long runs of docs/extremes/endurance.tsv.
+#
+#   docs/extremes.sh >FILE
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+set -eu
+LC_ALL=C
+export LC_ALL
+cd "$(dirname "$0")/.."
+
+cat <<'TEXT'
+# Physics at the extremes
+
+`make extremes` writes this document ([extremes.sh](extremes.sh)). It lists how far the program has been tested, what it
+says where it breaks, and how rounding adds up in long runs. [STABILITY](STABILITY.md) maps time steps,
+[ROUNDING](ROUNDING.md) rounding modes.
+
+## How far it has been tested
+
+| what | from | to | test |
+| --- | --- | --- | --- |
+| radius | 1 μm | 1 km | [hertz-range](../cases/2-hertz/hertz-range.md) |
+| Young's modulus | 1 kPa | 1 TPa | the same |
+| speed of an impact | 0.01 nm/s | 1 km/s | the same, and [hertz-contrast](../cases/2-hertz/hertz-contrast.md) |
+| greatest overlap over radius | 1e-12 | 0.45 | the same |
+| lengths, speeds and stiffnesses, equal to the bit | 2⁻²⁰, 2⁻³⁰, 2⁻¹⁰⁰ | 2¹⁰, 2³⁰, 2¹⁰⁰ | [invariance-scale](../cases/5-numerics/invariance-scale.md) |
+| ratio of radii | 1 | 1000 | [hertz-contrast](../cases/2-hertz/hertz-contrast.md) |
+| ratio of masses | 1 | 10¹⁵ | the same |
+| ratio of moduli | 1 | 10⁶ | the same |
+| Poisson's ratio | 0 | 0.5 | the same |
+| friction | 1e-12 | 10⁶ | [friction-extremes](../cases/4-oblique/friction-extremes.md) |
+| angle of incidence | 0.001° | 89.999° | the same |
+| surface speed of a spinning sphere over the speed of its centre | 0 | 10⁵ | the same |
+| cycles of one particle or contact | 1000 | 10⁹ | [endurance.c](../tests/endurance.c), below |
+
+The range ends where the overlap exceeds the smaller radius, or where it is no longer large against the rounding of the
+coordinates, about 1e-16 of their size.
+
+## What a run says where it breaks
+
+Each message names the particle, the moment and the limit. Each page below causes one of them, and
+[aborted.sh](../tests/aborted.sh) requires exactly these words. The same test requires a page for every message in the
+sources that aborts a run. The exit status is 3 if the run was aborted, 2 if it could not begin, and 0 after a warning.
+
+TEXT
+for page in tests/aborted/*.md; do
+  awk -v file="$page" '
+    /^# / { title = substr($0, 3); next }
+    /^```message/ { status = $2; message = 1; next }
+    /^```/ { if (!scene) text = prose; scene = !scene; message = 0; next }
+    message { messages = messages (messages ? "\n" : "") $0; next }
+    !scene && NF { prose = prose (prose ? " " : "") $0 }
+    END { printf "**[%s](../%s)**, status %d. %s\n\n```text\n%s\n```\n\n", title, file, status, text, messages }' "$page" |
+    sed "s|^tests/aborted/||"
+done | fold -s -w 118 | sed 's/ *$//'
+cat <<'TEXT'
+Without `allow unstable` a step that is too long is stopped before any of these happens. With it there is a range in
+which nothing is said and the result is wrong: the ejected sphere is still slower than a radius per step at a hundred
+times the Rayleigh step. [STABILITY](STABILITY.md#just-above-the-limit) shows what reveals it.
+
+## Long runs
+
+One particle or one contact runs for up to 10⁹ cycles ([endurance.c](../tests/endurance.c)); the last row of the table
+says how many the run of this document had. N is the number of cycles, ε = 2.2e-16.
+
+- **oscillation**: a disc oscillates between two walls and never leaves them. The scheme has an exact solution, from which the
+  phase and the amplitude deviate by rounding alone. The phase drifts as ε N/80, because the rounded step and stiffness
+  have one error in all cycles. The amplitude drifts like a random walk, a few times ε √N, and from 10⁷ cycles on as
+  ε N/2000: the rounding of a periodic motion is not quite random.
+- **bounce**: a disc bounces on a floor. Its energy does not drift by rounding but by the scheme. The error of a bounce
+  is of the order of $(\omega \Delta t)^{5/2}$, with a sign that depends on where in a step the contact begins. It adds
+  up as the square root of the number of bounces. The work balance, which has no such error, drifts by rounding.
+- **loop**: the tangential displacement of two spheres follows a closed loop of 40 steps. The forces at the end of each
+  loop drift as ε N/40. The 40 increments are rounded, so their sum is not quite zero.
+
+![Drift against the number of cycles, with the lines of a random walk and of a constant error](extremes/endurance.svg)
+
+TEXT
+awk -F '\t' '
+  NR == 1 { printf "| cycles |"; for (k = 2; k <= NF; k++) printf " %s |", $k; printf "\n|"; for (k = 1; k <= NF; k++) printf " --- |"; print ""; next }
+  { most = $0 }
+  $1 >= next_one { line($0) }
+  function line(text,   field, k) {
+    n = split(text, field, "\t")
+    printf "| %.2g |", field[1]
+    for (k = 2; k <= n; k++) printf " %.1e |", field[k] < 0 ? -field[k] : field[k]
+    print ""
+    last = text
+    next_one = field[1] * 9
+  }
+  END { if (last != most) line(most) }' docs/extremes/endurance.tsv
+cat <<'TEXT'
+
+The program that writes the table requires bounds at each of its rows. They are ε N/2 for the phase and the forces, and
+10 ε √N + ε N/500 for the amplitude and the work balance. The bound of the energy is $(\omega \Delta t)^{5/2}$ times the
+root of the number of bounces. `make check` runs a million cycles, and once more with planted errors of 1e-6, which all
+six bounds must notice.
+TEXT

@@ -1,0 +1,63 @@
+/* The report: a static site with the text, figure and checks of each page.
+ *
+ *   index.html          what failed, the text of the first document, search, all pages
+ *   NAME/index.html     a page: text, figure, checks, cost, files
+ *   files/              figures and text files to which the pages link
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_REPORT_H
+#define NB_REPORT_H
+
+#include "commands.h"
+
+/* A page of the report. */
+struct nb_report_page {
+  const char *path;                                               /* as the caller gives it */
+  char *real;                                                     /* its real path; owned; NULL: it cannot be read */
+  char name[NB_NAME_SIZE], title[NB_NAME_SIZE * 2], message[512]; /* an error other than a failed check, or empty */
+  char figure[NB_NAME_SIZE + 8];                                  /* NAME.svg, or NAME.png */
+  char cost[256];                                                 /* one line, or empty */
+  char *dropped;                                                  /* names of large files that were removed; owned */
+  struct nb_outcome outcome;                                      /* without its runs */
+  bool document;                                                  /* it has no block of the page language */
+  bool unrun;                                                     /* shown without its results */
+  bool saved, drawn;                                              /* tables, a figure */
+  double seconds;
+};
+
+struct nb_report {
+  const char *folder;
+  struct nb_report_page *pages;
+  size_t count;
+  bool trust; /* copy any file to which a page links, not only those below the folder of the page */
+  struct nb_report_file {
+    char *real, *name; /* owned; its name in the folder `files` */
+  } * files;
+  size_t file_count;
+};
+
+/* ---- html.c ---- */
+
+/* Writes an escaped text between two pieces of HTML. */
+void nb_html_text(FILE *out, const char *before, const char *text, const char *after);
+/* Appends a file name as a part of a URL, percent-encoded (RFC 3986). */
+void nb_html_address(char *address, size_t size, const char *name);
+/* Everything up to the body. `top` leads to the folder of the report: "" or "../". */
+void nb_html_begin(FILE *out, const char *title, const char *top, const char *script);
+/* Writes "12 checks passed", or what is wrong; returns the class pass, fail or none. Empty for a document. */
+const char *nb_html_verdict(char *text, size_t size, const struct nb_report_page *page);
+void nb_html_checks(FILE *out, const struct nb_outcome *outcome);
+
+/* ---- links.c ---- */
+
+/* Lines TARGET<tab>ADDRESS<tab>CLASS<tab>VERDICT for the links of a page that lead to another page of the report, or to
+ * a file, which is copied. With verdicts on those pages if `verdicts`. The caller frees it; NULL: out of memory. */
+char *nb_report_links(struct nb_report *report, const struct nb_report_page *page, const char *top, bool verdicts);
+
+/* ---- convert.c ---- */
+
+/* Writes the text of the page as HTML, with `checks` in its place. */
+enum nb_status nb_report_convert(FILE *out, struct nb_report *report, const struct nb_report_page *page,
+                                 const char *top, bool verdicts, struct nb_error *error);
+
+#endif

@@ -1,0 +1,25 @@
+/* Runs gnuplot and pandoc, confined.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_TOOL_H
+#define NB_TOOL_H
+
+#include "core/error.h"
+
+/* A program that reads `file` in `folder` and the files of `library`, and writes to its standard output. */
+struct nb_tool {
+  const char *name, *package; /* "gnuplot", of the Debian package gnuplot-nox */
+  const char *folder, *file;  /* the file without its folder */
+  const char *library;
+  char *const *arguments; /* without the name, NULL-terminated */
+  int out;                /* file descriptor */
+  bool trust;             /* run it even if it cannot be confined */
+};
+/* Runs it. Its messages are in the temporary file *messages, rewound, which the caller closes unless it is NULL.
+ * *code is its exit status. The status is NB_BAD_USE if the program is missing, cannot be confined, or is stopped by a
+ * signal. */
+enum nb_status nb_tool_run(const struct nb_tool *tool, FILE **messages, int *code, struct nb_error *error);
+/* Reads a message into `line` without the line end and without control characters; false: the end. */
+bool nb_tool_message(FILE *messages, char *line, int size);
+
+#endif

@@ -1,0 +1,134 @@
+#!/bin/sh
+# Searches for inputs that a reader does not survive, by libFuzzer with AddressSanitizer and UndefinedBehaviorSanitizer.
+#
+#   make fuzz                                       each reader for five minutes
+#   make fuzz FUZZ_SECONDS=60 FUZZ_READERS=pages    one reader for a minute
+#   make fuzz FUZZ=~/nights                         continues what the folder has from earlier nights
+#
+# The folder $FUZZ has the inputs found so far (READER/), those that failed (failed/), the program of each reader (build/)
+# and one row for each session (sessions.tsv). The table of all sessions is printed, and written to report.md. It fails if
+# an input failed: repair the reader, and move the input from failed/ to tests/fuzz/corpus, with a name that says what it is.
+#
+#   make fuzz FUZZ_KEEP=yes                         then adds the fewest inputs that reach the same code to tests/fuzz/corpus
+#   make fuzz FUZZ_KEEP=yes FUZZ_SECONDS=0          adds them without a search
+#
+# $srcdir is the top of the source tree, $FUZZ_CC a clang with libFuzzer.
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+set -eu
+unset MAKEFLAGS MFLAGS MAKELEVEL
+here=$(cd "${srcdir:-.}" && pwd)
+readers=${FUZZ_READERS:-pages expressions paths packings states checkpoints tables}
+seconds=${FUZZ_SECONDS:-300}
+export OMP_NUM_THREADS=1
+export ASAN_OPTIONS=malloc_context_size=4:quarantine_size_mb=8:detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1
+
+mkdir -p "${FUZZ:-fuzz}" && cd "${FUZZ:-fuzz}"
+mkdir -p failed build
+# Files of the readers are in memory, if the system has a folder for that.
+test ! -w /dev/shm || export TMPDIR=/dev/shm
+
+# ---- the programs ----------------------------------------------------------------------------------------------------
+
+coverage=-fsanitize-coverage=inline-8bit-counters,pc-table # comparisons are not traced, which would halve the speed
+checks=address,undefined,float-cast-overflow
+flags="-g -O2 -fno-omit-frame-pointer -fno-sanitize-recover=all"
+(
+  cd build
+  test -f Makefile || "$here/configure" -q CC="${FUZZ_CC:-clang}" CFLAGS="$flags $coverage -fsanitize=$checks"
+  ${MAKE:-make} -j "$(nproc)" tests/fuzz/replay
+  objects=$(ls tests/fuzz/*.o src/report/row_table.o | grep -v '/replay\.o$')
+  for reader in $readers; do
+    # shellcheck disable=SC2086
+    ${FUZZ_CC:-clang} $flags -fsanitize="fuzzer,$checks" -fopenmp -DFUZZ_READER="fuzz_$reader" -o "$reader" \
+      "$here/tests/fuzz/libfuzzer.c" $objects librefs.a libnineball.a -lgsl -lgslcblas -lm
+  done
+) >build.log 2>&1 || { tail build.log >&2; exit 1; }
+build/tests/fuzz/replay --words >words
+
+# ---- sessions --------------------------------------------------------------------------------------------------------
+
+# Folders with first inputs of a reader.
+sources() {
+  mkdir -p "seeds/$1"
+  build/tests/fuzz/replay --seeds "$1" "seeds/$1"
+  echo "seeds/$1 $here/tests/fuzz/corpus/$1"
+  test "$1" != pages || echo "$here/tests/bad $here/cases $here/tests/pages"
+}
+
+longest() {
+  case $1 in
+    expressions | paths | tables) echo 512 ;;
+    states | checkpoints) echo 24576 ;;
+    *) echo 4096 ;;
+  esac
+}
+
+# A row of sessions.tsv from what libFuzzer prints at its end.
+row() {
+  awk -v reader="$1" -v date="$(date +%F)" -v OFS='\t' '
+    / cov: / { for (k = 1; k < NF; k++) { if ($k == "cov:") edges = $(k + 1); if ($k == "corp:") inputs = $(k + 1) } }
+    /^stat::number_of_executed_units:/ { executions = $2 }
+    /^#[0-9]+/ { last = substr($1, 2) }
+    /ERROR: libFuzzer: timeout/ { timeouts++ }
+    /ERROR: libFuzzer: out-of-memory/ { memory++ }
+    /SUMMARY: / && !/timeout|out-of-memory/ { errors++ }
+    END { sub(/\/.*/, "", inputs)
+      print reader, executions ? executions : last + 0, inputs + 0, edges + 0, errors + 0, timeouts + 0, memory + 0, date }
+  ' "$1.log" >>sessions.tsv
+}
+
+search() {
+  mkdir -p "$1"
+  # shellcheck disable=SC2046
+  nice "build/$1" -max_total_time="$seconds" -timeout=60 -report_slow_units=60 -rss_limit_mb=3000 -max_len="$(longest "$1")" -dict=words \
+    -print_funcs=0 -entropic=0 -print_final_stats=1 -artifact_prefix="failed/$1-" "$1" $(sources "$1") >"$1.log" 2>&1 &&
+    status=0 || status=$?
+  row "$1"
+  test "$status" -eq 0 || echo "fuzz: $1 failed; look at $(pwd)/$1.log"
+}
+
+# All sessions of all readers; a failed input counts once for each session that found it.
+report() {
+  echo '| reader | executions | inputs kept | edges reached | errors | timeouts | memory limits |'
+  echo '| --- | ---: | ---: | ---: | ---: | ---: | ---: |'
+  awk -F '\t' '
+    { if (!($1 in sum)) order[++n] = $1
+      sum[$1] += $2; if ($3) inputs[$1] = $3; if ($4 > edges[$1]) edges[$1] = $4; errors[$1] += $5; timeouts[$1] += $6; memory[$1] += $7 }
+    END {
+      for (k = 1; k <= n; k++) { r = order[k]; total += sum[r]
+        printf "| %s | %.0f | %d | %d | %d | %d | %d |\n", r, sum[r], inputs[r], edges[r], errors[r], timeouts[r], memory[r] }
+      printf "| all | %.0f |\n", total }' sessions.tsv
+}
+
+# Replaces the inputs that libFuzzer has named, by a hash, and keeps those with a name. What `make check` reads anyway, the
+# inputs that the program makes and the pages of the tree, is not stored again. Short inputs are kept if they reach a line
+# more often than others, long ones only if they reach a new one.
+keep() {
+  corpus=$here/tests/fuzz/corpus/$1 counters=1 most=512
+  rm -rf least && mkdir least
+  sources "$1" >/dev/null
+  find "seeds/$1" -type f -exec cp {} least \;
+  case $1 in
+    pages) cp "$here"/tests/bad/*.md least && counters=0 most=1024 ;;
+    packings) most=4096 ;;
+    states | checkpoints) counters=0 most=8192 ;;
+  esac
+  "build/$1" -set_cover_merge=1 -use_counters=$counters -max_len=$most least "$corpus" "$1" >"$1.log" 2>&1
+  for folder in "$corpus" least; do
+    ls "$folder" | grep -xE '[0-9a-f]{40}' | while read -r file; do
+      if test "$folder" = least; then mv "least/$file" "$corpus"; else rm "$folder/$file"; fi
+    done
+  done
+}
+
+test "$seconds" -eq 0 || for reader in $readers; do search "$reader"; done
+if test -n "${FUZZ_KEEP:-}"; then
+  for reader in $readers; do keep "$reader"; done
+fi
+report | tee report.md
+test -z "$(ls failed)" || {
+  echo "fuzz: inputs that failed; read one with $(pwd)/build/tests/fuzz/replay READER FILE"
+  ls failed
+  exit 1
+}

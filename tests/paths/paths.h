@@ -1,0 +1,78 @@
+/* Paths of overlap and tangential displacement, what is checked along them, and what is measured: tests/contact_paths.c.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_PATHS_H
+#define NB_PATHS_H
+
+#include "../contact.h"
+
+/* ---- kinds.c: random paths ---- */
+
+struct path {
+  int kind;
+  struct chance chance;
+  /* Of the present contact: points left, and the numbers that were drawn for it. */
+  int left, count;
+  double x, u, amplitude, decay, depth, frequency, phase, drift, period;
+};
+/* The next point: overlap and total tangential displacement. 1 is the mean overlap, and the displacement at which a
+ * contact of this overlap slides. */
+struct point {
+  double x, u;
+  bool first; /* of a new contact; x = 0: the contact opens */
+};
+
+enum { KIND_WALK, KIND_IMPACT, KIND_RINGING, KIND_BOTH, KIND_RATCHET, KIND_ROLLING, KIND_DECADES, KINDS };
+extern const char *const kind_names[KINDS], *const kind_titles[KINDS];
+struct path path_of(int kind, unsigned seed);
+struct point path_next(struct path *path);
+
+/* ---- laws.c: the contract of a law on such paths ---- */
+
+/* Energies are those of the shear force alone, or of the normal force alone. A law that promises it never returns more
+ * than it was given since first touch, beyond the error of the finite steps. */
+struct findings {
+  long steps, contacts;
+  double excess;     /* largest |T|/(mu N + c) - 1 */
+  long not_finite;   /* steps with a force, stiffness or history that is no finite number */
+  long outside;      /* steps with a history that is longer than declared, or not valid */
+  long not_emptied;  /* contacts that opened and kept a force */
+  double created[2]; /* largest energy created by a contact, over the energy that it was given; [1]: friction above 1 */
+  long creations;    /* segments at whose end a contact had created energy beyond the error of the steps */
+  double grown;      /* largest growth of the stored energy that is not work, over the energy given */
+};
+/* Of a normal law with a shear law. `kind` DECADES has too large steps for an account of energy. */
+struct findings law_on_paths(const struct nb_law *normal, const struct nb_law *shear, int kind, long steps);
+void findings_add(struct findings *sum, const struct findings *more);
+/* The first promise that is broken, in words; NULL: none. `joins`: the law joins pieces of its history. */
+const char *broken_promise(const struct findings *findings, bool joins);
+
+/* ---- memory.c: the exact law with a limited number of pieces, compared with a list of all rings ---- */
+
+enum { MEMORIES = 5 };
+extern const int memories[MEMORIES]; /* the last one is never full */
+
+struct error {
+  double worst, square; /* of T over mu N */
+  long count, rings;    /* rings: the most of the list */
+};
+struct errors {
+  struct error of[MEMORIES];
+};
+/* One contact under test. */
+struct replay;
+struct replay *replay_new(const struct nb_law *shear); /* that law as the exact one; free it with replay_free */
+void replay_free(struct replay *replay);
+void replay_begin(struct replay *replay);
+/* A step to this overlap, by the tangential increment ds. */
+void replay_go(struct replay *replay, struct nb_pair pair, double overlap, double ds, struct errors *errors);
+struct errors exact_on_paths(const struct nb_law *shear, int kind, long steps);
+
+/* ---- runs.c: the paths of contacts in runs of the program ---- */
+
+enum { RUNS = 3 };
+extern const char *const run_names[RUNS], *const run_titles[RUNS];
+/* Every contact of the run; `cycles` at most. */
+struct errors exact_in_run(const struct nb_law *shear, int run, long cycles);
+
+#endif
