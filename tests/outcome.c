@@ -5,6 +5,7 @@
 #define _POSIX_C_SOURCE 200809L /* mkstemp */
 #endif
 #include <CUnit/CUnit.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -34,16 +35,21 @@ static void note(void *data, const char *text) {
   heard->notes++;
 }
 
-/* Runs a page with these statements and these expectations. */
-static void carry_out_with(struct nb_outcome *outcome, const char *scene, const char *expectations,
-                           const struct nb_options *options, const struct nb_progress *progress) {
-  char path[] = "/tmp/nineball-outcome-XXXXXX";
+/* Creates a temporary page with these statements and these expectations. */
+static void write_page(char path[], const char *scene, const char *expectations) {
   const int descriptor = mkstemp(path);
   CU_ASSERT_FATAL(descriptor >= 0);
   FILE *file = fdopen(descriptor, "w");
   CU_ASSERT_PTR_NOT_NULL_FATAL(file);
   fprintf(file, "```scene\n%s\n```\n```expect\n%s\n```\n", scene, expectations);
   fclose(file);
+}
+
+/* Runs a page with these statements and these expectations. */
+static void carry_out_with(struct nb_outcome *outcome, const char *scene, const char *expectations,
+                           const struct nb_options *options, const struct nb_progress *progress) {
+  char path[] = "/tmp/nineball-outcome-XXXXXX";
+  write_page(path, scene, expectations);
   nb_outcome_make(outcome, path, NULL, options, progress);
   unlink(path);
   if (outcome->mistakes.text)
@@ -353,6 +359,122 @@ static void results_in_a_file(void) {
   nb_outcome_free(&outcome);
 }
 
+/* Removes the file that `data` names, at the first report of progress. */
+static void remove_file(void *data, const char *stage, double fraction, double seconds) {
+  (void)stage, (void)fraction, (void)seconds;
+  unlink(data);
+}
+
+/* 101 runs of 10,000 discs, whose last one lost its particles: it reads them again, from a file that is gone by then. */
+static void a_file_that_is_removed(void) {
+  char path[] = "/tmp/nineball-outcome-XXXXXX", scene[2048];
+  const int descriptor = mkstemp(path);
+  CU_ASSERT_FATAL(descriptor >= 0);
+  FILE *file = fdopen(descriptor, "w");
+  CU_ASSERT_PTR_NOT_NULL_FATAL(file);
+  fputs("x/-\ty/-\tradius/-\n", file);
+  for (int k = 0; k < 10000; k++)
+    fprintf(file, "%d\t%d\t1\n", 3 * (k % 100), 3 * (k / 100));
+  fclose(file);
+  snprintf(scene, sizeof scene, "units none\nsweep g");
+  for (int g = 1; g <= 101; g++)
+    snprintf(scene + strlen(scene), sizeof scene - strlen(scene), " %d", g);
+  snprintf(scene + strlen(scene), sizeof scene - strlen(scene),
+           "\nmaterial m density 1 kn 1\npacking %s discs m\nmonitor D disc 1\nrecord D.vy\ngravity 0 -$g\n"
+           "step 0.0625\nskin 0.1\nstage fall\ncycles 2",
+           path);
+  const struct nb_progress progress = {remove_file, NULL, path};
+  struct nb_outcome outcome;
+  carry_out_with(&outcome, scene, "report D.vy", &(struct nb_options){.threads = 1, .jobs = 1}, &progress);
+  CU_ASSERT_EQUAL(outcome.status, NB_BAD_USE);
+  CU_ASSERT_STRING_EQUAL(outcome.error.text, "a file that the page names has changed during its runs (run g=101)");
+  CU_ASSERT(outcome.run_count == 101 && outcome.runs[99].result.table.row_count == 3);
+  CU_ASSERT(outcome.check_count == 0);
+  nb_outcome_free(&outcome);
+}
+
+/* A folder for results that cannot be made ends a page before its first run. */
+static void folders_that_cannot_be_made(void) {
+  static const char scene[] = "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nstep 0.1\nrecord cycle\n"
+                              "stage s\ncycles 1";
+  char file[] = "/tmp/nineball-outcome-XXXXXX", inside[sizeof file + 8], name[5000];
+  struct nb_outcome outcome;
+  struct nb_options options = {.threads = 1, .jobs = 1};
+  close(mkstemp(file));
+  snprintf(inside, sizeof inside, "%s/folder", file);
+  memset(name, 'x', sizeof name), name[sizeof name - 1] = 0;
+  const struct {
+    const char *folder, *words;
+  } rows[] = {{name, "the name of the folder is too long: xxx"}, {inside, "Not a directory"}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    options.results.folder = rows[k].folder;
+    carry_out_with(&outcome, scene, "cycle expected 1 within 0 [t]", &options, NULL);
+    CU_ASSERT(outcome.status == NB_BAD_USE && outcome.check_count == 0 && outcome.runs[0].result.table.row_count == 0);
+    CU_ASSERT_PTR_NOT_NULL(strstr(outcome.error.text, rows[k].words));
+    nb_outcome_free(&outcome);
+  }
+  options.results.verdict_only = true; /* no results are kept, so the folder is not made */
+  carry_out_with(&outcome, scene, "cycle expected 1 within 0 [t]", &options, NULL);
+  CU_ASSERT(outcome.status == NB_OK && outcome.check_count == 1);
+  nb_outcome_free(&outcome);
+  unlink(file);
+}
+
+/* Ends the runs as a signal does, once the second of two runs has begun. */
+struct interruption {
+  volatile sig_atomic_t stop;
+};
+
+static void interrupt(void *data, const char *stage, double fraction, double seconds) {
+  struct interruption *this = data;
+  (void)stage, (void)seconds;
+  this->stop = fraction > 0.5;
+}
+
+/* A page with checkpoints that is interrupted in its second run: until it has ended no other outcome runs it with these
+ * settings; then it is refused unless it resumes, for the second run's checkpoint is there. Other settings are free. */
+static void locks_and_checkpoints(void) {
+  static const char scene[] = "units none\nlet w = 1\nsweep v 1 2\nmaterial m density 1 kn 1\n"
+                              "disc 0 0 radius 1 m velocity $v 0\nmonitor A disc 1\nstep 1e-3\nrecord A.x\nstage s\n"
+                              "cycles 40000";
+  char path[] = "/tmp/nineball-outcome-XXXXXX", states[] = "/tmp/nineball-outcome-XXXXXX";
+  const char *const other[] = {"w=2", NULL};
+  struct nb_outcome first, second;
+  struct interruption interruption = {0};
+  const struct nb_progress progress = {interrupt, NULL, &interruption};
+  write_page(path, scene, "A.x expected 80 within 50 [t]");
+  struct nb_options options = {.threads = 1, .jobs = 1, .states = mkdtemp(states)};
+  options.checkpoint.seconds = 1e9, options.checkpoint.stop = &interruption.stop;
+  CU_ASSERT_EQUAL(nb_outcome_make(&first, path, NULL, &options, &progress), NB_BROKEN);
+  CU_ASSERT_PTR_NOT_NULL(strstr(first.error.text, "stopped by a signal"));
+  CU_ASSERT(first.runs[0].result.cycles == 40000 && first.runs[1].result.cycles < 40000 && first.check_count == 0);
+  interruption.stop = 0;
+  options.checkpoint.resume = true;
+  CU_ASSERT_EQUAL(nb_outcome_make(&second, path, NULL, &options, NULL), NB_BAD_USE); /* the first one has not ended */
+  CU_ASSERT_PTR_NOT_NULL(strstr(second.error.text, "runs this page with these settings and saves checkpoints"));
+  nb_outcome_free(&second);
+  CU_ASSERT_EQUAL(nb_outcome_make(&second, path, other, &options, NULL), NB_OK);
+  nb_outcome_remove_checkpoints(&second, &options);
+  nb_outcome_free(&second);
+  nb_outcome_free(&first);
+  options.checkpoint.resume = false;
+  CU_ASSERT_EQUAL(nb_outcome_make(&second, path, NULL, &options, NULL), NB_BAD_USE);
+  CU_ASSERT_PTR_NOT_NULL(strstr(second.error.text, "this page has been interrupted"));
+  CU_ASSERT_EQUAL(second.runs[0].result.cycles, 0); /* it is refused before the first run */
+  nb_outcome_free(&second);
+  options.checkpoint.resume = true;
+  CU_ASSERT_EQUAL(nb_outcome_make(&second, path, NULL, &options, NULL), NB_OK);
+  CU_ASSERT(second.check_count == 2 && second.mark_count[NB_PASS] == 2);
+  nb_outcome_remove_checkpoints(&second, &options);
+  nb_outcome_free(&second);
+  options.checkpoint.resume = false; /* nothing is left to resume */
+  CU_ASSERT_EQUAL(nb_outcome_make(&second, path, NULL, &options, NULL), NB_OK);
+  nb_outcome_remove_checkpoints(&second, &options);
+  nb_outcome_free(&second);
+  CU_ASSERT_EQUAL(rmdir(states), 0);
+  unlink(path);
+}
+
 void suite_outcome(void) {
   CU_pSuite suite = CU_add_suite("outcome", NULL, NULL);
   CU_add_test(suite, "progress and notes of several runs", progress);
@@ -363,6 +485,9 @@ void suite_outcome(void) {
   CU_add_test(suite, "mistakes in all runs, and the error of a reference", mistakes_of_all_runs);
   CU_add_test(suite, "warnings of all runs", warnings_of_all_runs);
   CU_add_test(suite, "many particles in many runs", many_particles);
+  CU_add_test(suite, "a file that is removed during the runs", a_file_that_is_removed);
+  CU_add_test(suite, "folders that cannot be made", folders_that_cannot_be_made);
+  CU_add_test(suite, "locks and checkpoints of all runs", locks_and_checkpoints);
   CU_add_test(suite, "results of runs in a temporary file", results_in_a_file);
   CU_add_test(suite, "deep contacts of all runs together", deep_overlaps_of_all_runs);
 }

@@ -92,6 +92,17 @@ void planted_says(const struct nb_outcome *outcome, const char *text) {
   CU_ASSERT(given);
 }
 
+void planted_parts(const struct nb_outcome *outcome, const char *const parts[NB_PARTS]) {
+  const struct nb_check *check = &outcome->checks[0];
+  for (int k = 0; k < NB_PARTS; k++) {
+    char part[sizeof check->message];
+    snprintf(part, sizeof part, "%.*s", check->parts[k].length, check->message + check->parts[k].at);
+    if (strcmp(part, parts[k]) != 0)
+      printf("# part %d is `%s`, wanted `%s`, in: %s\n", k, part, parts[k], check->message);
+    CU_ASSERT_STRING_EQUAL(part, parts[k]);
+  }
+}
+
 void planted_sweeps(const struct planted_sweep *list, size_t count) {
   for (size_t k = 0; k < count; k++) {
     struct nb_outcome outcome;

@@ -31,6 +31,9 @@ void planted_is(struct nb_outcome *outcome, enum nb_mark mark);
 /* The test fails unless the text of the first check contains this text. */
 void planted_says(const struct nb_outcome *outcome, const char *text);
 
+/* The test fails unless the first check has these parts: computed, reference, error, tolerance. */
+void planted_parts(const struct nb_outcome *outcome, const char *const parts[NB_PARTS]);
+
 /* One expectation over sweeps, and its verdict. The reference value of A.x is 0. */
 struct planted_sweep {
   const char *statements, *expectation;

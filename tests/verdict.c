@@ -264,6 +264,48 @@ static void counted(void) {
   nb_outcome_free(&outcome);
 }
 
+/* The parts of the message that the table of a report shows: computed, reference, error, tolerance. "" for a part that there
+ * is not. */
+static void parts_of_the_message(void) {
+  static const struct {
+    const char *expectation;
+    double reference[3];
+    int count;
+    double x[3];
+    const char *parts[NB_PARTS];
+  } rows[] = {
+      {"A.x within 0.5", {8}, 1, {8.25}, {"8.25", "8", "0.25", "0.5"}},
+      {"A.x within 0.5", {8}, 1, {-8.75}, {"-8.75", "8", "16.8", "0.5"}},
+      {"A.x within 25 %", {8}, 1, {9}, {"9", "8", "12.5 %", "25 %"}},
+      {"A.x within 1e-9", {8}, 1, {8 + 5e-10}, {"8.0000000005", "8", "5e-10", "1e-09"}},
+      {"A.x within 25 % of A.y max", {8}, 3, {0, 0, 8.5}, {"8.5", "8", "12.5 %", "25 % of A.y max"}},
+      {"A.x within 1e9 of A.y max", {8}, 3, {0, 0, 10}, {"10", "8", "0.5", "1e+09 of A.y max"}},
+      {"A.x within 1e-9 of A.y max", {8}, 3, {0, 0, 8}, {"8", "8", "0", "1e-09 of A.y max"}},
+      {"A.x within 0 % of A.y max", {8}, 3, {0, 0, 8}, {"8", "8", "0 %", "0 % of A.y max"}},
+      {"A.x expected 8 within 0.5 [t]", {0}, 1, {7.75}, {"7.75", "8", "0.25", "0.5"}},
+      {"A.x expected 2 of A.y max within 25 % [t]", {0}, 3, {0, 0, 9}, {"2.25", "2", "12.5 %", "25 %"}},
+      {"A.x versus time within 50 % of peak", {0, 8, 5}, 3, {0.5, 10.5, 5}, {"10.5", "8", "31.2 %", "50 % of peak"}},
+      {"A.x versus time within 4", {0, 8, 5}, 3, {2, 8, 5.5}, {"2", "0", "2", "4"}},
+      {"A.x within 0.5", {8}, 1, {INFINITY}, {"", "", "", ""}}, /* there is no measure */
+      {"A.x versus time within 0.5", {8}, 1, {INFINITY}, {"inf", "8", "", ""}},
+      {"A.x versus time within 0.5", {0, 8, 5}, 3, {2, INFINITY, 5}, {"inf", "8", "", ""}},
+      {"A.x within 25 %", {0}, 1, {3}, {"3", "0", "", ""}},
+      {"A.x below A.y", {0}, 1, {3}, {"", "", "", ""}},
+      {"report A.x", {0}, 1, {3}, {"", "", "", ""}},
+  };
+  for (size_t k = 0; k < COUNT(rows); k++) {
+    struct nb_outcome outcome;
+    planted_page(&outcome, "", rows[k].expectation);
+    planted_rows(&outcome, 0, rows[k].count, rows[k].x);
+    planted_curve(&outcome, rows[k].count, rows[k].reference);
+    planted_solution(&outcome, "A.x", rows[k].reference[0]);
+    nb_verdict(&outcome);
+    CU_ASSERT_EQUAL_FATAL(outcome.check_count, 1);
+    planted_parts(&outcome, rows[k].parts);
+    nb_outcome_free(&outcome);
+  }
+}
+
 void suite_verdict(void) {
   CU_pSuite suite = CU_add_suite("verdict", NULL, NULL);
   CU_add_test(suite, "within: both edges of every kind of tolerance", within);
@@ -273,6 +315,7 @@ void suite_verdict(void) {
   CU_add_test(suite, "versus: the worst row is found after any other", worst_row);
   CU_add_test(suite, "a percentage of 0 is explained", percentage_of_zero);
   CU_add_test(suite, "the text of a check", words);
+  CU_add_test(suite, "the parts of the text", parts_of_the_message);
   CU_add_test(suite, "values of a reference for one stage", reference_of_a_stage);
   CU_add_test(suite, "checks are counted by their marks", counted);
 }

@@ -171,10 +171,46 @@ static void groups(void) {
   nb_outcome_free(&outcome);
 }
 
+/* The points that a report draws: of each run of the group the swept value, or its position among words, and the computed
+ * value, or the error of an order. */
+static void points(void) {
+  static const struct {
+    const char *sweeps, *expectation;
+    double x[6];
+    size_t checks, count;
+    double points[6]; /* of the last check */
+    const char *parts[NB_PARTS];
+  } rows[] = {
+      {"sweep v 1 2 4", "A.x increases with v", {3, 5, 4}, 1, 3, {1, 3, 2, 5, 4, 4}, {"", "", "", ""}},
+      {"sweep v 4 1 2", "A.x decreases with v", {4, 3, 5}, 1, 3, {1, 3, 2, 5, 4, 4}, {"", "", "", ""}},
+      {"sweep v 4 1 2", "A.x constant with v within 1", {4, 3, 5}, 1, 3, {1, 3, 2, 5, 4, 4}, {"", "", "2", "1"}},
+      {"sweep v b a", "A.x increases with v", {7, 9}, 1, 2, {0, 7, 1, 9}, {"", "", "", ""}},
+      {"sweep v 3 2\nsweep w 1 2", "A.x increases with v", {1, 2, 5, 6}, 2, 2, {2, 6, 3, 2}, {"", "", "", ""}},
+      {"sweep h 2 1", "A.x order 2 in h within 0.5", {-4, 1}, 1, 2, {2, 4, 1, 1}, {"", "", "0", "0.5"}},
+      {"sweep v 1 2\nsweep seed 1 2", "A.x increases with v over seed", {1, 2, 3, 4}, 1, 0, {0}, {"", "", "", ""}},
+      {"sweep seed 1 2", "A.x expected 1 over seed [t]", {1, 2}, 1, 0, {0}, {"", "", "", ""}},
+  };
+  for (size_t k = 0; k < COUNT(rows); k++) {
+    struct nb_outcome outcome;
+    planted_page(&outcome, rows[k].sweeps, rows[k].expectation);
+    planted_runs(&outcome, rows[k].x);
+    planted_solution(&outcome, "A.x", 0);
+    nb_verdict(&outcome);
+    CU_ASSERT_EQUAL_FATAL(outcome.check_count, rows[k].checks);
+    planted_parts(&outcome, rows[k].parts);
+    const struct nb_check *check = &outcome.checks[rows[k].checks - 1];
+    CU_ASSERT_EQUAL_FATAL(check->point_count, rows[k].count);
+    for (size_t p = 0; p < 2 * check->point_count; p++)
+      CU_ASSERT_EQUAL(check->points[p], rows[k].points[p]);
+    nb_outcome_free(&outcome);
+  }
+}
+
 void suite_verdict_sweep(void) {
   CU_pSuite suite = CU_add_suite("verdict_sweep", NULL, NULL);
   CU_add_test(suite, "increases and decreases: from each value to the next", trends);
   CU_add_test(suite, "constant: both edges", constant);
   CU_add_test(suite, "order: both edges of the slope", orders);
   CU_add_test(suite, "other sweeps are checked separately", groups);
+  CU_add_test(suite, "the points of a trend", points);
 }
