@@ -307,15 +307,15 @@ run 0 explain "$pages/same-bits.md"
 out 'run friction=0'
 out 'run friction=0.4'
 out 'disc-disc, overlap and both increments'
-out 'shear linear                             line 13'
+out 'shear linear                             line 14'
 out '0.05 of it'
 out '133 bytes a particle, 128 a contact'
 out '  shear forces (8 bytes a contact), balances of work and energy (96 bytes a particle), periodic cell, boundary, servo, regions'
 out '133 bytes a particle, 136 a contact'
 out '  balances of work and energy (96 bytes a particle), periodic cell, boundary, servo, regions'
-out '  1500 cycles, '
+out '  300 cycles, '
 out 'all 2 runs'
-out '  3000 cycles, '
+out '  600 cycles, '
 absent same-bits.out
 sed 's/kn 1  ks 1 //; s/^shear .*//' "$pages/passes.md" >soft.md
 run 0 explain soft.md

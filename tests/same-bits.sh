@@ -5,6 +5,7 @@
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
 nineball=${NINEBALL:-./nineball}
+export OMP_WAIT_POLICY=passive # there may be more threads than processors
 page=${srcdir:-.}/tests/pages/same-bits.md
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
@@ -20,9 +21,13 @@ run() {
   done >"$folder.all"
 }
 
-set -- '--threads 1 --isa plain' '--threads 2 --isa plain' '--threads 1 --isa avx2' '--threads 2 --isa avx2' \
-  '--threads 1 --isa avx512' '--threads 2 --isa avx512' '--threads 7' ''
-echo "1..$(($# + 1))"
+set -- '--threads 7' ''
+for isa in plain avx2 avx512; do
+  for threads in 1 2 3 4; do
+    set -- "$@" "--threads $threads --isa $isa"
+  done
+done
+echo "1..$(($# + 2))"
 
 rows=0
 if run first --threads 1 --isa plain; then
@@ -36,7 +41,16 @@ else
   sed 's/^/# /' "$work/said"
 fi
 
-n=1
+# Without enough contacts there would be fewer threads, and all runs below would be the same one.
+if ! grep -qE 'GOMP_parallel|__kmpc_fork' "$nineball"; then
+  echo "ok 2 - the page has enough contacts for four threads # SKIP compiled without OpenMP"
+elif "$nineball" explain "$page" --threads 4 | grep -q ' 4 threads'; then
+  echo "ok 2 - the page has enough contacts for four threads"
+else
+  echo "not ok 2 - the page has enough contacts for four threads"
+fi
+
+n=2
 for options in "$@"; do
   n=$((n + 1))
   if run "$n" $options; then
