@@ -40,7 +40,7 @@ coordinates, about 1e-16 of their size.
 ## What a run says where it breaks
 
 Each message names the particle, the moment and the limit. Each page below causes one of them, and
-[aborted.sh](../tests/aborted.sh) requires exactly these words. The same test requires a page for every message in the
+[aborted.sh](../tests/aborted.sh) requires exactly these words. The same test requires a page for each message in the
 sources that aborts a run. The exit status is 3 if the run was aborted, 2 if it could not begin, and 0 after a warning.
 
 TEXT

@@ -388,10 +388,8 @@ static enum nb_status save_and_print(struct nb_advice *advice, const struct nb_c
   snprintf(name, sizeof name, "%s.out", advice->page.page.name);
   const char *folder = call->folder ? call->folder : name;
   print_advice(advice);
-  if (save_advice(advice, folder, call->trust, &error)) {
-    fprintf(stderr, "nineball: %s\n", error.text);
-    return error.status;
-  }
+  if (save_advice(advice, folder, call->trust, &error))
+    return nb_print_plain_error(&error);
   printf("look at %s/advice.svg; all settings that were tried are in %s/advice.tsv\n", folder, folder);
   return advice->chosen < 0 ? NB_FAILED : NB_OK;
 }

@@ -54,8 +54,7 @@ static void note_status(struct search_all *all, enum nb_status status) { all->wo
 static bool no_memory(struct search_all *all) {
   struct nb_error error;
   nb_error_memory(&error);
-  fprintf(stderr, "nineball: %s\n", error.text);
-  note_status(all, NB_NO_MEMORY);
+  note_status(all, nb_print_plain_error(&error));
   return false;
 }
 
@@ -204,10 +203,8 @@ static const char *result_of(const struct nb_advice *advice, enum nb_status stat
 /* Draws FOLDER/NAME.svg and .png. */
 static void draw(struct search_all *all, const struct nb_advice *advice) {
   struct nb_error error;
-  if (nb_advice_draw(advice, all->folder, advice->page.page.name, all->call->trust, &error)) {
-    fprintf(stderr, "nineball: %s\n", error.text);
-    note_status(all, error.status);
-  }
+  if (nb_advice_draw(advice, all->folder, advice->page.page.name, all->call->trust, &error))
+    note_status(all, nb_print_plain_error(&error));
 }
 
 /* One search, unless the table has it. Returns the result: its first letter; 0: memory ran out. */
@@ -436,8 +433,7 @@ enum nb_status nb_command_advise_all(const struct nb_call *call, double budget, 
     fputs("nineball: there is no page below that folder: expected a page, or a folder with pages\n", stderr);
     note_status(&all, NB_BAD_USE);
   } else if (good && open_table(&all, &error)) {
-    fprintf(stderr, "nineball: %s\n", error.text);
-    note_status(&all, error.status);
+    note_status(&all, nb_print_plain_error(&error));
   } else if (good) {
     search_pages(&all);
   }

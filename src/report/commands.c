@@ -17,11 +17,6 @@
 #include "laws/law.h"
 #include "run/restart.h"
 
-static enum nb_status print_error(const struct nb_error *error) {
-  fprintf(stderr, "nineball: %s\n", error->text);
-  return error->status;
-}
-
 /* ---- run, check, figure ---- */
 
 #ifndef NB_RESULTS_KEPT
@@ -93,7 +88,7 @@ static enum nb_status save_outputs(const struct nb_outcome *outcome, const struc
   const char *incomplete = outcome->status > NB_FAILED ? ", up to where the run was stopped" : "";
   if (actions & TABLES) {
     if (nb_tables_save(outcome, folder, &error))
-      return print_error(&error);
+      return nb_print_plain_error(&error);
     fputs("  ", stdout);
     nb_cost_print_actual(stdout, outcome, (nb_cost_clock() - began) / call->options.threads, &call->options);
     printf("tables are in %s%s\n", folder, incomplete);
@@ -102,7 +97,7 @@ static enum nb_status save_outputs(const struct nb_outcome *outcome, const struc
   }
   if (actions & FIGURE) {
     if (nb_figure_draw(outcome, folder, call->trust, &drawn, &error))
-      return print_error(&error);
+      return nb_print_plain_error(&error);
     if (drawn)
       printf("look at %s/%s.svg%s\n", folder, outcome->page.name, incomplete);
     else

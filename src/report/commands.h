@@ -73,6 +73,7 @@ void nb_print_warnings(FILE *out, const char *before, const char *path, const st
 void nb_repeat_warnings(const char *before, const char *path, const struct nb_warnings *warnings);
 void nb_print_verdict(const struct nb_outcome *outcome);
 void nb_print_tap(const struct nb_outcome *outcome, const char *path);
+enum nb_status nb_print_plain_error(const struct nb_error *error); /* of no page, to stderr; returns its status */
 void nb_print_errors(const struct nb_outcome *outcome, const char *path); /* mistakes, or what broke, to stderr */
 void nb_print_error(const struct nb_error *error, const struct nb_page *page, const char *path); /* likewise one */
 struct nb_progress_line {

@@ -145,8 +145,7 @@ static enum nb_status usage(const char *format, ...) {
 static enum nb_status out_of_memory(void) {
   struct nb_error error;
   nb_error_memory(&error);
-  fprintf(stderr, "nineball: %s\n", error.text);
-  return error.status;
+  return nb_print_plain_error(&error);
 }
 
 /* ---- help ---- */

@@ -108,6 +108,11 @@ void nb_print_tap(const struct nb_outcome *outcome, const char *path) {
   nb_repeat_warnings("# ", path, &outcome->warnings);
 }
 
+enum nb_status nb_print_plain_error(const struct nb_error *error) {
+  fprintf(stderr, "nineball: %s\n", error->text);
+  return error->status;
+}
+
 void nb_print_error(const struct nb_error *error, const struct nb_page *page, const char *path) {
   fputs(path, stderr);
   if (error->line > 0 && (size_t)error->line <= page->line_count) /* column: where its statement begins */

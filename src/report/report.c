@@ -20,11 +20,6 @@
 /* Bytes: the largest table or script, and the largest drawing, that a report keeps; at most of report.css. */
 enum { TABLE_BYTES = 100000, DRAWING_BYTES = 300000, STYLE_BYTES = 100000 };
 
-static enum nb_status print_error(const struct nb_error *error) {
-  fprintf(stderr, "nineball: %s\n", error->text);
-  return error->status;
-}
-
 /* ---- the pages of a report ---- */
 
 static bool is_readme(const char *path) {
@@ -368,7 +363,7 @@ static void put_cost(struct nb_report_page *page, double seconds, const struct n
 }
 
 static void add_message(struct nb_report_page *page, const struct nb_error *error) {
-  print_error(error);
+  nb_print_plain_error(error);
   nb_append(page->message, sizeof page->message, "%s%s", page->message[0] ? "; " : "", error->text);
 }
 
@@ -429,7 +424,7 @@ static enum nb_status make(const struct nb_call *call, struct nb_report *report)
   const double began = nb_clock();
   if (nb_folder_create(report->folder, &error) || copy_style(report, "report.css", &error) ||
       copy_style(report, "report.js", &error))
-    return print_error(&error);
+    return nb_print_plain_error(&error);
   for (size_t k = 0; k < report->count; k++) {
     struct nb_report_page *page = &report->pages[k];
     print_progress(report, k, nb_clock() - began);
@@ -442,7 +437,7 @@ static enum nb_status make(const struct nb_call *call, struct nb_report *report)
   if (isatty(STDERR_FILENO))
     fputs("\r\033[K", stderr);
   if (write_index(report, &error))
-    worst = nb_worse(worst, print_error(&error));
+    worst = nb_worse(worst, nb_print_plain_error(&error));
   printf("look at %s/index.html\n", report->folder);
   return worst;
 }
@@ -459,7 +454,7 @@ enum nb_status nb_command_report(const struct nb_call *call) {
   struct nb_error error;
   enum nb_status status = NB_BAD_USE;
   if (!report.pages)
-    return nb_error_memory(&error), print_error(&error);
+    return nb_error_memory(&error), nb_print_plain_error(&error);
   for (size_t k = 0; k < report.count; k++) {
     report.pages[k].unrun = k >= call->page_count;
     report.pages[k].path = k < call->page_count ? call->pages[k] : call->unrun[k - call->page_count];

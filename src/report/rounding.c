@@ -147,7 +147,7 @@ static enum nb_status check_page(const struct nb_call *call, const char *path, b
   const size_t count = nearest.run_count ? nearest.runs[0].expectations.count : 0;
   struct least *all = malloc((count + 1) * sizeof *all);
   if (!all)
-    status = nb_error_memory(&error), fprintf(stderr, "nineball: %s\n", error.text);
+    nb_error_memory(&error), status = nb_print_plain_error(&error);
   for (size_t k = 0; k < count && all; k++)
     all[k] = (struct least){NB_ALL_BITS, 0, k};
   nb_print_errors(&nearest, path);
