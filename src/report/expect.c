@@ -151,17 +151,36 @@ static bool take_measure(struct nb_reader *reader, const struct nb_scene *scene,
   return take_stage(reader, scene, measure);
 }
 
+/* A measure to compare with one of that unit, so of the same dimension; with `units none` any. */
+static bool take_measure_like(struct nb_reader *reader, const struct nb_scene *scene, const char *unit,
+                              struct nb_measure *measure) {
+  const struct nb_token *token = nb_token_peek(reader);
+  struct nb_unit wanted = {0}, found = {0};
+  char wanted_words[NB_NAME_SIZE], found_words[NB_NAME_SIZE];
+  if (!take_measure(reader, scene, measure))
+    return false;
+  nb_unit_read(&wanted, unit), nb_unit_read(&found, measure->unit);
+  if (reader->unitless || nb_dimension_same(wanted.dimension, found.dimension))
+    return true;
+  nb_dimension_words(wanted_words, sizeof wanted_words, wanted.dimension);
+  nb_dimension_words(found_words, sizeof found_words, found.dimension);
+  return nb_token_mistake(reader, token, NULL, "expected %s, found `%s`, which is %s", wanted_words, measure->label,
+                          found_words);
+}
+
 /* ---- tolerances ---- */
 
 /* `0.1 %`, `0.5 % of peak`, `1e-9 of energy.kinetic max`; the last two only if `scene` is not NULL. */
-static bool take_fraction(struct nb_reader *reader, const struct nb_scene *scene, struct nb_tolerance *tolerance) {
+static bool take_fraction(struct nb_reader *reader, const struct nb_scene *scene, const char *unit,
+                          struct nb_tolerance *tolerance) {
   tolerance->kind = NB_RELATIVE;
   if (!nb_take_number(reader, NB_UNIT_NUMBER, NB_NOT_NEGATIVE, &tolerance->value))
     return false;
   if (!scene || !nb_token_skip(reader, "of"))
     return true;
   tolerance->kind = nb_token_is(reader, "peak") ? NB_OF_PEAK : NB_OF_MEASURE;
-  return tolerance->kind == NB_OF_PEAK ? nb_take_word(reader, "peak") : take_measure(reader, scene, &tolerance->of);
+  return tolerance->kind == NB_OF_PEAK ? nb_take_word(reader, "peak")
+                                       : take_measure_like(reader, scene, unit, &tolerance->of);
 }
 
 /* Whether the word follows the next token. */
@@ -177,7 +196,7 @@ static bool take_tolerance(struct nb_reader *reader, const struct nb_scene *scen
   const size_t from = reader->next;
   const bool fraction = is_before(reader, "%") || is_before(reader, "ppm") || (scene && is_before(reader, "of"));
   tolerance->kind = NB_ABSOLUTE;
-  if (!(fraction ? take_fraction(reader, scene, tolerance) : nb_take_in_unit(reader, unit, &tolerance->value)))
+  if (!(fraction ? take_fraction(reader, scene, unit, tolerance) : nb_take_in_unit(reader, unit, &tolerance->value)))
     return false;
   tolerance->text[0] = 0;
   for (size_t k = from; k < reader->next; k++)
@@ -258,7 +277,7 @@ static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene
       return false;
     if (!nb_token_skip(reader, "of"))
       return nb_expected(reader, "a fraction of another quantity: `15 % of C.normal mean`", "`of` and a quantity");
-    if (!take_measure(reader, scene, &expectation->other))
+    if (!take_measure_like(reader, scene, expectation->measure.unit, &expectation->other))
       return false;
   } else if (!nb_take_in_unit(reader, unit, &expectation->number)) {
     return false;
@@ -270,7 +289,7 @@ static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene
 }
 
 static bool take_other(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
-  return take_measure(reader, scene, &expectation->other);
+  return take_measure_like(reader, scene, expectation->measure.unit, &expectation->other);
 }
 
 static bool take_trend(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
