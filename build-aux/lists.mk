@@ -99,7 +99,10 @@ REFERENCES = \
   cases/refs/measures.c \
   cases/refs/turning_wall.c \
   cases/refs/two_wall_compression.c \
-  cases/refs/two_wall_statics.c
+  cases/refs/two_wall_statics.c \
+  cases/refs/hertz_row.c \
+  cases/refs/wall_end.c \
+  cases/refs/wedge.c
 
 # One case each: handout, input, check, figure and exercise. `make check` runs every one as a test.
 PAGES = \
@@ -114,12 +117,15 @@ PAGES = \
   cases/1-two-discs/damping-walls.md \
   cases/1-two-discs/taken-out.md \
   cases/1-two-discs/turning-wall.md \
+  cases/1-two-discs/wedge.md \
+  cases/1-two-discs/wall-end.md \
   cases/2-hertz/hertz-curve.md \
   cases/2-hertz/hertz-curve-bench.md \
   cases/2-hertz/hertz-impact.md \
   cases/2-hertz/hertz-impact-wall.md \
   cases/2-hertz/hertz-range.md \
   cases/2-hertz/hertz-contrast.md \
+  cases/2-hertz/stiff-in-soft.md \
   cases/2-hertz/hertz-phase.md \
   cases/2-hertz/hertz-increment.md \
   cases/2-hertz/hertz-damped.md \
@@ -158,6 +164,7 @@ PAGES = \
   cases/4-oblique/spin-pair.md \
   cases/4-oblique/grazing.md \
   cases/4-oblique/friction-extremes.md \
+  cases/4-oblique/frictionless.md \
   cases/5-numerics/order.md \
   cases/5-numerics/half-step.md \
   cases/5-numerics/centred-dashpots.md \
@@ -299,6 +306,7 @@ SUITES = \
   tests/refs.c tests/refs_covers.c tests/refs_features.c \
   tests/refs_nine.c \
   tests/refs_rotation.c \
+  tests/refs_extremes.c \
   tests/refs_row.c \
   tests/refs_impact.c \
   tests/refs_damped.c \

@@ -27,11 +27,13 @@ says where it breaks, and how rounding adds up in long runs. [STABILITY](STABILI
 | lengths, speeds and stiffnesses, equal to the bit | 2⁻²⁰, 2⁻³⁰, 2⁻¹⁰⁰ | 2¹⁰, 2³⁰, 2¹⁰⁰ | [invariance-scale](../cases/5-numerics/invariance-scale.md) |
 | ratio of radii | 1 | 1000 | [hertz-contrast](../cases/2-hertz/hertz-contrast.md) |
 | ratio of masses | 1 | 10¹⁵ | the same |
-| ratio of moduli | 1 | 10⁶ | the same |
-| Poisson's ratio | 0 | 0.5 | the same |
-| friction | 1e-12 | 10⁶ | [friction-extremes](../cases/4-oblique/friction-extremes.md) |
-| angle of incidence | 0.001° | 89.999° | the same |
+| ratio of moduli, of two spheres and within a row | 1 | 10⁶ | the same, and [stiff-in-soft](../cases/2-hertz/stiff-in-soft.md) |
+| Poisson's ratio | 0 | 0.5 | [hertz-contrast](../cases/2-hertz/hertz-contrast.md) |
+| friction | 0 | 10⁶ | [frictionless](../cases/4-oblique/frictionless.md) and [friction-extremes](../cases/4-oblique/friction-extremes.md) |
+| angle of incidence | 0.001° | 89.999° | [friction-extremes](../cases/4-oblique/friction-extremes.md) |
 | surface speed of a spinning sphere over the speed of its centre | 0 | 10⁵ | the same |
+| opening angle of a wedge of two walls, with a common end or crossing | 0.2° | 179.8° | [wedge](../cases/1-two-discs/wedge.md) |
+| impact parameter at the end of a wall over the radius | 0 | 0.999 | [wall-end](../cases/1-two-discs/wall-end.md) |
 | cycles of one particle or contact | 1000 | 10⁹ | [endurance.c](../tests/endurance.c), below |
 
 The range ends where the overlap exceeds the smaller radius, or where it is no longer large against the rounding of the
