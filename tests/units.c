@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "../src/core/guess.h"
 #include "../src/input/units.h"
 #include "suites.h"
 
@@ -102,9 +103,62 @@ static void written(void) {
   }
 }
 
+/* Units of other systems, from their definitions: the inch, the foot, the pound (kg), the standard acceleration and
+ * the standard atmosphere are exact by international agreement. A pound as a unit is the force. */
+#define INCH 0.0254
+#define FOOT (12 * INCH)
+#define GRAVITY 9.80665
+#define POUND 0.45359237
+static void foreign(void) {
+  static const struct {
+    const char *names;
+    double si;
+    int m, kg, s;
+  } all[] = {{"in, inch, inches", INCH, 1, 0, 0},
+             {"ft, foot, feet", FOOT, 1, 0, 0},
+             {"lb, lbs, lbf", POUND * GRAVITY, 1, 1, -2},
+             {"kgf", GRAVITY, 1, 1, -2},
+             {"lb/in", POUND * GRAVITY / INCH, 0, 1, -2},
+             {"lb/ft", POUND * GRAVITY / FOOT, 0, 1, -2},
+             {"psi", POUND * GRAVITY / (INCH * INCH), -1, 1, -2},
+             {"ksi", 1000 * POUND * GRAVITY / (INCH * INCH), -1, 1, -2},
+             {"psf", POUND * GRAVITY / (FOOT * FOOT), -1, 1, -2},
+             {"bar", 1e5, -1, 1, -2},
+             {"atm", 101325, -1, 1, -2},
+             {"pcf, lb/ft3", POUND / (FOOT * FOOT * FOOT), -3, 1, 0},
+             {"ft/s", FOOT, 1, 0, -1},
+             {"in/s", INCH, 1, 0, -1},
+             {"km/h, kph", 1000.0 / 3600, 1, 0, -1},
+             {"mph", 5280 * FOOT / 3600, 1, 0, -1},
+             {"ft/s2", FOOT, 1, 0, -2},
+             {"min", 60, 0, 0, 1},
+             {"rpm", 2 * 3.14159265358979323846 / 60, 0, 0, -1}};
+  for (size_t i = 0; i < COUNT(all); i++) {
+    const struct nb_dimension dimension = {60 * all[i].m, 60 * all[i].kg, 60 * all[i].s};
+    char name[64];
+    for (const char *list = all[i].names; nb_item(&list, name);) {
+      const struct nb_foreign_unit *const row = nb_unit_foreign(name, &dimension);
+      struct nb_unit ours;
+      CU_ASSERT_PTR_NOT_NULL_FATAL(row);
+      CU_ASSERT_PTR_EQUAL(nb_unit_foreign(name, NULL), row);
+      CU_ASSERT_FATAL(nb_unit_read(&ours, row->ours));
+      CU_ASSERT_DOUBLE_EQUAL(nb_unit_to_si(row->factor, &ours) / all[i].si, 1, 1e-13);
+      CU_ASSERT(nb_dimension_same(ours.dimension, dimension));
+      for (int k = 0; k < 3; k++) { /* a unit of another dimension is no advice */
+        struct nb_dimension other = dimension;
+        *(k == 0 ? &other.m : k == 1 ? &other.kg : &other.s) += 60;
+        CU_ASSERT_PTR_NULL(nb_unit_foreign(name, &other));
+      }
+    }
+  }
+  CU_ASSERT_PTR_NULL(nb_unit_foreign("furlong", NULL));
+  CU_ASSERT_PTR_NULL(nb_unit_foreign("inc", NULL));
+}
+
 void suite_units(void) {
   CU_pSuite suite = CU_add_suite("units", NULL, NULL);
   CU_add_test(suite, "exact powers of ten", units);
   CU_add_test(suite, "kinds of numbers", kinds);
   CU_add_test(suite, "dimensions in words", written);
+  CU_add_test(suite, "units of other systems", foreign);
 }
