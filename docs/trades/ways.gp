@@ -1,11 +1,11 @@
 # Figure of ways.txt: `gnuplot ways.gp` in this folder writes ways.svg.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
-set terminal svg size 900,420 enhanced font 'serif,14' background '#ffffff'
+set terminal svg size 1350,420 enhanced font 'serif,14' background '#ffffff'
 set output 'ways.svg'
 set encoding utf8
 set datafile separator "\t"
-set multiplot layout 1,2
+set multiplot layout 1,3
 set logscale xy
 set format xy '10^{%L}'
 set title 'Late (dashed) and centred dashpots'
@@ -27,4 +27,16 @@ set yrange [5e-6:2e-2]
 kinds = 'contact-double both-double mass-best mass-strong local-0.5 local-0.7 local-0.8'
 plot for [k = 1:7] sprintf("< grep '^%s	' local-discs.tsv", word(kinds, k)) using 6:5 \
        with linespoints lw 2 dt 1 + (k < 5) lt k pt 4 + k title word(kinds, k)
+set title 'Hertz impact: Hertz (dashed), linear springs'
+set xlabel 'updates'
+set ylabel 'estimated error'
+set logscale x
+set format x '10^{%L}'
+set xrange [100:1e4]
+set yrange [1e-4:1]
+array result[3] = ['impact.duration', 'C.normal max in strike', 'C.overlap max in strike']
+array title[3] = ['duration', 'largest force', 'largest overlap']
+tried(k, law) = sprintf("< grep '^%s	.*	%s	' linear-springs.tsv | sort -u -t'	' -k5,5n", result[k], law)
+plot for [k = 1:3] tried(k, 'hertz') using 5:6 with linespoints lw 2 dt 2 lt k pt 4 + k notitle, \
+     for [k = 1:3] tried(k, 'linear') using 5:6 with linespoints lw 2 lt k pt 4 + k title title[k]
 unset multiplot
