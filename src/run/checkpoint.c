@@ -109,12 +109,12 @@ static void store_balance(struct nb_store *store, struct nb_model *model) {
 }
 
 static void store_region(struct nb_store *store, struct nb_region_state *region, struct nb_model *model) {
-  const size_t n = region->reference_position ? model->particles.count : 0;
-  const size_t count = nb_store_length(store, "region", 2 * n) / 2;
-  if (count > n)
-    region->reference_position = nb_array(count, sizeof *region->reference_position);
-  store->failed = store->failed || (count > n && !region->reference_position);
-  NB_STORE(store, "region", region->reference_position, count);
+  const size_t n = model->particles.count;
+  const size_t count = nb_store_length(store, "region", region->reference_position ? 2 * n : 0) / 2;
+  if (count == n && !region->reference_position)
+    region->reference_position = nb_array(n, sizeof *region->reference_position);
+  store->failed = store->failed || (count > 0 && (count != n || !region->reference_position));
+  NB_STORE(store, "region", region->reference_position, count == n ? n : 0);
   nb_pairs_store(store, "region.touching", &region->reference_pairs, model);
 }
 
