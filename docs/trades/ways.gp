@@ -6,12 +6,14 @@ set output 'ways.svg'
 set encoding utf8
 set datafile separator "\t"
 set multiplot layout 1,3
+set bmargin 7
+set xlabel offset 0,0.7
 set logscale xy
 set format xy '10^{%L}'
 set title 'Late (dashed) and centred dashpots'
 set xlabel 'updates'
 set ylabel 'estimated error'
-set key outside bottom center horizontal maxrows 4 font ',11'
+set key bmargin center horizontal maxrows 4 font ',11'
 array page[3] = ['hertz-damped	beta=0.4	impact.restitution', 'damping-walls	beta=0.3	A.vy', 'many-bounces	kn=1e6	D.y in up1']
 array name[3] = ['restitution, Hertz', 'rebound, linear', 'height after bounces']
 rows(k, timing) = sprintf("< grep '^%s	0.1%%	%s' centred-dashpots.tsv", page[k], timing)
