@@ -394,7 +394,7 @@ dashed line the tolerance.
 TEXT
   while read -r line; do section "$line"; done <"$work/named"
   echo
-  cat docs/trades/ways.txt # written by hand: measurements of other ways, with a table and a figure beside it
+  sh docs/trades/ways.sh
   printf '\n## All cases\n'
   swept | cut -d / -f 2 | sort -u | while read -r chapter; do
     printf '\n### %s\n\n' "$(sed -n '1s/^# //p' "cases/$chapter/README.md")"
@@ -402,3 +402,4 @@ TEXT
   done
 } >"$work/document"
 cp "$work/document" "$folder/TRADES.md"
+! command -v gnuplot >/dev/null || (cd docs/trades && gnuplot -c ways.gp "$folder/trades/ways.svg")

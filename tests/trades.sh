@@ -59,4 +59,9 @@ if command -v gnuplot >/dev/null; then
   test -s "$work/made/trades/two-wall-compression.svg" && grep -qF '](trades/two-wall-compression.svg)' "$work/made/TRADES.md"
   result $? 'the figure of a named case'
 fi
+
+# Other ways to trade: the committed document has the numbers of the tables.
+sh docs/trades/ways.sh >"$work/ways" 2>"$why" && test "$(wc -l <"$work/ways")" -gt 40 &&
+  sed -n '/^## Other ways to trade/,/^## All cases/p' docs/TRADES.md | sed '/^## All cases/d' | sed '$d' | diff - "$work/ways" >>"$why"
+result $? 'the section on other ways to trade is up to date'
 echo "1..$n"
