@@ -417,14 +417,13 @@ sed '/^stage some/,/^until/d; /^stage last/,/^until/d' clock.md >fixed.md
 run 0 run fixed.md
 out '  21 cycles, '
 grep -q '; expected' out && echo 'a fixed number of cycles is compared' >>why
-# One cycle each: the forces at the start belong to no cycle. The reference takes most of the time.
+# One cycle each: the forces at the start belong to no cycle.
 for page in 6-lattices/lattice-stress 4-oblique/traction; do
   run 0 explain "$cases/$page.md"
-  expected=$(sed -n 's/^  \([0-9]* [a-z]*, [^ ]* contact updates\), \(.*\) s$/\1|\2/p' out | tail -n 1)
+  expected=$(sed -n 's/^  \([0-9]* [a-z]*, [^ ]* contact updates\), .* s$/\1/p' out | tail -n 1)
   run 0 run "$cases/$page.md" --jobs 1
-  actual=$(sed -n 's/^  \([0-9]* [a-z]*, [^ ]* contact updates\), \(.*\) s$/\1|\2/p' out)
-  test "${actual%|*}" = "${expected%|*}" || echo "$page: expected $expected, actual $actual" >>why
-  awk -v e="${expected#*|}" -v a="${actual#*|}" 'BEGIN { exit !(e > a/3 && e < 3*a) }' || echo "$page: expected ${expected#*|} s, actual ${actual#*|} s" >>why
+  actual=$(sed -n 's/^  \([0-9]* [a-z]*, [^ ]* contact updates\), .* s$/\1/p' out)
+  test -n "$expected" && test "$actual" = "$expected" || echo "$page: expected $expected, actual $actual" >>why
 done
 run 0 run "$cases/4-oblique/oblique-impact.md" # conditions on impact.time
 cycles=$(sed -n 's/^\(  [0-9]* cycles\), .* s$/\1/p' out)
