@@ -30,6 +30,7 @@ says where it breaks, and how rounding adds up in long runs. [STABILITY](STABILI
 | ratio of moduli, of two spheres and within a row | 1 | 10⁶ | the same, and [stiff-in-soft](../cases/2-hertz/stiff-in-soft.md) |
 | Poisson's ratio | 0 | 0.5 | [hertz-contrast](../cases/2-hertz/hertz-contrast.md) |
 | friction | 0 | 10⁶ | [frictionless](../cases/4-oblique/frictionless.md) and [friction-extremes](../cases/4-oblique/friction-extremes.md) |
+| cohesion over the largest shear force | 0 | 10¹⁹⁵ | [cohesion](../cases/1-two-discs/cohesion.md) and [glancing-discs](../cases/5-numerics/glancing-discs.md) |
 | angle of incidence | 0.001° | 89.999° | [friction-extremes](../cases/4-oblique/friction-extremes.md) |
 | surface speed of a spinning sphere over the speed of its centre | 0 | 10⁵ | the same |
 | opening angle of a wedge of two walls, with a common end or crossing | 0.2° | 179.8° | [wedge](../cases/1-two-discs/wedge.md) |
