@@ -272,7 +272,9 @@ DOCUMENTS = \
   docs/METHOD.md \
   docs/CONTACT.md \
   docs/GLOSSARY.md \
-  docs/THESIS.md \
+  docs/PAPERS.md \
+  docs/papers/CS79.md \
+  docs/papers/R89.md \
   docs/ACCURACY.md \
   docs/TRADES.md \
   docs/STABILITY.md \
@@ -407,7 +409,7 @@ SHELL_TESTS = \
   tests/packing.sh \
   tests/docs.sh \
   tests/sketches.sh \
-  tests/thesis.sh \
+  tests/papers.sh \
   tests/recipes.sh \
   tests/equations.sh \
   tests/language.sh \
