@@ -5,8 +5,9 @@
 #   docs/equations.sh [TOP]      the top of the source tree; default: the parent of the folder of this script
 #
 # A tag contains, after the paper: equations and ranges of equations; `figure 1`, `figures 5, 6`; `table 1`; sections of R89
-# as three numbers; sections of CS79 by their titles. `X = Y` is a comment. One tag can contain both papers, separated by `;`.
-# Any other text is an error: it is reported, and the exit status is 1.
+# as `sec. 4.4` or `sec. 3.2-3.5`; sections of CS79 by their titles. `X = Y` is a comment. One tag can contain both papers,
+# separated by `;`. Any other text, and an equation or a section that the paper does not have, is an error: it is reported, and
+# the exit status is 1.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 set -eu
@@ -14,7 +15,7 @@ LC_ALL=C
 export LC_ALL
 cd "${1:-$(dirname "$0")/..}"
 
-# The subject of each equation. An equation without a line here has no subject in the table.
+# The subject of each equation. 
 words() {
   cat <<'WORDS'
 CS79|1|force of the first overlap, k_n v dt
@@ -58,8 +59,9 @@ CS79|36|angular velocity at the next half step, with alpha
 R89|4.3|damped normal force, fraction of the critical step
 R89|4.4|damped shear force, fraction of the critical step
 R89|4.6|reduced mass
-R89|3.11|radius of the contact circle, a^2 = R* alpha
+R89|3.12|radius of the contact circle, a^2 = R* alpha
 R89|3.13|Hertz: N = (4/3) E* R*^(1/2) alpha^(3/2)
+R89|3.15|stiffness dN/d(alpha) = 2 E* a
 R89|3.24|radius of the stick region on loading
 R89|3.25|tangential displacement, loading at constant N
 R89|3.28|radius of the stick region on unloading
@@ -113,7 +115,8 @@ R89|4.37|critical step of a particle
 R89|4.38|change of the force sum
 R89|4.39|magnitude of the force sum
 R89|4.40|FRACC, step over critical step
-R89|5.5|equation of the normal impact
+R89|5.5|N = K alpha^(3/2)
+R89|5.6|equation of the normal impact
 R89|5.9|largest overlap of a normal impact
 R89|5.10|time against overlap
 R89|5.11|duration of the contact
@@ -122,6 +125,30 @@ R89|5.13|traction by annuli
 R89|5.14|chi
 R89|5.15|psi, dimensionless angle of incidence
 R89|5.16|angle of incidence
+R89|3.23|shear force from the radius of the stick region, loading
+R89|3.27|stiffness of a contact that sticks everywhere, 8 G* a
+R89|3.35|shear force from the radii of slip, unloading
+R89|3.71|when the new ring has slipped
+R89|4.41|affine motion, an increment of position
+R89|4.42|relative velocity at a contact
+R89|4.43|affine motion, an increment of velocity, x
+R89|4.44|affine motion, an increment of velocity, y
+R89|4.45|fabric tensor
+R89|4.46|contact density F_kk
+R89|4.47|structural anisotropy, mean of n_i n_j
+R89|4.48|structural anisotropy, a sum over contacts
+R89|4.49|x component of the contact normal
+R89|4.50|y component of the contact normal
+R89|4.51|distance of the centres
+R89|4.52|major principal value
+R89|4.53|minor principal value
+R89|4.54|direction of the major principal value
+R89|5.1|approach velocity in a normal impact
+R89|5.2|accelerations of the two spheres
+R89|5.3|relative acceleration
+R89|5.4|reduced mass of an impact
+R89|5.7|energy of a normal impact
+R89|5.8|speed before the impact
 R89|4.13|damped normal force, damping ratio
 WORDS
 }
@@ -143,11 +170,21 @@ named() {
   awk '
     function key(text) { split(text, part, "."); return sprintf("%05d%05d%s", part[1], part[2], text ~ /a$/ ? "a" : "0") }
     function say(kind, sort, name) { print paper "|" kind "|" sort "|" name "|" file }
+    function wrong(what) { print "equations.sh: " file ": " what " in " tag >"/dev/stderr"; bad = 1 }
+    # The number of equations of a chapter of R89; CS79 has 36.
+    function equations(chapter) { return chapter == 3 ? 98 : chapter == 4 ? 54 : chapter == 5 ? 16 : 0 }
+    function check(text, part, n) {
+      n = split(text, part, ".")
+      if (paper == "R89" ? part[2] > equations(part[1]) : part[1] + 0 > 36 || part[1] + 0 < 1) wrong(paper " has no equation " text)
+    }
+    BEGIN { sections = "2.1 2.2 2.2.1 2.2.2 2.3 3.1 3.2 3.2.1 3.2.2 3.2.3 3.3 3.4 3.4.1 3.4.2 3.4.3 3.5 3.5.1 3.5.2 3.5.3 3.6 4.1 4.2 4.3 4.3.1 4.3.2 4.4 4.5 4.5.1 4.5.2 4.6 4.7 5.1 5.2 5.3 5.3.1 5.3.2 5.4 6.1 6.2 6.3 6.4 6.4.1 6.4.2 6.4.3 6.5 6.5.1 6.5.2" }
     function range(text, at, from, to, head) {
       at = index(text, "-")
       from = at ? substr(text, 1, at - 1) : text
       to = at ? substr(text, at + 1) : text
       head = ""
+      check(from)
+      check(to)
       if (paper == "R89") { head = from; sub(/[0-9]+$/, "", head); sub(/^.*\./, "", from); sub(/^.*\./, "", to) }
       if (from == to) { say(1, key(head from), head from); return }
       for (i = from + 0; i <= to + 0; i++) {
@@ -174,10 +211,14 @@ named() {
       } else if (many && text ~ /^[0-9]+(\.[0-9]+)?(-[0-9]+(\.[0-9]+)?)?$/) things(thing, text)
       else if (paper == "CS79" && text ~ /^[0-9]+a?(-[0-9]+a?)?$/) range(text)
       else if (paper == "R89" && text ~ /^[0-9]+\.[0-9]+(-[0-9]+\.[0-9]+)?$/) range(text)
-      else if (paper == "R89" && text ~ /^[0-9]+\.[0-9]+\.[0-9]+$/) say(2, "0" text, "section " text)
-      else if (paper == "R89" && text ~ /^section [0-9]+\.[0-9]+$/) say(2, "0" substr(text, 9), text)
+      else if (paper == "R89" && text ~ /^sec\. [0-9.]+(-[0-9.]+)?$/) {
+        sub(/^sec\. /, "", text)
+        count = split(text, ends, "-")
+        for (i = 1; i <= count; i++) if (index(" " sections " ", " " ends[i] " ") == 0) wrong("R89 has no section " ends[i])
+        say(2, "0" text, (count > 1 ? "sections " : "section ") text)
+      }
       else if (text ~ /^[A-Z][A-Za-z -]*$/) say(2, "3" text, "*" text "*")
-      else { print "equations.sh: " file ": cannot read `" text "` in " tag >"/dev/stderr"; bad = 1 }
+      else wrong("cannot read `" text "`")
     }
     {
       file = $1

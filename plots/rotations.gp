@@ -1,4 +1,4 @@
-# Rotation of particles since the reference configuration [R89 4.1, 4.2]. Before loading, the page sets
+# Rotation of particles since the reference configuration [R89 sec. 4.1, sec. 4.2]. Before loading, the page sets
 #
 #   particles = '$rest_particles'    # of `snapshot from STAGE`
 #   turns = 'size'             # orange counterclockwise, blue clockwise; the deepest colour is the largest rotation

@@ -1,4 +1,4 @@
-# Sliding displacement of contacts since the reference configuration: a bar along the tangent of each contact [R89 4.2].
+# Sliding displacement of contacts since the reference configuration: a bar along the tangent of each contact [R89 sec. 4.2].
 # Before loading, the page sets
 #
 #   particles = '$rest_particles'; contacts = '$rest_contacts'    # of `snapshot from STAGE`

@@ -194,7 +194,7 @@ enum nb_global_damping {
   NB_GLOBAL_MASS,          /* C = alpha m; alpha in 1/s [CS79 34-36] */
   NB_GLOBAL_CON1_CS79,     /* v = (CON1 v + F dt/m) / (2 - CON1): CS79 35 with CON1 = 1 - alpha dt/2 */
   NB_GLOBAL_CON1_VELOCITY, /* v = CON1 v + F dt/m */
-  NB_GLOBAL_CON1_ALL       /* v = CON1 (v + F dt/m): only here CON1 = 0 stops all motion [R89 6.5.1] */
+  NB_GLOBAL_CON1_ALL       /* v = CON1 (v + F dt/m): only here CON1 = 0 stops all motion [R89 sec. 6.5.1] */
 };
 struct nb_damping {
   enum nb_contact_damping contact_kind;
@@ -592,11 +592,11 @@ struct nb_result {
   struct nb_table table;
   struct nb_snapshot *snapshots; /* owned */
   size_t snapshot_count;
-  unsigned long cycles;              /* in all */
-  struct nb_stage_cost *stages;      /* for each stage; owned */
-  unsigned long long updates;        /* contact updates: contacts listed, summed over cycles */
-  unsigned long long searches;       /* for neighbours, the first one included */
-  unsigned long long deep;           /* contact updates with overlaps beyond the range of Hertz theory [R89 6.4.3] */
+  unsigned long cycles;         /* in all */
+  struct nb_stage_cost *stages; /* for each stage; owned */
+  unsigned long long updates;   /* contact updates: contacts listed, summed over cycles */
+  unsigned long long searches;  /* for neighbours, the first one included */
+  unsigned long long deep;      /* contact updates with overlaps beyond the range of Hertz theory [R89 sec. 6.4.3] */
   char deep_first[3 * NB_NAME_SIZE]; /* the first of them: "particle 1 and particle 2, cycle 7, time 1e-06 s" */
   double stability;                  /* the largest step over the guaranteed stable one that a check has found */
   double seconds;                    /* wall-clock time, s */

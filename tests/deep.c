@@ -1,5 +1,5 @@
 /* Dashpots of elastic spheres, `damping walls`, and deep contacts, which are counted, named and damped critically.
- * [R89 4.13, 4.19, 6.4.3]
+ * [R89 4.13, 4.19, sec. 6.4.3]
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

@@ -77,7 +77,7 @@ static void increments_as_printed(void) {
   CU_ASSERT_EQUAL(increment(3e-6, 0, m).force, n.force);
 }
 
-/* [R89 4.3.1]: the contact data are deleted when the force ends, although the particles still overlap. */
+/* [R89 sec. 4.3.1]: the contact data are deleted when the force ends, although the particles still overlap. */
 static void increments_separate_before_the_surfaces(void) {
   double m[NB_HISTORY] = {0}, shear[NB_HISTORY] = {0};
   const struct nb_law *mindlin = nb_law_find("shear", "mindlin");

@@ -1,4 +1,4 @@
-/* The equations of motion, compared with the solutions of their recursions: [CS79 20-23a, 29-36], [R89 6.5.1].
+/* The equations of motion, compared with the solutions of their recursions: [CS79 20-23a, 29-36], [R89 sec. 6.5.1].
  *
  * One disc between two walls that it overlaps by p each is a mass m on a spring 2 k, exactly, while it moves by less
  * than p.

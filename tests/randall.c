@@ -99,7 +99,7 @@ static void loss_of_a_closed_loop(void) {
   CU_ASSERT(expected > 0 && fabs(errors[0]) < 5e-3 && fabs(errors[1] - errors[0] / 2) < 0.1 * fabs(errors[0]));
 }
 
-/* Unloading again retraces the reloading curve without loss, which is R89's approximation [R89 3.3]. */
+/* Unloading again retraces the reloading curve without loss, which is R89's approximation [R89 sec. 3.3]. */
 static void unloading_again_retraces_reloading(void) {
   double errors[2];
   for (int k = 0; k < 2; k++) {

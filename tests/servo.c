@@ -1,4 +1,4 @@
-/* The servo on an assembly with known stiffness: six discs in a ring around a seventh. [R89 4.1]
+/* The servo on an assembly with known stiffness: six discs in a ring around a seventh. [R89 sec. 4.1]
  *
  * All particles follow the strain, so the radius R of the ring follows a recursion. With the springs k between the
  * ring and the middle disc, and the radius r of a disc: F = k (2r - R), A = 3 sqrt(3)/2 R^2, p = 3 F R/A, B = 3 k

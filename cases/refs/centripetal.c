@@ -1,4 +1,4 @@
-/* Reference: stress in frictionless spheres at rest under central gravity G [R89 6.4.2].
+/* Reference: stress in frictionless spheres at rest under central gravity G [R89 sec. 6.4.2].
  *
  * Without friction the stress is isotropic, p(r), and radial equilibrium at distance r from the centre is
  *
@@ -55,7 +55,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
 const struct nb_reference reference_centripetal = {
     .name = "centripetal",
     .title = "stress in frictionless spheres at rest under central gravity, from radial equilibrium",
-    .source = "[R89 6.4.2]",
+    .source = "[R89 sec. 6.4.2]",
     .accepts = {HAS_SPHERES, HAS_ALL_DAMPING, HAS_DAMPING_CHANGE, HAS_GRAVITY_CHANGE, HAS_UNTIL},
     .needs = {HAS_CENTRIPETAL_GRAVITY},
     .normal = NB_ANY_LAW,

@@ -16,7 +16,7 @@
  *   C.normal, C.overlap along W.y       in equilibrium
  *   normal along overlap                in a contact test
  *
- * Source   Sneddon, Int. J. Eng. Sci. 3 (1965) 47-57; [R89 5.2].
+ * Source   Sneddon, Int. J. Eng. Sci. 3 (1965) 47-57; [R89 sec. 5.2].
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_integration.h>
@@ -171,7 +171,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
 const struct nb_reference reference_hertz_curve = {
     .name = "hertz_curve",
     .title = "a column of elastic spheres compressed between two walls: Sneddon's integrals, and equilibrium",
-    .source = "[R89 3.13, 5.2]",
+    .source = "[R89 3.13, sec. 5.2]",
     .accepts = {HAS_SPHERES, HAS_WALLS, HAS_MOVING_WALLS, HAS_CONTACT_TEST, HAS_RATIO_DAMPING, HAS_RAMP},
     .normal = "hertz",
     .shear = "none",

@@ -1,6 +1,6 @@
 /* Reference: Hertz's impact with critical damping beyond a given overlap: the equation of motion, by GSL.
  *
- *   m* alpha'' = -K alpha^(3/2) - 2 beta (m* 2 E* a)^(1/2) alpha'     [R89 4.13, 6.4.3]
+ *   m* alpha'' = -K alpha^(3/2) - 2 beta (m* 2 E* a)^(1/2) alpha'     [R89 4.13, sec. 6.4.3]
  *
  * with beta = 1 where alpha > f 2 min(R_1, R_2), f the fraction in `damping critical beyond overlap`, and the damping
  * ratio of the page elsewhere. Solved piece by piece in s = alpha/alpha* by hertz_motion.c. Integration over s finds
@@ -47,7 +47,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
 const struct nb_reference reference_hertz_deep = {
     .name = "hertz_deep",
     .title = "Hertz's impact with critical damping beyond a given overlap: ODE by GSL at 1e-13",
-    .source = "[R89 4.13, 6.4.3]",
+    .source = "[R89 4.13, sec. 6.4.3]",
     .accepts = {HAS_SPHERES, HAS_FIXED_PARTICLES, HAS_VELOCITIES, HAS_IMPACT, HAS_WALLS, HAS_MOVING_WALLS, HAS_UNTIL,
                 HAS_RATIO_DAMPING, HAS_WALL_DAMPING},
     .needs = {HAS_CRITICAL_DAMPING},

@@ -17,7 +17,7 @@
  *                                                  impact.shear passes a value
  *   C.normal max, C.overlap max                    for C that monitors the contact
  *
- * Source   Maw, Barber and Fawcett (1976) for the numbers [R89 5.3.2]; Popov and Hess (2015) for the springs.
+ * Source   Maw, Barber and Fawcett (1976) for the numbers [R89 sec. 5.3.2]; Popov and Hess (2015) for the springs.
  * Error    of psi2, and of the curves:   exact contact 1e-6, 1e-5 (interpolation between 2000 steps)
  *                                        mindlin and mindlin_scaled 1e-6, 1e-4;   randall 1e-4, 1e-3
  *

@@ -5,7 +5,7 @@
  *
  *   u = 1 - T/mu N                loading     [R89 3.95]      u^(2/3) falls by  d(delta)/(mu kappa alpha)
  *   u = 1 - (T* - T)/2 mu N       unloading   [R89 3.96]      by                |d(delta)|/(2 mu kappa alpha)
- *   u = 1 - (T - T**)/2 mu N      reloading   [R89 3.97]      the same, and back along it in re-unloading [R89 3.3]
+ *   u = 1 - (T - T**)/2 mu N      reloading   [R89 3.97]      the same, and back along it in re-unloading [R89 sec. 3.3]
  *
  * With d(delta) = 0 and N decreasing, [R89 3.94] becomes dT = mu dN (1 - theta), with the opposite sign in unloading,
  * while T* decreases and T** increases by mu |dN| [R89 4.20, 4.21]. Let zeta = alpha u^(2/3), the overlap at which the

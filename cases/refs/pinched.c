@@ -108,7 +108,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
 const struct nb_reference reference_pinched = {
     .name = "pinched",
     .title = "a sphere pinched between two approaching ones, Hertz: its equation of motion",
-    .source = "[R89 6.4.2]",
+    .source = "[R89 sec. 6.4.2]",
     .accepts = {HAS_SPHERES, HAS_VELOCITIES, HAS_UNTIL},
     .needs = {HAS_FIXED_PARTICLES},
     .normal = "hertz",

@@ -4,7 +4,7 @@
  *                  V_T' = 0   otherwise: friction stops the sliding, without tangential restitution  psi2 = 0
  *
  * V_T is the tangential velocity of the contact point, q = m R^2/I. The theory agrees with an elastic contact that
- * slides to the end with V_T' >= 0, for psi1 >= 4 chi [R89 5.3.2]. Then the ratio e of the speeds of the centre is
+ * slides to the end with V_T' >= 0, for psi1 >= 4 chi [R89 sec. 5.3.2]. Then the ratio e of the speeds of the centre is
  * given by
  *
  *   e^2 = 1 - 2 mu sin(2 theta) + 2 mu^2 (1 + cos(2 theta))
@@ -40,7 +40,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
 const struct nb_reference reference_rigid_impact = {
     .name = "rigid_impact",
     .title = "oblique impact in rigid-body theory: sliding throughout, or sticking",
-    .source = "[R89 5.3.2]",
+    .source = "[R89 sec. 5.3.2]",
     .accepts = {HAS_SPHERES, HAS_VELOCITIES, HAS_UNTIL},
     .needs = {HAS_IMPACT, HAS_WALLS, HAS_FRICTION},
     .normal = "hertz",

@@ -162,7 +162,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
 const struct nb_reference reference_servo_lattice = {
     .name = "servo_lattice",
     .title = "a square lattice in a cell with a servo: the error of the stress in closed form",
-    .source = "[R89 4.1]",
+    .source = "[R89 sec. 4.1]",
     .accepts = {HAS_DISCS, HAS_FRICTION, HAS_CELL_STRAIN, HAS_SERVO, HAS_RAMP},
     .needs = {HAS_CELL},
     .normal = "linear",

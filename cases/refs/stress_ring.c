@@ -1,4 +1,4 @@
-/* Reference: six elastic spheres around a seventh, compressed by a boundary stress.        [R89 4.7, 5.5, 6.4.1]
+/* Reference: six elastic spheres around a seventh, compressed by a boundary stress.        [R89 4.7, 5.5, sec. 6.4.1]
  *
  * The six are the boundary, with radii R_1 and R_2 in turn (possibly equal), at the distances d_1 and d_2 from the one
  * in the middle, R_0. By symmetry there are three contact forces: middle with 1, middle with 2, and 1 with 2, whose

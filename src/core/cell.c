@@ -1,4 +1,4 @@
-/* The periodic cell.                                                                              [R89 2.3, 4.5.2]
+/* The periodic cell.                                                                              [R89 sec. 2.3, sec. 4.5.2]
  *
  *   H <- (1 + L dt) H                    H  the two sides of the cell as columns, m;  L = c_ij  strain rate tensor, 1/s
  *                                                                                                  [R89 4.43, 4.44]

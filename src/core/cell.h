@@ -1,4 +1,4 @@
-/* A periodic cell that is strained affinely.        [R89 2.3, 4.5.2]
+/* A periodic cell that is strained affinely.        [R89 sec. 2.3, sec. 4.5.2]
  *
  * The two sides of the cell are the columns of H. Every particle has an image at x + H m for each pair m of integers.
  * The images move as the particle does, except for the velocity that straining adds between them. See cell.c.

@@ -1,4 +1,4 @@
-/* Counts contacts of elastic spheres with too large an overlap, and describes the first.                   [R89 6.4.3]
+/* Counts contacts of elastic spheres with too large an overlap, and describes the first.                   [R89 sec. 6.4.3]
  *
  * R89 assumes plastic flow above an overlap of 7 % of the smaller diameter, damps such a contact critically, and prints
  * their number as a warning. Hertz theory is inaccurate there too: the contact radius a = (R* alpha)^(1/2) exceeds 0.26
@@ -9,7 +9,7 @@
 
 #include "model.h"
 
-/* Of the smaller diameter, 1: the onset of plastic flow in [R89 6.4.3]. */
+/* Of the smaller diameter, 1: the onset of plastic flow in [R89 sec. 6.4.3]. */
 static const double default_fraction = 0.07;
 
 double nb_deep_fraction(const struct nb_model *model) {

@@ -327,7 +327,7 @@ void nb_vertices_suppress(struct nb_model *model);    /* before the force calcul
 
 /* deep.c: overlaps beyond the range of Hertz theory */
 enum { NB_DEEP_STRIDE = 8 }; /* in counters: two threads must not write to the same cache line */
-/* Overlap over the smaller diameter above which a contact is deep: from the page, or 0.07 [R89 6.4.3]. */
+/* Overlap over the smaller diameter above which a contact is deep: from the page, or 0.07 [R89 sec. 6.4.3]. */
 double nb_deep_fraction(const struct nb_model *model);
 bool nb_deep_begin(struct nb_model *model, size_t blocks); /* new counters, after a search; false: out of memory */
 void nb_deep_end(struct nb_model *model);                  /* when the law of elastic spheres ends: keeps the count */

@@ -1,4 +1,4 @@
-/* The neighbour list: pairs of particles, and of particles and walls, closer than the skin.     [CS79; R89 4.3.1, TOL]
+/* The neighbour list: pairs of particles, and of particles and walls, closer than the skin.     [CS79; R89 sec. 4.3.1, TOL]
  *
  * All pairs closer than the skin are listed, touching or not. Until a particle or a wall has moved by more than half
  * the skin, a pair that is not listed cannot touch. A scene without motion is searched once, when it is created. If no

@@ -198,7 +198,7 @@ void nb_imposed_motion_check(struct nb_scene_reading *reading) {
 NB_STATEMENTS(boundary) = {
   {"boundary circle", NB_IN_SCENE | NB_IN_STAGE, circle_fields, NULL, 0, false, apply_circle,
    "From here on, particles whose centres are on this circle or outside are the boundary of the assembly; at first they are fixed. While the "
-   "boundary is fixed or strained, the circle moves with it, and a particle whose centre crosses the circle joins the boundary [R89 6.4.1].",
+   "boundary is fixed or strained, the circle moves with it, and a particle whose centre crosses the circle joins the boundary [R89 sec. 6.4.1].",
    "boundary  circle 40 mm 40 mm  radius 1 m"},
   {"boundary strain", NB_IN_STAGE, strain_fields, NULL, 0, false, apply_boundary,
    "From this stage on, the centres of the boundary's particles follow a strain rate about the circle's centre exactly. They do not rotate, and there is no force "

@@ -119,9 +119,9 @@ NB_STATEMENTS(damping) = {
    "{walls} stiffness TIME|ratio X|r89-fraction X | walls none | critical beyond overlap F | mass RATE | "
    "con1 X as cs79|velocity|all | centred | late | none",
    0, false, apply_damping,
-   "Damping at contacts [CS79 28] [R89 4.3, 4.13] and of all particles [CS79 34] [R89 6.5.1], one statement for each; "
+   "Damping at contacts [CS79 28] [R89 4.3, 4.13] and of all particles [CS79 34] [R89 sec. 6.5.1], one statement for each; "
    "default none. `ratio` is a fraction of critical damping. `walls` sets the damping of contacts with walls; without it they are damped like all others. `critical beyond overlap`: contacts "
-   "that overlap by more than that fraction of the smaller diameter are damped critically [R89 6.4.3]. `centred`: dashpots use "
+   "that overlap by more than that fraction of the smaller diameter are damped critically [R89 sec. 6.4.3]. `centred`: dashpots use "
    "the velocity at the time of the force, and act from first touch to the end of the contact. `late`, the default: they use "
    "that of half a step before [CS79 26, 27]; --set damping=centred or late overrides both. In a stage: from this stage on.",
    "damping   ratio 0.1\ndamping   walls ratio 0.3\ndamping   mass 2 1/s"},

@@ -40,7 +40,7 @@ NB_STATEMENTS(gravity) = {
    "Uniform acceleration of all free particles; default none. In a stage: from this stage on.",
    "gravity   0 m/s2 -9.81 m/s2"},
   {"gravity centripetal", NB_IN_STAGE | NB_IN_RAMP, centripetal_fields, NULL, 1, false, apply_gravity,
-   "Acceleration of all free particles towards a point [R89 6.4.1]; it replaces `gravity`, from this stage on.",
+   "Acceleration of all free particles towards a point [R89 sec. 6.4.1]; it replaces `gravity`, from this stage on.",
    "  gravity centripetal 10 m/s2  about 40 mm 40 mm"},
   {0},
 };

@@ -117,7 +117,7 @@ static const struct nb_quantity_kind kinds[] = {
     {"contacts", 0, "1", NB_BIT(NB_OVERLAP), touching_count, "number of contacts with an overlap"},
     {"contacts.deep", 0, "1", 0, deep_count,
      "contacts of elastic spheres that overlap by more than 7 % of the smaller diameter, summed over all cycles "
-     "[R89 6.4.3]"},
+     "[R89 sec. 6.4.3]"},
     {"unbalanced.max", 0, "1", 0, unbalanced_max,
      "largest unbalanced force on a particle over largest contact force, dF/F of [CS79 table 1]; infinite without "
      "contacts, 0 where no force acts"},

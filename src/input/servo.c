@@ -86,7 +86,7 @@ NB_APPLY(apply_servo) {
 NB_STATEMENTS(servo) = {
   {"servo", NB_IN_STAGE | NB_IN_RAMP, servo_fields, "{every N cycles}", 0, false, apply_servo,
    "Controls a stress in this stage: that of a region, on the boundary, in the cell, on the box, or the mean traction of its walls. It adds a strain rate to that of the boundary, the cell or the box. "
-   "`isotropic` controls all components [R89 4.1]; through a box xy is not controlled, because its walls do not rotate. `mean` changes the area only, so that the shape follows the stage's own strain rates. "
+   "`isotropic` controls all components [R89 sec. 4.1]; through a box xy is not controlled, because its walls do not rotate. `mean` changes the area only, so that the shape follows the stage's own strain rates. "
    "Components that are not named are not controlled. The gain is computed from the stiffness of the contacts. The strain rate is updated `every` N cycles, default 10.",
    "stage     even\n  servo   isotropic 1 kPa  on boundary  through boundary affine  at most 1e-6 per cycle\n  cycles  10\n"
    "stage     shear\n  servo   mean 1 kPa  on boundary  through boundary  at most 1e-6 per cycle  every 5 cycles\n  cycles  10\n"

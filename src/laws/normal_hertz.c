@@ -7,7 +7,7 @@
  * Source     [R89 3.13]; a from [R89 3.12]; dN/d(alpha) = 2 E* a [R89 3.15]. The force is a function of the overlap, so
  *            it does not drift; the increments that R89 coded are normal_hertz_increment.
  * Range      smooth elastic spheres with a small compared with R*: overlaps below 7 % of the smaller diameter
- *            [R89 6.4.3].
+ *            [R89 sec. 6.4.3].
  * History    none.
  * Stores     the integral of N, (2/5) N alpha.
  *

@@ -318,7 +318,7 @@ static inline void shear_mindlin_deresiewicz_prefetch(const double m[]) {
 #define DISSIPATIVE
 #define COHESIONLESS
 #define TITLE "exact law of elastic spheres by Cattaneo and Mindlin, for any loading history"
-#define SOURCE "[R89 3.2-3.5]"
+#define SOURCE "[R89 sec. 3.2-3.5]"
 #define PARAMETERS "young, poisson, friction"
 #define HISTORY 12
 #define PIECE 5

@@ -34,7 +34,7 @@
  * Order      first in the step, relative to its own limit of small steps: theta is that of the beginning of the step.
  * Range      as normal_hertz.c; friction limits the traction, so no cohesion. In the limit of small steps exact for up
  *            to two nested reversals, while N is constant, falls, or rises so slowly that |ds| > ds_c. Further inner
- *            reversals are elastic [R89 3.3]. Rings that stick as N grows are represented by DD
+ *            reversals are elastic [R89 sec. 3.3]. Rings that stick as N grows are represented by DD
  *            alone, which a reversal resets.
  * History    m[0..6]  N of the previous step, 0: none; T, T*, T**, N; DD, m; CDF, 0 before the first motion; branch.
  * Creates    energy: in the cycle N to 2 N, displacement A/5, 2 N to N, displacement -A/5, with A = 3 mu N/(16 G* a),

@@ -1,4 +1,4 @@
-/* Imposed affine motion.                                            [R89 4.5.2]
+/* Imposed affine motion.                                            [R89 sec. 4.5.2]
  *
  *   u = v + c,   c = L (x - x_0)                                                   [R89 4.41]
  *

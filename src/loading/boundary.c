@@ -1,4 +1,4 @@
-/* The boundary of an assembly, a ring of its own particles; and `rotation`.            [R89 6.4.1, 6.5.1]
+/* The boundary of an assembly, a ring of its own particles; and `rotation`.            [R89 sec. 6.4.1, sec. 6.5.1]
  *
  * A circle defines the boundary at its start: the free particles whose centres are on the circle or outside of it.
  * While they are held they follow the boundary's strain rate (affine.c) and have no velocity of their own. Their mass

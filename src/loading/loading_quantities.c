@@ -47,7 +47,7 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
      "mean distance of the boundary particles' centres from the centre of the circle"},
     {"boundary.area", 0, "m2", 0, boundary_area, "area of the polygon through the boundary particles' centres"},
     {"boundary.roughness", 0, "1", 0, boundary_roughness,
-     "standard deviation of the distances whose mean is boundary.radius, over that mean [R89 6.4.1]"},
+     "standard deviation of the distances whose mean is boundary.radius, over that mean [R89 sec. 6.4.1]"},
     TENSOR("boundary.stress", 0, "Pa", NB_STRESSES, boundary_stress,
            "stress by the contact forces on the boundary's particles, sum of F_i X_j over the polygon's area times the "
            "thickness, compression positive"),

@@ -1,4 +1,4 @@
-/* The servo: feedback control of the strain rate until a measured stress has its target value.   [R89 4.1, 6.4.2]
+/* The servo: feedback control of the strain rate until a measured stress has its target value.   [R89 sec. 4.1, sec. 6.4.2]
  *
  *   L_ij = P_ij + Z_ij                       added to the strain rate of the stage, in the controlled components
  *   P_ij = (s_ij - s0_ij)/(2 B T),           dZ_ij/dt = P_ij/(16 T)

@@ -1,4 +1,4 @@
-/* Changes since the beginning of a stage, for snapshots with `from`.                       [R89 4.2, figure 6.35]
+/* Changes since the beginning of a stage, for snapshots with `from`.                       [R89 sec. 4.2, figure 6.35]
  *
  *   displacement, rotation   of a particle: present position and angle minus those at the beginning of the stage
  *   slip                     of a contact: sum of |ds| over the steps at whose end it slides, since the stage began and

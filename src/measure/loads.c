@@ -1,8 +1,8 @@
 /* Forces of the contacts of a region. A contact counts once if it touches and at least one of its particles is inside.
  *
  *   normal, shear      F_n and |F_s| of the laws, without dashpots, N
- *   contact_stress     F_n/(pi a^2), Pa        contact_shear   |F_s|/(pi a^2), Pa          [R89 4.6]
- *   contact_ratio      a over the smaller radius, 1                                        [R89 4.6]
+ *   contact_stress     F_n/(pi a^2), Pa        contact_shear   |F_s|/(pi a^2), Pa          [R89 sec. 4.6]
+ *   contact_ratio      a over the smaller radius, 1                                        [R89 sec. 4.6]
  *   obliquity          |F_s|/(mu F_n + c), 1; 1 if a contact slides                        [R89 figure 6.18]
  *   sliding            fraction of the contacts whose law reports F_s at its limit         [CS79 19]
  *   sliding.near       fraction of those with |F_s| at 0.99 of the limit mu F_n + c or above

@@ -74,10 +74,11 @@ const struct nb_quantity_kind nb_region_kinds[] = {
 
     LOAD("normal", NB_STATISTICS, "N", normal, "elastic normal force of the contacts"),
     LOAD("shear", NB_STATISTICS, "N", shear, "magnitude of the elastic shear force of the contacts"),
-    LOAD("contact_stress", NB_STATISTICS, "Pa", pressure, "normal force over contact area [R89 4.6]"),
-    LOAD("contact_shear", NB_STATISTICS, "Pa", traction, "magnitude of the shear force over contact area [R89 4.6]"),
+    LOAD("contact_stress", NB_STATISTICS, "Pa", pressure, "normal force over contact area [R89 sec. 4.6]"),
+    LOAD("contact_shear", NB_STATISTICS, "Pa", traction,
+         "magnitude of the shear force over contact area [R89 sec. 4.6]"),
     LOAD("contact_ratio", NB_STATISTICS, "1", ratio,
-         "radius of the contact over that of the smaller particle [R89 4.6]"),
+         "radius of the contact over that of the smaller particle [R89 sec. 4.6]"),
     LOAD("obliquity", NB_STATISTICS, "1", obliquity, "shear force over its limit, of contacts that have one"),
     LOAD("sliding", NB_SCALAR, "1", sliding,
          "sliding fraction: contacts whose shear force is at its limit, over all contacts"),
@@ -97,7 +98,7 @@ const struct nb_quantity_kind nb_region_kinds[] = {
     SPEED("speed.mean", "m/s", mean, "mean speed of the free particles inside, relative to the imposed motion"),
     SPEED("speed.max", "m/s", max, "the largest of these speeds"),
     SPEED("speed.imposed", "m/s", imposed, "mean speed of the imposed motion of these particles"),
-    SPEED("speed.ratio", "1", ratio, "speed.mean over speed.imposed [R89 6.5.1]; 0 without imposed motion"),
+    SPEED("speed.ratio", "1", ratio, "speed.mean over speed.imposed [R89 sec. 6.5.1]; 0 without imposed motion"),
 
     CHAIN("chains", "1", count,
           "number of force chains: three particles or more, of major stress above the mean, in contact along their "

@@ -12,7 +12,7 @@
  * strain relative to that time, e_ij = (G_ij + G_ji)/2, extension positive as in a strain rate; stress is positive in
  * compression. At least three particles that are not collinear are needed.
  *
- * Speeds are those of the free particles relative to the imposed motion:                        [R89 6.5.1]
+ * Speeds are those of the free particles relative to the imposed motion:                        [R89 sec. 6.5.1]
  *
  *   v = u - c,   c = L (x - x_0)
  *

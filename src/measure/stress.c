@@ -1,4 +1,4 @@
-/* Stress of a region and its parts; compression is positive.                          [R89 4.6]
+/* Stress of a region and its parts; compression is positive.                          [R89 sec. 4.6]
  *
  * By particles: the contact forces give particle p the stress
  *   sigma^p_ij = -(1/V_p) sum over its contacts f_i l_j

@@ -4,7 +4,7 @@
  *   c = beta k                  `damping stiffness`, beta a time       [CS79 28]
  *   c = beta k t_c/2            `damping r89-fraction`: dN beta/(2 FRAC) is this, since dt = FRAC t_c  [R89 4.3, 4.4]
  *   c = beta 2 sqrt(M* k)       `damping ratio`, a fraction of critical  [R89 4.13, 4.19]
- *   c = 2 sqrt(M* k)            instead of these for a deep contact with `critical beyond overlap` [R89 6.4.3]
+ *   c = 2 sqrt(M* k)            instead of these for a deep contact with `critical beyond overlap` [R89 sec. 6.4.3]
  *
  * k is k_n for c_n and k_s for c_s; for elastic spheres 2 E* a and 8 G* a. Contacts with walls may have their own beta.
  *
