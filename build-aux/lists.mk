@@ -146,6 +146,7 @@ PAGES = \
   cases/4-oblique/mindlin-loops.md \
   cases/4-oblique/nested-loops.md \
   cases/4-oblique/normal-and-shear.md \
+  cases/4-oblique/two-normal-forces.md \
   cases/4-oblique/contact-ladder.md \
   cases/4-oblique/closed-squares.md \
   cases/4-oblique/closed-squares-r89.md \
