@@ -13,6 +13,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "../src/core/clock.h"
 #include "../src/report/advise.h"
 #include "suites.h"
 #include "written.h"
@@ -318,6 +319,32 @@ static void other_pages_have_one_phase(void) {
     CU_ASSERT_EQUAL(advice.trials, last ? NB_PHASES : 1);
     finish(&advice, &page);
   }
+}
+
+/* A trial is expected to take as long as the ones before it, 400 s here, or twice as long as those of the next coarser
+ * level. It is not run if it would end after the budget. The hundred seconds before it are spent. */
+static void a_trial_that_would_end_after_the_budget(void) {
+  static const struct {
+    bool done; /* trials of the level itself, or of the coarser one */
+    double budget;
+    bool runs;
+  } rows[] = {{true, 490, false}, {true, 510, true}, {false, 890, false}, {false, 910, true}};
+  struct nb_advice advice;
+  struct nb_advise_query query;
+  struct page page;
+  begin(&advice, &query, &page, "1000 %");
+  struct nb_point *point = &advice.variants[0].points[-NB_LEVEL_LOW];
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    point[-1].done = !rows[k].done, point->done = rows[k].done;
+    point[-1].seconds = rows[k].done ? 0 : 400, point->seconds = rows[k].done ? 400 : 0;
+    query.budget = rows[k].budget;
+    advice.began = nb_clock() - 100, advice.exhausted = false, advice.measured = 0;
+    CU_ASSERT_EQUAL(nb_advice_run(&advice, 0, 0, 1), rows[k].runs);
+    CU_ASSERT_EQUAL(advice.exhausted, !rows[k].runs);
+    CU_ASSERT_EQUAL(advice.measured, rows[k].runs);
+    CU_ASSERT_EQUAL(point->done, (rows[k].done ? 1U : 0) | (rows[k].runs ? 2U : 0));
+  }
+  finish(&advice, &page);
 }
 
 /* ---- means over realizations ---- */
@@ -718,6 +745,7 @@ void suite_advise(void) {
   CU_ADD_TEST(suite, the_cost_is_counted);
   CU_ADD_TEST(suite, phases_of_other_pages_have_other_steps);
   CU_ADD_TEST(suite, other_pages_have_one_phase);
+  CU_add_test(suite, "a trial that would end after the budget", a_trial_that_would_end_after_the_budget);
   CU_ADD_TEST(suite, a_trial_of_a_mean_is_a_realization);
   CU_ADD_TEST(suite, claims_of_a_mean_follow_from_its_realizations);
   CU_ADD_TEST(suite, settings_of_a_mean_have_a_margin_of_stability);

@@ -315,6 +315,28 @@ static void resolution_and_mean_overlap(void) {
   CU_ASSERT_PTR_NOT_NULL(strstr(warned(text, statements), "particle 2: its coordinate 8.38861e+06 has"));
 }
 
+/* Two heavy discs with an overlap of 900 x 2^-29 move together by 0.5 in a cycle, which is more than half the skin. The
+ * first one begins at 2^23 - 4 and is at 2^23 after 8 cycles. Below that the ulp is 2^-30, which the overlap allows. */
+static void resolution_that_gets_coarse(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error = {0};
+  words_add(&page,
+            "units none\nmaterial m density 1e12 kn 1\ndisc 8388604 0 radius 1 m velocity 0.5 0\n"
+            "disc %.17g 0 radius 1 m velocity 0.5 0\nstep 1\nrecord time\nstage s\ncycles 10\n",
+            8388606 - 900. / 536870912);
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  written_cycles(model, 7);
+  CU_ASSERT_EQUAL(model->warnings.count, 0);
+  written_cycles(model, 2);
+  CU_ASSERT_EQUAL_FATAL(model->warnings.count, 1);
+  CU_ASSERT_PTR_NOT_NULL(strstr(model->warnings.list[0].text, "particle 1: its coordinate 8.38861e+06 has"));
+  nb_model_free(model);
+  written_free(&it);
+}
+
 static void each_warning_once(void) {
   struct nb_warnings warnings = {0};
   for (int k = 0; k < 40; k++)
@@ -334,6 +356,7 @@ void suite_guard(void) {
   CU_add_test(suite, "overlap during the run", overlap_during_the_run);
   CU_add_test(suite, "friction without effect", friction_without_effect);
   CU_add_test(suite, "resolution of coordinates", resolution_of_coordinates);
+  CU_add_test(suite, "resolution that gets coarse", resolution_that_gets_coarse);
   CU_add_test(suite, "resolution and mean overlap", resolution_and_mean_overlap);
   CU_add_test(suite, "each warning once", each_warning_once);
 }

@@ -57,9 +57,42 @@ static void increments_without_a_shear_law(void) {
   CU_ASSERT_EQUAL(force[0], force[1]);
 }
 
+/* Another law, or another number of pieces, begins without a history. The same number, stated again, keeps it. The heavy
+ * sphere slides at a constant velocity, d = 1e-5 in a cycle. T = k d, k = 8 G* a, in each cycle, less micro-slip, of
+ * which the relative part is of the order of T/(mu N). With G* = 1000/(2 (1 + 0) 4) = 125 and a = (R* alpha)^(1/2) = 1/2
+ * is k = 500 = k_s; N = 500/3, so T/(mu N) < 4e-5. A contact without a history has got its overlap and d together,
+ * du/dalpha = d/alpha: T = integral of 8 G* (R* alpha')^(1/2) d/alpha dalpha' = 2/3 k d. */
+static void another_law_has_no_history(void) {
+  static const struct {
+    const char *first, *second;
+    double force;
+  } rows[] = {{"mindlin_deresiewicz memory 8", "", 0.055},
+              {"mindlin_deresiewicz memory 8", "shear mindlin_deresiewicz memory 8\n", 0.055},
+              {"mindlin_deresiewicz memory 8", "shear mindlin_deresiewicz memory 9\n", 0.01 / 3},
+              {"linear", "shear mindlin\n", 0.005}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              "units none\nmaterial m density 1e30 kn 1 ks 500 young 1000 poisson 0 friction 10\nnormal hertz\n"
+              "shear %s\nsphere 0 0 radius 1 m fixed\n"
+              "sphere 1.5 0 radius 1 m velocity 0 1e-3\nmonitor C sphere 1 with sphere 2\nstep 0.01\n"
+              "record C.shear\nstage a\ncycles 10\nstage b\n%scycles 1\n",
+              rows[k].first, rows[k].second);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    CU_ASSERT_DOUBLE_EQUAL(fabs(written_cell(&result.table, 10, "C.shear")), 0.05, 1e-4 * 0.05);
+    CU_ASSERT_DOUBLE_EQUAL(fabs(written_last(&result, "C.shear")), rows[k].force, 1e-4 * rows[k].force);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
 void suite_law_change(void) {
   CU_pSuite suite = CU_add_suite("law_change", NULL, NULL);
   CU_add_test(suite, "force of the new law, difference of the stored energies",
               the_force_jumps_and_the_energy_is_counted);
   CU_add_test(suite, "increments without a shear law", increments_without_a_shear_law);
+  CU_add_test(suite, "another law or memory begins without a history", another_law_has_no_history);
 }

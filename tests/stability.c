@@ -57,6 +57,34 @@ static void an_impact_between_two_checks(void) {
   written_free(&it);
 }
 
+/* Without a search there is a check as the stage begins and one in each 1000th cycle: 3 in 2999 cycles and 4 in 3000.
+ * At the speed 2e-4 particle 2 moves by half the skin, 0.05, in 625 cycles of 0.4; then a search is followed by a check. */
+static void searches_add_checks(void) {
+  static const struct {
+    const char *disc, *cycles;
+    unsigned long searches, checks;
+  } rows[] = {
+      {"0", "2999", 1, 3}, {"0", "3000", 1, 4}, {"2e-4", "700", 2, 2}, {"2e-4", "999", 2, 2}, {"2e-4", "1000", 2, 3}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error = {0};
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\ndisc 2.02 0 radius 1 m velocity %s 0\nstep "
+              "0.4\nrecord time\nstage a\ncycles %s\n",
+              rows[k].disc, rows[k].cycles);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+    written_cycles(model, (int)it.scene.stages[0].cycles);
+    CU_ASSERT_EQUAL(model->search.count, rows[k].searches);
+    CU_ASSERT_EQUAL(model->stability->checks, rows[k].checks);
+    CU_ASSERT_EQUAL(model->stability->checks, rows[k].checks);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 /* ---- the stable-overlap limit ---- */
 
 #define SPHERE "units none\nmaterial m density 0.238732414637843 young 1 poisson 0.3 friction 1\nnormal hertz\n"
@@ -136,6 +164,56 @@ static void stiffer_unloading_lowers_the_limit(void) {
     written_free(&it);
   }
   CU_ASSERT_DOUBLE_EQUAL(stable_overlap[1], stable_overlap[0] / 4, 1e-5 * stable_overlap[0]);
+}
+
+/* Elastic spheres whose largest stiffness is `excess` times that of Hertz, or 1e9 at any overlap if that is 0. */
+static double excess;
+static struct nb_normal stiffer(struct nb_pair p, double overlap, double dn, double m[]) {
+  struct nb_normal n = nb_law_find("normal", "hertz")->normal(p, overlap, dn, m);
+  n.max_stiffness = excess > 0 ? excess * n.stiffness : 1e9;
+  return n;
+}
+
+/* The stiffness at the limit exceeds what the step allows by at most 1e-6, the tolerance of stability.c: a law that is
+ * stiffer by a third of that keeps the limit, one that is stiffer by three times that gets half of it. With a stiffness
+ * that no overlap makes small enough the limit is 0. */
+static void the_limit_is_kept_to_a_millionth(void) {
+  static const double rows[][2] = {{1 + 3e-7, 1}, {1 + 3e-6, 0.5}, {0, 0}};
+  struct nb_law law = *nb_law_find("normal", "hertz");
+  law.normal = stiffer;
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error = {0};
+    words_add(&page, SPHERE "shear none\nsphere 0 0 radius 1 m\nsphere 1.9999 0 radius 1 m\nstep 2.4\nrecord "
+                            "step.stable\nstage s\ncycles 1\n");
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL(nb_stability_check(model, &error), NB_OK);
+    const double of_hertz = overlap_stable(model, 0);
+    excess = rows[k][0];
+    for (size_t p = 0; p < model->material_pair_count; p++)
+      model->material_pairs[p].normal = &law;
+    CU_ASSERT_EQUAL(nb_stability_check(model, &error), NB_OK);
+    CU_ASSERT_EQUAL(overlap_stable(model, 0), rows[k][1] * of_hertz);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
+/* The stiffness that a very short step allows, 4/dt^2 M*, has a square that is infinite; so is the limit. */
+static void a_step_without_a_limit(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error = {0};
+  words_add(&page, SPHERE "shear none\nsphere 0 0 radius 1 m\nsphere 1.9999 0 radius 1 m\nstep 1e-90\nrecord "
+                          "step.stable\nstage s\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL(nb_stability_check(model, &error), NB_OK);
+  CU_ASSERT(isinf(overlap_stable(model, 0)));
+  nb_model_free(model);
+  written_free(&it);
 }
 
 /* A contact that may become deep must be stable with the dashpot of a deep contact. The mass is M* = 1/2 and the
@@ -344,6 +422,9 @@ static void what_limits_the_step_in_words(void) {
 
 void suite_stability(void) {
   CU_pSuite suite = CU_add_suite("stability", NULL, NULL);
+  CU_add_test(suite, "searches add checks", searches_add_checks);
+  CU_add_test(suite, "the limit is kept to a millionth", the_limit_is_kept_to_a_millionth);
+  CU_add_test(suite, "a step without a limit", a_step_without_a_limit);
   CU_add_test(suite, "the proposed number of steps per collision", the_proposed_number_of_steps);
   CU_add_test(suite, "cohesion alone counts in the stable step", cohesion_alone_counts);
   CU_add_test(suite, "an impact between two checks", an_impact_between_two_checks);

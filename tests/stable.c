@@ -247,6 +247,34 @@ static void stiffer_unloading_counts(void) {
   }
 }
 
+/* A law that stiffens with the overlap: F = k (alpha + alpha^2). */
+static struct nb_normal stiffens(struct nb_pair p, double overlap, double dn, double m[]) {
+  (void)dn, (void)m;
+  return (struct nb_normal){.force = p.kn * (overlap + overlap * overlap), .stiffness = p.kn * (1 + 2 * overlap)};
+}
+
+/* Discs that do not touch count with the stiffness that the law has at first touch, here k, within the skin and far
+ * apart. At an overlap of 0.01 it is 1.02 k. */
+static void discs_apart_count_as_they_touch(void) {
+  static const struct { double place, factor; } rows[] = {{0.99, 1.02}, {1.001, 1}, {50, 1}};
+  const struct nb_law law = {.kind = "normal", .name = "stiffens", .normal = stiffens};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 100\nnormal linear\ndisc 0 %g radius 1 m\nwall w -9 0 to 9 0 "
+              "m\nstep 1e-9\nrecord time\nstage s\ncycles 1\n",
+              rows[k].place);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    const double before = nb_stable_step(model).step;
+    model->next_laws.normal = &law;
+    CU_ASSERT_DOUBLE_EQUAL(nb_stable_step(model).step, before / sqrt(rows[k].factor), 1e-12 * before);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 void suite_stable(void) {
   CU_pSuite suite = CU_add_suite("stable", NULL, NULL);
   CU_add_test(suite, "lattices equal closed forms", lattices_equal_closed_forms);
@@ -255,5 +283,6 @@ void suite_stable(void) {
   CU_add_test(suite, "damping has its formula", damping_has_its_formula);
   CU_add_test(suite, "random networks stay below the limit", random_networks_stay_below_the_limit);
   CU_add_test(suite, "stiffer unloading counts", stiffer_unloading_counts);
+  CU_add_test(suite, "discs apart count as they touch", discs_apart_count_as_they_touch);
   CU_add_test(suite, "storage changes no bit", storage_changes_no_bit);
 }

@@ -16,7 +16,7 @@ enum { NB_REALIZATIONS_MIN = 8, NB_VARIANTS_MAX = 500, NB_TRADES = 8 };
 struct nb_point {
   unsigned done;               /* bit set of the trials that were run */
   double *values;              /* of the quantity: NB_TRIALS for each run of the page; owned */
-  double seconds;              /* shortest of the trials, all runs of the page */
+  double seconds;              /* shortest of the trials, all runs of the page; 0: none yet */
   double updates;              /* of contacts and particles, all runs; mean over the trials */
   double recorded;             /* values in the rows of all runs; of the last trial */
   double step;                 /* mean over the first run, s; 0: a contact test, which has no time */

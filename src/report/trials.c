@@ -182,14 +182,12 @@ static void free_trial(struct trial *trial) {
 
 /* ---- several trials at once ---- */
 
-/* Whether `count` trials would end within the budget, if they take as long as those before, or twice as long as those
- * of the next coarser level. */
-static bool is_affordable(struct nb_advice *advice, const struct nb_point *point, int level, double count) {
+/* Whether trials that run at once would end within the budget, if they take as long as those before, or twice as long as
+ * those of the next coarser level. */
+static bool is_affordable(struct nb_advice *advice, const struct nb_point *point, int level) {
   const double now = nb_clock() - advice->began;
-  double expected = point->done ? point->seconds : 0;
-  if (!point->done && level > NB_LEVEL_LOW && point[-1].done)
-    expected = 2 * point[-1].seconds;
-  if (now + count * expected > advice->query->budget)
+  const double expected = point->done || level == NB_LEVEL_LOW ? point->seconds : 2 * point[-1].seconds;
+  if (now + expected > advice->query->budget)
     advice->exhausted = true;
   if (advice->query->progress.call)
     advice->query->progress.call(advice->query->progress.data, "search", now / advice->query->budget, now);
@@ -200,7 +198,7 @@ static bool is_affordable(struct nb_advice *advice, const struct nb_point *point
 static bool run_batch(struct nb_advice *advice, struct nb_variant *variant, int level, struct trial *batch, int count) {
   struct nb_point *point = &variant->points[level - NB_LEVEL_LOW];
   bool good = true;
-  if (!is_affordable(advice, point, level, 1))
+  if (!is_affordable(advice, point, level))
     return false;
   for (int k = 0; k < count && good; k++)
     good = read_trial(&batch[k], advice, variant, level) ? check_trial(advice, variant, point, &batch[k].outcome)
