@@ -146,6 +146,32 @@ static void particles_join_the_boundary(void) {
   }
 }
 
+/* A circle that shrinks by the factor 1 - 0.01 dt in each cycle takes in discs at rest, from the first cycle that begins
+ * with the disc on it or outside. The step doubles with stage b. The discs lie halfway between two circles. */
+static void a_shrinking_circle_takes_in_discs_at_rest(void) {
+  enum { CYCLES = 8, CHANGE = 4 };
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\nmaterial m density 2 kn 100\nstep 0.125\nboundary circle 0 0 radius 20\n");
+  double circle = 20;
+  for (int n = 0; n < CYCLES; n++) { /* disc n is inside circle n and outside circle n + 1 */
+    const double next = circle * (1 - 0.01 * dt * (n < CHANGE ? 1 : 2)), between = (circle + next) / 2;
+    words_add(&page, "disc %.17g %.17g radius 1 m\n", between * cos(0.7 * n), between * sin(0.7 * n));
+    circle = next;
+  }
+  words_add(&page,
+            "record boundary.particles\nstage a\nboundary strain -0.01 -0.01\ncycles %d\nstage b\nstep 0.25\n"
+            "cycles %d\n",
+            CHANGE, CYCLES - CHANGE);
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  for (size_t n = 0; n <= CYCLES; n++) /* the disc that cycle n has passed joins as the next one begins */
+    CU_ASSERT_EQUAL(written_cell(&result.table, n, "boundary.particles"), n > 0 ? (double)n - 1 : 0);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 /* Discs inside a boundary of discs, compressed and sheared, with friction and all dampings. Many discs join the
  * boundary. */
 static void crowd(struct words *page, const char *more) {
@@ -298,6 +324,7 @@ void suite_drive(void) {
   CU_add_test(suite, "accumulated affine strain grows", accumulated_strain_grows);
   CU_add_test(suite, "dashpots see the strain", dashpots_see_the_strain);
   CU_add_test(suite, "particles that reach the boundary join it", particles_join_the_boundary);
+  CU_add_test(suite, "a shrinking circle takes in discs at rest", a_shrinking_circle_takes_in_discs_at_rest);
   CU_add_test(suite, "the same bits", the_same_bits);
   CU_add_test(suite, "the work balances", the_work_balances);
   CU_add_test(suite, "boundary stress equals the stress of the contacts", boundary_stress_equals_contact_stress);

@@ -121,6 +121,22 @@ static struct nb_model *made(struct written *it, const char *text) {
   return written_model(it, NULL);
 }
 
+/* A sum is its main part and the rounding errors that it has collected. */
+static void rounding_errors_belong_to_the_sums(void) {
+  struct written it;
+  struct nb_model *model =
+      made(&it, "units none\nmaterial m density 3\ndisc 0 0 radius 1 m\nstep 0.01\nrecord energy.frictional "
+                "energy.walls energy.residual\nstage s\ncycles 9\n");
+  model->terms[NB_TERM_FRICTIONAL] = (struct nb_sum){8, 0.25};
+  CU_ASSERT_EQUAL(written_now(model, "energy.frictional"), 8.25);
+  CU_ASSERT_EQUAL(written_now(model, "energy.residual"), 8.25);
+  model->terms[NB_TERM_WALLS] = (struct nb_sum){2, -0.125};
+  CU_ASSERT_EQUAL(written_now(model, "energy.walls"), 1.875);
+  CU_ASSERT_EQUAL(written_now(model, "energy.residual"), 6.375);
+  nb_model_free(model);
+  written_free(&it);
+}
+
 /* Free fall: the work is m g times the displacement, whatever the step. */
 static void by_gravity(void) {
   struct written it;
@@ -267,6 +283,7 @@ static void momentum(void) {
 void suite_energy(void);
 void suite_energy(void) {
   CU_pSuite suite = CU_add_suite("energy", NULL, NULL);
+  CU_add_test(suite, "rounding errors belong to the sums", rounding_errors_belong_to_the_sums);
   CU_add_test(suite, "the work of all forces equals the kinetic energy", work_closes);
   CU_add_test(suite, "all terms of energy together", energy_closes);
   CU_add_test(suite, "the same bits", same_bits);

@@ -23,6 +23,22 @@ static void done(struct written *it, struct nb_model *model) {
   written_free(it);
 }
 
+/* The fractions of the deviator that normal and shear forces carry sum to 1, also where nothing else asks for the stress:
+ * at the start and after a cycle. */
+static void fractions_without_the_stress(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\nmaterial m density 1 kn 7 ks 5 friction 0.5\nshear linear\nstep 0.001\n"
+                   "disc 2 3 radius 1 m\ndisc 3.9 3.2 radius 1 m velocity 0 1\nregion A all\nrecord "
+                   "A.stress.normal.fraction A.stress.shear.fraction\nstage s\ncycles 9\n");
+  struct nb_model *model = model_of(&it, &page);
+  CLOSE(model, "A.stress.normal.fraction", 1);
+  written_cycles(model, 9);
+  CU_ASSERT(written_now(model, "A.stress.shear.fraction") > 1e-3);
+  CLOSE(model, "A.stress.normal.fraction", 1 - written_now(model, "A.stress.shear.fraction"));
+  done(&it, model);
+}
+
 /* A disc with n others at equal angles around it: normals at 2 pi k/n + turn. */
 static void contacts_at_equal_angles(void) {
   for (int n = 1; n <= 6; n++) {
@@ -400,6 +416,7 @@ static void regions_with_rings(void) {
 
 void suite_region(void) {
   CU_pSuite suite = CU_add_suite("region", NULL, NULL);
+  CU_add_test(suite, "fractions without the stress", fractions_without_the_stress);
   CU_add_test(suite, "the arm of the particle inside", the_arm_of_the_particle_inside);
   CU_add_test(suite, "strain without removed particles", strain_without_removed_particles);
   CU_add_test(suite, "sin Phi in tension", tension);

@@ -316,6 +316,36 @@ static void contact_forces_without_dashpots(void) {
   written_free(&it);
 }
 
+/* A disc slides around the vertex of two walls. In the cycle in which the contact passes from one wall to the other, the
+ * one that begins to act was suppressed in the cycle before. A suppressed contact has no overlap in a state. */
+static void a_contact_that_begins_at_a_vertex(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error = {0};
+  int passed = 0, suppressed = 0;
+  words_add(&page, "units none\nmaterial m density 1 kn 100\nwall a -5 0 to 0 0 m\nwall b 0 0 to 5 -2 m\n"
+                   "disc -0.015 0.99 radius 1 m velocity 1 0\nrecord time\nstep 0.01\nstage a\ncycles 60\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, &(struct nb_options){.keep_all = true, .threads = 1});
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  for (int n = 0; n < 60; n++) {
+    struct nb_saved saved;
+    written_cycles(model, 1);
+    CU_ASSERT_EQUAL_FATAL(nb_saved_capture(&saved, model, &error), NB_OK);
+    for (size_t k = 0; k < saved.contact_count; k++) {
+      CU_ASSERT(!saved.contacts[k].suppressed || saved.contacts[k].field[NB_OVERLAP] == 0);
+      suppressed += saved.contacts[k].suppressed;
+    }
+    for (size_t c = 0; c < model->contacts.count; c++)
+      passed += model->contacts.suppressed[c] && model->contacts.kept[NB_OVERLAP][c] > 0;
+    nb_saved_free(&saved);
+  }
+  CU_ASSERT_EQUAL(passed, 1);
+  CU_ASSERT(suppressed > 0);
+  nb_model_free(model);
+  written_free(&it);
+}
+
 /* The state continues what a contact was in the last step: the shear stiffness, which the energy balance reads, and
  * which of two contacts at a wall vertex is suppressed. */
 static void contacts_of_the_last_step_continue(void) {
@@ -375,6 +405,7 @@ static void a_history_that_begins_with_0(void) {
 
 void suite_state(void) {
   CU_pSuite suite = CU_add_suite("state", NULL, NULL);
+  CU_add_test(suite, "a contact that begins at a vertex", a_contact_that_begins_at_a_vertex);
   CU_add_test(suite, "continued runs have the same bits with every law", all_laws);
   CU_add_test(suite, "continued runs have the same bits with every damping", all_dampings);
   CU_add_test(suite, "the balances count from the state on", balances_begin_anew);

@@ -69,6 +69,9 @@ static void samples(void) {
        NB_FAIL,
        "it is nan"},
       {"sweep T 1 2\nsweep s 1 2", "A.x increases with T over s", {0, INFINITY, 1, 11}, NB_FAIL, "it is inf"},
+      /* in the first of several pairs, before and after */
+      {"sweep T 1 2\nsweep s 1 2 3", "A.x increases with T over s", {NAN, 10, 20, 1, 11, 21}, NB_FAIL, "it is nan"},
+      {"sweep T 1 2\nsweep s 1 2 3", "A.x increases with T over s", {0, 10, 20, NAN, 11, 21}, NB_FAIL, "it is nan"},
       {"sweep T 1 2\nsweep s 1 2\nlet b = T",
        "A.x increases with T over s",
        {0, 10, 1, 11},

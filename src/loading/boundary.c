@@ -290,8 +290,6 @@ static void list_candidates(struct nb_model *model) {
 
 enum nb_status nb_boundary_before_motion(struct nb_model *model, struct nb_error *error) {
   struct nb_ring *ring = &model->boundary->ring;
-  if (!ring->held)
-    return NB_OK;
   if (ring->listed_search != model->search.count ||
       !(size(tensor_sub(ring->shape, ring->listed_shape)) * ring->radius <= model->search.skin / 2))
     list_candidates(model);
@@ -318,7 +316,7 @@ enum nb_status nb_boundary_before_motion(struct nb_model *model, struct nb_error
 void nb_boundary_set_velocities(struct nb_model *model) {
   const struct nb_ring *ring = &model->boundary->ring;
   struct nb_particles *particles = &model->particles;
-  for (size_t k = 0; k < ring->count && ring->held; k++) {
+  for (size_t k = 0; k < ring->count; k++) {
     const size_t i = (size_t)ring->member[k];
     const struct nb_vec c = nb_imposed_velocity(model->affine, i, particles->position[i]);
     particles->velocity[i] = vec_add(vec_sub(particles->velocity[i], particles->imposed[i]), c);
