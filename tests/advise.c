@@ -347,6 +347,31 @@ static void a_trial_that_would_end_after_the_budget(void) {
   finish(&advice, &page);
 }
 
+/* The time of a setting that the page refuses is NaN, so that no message calls it fast. */
+static void the_time_of_a_setting_that_cannot_run(void) {
+  struct nb_advice advice;
+  struct nb_advise_query query;
+  struct page page;
+  begin(&advice, &query, &page, "1000 %");
+  CU_ASSERT(nb_trials_time(&advice, &advice.variants[0], 0) > 0);
+  struct nb_variant refused = {.normal = "linear", .shear = "linear"}; /* the material has no `kn` */
+  CU_ASSERT(isnan(nb_trials_time(&advice, &refused, 0)));
+  finish(&advice, &page);
+}
+
+/* Softer contacts save nothing if every stage has its step from the collision, in single runs of an impact. */
+static void when_softness_is_useless(void) {
+  for (int k = 0; k < 32; k++) {
+    struct nb_stage stages[3] = {{.cycles = 1}};
+    struct nb_page_run run = {.scene = {.stages = stages, .stage_count = 3, .impact = {.line = k & 8 ? 4 : 0}}};
+    const struct nb_advise_query query = {.over = k & 16 ? "seed" : NULL};
+    const struct nb_advice advice = {.query = &query, .page = {.runs = &run, .run_count = 1}};
+    for (int s = 0; s < 3; s++)
+      stages[s].step.kind = k & 1 << s ? NB_STEP_COLLISION : NB_STEP_STABLE;
+    CU_ASSERT_EQUAL(nb_advice_softness_is_useless(&advice), k == 15);
+  }
+}
+
 /* ---- means over realizations ---- */
 
 /* Random discs that fly about in a periodic cell and collide. */
@@ -745,6 +770,8 @@ void suite_advise(void) {
   CU_ADD_TEST(suite, the_cost_is_counted);
   CU_ADD_TEST(suite, phases_of_other_pages_have_other_steps);
   CU_ADD_TEST(suite, other_pages_have_one_phase);
+  CU_add_test(suite, "the time of a setting that cannot run", the_time_of_a_setting_that_cannot_run);
+  CU_add_test(suite, "when softness is useless", when_softness_is_useless);
   CU_add_test(suite, "a trial that would end after the budget", a_trial_that_would_end_after_the_budget);
   CU_ADD_TEST(suite, a_trial_of_a_mean_is_a_realization);
   CU_ADD_TEST(suite, claims_of_a_mean_follow_from_its_realizations);

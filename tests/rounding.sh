@@ -54,6 +54,9 @@ run 0 check free.md --rounding parts && sed -n '/with one part/,$p' "$why" >part
   grep -q 'bits of: B.x expected 1441.6 within 1e-9 .v t.$' parts && grep -q "^    4[0-7]  motion$" parts && grep -q '^    53  search$' parts &&
   test "$(sed 's/^ *[0-9]*  //' parts | sort | uniq -d | wc -l)" -eq 0
 result $? 'parts of the cycle'
+sed 's/^stage s/boundary circle 0 0 radius 9000\nstage s/' free.md >ring.md
+run 0 check ring.md --rounding parts && said '    53  boundary takes in particles'
+result $? 'parts before the motion'
 
 # Rounded up, x is larger than to nearest by more than the tolerance.
 sed 's/within 1e-9/within 1e-10/' free.md >tight.md
