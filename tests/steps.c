@@ -258,6 +258,21 @@ static void a_stage_is_checked_as_it_begins(void) {
   CU_ASSERT_EQUAL(ends(STAGES("", "ramp material m kn 20\nstep 1 of stable\n"), &cycles, &error), NB_OK);
 }
 
+/* Before the first stage the model has the step of that stage, not the one above it. */
+static void the_step_of_the_first_stage(void) {
+  static const char *const steps[][2] = {{"step 0.25\n", ""}, {"step 0.25\n", "step 0.125\n"}, {"", "step 0.125\n"}};
+  for (size_t k = 0; k < 3; k++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page, PAIR "disc 0 0 radius 1 m\n%srecord step\nstage a\n%scycles 1\n", steps[k][0], steps[k][1]);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL(written_now(model, "step"), k > 0 ? 0.125 : 0.25);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 /* There are no searches here. The limit of three discs in a row, 3 k = 4/0.4^2, is exceeded at k = 8.33, after 2424
  * cycles, and the next check finds it. The limit of a pair, 2 k, is not exceeded, otherwise the stage would not
  * begin. */
@@ -302,6 +317,7 @@ void suite_steps(void) {
   CU_add_test(suite, "a collision step is kept", a_collision_step_is_kept);
   CU_add_test(suite, "an infinite limit", an_infinite_limit);
   CU_add_test(suite, "a step above the limit stops the run", a_step_above_the_limit_stops_the_run);
+  CU_add_test(suite, "the step of the first stage", the_step_of_the_first_stage);
   CU_add_test(suite, "a stage is checked as it begins", a_stage_is_checked_as_it_begins);
   CU_add_test(suite, "a check every 1000 cycles", a_check_every_1000_cycles);
   CU_add_test(suite, "the stability check changes no bit", the_check_changes_no_bit);

@@ -41,7 +41,7 @@ static bool multiply(struct nb_scene_reading *reading, const struct nb_stage *st
     return nb_line_mistake(&reading->reader, (size_t)stage->line, NULL,
                            "expected at most %d %s in `%s` with --set refine=%g, found %g", NB_COUNT_MAX, what,
                            stage->name, refine, product);
-  if (!(nb_refined_is_whole(product, &whole) && whole >= 1))
+  if (!nb_refined_is_whole(product, &whole)) /* never 0, because the product is positive */
     return nb_line_mistake(&reading->reader, (size_t)stage->line, "choose another number for `refine`",
                            "expected a whole number of %s in `%s` with --set refine=%g, found %g", what, stage->name,
                            refine, product);

@@ -73,11 +73,10 @@ static bool transform_point(const struct nb_transform *to, double *x, double *y)
   return isfinite(*x) && isfinite(*y);
 }
 
-/* L' = Q M L (Q M)^T: columns first, then rows. */
+/* L' = Q M L (Q M)^T: columns first, then rows, where what is not finite stays so. */
 static bool transform_rate(const struct nb_transform *to, struct nb_strain_rate *rate) {
-  bool finite = rotate(to, &rate->xx, &rate->yx);
-  finite = rotate(to, &rate->xy, &rate->yy) && finite;
-  finite = rotate(to, &rate->xx, &rate->xy) && finite;
+  rotate(to, &rate->xx, &rate->yx), rotate(to, &rate->xy, &rate->yy);
+  const bool finite = rotate(to, &rate->xx, &rate->xy);
   return rotate(to, &rate->yx, &rate->yy) && finite;
 }
 
