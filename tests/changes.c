@@ -104,6 +104,37 @@ static void a_wall_ramps(void) {
       5 + 4 + 3);
 }
 
+/* Wall k goes from rest to the velocity k in one stage of 8 cycles of 1/4, where its displacement is k. It stops likewise
+ * in the stage after it, so the displacement is 2 k. The stage with all the walls is the first one or the second. */
+static void many_walls_ramp(void) {
+  enum { WALLS = 40 };
+  for (int first = 0; first < 2; first++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc -90 0 radius 1 m\nstep 0.25\n");
+    for (int k = 1; k <= WALLS; k++)
+      words_add(&page, "wall w%d %d 0 to %d 5 m\nmonitor W%d wall w%d\n", k, 5 * k, 5 * k, k, k);
+    for (int k = 1; k <= WALLS; k++)
+      words_add(&page, "record W%d.x\n", k);
+    for (int stage = 0; stage < 2; stage++) {
+      words_add(&page, "stage s%d\n", stage);
+      for (int k = 1; k <= WALLS && stage == first; k++)
+        words_add(&page, "ramp wall w%d velocity %d 0\n", k, k);
+      words_add(&page, "%scycles 8\n", stage == first ? "" : "ramp walls stop\n");
+    }
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    for (int k = 1; k <= WALLS; k++) {
+      char name[16];
+      snprintf(name, sizeof name, "W%d.x", k);
+      CU_ASSERT_EQUAL(written_last(&result, name), 5 * k + (first ? k : 2 * k));
+    }
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
 /* Discs so heavy that they do not move, each with the overlap 1/4 at a wall. */
 #define DEEP                                                                                                           \
   "material m density 1e30 kn 8 ks 4\nmaterial n density 1e30 kn 8 ks 4\ndisc 0 0.75 radius 1 m\nwall w -9 0 to 9 0 "  \
@@ -289,6 +320,7 @@ static void a_spin_ramps(void) {
 void suite_changes(void) {
   CU_pSuite suite = CU_add_suite("changes", NULL, NULL);
   CU_add_test(suite, "a particle falls", a_particle_falls);
+  CU_add_test(suite, "many walls ramp", many_walls_ramp);
   CU_add_test(suite, "gravity jumps", gravity_jumps);
   CU_add_test(suite, "gravity pulls along any axis", gravity_pulls_along_any_axis);
   CU_add_test(suite, "gravity ramps", gravity_ramps);

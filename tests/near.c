@@ -2,6 +2,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "../src/core/model.h"
@@ -301,9 +302,42 @@ static void storage_threads_and_instructions_change_no_bit(void) {
   written_free(&it);
 }
 
+/* Each of three restored pairs is tested: one that the model does not have is a failure wherever it stands. */
+static void restored_pairs_exist(void) {
+  static const struct nb_neighbour_pair invalid[] = {{0, 3, 0},  {3, 0, 0}, {-1, 0, 0},
+                                                     {0, -1, 0}, {0, 1, 2}, {0, 1, -1}};
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\ndisc 2 0 radius 1 m\n"
+                   "disc 4 0 radius 1 m\nstep 1e-3\nrecord time\nstage s\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL(model->material_pair_count, 1);
+  for (size_t k = 0; k <= sizeof invalid / sizeof *invalid; k++)
+    for (size_t at = 0; at < 3; at++) {
+      struct nb_neighbour_pair list[3] = {{0}};
+      struct nb_neighbour_pairs pairs = {list, 3}, restored = {NULL, 0};
+      for (size_t p = 0; p < 3; p++)
+        list[p].b = 1;
+      if (k > 0)
+        list[at] = invalid[k - 1];
+      struct nb_store store = {0};
+      nb_pairs_store(&store, "pairs", &pairs, model);
+      store.restoring = true;
+      nb_pairs_store(&store, "pairs", &restored, model);
+      CU_ASSERT_EQUAL(store.failed, k > 0);
+      CU_ASSERT_EQUAL(restored.count, 3);
+      free(restored.list);
+      nb_store_free(&store);
+    }
+  nb_model_free(model);
+  written_free(&it);
+}
+
 void suite_near(void) {
   CU_pSuite suite = CU_add_suite("near", NULL, NULL);
   CU_add_test(suite, "all pairs are found, and no others", all_pairs_are_found);
+  CU_add_test(suite, "restored pairs exist", restored_pairs_exist);
   CU_add_test(suite, "contacts are found by their partners", contacts_are_found_by_their_partners);
   CU_add_test(suite, "pairs that touch are listed", touching_pairs_are_listed);
   CU_add_test(suite, "a few large discs among many small ones", different_sizes);

@@ -528,6 +528,32 @@ grep -v '^#' again/table.tsv >again.tsv
 grep -v '^#' passes.out/table.tsv | cmp -s - again.tsv || echo 'the same value gives another table' >>why
 verdict 'sweeps'
 
+# Each of three runs leaves its snapshots of two stages: the disc is where its speed has brought it in 1 and in 2 s.
+sed 's/^cycles .*/cycles 8\nsnapshot\nstage further\ncycles 8\nsnapshot/' "$pages/swept.md" >snapped.md
+run 0 run snapped.md -o snapped
+ls snapped | grep -c particles >many
+test "$(cat many)" = 6 || echo "$(cat many) tables of particles, wanted 6" >>why
+for r in 1 2 3; do
+  speed=$(echo "0.5 1 2" | cut -d ' ' -f $r)
+  for stage in flight-1 further-2; do
+    x=$(column x/- "snapped/${stage%-*}-particles-$r.tsv")
+    test "$x" = "$(awk -v v="$speed" -v t="${stage#*-}" 'BEGIN { print 1 + v * t }')" || echo "$stage, run $r: x = $x" >>why
+  done
+done
+verdict 'snapshots of a sweep'
+
+# The lines of each segment are under its name. Hertz's law stores energy and dissipates none; that of Mindlin and Deresiewicz does
+# both.
+sed 's/^  snapshot/&\nsegment  back  overlap to 0 um  in 3 steps/; /^```expect/,$d' "$pages/contact-test.md" >segments.md
+run 0 explain segments.md
+sed -n '/^segments/,/^cost/s/^    \(line [0-9]*\): \([a-z]* *[a-z]*\).*/\1 \2/p; s/^  \(press\|back\),.*/\1/p' out | tr '\n' ';' >given
+test "$(cat given)" = 'press;line 8 segment press;line 9 snapshot;back;line 10 segment back;' || cat given >>why
+sed -n '/^  normal hertz/{n;p;}' out | grep -q '; reports its stored energy$' || echo 'normal hertz' >>why
+sed -n '/^  shear mindlin_deresiewicz/{n;p;}' out | grep -q '; reports its stored energy; reports its dissipation$' || echo 'the exact law' >>why
+run 0 explain segments.md --set shear=mindlin
+sed -n '/^  shear mindlin/{n;p;}' out | grep -q '; does not report stored energy; may create energy$' || echo 'shear mindlin' >>why
+verdict 'explain: the laws and the statements of each segment'
+
 run 0 check "$pages/sample.md"
 out 'expected 3, within the range of 4 runs over seed: 2 to 5, mean 3.5, standard deviation 1.3; percentile 38'
 out 'note  D.x expected 70 over seed [a number outside] (T=1, n=8)'
