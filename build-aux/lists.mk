@@ -155,6 +155,7 @@ PAGES = \
   cases/4-oblique/oblique-impact-phase.md \
   cases/4-oblique/oblique-impact-forces.md \
   cases/4-oblique/oblique-impact-small-angle.md \
+  cases/4-oblique/oblique-impact-small-angle-r89.md \
   cases/4-oblique/oblique-impact-laws.md \
   cases/4-oblique/oblique-impact-work.md \
   cases/4-oblique/oblique-impact-rigid.md \
