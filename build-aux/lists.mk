@@ -207,6 +207,7 @@ PAGES = \
   cases/7-assemblies/as-generated.md \
   cases/7-assemblies/fill-tries.md \
   cases/7-assemblies/compression-and-shear.md \
+  cases/7-assemblies/thesis-preparation.md \
   cases/7-assemblies/cyclic-shear.md \
   cases/7-assemblies/periodic-compression.md \
   cases/7-assemblies/biaxial.md \
