@@ -248,6 +248,7 @@ PAGES_LONG = \
   cases/7-assemblies/barnes-discs.md \
   cases/7-assemblies/barnes-fields.md \
   cases/7-assemblies/continuum-shear.md \
+  cases/7-assemblies/continuum-shear-far.md \
   cases/7-assemblies/continuum-shear-readings.md \
   cases/7-assemblies/continuum-shear-damped.md \
   cases/7-assemblies/continuum-shear-literal.md \
