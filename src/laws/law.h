@@ -10,16 +10,28 @@
  * contact, as many doubles as the law declares, 0 at first touch; the law updates it for the next step. Forces are
  * elastic; dashpots are added later, from the stiffnesses returned here.
  *
- * Straight-line laws, which have no branches, use only + - x / sqrt fabs copysign and ?:, so that the compiler
- * vectorises their loop.
+ * Straight-line laws, which have no branches, use only + - x / sqrt fabs copysign, ?: and nb_where, so that the
+ * compiler vectorises their loop.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_LAW_H
 #define NB_LAW_H
 
 #include <math.h>
+#include <stdint.h>
 
 #include "core/block.h"
+
+/* x where the condition holds, else 0. Without a branch in the source: where several `?:` depend on each other, gcc
+ * computes every combination of their cases. */
+static inline double nb_where(bool condition, double x) {
+  union {
+    double x;
+    int64_t bits;
+  } value = {.x = x};
+  value.bits &= -(int64_t)condition;
+  return value.x;
+}
 
 struct nb_normal {
   double force;     /* F_n >= 0, N; > 0 at the largest overlap so far, may be 0 below it */

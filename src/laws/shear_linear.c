@@ -18,12 +18,12 @@
 static inline struct nb_shear shear_linear(struct nb_pair p, struct nb_normal n, double ds, double m[]) {
   const bool touching = n.stiffness > 0;
   const double limit = n.force * p.friction + p.cohesion;
-  const double trial = touching ? m[0] + p.ks * ds : 0; /* without contact there is no sliding */
+  const double trial = nb_where(touching, m[0] + p.ks * ds); /* without contact there is no sliding */
   const double size = fabs(trial);
   m[0] = copysign(size > limit ? limit : size, trial);
   return (struct nb_shear){
       .force = m[0],
-      .stiffness = touching ? p.ks : 0,
+      .stiffness = nb_where(touching, p.ks),
       .sliding = size > limit ? 1 : 0,
   };
 }
