@@ -1,0 +1,50 @@
+#!/bin/bash
+# Processor time of a cycle of several programs on the same packings: interleaved repeats, long run less short run.
+#
+#   interleaved.sh SIDES KINDS LAWS REPEATS PROGRAM ...      lists are in quotes; `lmp` is LAMMPS, others are nineball
+#
+# Prints a line for each packing and law: particles, kind, law, then for each program the median, the least and the
+# greatest time of a cycle, ns. User time of one thread, so other processes disturb it less than elapsed time.
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+set -eu
+export LC_ALL=C OMP_NUM_THREADS=1 OMP_WAIT_POLICY=passive
+folder=$(dirname "$0") sides=$1 kinds=$2 laws=$3 repeats=$4
+shift 4
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+TIMEFORMAT='%3U %3S'
+
+# User and system time of one run of the program in the folder, s.
+run() {
+  cd "$work/$2"
+  if test "$(basename "$1")" = lmp; then
+    { time "$1" -in in.txt -log none -screen none >/dev/null 2>"$work/said"; } 2>&1
+  else
+    { time "$1" figure page.md --threads 1 --jobs 1 >/dev/null 2>"$work/said"; } 2>&1
+  fi | awk '{ print $1 + $2 }'
+}
+
+for side in $sides; do for kind in $kinds; do for law in $laws; do
+  short=$((1000000 / (side * side + 100) + 1)) long=$((11 * (1000000 / (side * side + 100) + 1)))
+  for length in short long; do
+    mkdir -p "$work/$length"
+    ${AWK:-awk} -v n="$side" -v kind="$kind" -v law="$law" -v cycles="${!length}" -v folder="$work/$length" \
+      -f "$folder/packing.awk"
+  done
+  for ((k = 0; k < repeats; k++)); do
+    for ((p = 1; p <= $#; p++)); do
+      echo "$p $(run "${!p}" long) $(run "${!p}" short)"
+    done
+  done | awk -v programs=$# -v cycles=$((long - short)) '{ printf "%d %.1f\n", $1, ($2 - $3) / cycles * 1e9 }' | sort -k1,1n -k2,2n >"$work/times"
+  awk -v head="$(sed -n 's/ atoms//p' "$work/long/data.txt") $kind $law" '
+    { time[$1, ++count[$1]] = $2; programs = $1 }
+    END {
+      printf "%s", head
+      for (p = 1; p <= programs; p++) {
+        n = count[p]; median = n % 2 ? time[p, (n + 1) / 2] : (time[p, n / 2] + time[p, n / 2 + 1]) / 2
+        printf " %.0f %.0f %.0f", median, time[p, 1], time[p, n]
+      }
+      print ""
+    }' "$work/times"
+done; done; done

@@ -1,0 +1,60 @@
+# Writes one packing of spheres for two programs: page.md for nineball, and data.txt and in.txt for LAMMPS.
+#
+#   awk -v n=SIDE -v kind=lattice|random -v law=linear|hertz -v cycles=CYCLES -v folder=FOLDER -f packing.awk
+#
+# n rows of n spheres on a triangular lattice whose neighbours overlap by 0.5 % of the radius; the outermost are fixed.
+# `random`: the radii differ by up to 0.2 %, every tenth place is empty and the numbers are shuffled, so that the number of
+# contacts differs between particles without a pattern. Dashpots are on. Both programs get the same step; the constants
+# of LAMMPS are those that give the same stiffness and, for the overlap of the lattice, the same damping.
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+function next_random() { seed = (seed * 1103 + 12345) % 65536; return seed / 65536 }
+function place(i, j) { x[++count] = d * (i + j % 2 / 2); y[count] = d * sqrt(3) / 2 * j }
+BEGIN {
+  seed = 12345; pi = 3.14159265358979
+  R = 0.01; d = 1.995 * R; density = 2000; kn = 1e7; ks = 8e6; young = 70e9; poisson = 0.25; friction = 0.5; ratio = 0.05
+  mass = density * 4 / 3 * pi * R ^ 3
+  effective = young / (2 * (1 - poisson ^ 2)); shear = young / (2 * (1 + poisson)) / (2 * (2 - poisson))
+  stiffness = law == "hertz" ? 2 * effective * sqrt(R / 2 * (2 * R - d)) : kn
+  step = 0.05 * sqrt(mass / stiffness)
+  for (j = 0; j < n; j++)
+    for (i = 0; i < n; i++) {
+      edge = i == 0 || j == 0 || i == n - 1 || j == n - 1
+      chance = next_random()
+      if (kind == "random" && !edge && chance < 0.1) continue
+      place(i, j); fixed[count] = edge; radius[count] = R * (kind == "random" ? 0.998 + 0.004 * next_random() : 1)
+    }
+  for (k = 1; k <= count; k++) order[k] = k
+  for (k = count; kind == "random" && k > 1; k--) {
+    other = 1 + int((next_random() + next_random() / 65536) * k); swap = order[k]; order[k] = order[other]; order[other] = swap
+  }
+
+  page = folder "/page.md"
+  print "# Packing\n\n```scene" >page
+  print "material m density " density " kg/m3 kn " kn " N/m ks " ks " N/m young " young " Pa poisson " poisson " friction " friction >page
+  print "normal " (law == "hertz" ? "hertz" : "linear") "\nshear " (law == "hertz" ? "mindlin" : "linear") >page
+  print "damping ratio " ratio >page
+  for (k = 1; k <= count; k++) {
+    p = order[k]
+    printf "sphere %.8g m %.8g m radius %.6g m m%s\n", x[p], y[p], radius[p], fixed[p] ? " fixed" : "" >page
+  }
+  printf "step %.9g s\nstage run\nrecord none\ncycles %d\n```\n", step, cycles >page
+
+  data = folder "/data.txt"
+  printf "packing\n\n%d atoms\n2 atom types\n%.9g %.9g xlo xhi\n%.9g %.9g ylo yhi\n%.9g %.9g zlo zhi\n\nAtoms\n\n", count, -2 * R, d * n + 2 * R, -2 * R, d * n + 2 * R, -R / 10, R / 10 >data
+  for (k = 1; k <= count; k++) {
+    p = order[k]
+    printf "%d %d %.8g %d %.8g %.8g 0\n", k, 1 + fixed[p], 2 * sprintf("%.6g", radius[p]), density, x[p], y[p] >data
+  }
+  # half the mass is the reduced mass; the dashpot of LAMMPS is gamma M*, times the root of R* alpha with Hertz's law
+  gamma = 2 * ratio * sqrt(stiffness / (mass / 2)); tangential = gamma * sqrt(0.8)
+  root = sqrt(R / 2 * (2 * R - d))
+  input = folder "/in.txt"
+  print "atom_style sphere\nunits si\ndimension 2\nboundary f f p\nnewton off\ncomm_modify vel yes\nread_data data.txt" >input
+  print "neighbor " R / 10 " bin\nneigh_modify delay 0 every 1 check yes" >input
+  if (law == "hertz") print "pair_style gran/hertz/history", 4 / 3 * effective, 8 * shear, gamma / root, tangential / root, friction, 1 >input
+  else print "pair_style gran/hooke/history", kn, ks, gamma, tangential, friction, 1 >input
+  print "pair_coeff * *\ngroup fixed type 2\ngroup free type 1\nneigh_modify exclude group fixed fixed" >input
+  print "fix move free nve/sphere\nfix plane all enforce2d\nfix hold fixed freeze" >input
+  printf "timestep %.9g\nthermo_modify norm no\nthermo 1000000000\nrun %d\n", step, cycles >input
+}

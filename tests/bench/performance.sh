@@ -1,0 +1,108 @@
+#!/bin/sh
+# Compares the speed of nineball and LAMMPS, and writes docs/PERFORMANCE.md.
+#
+#   performance.sh -o FILE TIMES INSTRUCTIONS      measures, and writes the times to the file TIMES
+#   performance.sh -t FILE TIMES INSTRUCTIONS      writes the document again, from the times measured before
+#
+# INSTRUCTIONS is the table of instructions.sh.
+#
+#   NINEBALL   the program, built with -g -O3        SIDES     particles on a side, "5 32 100 280"
+#   FLAGS      its compiler and flags                REPEATS   interleaved repeats of each program, 5
+#
+# LAMMPS is installed with apt-get if it is missing and this user may do so. Exit status: 0, 77 LAMMPS is missing.
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+set -eu
+export LC_ALL=C
+case $#$1 in 4-o | 4-t) ;; *) echo 'usage: performance.sh -o|-t FILE TIMES INSTRUCTIONS' >&2 && exit 2 ;; esac
+nineball=$(cd "$(dirname "${NINEBALL:-./nineball}")" && pwd)/$(basename "${NINEBALL:-./nineball}")
+folder=$(dirname "$0") times=$3 instructions=$4
+if test "$1" = -o; then
+  command -v lmp >/dev/null || { apt-get update && apt-get install -y --no-install-recommends lammps; } >&2 ||
+    { echo 'performance.sh: this needs lmp, of the package lammps' >&2 && exit 77; }
+  {
+    printf 'machine\t%s\n' "$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1)"
+    printf 'nineball\t%s\n' "${FLAGS:-flags unknown}"
+    printf 'LAMMPS\t%s\n' "$(dpkg-query -W -f '${Package} ${Version}' lammps 2>/dev/null || echo unknown)"
+    printf 'repeats\t%s\n' "${REPEATS:-5}"
+    bash "$folder/interleaved.sh" "${SIDES:-5 32 100 280}" "lattice random" "linear hertz" "${REPEATS:-5}" "$nineball" lmp |
+      tr ' ' '\t'
+  } >"$times-t"
+  mv "$times-t" "$times"
+fi
+told() { awk -F '\t' -v name="$1" '$1 == name { print $2 }' "$times"; }
+repeats=$(told repeats)
+
+times_table() {
+  echo '| particles | packing | law | nineball | least to greatest | LAMMPS | least to greatest | ratio |'
+  echo '| --- | --- | --- | --- | --- | --- | --- | --- |'
+  awk '$1 + 0 { printf "| %d | %s | %s | %.2f | %.2f to %.2f | %.2f | %.2f to %.2f | %.1f |\n", $1, $2, $3, $4 / 1e3, $5 / 1e3, $6 / 1e3, $7 / 1e3, $8 / 1e3, $9 / 1e3, $7 / $4 }' "$times"
+}
+commands_table() {
+  echo '```sh'
+  awk '$1 + 0 { side = int(sqrt($1 / ($2 == "random" ? 0.9 : 1)) + 0.5); if ($2 == "lattice") last = side
+    printf "bash tests/bench/interleaved.sh %d %s %s '"$repeats"' build/nineball lmp     # %d particles\n", last, $2, $3, $1 }' "$times"
+  echo '```'
+}
+instructions_table() {
+  echo '| law | function | instructions a contact | instructions a particle |'
+  echo '| --- | --- | --- | --- |'
+  awk -F '\t' 'NR > 1 { printf "| %s | `%s` | %s | %s |\n", $2, $3, $4, $5 }' "$instructions"
+}
+rate_table() {
+  echo '| particles | law | instructions in a nanosecond | instructions a particle | for a ratio of 8 |'
+  echo '| --- | --- | --- | --- | --- |'
+  awk 'NR == FNR { if ($3 == "all") of[$2] = $5; next }
+    $2 == "lattice" && $1 >= 1000 { printf "| %d | %s | %.1f | %.0f | %.0f |\n", $1, $3, of[$3] * $1 / $4, of[$3], of[$3] * $7 / $4 / 8 }' "$instructions" "$times"
+}
+
+{
+  cat <<TEXT
+# Speed of a cycle, compared with LAMMPS
+
+\`make bench\` writes this document ([tests/bench/performance.sh](../tests/bench/performance.sh)).
+
+## Method
+
+Both programs read the same spheres ([tests/bench/packing.awk](../tests/bench/packing.awk)), and make the same steps
+with the same stiffnesses. In the packing \`lattice\` neighbours in a triangular lattice overlap by 0.5 % of the radius.
+In the packing \`random\` every tenth place is empty, the radii differ by up to 0.2 %, and the numbers are shuffled. The
+outermost spheres are fixed. The law \`linear\` is \`gran/hooke/history\` in LAMMPS, and \`hertz\` with \`shear mindlin\`
+is \`gran/hertz/history\`. Both have friction and dashpots. The dashpots of the two programs depend differently on mass
+and stiffness; the constants agree in the lattice.
+
+Times are user and system times of one thread. A time of a cycle is that of a long run less that of a short one, over
+the difference of their cycles, so reading and start cancel. The programs take turns. The table has medians of
+$repeats repeats, with the least and the greatest. Other programs ran on this machine at the same time, so the spread
+belongs to every number.
+
+Machine: $(told machine). nineball: $(told nineball). LAMMPS: Debian's $(told LAMMPS).
+
+## Times of a cycle
+
+Times are in microseconds. The ratio is the median of LAMMPS over that of nineball.
+
+TEXT
+  times_table
+  printf '\nThe commands of the rows, which print nanoseconds:\n\n'
+  commands_table
+  printf '\n## Instructions\n\n'
+  cat <<TEXT
+\`make bench-self\` counts the instructions of a cycle by callgrind
+([tests/bench/instructions.sh](../tests/bench/instructions.sh)) and compares them with
+[the recorded table](performance/instructions.tsv). It fails if a function needs over 2 % more. The packing is the
+lattice with 1024 spheres, and the loops are those for AVX2. \`move\` sums the forces on each particle and integrates the
+motion. \`with_tangential_increment\` is the geometry of two particles, and \`with_shear\` resolves the forces.
+
+TEXT
+  instructions_table
+  cat <<TEXT
+
+The quotient of this count and the times above is how fast the machine executes them. The last column is the number of
+instructions that a cycle could have, executed at this rate, in an eighth of the time of LAMMPS:
+
+TEXT
+  rate_table
+  cat "$folder/tried.md"
+} >"$2-t"
+mv "$2-t" "$2"
