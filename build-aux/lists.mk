@@ -286,6 +286,7 @@ DOCUMENTS = \
   docs/PATHS.md \
   docs/ROUNDING.md \
   docs/COST.md \
+  docs/PERFORMANCE.md \
   docs/FUZZING.md \
   docs/STATE.md \
   HACKING.md
