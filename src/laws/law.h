@@ -22,14 +22,14 @@
 
 #include "core/block.h"
 
-/* x where the condition holds, else 0. Without a branch in the source: where several `?:` depend on each other, gcc
- * computes every combination of their cases. */
+/* x where the condition holds, else 0: the bits of x and those of a mask. Where several `?:` depend on each other, gcc
+ * computes every combination of their cases. The mask is a double, so that SSE2 vectorises the comparison. */
 static inline double nb_where(bool condition, double x) {
   union {
-    double x;
     int64_t bits;
-  } value = {.x = x};
-  value.bits &= -(int64_t)condition;
+    double x;
+  } value = {.x = x}, all = {.bits = -1}, mask = {.x = condition ? all.x : 0};
+  value.bits &= mask.bits;
   return value.x;
 }
 
