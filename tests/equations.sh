@@ -28,10 +28,12 @@ grep -E '^\| [0-9.]+a? \|  \|' "$work/table" >"$work/said"
 test ! -s "$work/said"
 result $? "every equation has a subject"
 
-# The tags of texts and tests. A number of R89 that follows neither `sec.` nor `figure` is an equation: it has two parts, and a chapter
-# from 3 to 5.
+# The tags of texts and tests. A number of R89 that follows neither `sec.` nor `figure` is an equation: it has two parts, and the chapter
+# has as many equations. The number that follows `sec.` is a section.
+sections=$(sed -n 's/.*sections = "\(.*\)".*/\1/p' docs/equations.sh)
 not_equations() {
-  grep -roE '\[[^][]*R89 [^][]*\]' "$@" | sed 's/–/-/g; s/…/.../g' | awk '
+  grep -roE '\[[^][]*R89 [^][]*\]' "$@" | sed 's/–/-/g; s/…/.../g' | awk -v sections=" $sections " '
+    function equations(chapter) { return chapter == 3 ? 98 : chapter == 4 ? 54 : chapter == 5 ? 16 : 0 }
     {
       at = index($0, ":["); tag = substr($0, at + 1); file = substr($0, 1, at - 1)
       sub(/:.*/, "", tag) # the words after a colon are a quotation
@@ -41,18 +43,26 @@ not_equations() {
       for (k = 1; k <= n; k++) {
         if (item[k] ~ /figure|table/) figures = 1
         else if (item[k] !~ /^[0-9]/) figures = 0
-        if (figures || item[k] ~ /sec\. / || item[k] !~ /^[0-9]/) continue
-        if (item[k] !~ /^[345]\.[0-9]+([^0-9.]|$)/) print file ": " item[k] " in " $0
+        if (item[k] ~ /^(end of )?sec\. /) {
+          number = item[k]; sub(/^.*sec\. /, "", number); sub(/[^0-9.].*/, "", number)
+          if (index(sections, " " number " ") == 0) print file ": " item[k] " in " $0
+        }
+        if (figures || item[k] !~ /^[0-9]/) continue
+        m = split(item[k], end, "-")
+        for (e = 1; e <= m; e++) {
+          number = end[e]; sub(/[^0-9.].*/, "", number); split(number, part, ".")
+          if (end[e] ~ /^[0-9]/ && (number !~ /^[0-9]\.[0-9]+$/ || part[2] > equations(part[1]))) print file ": " item[k] " in " $0
+        }
       }
     }'
 }
 not_equations cases docs src tests --include='*.md' --include='*.[ch]' --include='*.sh' --exclude=equations.sh >"$work/said"
 test ! -s "$work/said"
 result $? "sections of R89 are marked in every tag"
-printf '[R89 4.13, 6.4.3]\n[R89 2.3]\n[R89 figures 6.4, 6.5; 4.1]\n[R89 sec. 6.4.3, 5.12: about 2.3]\n' >"$work/marks.md"
+printf '[R89 4.13, 6.4.3]\n[R89 2.3]\n[R89 figures 6.4, 6.5; 4.1]\n[R89 sec. 6.4.3, 5.12: about 2.3]\n[R89 3.99]\n[R89 4.53-4.55]\n[R89 sec. 6.6]\n' >"$work/marks.md"
 not_equations "$work/marks.md" -H >"$work/said"
-test "$(wc -l <"$work/said")" -eq 2
-result $? "a section without its mark is found"
+test "$(wc -l <"$work/said")" -eq 5
+result $? "a section without its mark, and a number that does not exist, are found"
 
 # Invalid tags, and a valid one with several items.
 mkdir -p "$work/tree/src" "$work/tree/cases/refs"
