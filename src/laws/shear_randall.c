@@ -1,5 +1,5 @@
-/* R89's law of elastic spheres with micro-slip, in increments, with a memory of two reversals, in its best
- * interpretation:
+/* R89's law of elastic spheres with micro-slip, in increments, with a memory of two reversals. Errors of R89's text are
+ * corrected:
  *
  *   dT = CDF (theta (8 G* a ds CDF - mu dN UFL) + mu dN UFL),       |T| <= mu N       [R89 4.15]
  *
@@ -14,8 +14,8 @@
  *   ds_c    mu dN/(8 G* a), the increment at which a new ring is just at its limit and c does not change
  *           [R89 4.16]
  *
- * The text of R89 on its subroutines FORD and THETA contradicts itself and the exact contact in places; shear_randall_literal.c follows the
- * text. The interpretation here:
+ * The text of R89 on its subroutines FORD and THETA contradicts itself and the exact law in places.
+ * shear_randall_literal.c follows the text; this file interprets it as follows:
  *
  *   - A reversal sets T* or T** before theta is computed. `branch` tells whether they have a value, because 0 is a
  *     valid force.

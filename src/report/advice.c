@@ -19,7 +19,7 @@ static void append_setting(char *text, size_t size, const char *name, const char
   nb_append_word(text, size, setting);
 }
 
-/* The traded values of a variant: "rate=3, E=7 GPa", or as options. */
+/* The values that a variant takes from the statements `trade`: "rate=3, E=7 GPa", or `--set rate=3 --set E='7 GPa'`. */
 static void append_values(char *text, size_t size, const struct nb_advice *advice, const struct nb_variant *variant,
                           bool options) {
   const struct nb_scene *scene = &advice->page.runs[0].scene;
@@ -51,7 +51,7 @@ void nb_advice_options(char *text, size_t size, const struct nb_advice *advice, 
   nb_append(text, size, "%s--set refine=%.10g", text[0] ? " " : "", refine_of(advice, setting->level));
 }
 
-/* Those of the caller that the next command needs, too. */
+/* Prints the options of this call that the suggested command needs, too: --set NAME=VALUE except `trade` and `refine`. */
 static void print_own_options(const struct nb_advice *advice) {
   for (size_t k = 0; advice->query->settings[k]; k++) {
     const char *setting = advice->query->settings[k];
@@ -252,7 +252,7 @@ static void print_advice(struct nb_advice *advice) {
 
 /* ---- table and figure ---- */
 
-/* Writes all settings, those of the variant with index `which`, or the chosen one. */
+/* Writes a row for each setting: of all variants, of the variant with index `which`, or of the chosen setting alone. */
 enum { ALL_VARIANTS = -1, CHOSEN = -2 };
 static void write_rows(FILE *out, const struct nb_advice *advice, int which) {
   const struct nb_scene *scene = &advice->page.runs[0].scene;

@@ -187,7 +187,7 @@ static void put_result(FILE *out, const struct nb_advice *advice, const char *re
 
 /* ---- a search ---- */
 
-/* One word for why there is no advice, or "yes"; the reason in words. */
+/* The result of a search in one word, "yes" if there is advice, and the reason if there is none. */
 static const char *result_of(const struct nb_advice *advice, enum nb_status status, const struct nb_error *error,
                              const char **reason) {
   const char *mistakes = advice->page.mistakes.text ? strstr(advice->page.mistakes.text, "error: ") : NULL;
@@ -207,7 +207,8 @@ static void draw(struct search_all *all, const struct nb_advice *advice) {
     note_status(all, nb_print_plain_error(&error));
 }
 
-/* One search, unless the table has it. Returns the result: its first letter; 0: memory ran out. */
+/* Searches for a setting, unless the table has a row of this search. Returns the first letter of the result; 0: memory ran
+ * out. */
 static char search_one(struct search_all *all, const struct nb_page *page, const struct wanted *wanted,
                        const char *tolerance, bool first) {
   char key[4096];
@@ -276,7 +277,8 @@ static bool search_tolerances(struct search_all *all, const struct nb_page *page
 
 /* ---- the quantities of a page ---- */
 
-/* What the error depends on: an impact quantity, an extreme value, a mean, a given time, or how the stage ends. */
+/* The kind of a measure, which decides how its error depends on the step: a quantity of an impact, an extreme value, a
+ * mean, or a value at a given time, at the end of a stage of N cycles or at the end by a condition. */
 static const char *kind_of(const struct nb_measure *measure, const struct nb_scene *scene) {
   static const char *const kinds[] = {
       [NB_MAX] = "extreme",    [NB_MIN] = "extreme",   [NB_AMPLITUDE] = "extreme", [NB_MEAN] = "mean",

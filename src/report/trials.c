@@ -225,7 +225,7 @@ bool nb_trials_run(struct nb_advice *advice, struct nb_variant *variant, int lev
   if (!point->values)
     return nb_advice_no_memory(advice);
   for (size_t k = 0; k < count && good;) {
-    const int most = k == 0 ? 1 : jobs; /* the first one alone: it may fail */
+    const int most = k == 0 ? 1 : jobs; /* the first trial runs alone: if it fails, the others are not run */
     int size = 0;
     batch = calloc((size_t)jobs, sizeof *batch);
     if (!batch)
