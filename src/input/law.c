@@ -84,11 +84,18 @@ static void report(struct nb_scene_reading *reading, int line, const char *hint,
   nb_line_mistake(&reading->reader, (size_t)line, hint, what, name);
 }
 
+/* A law and where it is in force, for messages: "`normal hertz`", "`normal hertz` in stage `more`". */
+static const char *law_text(char text[NB_HINT_SIZE], const struct nb_law *law, const struct nb_stage *stage) {
+  snprintf(text, NB_HINT_SIZE, "`%s %s`%s%s%s", law->kind, law->name, stage ? " in stage `" : "",
+           stage ? stage->name : "", stage ? "`" : "");
+  return text;
+}
+
 static void check_material(struct nb_scene_reading *reading, int index, const char *law, bool *given) {
   const struct nb_material *material = &reading->scene->materials[index];
   if (material->young == 0 && !given[index])
-    report(reading, material->line, "add `young E  poisson NU`, or `rigid`",
-           "expected a material with `young` for `normal %s`", law);
+    report(reading, material->line, "add `young E  poisson NU`, or `rigid`", "expected a material with `young` for %s",
+           law);
   given[index] = true;
 }
 
@@ -116,8 +123,7 @@ static void check_shapes(struct nb_scene_reading *reading, const char *law) {
   while (k < reading->scene->particle_count && particles[k].shape != NB_DISC)
     k++;
   if (k < reading->scene->particle_count)
-    report(reading, particles[k].line, "use spheres, or `normal linear`",
-           "expected spheres for `normal %s`, found a disc", law);
+    report(reading, particles[k].line, "use spheres, or `normal linear`", "expected spheres for %s, found a disc", law);
 }
 
 static void check_elastic(struct nb_scene_reading *reading, const char *law) {
@@ -149,38 +155,41 @@ static int cohesive_line(const struct nb_scene *scene) {
   return 0;
 }
 
-static void refuse_fraction(struct nb_scene_reading *reading, int line, const struct nb_law *normal) {
+static void refuse_fraction(struct nb_scene_reading *reading, int line, const char *normal) {
   report(reading, line,
          "`r89-fraction` is relative to the single-contact step of linear springs; use `damping ratio X`",
-         "expected no `damping r89-fraction` for `normal %s`", normal->name);
+         "expected no `damping r89-fraction` for %s", normal);
 }
 
-/* Refuses damping that the normal law does not allow. */
+/* Refuses damping that the normal law does not allow. stage NULL: before the first one. */
 static void check_damping(struct nb_scene_reading *reading, const struct nb_damping *damping,
-                          const struct nb_law *normal) {
+                          const struct nb_law *normal, const struct nb_stage *stage) {
+  char text[NB_HINT_SIZE];
   if (!normal->elastic && damping->deep > 0)
     report(reading, damping->deep_line, "use `normal hertz`", "expected a normal law of elastic spheres for `%s`",
            "damping critical");
   if (normal->elastic && damping->contact_kind == NB_CONTACT_R89_FRACTION)
-    refuse_fraction(reading, damping->contact_line, normal);
+    refuse_fraction(reading, damping->contact_line, law_text(text, normal, stage));
   if (normal->elastic && damping->walls_separate && damping->walls_kind == NB_CONTACT_R89_FRACTION)
-    refuse_fraction(reading, damping->walls_line, normal);
+    refuse_fraction(reading, damping->walls_line, law_text(text, normal, stage));
 }
 
-/* Checks the laws that are in force from `line` on; 0: set by --set. */
-static void check_laws(struct nb_scene_reading *reading, const struct nb_active_laws *laws, bool other_normal,
-                       int line) {
+/* Checks the laws that are in force from `line` on; 0: set by --set. stage NULL: before the first one. */
+static void check_laws(struct nb_scene_reading *reading, const struct nb_active_laws *laws, bool other_normal, int line,
+                       const struct nb_stage *stage) {
+  char text[NB_HINT_SIZE];
   const struct nb_scene *scene = reading->scene;
   const int cohesive = cohesive_line(scene);
   if (laws->normal->elastic && other_normal)
-    check_elastic(reading, laws->normal->name);
+    check_elastic(reading, law_text(text, laws->normal, stage));
   else if (!laws->normal->elastic && laws->shear->elastic)
     nb_line_mistake(line ? &reading->reader : &reading->setting,
                     line ? (size_t)line : nb_setting_find(reading, "shear"), "use `normal hertz`",
                     "expected a normal law of elastic spheres for `shear %s`", laws->shear->name);
   if (laws->shear->cohesionless && cohesive > 0)
-    report(reading, cohesive, "the friction limit of this law is mu N; `shear linear` has cohesion",
-           "expected no cohesion for `shear %s`", laws->shear->name);
+    report(reading, cohesive,
+           "remove `cohesion`, or use another law, such as `shear linear`: the friction limit of this one is mu N",
+           "expected no cohesion for %s", law_text(text, laws->shear, stage));
 }
 
 /* ---- friction without a shear force ---- */
@@ -249,14 +258,15 @@ static void warn_unused_friction(struct nb_scene_reading *reading) {
 }
 
 void nb_laws_check(struct nb_scene_reading *reading, bool complete) {
+  char text[NB_HINT_SIZE];
   struct nb_scene *scene = reading->scene;
   struct nb_active_laws now = nb_laws_initial(scene);
   if (!complete && now.normal->elastic && !nb_name_suppressed(reading->reader.mistakes, "normal"))
-    check_shapes(reading, now.normal->name);
+    check_shapes(reading, law_text(text, now.normal, NULL));
   if (!complete)
     return;
-  check_laws(reading, &now, true, now.shear_line);
-  check_damping(reading, &scene->damping, now.normal);
+  check_laws(reading, &now, true, now.shear_line, NULL);
+  check_damping(reading, &scene->damping, now.normal, NULL);
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     const struct nb_damping *before = s ? &scene->stages[s - 1].damping : &scene->damping;
@@ -264,9 +274,9 @@ void nb_laws_check(struct nb_scene_reading *reading, bool complete) {
     now = nb_laws_of(stage, now);
     if (old.normal != now.normal || old.shear != now.shear)
       check_laws(reading, &now, old.normal != now.normal,
-                 stage->laws.shear_line ? stage->laws.shear_line : stage->laws.normal_line);
+                 stage->laws.shear_line ? stage->laws.shear_line : stage->laws.normal_line, stage);
     if (old.normal != now.normal || !nb_damping_equal(before, &stage->damping)) /* reports each once */
-      check_damping(reading, &stage->damping, now.normal);
+      check_damping(reading, &stage->damping, now.normal, stage);
   }
   if (!scene->contact_test)
     warn_unused_friction(reading);
