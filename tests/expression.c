@@ -203,8 +203,11 @@ static void mistakes(void) { /* the column, from 1, and the message */
        false},
       {"2 ^ (1 m)", "p:1:3: error: expected a number as an exponent, found a length (m)", false},
       {"(2 m)^0.3333",
-       "p:1:6: error: expected units to powers that are simple fractions, up to 99, found the power 0.3333", false},
-      {"(2 m)^100", "p:1:6: error: expected units to powers that are simple fractions, up to 99, found the power 100",
+       "p:1:6: error: expected powers of units that are simple fractions, such as 1/2, up to 99, found the power "
+       "0.3333",
+       false},
+      {"(2 m)^100",
+       "p:1:6: error: expected powers of units that are simple fractions, such as 1/2, up to 99, found the power 100",
        false},
       {"(2 kg)^-100", "up to 99, found the power -100", false},
       {"(2 s)^100", "up to 99, found the power 100", false},

@@ -51,7 +51,9 @@ struct nb_strain_rate nb_strain_rate_of(struct nb_reader *reader, const struct n
                                       .yy = value[NB_AT_YY].number,
                                       .per_cycle = nb_value_per_cycle(reader, &value[NB_AT_XX])};
   if (shear && (value[NB_AT_C12].token || value[NB_AT_C21].token))
-    nb_token_mistake(reader, value[NB_AT_XY].token, NULL, "expected `shear`, or `c12` and `c21`, found both");
+    nb_token_mistake(reader, value[NB_AT_XY].token,
+                     "remove `shear`, or `c12` and `c21`: `shear G` means `c12 G  c21 G`",
+                     "expected `shear`, or `c12` and `c21`, found both");
   for (int k = NB_AT_YY; k <= NB_AT_C21; k++)
     if (value[k].token && nb_value_per_cycle(reader, &value[k]) != rate.per_cycle)
       nb_token_mistake(

@@ -56,8 +56,9 @@ NB_APPLY(apply_wave) {
   if (nb_lacks_cell(scene, reader) || !nb_take_word(reader, "periods") ||
       !nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &nx) || !nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &ny))
     return;
-  if (nx != round(nx) || ny != round(ny) || fabs(nx) > most || fabs(ny) > most)
-    nb_token_mistake(reader, &reader->tokens[reader->next - 1], NULL,
+  const bool good_x = nx == round(nx) && fabs(nx) <= most, good_y = ny == round(ny) && fabs(ny) <= most;
+  if (!good_x || !good_y)
+    nb_token_mistake(reader, &reader->tokens[reader->next - (good_x ? 1 : 2)], NULL,
                      "expected whole numbers of periods, from -1e6 to 1e6, found %g and %g", nx, ny);
   for (size_t i = 0; i < scene->particle_count && !reader->bad; i++) {
     struct nb_particle *particle = &scene->particles[i];
@@ -95,7 +96,7 @@ void nb_cell_check(struct nb_scene_reading *reading) {
   snprintf(what, sizeof what,
            "expected cell sides of at least %g%s, twice the sum of the largest diameter and the skin, found %g%s",
            least, unit, width, unit);
-  report(reading, "in a smaller cell a particle could touch two images of another one", what);
+  report(reading, "make the cell larger: in a smaller one a particle could touch two images of another particle", what);
 }
 
 /* clang-format off */

@@ -126,8 +126,8 @@ static void take_part(struct nb_reader *reader, struct nb_stage *stage, enum wor
 
 /* Takes the parts of a segment, in any order, each at most once. */
 static bool take_segment(struct nb_reader *reader, struct nb_stage *stage) {
-  static const char *const once[] = {[PART_NORMAL] = "one of `overlap`, `normal` and `hold normal`",
-                                     [PART_SHEAR] = "one of `slip`, `shear` and `hold shear`",
+  static const char *const once[] = {[PART_NORMAL] = "only one of `overlap`, `normal` and `hold normal` in a segment",
+                                     [PART_SHEAR] = "only one of `slip`, `shear` and `hold shear` in a segment",
                                      [PART_STEPS] = "`in N steps` once"};
   bool given[PARTS] = {false}, any = false;
   for (; nb_token_peek(reader); any = true) {

@@ -113,6 +113,7 @@ static struct quantity mistake(struct parser *p, const char *at, size_t length, 
 
 static struct quantity expected(struct parser *p, const char *what) {
   char text[WORD_SIZE], hint[NB_HINT_SIZE];
+  struct nb_unit unit;
   const char c = peek(p);
   if (!c)
     return mistake(p, p->at, 1, NULL, "expected %s, found the end of the expression", what);
@@ -120,12 +121,13 @@ static struct quantity expected(struct parser *p, const char *what) {
   if (length == 0)
     snprintf(text, sizeof text, "%c", c);
   snprintf(hint, sizeof hint, "an expression has names without `$`: `%s`", text + 1);
-  const char *const otherwise = c == '$'   ? hint
-                                : c == '*' ? "a power is written `^`"
-                                : c == ',' ? "the decimal point is `.`"
-                                : isdigit((unsigned char)c) && strcmp(what, "an operator") == 0
-                                    ? "use `sweep` for several values"
-                                    : NULL;
+  const char *const otherwise = c == '$'                           ? hint
+                                : c == '*'                         ? "a power is written `^`"
+                                : c == ','                         ? "the decimal point is `.`"
+                                : strcmp(what, "an operator") != 0 ? NULL
+                                : isdigit((unsigned char)c)        ? "use `sweep` for several values"
+                                : nb_unit_read(&unit, text)        ? "the value before it has its unit already"
+                                                                   : NULL;
   const char *const typed = length ? nb_syntax_hint(p->reader, hint, text) : NULL;
   return mistake(p, p->at, length ? length : 1, typed ? typed : otherwise, "expected %s, found `%s`", what, text);
 }
@@ -137,8 +139,8 @@ static struct quantity checked_value(struct parser *p, const char *from, size_t 
   for (int k = 0; k < 3; k++)
     if (!(fabs(of[k] - nearbyint(of[k])) < 1e-6 && fabs(of[k]) <= POWER_MAX * SIXTIETHS))
       return mistake(p, from, length, NULL,
-                     "expected units to powers that are simple fractions, up to %d, found the power %g", POWER_MAX,
-                     of[k] / SIXTIETHS);
+                     "expected powers of units that are simple fractions, such as 1/2, up to %d, found the power %g",
+                     POWER_MAX, of[k] / SIXTIETHS);
   if (!isfinite(value))
     return mistake(p, from, length, NULL, "expected a finite value, found that `%.*s` gives %s", (int)length, from,
                    isnan(value) ? "NaN" : "infinity");

@@ -47,7 +47,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"move displace", "wall, walls, transform"}, {"delete kill erase", "remove"},
     {"save checkpoint write_restart", "nineball state"}, {"restore restart read_restart read_data import", "start, packing"},
     {"assert compare equals equal is = ==", "expected, within"}, {"tolerance agree", "within"},
-    {"maximum largest", "max"}, {"end final", "last"}, {"less < <=", "below"}, {"greater more > >=", "above"},
+    {"maximum largest", "max"}, {"end final", "last"}, {"rises rise grows", "increases"}, {"falls fall drops", "decreases"}, {"same unchanged", "constant"}, {"less < <=", "below"}, {"greater more > >=", "above"},
     {"force contact_force forces", "normal, shear, fx, fy"}, {"position displacement pos disp", "x, y"}, {"vel velocity speed", "velocity, vx, vy", "a velocity is given by `velocity VX VY` and recorded as `A.vx` and `A.vy`"},
     {"kinetic kinetic_energy ke", "energy.kinetic"}, {"hertz_mindlin hertzian hertz_material mindlin_rescale", "normal hertz, shear mindlin"},
     {"hooke hookean", "normal linear, shear linear"}, {"SI", "units"}, {"degree degrees", "deg"},

@@ -77,7 +77,8 @@ static const char *set_incidence(struct nb_scene *scene) {
   if (particle->vx != 0 || particle->vy != 0)
     return "expected a particle without `velocity`: `impact` gives it one";
   if (!isfinite(incidence.normal.x))
-    return "expected a particle on one side of the wall or of the other particle, found its centre on it";
+    return other ? "expected two particles with different centres, found them at the same point"
+                 : "expected a particle beside the wall, found its centre on the wall";
   const double slope = it->psi1 > 0 ? it->psi1 * incidence.friction * incidence.kappa : 0;
   if (it->psi1 > 0 && !(slope > 0))
     return "expected a contact with friction and a shear stiffness for `psi1`, found none";

@@ -225,8 +225,8 @@ static size_t take_rows(struct nb_reader *reader, struct nb_binding *values, siz
   unify(values, count, columns);
   if (count % columns == 0)
     return rows_differ(reader, values, tokens, count, columns) ? count / columns : 0;
-  nb_expected(reader, NULL, "%zu values for each run, one for each name (%zu values are not a multiple)", columns,
-              count);
+  nb_token_mistake(reader, NULL, "write the values run by run: `sweep a with b  1 10  2 20` has two runs",
+                   "expected a multiple of %zu values, one for each name in every run, found %zu", columns, count);
   return 0;
 }
 

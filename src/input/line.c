@@ -95,8 +95,11 @@ static bool append_variable(struct nb_reader *reader, const char *word, size_t b
     return append_text(reader, word, length);
   if (!isnan(value->value) && end_of_name < end) {
     snprintf(hint, sizeof hint, "%.*s", (int)(end - end_of_name), end_of_name);
-    nb_token_mistake(reader, token, "write the whole expression in parentheses: `(2*v)`",
-                     "expected a space after `$%s`, found `%.*s`", text, (int)(end - end_of_name), end_of_name);
+    char whole[NB_HINT_SIZE];
+    snprintf(whole, sizeof whole, "write the whole expression in parentheses: `(%.*s%.*s)`", (int)before, word,
+             (int)(word + length - name), name);
+    nb_token_mistake(reader, token, whole, "expected a space after `$%s`, found `%.*s`", text, (int)(end - end_of_name),
+                     end_of_name);
   }
   return append_value(reader, value, word, before, end_of_name, (size_t)(end - end_of_name));
 }
@@ -300,6 +303,13 @@ static bool has_operator(const struct nb_reader *reader, const char *text) {
          (number || reader->keyword) && nb_number_read(&value, text, 0) == NB_NO_NUMBER && !nb_unit_read(&unit, text);
 }
 
+/* Shows the word in parentheses, unless it is one sign or has the value of a $NAME in its place. */
+static void operator_hint(const struct nb_reader *reader, char *hint, const char *text) {
+  const struct nb_token *const token = nb_token_peek(reader);
+  snprintf(hint, NB_HINT_SIZE, "put operators into parentheses: `(%.80s)`",
+           text[1] && !(token && token->name) ? text : "2 * 3");
+}
+
 /* `kn=10`, `//`, and arithmetic. */
 static bool sign_hint(const struct nb_reader *reader, char *hint, const char *text) {
   const char *const verb = reader->count ? reader->tokens[0].text : "";
@@ -313,7 +323,7 @@ static bool sign_hint(const struct nb_reader *reader, char *hint, const char *te
     snprintf(hint, NB_HINT_SIZE, let ? "put spaces around `=`: `%.*s = %.80s`" : "write `%.*s %.80s`, without `=`",
              name < 80 ? (int)name : 80, text, text + name + 1);
   else if (has_operator(reader, text))
-    snprintf(hint, NB_HINT_SIZE, "put operators into parentheses: `(2 * 3)`");
+    operator_hint(reader, hint, text);
   else
     return false;
   return true;

@@ -43,6 +43,13 @@ bool nb_monitor_add(struct nb_scene *scene, struct nb_reader *reader, const stru
   return NB_APPEND(reader, scene->monitors, scene->monitor_count, one);
 }
 
+/* The word between a particle and what touches it: `disc 5 with wall south`. */
+static bool take_with(struct nb_reader *reader) {
+  const bool forgotten = nb_token_is(reader, "disc") || nb_token_is(reader, "sphere") || nb_token_is(reader, "wall");
+  return forgotten ? nb_expected(reader, "write `with` between the two that touch: `disc 1 with wall south`", "`with`")
+                   : nb_take_word(reader, "with");
+}
+
 NB_APPLY(apply_monitor) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
@@ -55,7 +62,7 @@ NB_APPLY(apply_monitor) {
     one.a = take_wall(scene, reader);
   } else {
     one.a = take_numbered(reading, reader, "`disc N`, `sphere N`, `wall NAME` or `grading NAME`");
-    if (nb_token_peek(reader) && nb_take_word(reader, "with")) {
+    if (nb_token_peek(reader) && take_with(reader)) {
       const bool wall = nb_token_skip(reader, "wall");
       one.kind = wall ? NB_MONITOR_PARTICLE_WALL : NB_MONITOR_PARTICLE_PARTICLE;
       one.b = wall ? take_wall(scene, reader) : take_numbered(reading, reader, "`disc N`, `sphere N` or `wall NAME`");

@@ -455,7 +455,7 @@ const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const cha
   if (!found && !nb_synonym_hint(hint, text))
     snprintf(hint, NB_HINT_SIZE,
              rest && !scene->contact_test
-                 ? "nothing is called `%.*s`: `monitor NAME …` and `region NAME …` name what is measured"
+                 ? "there is no monitor or region `%.*s`: define it with `monitor NAME …` or `region NAME …`"
                  : "see `nineball --help quantities`",
              (int)strcspn(text, "."), text);
   return hint;

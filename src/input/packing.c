@@ -78,7 +78,7 @@ static void from_list(struct nb_scene *scene, struct nb_reader *reader, const st
   double *lengths;
   size_t rows;
   if (!all) {
-    nb_token_mistake(reader, file, "give them one: `packing FILE discs MATERIAL`",
+    nb_token_mistake(reader, file, "give the particles a material: `packing FILE discs MATERIAL`",
                      "expected a file of `nineball state`, found a list, which names no materials");
     return;
   }

@@ -176,9 +176,11 @@ static void find_blocks(struct nb_page *page, struct nb_mistakes *mistakes) {
       take_title(page, line);
   }
   if (block.length && block.kind != NB_BLOCK_HIDDEN) {
-    int column = (int)strspn(page->lines[block.line - 1], " ") + 1;
-    nb_mistake(mistakes, page, block.line, column, (int)block.length,
-               "close it with a line of as many of the same signs and nothing else",
+    char hint[NB_HINT_SIZE];
+    const int column = (int)strspn(page->lines[block.line - 1], " ") + 1;
+    snprintf(hint, sizeof hint, "close it with a line of nothing but %.*s", (int)block.length,
+             page->lines[block.line - 1] + column - 1);
+    nb_mistake(mistakes, page, block.line, column, (int)block.length, hint,
                "expected the end of the block that begins here, found the end of the page");
     /* where the block should end is unknown */
     memset(page->kind_of + block.line, 0, page->line_count - block.line);

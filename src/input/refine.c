@@ -106,7 +106,8 @@ void nb_refine(struct nb_scene_reading *reading) {
   if (first > 0 && first < scene->stage_count && scene->stages[first].step.kind == NB_STEP_COLLISION &&
       scene->stages[first].step.line == scene->stages[first - 1].step.line) {
     nb_line_mistake(&reading->reader, (size_t)scene->stages[first].line, "give the stage a `step`",
-                    "expected a stage with its own `step` for `refine`, found one that keeps a step per collision");
+                    "expected a stage with its own `step` for `refine`, found one that keeps `step N per collision` of "
+                    "the stage before");
     return;
   }
   scene->step.value /= scene->refine;

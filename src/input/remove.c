@@ -66,8 +66,9 @@ NB_APPLY(apply_remove) {
   const int line = removed_already(scene, removal, &which);
   const size_t other = first_other_shape(scene, removal, shape);
   if (other <= removal.to)
-    nb_token_mistake(reader, &reader->tokens[1], NULL, "expected a %s for each number, particle %zu is a %s",
-                     names[shape], other + 1, names[scene->particles[other].shape]);
+    nb_token_mistake(reader, &reader->tokens[1], "`remove disc N` removes a disc, `remove sphere N` a sphere",
+                     "expected only numbers of %ss, but particle %zu is a %s", names[shape], other + 1,
+                     names[scene->particles[other].shape]);
   else if (line)
     nb_token_mistake(reader, &reader->tokens[1], NULL, "particle %zu is removed already, on line %d", which + 1, line);
   else

@@ -186,7 +186,7 @@ NB_APPLY(apply_repeat) {
                          scene->contact_test ? "the name of a segment above" : "the name of a stage above", NULL);
   const size_t from = s < 0 ? 0 : (size_t)scene->stages[before + (size_t)s].line;
   if (from < reading->repeat.until)
-    nb_token_mistake(reader, token, NULL, "expected %s below the last `repeat`, which is on line %zu",
+    nb_token_mistake(reader, token, NULL, "expected %s below the `repeat` of line %zu, found one above it",
                      scene->contact_test ? "a segment" : "a stage", reading->repeat.until);
   else if (nb_take_count(reader, 1, NB_NAMED_MAX, &times) &&
            (nb_token_skip(reader, "time") || nb_take_word(reader, "times")))

@@ -209,7 +209,8 @@ static bool read_other(const struct nb_scene_reading *reading, struct nb_reader 
     read_scene(reading, reader, start, settings, word);
   free(settings);
   if (reader->mistakes->total > before && !reader->bad)
-    nb_token_mistake(reader, word, NULL, "the page that this one starts from has mistakes, listed above or below");
+    nb_token_mistake(reader, word, NULL,
+                     "expected a page that is read without errors: the messages for that page say what is wrong");
   return reader->mistakes->total == before;
 }
 

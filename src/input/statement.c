@@ -432,6 +432,22 @@ static bool fields_hint(const struct nb_reader *reader, char *hint, const struct
          (token && reader->given && other_statement(hint, reader, token->text)) || namesake_hint(reader, hint, missing);
 }
 
+/* Lists the clauses that may follow: "`to`, `velocity` or `spin`", and the end of the line if it may. */
+static void list_clauses(const struct nb_reader *reader, char *list, size_t size, bool end) {
+  *list = '\0';
+  for (const struct nb_argument *field = reader->keyword->arguments; field->count; field++)
+    if (field->word && !given(reader, field))
+      list_word(list, size, ", ", field->word);
+  char word[NB_NAME_SIZE], *const last = end ? NULL : strrchr(list, ',');
+  if (last) {
+    snprintf(word, sizeof word, "%s", last + 1);
+    snprintf(last, size - (size_t)(last - list), " or%s", word);
+  } else if (end) {
+    const size_t used = strlen(list);
+    snprintf(list + used, size - used, "%sthe end of the line", used ? " or " : "");
+  }
+}
+
 /* Reports all missing fields at the end of the line; or a word that is not a clause, with the possible ones. */
 static void expected_fields(struct nb_reader *reader) {
   const struct nb_token *token = nb_token_peek(reader);
@@ -444,12 +460,8 @@ static void expected_fields(struct nb_reader *reader) {
     nb_expected(reader, hint, "%s (%s)", missing->value, value_words(missing));
   if (!token)
     return;
-  *list = 0;
-  for (const struct nb_argument *field = reader->keyword->arguments; field->count; field++)
-    if (field->word && !given(reader, field))
-      list_word(list, sizeof list, ", ", field->word);
-  const char *const end = missing ? "" : *list ? " or the end of the line" : "the end of the line";
-  nb_expected(reader, missing || near ? hint : NULL, "%s%s", list, end);
+  list_clauses(reader, list, sizeof list, missing == NULL);
+  nb_expected(reader, missing || near ? hint : NULL, "%s", list);
 }
 
 static void given_again(struct nb_reader *reader, const struct nb_token *token, const struct nb_argument *clause) {

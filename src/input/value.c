@@ -161,21 +161,32 @@ static const char *common_units_hint(char *hint, const struct nb_reader *reader,
   return hint;
 }
 
+/* The hint for a comma behind the right unit: `5 mm,`; false: there is none. */
+static bool comma_hint(char *hint, const char *n, const char *unit, const struct wanted *it) {
+  char bare[NB_NAME_SIZE];
+  struct nb_unit read;
+  const char comma = unit[strlen(without_comma(bare, unit))];
+  snprintf(hint, NB_HINT_SIZE, "leave out the `%c`: `%.40s %.40s`", comma, n, bare);
+  return comma && nb_unit_read(&read, bare) && nb_dimension_same(read.dimension, it->unit.dimension);
+}
+
 /* The hint for a number without a unit, or with the wrong one. */
 static const char *unit_hint(char *hint, const struct nb_reader *reader, const struct nb_token *number,
                              const struct nb_token *unit, const struct wanted *it) {
   char bare[NB_NAME_SIZE];
-  struct nb_guess guess = nb_guess_begin(without_comma(bare, unit ? unit->text : ""));
+  const char *const text = unit ? unit->text : "";
+  struct nb_guess guess = nb_guess_begin(without_comma(bare, text));
   const struct nb_foreign_unit *const foreign = nb_unit_foreign(bare, &it->unit.dimension);
   const char *const n = number->computed ? "(...)" : number->text;
   double value;
   nb_unit_offer(&guess, it->units);
   if (unit && number->computed && !foreign)
     return NULL;
+  if (comma_hint(hint, n, text, it))
+    return hint;
   if (unit && (reader->unitless || is_dimensionless(it)))
     snprintf(hint, NB_HINT_SIZE,
-             names_angle(it, unit->text) ? "the tangent of that angle is `(tan(%.40s %.40s))`" : "write `%.40s`", n,
-             unit->text);
+             names_angle(it, text) ? "the tangent of that angle is `(tan(%.40s %.40s))`" : "write `%.40s`", n, text);
   else if (foreign && nb_number_read(&value, number->text, 0) == NB_READ)
     snprintf(hint, NB_HINT_SIZE, "1 %s is %.10g %s: write `%.10g %s`", bare, foreign->factor, foreign->ours,
              value * foreign->factor, foreign->ours);

@@ -68,7 +68,9 @@ static void add_wall(struct nb_scene *scene, struct nb_reader *reader, const str
   const int same = NB_FIND(scene->walls, scene->wall_count, name);
   const double length = hypot(x1 - wall.x, y1 - wall.y);
   if (same >= 0)
-    nb_token_mistake(reader, place, NULL, "there is a wall `%s` already, on line %d", name, scene->walls[same].line);
+    nb_token_mistake(reader, place,
+                     place == reader->tokens ? "`box` makes the walls `south`, `east`, `north` and `west`" : NULL,
+                     "there is a wall `%s` already, on line %d", name, scene->walls[same].line);
   if (!isfinite(length))
     nb_token_mistake(reader, place, NULL, "expected a wall of finite length, this one is too long");
   if (!isnormal(length)) /* else its direction would not have length 1 */
@@ -117,8 +119,8 @@ bool nb_corners_swapped(struct nb_reader *reader, double x, double y, double x1,
     nb_token_mistake(reader, &reader->tokens[0], NULL,
                      "expected two corners at a finite distance, these are too far apart");
   else if (!(x1 > x && y1 > y))
-    nb_token_mistake(reader, &reader->tokens[0], NULL,
-                     "expected the corner of smaller x and y first, then the one of larger x and y");
+    nb_token_mistake(reader, &reader->tokens[0], "write the smaller x and the smaller y before `to`",
+                     "expected a second corner with larger x and larger y than the first corner");
   return reader->bad;
 }
 
@@ -191,7 +193,8 @@ NB_APPLY(apply_walls) {
       (nb_name_suppressed(reader->mistakes, "box") || (stop->token && nb_name_suppressed(reader->mistakes, "wall"))))
     nb_fail_silently(reader);
   if (moved == 0)
-    nb_token_mistake(reader, &reader->tokens[0], inward->token ? "define it before the stages with `box …`" : NULL,
+    nb_token_mistake(reader, &reader->tokens[0],
+                     inward->token ? "define it before the stages with `box X Y to X Y MATERIAL`" : NULL,
                      "expected a scene with %s, found none", inward->token ? "a box" : "walls");
 }
 

@@ -224,7 +224,8 @@ static bool take_tolerance_of(struct nb_reader *reader, const struct nb_scene *s
 static bool take_sweep_name(struct nb_reader *reader, const struct nb_scene *scene, char name[2 * NB_NAME_SIZE]) {
   static const char what[] = "the name of a `sweep`";
   const struct nb_token *token = nb_take_token(reader, what);
-  const int k = NB_NAMED(reader, token, scene->bindings, scene->binding_count, what, NULL);
+  const int k = NB_NAMED(reader, token, scene->bindings, scene->binding_count, what,
+                         "define it in the scene with `sweep NAME VALUE …`");
   if (k < 0)
     return false;
   snprintf(name, 2 * NB_NAME_SIZE, "%s", token->text);
@@ -370,11 +371,18 @@ static bool take_kind(struct nb_reader *reader, const struct reading *reading, s
     nb_append(words, sizeof words, "%s`%s`", !words[0] ? "" : row[1].word ? ", " : " or ", row->word);
     nb_guess_offer(&guess, row->word);
   }
-  for (const struct nb_reducer_row *row = reducers; row->word && expectation->measure.reducer == NB_LAST; row++)
-    nb_guess_offer(&guess, row->word);
+  bool again = false; /* a second reducer: `C.normal max min` */
+  for (const struct nb_reducer_row *row = reducers; row->word; row++)
+    if (expectation->measure.reducer == NB_LAST)
+      nb_guess_offer(&guess, row->word);
+    else
+      again = again || nb_token_is(reader, row->word);
   nb_guess_offer(&guess, "in");
-  return nb_expected(reader, token ? nb_guess_hint(&guess, hint) : "`report MEASURE` notes it without a claim", "%s",
-                     words);
+  return nb_expected(reader,
+                     again   ? "one line has one of `max`, `min`, `mean` …: write a line for each"
+                     : token ? nb_guess_hint(&guess, hint)
+                             : "`report MEASURE` writes the value into the tables and checks nothing",
+                     "%s", words);
 }
 
 /* `report MEASURE`: into the tables, without a check. */
