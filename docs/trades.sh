@@ -324,7 +324,7 @@ estimated, [ACCURACY](ACCURACY.md) how often such an estimate holds.
 
 - **Setting:** what \`--set\` changes on the page. \`refine=4\` divides the step by four, \`refine=0.25\` multiplies it by four.
 - **Cost:** the number of contact and particle updates over that with the page's own setting. Where two laws need nearly
-  the same number, the one that takes less time is chosen.
+  the same number, the one that stores less per contact is chosen.
 - **Estimated error:** the largest one over eight moments of first touch within a step, relative to the limit of the case
   for a small step. It covers the laws as well as the step.
 - A dash in the last column means that no cheaper setting can be run: the step is at the stability limit, or it is

@@ -68,7 +68,7 @@ grep -q '^# left out: normal hertz, shear none: ' oblique/advice.tsv &&
   grep -q '^# left out: normal hertz, shear mindlin: its value differs from that of the page by .* times the tolerance' oblique/advice.tsv &&
   ! rows oblique/advice.tsv | cut -f 2 | grep -qxE 'none|mindlin'
 result $? 'laws with other values are left out'
-# A law that needs as many updates may take less time, so it is tried at the step that the page needs.
+# A law that needs as many updates may store less, so it is tried at the step that the page needs.
 run 0 advise "$oblique" --set poisson=0.3 --set psi1=3.7 --quantity impact.psi2 --within '6 %' -o late
 rows late/advice.tsv | cut -f 2,3,10 | tee "$why" |
   awk '$1 == "mindlin_deresiewicz" && $3 != "misses" { own = $2 } $1 == "mindlin" { other[$2] = 1 } END { exit !(own && own in other) }'

@@ -190,16 +190,16 @@ static bool add_claim(struct nb_advice *advice, size_t index, int level) {
 /* ---- the search ---- */
 
 bool nb_setting_cheaper(const struct nb_advice *advice, const struct nb_setting *a, const struct nb_setting *b) {
-  const struct nb_point *one = nb_point_at(advice, a), *other = nb_point_at(advice, b);
-  const double softness = advice->variants[a->variant].soften - advice->variants[b->variant].soften;
-  if (fabs(one->updates - other->updates) > equal_share * other->updates)
-    return one->updates < other->updates;
-  return softness != 0 ? softness < 0 : one->seconds < other->seconds;
+  const double updates = nb_point_at(advice, a)->updates, others = nb_point_at(advice, b)->updates;
+  const struct nb_variant *one = &advice->variants[a->variant], *other = &advice->variants[b->variant];
+  if (fabs(updates - others) > equal_share * others)
+    return updates < others;
+  return one->soften != other->soften ? one->soften < other->soften : one->history < other->history;
 }
 
 /* Tries the levels of a variant from the coarsest one on, up to the first one within the tolerance, or until the next
- * one, which mostly has twice the updates of this one, would have more than the chosen setting. With nearly as many it is tried,
- * because its laws may take less time. */
+ * one, which mostly has twice the updates of this one, would have more than the chosen setting. With nearly as many it is
+ * tried, because its laws may store less. */
 static void search_levels(struct nb_advice *advice, size_t index, int highest) {
   struct nb_variant *variant = &advice->variants[index];
   const size_t before = advice->setting_count;
@@ -318,6 +318,15 @@ static bool list_laws(struct nb_advice *advice) {
   return true;
 }
 
+/* Doubles that the laws of a variant store per contact. */
+static int history_of(const struct nb_scene *scene, const struct nb_variant *variant) {
+  const bool own = !variant->normal[0];
+  const struct nb_law *normal = nb_law_find("normal", own ? scene->normal : variant->normal);
+  const struct nb_law *shear = nb_law_find("shear", own ? scene->shear : variant->shear);
+  const struct nb_pair pair = {.pieces = nb_law_pieces(shear, scene->pieces)};
+  return nb_law_history(normal, pair) + nb_law_history(shear, pair);
+}
+
 /* All variants so far with each value of a `trade`. False: there are too many. */
 static bool list_values(struct nb_advice *advice, size_t trade) {
   const size_t before = advice->variant_count;
@@ -373,6 +382,8 @@ static enum nb_status list_variants(struct nb_advice *advice, struct nb_error *e
   bool few = trades <= NB_TRADES && (!trades_laws(advice) || list_laws(advice));
   for (size_t k = 0; k < trades && few; k++)
     few = list_values(advice, k);
+  for (size_t k = 0; k < advice->variant_count; k++)
+    advice->variants[k].history = history_of(&advice->page.runs[0].scene, &advice->variants[k]);
   if (few)
     return NB_OK;
   return nb_error_set(error, NB_BAD_USE, "expected at most %d statements `trade` and %d combinations of their values",

@@ -29,6 +29,7 @@ struct nb_variant {
   char normal[NB_NAME_SIZE], shear[NB_NAME_SIZE]; /* empty: as on the page */
   double soften;                                  /* the stiffness of the page is divided by it; 0: it is not */
   bool centred;                                   /* --set damping=centred */
+  int history;                                    /* doubles that its laws store per contact */
   size_t value[NB_TRADES]; /* for each `trade` of the page: 0: the page's own value; k: its k-th one */
   struct nb_point points[NB_LEVELS];
   bool covered;     /* the reference of the page, if it has one, accepts it */
@@ -99,7 +100,8 @@ double nb_level_refine(const struct nb_advice *advice, int level);
 struct nb_ratios nb_level_ratios(const struct nb_advice *advice, int level);
 
 /* The numbers of updates decide. If they are nearly equal, as those of different laws with the same step, contacts that
- * are as stiff as those of the page are cheaper than softer ones, and then the times of computation decide. */
+ * are as stiff as those of the page are cheaper than softer ones, then laws that store less per contact are cheaper.
+ * Measured times do not decide, because another call would give other advice. */
 bool nb_setting_cheaper(const struct nb_advice *advice, const struct nb_setting *a, const struct nb_setting *b);
 /* The most expensive setting that is cheaper than this one, of equal ones the most accurate; NULL: none. */
 const struct nb_setting *nb_advice_cheaper(const struct nb_advice *advice, const struct nb_setting *setting);
