@@ -172,6 +172,7 @@ PAGES = \
   cases/5-numerics/centred-dashpots.md \
   cases/5-numerics/glancing-discs.md \
   cases/5-numerics/step-limit.md \
+  cases/5-numerics/critical-step-shear.md \
   cases/5-numerics/step-growth.md \
   cases/5-numerics/nine-discs-growth.md \
   cases/5-numerics/rayleigh-step.md \
