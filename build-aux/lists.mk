@@ -144,6 +144,7 @@ PAGES = \
   cases/3-nine-discs/speed-of-loading.md \
   cases/3-nine-discs/stiff-and-soft.md \
   cases/4-oblique/mindlin-loops.md \
+  cases/4-oblique/mindlin-loops-walls.md \
   cases/4-oblique/nested-loops.md \
   cases/4-oblique/normal-and-shear.md \
   cases/4-oblique/two-normal-forces.md \
