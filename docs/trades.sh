@@ -375,7 +375,7 @@ $(law_table)
 No other law is enough within 1 % for: $(no_other_law).
 
 The chosen setting has other laws than the page for $(cheaper '10 %') of all quantities within 10 %, for
-$(cheaper '1 %') within 1 %, and for $(cheaper '0.1 %') within 0.1 %. Of laws with equal numbers of updates the fastest one is chosen. An update with the
+$(cheaper '1 %') within 1 %, and for $(cheaper '0.1 %') within 0.1 %. Of laws with equal numbers of updates the one that stores less per contact is chosen. An update with the
 exact law takes $(law_cost exact) times the instructions of one with \`mindlin\`, and an update with \`randall\` $(law_cost randall) times ([COST](COST.md)).
 
 **Softer contacts and centred dashpots.** Softer contacts are the choice for $(chosen_with soften= '10 %') of all quantities within 10 %,
