@@ -218,6 +218,7 @@ PAGES = \
   cases/7-assemblies/photoelastic-positions.md \
   cases/7-assemblies/scaled-springs.md \
   cases/7-assemblies/plots-of-an-assembly.md \
+  cases/7-assemblies/numbers-and-boxes.md \
   cases/8-published/chung-ooi-1.md \
   cases/8-published/chung-ooi-2.md \
   cases/8-published/chung-ooi-3.md \
@@ -428,7 +429,7 @@ SHELL_TESTS = \
 # Plot recipes, and the style of figures.
 PLOTS = \
   plots/discs.gp plots/force-chains.gp plots/force-polygons.gp plots/force-rectangles.gp plots/histogram.gp plots/law-costs.gp \
-  plots/mohr.gp plots/obliquity.gp plots/polar-normals.gp plots/porosity-rings.gp plots/rotations.gp plots/slid.gp \
+  plots/mohr.gp plots/numbers.gp plots/obliquity.gp plots/polar-normals.gp plots/porosity-rings.gp plots/rotations.gp plots/slid.gp \
   plots/report.css plots/report.js plots/report.lua plots/space-lattice.gp plots/stress-path.gp plots/style.gp \
   plots/velocities.gp
 

@@ -580,6 +580,7 @@ struct nb_snapshot {
   int stage; /* index of the stage at whose end it was taken */
   struct nb_table particles, walls, contacts;
   struct nb_table rings;            /* porosity against radius, of regions */
+  struct nb_table boundary;         /* the particles of a boundary, counterclockwise */
   struct nb_table lattice;          /* `snapshot from`: contacts kept, new and lost */
   struct nb_table traction, pieces; /* of a contact test: traction q(r), and D(x) of each piece */
 };

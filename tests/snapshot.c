@@ -96,6 +96,36 @@ static void rings(void) {
   written_free(&it);
 }
 
+/* Six discs on a boundary around a seventh one, in scrambled order: the table of the boundary has the six, counterclockwise, at
+ * their places. A scene without a boundary has no such table. */
+static void the_boundary_is_listed_counterclockwise(void) {
+  static const int sixths[] = {4, 1, 0, 5, 3, 2};
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\n");
+  for (size_t k = 0; k < 6; k++)
+    words_add(&page, "disc %.17g %.17g radius 1 m\n", 2 * cos(sixths[k] * pi / 3), 2 * sin(sixths[k] * pi / 3));
+  words_add(&page, "boundary circle 0 0 radius 2\nstep 0.1\nrecord time\nstage s\ncycles 1\nsnapshot\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  const struct nb_table *table = &result.snapshots[0].boundary;
+  CU_ASSERT_EQUAL_FATAL(table->row_count, 6);
+  for (size_t k = 0; k < 6; k++) {
+    const size_t number = (size_t)written_cell(table, k, "particle"), next = (k + 1) % 6;
+    CU_ASSERT_FATAL(number >= 2 && number <= 7);
+    CU_ASSERT_DOUBLE_EQUAL(written_cell(table, k, "x"), 2 * cos(sixths[number - 2] * pi / 3), 1e-14);
+    CU_ASSERT_DOUBLE_EQUAL(written_cell(table, k, "y"), 2 * sin(sixths[number - 2] * pi / 3), 1e-14);
+    CU_ASSERT_EQUAL(sixths[(size_t)written_cell(table, next, "particle") - 2], (sixths[number - 2] + 1) % 6);
+  }
+  nb_result_free(&result);
+  written_free(&it);
+  run(&result, &it);
+  CU_ASSERT_PTR_NULL(result.snapshots[0].boundary.names);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 /* A disc that has left the cell counts with its copy near the region's centre, as for A.porosity. */
 static void rings_in_a_cell(void) {
   struct words page = {0};
@@ -189,6 +219,7 @@ void suite_snapshot(void) {
   CU_add_test(suite, "the columns of particles and of contacts", columns);
   CU_add_test(suite, "the columns are the quantities", columns_are_the_quantities);
   CU_add_test(suite, "porosity ring by ring", rings);
+  CU_add_test(suite, "the boundary is listed counterclockwise", the_boundary_is_listed_counterclockwise);
   CU_add_test(suite, "rings in a cell", rings_in_a_cell);
   CU_add_test(suite, "a fixed particle is no rattler", a_fixed_particle_is_no_rattler);
 }

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "areas.h"
+#include "boundary.h"
 #include "configuration.h"
 #include "region.h"
 
@@ -161,11 +162,24 @@ static bool rings_table(struct nb_table *table, const struct nb_model *model, in
   return complete;
 }
 
+static bool boundary_table(struct nb_table *table, const struct nb_model *model, int stage) {
+  static const struct nb_table_column columns[] = {{"particle", "1"}, {"x", "m"}, {"y", "m"}};
+  const struct nb_ring *ring = &model->boundary->ring;
+  bool complete = nb_snapshot_table(table, model->scene, columns, COUNT(columns));
+  for (size_t k = 0; complete && k < ring->count; k++) {
+    const size_t i = (size_t)ring->member[k];
+    const struct nb_vec x = model->particles.position[i];
+    complete = nb_snapshot_row(table, model, stage, (const double[]){model->particles.number[i], x.x, x.y});
+  }
+  return complete;
+}
+
 bool nb_snapshot_take(struct nb_snapshot *snapshot, const struct nb_model *model, int stage) {
   const int from = model->scene->stages[stage].snapshot_from;
   *snapshot = (struct nb_snapshot){.stage = stage};
   return particles_table(&snapshot->particles, model, stage) && walls_table(&snapshot->walls, model, stage) &&
          contacts_table(&snapshot->contacts, model, stage) &&
+         (!nb_boundary_exists(model) || boundary_table(&snapshot->boundary, model, stage)) &&
          (from < 0 || nb_configuration_lattice(&snapshot->lattice, model, stage, from)) &&
          (!model->regions || rings_table(&snapshot->rings, model, stage));
 }
@@ -176,8 +190,8 @@ static const struct {
 } parts[] = {
     {"particles", offsetof(struct nb_snapshot, particles)}, {"walls", offsetof(struct nb_snapshot, walls)},
     {"contacts", offsetof(struct nb_snapshot, contacts)},   {"rings", offsetof(struct nb_snapshot, rings)},
-    {"lattice", offsetof(struct nb_snapshot, lattice)},     {"traction", offsetof(struct nb_snapshot, traction)},
-    {"pieces", offsetof(struct nb_snapshot, pieces)},
+    {"boundary", offsetof(struct nb_snapshot, boundary)},   {"lattice", offsetof(struct nb_snapshot, lattice)},
+    {"traction", offsetof(struct nb_snapshot, traction)},   {"pieces", offsetof(struct nb_snapshot, pieces)},
 };
 
 struct nb_table *nb_snapshot_table_at(struct nb_snapshot *snapshot, size_t index) {

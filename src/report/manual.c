@@ -199,8 +199,9 @@ static void figures(const struct manual *to) {
       {"reference_C_normal_max", "a variable for each value that the reference returns, likewise. A name of more than "
                                  "49 characters, which gnuplot would cut, has none"},
       {"$STAGE_particles",
-       "a snapshot of a stage; also `$STAGE_walls`, `$STAGE_contacts`, of regions `$STAGE_rings`, of `snapshot from` "
-       "`$STAGE_lattice`, of a contact test `$SEGMENT_traction` and `$SEGMENT_pieces`. With a sweep "
+       "a snapshot of a stage; also `$STAGE_walls`, `$STAGE_contacts`, of a boundary `$STAGE_boundary`, of regions "
+       "`$STAGE_rings`, of `snapshot from` `$STAGE_lattice`, of a contact test `$SEGMENT_traction` and "
+       "`$SEGMENT_pieces`. With a sweep "
        "`$STAGE_particles_1`, …"},
       {"plots", "the folder of the recipes: `load plots.'force-chains.gp'`"},
       {"terminal",
