@@ -665,6 +665,9 @@ enum nb_status nb_saved_read_text(struct nb_saved *saved, const char *path, cons
   if (text[last - 1] != '\n' || memcmp(text + last, end, NB_STATE_END) != 0)
     return damaged(path, text, size, last,
                    "expected the checksum of the lines above, found another one: the file has been changed", error);
+  const char *zero = memchr(text, 0, size); /* would end a name */
+  if (zero)
+    return damaged(path, text, size, (size_t)(zero - text), "expected text, found a byte that is 0", error);
 
   struct stream stream = {.saved = saved, .path = path, .number = 1, .error = error, .line = text + sizeof head - 1};
   while (stream.line < text + last && !stream.bad) {
