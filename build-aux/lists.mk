@@ -508,6 +508,7 @@ LAWS_SHARED = \
 
 # The kernels of the force calculation.
 PASS = \
+  src/pass/affine_twice.c \
   src/pass/dashpots.c \
   src/pass/deep.c \
   src/pass/disc_disc.c \

@@ -376,6 +376,7 @@ struct nb_boundary {
 struct nb_affine_motion {
   struct nb_strain_rate strain; /* `none`: 0 */
   bool accumulated; /* added to the velocity in every cycle and kept in it: R89 4.43, 4.44 taken literally */
+  bool twice;       /* also added to the relative velocities, as in R89's FORD; then `accumulated` is true */
   int line;         /* 0: unchanged */
 };
 

@@ -222,6 +222,47 @@ static void affine_strain_after_accumulated(void) {
   nb_result_free(&result);
 }
 
+/* The scene of two spheres along x, the first at x = 0.95, too heavy to be moved by forces. `twice` adds L z to their
+ * relative velocity, in the first cycle and in the second. */
+static void twice(struct nb_result *result, const char *law, const char *strain, int cycles) {
+  char page[512];
+  snprintf(page, sizeof page,
+           "material m density 1e20 young 3 poisson 0.25 kn 7 ks 5 friction 1e6\n%s\nstep 0.5\n"
+           "sphere 0.95 0 radius 1 m\nsphere -0.95 0 radius 1 m\nmonitor C sphere 1 with sphere 2\n"
+           "record C.normal C.shear C.dashpot.normal\nstage s\naffine strain %s accumulated-twice\ncycles %d\n",
+           law, strain, cycles);
+  run(result, page);
+}
+
+/* A compression e per cycle. The distance D_0 = 1.9 becomes D_1 = (1 - e) D_0 and then D_2 = D_1 - e (D_0 + D_1). The
+ * increments are D_0 - D_1 + e D_1 and D_1 - D_2 + e D_2. The first force is that of 4.11, the second that of 4.12 with
+ * the contact radius a = (R* dn_1)^(1/2) of the first. Other normal forces do not change, their dashpots do. */
+static void normal_increment_with_affine_motion_twice(void) {
+  const double e = 1e-3, d0 = 1.9, d1 = (1 - e) * d0, d2 = d1 - e * (d0 + d1);
+  const double dn1 = d0 - d1 + e * d1, dn2 = d1 - d2 + e * d2;
+  const double young = 3 / (2 * (1 - 0.0625)), radius = 0.5, a = sqrt(radius * dn1);
+  const double first = 4. / 3 * young * sqrt(radius * dn1) * dn1;
+  struct nb_result result;
+  twice(&result, "normal hertz_increment\nshear none", "-1e-3 per cycle 0 per cycle", 2);
+  CU_ASSERT_DOUBLE_EQUAL(written_cell(&result.table, 1, "C.normal"), first, 1e-13 * first);
+  CU_ASSERT_DOUBLE_EQUAL(written_cell(&result.table, 2, "C.normal"), first + 2 * young * a * dn2, 1e-12 * first);
+  nb_result_free(&result);
+  twice(&result, "shear none\ndamping stiffness 0.2", "-1e-3 per cycle 0 per cycle", 1);
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "C.normal"), 7 * (2 - d1), 1e-13);
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "C.dashpot.normal"), 7 * 0.2 * dn1 / 0.5, 1e-13);
+  nb_result_free(&result);
+}
+
+/* A shear c21 = g per cycle: the first sphere moves by g D_0 relative to the other one. t is then (g, -1)/(1 + g^2)^(1/2), and L z
+ * has the same component along it once more. */
+static void tangential_increment_with_affine_motion_twice(void) {
+  const double g = 1e-3, d0 = 1.9;
+  struct nb_result result;
+  twice(&result, "shear linear", "0 per cycle 0 per cycle c21 1e-3 per cycle", 1);
+  CU_ASSERT_DOUBLE_EQUAL(fabs(written_last(&result, "C.shear")), 5 * 2 * g * d0 / sqrt(1 + g * g), 1e-14);
+  nb_result_free(&result);
+}
+
 /* A shear c12 dt N = 1 and then the compression a = 0.995^140 give S = diag(a, 1) (1 1; 0 1), in this order. The
  * point that is at (7, 3) in the end was at (7/a - 3, 3), outside R = 10; with the factors in the other order it
  * would have been at (7/a - 3/a, 3), inside. The same mirrored at the y-axis. */
@@ -288,6 +329,8 @@ void suite_driven(void) {
   CU_add_test(suite, "another circle is another boundary", another_circle);
   CU_add_test(suite, "energy of springs that a boundary releases", energy_of_released_springs);
   CU_add_test(suite, "affine strain after accumulated", affine_strain_after_accumulated);
+  CU_add_test(suite, "affine motion twice: normal increment", normal_increment_with_affine_motion_twice);
+  CU_add_test(suite, "affine motion twice: tangential increment", tangential_increment_with_affine_motion_twice);
   CU_add_test(suite, "one strain after another", one_strain_after_another);
   CU_add_test(suite, "velocities are means of half steps", velocities_are_means_of_half_steps);
 }

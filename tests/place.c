@@ -79,6 +79,7 @@ static const struct row rows[] = {
     {"affine strain", NB_IN_STAGE, RING STAGE, "affine strain -0.1 0.05 shear 0.02\n", END},
     {"affine strain", NB_IN_STAGE, RING STAGE, "affine strain -0.1 0.05 c12 0.1 c21 -0.04\n", END},
     {"affine strain", NB_IN_STAGE, MANY STAGE, "affine strain -0.01 0.005 c12 0.01 accumulated\n", END},
+    {"affine strain", NB_IN_STAGE, MANY STAGE, "affine strain -0.01 0.005 c12 0.01 accumulated-twice\n", END},
     {"servo", NB_IN_STAGE, RING STAGE, "servo isotropic 90 on boundary" BY, END},
     {"servo", NB_IN_STAGE, MANY CELL STAGE, "servo isotropic 90 on cell through cell at most 1e-4 per cycle\n", END},
     {"servo", NB_IN_STAGE, MANY BOX STAGE, "servo isotropic 90 on box through box at most 1e-4 per cycle\n", END},

@@ -161,6 +161,9 @@ static void add_to_stage(struct nb_stage *stage, enum nb_feature feature) {
   case HAS_AFFINE_ACCUMULATED:
     stage->affine.accumulated = true, stage->affine.line = LINE;
     break;
+  case HAS_AFFINE_TWICE:
+    stage->affine.twice = true, stage->affine.line = LINE;
+    break;
   case HAS_CELL_STRAIN:
     stage->cell = strain, stage->cell_line = LINE;
     break;

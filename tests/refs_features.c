@@ -150,6 +150,7 @@ static void features_of_loading(void) {
   HAS(stage->box_line = LINE, HAS_NOTHING);
   HAS(stage->affine.line = LINE, HAS_NOTHING);
   HAS((stage->affine.accumulated = true, stage->affine.line = LINE), HAS_AFFINE_ACCUMULATED, HAS_NOTHING);
+  HAS((stage->affine.twice = true, stage->affine.line = LINE), HAS_AFFINE_TWICE, HAS_NOTHING);
   HAS(stage->circle.line = LINE, HAS_BOUNDARY, HAS_NOTHING);
   HAS(scene->circle.line = LINE, HAS_BOUNDARY, HAS_NOTHING);
   HAS(stage->boundary.line = LINE, HAS_BOUNDARY_STRAIN, HAS_NOTHING);

@@ -34,6 +34,8 @@ static const char ring[] = GRAINS
     "stage shear-on\nstep 0.001\nramp material m friction 0.4\ncycles 100\n"
     "stage accumulated\naffine strain -1e-5 per cycle 1e-5 per cycle accumulated\ncycles 30\n"
     "stage literal-on\nstep 0.0011\ncycles 20\n"
+    "stage twice\naffine strain -1e-5 per cycle 1e-5 per cycle accumulated-twice\ncycles 30\n"
+    "stage twice-on\nstep 0.001\ncycles 20\n"
     "stage rigid\naffine none\nboundary fixed\nrotation off\ncycles 100\n"
     "stage rigid-on\nstep 0.0008\ncycles 50\n"
     "stage servo\nservo isotropic 20 on A through boundary affine at most 1e-5 per cycle every 7 cycles\ncycles "

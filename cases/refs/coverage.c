@@ -41,6 +41,7 @@ static const char *const names[NB_FEATURES] = {
     [HAS_BOUNDARY_NONE] = "boundary none",
     [HAS_AFFINE_STRAIN] = "affine strain",
     [HAS_AFFINE_ACCUMULATED] = "affine strain accumulated",
+    [HAS_AFFINE_TWICE] = "affine strain accumulated-twice",
     [HAS_CELL_STRAIN] = "cell strain",
     [HAS_BOX_STRAIN] = "box strain",
     [HAS_SERVO] = "servo",
@@ -147,6 +148,7 @@ static void note_loading(int lines[], const struct nb_stage *it) {
   note(lines, HAS_BOUNDARY_NONE, it->boundary.control == NB_CONTROL_NONE, boundary);
   note(lines, HAS_AFFINE_STRAIN, strains(&it->affine.strain), it->affine.line);
   note(lines, HAS_AFFINE_ACCUMULATED, it->affine.accumulated, it->affine.line);
+  note(lines, HAS_AFFINE_TWICE, it->affine.twice, it->affine.line);
   note(lines, HAS_CELL_STRAIN, strains(&it->cell), it->cell_line);
   note(lines, HAS_BOX_STRAIN, strains(&it->box), it->box_line);
   note(lines, HAS_SERVO, it->servo.line, it->servo.line);

@@ -26,6 +26,7 @@ struct nb_affine {
   struct nb_tensor base_rate[NB_AFFINE_SOURCES];      /* L of the stage, without the part that a servo adds, 1/s */
   struct nb_strain_rate requested[NB_AFFINE_SOURCES]; /* as the page gives it */
   double separate[NB_AFFINE_SOURCES]; /* 1: c is kept apart from the particle's own velocity; 0: it is added to it */
+  bool twice;                         /* L z is added to the relative velocities too: pass/affine_twice.c */
   unsigned char *source;              /* per slot: enum nb_affine_source */
   bool used[NB_AFFINE_SOURCES];       /* by some particle, now or before */
   bool free_before, any_before;       /* free particles, or any, moved affinely in the previous step */

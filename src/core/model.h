@@ -109,6 +109,7 @@ struct nb_plan {
   bool rotates;      /* in this stage some particle rotates, or may begin to */
   unsigned dashpots; /* enum nb_dashpot_kind of pass/pass.h; 0: no contact damping */
   bool centred;      /* these dashpots use the velocity at t_N */
+  bool affine_twice; /* L z is added to relative velocities again: pass/affine_twice.c */
 };
 
 /* Stiffnesses of a contact, N/m, and dashpot coefficients, N s/m. */

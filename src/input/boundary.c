@@ -9,7 +9,7 @@
 
 enum { AT_X, AT_Y, AT_RADIUS };
 enum { AT_SXX, AT_SYY, AT_SXY };
-enum { AT_APART = NB_AT_AFTER_STRAIN, AT_ACCUMULATED };
+enum { AT_APART = NB_AT_AFTER_STRAIN, AT_ACCUMULATED, AT_TWICE };
 
 /* clang-format off */
 static const struct nb_argument no_fields[] = {END};
@@ -32,6 +32,8 @@ static const struct nb_argument affine_fields[] = {
   FLAG("apart", AT_APART, "apart", "The imposed velocity is not part of the particle's own velocity [R89 4.41]."),
   FLAG("accumulated", AT_ACCUMULATED, "apart",
        "As R89's program does: the imposed velocity is added to the particle's own velocity in every cycle and accumulates there."),
+  FLAG("accumulated-twice", AT_TWICE, "apart",
+       "As `accumulated`, and as R89's program it is also added to the relative velocity of two particles in contact, which contains it already [R89 4.43]."),
   END
 };
 /* clang-format on */
@@ -111,11 +113,13 @@ NB_APPLY(apply_boundary) {
 NB_APPLY(apply_affine) {
   struct nb_stage *stage = nb_current_stage(((struct nb_scene_reading *)subject)->scene);
   const struct nb_value *value = record->value;
-  struct nb_affine_motion affine = {.line = (int)reader->line, .accumulated = value[AT_ACCUMULATED].token != NULL};
+  const bool accumulated = value[AT_ACCUMULATED].token, twice = value[AT_TWICE].token;
+  struct nb_affine_motion affine = {.line = (int)reader->line, .accumulated = accumulated || twice, .twice = twice};
   if (record->keyword->variant == 0)
     affine.strain = nb_strain_rate_of(reader, value);
-  if (affine.accumulated && value[AT_APART].token)
-    nb_token_mistake(reader, value[AT_ACCUMULATED].token, NULL, "expected `apart` or `accumulated`, found both");
+  if ((value[AT_APART].token != NULL) + accumulated + twice > 1)
+    nb_token_mistake(reader, value[accumulated ? AT_ACCUMULATED : AT_TWICE].token, NULL,
+                     "expected one of `apart`, `accumulated` and `accumulated-twice`, found more");
   if (!nb_given_twice(reader, stage->affine.line))
     stage->affine = affine;
 }

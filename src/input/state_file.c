@@ -323,7 +323,8 @@ static void affine_source(struct stream *stream) {
   if (stream->sources & 1U << which)
     expected(stream, "such a record once for each source of imposed motion");
   stream->sources |= 1U << which;
-  it->accumulated = one_of_two(stream, it->accumulated, "apart", "literal");
+  const int coding = one_of(stream, it->accumulated + it->twice, WORDS("apart", "literal", "literal-twice"));
+  it->accumulated = coding > 0, it->twice = coding > 1;
   tensor_of(stream, &it->rate);
   it->requested.per_cycle = one_of_two(stream, it->requested.per_cycle, "time", "cycle");
   four_numbers(stream, &it->requested.xx, &it->requested.xy, &it->requested.yx, &it->requested.yy);

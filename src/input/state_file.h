@@ -63,7 +63,8 @@ struct nb_saved_contact {
 struct nb_saved_affine {
   struct nb_strain_rate requested; /* by the page */
   struct nb_tensor rate;           /* over the last step, 1/s */
-  bool accumulated;                /* the imposed velocity stays in the particles' own velocity */
+  bool accumulated;                /* the imposed velocity stays in the particles' own velocity, */
+  bool twice;                      /* and is added to the relative velocities too */
 };
 
 /* The imposed motion of a particle. */

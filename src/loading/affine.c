@@ -11,7 +11,8 @@
  *
  * R89 writes x' = x' + c_11 x + c_12 y [R89 4.43] and stores the sum as the new velocity (`accumulated`). Then c is
  * added again in every cycle and acts as an acceleration L (x - x_0)/dt: a particle at rest moves away as
- * exp(sqrt(L/dt) t).
+ * exp(sqrt(L/dt) t). R89 also adds L z to the relative velocity of two particles (`accumulated-twice`,
+ * pass/affine_twice.c).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -69,6 +70,7 @@ void nb_affine_begin(struct nb_model *model, const struct nb_stage *stage) {
   if (stage->affine.line) {
     requested[NB_AFFINE_FREE] = stage->affine.strain;
     affine->separate[NB_AFFINE_FREE] = stage->affine.accumulated ? 0 : 1;
+    affine->twice = stage->affine.twice;
   }
   for (int c = 0; c < NB_AFFINE_SOURCES; c++)
     affine->rate[c] = affine->base_rate[c] = rate_of(model, &requested[c]);

@@ -12,6 +12,7 @@ enum nb_approach { NB_APPROACH_OVERLAP, NB_APPROACH_NORMAL, NB_APPROACH_TANGENTI
 enum nb_dashpot_kind { NB_DASHPOTS_NONE, NB_DASHPOTS_TIME, NB_DASHPOTS_RATIO, NB_DASHPOTS_DEEP };
 
 extern const struct nb_pass nb_pass_disc_disc[3], nb_pass_periodic[3], nb_pass_disc_wall[3]; /* by enum nb_approach */
+extern const struct nb_pass nb_pass_affine_twice[2]; /* without and with tangential increment */
 extern const struct nb_pass nb_pass_vertices;
 extern const struct nb_pass nb_pass_deep;
 extern const struct nb_pass nb_pass_dashpots[2][4]; /* late and centred; by enum nb_dashpot_kind */

@@ -37,6 +37,8 @@ static enum nb_dashpot_kind dashpot_kind(const struct nb_damping *damping) {
                                                 : NB_DASHPOTS_NONE;
 }
 
+static bool affine_twice(const struct nb_model *model) { return model->affine && model->affine->twice; }
+
 static bool has_friction(const struct nb_material_pair *material_pair) {
   return material_pair->values.friction > 0 || material_pair->values.cohesion > 0;
 }
@@ -46,12 +48,25 @@ static bool stiffens(const struct nb_law *normal, const struct nb_law *shear) {
   return normal->elastic && !normal->incremental && (shear->elastic || strcmp(shear->name, "none") == 0);
 }
 
-static const struct nb_pass *geometry_pass(const struct nb_model *model, const struct nb_material_pair *material_pair) {
+/* What the passes of the material pair read. */
+static enum nb_approach needed_approach(const struct nb_model *model, const struct nb_material_pair *material_pair) {
   const bool dn = model->plan.dashpots || (material_pair->normal->needs & NB_BIT(NB_NORMAL_INCREMENT));
-  const int approach = material_pair->shear ? NB_APPROACH_TANGENTIAL : dn ? NB_APPROACH_NORMAL : NB_APPROACH_OVERLAP;
+  return material_pair->shear ? NB_APPROACH_TANGENTIAL : dn ? NB_APPROACH_NORMAL : NB_APPROACH_OVERLAP;
+}
+
+static const struct nb_pass *geometry_pass(const struct nb_model *model, const struct nb_material_pair *material_pair) {
+  const enum nb_approach approach = needed_approach(model, material_pair);
   return material_pair->wall ? &nb_pass_disc_wall[approach]
          : model->cell       ? &nb_pass_periodic[approach]
                              : &nb_pass_disc_disc[approach];
+}
+
+/* The second addition of an affine motion, where a pass reads the increments. */
+static void add_affine_twice(struct nb_model *model, struct nb_material_pair *material_pair) {
+  const enum nb_approach approach = needed_approach(model, material_pair);
+  const struct nb_pass *again = &nb_pass_affine_twice[approach == NB_APPROACH_TANGENTIAL];
+  if (model->plan.affine_twice && !material_pair->wall && approach != NB_APPROACH_OVERLAP)
+    add_pass(material_pair, again->run[model->machine.isa], 0, "", again->name);
 }
 
 static void plan_material_pair(struct nb_model *model, struct nb_material_pair *material_pair) {
@@ -69,6 +84,7 @@ static void plan_material_pair(struct nb_model *model, struct nb_material_pair *
   add_pass(material_pair, geometry->run[isa], model->scene->cell.line, "", geometry->name); /* a cell has no walls */
   if (material_pair->wall && model->vertices.any)
     add_pass(material_pair, nb_pass_vertices.run[isa], 0, "", nb_pass_vertices.name);
+  add_affine_twice(model, material_pair);
   add_pass(material_pair, normal->run[isa], model->laws.normal_line, "normal ", normal->name);
   if (material_pair->shear)
     add_pass(material_pair, shear->run[isa], model->laws.shear_line, "shear ", shear->name);
@@ -105,6 +121,7 @@ enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
   plan->history.slip_sum = (int)nb_configuration_count(model->configuration);
   plan->dashpots = dashpot_kind(&model->damping);
   plan->centred = model->damping.centred;
+  plan->affine_twice = affine_twice(model);
   plan->total_shear = plan->dashpots ? NB_TOTAL_SHEAR : NB_SHEAR;
   plan->kept =
       (plan->requested & (NB_BIT(NB_FIELDS) - 1)) | NB_BIT(NB_RADIUS_SUM) | (plan->keep_all ? NB_SAVED_MASK : 0);
@@ -131,5 +148,6 @@ bool nb_plan_is_current(const struct nb_model *model) {
   for (size_t p = 0; p < model->material_pair_count; p++)
     if (!none && has_friction(&model->material_pairs[p]) != (model->material_pairs[p].shear != NULL))
       return false;
-  return model->plan.dashpots == dashpot_kind(&model->damping) && model->plan.centred == model->damping.centred;
+  return model->plan.dashpots == dashpot_kind(&model->damping) && model->plan.centred == model->damping.centred &&
+         model->plan.affine_twice == affine_twice(model);
 }

@@ -111,7 +111,8 @@ static bool capture_affine(struct nb_saved *saved, const struct nb_model *model)
   const struct nb_particles *particles = &model->particles;
   saved->centre = affine->centre;
   for (int c = 0; c < NB_AFFINE_SOURCES; c++)
-    saved->sources[c] = (struct nb_saved_affine){affine->requested[c], affine->rate[c], !(affine->separate[c] > 0)};
+    saved->sources[c] = (struct nb_saved_affine){affine->requested[c], affine->rate[c], !(affine->separate[c] > 0),
+                                                 affine->twice && c == NB_AFFINE_FREE};
   saved->imposed = calloc(particles->count + 1, sizeof *saved->imposed);
   if (!saved->imposed)
     return false;
@@ -356,6 +357,7 @@ static void restore_affine(struct nb_model *model, const struct nb_saved *saved)
     affine->rate[c] = saved->sources[c].rate;
     affine->separate[c] = saved->sources[c].accumulated ? 0 : 1;
   }
+  affine->twice = saved->sources[NB_AFFINE_FREE].twice;
   for (size_t k = 0; k < saved->imposed_count; k++) {
     const size_t i = (size_t)particles->slot[k];
     nb_affine_assign(affine, i, saved->imposed[k].by);

@@ -1,0 +1,52 @@
+/* R89's second addition of the imposed velocity, in its subroutine FORD (`affine strain ... accumulated-twice`).
+ *
+ *   x' = x' + c_11 x + c_12 y,   y' = y' + c_22 y + c_21 x                           [R89 4.43, 4.44]
+ *
+ *   x', y'  relative velocity of two particles, m/s    x, y  vector between their centres, m    c_ij  L, 1/s
+ *
+ * R89 adds this in MOTION to the velocity of each particle, and in FORD to the relative velocity of two particles. If
+ * MOTION stores the sum, as `accumulated` does, the relative velocity contains L z already, and FORD adds it again.
+ * Cundall's equation [R89 4.42], from which it comes, has it once.
+ *
+ *   dn += -(e.L e) D dt,   ds += -(t.L e) D dt,   D = R_x + R_y - alpha
+ *
+ *   dn, ds, e, t, alpha, R  as in disc_disc.c         D  distance of the centres, m
+ *
+ * L is that of `affine strain` for all contacts of two particles, also those with the boundary: FORD has one tensor. A
+ * contact with a wall does not have it. In the step of first touch the increment is the overlap, so nothing is added.
+ * The overlap comes from the positions and does not change. So laws that need dn, dashpots and shear forces change.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "core/affine.h"
+#include "pass.h"
+
+static inline NB_FORM void add_again(const struct nb_model *model, const struct nb_block *block, bool tangential) {
+  const struct nb_tensor rate = model->affine->rate[NB_AFFINE_FREE];
+  const double dt = model->previous_step;
+  const double *overlap = block->f[NB_OVERLAP], *radius_sum = block->f[NB_RADIUS_SUM];
+  const double *ex = block->f[NB_EX], *ey = block->f[NB_EY];
+  double *dn = block->f[NB_NORMAL_INCREMENT], *ds = block->f[NB_TANGENTIAL_INCREMENT];
+  NB_WIDE
+  for (size_t c = 0; c < block->n; c++) {
+    const struct nb_vec e = vec(ex[c], ey[c]);
+    const double length = nb_touch_began(overlap[c], dn[c]) ? 0 : radius_sum[c] - overlap[c];
+    const struct nb_vec step = vec_scale(-length * dt, tensor_times(rate, e));
+    dn[c] += vec_dot(step, e);
+    if (tangential)
+      ds[c] += vec_dot(step, vec_clockwise(e));
+  }
+}
+
+static inline NB_FORM void normal_again(const struct nb_model *model, const struct nb_block *block) {
+  add_again(model, block, false);
+}
+static inline NB_FORM void both_again(const struct nb_model *model, const struct nb_block *block) {
+  add_again(model, block, true);
+}
+NB_FORMS(normal_again)
+NB_FORMS(both_again)
+
+const struct nb_pass nb_pass_affine_twice[] = {
+    {"affine motion again, normal increment", NB_FORMS_LIST(normal_again)},
+    {"affine motion again, both increments", NB_FORMS_LIST(both_again)},
+};
