@@ -519,6 +519,17 @@ PASS = \
   src/pass/periodic.c \
   src/pass/resolve.c
 
+# Pages over several seeds, whose results docs/papers/R89.md states.
+THESIS = \
+  docs/thesis/barnes.md \
+  docs/thesis/fields.md \
+  docs/thesis/laws.md \
+  docs/thesis/literal-damped.md \
+  docs/thesis/literal-twice.md \
+  docs/thesis/obliquity-and-sliding.md \
+  docs/thesis/preparation.md \
+  docs/thesis/regions.md
+
 # Measures of an assembly: stress, fabric, energy, stable step. They change nothing.
 MEASURE = \
   src/measure/areas.c \
