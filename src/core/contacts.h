@@ -22,7 +22,7 @@ struct nb_contacts {
   int *a, *b;              /* slots; a has the smaller number; b is a wall's index in a pair with walls */
   int *material_pair;      /* index */
   int *suppressed;         /* 1 where another wall's contact replaces this one (wall_vertices.c); NULL: nowhere */
-  struct nb_vec *image;    /* m: the second particle's image is at x + H m, H the cell's sides; NULL without a cell */
+  struct nb_vec *image;    /* integers m: the second particle's image is at x + H m (cell.h); NULL without a cell */
   struct nb_vec *force;    /* on the first particle, with dashpots, N */
   double *kept[NB_FIELDS]; /* the fields that are kept after the pass; else NULL */
   size_t wall_from;        /* first contact with a wall; all later ones are with walls */

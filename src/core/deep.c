@@ -9,7 +9,7 @@
 
 #include "model.h"
 
-/* Of the smaller diameter, 1: the onset of plastic flow in [R89 sec. 6.4.3]. */
+/* Overlap over the smaller diameter at the onset of plastic flow [R89 sec. 6.4.3]. */
 static const double default_fraction = 0.07;
 
 double nb_deep_fraction(const struct nb_model *model) {

@@ -38,7 +38,8 @@ struct nb_velocities nb_velocity_half(const struct nb_model *model, size_t slot)
                                 particles->spin ? particles->spin[slot] : 0};
 }
 
-/* Own velocities after a kick. Those of a fixed particle stay: neither force nor damping acts on it. */
+/* Own velocities, without the imposed motion, after a kick. Those of a fixed particle stay: neither force nor damping
+ * acts on it. */
 static struct nb_velocities kicked_velocities(const struct nb_model *model, size_t slot, struct nb_kick_factors f,
                                               double time) {
   const struct nb_particles *particles = &model->particles;

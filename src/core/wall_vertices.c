@@ -51,7 +51,8 @@ bool nb_vertices_exist(const struct nb_scene *scene) {
 
 /* ---- finding vertices ---- */
 
-/* Adds the vertices of the walls of contacts c and d, of one particle, that it may touch before the next search. */
+/* Contacts c and d are those of one particle with two walls. Adds the vertices of these walls that the particle may
+ * touch before the next search. */
 static bool find_vertices(struct nb_model *model, int c, int d) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_wall *first = &model->scene->walls[contacts->b[c]], *second = &model->scene->walls[contacts->b[d]];

@@ -128,11 +128,11 @@ bool nb_file_named(struct nb_reader *reader, const struct nb_token *token, const
   else if (error.status == NB_NO_MEMORY)
     nb_no_memory(reader);
   else
-    nb_token_mistake(
-        reader, token,
-        hint ? hint
-             : "the program searches the folder of the page, then the folder `cases` above it and all folders in that",
-        "expected a file that can be read, found `%s`, which %s", token->text, error.text);
+    nb_token_mistake(reader, token,
+                     hint ? hint
+                          : "the program searches the folder of the page, then the nearest folder `cases` above it, "
+                            "and all folders in `cases`",
+                     "expected a file that can be read, found `%s`, which %s", token->text, error.text);
   return file != NULL;
 }
 

@@ -23,9 +23,9 @@ enum { NB_REQUEST_STORE = 1, NB_REQUEST_LOSS = 2, NB_REQUEST_PIECES = 4 };
     "radius c of the part that sticks in the last step; for laws that keep pieces")                                    \
   X(work, "work", "J", 0, "work done on the contact since the start")                                                  \
   X(work_normal, "work.normal", "J", 0,                                                                                \
-    "work of the normal force: sum of the mean force of a step times its normal increment")                            \
+    "work of the normal force: sum over the steps of the mean force times the normal increment")                       \
   X(work_shear, "work.shear", "J", 0,                                                                                  \
-    "work of the shear force: sum of the mean force of a step times its slip increment")                               \
+    "work of the shear force: sum over the steps of the mean force times the slip increment")                          \
   X(stored, "stored", "J", NB_REQUEST_STORE, "stored elastic energy, by laws with a state function")                   \
   X(stored_normal, "stored.normal", "J", NB_REQUEST_STORE, "stored energy of the normal law")                          \
   X(stored_shear, "stored.shear", "J", NB_REQUEST_STORE, "stored energy of the shear law")                             \

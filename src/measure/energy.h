@@ -35,10 +35,10 @@ void nb_balance_before_motion(struct nb_model *model);       /* before the motio
 void nb_balance_after_motion(struct nb_model *model);        /* while forces and steps are still those of the kick */
 void nb_balance_change(struct nb_model *model, bool before); /* before and after a stage changes properties or laws */
 void nb_balance_after_forces(struct nb_model *model);        /* after the forces */
-/* Before and after velocities jump when a stage begins: the kinetic energy counts as that term. */
+/* Before and after velocities jump when a stage begins: the change of kinetic energy counts as this term. */
 void nb_balance_jump(struct nb_model *model, enum nb_term term, bool before);
-/* Before and after particles are removed, join a held boundary or are released: the kinetic energy does not count as
- * work. */
+/* Before and after particles are removed, join a held boundary or are released: the change of kinetic energy does
+ * not count as work. */
 void nb_balance_exclude(struct nb_model *model, bool before);
 /* After the search: pairs of a released boundary that overlap at once. */
 enum nb_status nb_balance_new_overlaps(struct nb_model *model, struct nb_error *error);
