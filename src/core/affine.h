@@ -1,4 +1,4 @@
-/* Affine (imposed) motion: a velocity c = L (x - x_0) besides the particle's own.                            [R89 4.41]
+/* Affine (imposed) motion: a velocity c = L (x - x_0) in addition to the particle's own velocity.           [R89 4.41]
  *
  *   L   strain rate tensor, 1/s      x_0  the point that the motion leaves in place, m
  *
@@ -9,8 +9,9 @@
 #include "model.h"
 #include "tensor.h"
 
-/* Which strain rate applies to a particle: in a cell the cell's; otherwise the boundary's for its particles, and that
- * of `affine strain` for the free ones. The box has a strain rate too, which moves its walls. */
+/* The strain rate that applies to a particle. In a cell it is that of the cell. Otherwise it is that of the boundary for
+ * particles of the boundary, and that of `affine strain` for free particles. The strain rate of the box moves its
+ * walls. */
 enum nb_affine_source {
   NB_AFFINE_NONE,
   NB_AFFINE_FREE,
@@ -22,7 +23,7 @@ enum nb_affine_source {
 
 struct nb_affine {
   struct nb_vec centre;                               /* x_0, m */
-  struct nb_tensor rate[NB_AFFINE_SOURCES];           /* over the step ahead, 1/s */
+  struct nb_tensor rate[NB_AFFINE_SOURCES];           /* over the next step, 1/s */
   struct nb_tensor base_rate[NB_AFFINE_SOURCES];      /* L of the stage, without the part that a servo adds, 1/s */
   struct nb_strain_rate requested[NB_AFFINE_SOURCES]; /* as the page gives it */
   double separate[NB_AFFINE_SOURCES]; /* 1: c is kept apart from the particle's own velocity; 0: it is added to it */

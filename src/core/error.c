@@ -22,7 +22,8 @@ enum nb_status nb_error_set(struct nb_error *error, enum nb_status status, const
 }
 
 enum nb_status nb_error_memory(struct nb_error *error) {
-  return nb_error_set(error, NB_NO_MEMORY, "out of memory; fewer runs side by side (--jobs 1) need less");
+  return nb_error_set(error, NB_NO_MEMORY,
+                      "out of memory; make fewer runs at the same time, for example with --jobs 1");
 }
 
 enum nb_status nb_error_system(struct nb_error *error, const char *format, ...) {

@@ -1,4 +1,5 @@
-/* Guards: conditions under which particles could pass through each other, or through walls, without a force.
+/* Guards: conditions that a run must satisfy. If one of them is violated, the run stops, because particles could then
+ * pass through each other, or through walls, without a force.
  *
  *   displacement  no particle moves by more than its radius in one step
  *   overlap       no two particles overlap by more than the smaller radius: their distance d is at least max(R_i, R_j)
@@ -8,15 +9,15 @@
  * Together they prevent two particles from changing sides. A step begins with a distance d >= max(R_i, R_j), and the
  * two approach by at most R_i + R_j. A pair that changed sides is then at a distance of at most R_i + R_j - d <=
  * min(R_i, R_j), where the overlap is too large and the run stops. walls.c tests whether a particle's centre crossed a
- * wall, from its sides at both ends of the step; that is valid while the wall rotates by less than pi per step, here by
- * at most 8^(1/2).
+ * wall. It compares the sides of the wall on which the centre is at the beginning and at the end of the step. This is
+ * valid while the wall rotates by less than pi per step, here by at most 8^(1/2) rad.
  *
  * The guards cost almost nothing in a safe run. The motion reports particles that moved by half the skin since the last
  * search. They include all that moved by a radius in one step, as long as no radius is smaller than the skin. So the
  * displacements of a step are tested only at a search, and in every cycle if the skin is wider than a radius. A search
  * computes the distances of all pairs, and two particles approach by at most the skin until the next one. So the
- * overlaps of listed pairs are tested in every cycle only when the last search found a pair within the skin of its
- * limit.
+ * overlaps of listed pairs are tested in every cycle only when the last search found a pair whose overlap was less than
+ * the skin below its limit.
  *
  * An overlap is a difference of positions, and each coordinate is rounded to a multiple of its ulp, which grows with
  * the distance from the origin. The program warns when the ulp exceeds a thousandth of the mean overlap: the error of
@@ -42,7 +43,7 @@ enum nb_status nb_guard_positions(const struct nb_model *model, struct nb_error 
       return nb_error_set(
           error, NB_BROKEN,
           "particle %zu (line %d): its position is NaN or infinite after cycle %lu, at time %g%s; the step "
-          "is %g%s, the single-contact one %g%s: try a smaller step",
+          "is %g%s, the single-contact step is %g%s: try a smaller step",
           k + 1, line_of(model, (int)k + 1), model->cycle, model->time, s, model->step, s, model->critical, s);
   }
   return NB_OK;
@@ -71,7 +72,7 @@ static enum nb_status check_rotation(const struct nb_model *model, size_t w, str
       error, NB_BROKEN,
       "wall `%s` (line %d): in cycle %lu, at time %g%s, it turned by %g rad in one step of %g%s and may have "
       "passed through a particle. The limit is set by the smallest radius, %g%s: the arc of the wall's "
-      "far end may be no farther from the chord. Try a smaller step",
+      "far end may be no farther from its chord than this. Try a smaller step",
       model->scene->walls[w].name, model->scene->walls[w].line, model->cycle, model->time, s, angle,
       model->previous_step, s, model->search.smallest_radius, m);
 }
@@ -133,9 +134,10 @@ static double coordinate(const struct nb_model *model, int i) {
 
 static double ulp(double x) { return nextafter(x, INFINITY) - x; }
 
-/* Coarsest resolution of a coordinate over the mean overlap: the error of forces is then 0.1 %. And the overlap over
- * the radius up to which it comes from rounding. */
-static const double resolution_limit = 1e-3, touch_limit = 1e-9;
+/* Largest ratio of the resolution of a coordinate to the mean overlap: the error of forces is then 0.1 %. */
+static const double resolution_limit = 1e-3;
+/* Largest ratio of an overlap to the radius at which the overlap counts as a rounding error. */
+static const double touch_limit = 1e-9;
 
 void nb_guard_resolution(struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
@@ -163,7 +165,7 @@ void nb_guard_resolution(struct nb_model *model) {
   nb_warn(
       &model->warnings, line_of(model, particles->number[i]),
       "particle %d: its coordinate %g%s has a resolution (ulp) of %g%s, that is %.2g %% of the overlap of %g%s%s at "
-      "cycle %lu. Forces are no better than that (limit: 0.1 %%): put the scene nearer to the origin",
+      "cycle %lu. The relative error of the forces is of this size (limit: 0.1 %%): put the scene nearer to the origin",
       particles->number[i], x, m, ulp(x), m, 100 * ulp(x) / overlap, overlap, m,
       count > 0 ? " (the mean of all contacts)" : " to come (a thousandth of the smallest radius)", model->cycle);
 }

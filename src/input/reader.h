@@ -225,7 +225,8 @@ const struct nb_keyword *nb_keyword_row(const struct nb_family *table, size_t k)
 
 /* Reads the statement in reader->tokens by its row in a table; `here`: one of NB_IN_…. */
 void nb_statement_read(struct nb_reader *reader, const struct nb_family *table, unsigned here, void *subject);
-/* "as in `EXAMPLE`": the line of the statement's example that has most words of this line; NULL: it has no example. */
+/* "for example `EXAMPLE`": the line of the statement's example that has most words of this line; NULL: it has no
+ * example. */
 const char *nb_example_hint(char *hint, const struct nb_reader *reader);
 /* The hint for words such as `velocity of sphere 1`: the monitor and its quantities. NULL: no particle or wall is
  * named. */

@@ -251,7 +251,8 @@ NB_APPLY(apply_start) {
   if (reader->bad || !read_other(reading, reader, start, word) || !truncate_scene(reader, start->scene, name))
     return;
   if (reading->units_line && reader->unitless != start->scene->unitless) {
-    nb_token_mistake(reader, word, NULL, "expected a page with the same `units`");
+    nb_token_mistake(reader, word, "either this page or the other page has `units none`",
+                     "expected a page with the same `units`");
     return;
   }
   reading->reader.unitless = reading->setting.unitless = start->scene->unitless;

@@ -124,7 +124,7 @@ const char *nb_example_hint(char *hint, const struct nb_reader *reader) {
       most = same, best = line;
     lines += own;
   }
-  snprintf(hint, NB_HINT_SIZE, "as in `%.*s`", (int)strcspn(best, "\n"), best);
+  snprintf(hint, NB_HINT_SIZE, "for example `%.*s`", (int)strcspn(best, "\n"), best);
   return most > (lines > 1) ? hint : NULL; /* of several lines one that has more than the first word */
 }
 

@@ -133,7 +133,7 @@ static bool names_angle(const struct wanted *it, const char *text) {
   return is_dimensionless(it) && nb_unit_read(&unit, text) && unit.angle;
 }
 
-/* ", as in `gravity 0 m/s2 -9.81 m/s2`", the statement's example; on a page without any unit so far also
+/* ", for example `gravity 0 m/s2 -9.81 m/s2`", the statement's example; on a page without any unit so far also
  * ", or begin the scene with `units none`". */
 static void add_advice(char *text, const struct nb_reader *reader, bool example) {
   char as[NB_HINT_SIZE];

@@ -48,29 +48,31 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
     {"boundary.area", 0, "m2", 0, boundary_area, "area of the polygon through the boundary particles' centres"},
     {"boundary.roughness", 0, "1", 0, boundary_roughness,
      "standard deviation of the distances whose mean is boundary.radius, over that mean [R89 sec. 6.4.1]"},
-    TENSOR("boundary.stress", 0, "Pa", NB_STRESSES, boundary_stress,
-           "stress by the contact forces on the boundary's particles, sum of F_i X_j over the polygon's area times the "
-           "thickness, compression positive"),
+    TENSOR(
+        "boundary.stress", 0, "Pa", NB_STRESSES, boundary_stress,
+        "stress from the contact forces on the boundary's particles, sum of F_i X_j over the polygon's area times the "
+        "thickness, compression positive"),
     {"boundary.stress.residual", 0, "Pa", 0, boundary_residual,
-     "largest difference between boundary.stress and the stress by all contacts over the same volume; 0 while the "
+     "largest difference between boundary.stress and the stress from all contacts over the same volume; 0 while the "
      "particles inside are in equilibrium"},
 
     TENSOR("cell", NB_OF_CELL, "m", NB_COMPONENTS, cell_sides,
-           "sides of the cell: xx and yx of the one that the page gives along x, xy and yy of the one along y"),
+           "the two sides of the cell as vectors: xx and yx are the x and y of the first, which the page gives along "
+           "x; xy and yy are those of the second"),
     TENSOR("cell.stress", NB_OF_CELL, "Pa", NB_STRESSES, cell_stress,
-           "stress by contacts, sum of F_i l_j over the volume (thickness 1 m for discs, mean diameter for spheres), "
-           "compression positive, dashpots included"),
-    TENSOR(
-        "cell.strain", NB_OF_CELL, "1", NB_COMPONENTS, cell_strain,
-        "strain of the cell since time 0, extension positive; xy is half the change of the right angle, while small"),
+           "stress from contact forces, sum of F_i l_j over the volume (thickness 1 m for discs, mean diameter for "
+           "spheres), compression positive, dashpots included"),
+    TENSOR("cell.strain", NB_OF_CELL, "1", NB_COMPONENTS, cell_strain,
+           "strain of the cell since time 0, extension positive; xy is half the change of the right angle, for small "
+           "strains"),
     {"cell.strain.volumetric", NB_OF_CELL, "1", 0, cell_strain_volume,
      "relative change of the cell's area since time 0, expansion positive"},
 
     {"box.width", NB_OF_BOX, "m", 0, box_width, "distance from the box's wall `west` to `east`"},
     {"box.height", NB_OF_BOX, "m", 0, box_height, "distance from the box's wall `south` to `north`"},
     TENSOR("box.stress", NB_OF_BOX, "Pa", NB_STRESSES, box_stress,
-           "from the forces F on the walls, sum F_i X_j/volume (discs 1 m thick, spheres their mean diameter), "
-           "compression positive, dashpots included"),
+           "stress from the forces F on the walls, sum of F_i X_j over the volume (thickness 1 m for discs, mean "
+           "diameter for spheres), compression positive, dashpots included"),
     {"box.strain.width", NB_OF_BOX, "1", 0, box_strain_width,
      "relative change of the box's width since time 0, extension positive"},
     {"box.strain.height", NB_OF_BOX, "1", 0, box_strain_height,

@@ -4,7 +4,7 @@
  *
  *   R      radius, m: of the sphere with the shortest t_R, or the mean of all, with the means of rho, G and nu
  *   rho    density, kg/m3
- *   G      shear modulus E/2(1 + nu), Pa
+ *   G      shear modulus E/(2 (1 + nu)), Pa, from Young's modulus E and Poisson's ratio nu
  *   alpha  speed of Rayleigh waves over that of shear waves, c_2 = (G/rho)^(1/2); the root of
  *
  *            (2 - alpha^2)^2 = 4 (1 - alpha^2)^(1/2) (1 - q alpha^2)^(1/2),   q = c_2^2/c_1^2 = (1 - 2 nu)/(2 (1 - nu))
@@ -12,8 +12,8 @@
  *          between 0.87 (nu = 0: 0.874032) and 0.96 (nu = 0.5: 0.955313). [R89 4.32] is its square, which has other
  *          roots, too. R89 uses the line 0.1631 nu + 0.876605 [R89 4.34], 0.22 % too small to 0.30 % too large.
  *
- * Range      t_R does not depend on contacts. Over the duration of a collision it is proportional to v^(1/5), v the
- *            approach velocity (hertz_impact.h). Fixed particles and rigid materials do not count.
+ * Range      t_R does not depend on contacts. Divided by the duration of a collision, t_R is proportional to v^(1/5),
+ *            where v is the approach velocity, m/s (hertz_impact.h). Fixed particles and rigid materials are left out.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "step.h"

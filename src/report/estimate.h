@@ -6,9 +6,9 @@
 
 #include <stddef.h>
 
-enum { NB_PHASES = 8, NB_TRIALS = 32 }; /* NB_TRIALS: the most realizations */
+enum { NB_PHASES = 8, NB_TRIALS = 32 }; /* NB_TRIALS: largest number of realizations */
 
-/* Of three steps the first over the second, and the second over the third: each above 1 and at most 2. */
+/* Ratios of three time steps: the first over the second, and the second over the third. Each is above 1 and at most 2. */
 struct nb_ratios {
   double first, second;
 };
