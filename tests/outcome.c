@@ -164,7 +164,7 @@ static void stages_without_rows(void) {
   CU_ASSERT_STRING_EQUAL(outcome.checks[0].message, "computed 4.9995 m");
   for (int k = 1; k < 3; k++) {
     CU_ASSERT_EQUAL(outcome.checks[k].mark, NB_FAIL);
-    CU_ASSERT_STRING_EQUAL(outcome.checks[k].message, "`D.y in one` cannot be formed: no row was recorded there");
+    CU_ASSERT_STRING_EQUAL(outcome.checks[k].message, "`D.y in one` cannot be computed: no row was recorded there");
   }
   CU_ASSERT_EQUAL(outcome.checks[3].mark, NB_PASS);
   const char *end = strstr(outcome.checks[3].message, "; the worst of 5 rows, at time = 0.0");

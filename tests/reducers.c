@@ -1,4 +1,4 @@
-/* Reducers, which compute one number from rows: every reducer, and measures that cannot be formed.
+/* Reducers, which compute one number from rows: every reducer, and measures that cannot be computed.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -103,8 +103,8 @@ static void nothing_to_reduce(void) {
     int count;
     double x[6];
   } rows[] = {
-      {"A.x within 9", "`A.x` cannot be formed: no row was recorded there", 0, {0}},
-      {"A.x in two within 9", "`A.x in two` cannot be formed: no row was recorded there", 3, {1, 2, 3}},
+      {"A.x within 9", "`A.x` cannot be computed: no row was recorded there", 0, {0}},
+      {"A.x in two within 9", "`A.x in two` cannot be computed: no row was recorded there", 3, {1, 2, 3}},
       {"A.x at 15 cycles within 9", "no row was recorded at that moment", 3, {1, 2, 3}},
       {"A.x at 30 cycles within 9", "no row was recorded at that moment", 3, {1, 2, 3}},
       {"A.x at 2.5 within 9", "no row was recorded at that moment", 3, {1, 2, 3}},
@@ -114,13 +114,13 @@ static void nothing_to_reduce(void) {
       {"A.x frequency within 9", "it rises through its mean less than twice", 3, {1, 1, 1}},
       {"A.x mean within 9", "the result is not a finite number", 3, {1e308, 1e308, 1e308}},
       {"A.x amplitude within 9", "the result is not a finite number", 3, {-1e308, 0, 1e308}},
-      {"A.x within 9 % of A.y in two", "`A.y in two` cannot be formed", 3, {1, 2, 3}},
-      {"A.x expected 1 of A.y in two within 1 [t]", "`A.y in two` cannot be formed", 3, {1, 2, 3}},
-      {"A.x in two expected 1 of A.y within 1 [t]", "`A.x in two` cannot be formed", 3, {1, 2, 3}},
-      {"A.x below A.y in two", "`A.y in two` cannot be formed", 3, {1, 2, 3}},
-      {"A.x in two above A.y", "`A.x in two` cannot be formed", 3, {1, 2, 3}},
+      {"A.x within 9 % of A.y in two", "`A.y in two` cannot be computed", 3, {1, 2, 3}},
+      {"A.x expected 1 of A.y in two within 1 [t]", "`A.y in two` cannot be computed", 3, {1, 2, 3}},
+      {"A.x in two expected 1 of A.y within 1 [t]", "`A.x in two` cannot be computed", 3, {1, 2, 3}},
+      {"A.x below A.y in two", "`A.y in two` cannot be computed", 3, {1, 2, 3}},
+      {"A.x in two above A.y", "`A.x in two` cannot be computed", 3, {1, 2, 3}},
       {"A.x versus time in two within 9", "no rows were recorded", 3, {1, 2, 3}},
-      {"A.x versus time within 9 % of A.y in two", "`A.y in two` cannot be formed", 3, {1, 2, 3}},
+      {"A.x versus time within 9 % of A.y in two", "`A.y in two` cannot be computed", 3, {1, 2, 3}},
   };
   for (size_t k = 0; k < COUNT(rows); k++) {
     struct nb_outcome outcome;
@@ -147,15 +147,15 @@ static void not_finite(void) {
       char text[128], label[64];
       snprintf(label, sizeof label, "A.x%s", k ? reducers[k] : " in all");
       snprintf(text, sizeof text, "%s%s within 1e300", label, k ? " in one" : "");
-      planted_one(text, label, 1, k ? 6 : 1, k ? x : last, NB_FAIL, "cannot be formed: it is ");
+      planted_one(text, label, 1, k ? 6 : 1, k ? x : last, NB_FAIL, "cannot be computed: it is ");
     }
   static const double one[] = {1}, huge[] = {1e300};
   for (size_t b = 0; b < COUNT(bad); b++) {
     planted_one("A.x within 1e300", "A.x", bad[b], 1, one, NB_FAIL, ": not a finite number");
     planted_one("A.x within 1e300 %", "A.x", bad[b], 1, one, NB_FAIL, ": not a finite number");
     planted_one("A.x below A.y", NULL, 0, 1, &bad[b], NB_FAIL, "it is ");
-    planted_one("A.y within 5 % of A.x", "A.y", 1, 1, &bad[b], NB_FAIL, "`A.x` cannot be formed");
-    planted_one("A.y expected 1 of A.x within 5 [t]", NULL, 0, 1, &bad[b], NB_FAIL, "`A.x` cannot be formed");
+    planted_one("A.y within 5 % of A.x", "A.y", 1, 1, &bad[b], NB_FAIL, "`A.x` cannot be computed");
+    planted_one("A.y expected 1 of A.x within 5 [t]", NULL, 0, 1, &bad[b], NB_FAIL, "`A.x` cannot be computed");
   }
   planted_one("A.x within 1e20 %", "A.x", 1e300, 1, huge, NB_FAIL, "a fraction of 1e+300 is not a finite tolerance");
   planted_one("A.y expected 1 of A.x within 5 [t]", NULL, 0, 1, (double[]){0}, NB_FAIL,
@@ -166,7 +166,7 @@ static void not_finite(void) {
 void suite_reducers(void) {
   CU_pSuite suite = CU_add_suite("reducers", NULL, NULL);
   CU_add_test(suite, "every reducer over a stage, the last stage and all stages", reducers);
-  CU_add_test(suite, "a measure that cannot be formed fails, with the reason", nothing_to_reduce);
+  CU_add_test(suite, "a measure that cannot be computed fails, with the reason", nothing_to_reduce);
   CU_add_test(suite, "values that are not finite fail every check", not_finite);
   CU_add_test(suite, "the value of the stage goes first", the_value_of_the_stage_goes_first);
 }

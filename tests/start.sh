@@ -430,11 +430,11 @@ base 3 >"$work/base.md" && on base >"$work/on.md"
 "$nineball" run "$work/on.md" --states "$work/bare" --set step=0.0625 -o "$work/bare-step" >"$work/out" 2>"$work/said" &&
   grep -q '^more	4$' "$work/bare-step/table.tsv" &&
   ! "$nineball" run "$work/on.md" --states "$work/bare" --set step='0.0625 s' -o "$work/bare-step" >"$work/out" 2>"$work/said" &&
-  grep -q 'expected a time as a bare number (the scene says `units none`), found `0.0625 s`' "$work/said" &&
+  grep -q 'expected a time as a number without a unit (the scene says `units none`), found `0.0625 s`' "$work/said" &&
   sed 's/^record.*/record time/' "$work/on.md" >"$work/on-time.md" &&
   "$nineball" run "$work/on-time.md" --states "$work/bare" --set step=0.0625 -o "$work/bare-step" >"$work/out" 2>"$work/said" &&
   awk '$1 == "more" { last = $2 } END { exit !(last > 0.3624 && last < 0.3626) }' "$work/bare-step/table.tsv"
-result $? '--set step of a page without `units` that starts from one with `units none`: a bare number'
+result $? '--set step of a page without `units` that starts from one with `units none`: a number without a unit'
 root=$work/root
 mkdir -p "$root/cases/1-one/deeper" "$root/cases/2-two" "$root/cases/3-three/cases/inner" "$root/other" "$root/outside"
 base 3 >"$root/cases/1-one/deeper/far.md"

@@ -206,7 +206,7 @@ static void words(void) {
   planted_one("A.x within 0", "A.x", 1.0000000012, 1, (double[]){1}, NB_FAIL,
               "computed 1, reference 1.0000000012, error 1.2e-09");
   planted_one("report A.x", NULL, 0, 1, (double[]){9}, NB_NOTE, "computed 9");
-  planted_one("report A.x", NULL, 0, 1, (double[]){NAN}, NB_FAIL, "cannot be formed");
+  planted_one("report A.x", NULL, 0, 1, (double[]){NAN}, NB_FAIL, "cannot be computed");
   planted_one("A.x within 1 of A.vx", "A.x", 8, 1, (double[]){9}, NB_PASS, "error 25 %, tolerance 100 % of A.vx");
   /* below 1e-7 and above 1e7 a fraction is not written in per cent, which would be mostly zeros */
   planted_one("A.x within 1e300 of A.vx", "A.x", 8, 1, (double[]){9}, NB_PASS, "error 0.25, tolerance 1e+300 of A.vx");

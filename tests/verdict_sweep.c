@@ -73,7 +73,7 @@ static void constant(void) {
        {1e308, 1e308, 1e308},
        NB_FAIL,
        ""}, /* their sum is not finite */
-      {"sweep v 1 2", "A.x max in two constant with v within 1", {1, 1}, NB_FAIL, "cannot be formed"},
+      {"sweep v 1 2", "A.x max in two constant with v within 1", {1, 1}, NB_FAIL, "cannot be computed"},
   };
   planted_sweeps(list, COUNT(list));
 }

@@ -31,7 +31,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"diameter r", "radius"}, {"g grav acceleration", "gravity"}, {"dt timestep time_step", "step"},
     {"damp viscous viscosity dashpot gamma gamma_n dp_nratio dp_sratio beta", "damping, ratio, stiffness"}, {"neighbor verlet cutoff", "skin"},
     {"local nonviscous", "mass", "there is no local damping"}, {"dump", "record, snapshot"}, {"plot graph figure", "gnuplot"},
-    {"restitution cor", "ratio, impact.restitution", "restitution is a result, not an input; linear springs return 0.7 with `damping ratio (-log(0.7)/hypot(pi, log(0.7)))`"},
+    {"restitution cor", "ratio, impact.restitution", "restitution is a result, not an input; for 0.7 with linear springs write `damping ratio (-log(0.7)/hypot(pi, log(0.7)))`"},
     {"rolling rolling_friction rolling_resistance", "rotation off", "there is no rolling resistance"},
     {"history hist track trace thermo output print probe", "monitor, record"}, {"measure measurement group range", "region"},
     {"run solve go iterate", "cycles, until"}, {"equilibrium converge unbal", "until, unbalanced.max"},

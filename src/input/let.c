@@ -185,7 +185,7 @@ static bool rows_differ(struct nb_reader *reader, const struct nb_binding *value
       if (equal < columns)
         continue;
       return nb_token_mistake(reader, tokens[row], NULL,
-                              "expected different values, found the same ones in places %zu and %zu",
+                              "expected different values, found the same value in places %zu and %zu",
                               above / columns + 1, row / columns + 1);
     }
   return true;
@@ -397,7 +397,7 @@ void nb_setting_read_step(struct nb_scene_reading *reading) {
 /* clang-format off */
 NB_STATEMENTS(let) = {
   {"units", NB_IN_SCENE | NB_IN_CONTACT_TEST, units_fields, NULL, 0, false, apply_units,
-   "Whether numbers have units: `si`, the default, or `none`, with which all numbers are bare. It holds for the "
+   "Whether numbers have units: `si`, the default, or `none`, with which all numbers are written without a unit. It holds for the "
    "whole page.",
    "units     si"},
   {"let", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_START, value_fields, "= EXPRESSION|WORD", 0, false, apply_let,

@@ -11,10 +11,10 @@
  * "fill … tries", "fill … attempts"} a clause in any place; words after the matched ones stay. Rows are applied from
  * the top, each until it no longer matches or its new form does. New forms must match no row, which a test checks.
  *
- * A row of quantities is one part or several of a name between dots: {NB_OLD_QUANTITY, "deviation", "std"} makes
- * `A.stress.std` of `A.stress.deviation`. With a dot before it (".unbalance") the name must have an owner.
+ * A row of quantities is one part or several of a name between dots: {NB_OLD_QUANTITY, "deviation", "std"} turns
+ * `A.stress.deviation` into `A.stress.std`. With a dot before it (".unbalance") the name must have an owner.
  * In figures the column "A.stress.deviation/Pa", the variable A_stress_deviation and the data block $load_bodies are
- * rewritten, too. A plain row is of a quantity without an owner.
+ * rewritten, too. A row of kind NB_OLD_PLAIN is the whole name of a quantity without an owner.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "old_words.h"

@@ -129,8 +129,8 @@ const char *nb_example_hint(char *hint, const struct nb_reader *reader) {
 }
 
 /* Reports a line whose first words match some rows and whose next word matches none: `fill sphres`. Returns one of
- * these rows; NULL if `whole`, a row of another place, matches completely and no row of this place is near, unless a
- * word follows: `cell shear`. */
+ * these rows. Returns NULL if `whole`, a row of another place, is meant: it matches more words, or no row of this place
+ * is near and the line ends or a number follows (not a word, as in `cell shear`). */
 static const struct nb_keyword *wrong_word(struct nb_reader *reader, const struct nb_family *table, unsigned here,
                                            const struct nb_keyword *whole) {
   char list[256] = "", hint[NB_HINT_SIZE], word[NB_NAME_SIZE];

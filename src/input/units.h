@@ -6,7 +6,8 @@
 
 #include "core/guess.h"
 
-/* Kinds of numbers: dimension, whether an angle, and name. NB_UNIT_NUMBER is dimensionless: bare, or with % or ppm. */
+/* Kinds of numbers: dimension, whether an angle, and name. NB_UNIT_NUMBER is dimensionless: without a unit, or with %
+ * or ppm. */
 enum nb_unit_kind {
   NB_UNIT_NUMBER,
   NB_UNIT_LENGTH,

@@ -46,9 +46,9 @@ static bool is_dimensionless(const struct wanted *it) {
 /* "a length and its unit (m, mm, um, nm, cm, km)" */
 static void expected_text(char *text, size_t size, const struct nb_reader *reader, const struct wanted *it) {
   if (is_dimensionless(it))
-    snprintf(text, size, "a number (bare, or with %% or ppm)");
+    snprintf(text, size, "a number (without a unit, or with %% or ppm)");
   else if (reader->unitless)
-    snprintf(text, size, "%s as a bare number (the scene says `units none`)", it->name);
+    snprintf(text, size, "%s as a number without a unit (the scene says `units none`)", it->name);
   else
     snprintf(text, size, "%s and its unit (%s)", it->name, it->units);
 }

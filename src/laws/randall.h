@@ -24,12 +24,12 @@ static inline double cube_root(double x) {
   return size > 0 ? copysign(y, x) : 0;
 }
 
-/* x CDF or x UFL; `back`: that factor is -1. */
+/* x CDF or x UFL, the signs of shear_randall.c. `back`: the sign is -1. */
 static inline double flip_if(bool back, double x) { return back ? -x : x; }
 
 /* theta = c/a, c the radius of the stick region, after a change of T by `force` in virgin loading (times = 1, [R89
- * 4.22]) or since the last reversal (times = 2, [R89 4.23, 4.24]). `force` is that before the step, `rise` is mu dN of
- * the step, `limit` mu N after it. */
+ * 4.22]) or since the last reversal (times = 2, [R89 4.23, 4.24]). `force` is this change before the step, N; `rise`
+ * is mu dN of the step, N; `limit` is mu N after the step, N. */
 static inline double stuck_fraction(double force, double times, double rise, double limit) {
   return cube_root(1 - (force + times * rise) / (times * limit));
 }

@@ -3,7 +3,7 @@
  * work      K_(N-1/2) - K_0 = sum over kicks of the work of all forces, K the kinetic energy. The impulse J = F tau of
  *           the forces and the impulse J_d of mass-proportional damping change a particle's velocity from v- to v+,
  *           and its kinetic energy by (J + J_d).(v- + v+)/2. This holds for any step, including the half kick at the
- *           start (tau = dt/2, v- = v_0); the residual is rounding.
+ *           start (tau = dt/2, v- = v_0); the residual is only rounding.
  *
  * energy    K + U - (K + U)_0 + frictional + damped + removed - walls - gravity - imposed - changed, at t_N. U is a
  *           state function (energy.c). Forces that depend on velocity or are prescribed act at t_N with the velocity

@@ -6,10 +6,10 @@
 
 #include "core/model.h"
 
-/* All return false without memory. */
+/* All return false if memory runs out. */
 bool nb_snapshot_take(struct nb_snapshot *snapshot, const struct nb_model *model, int stage);
 void nb_snapshot_free(struct nb_snapshot *snapshot);
-/* The tables of a snapshot, also those that it has not; NULL after the last. */
+/* All possible tables of a snapshot, including those that it does not have; NULL after the last. */
 struct nb_table *nb_snapshot_table_at(struct nb_snapshot *snapshot, size_t index);
 /* The tables that the snapshot has, one by one; false after the last. */
 bool nb_snapshot_part(const struct nb_snapshot *snapshot, int part, const char **name, const struct nb_table **table);

@@ -267,7 +267,8 @@ static void values(const struct manual *to) {
                 "1/s`. `%` and `ppm` are "
                 "factors, rad is 1 and deg is pi/180. `0.3 mm` is the double nearest to 0.0003: all units but deg are "
                 "powers of ten of the SI unit. "
-                "With `units none` all numbers are bare; `%` and `ppm` may still follow them, and angles are radians.");
+                "With `units none` all numbers are written without a unit; `%` and `ppm` may still follow them, and "
+                "angles are radians.");
   snprintf(text, sizeof text,
            "Expressions are in parentheses, after `let NAME =` and in `--set NAME=`. In them NAME without `$` is the "
            "value that `let` or `sweep` gives to it. There is `pi`, and there are the functions %s. Operators, highest "
@@ -290,7 +291,7 @@ static void values(const struct manual *to) {
   paragraph(to, "Units that are usual for each kind of number:");
   for (int kind = 0; kind < NB_UNIT_KINDS; kind++)
     part(to, nb_unit_kind_name((enum nb_unit_kind)kind), NULL,
-         kind == NB_UNIT_NUMBER ? "bare, or with % or ppm" : nb_unit_list((enum nb_unit_kind)kind));
+         kind == NB_UNIT_NUMBER ? "without a unit, or with % or ppm" : nb_unit_list((enum nb_unit_kind)kind));
   end(to);
 }
 

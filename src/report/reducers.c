@@ -114,7 +114,7 @@ static double reduce(const struct nb_measure *measure, const struct column *colu
 }
 
 static bool undefined(struct nb_error *error, const struct nb_measure *measure, const char *reason) {
-  nb_error_set(error, NB_FAILED, "`%s` cannot be formed: %s", measure->label, reason);
+  nb_error_set(error, NB_FAILED, "`%s` cannot be computed: %s", measure->label, reason);
   return false;
 }
 

@@ -131,7 +131,8 @@ static bool make_material_pairs(struct nb_model *model) {
 }
 
 /* The skin of the neighbour list, m: as the page says, else a tenth of the mean radius, so that searches are rare and
- * most listed pairs touch. Infinite if no particle is free or nothing else is there: then no search is needed. */
+ * most listed pairs touch. Infinite if all particles are fixed, or if there is only one particle and no wall:
+ * then no search is needed. */
 static double skin_of(const struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   double sum = 0;

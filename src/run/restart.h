@@ -12,8 +12,7 @@ enum { NB_STATE_PATH = 4096 };
 struct nb_lock {
   char path[NB_STATE_PATH + 8];
   int file;
-  const char *use,
-      *option; /* what the process does that holds it, and the option for another folder; NULL: waits for it */
+  const char *use, *option; /* what the process that holds the file does; the option for another folder, NULL: waits */
 };
 /* Without waiting: NB_BAD_USE if another process holds it. */
 enum nb_status nb_lock_own(struct nb_lock *lock, const char *path, const char *use, const char *option,
