@@ -222,15 +222,15 @@ static void affine_strain_after_accumulated(void) {
   nb_result_free(&result);
 }
 
-/* The scene of two spheres along x, the first at x = 0.95, too heavy to be moved by forces. `twice` adds L z to their
+/* The scene of two spheres along x at x and -x, too heavy to be moved by forces. `twice` adds L z to their
  * relative velocity, in the first cycle and in the second. */
-static void twice(struct nb_result *result, const char *law, const char *strain, int cycles) {
+static void twice(struct nb_result *result, double x, const char *law, const char *strain, int cycles) {
   char page[512];
   snprintf(page, sizeof page,
            "material m density 1e20 young 3 poisson 0.25 kn 7 ks 5 friction 1e6\n%s\nstep 0.5\n"
-           "sphere 0.95 0 radius 1 m\nsphere -0.95 0 radius 1 m\nmonitor C sphere 1 with sphere 2\n"
+           "sphere %.17g 0 radius 1 m\nsphere %.17g 0 radius 1 m\nmonitor C sphere 1 with sphere 2\n"
            "record C.normal C.shear C.dashpot.normal\nstage s\naffine strain %s accumulated-twice\ncycles %d\n",
-           law, strain, cycles);
+           law, x, -x, strain, cycles);
   run(result, page);
 }
 
@@ -243,11 +243,11 @@ static void normal_increment_with_affine_motion_twice(void) {
   const double young = 3 / (2 * (1 - 0.0625)), radius = 0.5, a = sqrt(radius * dn1);
   const double first = 4. / 3 * young * sqrt(radius * dn1) * dn1;
   struct nb_result result;
-  twice(&result, "normal hertz_increment\nshear none", "-1e-3 per cycle 0 per cycle", 2);
+  twice(&result, 0.95, "normal hertz_increment\nshear none", "-1e-3 per cycle 0 per cycle", 2);
   CU_ASSERT_DOUBLE_EQUAL(written_cell(&result.table, 1, "C.normal"), first, 1e-13 * first);
   CU_ASSERT_DOUBLE_EQUAL(written_cell(&result.table, 2, "C.normal"), first + 2 * young * a * dn2, 1e-12 * first);
   nb_result_free(&result);
-  twice(&result, "shear none\ndamping stiffness 0.2", "-1e-3 per cycle 0 per cycle", 1);
+  twice(&result, 0.95, "shear none\ndamping stiffness 0.2", "-1e-3 per cycle 0 per cycle", 1);
   CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "C.normal"), 7 * (2 - d1), 1e-13);
   CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "C.dashpot.normal"), 7 * 0.2 * dn1 / 0.5, 1e-13);
   nb_result_free(&result);
@@ -258,8 +258,20 @@ static void normal_increment_with_affine_motion_twice(void) {
 static void tangential_increment_with_affine_motion_twice(void) {
   const double g = 1e-3, d0 = 1.9;
   struct nb_result result;
-  twice(&result, "shear linear", "0 per cycle 0 per cycle c21 1e-3 per cycle", 1);
+  twice(&result, 0.95, "shear linear", "0 per cycle 0 per cycle c21 1e-3 per cycle", 1);
   CU_ASSERT_DOUBLE_EQUAL(fabs(written_last(&result, "C.shear")), 5 * 2 * g * d0 / sqrt(1 + g * g), 1e-14);
+  nb_result_free(&result);
+}
+
+/* In the step of first touch only the displacement after the touch counts, and nothing is added. The distance vector
+ * (D_0, 0) becomes ((1 - e) D_0, g D_0). */
+static void first_touch_with_affine_motion_twice(void) {
+  const double e = 1e-3, g = 5e-4, d0 = 2.0005, x = (1 - e) * d0, y = g * d0, d1 = sqrt(x * x + y * y);
+  const double dn = (e * d0 * x - g * d0 * y) / d1, ds = (e * d0 * y + g * d0 * x) / d1;
+  struct nb_result result;
+  twice(&result, d0 / 2, "shear linear", "-1e-3 per cycle 0 per cycle c21 5e-4 per cycle", 1);
+  CU_ASSERT(2 - d1 > 0 && 2 - d1 < dn);
+  CU_ASSERT_DOUBLE_EQUAL(fabs(written_last(&result, "C.shear")), 5 * ds * (2 - d1) / dn, 1e-13);
   nb_result_free(&result);
 }
 
@@ -331,6 +343,7 @@ void suite_driven(void) {
   CU_add_test(suite, "affine strain after accumulated", affine_strain_after_accumulated);
   CU_add_test(suite, "affine motion twice: normal increment", normal_increment_with_affine_motion_twice);
   CU_add_test(suite, "affine motion twice: tangential increment", tangential_increment_with_affine_motion_twice);
+  CU_add_test(suite, "affine motion twice: first touch", first_touch_with_affine_motion_twice);
   CU_add_test(suite, "one strain after another", one_strain_after_another);
   CU_add_test(suite, "velocities are means of half steps", velocities_are_means_of_half_steps);
 }
