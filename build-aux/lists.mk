@@ -522,6 +522,7 @@ PASS = \
 # Pages over several seeds, whose results docs/papers/R89.md states.
 THESIS = \
   docs/thesis/barnes.md \
+  docs/thesis/damped.md \
   docs/thesis/fields.md \
   docs/thesis/laws.md \
   docs/thesis/literal-damped.md \
