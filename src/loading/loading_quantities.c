@@ -71,7 +71,7 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
     {"box.width", NB_OF_BOX, "m", 0, box_width, "distance from the box's wall `west` to `east`"},
     {"box.height", NB_OF_BOX, "m", 0, box_height, "distance from the box's wall `south` to `north`"},
     TENSOR("box.stress", NB_OF_BOX, "Pa", NB_STRESSES, box_stress,
-           "stress from the wall forces, sum of F_i X_j over the volume (thickness 1 m for discs, mean "
+           "stress from wall forces, sum of F_i X_j over the volume (thickness 1 m for discs, mean "
            "diameter for spheres), compression positive, dashpots included"),
     {"box.strain.width", NB_OF_BOX, "1", 0, box_strain_width,
      "relative change of the box's width since time 0, extension positive"},
