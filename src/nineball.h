@@ -109,7 +109,7 @@ struct nb_material {
   double density;              /* kg/m3 */
   NB_PAIR_ROWS(NB_PAIR_MEMBER) /* of a contact between two particles of this material */
   double young;                /* E, Pa, for laws of elastic spheres; INFINITY: rigid; 0: not given [R89 4.7] */
-  double poisson;              /* nu, 1; G = E/2(1 + nu) */
+  double poisson;              /* nu, 1; G = E/(2(1 + nu)) */
   int line;                    /* line of the page, for messages */
 };
 

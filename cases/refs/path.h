@@ -13,7 +13,7 @@ struct path_contact {
   double young;    /* E*, Pa */
   double shear;    /* G*, Pa */
   double friction; /* mu, 1 */
-  double kappa;    /* E* / 4 G* */
+  double kappa;    /* E* / (4 G*) */
 };
 /* NB_BAD_USE when the page is not a contact test with `normal hertz`. */
 enum nb_status path_contact(struct path_contact *contact, const struct nb_scene *scene, const char *reference,

@@ -3,7 +3,7 @@
  * A Hertz contact has the same N, T and energies as a row of independent springs under a parabolic indenter (method of
  * dimensionality reduction, Popov and Hess). The spring at y, from -a to a, touches while y^2 < R* alpha, and has
  *
- *   |u| <= mu kappa (alpha - y^2/R*)     Coulomb's law for this spring, kappa = E* / 4 G*; u is its deflection, m
+ *   |u| <= mu kappa (alpha - y^2/R*)     Coulomb's law for this spring, kappa = E* / (4 G*); u is its deflection, m
  *   du = d(delta)                        while it sticks; u = 0 without contact
  *   T = Int 4 G* u dy                    the sum of their forces, N;  U = Int 2 G* u^2 dy  of their energies, J
  *

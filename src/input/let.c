@@ -320,7 +320,7 @@ NB_APPLY(apply_trade) {
   NB_APPEND(reader, scene->trades, scene->trade_count, trade);
 }
 
-/* Names that --set knows on every page: first the statements that it overrides. */
+/* Names that --set accepts on every page: first the statements that it overrides. */
 static const struct {
   char name[NB_NAME_SIZE];
 } settable[] = {{"normal"}, {"shear"}, {"step"}, {"damping"}, {"trade"}, {"refine"}, {"soften"}, {"follow"}};
@@ -409,8 +409,8 @@ NB_STATEMENTS(let) = {
    "Several sweeps make all combinations; the last one varies fastest.",
    "sweep     speed 0.1 m/s 0.2 m/s"},
   {"trade", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_START, value_fields, "VALUE …, or laws all|none", 0, false, apply_trade,
-   "Other values of the name that `nineball advise` may choose, if they are cheaper and the error stays within the tolerance. `trade laws none`: it keeps the page's contact laws. "
-   "The name `soften` divides all stiffnesses by the values. It changes no run. On the command line: --set 'trade=NAME VALUE …'.",
+   "Other values of the name that `nineball advise` may choose, if they are cheaper and the error stays within the tolerance. `trade laws none`: the advice keeps the page's contact laws. "
+   "The name `soften` divides all stiffnesses by the values. `trade` changes no run. On the command line: --set 'trade=NAME VALUE …'.",
    "let       rate = 1\ntrade     rate 3 10"},
   {0},
 };

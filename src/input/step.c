@@ -82,7 +82,7 @@ NB_STATEMENTS(step) = {
    "The time step: a time, or a fraction F of one of these times. No default. `stable`: the guaranteed stable step at the beginning of the stage. "
    "`single-contact`: 2 sqrt(m/k) of the lightest particle and the stiffest contact [CS79, Motion]. "
    "`collision`: the duration of the shortest collision, of which `N per collision` is the N-th part. For elastic spheres it is Hertz's, at the speeds of the pairs predicted to collide at their current velocities. "
-   "`rayleigh`: the time of a surface wave from pole to pole of the smallest sphere; `rayleigh-mean`: the same for a sphere with the mean properties. "
+   "`rayleigh`: the time of a surface wave from pole to pole of the smallest sphere. `rayleigh-mean`: the same for a sphere with the mean properties. "
    "With `-fit`: by R89's fit of the wave speed [R89 4.33, 4.34]. In a stage: from this stage on. --set step=... overrides it everywhere. --set refine=R divides it by R, multiplies all numbers of cycles by R and divides strains per cycle by R, so that the page stays the same in time.",
    "step      0.1 of single-contact"},
   {"allow", NB_IN_SCENE | NB_IN_STAGE | NB_IN_START, no_fields, "unstable", 0, false, apply_allow,

@@ -19,7 +19,7 @@ static const struct nb_argument wall_fields[] = {
   CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X1, 2, NULL, "Second end."),
   MATERIAL(AT_MATERIAL),
   CLAUSE("about", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_ABOUT_X, 2, "its middle",
-         "The point P of the wall that rotation is about and whose velocity is given [CS79 figure 4]; it need not be on the wall."),
+         "The point P about which the wall rotates, and whose velocity is given [CS79 figure 4]. P need not be on the wall."),
   VELOCITY(AT_VX, "0 0"),
   CLAUSE("spin", "W", NB_UNIT_SPIN, NB_ANY, AT_SPIN, 1, "0", "Angular velocity about P, counterclockwise."),
   END

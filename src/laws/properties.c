@@ -11,7 +11,7 @@ static double series(double a, double b) { return a == b ? a : 2 * a * b / (a + 
 
 static double smaller(double a, double b) { return a < b ? a : b; }
 
-/* (2 - nu)/G, with G = E/2(1 + nu); 1/Pa [R89 4.9, 4.10] */
+/* (2 - nu)/G, with G = E/(2(1 + nu)); 1/Pa [R89 4.9, 4.10] */
 static double shear_compliance(const struct nb_material *a) {
   return 2 * (1 + a->poisson) * (2 - a->poisson) / a->young;
 }

@@ -1,6 +1,6 @@
 /* The exact law of Cattaneo and Mindlin for any loading path:
  *
- *   T = mu Int_0^alpha D dN(x),      delta = mu kappa Int_0^alpha D dx,      -1 <= D(x) <= 1,      kappa = E* / 4 G*
+ *   T = mu Int_0^alpha D dN(x),      delta = mu kappa Int_0^alpha D dx,      -1 <= D(x) <= 1,      kappa = E* / (4 G*)
  *
  *   alpha     a^2/R*, the overlap at which Hertz's law has the contact radius a, m;  R* effective radius, m
  *   N(x)      N (x/alpha)^(3/2), Hertz's force at the overlap x; N the present normal force, in newtons

@@ -56,9 +56,8 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
      "largest difference between boundary.stress and the stress from all contacts over the same volume; 0 while the "
      "particles inside are in equilibrium"},
 
-    TENSOR(
-        "cell", NB_OF_CELL, "m", NB_COMPONENTS, cell_sides,
-        "sides of the cell as vectors: xx and yx of the first, which the page gives along x; xy and yy of the second"),
+    TENSOR("cell", NB_OF_CELL, "m", NB_COMPONENTS, cell_sides,
+           "vectors of the sides of the cell: xx and yx of the side along x on the page, xy and yy of the other side"),
     TENSOR("cell.stress", NB_OF_CELL, "Pa", NB_STRESSES, cell_stress,
            "stress from contact forces, sum of F_i l_j over the volume (thickness 1 m for discs, mean diameter for "
            "spheres), compression positive, dashpots included"),
@@ -71,8 +70,8 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
     {"box.width", NB_OF_BOX, "m", 0, box_width, "distance from the box's wall `west` to `east`"},
     {"box.height", NB_OF_BOX, "m", 0, box_height, "distance from the box's wall `south` to `north`"},
     TENSOR("box.stress", NB_OF_BOX, "Pa", NB_STRESSES, box_stress,
-           "stress from wall forces, sum of F_i X_j over the volume (thickness 1 m for discs, mean "
-           "diameter for spheres), compression positive, dashpots included"),
+           "stress from the forces F on the walls, sum of F_i X_j over the volume. The thickness is 1 m for discs, the "
+           "mean diameter for spheres; compression positive, dashpots included"),
     {"box.strain.width", NB_OF_BOX, "1", 0, box_strain_width,
      "relative change of the box's width since time 0, extension positive"},
     {"box.strain.height", NB_OF_BOX, "1", 0, box_strain_height,

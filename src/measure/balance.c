@@ -10,7 +10,7 @@
  *           of t_N, over the kick around it; friction acts over the step from t_N to t_(N+1), with the mean of the two
  *           forces:
  *
- *             damped      D_n dn + D_s ds  of dashpots, C v.v tau of mass-proportional damping, over kicks
+ *             damped      D_n dn + D_s ds  of dashpots; C v.v tau of mass-proportional damping, C = alpha m; over kicks
  *                                                                                                     [CS79 26-36]
  *             walls       F.V tau  of walls and of fixed particles that move with the velocity V, over kicks
  *             gravity     m g.(v + c) tau  over kicks

@@ -2,7 +2,7 @@
  *
  *   psi = V_T/(mu kappa V_N)       V_T present tangential velocity of the contact, V_N normal velocity at first touch;
  *                                  psi1 is psi at first touch, psi2 is psi at the end
- *   kappa = E* / 4 G*              compliance ratio: (2 - nu)/(2 (1 - nu)) of like materials; k_n/k_s of linear springs
+ *   kappa = E* / (4 G*)              compliance ratio: (2 - nu)/(2 (1 - nu)) of like materials; k_n/k_s of linear springs
  *   N_max = (5/4) M V_N^2/alpha_m;  alpha_m and T_c (there t) as in hertz_impact.h
  *   linear springs:  T_c = pi sqrt(M/k_n),   N_max = V_N sqrt(M k_n)
  *

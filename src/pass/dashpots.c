@@ -24,9 +24,9 @@
  *   w(f) = Int_0^(f+1/2) t^p dt / f^p = (f + 1/2)^(1+p)/((1 + p) f^p)
  *
  * The end of a contact is treated in the same way, backwards in time: f is then the time from t_N to the end. It is
- * known only one cycle later, when the contact has opened. Then w(f) - 1 times the force at t_N acts; it is computed again from the overlap
- * before, with the rate over the last step. The tangential dashpot needs no such term, because a contact slides at its
- * end.
+ * known only one cycle later, when the contact has opened. Then w(f) - 1 times the force at t_N acts. This force is
+ * computed again from the previous overlap, with the rate over the last step. The tangential dashpot needs no such
+ * term, because a contact slides at its end.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "laws/law.h"

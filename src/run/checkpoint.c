@@ -2,9 +2,9 @@
  * the ramps of the stage, and all that was recorded. So a run that continues from it has the same results as one that was
  * not interrupted, to the last bit, with the same number of searches.
  *
- * The two last ones are kept, in the folder of saved states. The name has the page and a number that belongs to the
- * settings and to the run of a sweep. The file has a hash of the statements, so a checkpoint of another text of the page
- * is refused.
+ * The last two checkpoints are kept, in the folder of saved states. The name has the page and a number that belongs to
+ * the settings and to the run of a sweep. The file has a hash of the statements, so a checkpoint of another text of the
+ * page is refused.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _POSIX_C_SOURCE 200809L
@@ -24,8 +24,8 @@
 #include "output_file.h"
 #include "plan.h"
 
-/* A checkpoint is saved only after this many times its own cost, so that it takes at most a tenth of the time, and at the
- * ends of short stages a fiftieth; the cost of the first one, s. */
+/* Time between two checkpoints, as a multiple of the time that saving one takes: so saving takes at most a tenth of the
+ * run, and at the ends of short stages a fiftieth. The last number is the assumed time for saving the first one, s. */
 static const double spacing = 10, stage_spacing = 50, first_cost = 2e-3;
 
 /* ---- what the model keeps ---- */
