@@ -153,6 +153,7 @@ PAGES = \
   cases/4-oblique/closed-squares-r89.md \
   cases/4-oblique/traction.md \
   cases/4-oblique/traction-rolling.md \
+  cases/4-oblique/traction-increments.md \
   cases/4-oblique/oblique-impact.md \
   cases/4-oblique/oblique-impact-phase.md \
   cases/4-oblique/oblique-impact-forces.md \
