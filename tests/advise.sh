@@ -334,6 +334,11 @@ run 0 advise --all folder --quantity D.vx --within '50 %' --set speed=0.2 -o bel
 cp below/trades.tsv "$why"
 test "$(column below/trades.tsv 1)" = folder/a.md
 result $? 'pages below a folder'
+long=$(printf 'long%.0s' 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25)/below
+mkdir -p "$long" && cp folder/a.md "$long"
+run 0 advise --all "$long" --quantity D.vx --within '50 %' --set speed=0.2 -o longer && test "$(column longer/trades.tsv 1)" = "$long/a.md" &&
+  run 0 advise --all "$long" --quantity D.vx --within '50 %' --set speed=0.2 -o longer && said '1 searches, 1 with advice, 1 of them from an earlier call'
+result $? 'a page with a long path, and a second call'
 
 # Exit status: 2 for a page with mistakes; the others are searched. A search that is refused is a result.
 run 2 advise --all wrong.md folder/a.md --quantity D.vx --within '50 %' -o all && said 'wrong.md:4:1: error: ' && said '2 of 2, a: 1 searches, 1 with advice'
