@@ -135,10 +135,9 @@ static void store_snapshots(struct nb_store *store, struct run *run) {
         return;
       }
     }
-    struct nb_snapshot *it = &result->snapshots[k];
-    struct nb_table *const tables[] = {&it->particles, &it->walls, &it->contacts, &it->rings, &it->lattice};
-    for (size_t t = 0; t < sizeof tables / sizeof *tables; t++)
-      store_table(store, run, tables[t]);
+    struct nb_table *table;
+    for (size_t t = 0; (table = nb_snapshot_table_at(&result->snapshots[k], t)); t++)
+      store_table(store, run, table);
   }
 }
 
