@@ -156,7 +156,8 @@ static const char head[] =
 static const char *const scenes[] = {
     "boundary circle 3 3 radius 2.4\nstage shear\nboundary strain -4e-5 per cycle 2e-5 per cycle\n"
     "servo mean 20 on boundary through boundary at most 1e-5 per cycle\ncycles 40\nsnapshot\n",
-    "region B circle 3 3 radius 2 rings 3\nboundary circle 3 3 radius 2.4\nstage shear\nboundary strain -4e-4 per cycle "
+    "region B circle 3 3 radius 2 rings 3\nboundary circle 3 3 radius 2.4\nstage shear\nboundary strain -4e-4 per "
+    "cycle "
     "2e-4 per cycle\ncycles 10\nsnapshot\nstage more\ncycles 40\n",
     "gravity 0 -3\nbox 0 0 to 6 6 m\nstage press\nwalls inward 0.5\ncycles 10\nstage change\nramp material m friction "
     "0.01 kn 9000\n"
