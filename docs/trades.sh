@@ -377,11 +377,15 @@ No other law is enough within 1 % for: $(no_other_law).
 The chosen setting has other laws than the page for $(cheaper '10 %') of all quantities within 10 %, for
 $(cheaper '1 %') within 1 %, and for $(cheaper '0.1 %') within 0.1 %. Of laws with equal numbers of updates the one that stores less per contact is chosen. An update with the
 exact law takes $(law_cost exact) times the instructions of one with \`mindlin\`, and an update with \`randall\` $(law_cost randall) times ([COST](COST.md)).
+In quasi-static shear of an assembly the exact law makes no difference that ten pairs of runs could show
+([no-slip-or-exact](../cases/7-assemblies/no-slip-or-exact.md)).
 
 **Softer contacts and centred dashpots.** Softer contacts are the choice for $(chosen_with soften= '10 %') of all quantities within 10 %,
 for $(chosen_with soften= '1 %') within 1 %, and for $(chosen_with soften= '0.1 %') within 0.1 %. Most quantities of an impact depend on
 the stiffness, and where the step is a fraction of the collision a softer one saves nothing. Centred dashpots are the choice
 for $(chosen_with damping=centred '10 %'), $(chosen_with damping=centred '1 %') and $(chosen_with damping=centred '0.1 %').
+
+$(sh docs/trades/softness.sh)
 
 **No advice.** $(lessons | awk -F '\t' '$8 != "yes"' | wc -l) searches ended without advice:
 

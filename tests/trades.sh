@@ -64,4 +64,7 @@ fi
 sh docs/trades/ways.sh >"$work/ways" 2>"$why" && test "$(wc -l <"$work/ways")" -gt 40 &&
   sed -n '/^## Other ways to trade/,/^## All cases/p' docs/TRADES.md | sed '/^## All cases/d' | sed '$d' | diff - "$work/ways" >>"$why"
 result $? 'the section on other ways to trade is up to date'
+sh docs/trades/softness.sh >"$work/softness" 2>"$why" && test "$(wc -l <"$work/softness")" -gt 6 &&
+  sed -n '/^\*\*Softer spheres in a shear test/,/^\*\*No advice/p' docs/TRADES.md | sed '$d' | sed '$d' | diff - "$work/softness" >>"$why"
+result $? 'the lessons on softer spheres and faster loading are up to date'
 echo "1..$n"
