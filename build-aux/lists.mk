@@ -210,6 +210,8 @@ PAGES = \
   cases/6-lattices/servo-lattice.md \
   cases/7-assemblies/as-generated.md \
   cases/7-assemblies/fill-tries.md \
+  cases/7-assemblies/isotropic-compression.md \
+  cases/7-assemblies/constant-volume-shear.md \
   cases/7-assemblies/compression-and-shear.md \
   cases/7-assemblies/thesis-preparation.md \
   cases/7-assemblies/cyclic-shear.md \
@@ -237,10 +239,10 @@ PAGES = \
 # Pages that take longer: `make check-long`.
 PAGES_LONG = \
   cases/7-assemblies/photoelastic-tables.md \
-  cases/7-assemblies/isotropic-compression.md \
+  cases/7-assemblies/thesis-isotropic-compression.md \
   cases/7-assemblies/isotropic-compression-seeds.md \
   cases/7-assemblies/preparation-price.md \
-  cases/7-assemblies/constant-volume-shear.md \
+  cases/7-assemblies/thesis-constant-volume-shear.md \
   cases/7-assemblies/shear-fields.md \
   cases/7-assemblies/constant-mean-stress-shear.md \
   cases/7-assemblies/volume-or-pressure.md \
@@ -544,6 +546,7 @@ MEASURE = \
   src/measure/chains.c \
   src/measure/collision.c \
   src/measure/coordination.c \
+  src/measure/directions.c \
   src/measure/energy.c \
   src/measure/energy.h \
   src/measure/fabric.c \
@@ -551,6 +554,7 @@ MEASURE = \
   src/measure/impact.c \
   src/measure/impact.h \
   src/measure/loads.c \
+  src/measure/moduli.c \
   src/measure/rayleigh_step.c \
   src/measure/region.c \
   src/measure/region.h \

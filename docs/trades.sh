@@ -225,7 +225,7 @@ section() {
   is_given "$page" || return 0
   printf '\n### %s\n\n' "$(field "$line" 2)"
   if is_small "$page"; then
-    echo "A search on [$name](../$(ls cases/*/"$name.md")) would take hours. [A page with a sixth of its spheres](../$page) is searched instead:"
+    echo "A search on [thesis-$name](../$(ls cases/*/"thesis-$name.md")) would take hours. [A page with a sixth of its spheres](../$page) is searched instead:"
     echo "about a hundred spheres, mean over eight realizations."
   else
     printf '[%s](../%s), the whole sweep.\n' "$name" "$page"

@@ -142,7 +142,7 @@ run 2 advise "$hertz" --quantity impact.duration --within '0 %' && said 'expecte
 result $? 'a tolerance of 0'
 run 2 advise "$hertz" --quantity impact.duration --within '1 % of peak' && said 'expected a tolerance like `1 %`'
 result $? 'a fraction of something else'
-run 2 advise "$cases/7-assemblies/isotropic-compression.md" --within '1 %' && said 'expected a page of at most 50 particles'
+run 2 advise "$cases/7-assemblies/thesis-isotropic-compression.md" --within '1 %' && said 'expected a page of at most 50 particles'
 result $? 'an assembly'
 run 2 advise "$hertz" --quantity impact.duration --within '1 %' --budget never && said '--budget in seconds'
 result $? 'a budget that is no time'

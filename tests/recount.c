@@ -146,6 +146,120 @@ static void stress_and_fabric(void) {
   nb_result_free(&result), written_free(&it);
 }
 
+/* ---- distributions over the directions, moduli, constraints ---- */
+
+/* The coefficients by their definitions, with the angles themselves: a from the phases of the contacts; a_n and a_t are
+ * the Fourier coefficients of the forces divided by the fitted density. */
+static void distributions(void) {
+  struct written it;
+  struct nb_result result;
+  struct particles all;
+  struct end ends[200];
+  made(&it, &result);
+  read_particles(&all, &result.snapshots[0].particles);
+  const int count = ends_of(ends, &result.snapshots[0].contacts, &all);
+  double ac = 0, as = 0, mean = 0, nc = 0, ns = 0, tc = 0, ts = 0;
+  for (int k = 0; k < count; k++) {
+    const double theta = atan2(ends[k].ey, ends[k].ex);
+    ac += 2 * cos(2 * theta) / count, as += 2 * sin(2 * theta) / count;
+  }
+  const double a = hypot(ac, as), axis = atan2(as, ac) / 2;
+  CU_ASSERT(count > 30 && a > 0.01 && a < 1);
+  for (int k = 0; k < count; k++) {
+    const double theta = atan2(ends[k].ey, ends[k].ex), density = 1 + a * cos(2 * (theta - axis));
+    const double N = ends[k].total_normal / density / count, T = ends[k].total_shear / density / count;
+    mean += N, nc += 2 * N * cos(2 * theta), ns += 2 * N * sin(2 * theta);
+    tc += 2 * T * sin(2 * theta), ts -= 2 * T * cos(2 * theta);
+  }
+  nc /= mean, ns /= mean, tc /= mean, ts /= mean;
+  CU_ASSERT(hypot(tc, ts) > 0.01);
+  near_(&result, "anisotropy.contacts", a, 1), near_(&result, "anisotropy.normal", hypot(nc, ns), 1);
+  near_(&result, "anisotropy.shear", hypot(tc, ts), 1);
+  near_(&result, "anisotropy.sinphi", hypot(ac + nc + tc, as + ns + ts) / (2 + ac * nc + as * ns), 1);
+  nb_result_free(&result), written_free(&it);
+}
+
+/* Hertz: k_n = 3/2 N/alpha; Mindlin without slip: k_s = 4 (1 - nu)/(2 - nu) times G a = 2 (1 - nu)/(2 - nu) k_n. */
+static void moduli(void) {
+  struct written it;
+  struct nb_result result;
+  struct particles all;
+  double bulk = 0, shear = 0;
+  made(&it, &result);
+  read_particles(&all, &result.snapshots[0].particles);
+  const struct nb_table *table = &result.snapshots[0].contacts;
+  for (size_t c = 0; c < table->row_count; c++) {
+    const int a = (int)of(table, c, "a"), b = (int)of(table, c, "b"), wall = (int)of(table, c, "wall");
+    const double overlap = of(table, c, "overlap"), kn = 1.5 * of(table, c, "normal") / overlap;
+    const double twice = 2 * atan2(of(table, c, "ey"), of(table, c, "ex")), each = wall ? overlap : overlap / 2;
+    const double arm_a = all.of[a].r - each, arm_b = wall ? 0 : all.of[b].r - each, l = arm_a + arm_b;
+    const double inside = (all.of[a].inside ? arm_a : 0) + (!wall && all.of[b].inside ? arm_b : 0);
+    bulk += inside * l * kn;
+    shear += inside * l * kn * (pow(cos(twice), 2) + 2 * 0.75 / 1.75 * pow(sin(twice), 2));
+  }
+  const double volume = pi * reach * reach * all.thickness;
+  CU_ASSERT(bulk > shear && shear > 0);
+  near_(&result, "modulus.bulk", bulk / (4 * volume), 1), near_(&result, "modulus.shear", shear / (4 * volume), 1);
+  nb_result_free(&result), written_free(&it);
+}
+
+/* Free particles that keep two contacts or more when those with fewer are taken out one by one; their contacts. */
+static void constraints(void) {
+  struct written it;
+  struct nb_result result;
+  struct particles all;
+  bool out[PARTICLES] = {false};
+  made(&it, &result);
+  read_particles(&all, &result.snapshots[0].particles);
+  const struct nb_table *table = &result.snapshots[0].contacts;
+  for (bool more = true; more;) {
+    int touching[PARTICLES] = {0};
+    more = false;
+    for (size_t c = 0; c < table->row_count; c++) {
+      const int a = (int)of(table, c, "a"), b = (int)of(table, c, "b"); /* b is 0 for a wall */
+      touching[a] += !b || !out[b], touching[b] += b && !out[a];
+    }
+    for (int n = 1; n < PARTICLES; n++)
+      if (all.of[n].there && !all.of[n].fixed && !out[n] && touching[n] < 2)
+        out[n] = more = true;
+  }
+  double degrees = 0, count = 0, rattlers = 0, sliding = 0;
+  for (int n = 1; n < PARTICLES; n++) {
+    const bool inside = all.of[n].inside && all.of[n].there && !all.of[n].fixed;
+    degrees += inside && !out[n] ? 3 : 0, rattlers += inside && out[n];
+  }
+  for (size_t c = 0; c < table->row_count; c++) {
+    const int a = (int)of(table, c, "a"), b = (int)of(table, c, "b");
+    const bool one = all.of[a].inside && !all.of[a].fixed, two = b && all.of[b].inside && !all.of[b].fixed;
+    if (out[a] || (b && out[b]) || (!one && !two))
+      continue;
+    sliding += of(table, c, "sliding"), count += of(table, c, "sliding") > 0 ? 1 : 2;
+  }
+  CU_ASSERT(sliding > 0 && rattlers > 0 && degrees > 20);
+  near_(&result, "constraint_ratio", count / degrees, 1);
+  nb_result_free(&result), written_free(&it);
+}
+
+/* Without friction a disc on two others that are fixed has two contacts for its two degrees of freedom; a wall that
+ * touches it is the third contact. */
+static void constraints_without_friction(void) {
+  static const char *const walls[] = {"", "wall w 9 3.6 to 0 3.6 m\n"};
+  for (int k = 0; k < 2; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 7\nstep 0.001\ndisc 1 1 radius 1 m fixed\ndisc 3 1 radius 1 m "
+              "fixed\ndisc 2 2.7 radius 1 m\ndisc 8 8 radius 1 m\n");
+    words_add(&page, "%sregion B all\nrecord B.constraint_ratio B.rattlers\nstage a\ncycles 1\n", walls[k]);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    CU_ASSERT_EQUAL(written_last(&result, "B.constraint_ratio"), k ? 1.5 : 1);
+    CU_ASSERT_EQUAL(written_last(&result, "B.rattlers"), 1);
+    nb_result_free(&result), written_free(&it);
+  }
+}
+
 static void loads(void) {
   struct written it;
   struct nb_result result;
@@ -188,5 +302,9 @@ static void loads(void) {
 void suite_recount(void) {
   CU_pSuite suite = CU_add_suite("recount", NULL, NULL);
   CU_ADD_TEST(suite, stress_and_fabric);
+  CU_ADD_TEST(suite, distributions);
+  CU_ADD_TEST(suite, moduli);
+  CU_ADD_TEST(suite, constraints);
+  CU_ADD_TEST(suite, constraints_without_friction);
   CU_ADD_TEST(suite, loads);
 }

@@ -42,16 +42,18 @@ static inline void made(struct written *it, struct nb_result *result) {
           TENSOR("stress.shear") TENSOR("stress.fabric") TENSOR("stress.variation") TENSOR("fabric") TENSOR(
               "fabric.normal") TENSOR("fabric.shear") TENSOR("fabric.sliding") FOURTH("fabric") FOURTH("fabric.sliding")
               SPREAD("normal") SPREAD("shear") SPREAD("contact_stress") SPREAD("contact_shear") SPREAD("contact_ratio")
-                  SPREAD(
-                      "obliquity") "B.stress.mean B.stress.sinphi "
-                                   "B.stress.normal.fraction B.stress.shear.fraction "
-                                   "B.stress.fabric.fraction "
-                                   "B.stress.variation.fraction B.fabric.kk B.sliding B.sliding.near B.unbalanced.mean "
-                                   "B.unbalanced.force B.particles "
-                                   "B.contacts B.coordination B.area B.speed.mean "
-                                   "B.speed.max\n"
-                                   "stage a\nwall west velocity 0.3 0.2\nrecord every 400 cycles\ncycles 400\n"
-                                   "stage b\nremove sphere 7\ncycles 150\nrecord every 150 cycles\nsnapshot\n");
+                  SPREAD("obliquity") "B.stress.mean B.stress.sinphi "
+                                      "B.stress.normal.fraction B.stress.shear.fraction "
+                                      "B.stress.fabric.fraction "
+                                      "B.stress.variation.fraction B.anisotropy.contacts "
+                                      "B.anisotropy.normal B.anisotropy.shear B.anisotropy.sinphi B.modulus.bulk "
+                                      "B.modulus.shear B.constraint_ratio B.fabric.kk B.sliding B.sliding.near "
+                                      "B.unbalanced.mean "
+                                      "B.unbalanced.force B.particles "
+                                      "B.contacts B.coordination B.area B.speed.mean "
+                                      "B.speed.max\n"
+                                      "stage a\nwall west velocity 0.3 0.2\nrecord every 400 cycles\ncycles 400\n"
+                                      "stage b\nremove sphere 7\ncycles 150\nrecord every 150 cycles\nsnapshot\n");
   written_scene(it, &page);
   written_run(result, it, NULL);
 }

@@ -2,6 +2,11 @@
  *
  *   coordination               2M/N     contact ends on the particles inside, over these particles
  *   coordination.mechanical             the same without rattlers and their contacts
+ *   constraint_ratio           constraints over degrees of freedom of the free particles   [Cundall and Strack 1983]
+ *
+ * The constraint ratio counts the free particles inside that are no rattlers, and their contacts, each once. A particle
+ * has two degrees of freedom, or three if any of these contacts has friction. A contact is one constraint, or two if it
+ * has friction and does not slide. Below 1 the particles are a mechanism; at 1 statics alone determines the forces.
  *
  * A rattler has fewer than two contacts, not counting contacts with other rattlers. Rattlers are found by removing
  * particles with fewer than two contacts, inside the region or not, until none is left. Fixed particles are no
@@ -19,8 +24,10 @@ static int partner(const struct nb_model *model, size_t contact, size_t slot) {
   return (size_t)contacts->a[contact] == slot ? contacts->b[contact] : contacts->a[contact];
 }
 
+static bool is_free(const struct nb_model *model, size_t slot) { return model->particles.inverse_mass[slot] > 0; }
+
 static bool is_rattler(const struct nb_model *model, size_t slot) {
-  return model->particles.inverse_mass[slot] > 0 && model->regions->touching[slot] < 2;
+  return is_free(model, slot) && model->regions->touching[slot] < 2;
 }
 
 /* Sets `touching` to the number of contacts with walls and particles that are no rattlers; -1 for a rattler. */
@@ -49,6 +56,40 @@ static void find_rattlers(const struct nb_model *model) {
   }
 }
 
+struct constraints {
+  double particles, constraints;
+  bool friction;
+};
+
+/* The end of a load-carrying contact at a free particle inside. A contact of two such particles has two ends there. */
+static void add_constraint(struct constraints *it, const struct nb_model *model, size_t contact, bool both) {
+  const bool friction = model->material_pairs[model->contacts.material_pair[contact]].shear;
+  const bool sticks = friction && !(model->contacts.kept[NB_SLIDING][contact] > 0);
+  it->friction = it->friction || friction;
+  it->constraints += (sticks ? 2 : 1) / (both ? 2. : 1.);
+}
+
+static bool is_loaded(const struct nb_model *model, int slot) {
+  return slot < 0 || model->regions->touching[slot] >= 0;
+}
+
+static double constraint_ratio(const struct nb_model *model, const struct nb_region_state *region) {
+  struct constraints it = {0};
+  for (size_t k = 0, i; nb_region_next(model, region, &k, &i);) {
+    if (!is_free(model, i) || !is_loaded(model, (int)i))
+      continue;
+    it.particles++;
+    const struct nb_contact_range range = nb_contact_range(&model->contacts.incidence, i);
+    for (const int *entry = range.first; entry < range.end; entry++) {
+      const int other = partner(model, (size_t)*entry, i);
+      if (nb_touches(&model->contacts, (size_t)*entry) && is_loaded(model, other))
+        add_constraint(&it, model, (size_t)*entry,
+                       other >= 0 && is_free(model, (size_t)other) && nb_region_contains(model, region, (size_t)other));
+    }
+  }
+  return it.particles > 0 ? it.constraints / ((it.friction ? 3 : 2) * it.particles) : 0;
+}
+
 void nb_measure_coordination(const struct nb_model *model, struct nb_region_state *region) {
   struct nb_coordination *it = &region->coordination;
   *it = (struct nb_coordination){0};
@@ -72,4 +113,5 @@ void nb_measure_coordination(const struct nb_model *model, struct nb_region_stat
   }
   it->mean /= it->particles > 0 ? it->particles : 1;
   it->mechanical /= loaded > 0 ? loaded : 1;
+  it->constraint_ratio = constraint_ratio(model, region);
 }

@@ -5,6 +5,8 @@
  *   areas.c         area of an outline inside
  *   stress.c        stress, by particles and by contacts, and its parts
  *   fabric.c        directions of contacts, also of lost and new ones
+ *   directions.c    distributions of contacts and forces over the directions
+ *   moduli.c        moduli for a uniform strain
  *   coordination.c  coordination number, rattlers
  *   loads.c         contact forces, contact stresses, sliding, unbalanced forces
  *   strain.c        strain, and speeds
@@ -39,6 +41,13 @@ struct nb_fabric {
   struct nb_anisotropy sliding;       /* of contacts near sliding */
   double kk;                          /* F_kk, 1/m2 */
 };
+struct nb_directions {
+  double contacts, normal, shear; /* the coefficients a, a_n, a_t of Rothenburg and Bathurst */
+  double sinphi;                  /* sin Phi that follows from them */
+};
+struct nb_moduli {
+  double bulk, shear; /* Pa */
+};
 struct nb_changed_contacts {
   double count, ends;   /* contacts; their ends on particles inside */
   struct nb_tensor phi; /* of trace 1; 0 without contacts */
@@ -50,6 +59,7 @@ struct nb_coordination {
   double particles, contacts; /* inside; their contacts, each once */
   double mean, mechanical;    /* coordination numbers, all particles; without rattlers */
   double rattlers;            /* number of them */
+  double constraint_ratio;    /* constraints over degrees of freedom of the free particles */
 };
 struct nb_statistics {
   double mean, max, min, std; /* 0 without values; std: standard deviation */
@@ -78,6 +88,8 @@ struct nb_chains {
   ROW(NB_STRESS, stress)                                                                                               \
   ROW(NB_STRESS_PARTS, stress_parts)                                                                                   \
   ROW(NB_FABRIC, fabric)                                                                                               \
+  ROW(NB_DIRECTIONS, directions)                                                                                       \
+  ROW(NB_MODULI, moduli)                                                                                               \
   ROW(NB_POROSITY, porosity)                                                                                           \
   ROW(NB_COORDINATION, coordination)                                                                                   \
   ROW(NB_LOADS, loads)                                                                                                 \
@@ -99,6 +111,8 @@ struct nb_region_state {
   unsigned long measured[NB_MEASURES];
   struct nb_stress stress;
   struct nb_fabric fabric;
+  struct nb_directions directions;
+  struct nb_moduli moduli;
   struct nb_porosity porosity;
   struct nb_coordination coordination;
   struct nb_loads loads;

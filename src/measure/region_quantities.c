@@ -24,6 +24,11 @@ static void parts_of(double parts[], const struct nb_quantity_kind *kind, const 
   ENDS(called, NB_STRESSES, "Pa", NB_STRESS_PARTS, stress.part[which].stress, "stress carried by " of_what),           \
       ENDS(called ".fraction", NB_SCALAR, "1", NB_STRESS_PARTS, stress.part[which].fraction,                           \
            "fraction of the deviator carried by " of_what)
+#define DIRECTIONS(called, member, what)                                                                               \
+  ENDS(called, NB_SCALAR, "1", NB_DIRECTIONS, directions.member, what " [Rothenburg and Bathurst 1989]")
+#define MODULUS(called, member, what)                                                                                  \
+  OF(called, NB_SCALAR, "Pa", NB_READS_ENDS | NB_BIT(NB_STIFFNESS) | NB_BIT(NB_SHEAR_STIFFNESS), NB_MODULI,            \
+     moduli.member, what)
 #define COUNT(called, member, what)                                                                                    \
   OF(called, NB_SCALAR, "1", NB_READS_TOUCH, NB_COORDINATION, coordination.member, what)
 #define LOAD(called, of, in, member, what) OF(called, of, in, NB_READS_LOADS, NB_LOADS, loads.member, what)
@@ -55,6 +60,16 @@ const struct nb_quantity_kind nb_region_kinds[] = {
            "Phi of contacts whose shear force is 0.99 of its limit or more"),
     FABRIC("fabric.sliding.fourth", NB_FOURTH, "1", sliding.xxxx, "the same of fourth order"),
 
+    DIRECTIONS("anisotropy.contacts", contacts, "coefficient a of the density of contacts over the directions"),
+    DIRECTIONS("anisotropy.normal", normal, "coefficient a_n of the mean normal force over the directions"),
+    DIRECTIONS("anisotropy.shear", shear, "coefficient a_t of the mean shear force over the directions"),
+    DIRECTIONS("anisotropy.sinphi", sinphi, "sin Phi that follows from a, a_n and a_t"),
+    MODULUS(
+        "modulus.bulk", bulk,
+        "bulk modulus, mean stress over area strain, if all particles moved with one uniform strain: an upper bound"),
+    MODULUS("modulus.shear", shear,
+            "shear modulus for a shear along x and y, deviator over twice the difference of the strains, likewise"),
+
     OF("area", NB_SCALAR, "m2", 0, NB_POROSITY, area, "of the region"),
     OF("porosity", NB_SCALAR, "1", 0, NB_POROSITY, porosity.areal,
        "areal porosity: fraction of the area that no particle covers; those cut by the edge count with the part "
@@ -71,6 +86,11 @@ const struct nb_quantity_kind nb_region_kinds[] = {
     COUNT("coordination.mechanical", mechanical, "mechanical coordination number: without rattlers and their contacts"),
     COUNT("rattlers", rattlers,
           "number of free particles inside with fewer than two contacts, contacts with rattlers not counted"),
+
+    OF("constraint_ratio", NB_SCALAR, "1", NB_READS_TOUCH | NB_BIT(NB_SLIDING), NB_COORDINATION,
+       coordination.constraint_ratio,
+       "constraints over degrees of freedom of the free particles, rattlers not counted; 1: statically determinate "
+       "[Cundall and Strack 1983]"),
 
     LOAD("normal", NB_STATISTICS, "N", normal, "elastic normal force of the contacts"),
     LOAD("shear", NB_STATISTICS, "N", shear, "magnitude of the elastic shear force of the contacts"),

@@ -184,7 +184,7 @@ records : run/result.c:nb_result_add_row core/table.c
 records conditions servo : input/names.c core/families.c
 measures : measure/areas.c measure/areas.h measure/chains.c measure/coordination.c measure/fabric.c
 measures : measure/loads.c measure/region.c measure/region.h measure/region_quantities.c measure/snapshot.c measure/snapshot.h
-measures : measure/strain.c measure/stress.c measure/impact.c measure/impact.h core/names.h loading/loading_quantities.c
+measures : measure/strain.c measure/stress.c measure/directions.c measure/moduli.c measure/impact.c measure/impact.h core/names.h loading/loading_quantities.c
 monitors measures : measure/wall_quantities.c
 search : core/neighbours.c core/grid.c core/grid.h core/blocks.c
 search records : core/array.h core/array.c
