@@ -34,6 +34,7 @@ struct stream {
   unsigned seen, sources; /* sets of records, and of sources of imposed motion, that have been read */
   struct nb_error *error;
   bool fields, bad; /* the names of a contact's fields have been read; there was an error */
+  bool members;     /* a record `members`, which may be empty, was read */
 };
 
 void nb_saved_free(struct nb_saved *saved) {
@@ -401,6 +402,7 @@ static void boundary(struct stream *stream) {
 
 static void members(struct stream *stream) {
   struct nb_saved *saved = stream->saved;
+  stream->members = true;
   for (size_t k = 0; stream->out && k < saved->ring.member_count; k++)
     nb_text_add(stream->out, " %d", saved->ring.members[k] + 1);
   while (!ended(stream) && !stream->bad) {
@@ -640,7 +642,7 @@ static void check_whole(struct stream *stream) {
   for (size_t k = 0; k < saved->imposed_count; k++)
     if (!has_source(saved, k))
       expected(stream, "particle %zu to follow a cell or a boundary that the state has", k + 1);
-  if (saved->ring.is != (saved->ring.member_count > 0))
+  if (saved->ring.is != stream->members)
     expected(stream, "records `boundary` and `members`, or neither");
 }
 
