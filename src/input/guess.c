@@ -34,11 +34,11 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"restitution cor", "ratio, impact.restitution", "restitution is a result, not an input; for 0.7 with linear springs write `damping ratio (-log(0.7)/hypot(pi, log(0.7)))`"},
     {"rolling rolling_friction rolling_resistance", "rotation off", "there is no rolling resistance"},
     {"history hist track trace thermo output print probe", "monitor, record"}, {"measure measurement group range", "region"},
-    {"run solve go iterate", "cycles, until"}, {"equilibrium converge unbal", "until, unbalanced.max"},
+    {"run solve go iterate cycle", "cycles, until"}, {"equilibrium converge unbal", "until, unbalanced.max"},
     {"unbalanced unbalanced_force mech_ratio", "unbalanced.max"},
     {"ratio", "unbalanced.max, damping, poisson"}, {"critical", "ratio, single-contact"}, {"no_contact separation", "contacts"},
     {"contact", "damping, monitor, region"}, {"all", "region", "`region M all` measures all particles and contacts"},
-    {"calm relax quench", "zero velocities"}, {"fix freeze clamp", "fixed", "a particle with `fixed` does not move: `disc X Y radius R MATERIAL fixed`"},
+    {"calm relax quench", "zero velocities"}, {"fix freeze clamp", "fixed", "a particle with `fixed` does not move: `disc X Y radius R MATERIAL fixed`; `rotation off` prevents rotation"},
     {"apply load", "gravity, boundary stress, servo, wall"}, {"confine confining confinement membrane pressure", "servo, boundary stress, cell.stress.mean"},
     {"deform strain strain_rate shear_rate rate", "cell strain, box strain, boundary strain, affine strain", "`nineball --help strain` compares the four strains"},
     {"compress compression", "box strain, cell strain, boundary strain, walls, servo"}, {"shear_strain", "strain.xy, strain.deviator"},
@@ -51,10 +51,13 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"force contact_force forces", "normal, shear, fx, fy"}, {"position displacement pos disp", "x, y"}, {"vel velocity speed", "velocity, vx, vy", "a velocity is given by `velocity VX VY` and recorded as `A.vx` and `A.vy`"},
     {"kinetic kinetic_energy ke", "energy.kinetic"}, {"hertz_mindlin hertzian hertz_material mindlin_rescale", "normal hertz, shear mindlin"},
     {"hooke hookean", "normal linear, shear linear"}, {"SI", "units"}, {"degree degrees", "deg"},
+    {"norotation no_rotation irrotational", "rotation off"}, {"false no disable disabled", "off"}, {"true yes enable enabled", "on"},
+    {"safety safety_factor", "stable", "write `step 0.2 of stable`"}, {"number count", "grading", "a grading has the number of particles of each radius: `grading sand 2 mm 100  1 mm 400`"},
     /* STATEMENT_WORD: a word in a statement that does not have it */
     {"wall_fixed box_fixed", "wall, walls", "a wall does not move unless it has a `velocity`"},
     {"remove_wall", "wall", "a wall stays, but it can move away: `wall NAME velocity VX VY`"}, {"step_auto", "stable", "write `step 0.3 of stable`, with elastic spheres `step 0.2 of rayleigh`"},
     {"cycles_s cycles_ms", "until", "a duration is `until time above 2 s at most 1000000 cycles`"},
+    {"wall_servo walls_servo", "servo", "for example `servo yy 100 kPa on walls through box at most 1e-6 per cycle`"},
     {"box_shear box_c12 box_c21", "cell strain, boundary strain", "the walls of a box do not rotate, so it has no shear"},
   };
   /* clang-format on */
