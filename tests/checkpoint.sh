@@ -64,6 +64,28 @@ for signal in TERM INT; do
   result $? 'it continues with the same results, and the checkpoints are removed'
 done
 
+# A contact test has no checkpoints: the first signal ends it.
+cat >"$work/pressed.md" <<'END'
+# Pressed
+```contact-test
+material  glass  young 70 GPa  poisson 0.25  friction 0.3
+normal    hertz
+shear     mindlin
+contact   sphere 1 mm glass with sphere 1 mm glass
+segment   press  overlap to 1 um  in 10 steps
+segment   load   slip by 1 um  in 1000000000 steps
+  record  none
+```
+END
+"$nineball" run "$work/pressed.md" -o "$work/pressed" --checkpoint >"$work/printed" 2>"$why" &
+sleep 0.5
+kill -INT $!
+for k in 1 2 3 4 5 6 7 8 9 10; do kill -0 $! 2>/dev/null && sleep 0.5; done
+kill -9 $! 2>/dev/null
+wait $!
+test $? -eq 130 && said 'stopped by a signal after step'
+result $? 'SIGINT ends a contact test'
+
 # ---- kill -9 ----
 
 kills=${NINEBALL_KILLS:-6}

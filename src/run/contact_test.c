@@ -255,6 +255,9 @@ static enum nb_status run_segment(struct nb_result *result, struct nb_contact_te
     if (status)
       return status;
     cost->cycles = step, cost->updates = step;
+    if (contact_test->stop && *contact_test->stop)
+      return nb_error_set(error, NB_BROKEN, "stopped by a signal after step %lu; a contact test begins anew",
+                          contact_test->step);
     if (stage->record_interval && (step % stage->record_interval == 0 || step == stage->cycles))
       stored = add_row(&result->table, contact_test, index);
     goes_on = nb_reporter_update(reporter, stage->name, (index + (double)step / (double)stage->cycles) / segments);
@@ -279,7 +282,7 @@ enum nb_status nb_contact_test_run(struct nb_result *result, const struct nb_sce
   if (options && options->checkpoint.seconds > 0)
     nb_note(progress, "a contact test has no checkpoints, because it takes seconds");
   if (options)
-    contact_test.rounding = options->rounding;
+    contact_test.rounding = options->rounding, contact_test.stop = options->checkpoint.stop;
   if (!add_row(&result->table, &contact_test, 0))
     status = nb_error_memory(error);
   for (size_t s = 0; s < scene->stage_count && !status; s++)

@@ -30,6 +30,7 @@ struct nb_contact_test {
   double dissipated;                       /* by the shear law, if it reports it, J */
   unsigned long step;                      /* steps done */
   struct nb_rounding rounding;             /* of the steps */
+  const volatile sig_atomic_t *stop;       /* not 0: ends the test after this step; NULL: never */
 };
 
 enum nb_status nb_contact_test_create(struct nb_contact_test *contact_test, const struct nb_scene *scene,
