@@ -9,7 +9,7 @@
 
 #include "core/vec.h"
 
-/* Gap over radius below which there is a contact: pages round coordinates to decimals. */
+/* Up to this gap over radius there is a contact, because coordinates on pages are rounded. */
 static const double touch = 1e-9;
 
 /* The unit vector from a particle to the nearest point of a wall, and the gap between them. */

@@ -7,7 +7,7 @@
 
 enum { TEXT = 3 * NB_NAME_SIZE };
 
-/* Adds C.normal and C.shear of every monitored contact C, the suffix behind the names. */
+/* Adds C.normal and C.shear of every monitored contact C, with the suffix after each name. */
 static void add_value(struct nb_solution *solution, const struct nb_scene *scene, const struct lattice *lattice,
                       const gsl_vector *forces, const char *suffix) {
   static const char *const kinds[2] = {"normal", "shear"};

@@ -1,4 +1,4 @@
-/* A table of rows in a file, to which a later call adds the rows that it does not have. Its first line names the version
+/* A table of rows in a file. A later call adds the missing rows. Its first line names the version
  * that wrote it, its second line the columns.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
