@@ -47,6 +47,7 @@ static inline void made(struct written *it, struct nb_result *result) {
                                       "B.stress.fabric.fraction "
                                       "B.stress.variation.fraction B.anisotropy.contacts "
                                       "B.anisotropy.normal B.anisotropy.shear B.anisotropy.sinphi B.modulus.bulk "
+                                      "B.modulus.bulk.lower "
                                       "B.modulus.shear B.constraint_ratio B.fabric.kk B.sliding B.sliding.near "
                                       "B.unbalanced.mean "
                                       "B.unbalanced.force B.particles "

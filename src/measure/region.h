@@ -46,7 +46,7 @@ struct nb_directions {
   double sinphi;                  /* sin Phi that follows from them */
 };
 struct nb_moduli {
-  double bulk, shear; /* Pa */
+  double bulk, shear, bulk_lower; /* Pa: two upper bounds, a lower one */
 };
 struct nb_changed_contacts {
   double count, ends;   /* contacts; their ends on particles inside */

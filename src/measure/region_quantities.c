@@ -67,6 +67,8 @@ const struct nb_quantity_kind nb_region_kinds[] = {
     MODULUS(
         "modulus.bulk", bulk,
         "bulk modulus, mean stress over area strain, if all particles moved with one uniform strain: an upper bound"),
+    MODULUS("modulus.bulk.lower", bulk_lower,
+            "bulk modulus if all contact forces increased in the same proportion: a lower bound"),
     MODULUS("modulus.shear", shear,
             "shear modulus for a shear along x and y, deviator over twice the difference of the strains, likewise"),
 
