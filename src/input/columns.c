@@ -29,22 +29,25 @@ static void advance(struct field *field, size_t bytes) {
   field->at += bytes;
 }
 
+/* Goes to the first or the next field of a line. False if there is none; then the field is empty, at the end of the line. */
+static bool next_field(struct field *field, bool spaces, bool first) {
+  advance(field, field->length);
+  const bool there = first || *field->at;
+  advance(field, spaces ? strspn(field->at, " ") : !first && there);
+  field->length = strcspn(field->at, spaces ? " " : "\t");
+  return there && (!spaces || field->length > 0);
+}
+
+static struct field line_begin(const struct table *table, size_t line) {
+  return (struct field){table->file.lines[line - 1], 0, 1};
+}
+
 /* Finds field `index`, from 0. False if the line has fewer; then the field is empty, at the end of the line. */
 static bool find_field(struct field *field, const struct table *table, size_t line, int index) {
-  const bool spaces = table->spaces;
-  *field = (struct field){table->file.lines[line - 1], 0, 1};
-  for (int k = 0;; k++) {
-    advance(field, spaces ? strspn(field->at, " ") : 0);
-    field->length = strcspn(field->at, spaces ? " " : "\t");
-    const bool there = !spaces || field->length > 0;
-    if (k == index && there)
+  *field = line_begin(table, line);
+  for (int k = 0; next_field(field, table->spaces, k == 0); k++)
+    if (k == index)
       return true;
-    if (!there || (!spaces && !field->at[field->length]))
-      break;
-    advance(field, field->length + !spaces);
-  }
-  advance(field, field->length);
-  field->length = 0;
   return false;
 }
 
@@ -83,7 +86,8 @@ static bool read_head(struct table *table, size_t line, const struct nb_wanted_c
   table->spaces = !strchr(head, '\t');
   for (int c = 0; c < count; c++) {
     table->columns[c].index = -1;
-    for (int k = 0; find_field(&field, table, line, k); k++)
+    field = line_begin(table, line);
+    for (int k = 0; next_field(&field, table->spaces, k == 0); k++)
       if (is_column(&field, wanted[c].name, table->unitless, &table->columns[c].shift) ||
           is_column(&field, wanted[c].alternative, table->unitless, &table->columns[c].shift))
         table->columns[c].index = k;

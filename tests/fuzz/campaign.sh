@@ -37,36 +37,51 @@ flags="-g -O2 -fno-omit-frame-pointer -fno-sanitize-recover=all"
   cd build
   test -f Makefile || "$here/configure" -q CC="${FUZZ_CC:-clang}" CFLAGS="$flags $coverage -fsanitize=$checks"
   ${MAKE:-make} -j "$(nproc)" tests/fuzz/replay
-  objects=$(ls tests/fuzz/*.o src/report/row_table.o | grep -v '/replay\.o$')
+  # A library, so that a program has the code of its reader only: after each input libFuzzer looks at all counters.
+  rm -f libfuzz.a
+  # shellcheck disable=SC2046
+  ar rcs libfuzz.a $(ls tests/fuzz/*.o src/report/row_table.o | grep -v '/replay\.o$')
   for reader in $readers; do
     # shellcheck disable=SC2086
     ${FUZZ_CC:-clang} $flags -fsanitize="fuzzer,$checks" -fopenmp -DFUZZ_READER="fuzz_$reader" -o "$reader" \
-      "$here/tests/fuzz/libfuzzer.c" $objects librefs.a libnineball.a -lgsl -lgslcblas -lm
+      "$here/tests/fuzz/libfuzzer.c" libfuzz.a librefs.a libnineball.a -lgsl -lgslcblas -lm
   done
 ) >build.log 2>&1 || { tail build.log >&2; exit 1; }
 build/tests/fuzz/replay --words >words
 
 # ---- sessions --------------------------------------------------------------------------------------------------------
 
-# Folders with first inputs of a reader.
+# Folders with first inputs of a reader. Of a page of the tree only the title and the blocks are taken, and only if they are
+# short: long pages are mostly prose, and each session begins with reading all of them.
 sources() {
   mkdir -p "seeds/$1"
   build/tests/fuzz/replay --seeds "$1" "seeds/$1"
+  test "$1" != pages || find "$here/tests/bad" "$here/tests/pages" "$here/cases" -name '*.md' | while read -r page; do
+    short=seeds/pages/$(basename "$page")
+    awk 'NR == 1 || /^```[a-z]/ { print; inside = NR > 1; next } inside { print } /^```$/ { inside = 0 }' "$page" >"$short"
+    test "$(wc -c <"$short")" -le "$(longest pages)" || rm "$short"
+  done
   echo "seeds/$1 $here/tests/fuzz/corpus/$1"
-  test "$1" != pages || echo "$here/tests/bad $here/cases $here/tests/pages"
 }
 
+# Bytes of an input. Short inputs are read faster, and a number or a word is changed more often. The longest are those that
+# the program makes: a state with each kind of record.
 longest() {
   case $1 in
-    expressions | paths | tables) echo 512 ;;
-    states | checkpoints) echo 24576 ;;
-    *) echo 4096 ;;
+    expressions) echo 256 ;;
+    states) echo 12288 ;;
+    checkpoints) echo 20480 ;;
+    packings) echo 4096 ;;
+    pages) echo 1024 ;;
+    *) echo 512 ;;
   esac
 }
 
 # A row of sessions.tsv from what libFuzzer prints at its end.
 row() {
   awk -v reader="$1" -v date="$(date +%F)" -v OFS='\t' '
+    /^[0-9]+m[0-9.]+s [0-9]+m[0-9.]+s$/ { processor = 0 # of the last line
+      for (k = 1; k <= 2; k++) { split($k, time, "m"); processor += 60 * time[1] + time[2] } }
     / cov: / { for (k = 1; k < NF; k++) { if ($k == "cov:") edges = $(k + 1); if ($k == "corp:") inputs = $(k + 1) } }
     /^stat::number_of_executed_units:/ { executions = $2 }
     /^#[0-9]+/ { last = substr($1, 2) }
@@ -74,30 +89,37 @@ row() {
     /ERROR: libFuzzer: out-of-memory/ { memory++ }
     /SUMMARY: / && !/timeout|out-of-memory/ { errors++ }
     END { sub(/\/.*/, "", inputs)
-      print reader, executions ? executions : last + 0, inputs + 0, edges + 0, errors + 0, timeouts + 0, memory + 0, date }
+      print reader, executions ? executions : last + 0, inputs + 0, edges + 0, errors + 0, timeouts + 0, memory + 0, date, processor + 0 }
   ' "$1.log" >>sessions.tsv
 }
 
 search() {
   mkdir -p "$1"
   # shellcheck disable=SC2046
-  nice "build/$1" -max_total_time="$seconds" -timeout=60 -report_slow_units=60 -rss_limit_mb=3000 -max_len="$(longest "$1")" -dict=words \
-    -print_funcs=0 -entropic=0 -print_final_stats=1 -artifact_prefix="failed/$1-" "$1" $(sources "$1") >"$1.log" 2>&1 &&
-    status=0 || status=$?
+  set -- "$1" $(sources "$1")
+  (
+    status=0
+    nice -n "${FUZZ_NICE:-10}" "build/$1" -max_total_time="$seconds" -timeout=60 -report_slow_units=60 -rss_limit_mb=3000 \
+      -max_len="$(longest "$1")" -dict=words -print_funcs=0 -entropic=0 -print_final_stats=1 \
+      -artifact_prefix="failed/$1-" "$@" || status=$?
+    times
+    exit "$status"
+  ) >"$1.log" 2>&1 && status=0 || status=$?
   row "$1"
   test "$status" -eq 0 || echo "fuzz: $1 failed; look at $(pwd)/$1.log"
 }
 
-# All sessions of all readers; a failed input counts once for each session that found it.
+# All sessions of all readers. Executions per second are of processor time, for a session at a low priority may run for a
+# hundredth of the time that passes. A failed input counts once for each session that found it.
 report() {
-  echo '| reader | executions | inputs kept | edges reached | errors | timeouts | memory limits |'
-  echo '| --- | ---: | ---: | ---: | ---: | ---: | ---: |'
+  echo '| reader | executions | per second | inputs kept | edges reached | errors | timeouts | memory limits |'
+  echo '| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |'
   awk -F '\t' '
     { if (!($1 in sum)) order[++n] = $1
-      sum[$1] += $2; if ($3) inputs[$1] = $3; if ($4 > edges[$1]) edges[$1] = $4; errors[$1] += $5; timeouts[$1] += $6; memory[$1] += $7 }
+      sum[$1] += $2; timed[$1] += $9 ? $2 : 0; processor[$1] += $9; if ($3) inputs[$1] = $3; if ($4 > edges[$1]) edges[$1] = $4; errors[$1] += $5; timeouts[$1] += $6; memory[$1] += $7 }
     END {
       for (k = 1; k <= n; k++) { r = order[k]; total += sum[r]
-        printf "| %s | %.0f | %d | %d | %d | %d | %d |\n", r, sum[r], inputs[r], edges[r], errors[r], timeouts[r], memory[r] }
+        printf "| %s | %.0f | %.0f | %d | %d | %d | %d | %d |\n", r, sum[r], processor[r] ? timed[r] / processor[r] : 0, inputs[r], edges[r], errors[r], timeouts[r], memory[r] }
       printf "| all | %.0f |\n", total }' sessions.tsv
 }
 

@@ -16,7 +16,7 @@ int LLVMFuzzerInitialize(int *count, char ***words) {
 
 int LLVMFuzzerTestOneInput(const unsigned char *bytes, size_t size) {
   if (size > FUZZ_READER.longest)
-    return 0;
+    return -1; /* not read, so not kept */
   fuzz_begin(bytes, size);
   FUZZ_READER.read(bytes, size);
   return 0;
