@@ -39,8 +39,7 @@ flags="-g -O2 -fno-omit-frame-pointer -fno-sanitize-recover=all"
   ${MAKE:-make} -j "$(nproc)" tests/fuzz/replay
   # A library, so that a program has the code of its reader only: after each input libFuzzer looks at all counters.
   rm -f libfuzz.a
-  # shellcheck disable=SC2046
-  ar rcs libfuzz.a $(ls tests/fuzz/*.o src/report/row_table.o | grep -v '/replay\.o$')
+  ar rcs libfuzz.a tests/fuzz/[!r]*.o src/report/row_table.o # not replay.o
   for reader in $readers; do
     # shellcheck disable=SC2086
     ${FUZZ_CC:-clang} $flags -fsanitize="fuzzer,$checks" -fopenmp -DFUZZ_READER="fuzz_$reader" -o "$reader" \
@@ -51,17 +50,24 @@ build/tests/fuzz/replay --words >words
 
 # ---- sessions --------------------------------------------------------------------------------------------------------
 
-# Folders with first inputs of a reader. Of a page of the tree only the title and the blocks are taken, and only if they are
-# short: long pages are mostly prose, and each session begins with reading all of them.
+# Folders with first inputs of a reader. Of a page of the tree only the title and the blocks are taken. Pages that are long
+# or need many attempts to fill are left out: each session begins with reading all inputs.
 sources() {
-  mkdir -p "seeds/$1"
+  rm -rf "seeds/$1" && mkdir -p "seeds/$1"
   build/tests/fuzz/replay --seeds "$1" "seeds/$1"
-  test "$1" != pages || find "$here/tests/bad" "$here/tests/pages" "$here/cases" -name '*.md' | while read -r page; do
-    short=seeds/pages/$(basename "$page")
-    awk 'NR == 1 || /^```[a-z]/ { print; inside = NR > 1; next } inside { print } /^```$/ { inside = 0 }' "$page" >"$short"
-    test "$(wc -c <"$short")" -le "$(longest pages)" || rm "$short"
+  if test "$1" != pages; then
+    echo "seeds/$1 $here/tests/fuzz/corpus/$1"
+    return
+  fi
+  cp "$here"/tests/fuzz/corpus/pages/* seeds/pages
+  find "$here/tests/bad" "$here/tests/pages" "$here/cases" -name '*.md' | while read -r page; do
+    awk 'NR == 1 || /^```[a-z]/ { print; inside = NR > 1; next } inside { print } /^```$/ { inside = 0 }' "$page" \
+      >"seeds/pages/$(basename "$page")"
   done
-  echo "seeds/$1 $here/tests/fuzz/corpus/$1"
+  find seeds/pages -type f | while read -r page; do
+    if test "$(wc -c <"$page")" -gt "$(longest pages)" || grep -qaE 'attempts +[0-9]{4}' "$page"; then rm "$page"; fi
+  done
+  echo seeds/pages
 }
 
 # Bytes of an input. Short inputs are read faster, and a number or a word is changed more often. The longest are those that
