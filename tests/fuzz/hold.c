@@ -39,7 +39,7 @@ static void hold_message(const char *message, const char *end) {
   static const char mark[] = ": error: ";
   const size_t length = sizeof mark - 1;
   const char *error = message; /* not strstr, which AddressSanitizer makes read all messages for each of them */
-  while (error + length <= end && memcmp(error, mark, length) != 0)
+  while (error + length <= end && (*error != *mark || memcmp(error, mark, length) != 0))
     error++;
   fuzz_hold(error + length <= end && error > message, "an error has a place");
   fuzz_hold(error + length < end, "an error has a text");
