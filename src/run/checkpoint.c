@@ -142,6 +142,8 @@ void nb_model_store(struct nb_store *store, struct nb_model *model) {
   NB_STORE(store, "central", &model->central, 1);
   NB_STORE(store, "walls", model->walls.point, model->walls.count);
   NB_STORE_INTEGERS(store, "all_affine", &model->all_affine, 1);
+  if (model->all_affine && !model->affine) /* the page has no affine motion */
+    store->failed = true, model->all_affine = false;
   store_warnings(store, &model->warnings);
   nb_changes_store(store, model);
   store_stability(store, model);
