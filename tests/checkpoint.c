@@ -156,6 +156,9 @@ static const char head[] =
 static const char *const scenes[] = {
     "boundary circle 3 3 radius 2.4\nstage shear\nboundary strain -4e-5 per cycle 2e-5 per cycle\n"
     "servo mean 20 on boundary through boundary at most 1e-5 per cycle\ncycles 40\nsnapshot\n",
+    "boundary circle 3 3 radius 2.4\nstage shear\nboundary strain -4e-5 per cycle 2e-5 per cycle shear 3e-5 per "
+    "cycle\ncycles 20\nstage press\nramp servo xx 30 yy 20 xy 9 on boundary through boundary at most 1e-4 per "
+    "cycle\ncycles 40\nsnapshot\n",
     "region B circle 3 3 radius 2 rings 3\nboundary circle 3 3 radius 2.4\nstage shear\nboundary strain -4e-4 per "
     "cycle "
     "2e-4 per cycle\ncycles 10\nsnapshot\nstage more\ncycles 40\n",

@@ -165,6 +165,48 @@ static void different_radii(void) {
   }
 }
 
+/* No measure of a region counts a removed disc, wherever it was: its values are those of the scene without it. The disc
+ * is inside the circle and the box, or would widen the region `all`. */
+static void regions_without_removed_particles(void) {
+  static const char *const names[] = {
+      "area",      "porosity",       "porosity.volume",         "void_ratio", "particles",
+      "contacts",  "coordination",   "coordination.mechanical", "rattlers",   "fabric.kk",
+      "stress.xx", "normal.mean",    "unbalanced.mean",         "strain.xx",  "speed.mean",
+      "speed.max", "chains.fraction"};
+  static const char *const discs[] = {"", "disc 0.975 0.975 radius 0.5 m velocity 9 0\n",
+                                      "disc -20 -9 radius 0.3 m velocity 9 0\n",
+                                      "disc 2 30 radius 0.3 m velocity 9 0\n"};
+  enum { NAMES = sizeof names / sizeof *names, DISCS = sizeof discs / sizeof *discs, REGIONS = 3 };
+  double seen[DISCS][REGIONS][NAMES];
+  for (int k = 0; k < DISCS; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              "units none\nmaterial m density 3 kn 4000\nlattice discs 3 by 3 m radius 1 spacing 1.95 from 0 0\n%s"
+              "region A all\nregion B circle 2 2 radius 3\nregion C box 0 0 to 4 5\n",
+              discs[k]);
+    for (int r = 0; r < REGIONS; r++)
+      for (int n = 0; n < NAMES; n++)
+        words_add(&page, "record %c.%s\n", 'A' + r, names[n]);
+    words_add(&page, "step 0.002\nstage a\n%scycles 20\n", k ? "remove disc 10\n" : "");
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    for (int r = 0; r < REGIONS; r++)
+      for (int n = 0; n < NAMES; n++) {
+        char column[64];
+        snprintf(column, sizeof column, "%c.%s", 'A' + r, names[n]);
+        seen[k][r][n] = written_last(&result, column);
+        if (seen[k][r][n] != seen[0][r][n])
+          printf("# %s with disc %d: %.17g instead of %.17g\n", column, k, seen[k][r][n], seen[0][r][n]);
+        CU_ASSERT_EQUAL(seen[k][r][n], seen[0][r][n]);
+      }
+    CU_ASSERT(seen[k][0][4] == 9 && seen[k][0][0] > 0);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
 /* A disc passes through the places of two removed discs, one of which was fixed. Snapshots do not show them. */
 static void places_of_removed_particles_are_free(void) {
   struct words page = {0};
@@ -262,6 +304,7 @@ void suite_removal(void) {
   CU_add_test(suite, "values at the moment of removal", at_the_moment);
   CU_add_test(suite, "removal at time 0", removed_at_time_0);
   CU_add_test(suite, "different radii", different_radii);
+  CU_add_test(suite, "regions without removed particles", regions_without_removed_particles);
   CU_add_test(suite, "places of removed particles are free", places_of_removed_particles_are_free);
   CU_add_test(suite, "spins do not change", spins_do_not_change);
   CU_add_test(suite, "steps count remaining particles", steps_count_remaining_particles);

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "core/model.h"
+#include "input/scene.h"
 #include "suites.h"
 #include "written.h"
 
@@ -231,6 +232,23 @@ static void repeated_stages(void) {
   written_free(&it), written_free(&full);
 }
 
+/* A state belongs to the statements and to the settings that replace statements. So each of these settings gives the
+ * stages other hashes than those of the page, and of the page with any other such setting. */
+static void settings_change_the_hash(void) {
+  static const char *const settings[] = {"",           "normal=hertz", "shear=none", "step=2e-3", "damping=centred",
+                                         "refine=0.5", "refine=2",     "soften=10",  "soften=100"};
+  enum { SETTINGS = sizeof settings / sizeof *settings };
+  unsigned long long hash[SETTINGS];
+  for (int k = 0; k < SETTINGS; k++) {
+    const char *const one[] = {settings[k], NULL};
+    hash[k] = nb_hash_settings(k ? one : NULL);
+    for (int other = 0; other < k; other++)
+      CU_ASSERT(hash[k] != hash[other]);
+  }
+  static const char *const value[] = {"speed=2", NULL}; /* is in the statements that use it */
+  CU_ASSERT(nb_hash_settings(value) == hash[0]);
+}
+
 /* The number of threads is that of the options, at most NB_THREADS; 0 stands for OpenMP's default, and without options it is 1. The
  * instruction set is the widest one, or the one that the options name, if this machine has it. */
 static void threads_and_instruction_set(void) {
@@ -276,5 +294,6 @@ void suite_run(void) {
   CU_add_test(suite, "an aborted stage has no snapshot", an_aborted_stage_has_no_snapshot);
   CU_add_test(suite, "until ... every N cycles", conditions_checked_every_n_cycles);
   CU_add_test(suite, "repeated stages", repeated_stages);
+  CU_add_test(suite, "settings change the hash", settings_change_the_hash);
   CU_add_test(suite, "threads and instruction set", threads_and_instruction_set);
 }

@@ -118,6 +118,33 @@ static void duration_of_collisions(void) {
        hertz(1. / 3, 0.75, 1, 1), 1e-14);
 }
 
+/* The limits of a later stage count the velocities that the walls have in it: those that it gives them, and those that
+ * they keep from the stage before. */
+static void walls_of_a_later_stage(void) {
+  static const struct {
+    const char *stages;
+    double speed; /* of the wall in the last stage */
+  } rows[] = {
+      {"wall w velocity 0 0.1\ncycles 1\nstage b\nwall w velocity 0 0.4\n", 0.4},
+      {"wall w velocity 0 0.4\ncycles 1\nstage b\nwall w velocity 0 0.1\n", 0.1},
+      {"wall w velocity 0 0.4\ncycles 1\nstage b\nwall w velocity 0 0.1\ncycles 1\nstage c\n", 0.1},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              SPHERES "sphere 0 3 radius 1 m\nwall w -90 0 to 90 0 r\nstep 1e-3\nrecord step\nstage a\n%sstep 20 per "
+                      "collision\ncycles 1\n",
+              rows[k].stages);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    NEAR(written_last(&result, "step"), hertz(1, 1, 1, rows[k].speed) / 20, 1e-14);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
 /* Without stiffness, or without free particles, the limit is infinite, and no fraction of it is a step. */
 static void an_infinite_limit(void) {
   static const char *const particles[] = {"kn 0\ndisc 0 0 radius 1 m", "kn 8\ndisc 0 0 radius 1 m fixed"};
@@ -313,6 +340,7 @@ void suite_steps(void) {
   CU_pSuite suite = CU_add_suite("steps", NULL, NULL);
   CU_add_test(suite, "a step relative to a limit", a_step_relative_to_a_limit);
   CU_add_test(suite, "duration of collisions of elastic spheres", duration_of_collisions);
+  CU_add_test(suite, "walls of a later stage", walls_of_a_later_stage);
   CU_add_test(suite, "steps that elastic spheres do not have", steps_that_spheres_do_not_have);
   CU_add_test(suite, "a collision step is kept", a_collision_step_is_kept);
   CU_add_test(suite, "an infinite limit", an_infinite_limit);
