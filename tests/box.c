@@ -8,6 +8,9 @@
 #include <CUnit/CUnit.h>
 #include <math.h>
 
+#include "core/affine.h"
+#include "core/model.h"
+#include "run/plan.h"
 #include "suites.h"
 #include "written.h"
 
@@ -56,6 +59,41 @@ static void the_servo_follows_the_recursion(void) {
   CU_ASSERT(limited > 10 && limited < 300);
   CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "box.stress.xx"), wanted, 0.005 * wanted);
   nb_result_free(&result);
+}
+
+/* The proportional and the integral part together stay within `at most`: beyond it the integral part begins again. With
+ * an error of 0.19 in the stress the proportional part is 0.19/(2 B T) = 0.0024, 0.3 of the limit of 1e-4 per cycle. The
+ * integral part is set to 0.6 and to 0.9 of the limit. */
+static void both_parts_of_the_servo_stay_within_the_limit(void) {
+  static const double integrals[] = {0.6, 0.9};
+  for (int k = 0; k < 2; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(
+        &page, DISC
+        "record time\nstage s\nservo isotropic 7 on box through box at most 1e-4 per cycle every 1 cycle\ncycles 1500\n"
+        "stage t\nservo isotropic 7.19 on box through box at most 1e-4 per cycle every 1 cycle\ncycles 9\n");
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+    written_cycles(model, 1500);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[1], &error), NB_OK);
+    written_cycles(model, 1);
+    const double most = 1e-4 / model->step, z = integrals[k] * most;
+    struct nb_tensor *integral = &model->affine->servo_state.integral;
+    *integral = tensor(-z, 0, 0, -z);
+    written_cycles(model, 1);
+    const struct nb_tensor added = model->affine->rate[NB_AFFINE_BOX];
+    const double p = k ? added.xx / (1 - (1 - sqrt(0.75)) / 2) : added.xx + z;
+    CU_ASSERT(p < -0.25 * most && p > -0.35 * most); /* so that both sides of the limit occur */
+    CU_ASSERT(tensor_largest(added) <= most);
+    CU_ASSERT_DOUBLE_EQUAL(added.yy, added.xx, 1e-9 * most);
+    CU_ASSERT_EQUAL(integral->xx < -z, k == 0); /* it grows, or begins again with the other sign */
+    CU_ASSERT_EQUAL(integral->xx > 0, k == 1);
+    nb_model_free(model);
+    written_free(&it);
+  }
 }
 
 /* The ends of each wall are the corners of the box, also after `transform`. */
@@ -174,7 +212,7 @@ static void forces_on_walls(void) {
                {"E.obliquity", 0},
                {"free.eccentricity", 0.5},
                {"free.fx", 100},
-               {"free.moment", -600},
+               {"free.moment", -300},
                {"walls.stress.xx", 80. / 2 / 8},
                {"walls.stress.yy", 230. / 2 / 10},
                {"walls.stress.xy", 0},
@@ -182,18 +220,20 @@ static void forces_on_walls(void) {
                {"box.stress.xy", (20 * 2 - 50 * 2 + 10 * 3) / 80.},
                {"walls.ratio", 80. / 230},
                {"walls.force.residual", 92.19544457292888}},
-    last[] = {{"E.obliquity", 0.4}, {"E.fy", -8}, {"walls.stress.yx", -0.5}, {"walls.stress.xy", 0}};
+    last[] = {{"free.fy", -4},           {"free.moment", 2 * 4 - 2.996 * 100},
+              {"E.obliquity", 0.4},      {"E.fy", -8},
+              {"walls.stress.yx", -0.5}, {"walls.stress.xy", 0}};
   struct nb_result result;
   run(&result, "units none\nmaterial m density 2e15 kn 1000 ks 1000 friction 0.5\nstep 0.004\nbox 0 0 to 10 8 m\n"
-               "wall free 12 0 to 12 8 m about 12 0\ndisc 11.5 6 radius 0.6 m\n"
+               "wall free 12 0 to 12 8 m about 14 3\ndisc 11.5 6 radius 0.6 m\n"
                "disc 2 0.4 radius 0.5 m\ndisc 7 0.45 radius 0.5 m\ndisc 9.52 6 radius 0.5 m\ndisc 9.55 2 radius 0.5 m\n"
                "disc 4 7.58 radius 0.5 m\ndisc 0.49 1 radius 0.5 m\nmonitor S wall south\n"
                "monitor E wall east\nmonitor N wall north\nmonitor W wall west\nmonitor free wall free\n"
                "normal linear\nshear linear\nrecord S.fy S.moment S.eccentricity E.moment E.eccentricity E.obliquity\n"
                "record N.eccentricity W.eccentricity free.eccentricity free.fx free.moment walls.stress.xx "
                "walls.stress.yy walls.stress.xy\n"
-               "record walls.stress.yx box.stress.xx box.stress.xy walls.ratio walls.force.residual E.fy\n"
-               "stage s\nwall east velocity 0 1\ncycles 1\n");
+               "record walls.stress.yx box.stress.xx box.stress.xy walls.ratio walls.force.residual E.fy free.fy\n"
+               "stage s\nwall east velocity 0 1\nwall free velocity 0 1\ncycles 1\n");
   for (size_t k = 0; k < sizeof first / sizeof *first; k++)
     CU_ASSERT_DOUBLE_EQUAL(written_cell(&result.table, 0, first[k].name), first[k].wanted, 1e-9);
   for (size_t k = 0; k < sizeof last / sizeof *last; k++)
@@ -204,6 +244,7 @@ static void forces_on_walls(void) {
 void suite_box(void) {
   CU_pSuite suite = CU_add_suite("box", NULL, NULL);
   CU_add_test(suite, "a servo through the box follows the recursion", the_servo_follows_the_recursion);
+  CU_add_test(suite, "both parts of the servo stay within the limit", both_parts_of_the_servo_stay_within_the_limit);
   CU_add_test(suite, "corners stay closed, also after transform", corners_stay_closed);
   CU_add_test(suite, "box.stress counts the four walls only", box_stress_counts_the_four_walls);
   CU_add_test(suite, "forces on walls: traction, moment, eccentricity, obliquity", forces_on_walls);

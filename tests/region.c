@@ -138,6 +138,22 @@ static void volumes(void) {
   done(&it, model);
 }
 
+/* A centre on the edge of a region is inside. All numbers are exact. */
+static void centres_on_the_edge(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc 3 4 radius 0.5 m\ndisc -5 0 radius 0.5 m\n"
+                   "disc 0 -5.0625 radius 0.5 m\ndisc 6 1 radius 0.5 m\ndisc 2 -2 radius 0.5 m\n"
+                   "disc 6.0625 -2 radius 0.5 m\nregion A circle 0 0 radius 5\nregion B box 2 -2 to 6 4\n"
+                   "record A.particles B.particles\nstep 1\nstage s\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL(written_now(model, "A.particles"), 3); /* the discs 1, 2 and 5 */
+  CU_ASSERT_EQUAL(written_now(model, "B.particles"), 3); /* the discs 1, 4 and 5 */
+  nb_model_free(model);
+  written_free(&it);
+}
+
 /* A box and its corners, which cut the discs, are rotated and mirrored with the scene. */
 static void a_rotated_box(void) {
   static const char *const places[] = {"", "transform rotate 0.5\n", "transform mirror x rotate 2 translate 3 -2\n"};
@@ -416,6 +432,7 @@ static void regions_with_rings(void) {
 
 void suite_region(void) {
   CU_pSuite suite = CU_add_suite("region", NULL, NULL);
+  CU_add_test(suite, "centres on the edge are inside", centres_on_the_edge);
   CU_add_test(suite, "fractions without the stress", fractions_without_the_stress);
   CU_add_test(suite, "the arm of the particle inside", the_arm_of_the_particle_inside);
   CU_add_test(suite, "strain without removed particles", strain_without_removed_particles);
