@@ -113,6 +113,58 @@ static void dashpots_see_the_strain(void) {
   }
 }
 
+/* The ellipse reaches discs at rest, and nothing moves, so no search lists the candidates again: the boundary itself must
+ * notice that it has moved. Half the height of the ellipse is 20 (1 - 0.01 dt)^n after n cycles. */
+static void discs_at_rest_join_the_boundary(void) {
+  static const char *const skins[] = {"", "skin 0.01\n", "skin 0.5\n"};
+  for (size_t k = 0; k < 3; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              "units none\nmaterial m density 2 kn 100\nstep 0.125\n%sdisc 30 0 radius 1 m\ndisc 0 15 radius 1 m\n"
+              "disc 0 -12 radius 1 m\nrecord boundary.particles\nboundary circle 0 0 radius 20\nstage s\n"
+              "boundary strain 0 -0.01\ncycles 500\n",
+              skins[k]);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    int n15 = 0, n12 = 0; /* whole cycles after which the ellipse has reached each disc */
+    for (double b = 20; b > 15; n15++)
+      b *= 1 - 0.01 * dt;
+    for (double b = 20; b > 12; n12++)
+      b *= 1 - 0.01 * dt;
+    const double *members = result.table.values;
+    CU_ASSERT_EQUAL_FATAL(result.table.column_count, 1);
+    CU_ASSERT_EQUAL_FATAL(result.table.row_count, 501);
+    for (int n = 0; n <= 500; n++)
+      CU_ASSERT_EQUAL(members[n], 1 + (n > n15) + (n > n12));
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
+/* Four discs on the axes, two of them opposite each other on the x axis, are in their order round the centre, whatever
+ * their numbers are: the area is that of the square. */
+static void any_order_of_numbers(void) {
+  static const double at[4][2] = {{5, 0}, {0, 5}, {-5, 0}, {0, -5}};
+  for (int order = 0; order < 256; order++) {
+    const int k[4] = {order & 3, order >> 2 & 3, order >> 4 & 3, order >> 6};
+    if ((1 << k[0] | 1 << k[1] | 1 << k[2] | 1 << k[3]) != 15)
+      continue;
+    struct words page = {0};
+    struct written it;
+    words_add(&page, "units none\nmaterial m density 2 kn 100\nstep 0.125\n");
+    for (int n = 0; n < 4; n++)
+      words_add(&page, "disc %g %g radius 1 m\n", at[k[n]][0], at[k[n]][1]);
+    words_add(&page, "record boundary.area\nboundary circle 0 0 radius 5\nstage s\nboundary fixed\ncycles 1\n");
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL(written_now(model, "boundary.area"), 50);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 /* A disc that moves outwards belongs to the boundary from the first cycle that begins with its centre on the circle
  * or outside, whatever the skin is; meanwhile the circle shrinks to an ellipse. */
 static void particles_join_the_boundary(void) {
@@ -318,6 +370,8 @@ static void forces_of_a_boundary_stress(void) {
 
 void suite_drive(void) {
   CU_pSuite suite = CU_add_suite("drive", NULL, NULL);
+  CU_add_test(suite, "discs at rest join the boundary", discs_at_rest_join_the_boundary);
+  CU_add_test(suite, "a boundary with any order of numbers", any_order_of_numbers);
   CU_add_test(suite, "the boundary follows exactly", the_boundary_follows_exactly);
   CU_add_test(suite, "per cycle", per_cycle);
   CU_add_test(suite, "damping acts on the own velocity only", damping_acts_on_own_velocity);
