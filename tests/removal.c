@@ -168,7 +168,7 @@ static void different_radii(void) {
 /* No measure of a region counts a removed disc, wherever it was: its values are those of the scene without it. The disc
  * is inside the circle and the box, or would widen the region `all`. */
 static void regions_without_removed_particles(void) {
-  static const char *const names[] = {
+  static const char *const measures[] = {
       "area",      "porosity",       "porosity.volume",         "void_ratio", "particles",
       "contacts",  "coordination",   "coordination.mechanical", "rattlers",   "fabric.kk",
       "stress.xx", "normal.mean",    "unbalanced.mean",         "strain.xx",  "speed.mean",
@@ -176,7 +176,7 @@ static void regions_without_removed_particles(void) {
   static const char *const discs[] = {"", "disc 0.975 0.975 radius 0.5 m velocity 9 0\n",
                                       "disc -20 -9 radius 0.3 m velocity 9 0\n",
                                       "disc 2 30 radius 0.3 m velocity 9 0\n"};
-  enum { NAMES = sizeof names / sizeof *names, DISCS = sizeof discs / sizeof *discs, REGIONS = 3 };
+  enum { NAMES = sizeof measures / sizeof *measures, DISCS = sizeof discs / sizeof *discs, REGIONS = 3 };
   double seen[DISCS][REGIONS][NAMES];
   for (int k = 0; k < DISCS; k++) {
     struct words page = {0};
@@ -188,14 +188,14 @@ static void regions_without_removed_particles(void) {
               discs[k]);
     for (int r = 0; r < REGIONS; r++)
       for (int n = 0; n < NAMES; n++)
-        words_add(&page, "record %c.%s\n", 'A' + r, names[n]);
+        words_add(&page, "record %c.%s\n", 'A' + r, measures[n]);
     words_add(&page, "step 0.002\nstage a\n%scycles 20\n", k ? "remove disc 10\n" : "");
     written_scene(&it, &page);
     written_run(&result, &it, NULL);
     for (int r = 0; r < REGIONS; r++)
       for (int n = 0; n < NAMES; n++) {
         char column[64];
-        snprintf(column, sizeof column, "%c.%s", 'A' + r, names[n]);
+        snprintf(column, sizeof column, "%c.%s", 'A' + r, measures[n]);
         seen[k][r][n] = written_last(&result, column);
         if (seen[k][r][n] != seen[0][r][n])
           printf("# %s with disc %d: %.17g instead of %.17g\n", column, k, seen[k][r][n], seen[0][r][n]);
