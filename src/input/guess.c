@@ -20,12 +20,12 @@ const struct nb_synonym *nb_synonym(const char *word) {
   /* clang-format off */
   static const struct nb_synonym synonyms[] = { /* each word once, `_` also for `-` */
     {"ball balls disk disks particle particles grain grains body bodies clump", "disc, sphere"}, {"grid mesh regular", "lattice"},
-    {"generate create create_atoms insert", "fill, lattice, disc, sphere"}, {"distribute pour random cloud", "fill"},
+    {"generate create create_atoms insert", "fill, lattice, disc, sphere"}, {"distribute pour random cloud makeCloud", "fill"},
     {"psd gradation size distribution bimodal", "grading"},
     {"facet facets plane plate", "wall"}, {"domain container create_box", "box, cell"}, {"periodic pbc", "cell"},
     {"contact_model cmat pair_style model", "normal, shear"}, {"property prop attribute set assign", "material, pair, let"},
     {"variable define parameter fish", "let"}, {"loop foreach for while", "sweep, repeat"}, {"bond bonds cement adhesion", "cohesion"},
-    {"friction_coefficient friction_angle fric mu xmu coulomb", "friction"}, {"rho dens mass_density", "density"},
+    {"friction_coefficient friction_angle frictionAngle fric mu xmu coulomb", "friction"}, {"rho dens mass_density", "density"},
     {"young_modulus youngs_modulus youngs modulus emod E", "young"}, {"poisson_ratio poissons_ratio pois nu", "poisson"},
     {"normal_stiffness k_n", "kn"}, {"shear_stiffness tangential_stiffness k_s k_t kt kratio", "ks"}, {"stiffness spring", "kn, ks, young", "stiffness is `kn` and `ks` in `material` or `pair`, or `young` in `material`"},
     {"diameter r", "radius"}, {"g grav acceleration", "gravity"}, {"dt timestep time_step", "step"},
@@ -39,7 +39,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"ratio", "unbalanced.max, damping, poisson"}, {"critical", "ratio, single-contact"}, {"no_contact separation", "contacts"},
     {"contact", "damping, monitor, region"}, {"all", "region", "`region M all` measures all particles and contacts"},
     {"calm relax quench", "zero velocities"}, {"fix freeze clamp", "fixed", "a particle with `fixed` does not move: `disc X Y radius R MATERIAL fixed`; `rotation off` prevents rotation"},
-    {"apply load", "gravity, boundary stress, servo, wall"}, {"confine confining confinement membrane pressure", "servo, boundary stress, cell.stress.mean"},
+    {"apply load", "gravity, boundary stress, servo, wall"}, {"confine confining confinement membrane pressure", "servo, boundary stress, cell.stress.mean"}, {"goal target", "servo"},
     {"deform strain strain_rate shear_rate rate", "cell strain, box strain, boundary strain, affine strain", "`nineball --help strain` compares the four strains"},
     {"compress compression", "box strain, cell strain, boundary strain, walls, servo"}, {"shear_strain", "strain.xy, strain.deviator"},
     {"vertical_strain strain_vertical axial_strain", "strain.yy"}, {"vertical_stress stress_vertical axial_stress", "stress.yy"},
@@ -51,7 +51,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"force contact_force forces", "normal, shear, fx, fy"}, {"position displacement pos disp", "x, y"}, {"vel velocity speed", "velocity, vx, vy", "a velocity is given by `velocity VX VY` and recorded as `A.vx` and `A.vy`"},
     {"kinetic kinetic_energy ke", "energy.kinetic"}, {"hertz_mindlin hertzian hertz_material mindlin_rescale", "normal hertz, shear mindlin"},
     {"hooke hookean", "normal linear, shear linear"}, {"SI", "units"}, {"degree degrees", "deg"},
-    {"norotation no_rotation irrotational", "rotation off"}, {"false no disable disabled", "off"}, {"true yes enable enabled", "on"},
+    {"norotation no_rotation irrotational blockedDOFs", "rotation off"}, {"false no disable disabled", "off"}, {"true yes enable enabled", "on"},
     {"safety safety_factor", "stable", "write `step 0.2 of stable`"}, {"number count", "grading", "a grading has the number of particles of each radius: `grading sand 2 mm 100  1 mm 400`"},
     /* STATEMENT_WORD: a word in a statement that does not have it */
     {"wall_fixed box_fixed", "wall, walls", "a wall does not move unless it has a `velocity`"},
