@@ -289,7 +289,7 @@ out '`periodic` of other programs is `cell` here'
 run 0 --help max unbalanced
 out 'unbalanced.max, quantity of the scene'
 out 'max, after the quantity of an expectation'
-run 2 --help no such
+run 2 --help nothing such
 run 2 --help norma
 said '`norma` is not a word of pages; did you mean `normal`?'
 verdict '--version and --help'

@@ -10,6 +10,8 @@
 #include "suites.h"
 #include "written.h"
 
+extern const struct nb_quantity_kind nb_region_kinds[]; /* region_quantities.c */
+
 #define CLOSE(model, name, wanted)                                                                                     \
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, name), wanted, 2e-14 * (1 + fabs((double)(wanted))))
 
@@ -84,8 +86,36 @@ static void same_bits(void) {
   }
 }
 
+/* A quantity that is recorded alone finds all that it reads, with friction and without: the fields of contacts are kept
+ * only if some quantity needs them. */
+static void each_alone(void) {
+  static const char *const shear[] = {"", "shear linear\n", "shear mindlin\n"};
+  static const char *const suffixes[] = {[NB_FOURTH] = ".xxxx", [NB_STATISTICS] = ".mean", [NB_TENSOR] = ".xx",
+                                         [NB_STRESSES] = ".xx", [NB_FABRICS] = ".xx",      [NB_SCALAR] = ""};
+  for (const struct nb_quantity_kind *kind = nb_region_kinds; kind->name; kind++)
+    for (int k = 0; k < 3; k++) {
+      struct words page = {0};
+      struct written it;
+      words_add(&page, "units none\nmaterial m density 3 %s friction 0.2\n%s%s",
+                k < 2 ? "kn 4000 ks 2500" : "young 5e4 poisson 0.2", k < 2 ? "" : "normal hertz\n", shear[k]);
+      words_add(&page,
+                "box 0 0 to 12 12 m\nlattice spheres 6 by 6 m radius 0.98 spacing 1.95 from 1 1\nstep 0.001\n"
+                "region A circle 6 6 radius 4\nrecord A.%s%s\nstage a\nwall west velocity 0.3 0.2\ncycles 20\n",
+                kind->name, suffixes[kind->family]);
+      written_scene(&it, &page);
+      struct nb_model *model = written_model(&it, NULL);
+      char name[NB_NAME_SIZE];
+      snprintf(name, sizeof name, "A.%s%s", kind->name, suffixes[kind->family]);
+      written_cycles(model, 20);
+      CU_ASSERT(isfinite(written_now(model, name)));
+      nb_model_free(model);
+      written_free(&it);
+    }
+}
+
 void suite_region_sums(void) {
   CU_pSuite suite = CU_add_suite("sums over regions", NULL, NULL);
   CU_add_test(suite, "particles and contacts, parts and whole: to rounding", sums_agree);
+  CU_add_test(suite, "each quantity alone", each_alone);
   CU_add_test(suite, "threads, storage and instruction sets change no bit", same_bits);
 }

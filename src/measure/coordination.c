@@ -73,8 +73,9 @@ static bool is_loaded(const struct nb_model *model, int slot) {
   return slot < 0 || model->regions->touching[slot] >= 0;
 }
 
-static double constraint_ratio(const struct nb_model *model, const struct nb_region_state *region) {
+void nb_measure_constraints(const struct nb_model *model, struct nb_region_state *region) {
   struct constraints it = {0};
+  find_rattlers(model);
   for (size_t k = 0, i; nb_region_next(model, region, &k, &i);) {
     if (!is_free(model, i) || !is_loaded(model, (int)i))
       continue;
@@ -87,7 +88,7 @@ static double constraint_ratio(const struct nb_model *model, const struct nb_reg
                        other >= 0 && is_free(model, (size_t)other) && nb_region_contains(model, region, (size_t)other));
     }
   }
-  return it.particles > 0 ? it.constraints / ((it.friction ? 3 : 2) * it.particles) : 0;
+  region->constraint_ratio = it.particles > 0 ? it.constraints / ((it.friction ? 3 : 2) * it.particles) : 0;
 }
 
 void nb_measure_coordination(const struct nb_model *model, struct nb_region_state *region) {
@@ -113,5 +114,4 @@ void nb_measure_coordination(const struct nb_model *model, struct nb_region_stat
   }
   it->mean /= it->particles > 0 ? it->particles : 1;
   it->mechanical /= loaded > 0 ? loaded : 1;
-  it->constraint_ratio = constraint_ratio(model, region);
 }

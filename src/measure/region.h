@@ -59,7 +59,6 @@ struct nb_coordination {
   double particles, contacts; /* inside; their contacts, each once */
   double mean, mechanical;    /* coordination numbers, all particles; without rattlers */
   double rattlers;            /* number of them */
-  double constraint_ratio;    /* constraints over degrees of freedom of the free particles */
 };
 struct nb_statistics {
   double mean, max, min, std; /* 0 without values; std: standard deviation */
@@ -92,6 +91,7 @@ struct nb_chains {
   ROW(NB_MODULI, moduli)                                                                                               \
   ROW(NB_POROSITY, porosity)                                                                                           \
   ROW(NB_COORDINATION, coordination)                                                                                   \
+  ROW(NB_CONSTRAINTS, constraints)                                                                                     \
   ROW(NB_LOADS, loads)                                                                                                 \
   ROW(NB_STRAIN, strain)                                                                                               \
   ROW(NB_SPEEDS, speeds)                                                                                               \
@@ -115,6 +115,7 @@ struct nb_region_state {
   struct nb_moduli moduli;
   struct nb_porosity porosity;
   struct nb_coordination coordination;
+  double constraint_ratio; /* constraints over degrees of freedom of the free particles */
   struct nb_loads loads;
   struct nb_speeds speeds;
   struct nb_strain strain;

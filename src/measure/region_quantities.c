@@ -89,8 +89,7 @@ const struct nb_quantity_kind nb_region_kinds[] = {
     COUNT("rattlers", rattlers,
           "number of free particles inside with fewer than two contacts, contacts with rattlers not counted"),
 
-    OF("constraint_ratio", NB_SCALAR, "1", NB_READS_TOUCH | NB_BIT(NB_SLIDING), NB_COORDINATION,
-       coordination.constraint_ratio,
+    OF("constraint_ratio", NB_SCALAR, "1", NB_READS_TOUCH | NB_BIT(NB_SLIDING), NB_CONSTRAINTS, constraint_ratio,
        "constraints over degrees of freedom of the free particles, rattlers not counted; 1: statically determinate "
        "[Cundall and Strack 1983]"),
 
