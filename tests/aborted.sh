@@ -1,7 +1,8 @@
 #!/bin/sh
-# Tests what a run says where it breaks. Every page in tests/aborted must end with the status and exactly the messages of
-# its block `message`; docs/EXTREMES.md shows them. Then every message in the sources that aborts a run must have occurred:
-# a new one needs a page. TAP. $NINEBALL is the program, ./nineball by default; $srcdir is the top of the source tree.
+# Tests the messages of runs that are aborted. Every page in tests/aborted must end with the status and exactly the
+# messages of its block `message`; docs/EXTREMES.md shows them. Then every message in the sources that aborts a run must
+# have occurred: a new one needs a page. TAP. $NINEBALL is the program, ./nineball by default; $srcdir is the top of the
+# source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 

@@ -1,16 +1,16 @@
-/* Calibration of `nineball advise`, run by `make accuracy`: how often the true error of the advice is within the tolerance,
- * and what the advice costs.
+/* Calibration of `nineball advise`, run by `make accuracy`: how often the true error of the advice is within the
+ * tolerance, and what the advice costs.
  *
  * accuracy FOLDER [-o DOCUMENT ROWS] PAGE… [--means PAGE…]  draws a quantity, a condition and a tolerance for each page
  * several times, asks for advice, and computes
  *   - the true error: the largest difference, over all phases and runs, from the limit of the page for a small step;
- *   - the cheapest setting of a grid of all laws, four stiffnesses, centred dashpots and steps a factor of the square root of 2 apart whose
- *     true error is within the tolerance;
+ *   - the cheapest setting whose true error is within the tolerance, in a grid of all laws, four stiffnesses, centred
+ *     dashpots, and steps that differ by factors of 2^(1/2);
  *   - the same for estimators that lack something, the negative controls.
  * The results of a page are stored in FOLDER, so a run that was interrupted can be continued. Then it writes
  * docs/ACCURACY.md and the rows of its table of errors to the files that -o names, and prints the criteria that do not
- * hold: exit status 1. Pages after --means are assemblies; their draws are about means over realizations. Draws depend
- * on the name of the page and the number of the draw only.
+ * hold; the exit status is then 1. Pages after --means are assemblies; their draws are about means over realizations.
+ * Draws depend on the name of the page and the number of the draw only.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef _DEFAULT_SOURCE
@@ -73,8 +73,8 @@ static bool is_met(struct nb_advice *advice, const struct truth *truth) {
   return false;
 }
 
-/* The negative controls are not asked where there is no advice. That which takes the finest step is judged by one phase,
- * because it fails by its cost. */
+/* The negative controls are not asked where there is no advice. The control that takes the finest step is judged by
+ * one phase, because it fails by its cost. */
 static void compare(struct draw *draw, struct nb_advice *advice, struct nb_advise_query *query, struct truth *truth) {
   struct chosen chosen[ESTIMATORS];
   double most = INFINITY;

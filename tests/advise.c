@@ -1,5 +1,5 @@
-/* The search for advice: what it runs, and what it makes of the values. The same values are computed here from pages that
- * have the phase, the step and the laws of a candidate as statements.
+/* The search for advice: which runs it makes, and what it computes from their values. The same values are computed here
+ * from pages that have the phase, the step and the laws of a candidate as statements.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef _DEFAULT_SOURCE
@@ -146,9 +146,9 @@ static void claims_follow_from_the_values(void) {
   finish(&advice, &page);
 }
 
-/* The anchor of a setting is two levels finer at least. The quantity is the step itself, whose limit is 0 and which has an
- * error of first order. With the step x at the anchor of level 3 and a tolerance of 6.2 x the level 1 misses it: 5/4 (4 x
- * - x) + 3 x = 6.75 x. Level 2 has the anchor of level 4: 5/4 (2 x - x/2) + 3 x/2 = 3.375 x. */
+/* The anchor of a setting is two levels finer at least. The quantity is the step itself, whose limit is 0 and which has
+ * an error of first order. With the step x at the anchor of level 3 and a tolerance of 6.2 x the level 1 misses it: 5/4
+ * (4 x - x) + 3 x = 6.75 x. Level 2 has the anchor of level 4: 5/4 (2 x - x/2) + 3 x/2 = 3.375 x. */
 static void the_anchor_is_two_levels_finer(void) {
   struct nb_advice advice;
   struct nb_error error = {0};
@@ -203,8 +203,8 @@ static void laws_are_equal_in_every_run(void) {
   finish(&advice, &page);
 }
 
-/* The history variables that `nineball laws` states for the normal law and the shear law, with `memory 12` on the page: 5
- * doubles for each of 12 pieces, and 12 others. The variants with the page's own laws store the same. */
+/* The history variables that `nineball laws` states for the normal law and the shear law, with `memory 12` on the page:
+ * 5 doubles for each of 12 pieces, and 12 others. The variants with the page's own laws store the same. */
 static void a_variant_stores_what_both_its_laws_store(void) {
   static const struct {
     const char *normal, *shear;
@@ -575,8 +575,8 @@ static void variants_with_the_own_laws(void) {
   }
 }
 
-/* The stable step of a realization: two discs in contact, whose stiffness depends on the seed. The ratio of the step to it is
- * dt (k_n/2 m)^(1/2), and the shear stiffness is 0. A setting needs the margin of Student's distribution for one
+/* The stable step of a realization: two discs in contact, whose stiffness depends on the seed. The ratio of the step to
+ * it is dt (k_n/2 m)^(1/2), and the shear stiffness is 0. A setting needs the margin of Student's distribution for one
  * realization in a thousand; the page as it is does not. */
 static void settings_of_a_mean_have_a_margin_of_stability(void) {
   static const double spreads[] = {0.001, 0.01, 0.015, 0.02}, step_of_mean = 0.0713; /* ratios from 0.9 to 0.97 */
@@ -625,7 +625,7 @@ static void settings_of_a_mean_have_a_margin_of_stability(void) {
   }
 }
 
-/* ---- what is said of the result, from made-up settings ---- */
+/* ---- text about the result, from made-up settings ---- */
 
 enum { SETTINGS = 6 };
 struct made_up {
@@ -662,7 +662,8 @@ static void the_cheaper_of_two_settings(void) {
       CU_ASSERT_EQUAL(nb_setting_cheaper(&it.advice, &it.settings[a], &it.settings[b]), cheaper[a][b]);
 }
 
-/* With nearly as many updates, softer contacts are not cheaper, however little their laws store. With fewer they are. */
+/* With nearly as many updates, softer contacts are not cheaper, however little their laws store. With fewer they
+ * are. */
 static void softer_contacts_must_save_updates(void) {
   static const double updates[SETTINGS] = {100, 95, 80, 100, 100, 100};
   static const int history[SETTINGS] = {4, 1, 4, 1, 9, 9};
@@ -735,7 +736,8 @@ static void steps_that_do_not_halve_are_tried(void) {
   finish(&advice, &page);
 }
 
-/* A longer step, another law or another value; a shorter step of the page itself does not. */
+/* A setting is looser than the page if it has a longer step, another law or another value; the page itself with a
+ * shorter step is not looser. */
 static void checks_may_fail_with_a_looser_setting(void) {
   for (int level = -2; level <= 2; level++)
     for (size_t variant = 0; variant < 3; variant++) {

@@ -44,7 +44,8 @@ result $? 'every claim is at least the true error, at eight phases'
 awk '$3 == "chosen" { n++; bad += !($4 <= 0.0005) } $3 == "misses" { worst[$1] = worst[$1] > $4 ? worst[$1] : $4 }
   END { exit !(n == 8 && bad == 0) }' errors
 result $? 'the chosen setting is within the tolerance'
-# Not far from the truth either: the cheapest one that is truly within the tolerance is at most twice as coarse.
+# The choice is not far from the best one either: the cheapest setting that is truly within the tolerance is at most
+# twice as coarse.
 awk '{ worst[$1] = worst[$1] > $4 ? worst[$1] : $4 } $3 == "chosen" { chosen = $1 }
   END { for (r in worst) if (worst[r] <= 0.0005 && r + 0 < chosen / 2) exit 1; exit !(chosen > 0) }' errors
 result $? 'the chosen step is at most half as long as the longest one that would do'
@@ -58,7 +59,8 @@ result $? 'no setting within the tolerance has fewer updates'
 
 # ---- laws ----
 
-# The shear laws differ in an oblique impact. `shear none` passes a reference that knows of no friction, which is not the truth of the page.
+# The shear laws differ in an oblique impact. `shear none` agrees with a reference that neglects friction, but not with
+# the limit of the page.
 oblique=$cases/4-oblique/oblique-impact.md
 run 0 advise "$oblique" --set poisson=0.3 --set psi1=2 --quantity impact.psi2 --within 0.01 -o oblique &&
   said "$(grep -c '^# left out: .* times the tolerance' oblique/advice.tsv) other variants give too different values; the one with the smallest difference is normal hertz"

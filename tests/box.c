@@ -62,8 +62,8 @@ static void the_servo_follows_the_recursion(void) {
 }
 
 /* The proportional and the integral part together stay within `at most`: beyond it the integral part begins again. With
- * an error of 0.19 in the stress the proportional part is 0.19/(2 B T) = 0.0024, 0.3 of the limit of 1e-4 per cycle. The
- * integral part is set to 0.6 and to 0.9 of the limit. */
+ * an error of 0.19 in the stress the proportional part is 0.19/(2 B T) = 0.0024, 0.3 of the limit of 1e-4 per cycle.
+ * The integral part is set to 0.6 and to 0.9 of the limit. */
 static void both_parts_of_the_servo_stay_within_the_limit(void) {
   static const double integrals[] = {0.6, 0.9};
   for (int k = 0; k < 2; k++) {
@@ -195,9 +195,9 @@ static void box_stress_counts_the_four_walls(void) {
 }
 
 /* Heavy discs press on the walls of a box of 10 by 8: 100 and 50 on south, at -3 and 2 from its middle along the wall,
- * 20 and 50 on east, at 2 and -2, 80 on north, 10 on west. Then east moves along itself by 0.004 and drags its discs: 4,
- * of 10 and of 25 that friction allows. The wall `free`, which is given about an end, carries 100 at 2 from its middle; it
- * is no wall of the box. */
+ * 20 and 50 on east, at 2 and -2, 80 on north, 10 on west. Then east moves tangentially by 0.004 and drags its discs:
+ * 4, of 10 and of 25 that friction allows. The wall `free`, which is given about an end, carries 100 at 2 from its
+ * middle; it is no wall of the box. */
 static void forces_on_walls(void) {
   static const struct {
     const char *name;
@@ -241,6 +241,26 @@ static void forces_on_walls(void) {
   nb_result_free(&result);
 }
 
+/* Two discs are pressed by a box of 40 by 20. The ratio of the wall forces is the same in any direction of the box. */
+static void the_ratio_of_a_transformed_box(void) {
+  static const char *const transforms[] = {"none", "none rotate 1.5707963267948966", "none rotate 0.5", "x rotate 3.5"};
+  for (size_t k = 0; k < sizeof transforms / sizeof *transforms; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 1\ndisc 10.5 11 radius 11 m\ndisc 29.5 9 radius 11 m\n"
+              "box 0 0 to 40 20 m\ntransform mirror %s\nstep 1e-6\nrecord walls.ratio\nstage a\ncycles 1\n",
+              transforms[k]);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    /* overlaps: west 0.5, east 0.5, south 0 and 2, north 2 and 0 */
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "walls.ratio"), 0.5 / 2, 1e-9);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
 void suite_box(void) {
   CU_pSuite suite = CU_add_suite("box", NULL, NULL);
   CU_add_test(suite, "a servo through the box follows the recursion", the_servo_follows_the_recursion);
@@ -248,6 +268,7 @@ void suite_box(void) {
   CU_add_test(suite, "corners stay closed, also after transform", corners_stay_closed);
   CU_add_test(suite, "box.stress counts the four walls only", box_stress_counts_the_four_walls);
   CU_add_test(suite, "forces on walls: traction, moment, eccentricity, obliquity", forces_on_walls);
+  CU_add_test(suite, "ratio of the wall forces of a transformed box", the_ratio_of_a_transformed_box);
   CU_add_test(suite, "walls follow the box until they are moved otherwise", walls_follow_until_they_are_moved);
   CU_add_test(suite, "other walls keep their own motion", other_walls_keep_their_motion);
 }

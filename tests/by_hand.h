@@ -1,7 +1,7 @@
 /* The exact law of two elastic spheres (docs/CONTACT.md), implemented a second time for the tests: with no limit on the
  * number of rings, and no two rings are joined. The rings are listed from inside to outside by the overlap x (m) at
- * which each was added; D is the fraction of its friction limit that a ring carries. Slip removes rings from the outside
- * until the one in which its front lies, so a long path costs little.
+ * which each was added; D is the fraction of its friction limit that a ring carries. Slip removes rings from the
+ * outside until the one in which its front lies, so a long path costs little.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_BY_HAND_H

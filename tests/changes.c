@@ -104,8 +104,9 @@ static void a_wall_ramps(void) {
       5 + 4 + 3);
 }
 
-/* Wall k goes from rest to the velocity k in one stage of 8 cycles of 1/4, where its displacement is k. Only wall 1 ramps in
- * the other stage: from 1 to 0 after it, where the others move on by 2 k; or from 0 to 1 before it, and stays at 1. */
+/* Each of two stages has 8 cycles of 1/4. In one of them all walls ramp: wall k from rest to the velocity k, which
+ * displaces it by k. In the other one only wall 1 ramps. If that stage is the second one, wall 1 ramps from 1 to 0, and
+ * the others move on by 2 k. If it is the first one, wall 1 ramps from 0 to 1 and keeps this velocity. */
 static void many_walls_ramp(void) {
   enum { WALLS = 40 };
   for (int first = 0; first < 2; first++) {

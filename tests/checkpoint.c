@@ -1,5 +1,6 @@
-/* Every page interrupted after its first cycle, in the middle and at the end of a stage, and continued from the
- * checkpoint: all that the run returns is that of the run without interruption, to the last bit, and so is the last checkpoint.
+/* Every page is interrupted after its first cycle, in the middle and at the end of a stage, and continued from the
+ * checkpoint. All that the run returns, and the last checkpoint, must be those of the run without interruption, to the
+ * last bit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _POSIX_C_SOURCE 200809L
@@ -84,8 +85,8 @@ static char *untimed(const struct nb_scene *scene, unsigned long long key) {
   return text;
 }
 
-/* Whether the checkpoint of the run that was interrupted before is that of a run without interruption: all that a model keeps, to the last
- * bit. */
+/* Whether the checkpoint of the run that was interrupted before is that of a run without interruption: all that a model
+ * keeps, to the last bit. */
 static void compare_checkpoints(const struct nb_scene *scene, const char *name) {
   char *whole = untimed(scene, 2), *interrupted = untimed(scene, 1);
   CU_ASSERT(whole && interrupted);
@@ -111,7 +112,8 @@ static void check_last(const struct nb_scene *scene, const char *name, unsigned 
   remove_checkpoint(scene, 2);
 }
 
-/* In four sessions, on one thread and on two. */
+/* Runs the scene in up to four sessions, on one thread and on two in turn, and compares it with an uninterrupted
+ * run. */
 static void interrupt_page(struct nb_scene *scene, const char *name) {
   struct nb_error error = {NB_OK, ""};
   struct nb_result whole, result;
@@ -147,8 +149,8 @@ static void interrupt_page(struct nb_scene *scene, const char *name) {
   remove_checkpoint(scene, 1);
 }
 
-/* What no page has, or not at once: a servo beside a strain rate, ramps, and changes since a stage, in the middle of which the run is
- * interrupted. */
+/* Scenes with features that no page has, or that no page combines: a servo beside a strain rate, ramps, and changes
+ * since a stage. The run is interrupted in the middle of such a stage. */
 static const char head[] =
     "units none\nmaterial m density 3 kn 5000 ks 4000 friction 0.3\nshear linear\nregion A all\nstep 0.001\n"
     "record time energy.residual work.residual energy.imposed energy.walls step.fracc step.stable A.stress.xx\n"
@@ -169,8 +171,9 @@ static const char *const scenes[] = {
     "stage stop\nwalls stop\ncycles 20\nsnapshot from slide\n",
 };
 
-/* Elastic spheres. The first overlaps are beyond the range of their theory. Others grow so slowly that between two searches, at cycles 315
- * and 420, the stability of the step must be checked again: the run is interrupted at cycle 330, before that, and at cycle 370. */
+/* Elastic spheres. The first overlaps are beyond the range of their theory. Others grow so slowly that between two
+ * searches, at cycles 315 and 420, the stability of the step must be checked again: the run is interrupted at cycle
+ * 330, before that, and at cycle 370. */
 static const char elastic[] =
     "units none\nmaterial m density 3 young 5000 poisson 0.2 friction 0.3\nnormal hertz\nshear mindlin\n"
     "record time energy.residual\n";

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Runs that are interrupted, killed, and continued from a checkpoint: the tables are those of an uninterrupted run. What
-# goes wrong with the files of checkpoints has a message each. NINEBALL_KILLS is the number of kills. TAP.
+# Runs that are interrupted, killed, and continued from a checkpoint: the tables are those of an uninterrupted run.
+# Every failure with the files of checkpoints has a message of its own. NINEBALL_KILLS is the number of kills. TAP.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
@@ -30,6 +30,7 @@ stage     press
   ramp    material m friction 0.1
   cycles  12000
   record  every 100 cycles
+  snapshot from fall
 ```
 ```expect
 time  expected 36 within 1 ppm  [18000 cycles]
@@ -142,6 +143,10 @@ sed 's/^record .*/record time/' "$work/text" >"$page"
 again
 test $? -eq 2 && said 'in what it records'
 result $? 'other columns: an error'
+sed 's/snapshot from fall/snapshot/' "$work/text" >"$page"
+again
+test $? -eq 2 && said 'in what it records'
+result $? 'a snapshot from another stage: an error'
 sed 's/^# Spheres.*/# Spheres in a box/; s/1 ppm/2 ppm/' "$work/text" >"$page"
 again && ! said 'there is no checkpoint' || said ', run friction=0.6'
 result $? 'another title or tolerance: it continues'

@@ -202,7 +202,7 @@ static void comes_back(void) {
   written_free(&it);
 }
 
-/* No line, whichever of the two is removed. */
+/* The lattice has no line for the contact, whichever of its two particles is removed. */
 static void no_line_to_a_removed_particle(void) {
   for (int removed = 1; removed <= 2; removed++) {
     struct words page = {0};

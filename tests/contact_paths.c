@@ -2,7 +2,7 @@
  *
  * contact_paths -o DOCUMENT FOLDER   writes docs/PATHS.md, and tables into the folder: ten million steps of each pair of
  *                                    laws on each kind of path
- * contact_paths                      tests a hundred thousand steps of each, and planted wrong laws that must be seen
+ * contact_paths                      tests a hundred thousand steps of each, and laws with planted errors that must be detected
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdio.h>
@@ -14,8 +14,8 @@
 enum { SHORT = 100000, LONG = 10000000, EXACT = 500000 }; /* steps; EXACT: of the comparison with the list */
 enum { COMPARED = KIND_DECADES };                         /* kinds of path for that comparison */
 
-/* Allowed error of T over mu N, for each memory. They are measured: about three times the largest error of docs/PATHS.md.
- * With memory to spare only merges remain, of which each changes T by less than 1e-7 mu N. */
+/* Allowed errors of T over mu N, for each memory. They are measured: about three times the largest error of
+ * docs/PATHS.md. With memory to spare only merges remain, of which each changes T by less than 1e-7 mu N. */
 static const double allowed[COMPARED + RUNS][MEMORIES] = {
     {0.3, 0.1, 0.01, 1e-5, 1e-7},      {0.1, 0.02, 2e-3, 2e-4, 1e-7},       {0.2, 0.03, 5e-3, 1e-3, 1e-7},
     {0.2, 0.03, 5e-3, 1e-3, 1e-7},     {0.3, 0.02, 1e-4, 1e-6, 1e-7},       {0.2, 0.1, 0.05, 0.02, 1e-7},
@@ -247,11 +247,11 @@ static void write_laws(struct files *files) {
       "# Contact laws on random paths\n\n"
       "`make paths` writes this document ([contact_paths.c](../tests/contact_paths.c)). It leads every contact law of\n"
       "`nineball laws` along random paths, and compares the exact law with a calculation that keeps all rings.\n"
-      "[CONTACT](CONTACT.md) explains the laws. A test of `make check` goes a shorter way, and it also runs planted\n"
-      "wrong laws, which it must notice.\n\n"
+      "[CONTACT](CONTACT.md) explains the laws. A test of `make check` uses shorter paths. It also runs laws\n"
+      "with planted errors, which it must detect.\n\n"
       "## The paths\n\n"
-      "A path is a series of points of overlap and tangential displacement. Each contact draws its own numbers,\n"
-      "such as amplitude, decay and period, over one to three decades. At the end it opens, and the next one "
+      "A path is a series of points of overlap and tangential displacement. Each contact has its own random numbers,\n"
+      "such as amplitude, decay and period, which span one to three decades. At the end it opens, and the next one "
       "begins.\n\n");
   for (int kind = 0; kind < KINDS; kind++)
     fprintf(files->out, "- **%s:** %s\n", kind_names[kind], kind_titles[kind]);
@@ -268,14 +268,15 @@ static void write_laws(struct files *files) {
       "**Energy.** Most laws promise that no closed path creates energy. So a contact never returns more work than it\n"
       "was given since first touch. The stored energy, where a law has one, never grows by more than the work. Each\n"
       "segment is led in four and in eight steps. Sixteen times the difference of both works is the error of the\n"
-      "finite steps. Only what exceeds it counts. Jumps over decades are too large for this account.\n\n"
+      "finite steps. Only energy in excess of it counts. Jumps over decades are too large for this account.\n\n"
       "The table has the largest values of all paths. *Excess* is that of $\\lvert T \\rvert$ over its limit. "
       "*Created* is the\n"
       "energy created by a contact over the energy that it was given. *Stored beyond work* is the growth of the "
       "stored\n"
-      "energy that is not work, over the same. [laws.tsv](paths/laws.tsv) has each kind of path.\n\n"
+      "energy that is not work, also over the energy given. The last column names the check that failed, if any.\n"
+      "[laws.tsv](paths/laws.tsv) has each kind of path.\n\n"
       "| normal | shear | promises energy | excess | created, friction ≤ 1 | created, friction ≥ 10 | stored beyond "
-      "work | broken |\n"
+      "work | failed check |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- |\n",
       (double)LONG);
   fputs("normal\tshear\tkind\tsteps\tcontacts\texcess\tcreated\tcreated.high\tgrown\n", files->table);
@@ -290,9 +291,8 @@ static void write_causes(FILE *out) {
         "  small one.\n"
         "- `randall` stores two reversals and one number for all rings that stuck while the overlap grew. A reversal\n"
         "  deletes that number, so the law forgets rings that still carry a force. With a friction of 10 or more a\n"
-        "  contact hardly slips, and the energy given is small. Then $\\mu \\Delta N$ is large against the change of "
-        "$T$\n"
-        "  that it should cause, and the law's sum of both is mostly error.\n"
+        "  contact hardly slips, and the energy given is small. Then $\\mu \\Delta N$ is large compared with the\n"
+        "  change of $T$ that it should cause, and the law's sum of both is mostly error.\n"
         "- `randall_literal` has the errors of the printed text as well.\n"
         "- `mindlin_deresiewicz` joins pieces when its memory is full. A join changes the stored energy slightly, in\n"
         "  either direction. The law counts this change as loss.\n",
@@ -312,7 +312,7 @@ static void write_exact(struct files *files) {
             run_names[run], run_names[run]);
   fputs(
       "\nThe table has the largest error, and the root mean square in parentheses. The column *rings* is the longest\n"
-      "list. With 4096 pieces only merges remain that change $T$ by less than 1e-7 of $\\mu N$.\n\n"
+      "list. With 4096 pieces the only joins are those that change $T$ by less than 1e-7 of $\\mu N$.\n\n"
       "| path | steps | rings |",
       files->out);
   fputs("path\tmemory\tworst\tmean\n", files->table);
@@ -331,7 +331,7 @@ static void write_exact(struct files *files) {
       "  in *ringing*, *both* and *sheared*. The law joins the two pieces whose join changes $T$ least at the present\n"
       "  overlap.\n"
       "- In *rolling* the overlap then falls to a small part of its largest value. The error of inner pieces remains,\n"
-      "  and it is divided by a $\\mu N$ that is much smaller. So this is the largest error of all.\n"
+      "  and it is divided by a $\\mu N$ that is much smaller. So with 32 and 64 pieces this is the largest error.\n"
       "- Cycles that repeat erase their own corners. So *ratchet* needs few pieces, however long it is.\n"
       "- The contacts of *bounce* and *incline* mostly slide or vibrate with overlap and displacement in step. Their\n"
       "  paths have few corners.\n",

@@ -1,6 +1,6 @@
-/* The history of the exact law, a path of corners in overlap and tangential displacement: when a step adds a piece,
- * which corner is dropped when all pieces are in use, what a closed loop erases, and what a change of friction does.
- * Compared with sums over the rings (by_hand.h), and with geometry.
+/* Tests of the history of the exact law, which is a path of corners in overlap and tangential displacement: when a step
+ * adds a piece, and which corner is dropped when all pieces are in use. Further tests show what a closed loop erases,
+ * and what a change of friction does. Results are compared with sums over the rings (by_hand.h), and with geometry.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -155,9 +155,10 @@ static void corners_move(void) {
 
 /* ---- the law with its pieces ---- */
 
-/* A step adds a piece if a merge would change u by |D_1 - D_2| x_1 x_2/(x_1 + x_2) = 1e-7/1.5 x or more; the error that the
- * piece before has already is subtracted from this limit. Where the larger u at both ends of the new piece is below x/100,
- * it counts a hundredfold instead of x. Both signs, rings and slip, without and with a piece before, and small u. */
+/* A step adds a piece if a merge would change u by |D_1 - D_2| x_1 x_2/(x_1 + x_2) = 1e-7/1.5 x or more; the error
+ * that the piece before has already is subtracted from this limit. Where the larger |u| of the two ends of the new
+ * piece is below x/100, 100 |u| replaces x in this limit. The test covers both signs, rings and slip, a first piece and
+ * a later one, and small u. */
 static void small_pieces_join(void) {
   static const struct {
     double first, before, d; /* x and -D of the piece before, D of the piece that is joined */

@@ -23,7 +23,7 @@ result $? "neither do pages with friction or dashpots, apart from theirs"
 sh "$top/tests/bench/cost.sh" --proof later-dashpots later-affine later-cell >"$why" 2>&1
 result $? "neither do pages of which only a later stage uses a feature"
 
-# A page is not what it says: the proof must see it.
+# A page uses a feature that it does not declare: the proof must find it.
 sed 's/^base | - | | frame discs | |/base | - | | frame discs | | gravity 0 m\/s2 -1 m\/s2/; s/^linear | base | rotation/linear | base | walls rotation/' \
   "$top/tests/bench/cost.sh" >"$work/wrong.sh"
 sh "$work/wrong.sh" --proof base >"$why" 2>&1

@@ -69,7 +69,7 @@ static void within_in_95_percent(void) {
   free(draws);
 }
 
-/* Two of the twenty of a kind miss it, then three; without one of the answers it is three of nineteen. */
+/* Of the twenty draws of a kind two miss the tolerance, then three; without one answer, three of nineteen do. */
 static void within_in_90_percent_of_each_kind(void) {
   struct draw *draws = make_draws();
   whole(&draws[40])->error = whole(&draws[41])->error = 2;
@@ -151,7 +151,7 @@ static void the_share_that_is_enough(void) {
   CU_ASSERT(is_enough(0, 0));
 }
 
-/* About half of them. */
+/* About half of the names are held out. */
 static void names_of_pages_decide_the_half(void) {
   size_t held = 0;
   for (int k = 0; k < 1000; k++) {

@@ -126,8 +126,8 @@ static void coefficients(void) {
   }
 }
 
-/* `damping centred`: the force at t_N has the velocity of t_(N-1/2) plus half of its last change. At time 0 it is that of
- * the page. The dashpot of an old contact is not weighted. */
+/* `damping centred`: the force at t_N has the velocity of t_(N-1/2) plus half of its last change. At time 0 it is that
+ * of the page. The dashpot of an old contact is not weighted. */
 static void centred(void) {
   struct written it;
   struct nb_model *model = two_discs(&it, "stiffness 0.02\ndamping centred", "disc 2.9 0.5 radius 2 b spin 0.25", 10);
@@ -171,8 +171,8 @@ static void stable_step_of_centred_dashpots(void) {
   CU_ASSERT_DOUBLE_EQUAL(step[0], step[1], 1e-12 * step[1]);
 }
 
-/* A run that continues in any cycle of an impact is the same to the bit, also in the one in which the contact has opened
- * and the dashpot still acts. */
+/* A run that continues in any cycle of an impact is the same to the bit, also in the one in which the contact has
+ * opened and the dashpot still acts. */
 static void continued_impact(void) {
   struct words page = {0};
   struct written it;
@@ -194,8 +194,9 @@ static void continued_impact(void) {
   written_free(&it);
 }
 
-/* First touch at the end of a step, or at time 0: whether the overlap is then 0, or larger or smaller by rounding, the dashpot acts for
- * the same time. A gap that differs by 1e-12 of a step's displacement changes the restitution by no more than that. */
+/* First touch is at the end of a step, or at time 0. The dashpot then acts for the same time, whether the overlap is 0
+ * or differs from 0 by rounding. A gap that differs by 1e-12 of a step's displacement changes the restitution by no
+ * more than that. */
 static void a_touch_at_the_end_of_a_step(void) {
   static const double offsets[] = {0, 1e-17, 1e-16, 1e-15, 1e-14, -1e-17, -1e-16, -1e-15, -1e-14};
   static const char *const laws[] = {"normal linear", "normal hertz"};
@@ -284,11 +285,11 @@ static void sliding(void) {
   written_free(&it);
 }
 
-/* A disc at a wall. The contact ends with the overlap, although the dashpot pulls before that. It lasts half a
- * period of the damped oscillation, so e = exp(-pi beta/sqrt(1 - beta^2)). First touch, separation and the half step
- * of the dashpot are each late by up to a step, which changes the velocity by up to the fraction c dt/m = 2 beta w
- * dt. With `damping centred` the error is of second order: (3/8) pi beta (w dt)^2 by the prediction of the velocity, and
- * terms in beta^2. */
+/* A disc at a wall. The contact ends with the overlap, although the dashpot pulls before that. It lasts half a period
+ * of the damped oscillation, so e = exp(-pi beta/sqrt(1 - beta^2)). First touch, separation and the half step of the
+ * dashpot are each late by up to a step, which changes the velocity by up to the fraction c dt/m = 2 beta w dt. With
+ * `damping centred` the error is of second order: (3/8) pi beta (w dt)^2 by the prediction of the velocity, and terms
+ * in beta^2. */
 static void restitution(void) {
   const double m = pi * 3, w = sqrt(400 / m);
   static const double betas[] = {0.02, 0.1, 0.3};

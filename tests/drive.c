@@ -113,8 +113,8 @@ static void dashpots_see_the_strain(void) {
   }
 }
 
-/* The ellipse reaches discs at rest, and nothing moves, so no search lists the candidates again: the boundary itself must
- * notice that it has moved. Half the height of the ellipse is 20 (1 - 0.01 dt)^n after n cycles. */
+/* The ellipse reaches discs at rest, and nothing moves, so no search lists the candidates again: the boundary itself
+ * must notice that it has moved. Half the height of the ellipse is 20 (1 - 0.01 dt)^n after n cycles. */
 static void discs_at_rest_join_the_boundary(void) {
   static const char *const skins[] = {"", "skin 0.01\n", "skin 0.5\n"};
   for (size_t k = 0; k < 3; k++) {
@@ -198,8 +198,8 @@ static void particles_join_the_boundary(void) {
   }
 }
 
-/* A circle that shrinks by the factor 1 - 0.01 dt in each cycle takes in discs at rest, from the first cycle that begins
- * with the disc on it or outside. The step doubles with stage b. The discs lie halfway between two circles. */
+/* A circle that shrinks by the factor 1 - 0.01 dt in each cycle takes in discs at rest, from the first cycle that
+ * begins with the disc on it or outside. The step doubles with stage b. The discs lie halfway between two circles. */
 static void a_shrinking_circle_takes_in_discs_at_rest(void) {
   enum { CYCLES = 8, CHANGE = 4 };
   struct words page = {0};

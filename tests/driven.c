@@ -128,8 +128,8 @@ static void a_boundary_is_fixed_again(void) {
   nb_result_free(&result);
 }
 
-/* A disc that moves outward meets the boundary that moves inward, in the same cycle whatever the skin is: the list of
- * discs that may join reaches as far as both can move before it is made again. */
+/* A disc that moves outward joins the boundary that moves inward, in the same cycle whatever the skin is. For this, the
+ * list of discs that may join must reach as far as both can move before it is made again. */
 static void no_disc_passes_a_boundary_that_comes_to_meet_it(void) {
   double joined[4];
   static const double skins[] = {0.02, 0.4, 1, 3};
@@ -253,8 +253,8 @@ static void normal_increment_with_affine_motion_twice(void) {
   nb_result_free(&result);
 }
 
-/* A shear c21 = g per cycle: the first sphere moves by g D_0 relative to the other one. t is then (g, -1)/(1 + g^2)^(1/2), and L z
- * has the same component along it once more. */
+/* A shear c21 = g per cycle: the first sphere moves by g D_0 relative to the other one. t is then (g, -1)/(1 +
+ * g^2)^(1/2), and L z has the same component along it once more. */
 static void tangential_increment_with_affine_motion_twice(void) {
   const double g = 1e-3, d0 = 1.9;
   struct nb_result result;
@@ -295,8 +295,8 @@ static void one_strain_after_another(void) {
   }
 }
 
-/* The velocity at the end of a step is the mean of those over the step before and the step after it, whatever imposes a part
- * of them. */
+/* The velocity at the end of a step is the mean of those over the step before and the step after it, whatever imposes a
+ * part of them. */
 static void velocities_are_means_of_half_steps(void) {
   static const struct {
     const char *scene, *stage;

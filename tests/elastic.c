@@ -101,7 +101,7 @@ struct stuck {
   double m[NB_HISTORY];
 };
 
-/* To this contact radius, then by this slip. */
+/* One step: changes the contact radius to this value, then adds this slip. */
 static void stuck_go(struct stuck *it, double radius, double slip) {
   it->radius = radius;
   const double overlap = radius * radius / pair.radius, before = it->force;

@@ -1,7 +1,7 @@
 /* Long runs of one particle and of one contact: how rounding adds up over up to 1e9 cycles.
  *
  * endurance -o TABLE [CYCLES]   writes the drifts against the number of cycles, 1e9 by default; `make extremes` does
- * endurance                     tests the first million cycles, also with planted errors that must be seen
+ * endurance                     tests the first million cycles, also with planted errors that must be detected
  *
  *   oscillation  A disc between two walls that never opens a contact. The scheme then has the exact solution
  *           x_n = A cos(n theta), v_n = -(A sin(theta)/dt) sin(n theta), with 2 sin(theta/2) = omega dt.
@@ -29,7 +29,7 @@ static void fail(const char *what) {
   exit(2);
 }
 
-static double planted; /* a relative error of step, velocities and displacements that must be seen */
+static double planted; /* a relative error of step, velocities and displacements that must be detected */
 
 /* ---- a run of a page, cycle by cycle ---- */
 
@@ -47,9 +47,7 @@ static void run_begin(struct run *run, const char *name) {
   struct nb_error error = {0};
   snprintf(path, sizeof path, "%s/tests/pages/%s.md", top ? top : ".", name);
   *run = (struct run){0};
-  nb_page_read(&run->page, path, &mistakes);
-  nb_scene_read(&run->scene, &run->page, 0, NULL, &mistakes);
-  if (mistakes.count)
+  if (nb_page_read(&run->page, path, &mistakes) || nb_scene_read(&run->scene, &run->page, 0, NULL, &mistakes))
     fail(mistakes.text);
   nb_mistakes_free(&mistakes);
   run->model = nb_model_create(&run->scene, &options, &error);
@@ -140,8 +138,8 @@ static void loop_drifts(struct loop *loop, double drift[DRIFTS]) {
 
 /* ---- all of them ---- */
 
-/* A drift is below `linear` times eps N plus `root` times eps N^(1/2) plus `scheme` times (omega dt)^(5/2) and the root of
- * the number of bounces. */
+/* After N cycles a drift is below linear eps N + root eps N^(1/2) + scheme (omega dt)^(5/2) B^(1/2), where eps is
+ * DBL_EPSILON and B the number of bounces. */
 static const struct series {
   const char *name;
   double linear, root, scheme;

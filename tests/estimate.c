@@ -25,8 +25,8 @@ static void richardson_finds_the_error_of_a_power(void) {
   }
 }
 
-/* Steps that are not halved: the estimate is never below the error, and at most 1.71 times as large, its value for the order 2
- * and three steps of the ratio 1.5. */
+/* Steps that are not halved: the estimate is never below the error, and at most 1.71 times as large, its value for the
+ * order 2 and three steps of the ratio 1.5. */
 static void other_ratios_give_no_smaller_estimate(void) {
   for (double p = 0.5; p <= 2; p += 0.25)
     for (double first = 1.5; first <= 2; first += 0.125)

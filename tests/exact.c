@@ -253,8 +253,8 @@ static void very_small_friction(void) {
     }
 }
 
-/* Friction so high that the contact never comes near sliding: T is accurate relative to itself, not only to mu N. Slip is
- * some fraction of the overlap, so u is about a millionth of x. */
+/* Friction so high that the contact never comes near sliding: T is accurate relative to itself, not only to mu N. Slip
+ * is some fraction of the overlap, so u is about a millionth of x. */
 static void very_high_friction(void) {
   static struct by_hand hand;
   struct chance chance = chance_begin(8);

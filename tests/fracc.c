@@ -61,7 +61,7 @@ static void as_defined(void) {
 
 /* In the step in which a disc at rest is hit, its force sum changes but it does not move, so it has no FRACC; the
  * disc that hits it has one. That disc has the speed 1 and the overlap 0.02 after the first step, so dSF = 0.02 k_n.
- * In the second step the overlap grows by 0.03 less what the force moves both discs apart. */
+ * In the second step the overlap grows by 0.03 minus the distance by which the force moves the discs apart. */
 static void no_displacement_no_fracc(void) {
   struct words page = {0};
   struct written it;

@@ -277,6 +277,25 @@ static void friction_without_effect(void) {
   }
 }
 
+/* Rows without a quantity would be empty. */
+static void empty_rows(void) {
+  static const struct {
+    const char *records, *in_stage;
+    const char *wanted;
+  } cases[] = {{"", "record every 5 cycles", "8: `record every` writes empty rows: no quantity is recorded\n"},
+               {"", "record none", ""},
+               {"record time", "record every 5 cycles", ""}};
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    char text[2000], statements[256];
+    snprintf(statements, sizeof statements,
+             "material m density 1 kn 1\ndisc 0 0 radius 1 m\nstep 1e-6\n%s\nstage a\n%s\ncycles 9", cases[k].records,
+             cases[k].in_stage);
+    if (strcmp(warned(text, statements), cases[k].wanted) != 0)
+      printf("# %s\n", text);
+    CU_ASSERT_STRING_EQUAL(text, cases[k].wanted);
+  }
+}
+
 /* ulp(2^23) = 2^-29 is a thousandth of the overlap 1000 x 2^-29. */
 static void resolution_of_coordinates(void) {
   char text[2000];
@@ -355,6 +374,7 @@ void suite_guard(void) {
   CU_add_test(suite, "rotation in a step", rotation_in_a_step);
   CU_add_test(suite, "overlap during the run", overlap_during_the_run);
   CU_add_test(suite, "friction without effect", friction_without_effect);
+  CU_add_test(suite, "rows without a quantity", empty_rows);
   CU_add_test(suite, "resolution of coordinates", resolution_of_coordinates);
   CU_add_test(suite, "resolution that gets coarse", resolution_that_gets_coarse);
   CU_add_test(suite, "resolution and mean overlap", resolution_and_mean_overlap);

@@ -15,7 +15,7 @@
 #include "suites.h"
 
 /* The results at the end of a stage. */
-struct seen {
+struct stage_end {
   char *state;
   double *values; /* of the columns */
   double step;
@@ -23,24 +23,24 @@ struct seen {
 
 static const struct nb_options options = {.threads = 1, .keep_all = true};
 
-static void look(struct seen *seen, const struct nb_model *model) {
+static void look(struct stage_end *ends, const struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
   struct nb_saved saved;
   struct nb_error error = {NB_OK, ""};
   size_t size;
   CU_ASSERT_EQUAL_FATAL(nb_saved_capture(&saved, model, &error), NB_OK);
-  seen->state = nb_saved_text(&saved, &size);
+  ends->state = nb_saved_text(&saved, &size);
   nb_saved_free(&saved);
-  seen->values = calloc(scene->column_count, sizeof *seen->values);
+  ends->values = calloc(scene->column_count, sizeof *ends->values);
   for (size_t c = 0; c < scene->column_count; c++)
-    seen->values[c] = nb_quantity_value(scene->columns[c].quantity, model);
-  seen->step = model->step;
+    ends->values[c] = nb_quantity_value(scene->columns[c].quantity, model);
+  ends->step = model->step;
 }
 
-static void forget(struct seen *seen, size_t count) {
+static void forget(struct stage_end *ends, size_t count) {
   for (size_t s = 0; s < count; s++)
-    free(seen[s].state), free(seen[s].values);
-  free(seen);
+    free(ends[s].state), free(ends[s].values);
+  free(ends);
 }
 
 /* Runs stage s to its last cycle; false if the run is aborted. */
@@ -56,15 +56,15 @@ static bool run_stage(struct nb_model *model, size_t s) {
 }
 
 /* The results at the end of each stage; *count: the number of stages that ran. */
-static struct seen *run_all(const struct nb_scene *scene, size_t *count) {
+static struct stage_end *run_all(const struct nb_scene *scene, size_t *count) {
   struct nb_error error = {NB_OK, ""};
   struct nb_model *model = nb_model_create(scene, &options, &error);
   CU_ASSERT_PTR_NOT_NULL_FATAL(model);
-  struct seen *seen = calloc(scene->stage_count, sizeof *seen);
+  struct stage_end *ends = calloc(scene->stage_count, sizeof *ends);
   for (*count = 0; *count < scene->stage_count && run_stage(model, *count); ++*count)
-    look(&seen[*count], model);
+    look(&ends[*count], model);
   nb_model_free(model);
-  return seen;
+  return ends;
 }
 
 /* ---- halves ---- */
@@ -137,8 +137,8 @@ static bool same(double a, double b, double fraction) {
   return a == b || (isnan(a) && isnan(b)) || fabs(a - b) <= fraction * fmax(fabs(a), fabs(b));
 }
 
-static bool same_values(const struct nb_scene *scene, const struct seen *a, const struct seen *b, const char *name,
-                        const char *what, bool counts, bool rounds) {
+static bool same_values(const struct nb_scene *scene, const struct stage_end *a, const struct stage_end *b,
+                        const char *name, const char *what, bool counts, bool rounds) {
   bool held = true;
   for (size_t c = 0; c < scene->column_count && held; c++) {
     const char *column = scene->columns[c].name;
@@ -165,7 +165,8 @@ static bool same_text(const char **a, const char **b) {
 
 /* Compares all records before the checksum; without `times` only those from the record of units on, before which are
  * names and times. */
-static bool same_states(const struct seen *a, const struct seen *b, const char *name, const char *what, bool times) {
+static bool same_states(const struct stage_end *a, const struct stage_end *b, const char *name, const char *what,
+                        bool times) {
   const char *one = times ? a->state : strstr(a->state, "\nunits"),
              *other = times ? b->state : strstr(b->state, "\nunits");
   if (same_text(&one, &other) || !strstr(one, "\nend "))
@@ -179,7 +180,7 @@ static void check_halves(struct nb_scene *scene, const char *name, bool again) {
   struct nb_stage *stages = scene->stages;
   bool one_way = true;
   size_t whole, parts;
-  struct seen *uncut = run_all(scene, &whole);
+  struct stage_end *uncut = run_all(scene, &whole);
   struct nb_stage *cut = halves(scene, again);
   for (size_t s = 0; s < whole; s++)
     for (size_t h = 0; h < 2; h++)
@@ -187,20 +188,20 @@ static void check_halves(struct nb_scene *scene, const char *name, bool again) {
   scene->stages = cut, scene->stage_count = 2 * whole;
   for (size_t r = 0; r < scene->region_count; r++)
     scene->regions[r].stage *= scene->regions[r].stage > 0 ? 2 : 1;
-  struct seen *seen = run_all(scene, &parts);
+  struct stage_end *ends = run_all(scene, &parts);
   for (size_t s = 0; s < whole && one_way && 2 * s + 1 < parts; s++) {
     char what[64];
     snprintf(what, sizeof what, "stage %zu in two%s", s + 1, again ? ", statements repeated" : "");
     one_way = !ramps(&stages[s]);
     if (one_way) {
-      CU_ASSERT(same_values(scene, &uncut[s], &seen[2 * s + 1], name, what, true, again));
-      CU_ASSERT(same_states(&uncut[s], &seen[2 * s + 1], name, what, false));
+      CU_ASSERT(same_values(scene, &uncut[s], &ends[2 * s + 1], name, what, true, again));
+      CU_ASSERT(same_states(&uncut[s], &ends[2 * s + 1], name, what, false));
     }
   }
   for (size_t r = 0; r < scene->region_count; r++)
     scene->regions[r].stage /= scene->regions[r].stage > 0 ? 2 : 1;
   scene->stages = stages, scene->stage_count = count;
-  forget(uncut, count), forget(seen, 2 * whole);
+  forget(uncut, count), forget(ends, 2 * whole);
   free(cut);
 }
 
@@ -217,10 +218,11 @@ static void every_stage_in_two(void) { every_page(halves_are_the_whole, 1.2e4); 
 /* ---- from a state ---- */
 
 /* Continues from the state at the end of stage s, and compares the results at the end of the next one. */
-static void go_on(struct nb_scene *scene, const struct seen *from, const struct seen *to, size_t s, const char *name) {
+static void go_on(struct nb_scene *scene, const struct stage_end *from, const struct stage_end *to, size_t s,
+                  const char *name) {
   struct nb_saved saved;
   struct nb_error error = {NB_OK, ""};
-  struct seen here, there;
+  struct stage_end here, there;
   char what[64];
   snprintf(what, sizeof what, "from half %zu", s + 1);
   scene->start.stages = s + 1;
@@ -268,11 +270,11 @@ static void states_go_on(struct nb_scene *scene, const char *name) {
   size_t parts;
   two_cycles_each(scene);
   scene->stages = cut = halves(scene, false), scene->stage_count = 2 * count;
-  struct seen *seen = run_all(scene, &parts);
+  struct stage_end *ends = run_all(scene, &parts);
   for (size_t s = 0; s + 1 < parts; s++)
-    note_records(seen[s].state), go_on(scene, &seen[s], &seen[s + 1], s, name);
+    note_records(ends[s].state), go_on(scene, &ends[s], &ends[s + 1], s, name);
   scene->stages = stages, scene->stage_count = count;
-  forget(seen, 2 * count);
+  forget(ends, 2 * count);
   free(cut);
 }
 

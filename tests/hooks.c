@@ -188,7 +188,8 @@ static void passes_and_their_lines(void) {
   }
 }
 
-/* The forces at the time at which a stage begins are those of the stage before. So its passes run from the first cycle on. */
+/* The forces at the time at which a stage begins are those of the stage before. So its passes run from the first cycle
+ * on. */
 static void passes_of_a_stage(void) {
   static const struct {
     const char *hooks, *passes;

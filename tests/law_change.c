@@ -57,11 +57,14 @@ static void increments_without_a_shear_law(void) {
   CU_ASSERT_EQUAL(force[0], force[1]);
 }
 
-/* Another law, or another number of pieces, begins without a history. The same number, stated again, keeps it. The heavy
- * sphere slides at a constant velocity, d = 1e-5 in a cycle. T = k d, k = 8 G* a, in each cycle, less micro-slip, of
- * which the relative part is of the order of T/(mu N). With G* = 1000/(2 (1 + 0) 4) = 125 and a = (R* alpha)^(1/2) = 1/2
- * is k = 500 = k_s; N = 500/3, so T/(mu N) < 4e-5. A contact without a history has got its overlap and d together,
- * du/dalpha = d/alpha: T = integral of 8 G* (R* alpha')^(1/2) d/alpha dalpha' = 2/3 k d. */
+/* Another law, or another number of pieces, begins without a history. The same number, stated again, keeps it.
+ *
+ * The heavy sphere slides at a constant velocity, d = 1e-5 per cycle. In each cycle T grows by k d with k = 8 G* a. G*
+ * = 1000/(2 (1 + 0) 4) = 125 and a = (R* alpha)^(1/2) = 1/2, so k = 500, which is also k_s. Micro-slip reduces T by a
+ * fraction of the order of T/(mu N), which is below 4e-5 because N = 500/3.
+ *
+ * A contact without a history is treated as if overlap and slip had grown in proportion, du/dalpha = d/alpha. So
+ * T = integral of 8 G* (R* alpha')^(1/2) d/alpha dalpha' = 2/3 k d. */
 static void another_law_has_no_history(void) {
   static const struct {
     const char *first, *second;

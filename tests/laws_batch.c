@@ -1,6 +1,6 @@
-/* The batch forms of a law, which compute a block of contacts: the same bits as the law computed for one contact at
- * a time, with every instruction set and every number of contacts; nothing is written past the end; the history ends
- * with the contact.
+/* The batch forms of a law compute a block of contacts. They must give the same bits as the law computed for one
+ * contact at a time, with every instruction set and every number of contacts. They must write nothing past the end, and
+ * the history must end with the contact.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

@@ -117,4 +117,7 @@ result $? 'a file that is not text stays unchanged'
 "$nineball" migrate "$work/none.md" 2>"$work/said"
 test $? -eq 2 && grep -q 'cannot be read' "$work/said"
 result $? 'a missing page'
+"$nineball" migrate --in-place "$work/none.md" "$work/two.md" 2>"$work/said"
+test $? -eq 2 && grep -q 'none.md.*cannot be read' "$work/said"
+result $? 'a missing page before a valid one'
 echo "1..$n"

@@ -15,24 +15,24 @@
 #include "written.h"
 
 /* The number of progress reports and of notes, and the last text of each. */
-struct heard {
+struct reports {
   int calls, notes;
   char stage[512], note[1024];
   double fraction;
 };
 
 static void call(void *data, const char *stage, double fraction, double seconds) {
-  struct heard *heard = data;
+  struct reports *reports = data;
   CU_ASSERT(seconds >= 0);
   CU_ASSERT(fraction > 0 && fraction <= 1);
-  snprintf(heard->stage, sizeof heard->stage, "%s", stage);
-  heard->fraction = fraction, heard->calls++;
+  snprintf(reports->stage, sizeof reports->stage, "%s", stage);
+  reports->fraction = fraction, reports->calls++;
 }
 
 static void note(void *data, const char *text) {
-  struct heard *heard = data;
-  snprintf(heard->note, sizeof heard->note, "%s", text);
-  heard->notes++;
+  struct reports *reports = data;
+  snprintf(reports->note, sizeof reports->note, "%s", text);
+  reports->notes++;
 }
 
 /* Creates a temporary page with these statements and these expectations. */
@@ -88,21 +88,21 @@ static void progress(void) {
        4, 4, 0.75},
   };
   for (size_t k = 0; k < 2; k++) {
-    struct heard heard = {0};
-    const struct nb_progress both = {call, note, &heard}, neither = {NULL, NULL, &heard};
+    struct reports reports = {0};
+    const struct nb_progress both = {call, note, &reports}, neither = {NULL, NULL, &reports};
     struct nb_outcome outcome;
     make(&outcome, rows[k].sweep, "A.x expected 10 mm within 1e-12 m [t]", &both);
     CU_ASSERT_EQUAL(outcome.status, NB_OK);
     CU_ASSERT_EQUAL(outcome.check_count, (size_t)rows[k].runs);
-    CU_ASSERT(heard.calls >= rows[k].calls);
-    CU_ASSERT_STRING_EQUAL(heard.stage, rows[k].stage);
-    CU_ASSERT(heard.fraction > rows[k].fraction && heard.fraction <= rows[k].fraction + 0.5 / rows[k].runs);
-    CU_ASSERT_EQUAL(heard.notes, rows[k].runs);
-    CU_ASSERT_STRING_EQUAL(heard.note, rows[k].note);
+    CU_ASSERT(reports.calls >= rows[k].calls);
+    CU_ASSERT_STRING_EQUAL(reports.stage, rows[k].stage);
+    CU_ASSERT(reports.fraction > rows[k].fraction && reports.fraction <= rows[k].fraction + 0.5 / rows[k].runs);
+    CU_ASSERT_EQUAL(reports.notes, rows[k].runs);
+    CU_ASSERT_STRING_EQUAL(reports.note, rows[k].note);
     nb_outcome_free(&outcome);
-    heard = (struct heard){0};
+    reports = (struct reports){0};
     make(&outcome, rows[k].sweep, "A.x expected 10 mm within 1e-12 m [t]", &neither);
-    CU_ASSERT(outcome.status == NB_OK && heard.calls == 0 && heard.notes == 0);
+    CU_ASSERT(outcome.status == NB_OK && reports.calls == 0 && reports.notes == 0);
     nb_outcome_free(&outcome);
   }
 }
@@ -114,8 +114,8 @@ static void note_of_memory_size(void) {
                               "monitor A sphere 1\nstep 1 ms\nrecord time A.x\nstage one\ncycles 5\nstage two\n"
                               "shear mindlin_deresiewicz memory 6\ncycles 5";
   for (int given = 0; given < 2; given++) {
-    struct heard heard = {0};
-    const struct nb_progress progress = {call, note, &heard};
+    struct reports reports = {0};
+    const struct nb_progress progress = {call, note, &reports};
     struct nb_outcome outcome;
     char text[sizeof scene + 32], expected[256];
     snprintf(text, sizeof text, scene, given ? " memory 9" : "");
@@ -124,8 +124,36 @@ static void note_of_memory_size(void) {
              "instead of `memory %d`",
              given ? 9 : 64);
     carry_out(&outcome, text, "A.x expected 10 mm within 1e-12 m [t]", &progress);
-    CU_ASSERT_EQUAL(heard.notes, 1);
-    CU_ASSERT_STRING_EQUAL(heard.note, expected);
+    CU_ASSERT_EQUAL(reports.notes, 1);
+    CU_ASSERT_STRING_EQUAL(reports.note, expected);
+    nb_outcome_free(&outcome);
+  }
+}
+
+/* A stage that waits for equilibrium ends at once if nothing touches, which a note says. With contacts it says nothing. */
+static void note_without_contact_forces(void) {
+  static const char scene[] = "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m fixed\n"
+                              "disc %s 0 radius 1 m\nmonitor A disc 2\nrecord time A.x\nstep 0.1\nstage one\n"
+                              "cycles 1\nstage two\nuntil %s  at most 4 cycles";
+  static const struct {
+    const char *x, *condition;
+    bool noted;
+  } rows[] = {
+      {"5", "unbalanced.max below 1", true}, {"5", "time below 1", false}, {"1.9", "unbalanced.max above 0.5", false}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct reports reports = {0};
+    const struct nb_progress progress = {call, note, &reports};
+    struct nb_outcome outcome;
+    char text[sizeof scene + 32];
+    snprintf(text, sizeof text, scene, rows[k].x, rows[k].condition);
+    carry_out(&outcome, text, "report A.x", &progress);
+    if (outcome.status)
+      printf("# %s%s\n", outcome.error.text, outcome.mistakes.text ? outcome.mistakes.text : "");
+    CU_ASSERT_EQUAL(outcome.status, NB_OK);
+    CU_ASSERT_EQUAL(reports.notes, rows[k].noted);
+    CU_ASSERT(
+        !rows[k].noted ||
+        strstr(reports.note, "stage `two` ended in cycle 1 without a contact force, where `unbalanced.max` is 0"));
     nb_outcome_free(&outcome);
   }
 }
@@ -147,8 +175,8 @@ static void units(void) {
   nb_outcome_free(&outcome);
 }
 
-/* The first stage records nothing. A reported value needs rows of its own stage only. A comparison with a stage without rows
- * fails. The message about a curve has the units of both quantities. */
+/* The first stage records nothing. A reported value needs rows of its own stage only. A comparison with a stage without
+ * rows fails. The message about a curve has the units of both quantities. */
 static void stages_without_rows(void) {
   struct nb_outcome outcome;
   carry_out(&outcome,
@@ -172,8 +200,8 @@ static void stages_without_rows(void) {
   nb_outcome_free(&outcome);
 }
 
-/* Deep contacts are counted over all runs, in 9 cycles and at the start of each. The first one is named, with its run if
- * there are several runs. At a distance of 1.9 the contact is not deep. */
+/* Deep contacts are counted over all runs, in 9 cycles and at the start of each. The first one is named, with its run
+ * if there are several runs. At a distance of 1.9 the contact is not deep. */
 static void deep_overlaps_of_all_runs(void) {
   static const struct {
     const char *distances, *where;
@@ -203,7 +231,8 @@ static void deep_overlaps_of_all_runs(void) {
   }
 }
 
-/* The error of a run has the line of its particle, and the name of the run if there are several. No run is started after it. */
+/* The error of a run has the line of its particle, and the name of the run if there are several. No run is started
+ * after it. */
 static void error_of_a_run(void) {
   static const struct {
     const char *distances, *run;
@@ -276,8 +305,8 @@ static void warnings_of_all_runs(void) {
   }
 }
 
-/* 102 runs of 10,000 discs that fall freely, each with another gravity: the last ones lose their particles, and run with
- * them all the same. */
+/* 102 runs of 10,000 discs that fall freely, each with another gravity. To save memory only the first 100 runs keep
+ * their particles after the page is read. The others read them again when they begin, and their results are correct. */
 static void many_particles(void) {
   enum { RUNS = 102, KEPT = 100 };
   char scene[2048] = "units none\nsweep g";
@@ -300,9 +329,10 @@ static void many_particles(void) {
   nb_outcome_free(&outcome);
 }
 
-/* Results that were written to a temporary file and read again are those in memory, in any order of reading, whether all three runs or
- * only the last two are in the file. A file that cannot be written is one note, and the results stay in memory. One that cannot be read
- * any more is an error. As long as an outcome has a folder, no other one has it. */
+/* Results that were written to a temporary file and read again are those in memory. This holds in any order of reading,
+ * and whether all three runs or only the last two are in the file. A file that cannot be written causes one note, and
+ * the results stay in memory. A file that can no longer be read is an error. Two outcomes cannot use one folder at a
+ * time. */
 static void results_in_a_file(void) {
   static const char scene[] = "units none\nsweep v 1 2 3\nmaterial m density 1 kn 1 ks 1 friction 0.5\ndisc 0 0 radius "
                               "1 m velocity $v 0\nwall w 0.9 -9 to "
@@ -314,8 +344,8 @@ static void results_in_a_file(void) {
   char folder[] = "/tmp/nineball-outcome-XXXXXX", other[sizeof folder + 8];
   struct nb_options options = {.threads = 1, .jobs = 1, .results = {.bytes = 1 << 20, .folder = mkdtemp(folder)}};
   struct nb_outcome memory, outcome;
-  struct heard heard = {0};
-  const struct nb_progress progress = {NULL, note, &heard};
+  struct reports reports = {0};
+  const struct nb_progress progress = {NULL, note, &reports};
   CU_ASSERT_PTR_NOT_NULL_FATAL(options.results.folder);
   carry_out_with(&memory, scene, expectations, &options, NULL);
   CU_ASSERT_FATAL(memory.status == NB_OK && memory.run_count == 3 && memory.check_count == 5);
@@ -353,9 +383,9 @@ static void results_in_a_file(void) {
   options.results = (struct nb_results_kept){0, folder, true};
   carry_out_with(&outcome, scene, expectations, &options, &progress);
   CU_ASSERT(outcome.status == NB_OK && outcome.check_count == 5 && outcome.runs[2].result.table.row_count > 0);
-  CU_ASSERT(outcome.runs[2].result.snapshot_count == 0 && heard.notes == 1);
+  CU_ASSERT(outcome.runs[2].result.snapshot_count == 0 && reports.notes == 1);
   CU_ASSERT_PTR_NOT_NULL(
-      strstr(heard.note, "the results stay in memory: cannot write a temporary file in /tmp/nineball-outcome-"));
+      strstr(reports.note, "the results stay in memory: cannot write a temporary file in /tmp/nineball-outcome-"));
   nb_outcome_free(&outcome);
 }
 
@@ -365,7 +395,8 @@ static void remove_file(void *data, const char *stage, double fraction, double s
   unlink(data);
 }
 
-/* 101 runs of 10,000 discs, whose last one lost its particles: it reads them again, from a file that is gone by then. */
+/* 101 runs of 10,000 discs. The particles of the last run are not kept in memory; when they are to be read again, the
+ * file is gone. */
 static void a_file_that_is_removed(void) {
   char path[] = "/tmp/nineball-outcome-XXXXXX", scene[2048];
   const int descriptor = mkstemp(path);
@@ -431,8 +462,9 @@ static void interrupt(void *data, const char *stage, double fraction, double sec
   this->stop = fraction > 0.5;
 }
 
-/* A page with checkpoints that is interrupted in its second run: until it has ended no other outcome runs it with these
- * settings; then it is refused unless it resumes, for the second run's checkpoint is there. Other settings are free. */
+/* A page with checkpoints is interrupted in its second run. Until its outcome is freed, no other outcome runs the page
+ * with these settings. Then the page is refused unless it resumes, because the checkpoint of the second run exists.
+ * With other settings the page can be run at any time. */
 static void locks_and_checkpoints(void) {
   static const char scene[] = "units none\nlet w = 1\nsweep v 1 2\nmaterial m density 1 kn 1\n"
                               "disc 0 0 radius 1 m velocity $v 0\nmonitor A disc 1\nstep 1e-3\nrecord A.x\nstage s\n"
@@ -479,6 +511,7 @@ void suite_outcome(void) {
   CU_pSuite suite = CU_add_suite("outcome", NULL, NULL);
   CU_add_test(suite, "progress and notes of several runs", progress);
   CU_add_test(suite, "a note of the memory size that changes", note_of_memory_size);
+  CU_add_test(suite, "a note of an equilibrium without contacts", note_without_contact_forces);
   CU_add_test(suite, "units of reported values", units);
   CU_add_test(suite, "stages without rows", stages_without_rows);
   CU_add_test(suite, "error of a run", error_of_a_run);

@@ -160,7 +160,7 @@ if command -v script >/dev/null; then # both streams are the same terminal
   verdict 'warnings: once on a terminal, twice if standard output is a file'
 fi
 
-for page in 5-numerics/rayleigh-mean:gap='1e300 mm' 8-published/chung-ooi-6:beta=1e9; do # once their solution never ended
+for page in 5-numerics/rayleigh-mean:gap='1e300 mm' 8-published/chung-ooi-6:beta=1e9; do # formerly their solution never ended
   run 2 check "$cases/${page%%:*}.md" --set "${page#*:}"
   said "$cases/${page%%:*}.md: error: "
 done

@@ -1,5 +1,5 @@
-/* The measures of a region, computed again from the snapshot of the same time: every sum over the region from the
- * tables of particles and contacts, by its definition and not by the code of the simulator.
+/* The measures of a region, computed again from the snapshot of the same time. Every sum over the region is taken
+ * from the tables of particles and contacts, by its definition and not by the code of the simulator.
  *
  * Tolerance: 1e-11 of the size of the sum, which has about a hundred terms rounded to 1e-16.
  *
@@ -246,20 +246,24 @@ static void constraints(void) {
 }
 
 /* Without friction a disc on two others that are fixed has two contacts for its two degrees of freedom; a wall that
- * touches it is the third contact. */
-static void constraints_without_friction(void) {
-  static const char *const walls[] = {"", "wall w 9 3.6 to 0 3.6 m\n"};
-  for (int k = 0; k < 2; k++) {
+ * touches it is the third contact. With friction at the two contacts with discs, but not at the wall, there are five
+ * constraints for three degrees of freedom. */
+static void constraints_of_a_disc(void) {
+  static const char *const walls[] = {"", "wall w 9 3.6 to 0 3.6 m\n",
+                                      ("material s density 1 kn 7\nwall w 9 3.6 to 0 3.6 s\npair m m friction 1\n"
+                                       "shear linear\n")};
+  static const double ratios[] = {1, 1.5, 5. / 3};
+  for (size_t k = 0; k < sizeof walls / sizeof *walls; k++) {
     struct words page = {0};
     struct written it;
     struct nb_result result;
     words_add(&page,
-              "units none\nmaterial m density 1 kn 7\nstep 0.001\ndisc 1 1 radius 1 m fixed\ndisc 3 1 radius 1 m "
+              "units none\nmaterial m density 1 kn 7 ks 7\nstep 0.001\ndisc 1 1 radius 1 m fixed\ndisc 3 1 radius 1 m "
               "fixed\ndisc 2 2.7 radius 1 m\ndisc 8 8 radius 1 m\n");
     words_add(&page, "%sregion B all\nrecord B.constraint_ratio B.rattlers\nstage a\ncycles 1\n", walls[k]);
     written_scene(&it, &page);
     written_run(&result, &it, NULL);
-    CU_ASSERT_EQUAL(written_last(&result, "B.constraint_ratio"), k ? 1.5 : 1);
+    CU_ASSERT_EQUAL(written_last(&result, "B.constraint_ratio"), ratios[k]);
     CU_ASSERT_EQUAL(written_last(&result, "B.rattlers"), 1);
     nb_result_free(&result), written_free(&it);
   }
@@ -310,6 +314,6 @@ void suite_recount(void) {
   CU_ADD_TEST(suite, distributions);
   CU_ADD_TEST(suite, moduli);
   CU_ADD_TEST(suite, constraints);
-  CU_ADD_TEST(suite, constraints_without_friction);
+  CU_ADD_TEST(suite, constraints_of_a_disc);
   CU_ADD_TEST(suite, loads);
 }

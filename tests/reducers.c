@@ -75,8 +75,9 @@ static void reducers(void) {
   }
 }
 
-/* The reference may return a value for a stage beside that for the last one, which counts where there is no other. */
-static void the_value_of_the_stage_goes_first(void) {
+/* A reference may return one value for a stage and one for the last stage. The value for the stage is used; without it,
+ * the value for the last stage. */
+static void the_value_for_the_stage_is_preferred(void) {
   static const struct {
     const char *expectation;
     double reference;
@@ -168,5 +169,5 @@ void suite_reducers(void) {
   CU_add_test(suite, "every reducer over a stage, the last stage and all stages", reducers);
   CU_add_test(suite, "a measure that cannot be computed fails, with the reason", nothing_to_reduce);
   CU_add_test(suite, "values that are not finite fail every check", not_finite);
-  CU_add_test(suite, "the value of the stage goes first", the_value_of_the_stage_goes_first);
+  CU_add_test(suite, "the value for the stage is preferred", the_value_for_the_stage_is_preferred);
 }

@@ -1,6 +1,6 @@
-/* `--set refine=R` gives the tables of a page in which every number of cycles is multiplied by R, and the step and every
- * strain per cycle are divided by R. All numbers are powers of two or small whole numbers, so the tables are equal to the
- * last bit.
+/* `--set refine=R` gives the tables of a page in which every number of cycles is multiplied by R, and the step and
+ * every strain per cycle are divided by R. All numbers are powers of two or small whole numbers, so the tables are
+ * equal to the last bit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -10,7 +10,8 @@
 #include "suites.h"
 #include "written.h"
 
-/* Adds a page. Its step, in seconds, its cycles and its strains per cycle are multiplied by 1/r, r and 1/r; strains are in units of 1/8192. */
+/* Adds a page. Its step, in seconds, its cycles and its strains per cycle are multiplied by 1/r, r and 1/r; strains are
+ * in units of 1/8192. */
 typedef void add_page(struct words *page, double r);
 
 #define RATE(x, r) ((x) / 8192.0 / (r))
@@ -138,8 +139,8 @@ static void a_product_that_rounding_makes_no_whole_number(void) {
   written_free(&written);
 }
 
-/* All stiffnesses are divided by r, also those of a pair and those that a stage changes. Powers of two and four: to the last
- * bit. */
+/* All stiffnesses are divided by r, also those of a pair and those that a stage changes. Powers of two and four: to the
+ * last bit. */
 static void soft_page(struct words *page, double r) {
   words_add(page,
             "units none\nmaterial m density 2 kn %.17g ks %.17g friction 0.5\nmaterial n density 2 kn %.17g\n"

@@ -1,4 +1,4 @@
-/* The features of a scene: every way in which particles, laws, loading and stages can have them.
+/* The features of a scene: every way in which particles, laws, loading and stages can give a scene a feature.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

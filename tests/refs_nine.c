@@ -214,7 +214,7 @@ static int motion(double t, const double y[], double dy[], void *data) {
   return GSL_SUCCESS;
 }
 
-/* One wall moves inward and one along itself, so that all discs move and rotate; both solutions are in continuous
+/* One wall moves inward and one tangentially, so that all discs move and rotate; both solutions are in continuous
  * time and agree to 1e-12. */
 static void modes_equal_ode(void) {
   struct refs_scene it;

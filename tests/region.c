@@ -23,8 +23,8 @@ static void done(struct written *it, struct nb_model *model) {
   written_free(it);
 }
 
-/* The fractions of the deviator that normal and shear forces carry sum to 1, also where nothing else asks for the stress:
- * at the start and after a cycle. */
+/* The fractions of the deviator that normal and shear forces carry sum to 1, also where nothing else asks for the
+ * stress: at the start and after a cycle. */
 static void fractions_without_the_stress(void) {
   struct words page = {0};
   struct written it;
@@ -401,8 +401,8 @@ static void strain_without_removed_particles(void) {
   written_free(&it);
 }
 
-/* A disc between two walls: each presses with F = k_n alpha at the distance R - alpha from the centre, where the face of the
- * wall is, in particles and in contacts. */
+/* A disc between two walls: each presses with F = k_n alpha at the distance R - alpha from the centre, where the face
+ * of the wall is, in particles and in contacts. */
 static void the_arm_at_a_wall_ends_at_its_face(void) {
   static const char *const quantities[] = {"A.stress.xx", "B.stress.xx"};
   struct words page = {0};

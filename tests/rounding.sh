@@ -8,8 +8,9 @@
 top=$(pwd)
 cd "$work" || exit 1
 
-# Positions in binary fractions are the same in each mode. v dt is not: its sum over 2^12 cycles differs by at most 2^12 half units
-# in the last place of a number below 2^13 and by at least that over 2^5, so x keeps between 53-13 and 53-6 bits.
+# Positions in binary fractions are the same in each mode. v dt is not. Its sum over 2^12 cycles differs by at most 2^12
+# half units in the last place of a number below 2^13, and by at least 1/2^5 of that. So x keeps between 53-13 and 53-6
+# bits.
 page() {
   cat <<'PAGE'
 # Free discs
@@ -102,7 +103,7 @@ mkdir 9-free && cp free.md tight.md swept.md 9-free
 document 9-free/free.md 9-free/tight.md 9-free/swept.md
 test $? -eq 0 && grep -q '^| \[free\](../cases/9-free/free.md) | 42 | `B.x expected 1441.6 within 1e-9 .v t.` |  |$' rounding.md &&
   grep -q '^| \[tight\](.*) | 42 | .* | [123] |$' rounding.md && grep -q '^| \[swept\](.*) | 4[0-9] | `B.x above A.x (v=0.7)` |  |$' rounding.md &&
-  grep -q '^- 3 cases, the median keeps 4[0-9] bits. 0 keep fewer than 30' rounding.md && grep -q 'the motion costs the most bits in 3' rounding.md &&
+  grep -q '^- The median over 3 cases is 4[0-9] bits. 0 cases keep fewer than 30' rounding.md && grep -q 'In 3 of them the motion costs the most bits' rounding.md &&
   grep -q '^- In 1 cases some check' rounding.md
 result $? 'docs/rounding.sh: a row for each page'
 # A guard that only rounding up passes: 4096 roundings carry the disc beyond the position at which it stops the run.

@@ -249,8 +249,8 @@ static void settings_change_the_hash(void) {
   CU_ASSERT(nb_hash_settings(value) == hash[0]);
 }
 
-/* The number of threads is that of the options, at most NB_THREADS; 0 stands for OpenMP's default, and without options it is 1. The
- * instruction set is the widest one, or the one that the options name, if this machine has it. */
+/* The number of threads is that of the options, at most NB_THREADS; 0 stands for OpenMP's default, and without options
+ * it is 1. The instruction set is the widest one, or the one that the options name, if this machine has it. */
 static void threads_and_instruction_set(void) {
   static const struct {
     int given, chosen;

@@ -281,7 +281,8 @@ static void servo_through_a_cell(void) {
   written_free(&it);
 }
 
-/* With springs, densities and stresses multiplied by 1e-4 the motion is the same, although the bulk stiffness is below 1. */
+/* With springs, densities and stresses multiplied by 1e-4 the motion is the same, although the bulk stiffness is below
+ * 1. */
 static void soft_springs_give_the_same_motion(void) {
   static const double scales[] = {1, 1e-4};
   double radius[2];
@@ -333,8 +334,8 @@ static void initial_targets(void) {
   }
 }
 
-/* B and T of one disc between the lower and the upper wall of a box that is wider than high, with a stiff and a soft spring.
- * A scene without a box, a cell or a boundary has neither. */
+/* B and T of one disc between the lower and the upper wall of a box that is wider than high, with a stiff and a soft
+ * spring. A scene without a box, a cell or a boundary has neither. */
 static void scales_of_a_box(void) {
   static const double springs[] = {1000, 1};
   const double pi = 3.14159265358979323846, area = 6 * 1.9;

@@ -96,8 +96,8 @@ static void rings(void) {
   written_free(&it);
 }
 
-/* Six discs on a boundary around a seventh one, in scrambled order: the table of the boundary has the six, counterclockwise, at
- * their places. A scene without a boundary has no such table. */
+/* Six discs on a boundary around a seventh one, in scrambled order: the table of the boundary has the six,
+ * counterclockwise, at their places. A scene without a boundary has no such table. */
 static void the_boundary_is_listed_counterclockwise(void) {
   static const int sixths[] = {4, 1, 0, 5, 3, 2};
   struct words page = {0};

@@ -29,8 +29,8 @@ static int run_until_stopped(struct nb_model *model, const struct written *it, i
   return done;
 }
 
-/* A light sphere touches a wall, and a heavy one approaches it that is hardly slowed down: both contacts stiffen for
- * more cycles than half a period of the light sphere has. E* = 1/2, k = 2 E* (R* alpha)^(1/2) with R* = 1/2 between
+/* A light sphere touches a wall, and a heavy sphere, which is hardly slowed down, approaches it. Both contacts stiffen
+ * for more cycles than half a period of the light sphere has. E* = 1/2, k = 2 E* (R* alpha)^(1/2) with R* = 1/2 between
  * the spheres and 1 at the wall. The light sphere of mass 1 is in equilibrium, so 4/3 E* (R*)^(1/2) alpha^(3/2) = F
  * at both contacts and k = (6 F E*^2 R*)^(1/3). Then omega^2 is the sum of both k, plus 1e-6 of one for the heavy
  * sphere, and the run stops when 2/omega has fallen to the step. */
@@ -58,7 +58,8 @@ static void an_impact_between_two_checks(void) {
 }
 
 /* Without a search there is a check as the stage begins and one in each 1000th cycle: 3 in 2999 cycles and 4 in 3000.
- * At the speed 2e-4 particle 2 moves by half the skin, 0.05, in 625 cycles of 0.4; then a search is followed by a check. */
+ * At the speed 2e-4 particle 2 moves by half the skin, 0.05, in 625 cycles of 0.4; then a search is followed by a
+ * check. */
 static void searches_add_checks(void) {
   static const struct {
     const char *disc, *cycles;
@@ -174,8 +175,8 @@ static struct nb_normal stiffer(struct nb_pair p, double overlap, double dn, dou
   return n;
 }
 
-/* The stiffness at the limit exceeds what the step allows by at most 1e-6, the tolerance of stability.c: a law that is
- * stiffer by a third of that keeps the limit, one that is stiffer by three times that gets half of it. With a stiffness
+/* The stiffness at the limit exceeds what the step allows by at most 1e-6, the tolerance of stability.c. A law that is
+ * stiffer by 3e-7 keeps the limit, and a law that is stiffer by 3e-6 gets half of it. With a stiffness
  * that no overlap makes small enough the limit is 0. */
 static void the_limit_is_kept_to_a_millionth(void) {
   static const double rows[][2] = {{1 + 3e-7, 1}, {1 + 3e-6, 0.5}, {0, 0}};
@@ -336,7 +337,8 @@ static void every_cycle_is_guaranteed_stable(void) {
   CU_ASSERT(ended > 10 && went > 10);
 }
 
-/* The number of steps per collision that a message proposes is rounded up: the step is at most 0.8 of the stable one. */
+/* The number of steps per collision that a message proposes is rounded up: the step is at most 0.8 of the stable
+ * one. */
 static void the_proposed_number_of_steps(void) {
   static const double stiffness[] = {20, 50, 75, 100, 160, 220}; /* k_s, which limits the step more than k_n */
   int rounded_up = 0;
@@ -384,8 +386,8 @@ static void cohesion_alone_counts(void) {
     CU_ASSERT(stable[k] == stable[1] && apart[k] == apart[1]);
 }
 
-/* What a message says of the pair that limits the step: particles, a particle and a wall, or the materials of a pair that
- * does not touch yet. */
+/* What a message says of the pair that limits the step: particles, a particle and a wall, or the materials of a pair
+ * that does not touch yet. */
 static void what_limits_the_step_in_words(void) {
   struct words page = {0};
   struct written it;

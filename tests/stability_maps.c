@@ -1,7 +1,7 @@
 /* Maps of stability, written by `make stability`: where the calculation cycle is stable, inaccurate or unstable.
  *
  * stability_maps -o DOCUMENT FOLDER   writes docs/STABILITY.md, and one table per system into the folder
- * stability_maps                      tests a few columns of each system, also with planted errors that must be seen
+ * stability_maps                      tests a few columns of each system, also with planted errors that must be detected
  *
  * A column of a map is one system with one mass ratio, stiffness ratio and damping. Its limit is the step at which the
  * largest eigenvalue of dt^2 K + 2 dt C equals 4 (cases/refs/limit.c). Its points are steps, as fractions of the limit.
@@ -13,9 +13,9 @@
  *                run with 1/64 of the limit, at some time in half a period, or in 2000 limits if that is shorter
  *   stable       neither
  *
- * The comparison: the limit with the step at which runs begin to grow, with the spectral radius of the cycle as a
- * matrix, and for a disc in a wedge with a closed form; and the program's bound with the limit, and with a run at the
- * bound. It prints what disagrees.
+ * The program compares the limit with the step at which runs begin to grow, with the spectral radius of the cycle as a
+ * matrix, and for a disc in a wedge with a closed form. It compares the guaranteed stable step (the bound) with the
+ * limit, and with a run at the bound. It prints what disagrees.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef _POSIX_C_SOURCE
@@ -120,8 +120,8 @@ static void write_wedge(FILE *page, const struct system *system, double mass, do
             side * h * s + 0.2 * c, -h * c + side * 0.2 * s);
 }
 
-/* The random packing: fills a box, makes it smaller without friction until the contacts carry a stress, and lets it come
- * to rest. So it is in equilibrium with any shear stiffness, masses and damping. */
+/* The random packing: fills a box, makes it smaller without friction until the contacts carry a stress, and lets it
+ * come to rest. So it is in equilibrium with any shear stiffness, masses and damping. */
 static struct nb_table packing_discs, packing_walls;
 static const char packing_page[] =
     "units none\nmaterial m density (1/pi) kn 1\nnormal linear\nbox 0 0 to 9.2 9.2 m\n"
@@ -935,7 +935,7 @@ static void write_beginning(FILE *out) {
       "- *message*: a guard stops the run.\n"
       "- *energy*: the largest `energy.residual` exceeds %g %% of the initial energy.\n"
       "- *imbalance*: the mean `unbalanced.max` at the end exceeds %g %%.\n"
-      "- *silent*: nothing.\n\n"
+      "- *silent*: none of these.\n\n"
       "Energy and imbalance must also be three times as large as in the same run at half the limit.\n",
       (int)KICK_CYCLES, kick_size, 100 * visible, 100 * visible);
 }
@@ -971,8 +971,8 @@ static void write_summary(FILE *out, const struct map maps[SYSTEMS]) {
   fputs(
       "\n## The cost of the bound\n\n"
       "The table has the bound over the limit, least and largest of all columns with this damping ratio. A run at the\n"
-      "bound needs as many times more cycles as the reciprocal says. The bound also counts pairs that are listed but\n"
-      "do not touch.\n\n| system | damping 0 | 0.5 | 1 | 2 |\n| --- | --- | --- | --- | --- |\n",
+      "bound needs more cycles than one at the limit, by the reciprocal of this factor. The bound also counts pairs\n"
+      "that are listed but do not touch.\n\n| system | damping 0 | 0.5 | 1 | 2 |\n| --- | --- | --- | --- | --- |\n",
       out);
   for (int s = 0; s < SYSTEMS; s++) {
     fprintf(out, "| %s ", systems[s].title);
@@ -994,8 +994,8 @@ static void write_checks(FILE *out, const struct map maps[SYSTEMS]) {
       "- The bound does not exceed the limit, and a run with the bound as step does not grow.\n"
       "- For a disc in a wedge the limit equals a closed form. The largest relative difference is %.0e.\n\n"
       "If anything disagrees, it prints the column and ends with status 1. `make check` runs a part of the maps. It\n"
-      "also plants limits that are wrong by 2 %%, and a bound that is too long, and requires a complaint about each\n"
-      "system.\n",
+      "also plants limits that are wrong by 2 %%, and a bound that is too long, and requires an error message for\n"
+      "each system.\n",
       100 * agreement, maps[SYSTEMS - 1].planar);
   fputs(
       "\n### The planar result for damped contacts\n\n"
@@ -1058,8 +1058,8 @@ static void write_above(FILE *out, const char *folder) {
       "contacts over the last half of the cycles, and `unbalanced.max` its mean over the last tenth.\n"
       "`energy.residual` is the largest one over the initial energy, and `energy.kinetic` the last one over the\n"
       "first.\n\n"
-      "Above the limit the vibration grows until contacts slide and open, which limits it. This is the soft zone: the\n"
-      "run goes on, and it is wrong. With damping `unbalanced.max` shows it: below the limit it falls to rounding, "
+      "Above the limit the vibration grows until contacts slide and open, which bounds its amplitude. The run goes\n"
+      "on, and its results are wrong. With damping `unbalanced.max` shows it: below the limit it falls to rounding, "
       "above\n"
       "the limit it stays at per cents or more. Without damping the vibrations never end, and `energy.residual` shows\n"
       "the growth. In the damped packing only few discs vibrate just above the limit. There the imbalance is a few "
@@ -1068,7 +1068,7 @@ static void write_above(FILE *out, const char *folder) {
       "come\n"
       "to rest in another arrangement with a small imbalance. Without `allow unstable` the stability check stops all\n"
       "these runs before the first cycle.\n\n"
-      "![What shows that the step of nine discs is above the limit](stability/soft.svg)\n",
+      "![Quantities that show that the step of nine discs is above the limit](stability/soft.svg)\n",
       (int)SOFT_CYCLES, kick_size);
   fputs("system\tdamping\tf\tforce\timbalance\tenergy\tkinetic\n", table);
   write_zone(out, table, NINE, 1);

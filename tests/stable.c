@@ -13,21 +13,21 @@
 #include "written.h"
 
 /* The steps of one scene by the program and by the references. */
-struct told {
+struct steps {
   double safe, critical; /* the program: guaranteed stable, single-contact */
   double parts, modes,
       cycle; /* the references: bound of contacts; limit of modes; limit of the cycle's eigenvalues, 0: none */
 };
 
-static struct told told(struct words *page, bool cycle) {
+static struct steps find_steps(struct words *page, bool cycle) {
   struct written it;
   struct limit limit;
   struct nb_error error;
   words_add(page, "step 1\nallow unstable\nrecord step.stable step.single-contact\nstage s\ncycles 1\n");
   written_scene(&it, page);
   struct nb_model *model = written_model(&it, NULL);
-  struct told answer = {.safe = written_now(model, "step.stable"),
-                        .critical = written_now(model, "step.single-contact")};
+  struct steps answer = {.safe = written_now(model, "step.stable"),
+                         .critical = written_now(model, "step.single-contact")};
   CU_ASSERT_EQUAL_FATAL(limit_build(&limit, &it.scene, &it.scene.damping, model->search.skin, &error), NB_OK);
   CU_ASSERT_EQUAL(limit.lattice.contact_count, model->contacts.count);
   answer.parts = limit_of_contacts(&limit, &it.scene), answer.modes = limit_of_modes(&limit);
@@ -41,7 +41,7 @@ static struct told told(struct words *page, bool cycle) {
 }
 
 /* Relations that hold for each scene. */
-static void in_order(const struct told *it) {
+static void in_order(const struct steps *it) {
   NEAR(it->safe, it->parts, 1e-11);
   CU_ASSERT(it->safe <= it->modes * (1 + 1e-12));
   if (it->cycle > 0)
@@ -70,7 +70,7 @@ static void lattices_equal_closed_forms(void) {
               "units none\nshear linear\nmaterial rough density 3 kn 100 ks 100 friction 1\n"
               "material smooth density 3 kn 100 ks 100\n%s",
               cases[k].statements);
-    const struct told it = told(&page, true);
+    const struct steps it = find_steps(&page, true);
     in_order(&it);
     NEAR(it.safe / it.critical, cases[k].safe, 1e-13);
     NEAR(it.modes / it.critical, cases[k].limit, 1e-12);
@@ -89,7 +89,7 @@ static void margins_stated_in_step_limit(void) {
                 "units none\nshear linear\nmaterial m density 1 kn 1 ks 1 friction 1\nbox 0 0 to %d %d m\n"
                 "lattice discs %d by %d radius 1 m\ndamping ratio %d\n",
                 rows[k][2], rows[k][3], rows[k][0], rows[k][1], 2 * ratio);
-      const struct told it = told(&page, false);
+      const struct steps it = find_steps(&page, false);
       double *most = ratio ? &damped : &free;
       *most = fmax(*most, 1 - it.safe / it.modes);
     }
@@ -127,7 +127,7 @@ static void damping_has_its_formula(void) {
     words_add(&page,
               "units none\nmaterial m density 3 kn 100\nlattice discs 2 by 1 radius 1 m\ndamping stiffness %.17g\n",
               2 * xi / omega);
-    const struct told it = told(&page, true);
+    const struct steps it = find_steps(&page, true);
     in_order(&it);
     NEAR(it.safe, 2 / omega * (sqrt(1 + xi * xi) - xi), 1e-12);
     NEAR(it.modes, it.safe, 1e-12); /* for a pair the bound is the limit */
@@ -190,7 +190,7 @@ static void random_networks(unsigned seeds, size_t nx, size_t ny, bool cycle, do
     struct words page = {0};
     network(&page, &chance, nx, ny);
     damping(&page, &chance);
-    const struct told it = told(&page, cycle);
+    const struct steps it = find_steps(&page, cycle);
     in_order(&it);
     const double fraction = it.safe / it.modes;
     sum += fraction;

@@ -217,8 +217,8 @@ static void refused(const struct nb_saved *saved, const struct written *it, cons
   CU_ASSERT_STRING_EQUAL(error.text, text);
 }
 
-/* A state is refused if its normal law, its shear law or its memory size is not that of the page at the end of the saved
- * stage. */
+/* A state is refused if its normal law, its shear law or its memory size is not that of the page at the end of the
+ * saved stage. */
 static void other_laws_do_not_fit(void) {
   struct written it;
   struct nb_saved saved;
@@ -242,7 +242,8 @@ static void other_laws_do_not_fit(void) {
   written_free(&it);
 }
 
-/* The message has the numbers of particles, walls and materials of the page. A state with an impact does not fit a page without one. */
+/* The message has the numbers of particles, walls and materials of the page. A state with an impact does not fit a page
+ * without one. */
 static void messages_about_states(void) {
   struct written it;
   struct nb_saved saved;
@@ -316,8 +317,9 @@ static void contact_forces_without_dashpots(void) {
   written_free(&it);
 }
 
-/* A disc slides along wall b, from just before the normal at its end. In the cycle in which the contact passes from one wall to the other, the
- * one that begins to act was suppressed in the cycle before. A suppressed contact has no overlap in a state. */
+/* A disc slides along wall b, from just before the normal at its end. In the cycle in which the contact passes from one
+ * wall to the other, the one that begins to act was suppressed in the cycle before. A suppressed contact has no overlap
+ * in a state. */
 static void a_contact_that_begins_at_a_vertex(void) {
   struct words page = {0};
   struct written it;
@@ -346,7 +348,7 @@ static void a_contact_that_begins_at_a_vertex(void) {
   written_free(&it);
 }
 
-/* The state continues what a contact was in the last step: the shear stiffness, which the energy balance reads, and
+/* The state contains properties of a contact in the last step: the shear stiffness, which the energy balance reads, and
  * which of two contacts at a wall vertex is suppressed. */
 static void contacts_of_the_last_step_continue(void) {
   struct words page = {0};

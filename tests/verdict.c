@@ -128,7 +128,8 @@ static void versus(void) {
   edges(list, COUNT(list));
 }
 
-/* The worst row is named, whatever rows come before it. A row in which both values are 0 once hid all later rows. */
+/* The worst row is named, whatever rows come before it. Formerly a row in which both values are 0 hid all later
+ * rows. */
 static void worst_row(void) {
   static const struct {
     const char *expectation, *words;
@@ -264,8 +265,8 @@ static void counted(void) {
   nb_outcome_free(&outcome);
 }
 
-/* The parts of the message that the table of a report shows: computed, reference, error, tolerance. "" for a part that there
- * is not. */
+/* The parts of the message that the table of a report shows: computed, reference, error, tolerance. "" for a missing
+ * part. */
 static void parts_of_the_message(void) {
   static const struct {
     const char *expectation;

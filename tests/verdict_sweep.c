@@ -171,8 +171,8 @@ static void groups(void) {
   nb_outcome_free(&outcome);
 }
 
-/* The points that a report draws: of each run of the group the swept value, or its position among words, and the computed
- * value, or the error of an order. */
+/* The points that a report draws: of each run of the group the swept value, or its position among words, and the
+ * computed value, or the error of an order. */
 static void points(void) {
   static const struct {
     const char *sweeps, *expectation;

@@ -162,6 +162,7 @@ static void no_jump_on_a_straight_vertex(void) {
       "wall a -9 0 to 0.5 0 m\nwall b 0.5 0 to 9 0 m", /* also with either wall reversed, and in another order */
       "wall b 9 0 to 0.5 0 m\nwall a -9 0 to 0.5 0 m",
       "wall a 0.5 0 to -9 0 m\nwall b 0.5 0 to 9 0 m",
+      "wall a -9 0 to 0.5 0 m about -3 5\nwall b 0.5 0 to 9 0 m about 2 -7", /* about points off the walls */
       "wall a -9 0 to -0.3 0 m\nwall b -0.3 0 to 0.3 0 m\nwall c 0.3 0 to 0.6 0 m\nwall d 0.6 0 to 9 0 m",
   };
   for (int t = 0; t < 4; t++) {

@@ -8,7 +8,8 @@
  * circles that are nearly equal.
  *
  * A disc and a polygon: the sum over the edges of the area that the disc shares with the triangle of its centre and the
- * edge, negative where the edge runs clockwise. Outside the disc an edge contributes a sector, inside a triangle.
+ * edge, negative where the edge runs clockwise. The part of an edge outside the disc contributes a
+ * sector, the part inside a triangle.
  *
  *   areas m2, lengths m, angles rad
  *

@@ -17,11 +17,11 @@
  *             imposed     work of the imposed motion; stress on a boundary times v tau, over kicks
  *             frictional  F_s (ds - dF_s/k_s)  of contacts that slide, or open with a loaded shear spring, over steps;
  *                         with micro-slip the dissipation that the law returns
- *             sliding     the part of it in steps in which the contact slides as a whole
+ *             sliding     the part of `frictional` in steps in which the contact slides as a whole
  *             shear       F_s ds  over steps
  *
  *           The residual is the error of the time integration. A kick lasts until half a step after t_N: a reading at
- *           t_N contains the half of it before t_N only.
+ *           t_N contains only the half of that kick before t_N.
  *
  * The work of the imposed motion is -sum over particles of (F + m g).c + sum over contacts of f.(L H m):
  *

@@ -11,9 +11,9 @@
  *
  * When a stage changes k_n or k_s, the energy of loaded springs changes by U_n(new) - U_n(old) at the same overlap and
  * U_s(new) - U_s(old) at the same force. The force of the step is the mean of an old and a new one, so the change of
- * the normal energy is the mean of those at the two ends; the shear spring is new for the whole step. A new normal law
- * counts likewise: U_n of the new law minus U_n of the old one. A new shear law begins without displacement: U_s is
- * lost at t_N, and so is the work F_s ds/2 of the old force in the first half of the step.
+ * the normal energy is the mean of the changes at the two ends. The shear spring is new for the whole step. A new
+ * normal law counts likewise: U_n of the new law minus U_n of the old one. A new shear law begins without displacement:
+ * U_s is lost at t_N, and so is the work F_s ds/2 of the old force in the first half of the step.
  *
  * Two particles of a boundary that is released may overlap although they were not listed. At t_N they overlap by alpha
  * without a force; at t_(N+1) the force is F_n(alpha'). The force of the step is the mean of 0 and that, so the energy

@@ -34,7 +34,7 @@ bool nb_snapshot_row(struct nb_table *table, const struct nb_model *model, int s
   return row;
 }
 
-/* The last three columns: only with `from`. */
+/* The last three columns exist only with `from`. */
 #define PARTICLE(COLUMN)                                                                                               \
   COLUMN("particle", "1", (double)k + 1)                                                                               \
   COLUMN("x", "m", x.x)                                                                                                \
@@ -82,8 +82,8 @@ static bool walls_table(struct nb_table *table, const struct nb_model *model, in
 
 /* Contacts that touch. For a contact with a wall b is 0 and `wall` is the number of the wall, from 1. x, y is half-way
  * between the two outlines [CS79 figure 1]. ra, rb are the radii (0 for a wall), fx, fy the elastic force on the first
- * particle, angle that of e. radius is that of the contact circle, ratio the same over the smaller particle's radius,
- * limit mu F_n + c, obliquity |F_s| over it. The last column: only with `from`. */
+ * particle, angle is the direction of e. radius is the radius of the contact circle, ratio this radius over the smaller
+ * particle's. limit is mu F_n + c, obliquity |F_s| over limit. The last column exists only with `from`. */
 #define CONTACT(COLUMN)                                                                                                \
   COLUMN("a", "1", particles->number[i])                                                                               \
   COLUMN("b", "1", wall ? 0 : particles->number[b])                                                                    \

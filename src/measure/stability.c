@@ -1,6 +1,6 @@
-/* The stability check: it compares the step with the guaranteed stable step when a stage begins, after each search,
- * every NB_STABILITY_CYCLES cycles, and when elastic spheres have stiffened so much that the step may have become too
- * long. The guaranteed stable step and L: stable_step.c.
+/* The stability check compares the step with the guaranteed stable step when a stage begins, after each search, and
+ * every NB_STABILITY_CYCLES cycles. It also does so when elastic spheres have stiffened so much that the step may have
+ * become too long. stable_step.c defines the guaranteed stable step and L.
  *
  * A contact of elastic spheres stiffens with its overlap. So a check also computes how large each overlap may become
  * before the next check is needed. With
@@ -176,7 +176,7 @@ static void proposed_step(char *text, size_t size, const struct nb_model *model,
     snprintf(text, size, "step %.2g%s", value, step->kind || !model->scene->unitless ? of[step->kind] : "");
 }
 
-/* A step equal to the bound must not exceed it by rounding of `step F of stable`. */
+/* A step from `step F of stable` with F = 1 may exceed the bound by rounding, which must not count as too long. */
 static enum nb_status check_step(const struct nb_model *model, const struct nb_stable *stable, struct nb_error *error) {
   const double ratio = model->step / stable->step;
   model->stability->largest = ratio > model->stability->largest ? ratio : model->stability->largest;

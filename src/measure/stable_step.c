@@ -13,17 +13,17 @@
  * and the first one leaves it at z = -1, a motion that changes its sign every cycle. So a dashpot acts like an
  * additional spring 2 c/dt, and CS79's mass-proportional damping, which is centred in time, does not lower the limit.
  *
- * Centred dashpots (pass/dashpots.c) use the velocity 3/2 v_(N+1/2) - 1/2 v_(N-1/2). With C = impulse dt c and K = impulse
- * dt^2 k the equation becomes
+ * Centred dashpots (pass/dashpots.c) use the velocity 3/2 v_(N+1/2) - 1/2 v_(N-1/2). With C = impulse dt c and K =
+ * impulse dt^2 k the equation becomes
  *
  *   z^3 - (1 + keep - K - 3/2 C) z^2 + (keep - 2 C) z + C/2 = 0
  *
  * At z = -1 they count twice, dt^2 k + 4 dt c <= L. Below that no z leaves the unit circle (Jury's criterion).
  *
- * The largest k of the network is at most that of its stiffest part if the mass of each particle is distributed over
- * its contacts in any way, because Rayleigh's quotient is a weighted mean of the quotients of the parts. Masses are
- * distributed in proportion to k_n and moments of inertia in proportion to k_s R^2. Then the parts are single contacts
- * with a closed form: with
+ * The mass of each particle may be distributed over its contacts in any way. The largest k of the network is then at
+ * most that of its stiffest part, because Rayleigh's quotient is a weighted mean of the quotients of the parts. Masses
+ * are distributed in proportion to k_n and moments of inertia in proportion to k_s R^2. Then the parts are single
+ * contacts with a closed form: with
  *
  *   S = sum k_n,  Q = sum k_s R^2  over the contacts of a particle
  *   A = S_i/m_i + S_j/m_j,  with zero terms for a wall or a fixed particle

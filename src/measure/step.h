@@ -22,7 +22,7 @@ bool nb_stability_create(struct nb_model *model); /* false: no memory */
 /* stable_step.c */
 struct nb_particle_sums {
   double kn, ks, cn, cs; /* sums over a particle's contacts: k_n, k_s R^2, and likewise c_n, c_s R^2 */
-  double remainder;      /* the smallest half of a remainder over its contacts: stability.c */
+  double remainder;      /* the smallest part of the remainders of its contacts: stability.c */
 };
 /* The guaranteed stable step with the present contacts and damping, and the contact that limits it. */
 struct nb_stable {

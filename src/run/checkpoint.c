@@ -1,6 +1,6 @@
 /* Checkpoints of a run. Each is a saved state (state.c) with further records: the list of contacts, sums, references,
- * the ramps of the stage, and all that was recorded. So a run that continues from it has the same results as one that was
- * not interrupted, to the last bit, with the same number of searches.
+ * the ramps of the stage, and all that was recorded. So a run that continues from it has the same results as one that
+ * was not interrupted, to the last bit, with the same number of searches.
  *
  * The last two checkpoints are kept, in the folder of saved states. The name has the page and a number that belongs to
  * the settings and to the run of a sweep. The file has a hash of the statements, so a checkpoint of another text of the
@@ -24,8 +24,9 @@
 #include "output_file.h"
 #include "plan.h"
 
-/* Time between two checkpoints, as a multiple of the time that saving one takes: so saving takes at most a tenth of the
- * run, and at the ends of short stages a fiftieth. The last number is the assumed time for saving the first one, s. */
+/* Time between two checkpoints, as a multiple of the time that saving one takes. So saving takes at most a tenth of the
+ * run; at the ends of short stages it takes at most a fiftieth. The last number is the assumed time for saving the
+ * first checkpoint, s. */
 static const double spacing = 10, stage_spacing = 50, first_cost = 2e-3;
 
 /* ---- what the model keeps ---- */
@@ -166,7 +167,8 @@ static unsigned long long hash_of(const struct nb_scene *scene) {
   for (size_t c = 0; c < scene->column_count; c++)
     hash = nb_hash(hash, scene->columns[c].name, strlen(scene->columns[c].name) + 1);
   for (size_t s = 0; s < scene->stage_count; s++) {
-    const unsigned long rows[] = {scene->stages[s].record_interval, scene->stages[s].snapshot};
+    const struct nb_stage *stage = &scene->stages[s];
+    const unsigned long rows[] = {stage->record_interval, stage->snapshot, (unsigned long)(stage->snapshot_from + 1)};
     hash = nb_hash(hash, rows, sizeof rows);
   }
   return hash;

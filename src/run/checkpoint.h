@@ -21,18 +21,20 @@ enum nb_status nb_checkpoint_lock(struct nb_lock *lock, const struct nb_scene *s
 /* NB_BAD_USE if there is a checkpoint of the run with options->checkpoint.key, unless it is to be resumed. */
 enum nb_status nb_checkpoint_absent(const struct nb_scene *scene, const struct nb_options *options,
                                     struct nb_error *error);
-/* Makes the folder and the path. No effect without `seconds`. The caller has the lock, or that of the state it makes. */
+/* Makes the folder and the path. No effect without `seconds`. The caller has the lock, or that of the state it
+ * makes. */
 enum nb_status nb_checkpoint_begin(struct nb_checkpoint *checkpoint, const struct nb_scene *scene,
                                    const struct nb_options *options, struct nb_error *error);
 /* Reads the last one, or that before it if the last one is damaged; saved->store is empty if there is none. */
 enum nb_status nb_checkpoint_read(struct nb_saved *saved, const struct nb_checkpoint *checkpoint,
                                   const struct nb_progress *progress, struct nb_error *error);
-/* Saves the model, and `store` with what the run keeps besides; frees `store`. */
+/* Saves the model and `store`, which has the other data of the run; frees `store`. */
 enum nb_status nb_checkpoint_save(struct nb_checkpoint *checkpoint, const struct nb_model *model,
                                   struct nb_store *store, struct nb_error *error);
 /* Every variable of the model that the state does not contain; to restore it, after nb_model_resume. */
 void nb_model_store(struct nb_store *store, struct nb_model *model);
-/* Whether so much time has passed that the run should save one; at the end of a stage that is less. */
+/* Whether so much time has passed since the last one that the run should save one. At the end of a stage this may be
+ * sooner than after options->seconds. */
 bool nb_checkpoint_is_due(struct nb_checkpoint *checkpoint, bool stage_ends);
 /* Whether the run has been asked to stop. */
 bool nb_checkpoint_stops(const struct nb_checkpoint *checkpoint);

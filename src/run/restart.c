@@ -1,9 +1,9 @@
 /* The folder of saved states.
  *
- * The name of a state file has the page, the stage, and a hash of everything that the state depends on: the version of
- * the program, the page up to the end of the stage with the values of its variables, and the state from which that page
- * starts. So a file with the expected name is valid. A state of an older text of the page has another name; it is
- * deleted when the new one is written.
+ * The name of a state file has the page, the stage, and a hash of everything that the state depends on. This is the
+ * version of the program, the page up to the end of the stage with the values of its variables, and the state from
+ * which that page starts. So a file with the expected name is valid. A state of an older text of the page has another
+ * name; it is deleted when the new one is written.
  *
  * A process that computes a state holds a lock (flock) on a file beside it; the system releases the lock when the
  * process ends. Other threads and processes that need the same state wait for the lock, then read the state.

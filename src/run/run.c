@@ -7,6 +7,7 @@
 #include "checkpoint.h"
 #include "contact_test.h"
 #include "core/clock.h"
+#include "core/names.h"
 #include "laws/laws_now.h"
 #include "measure/snapshot.h"
 #include "measure/step.h"
@@ -90,6 +91,32 @@ static void note_laws(const struct run *run, const struct nb_stage *stage) {
              "stage `%s` begins with empty contact histories, because its law is `%s %s%s` instead of `%s`",
              stage->name, shear ? "shear" : "normal", law->name, memory, old);
     progress->note(progress->data, text);
+  }
+}
+
+static bool has_contact_force(const struct nb_model *model) {
+  for (size_t c = 0; c < model->contacts.count; c++)
+    if (model->contacts.force[c].x != 0 || model->contacts.force[c].y != 0)
+      return true;
+  return false;
+}
+
+/* Without contact forces the unbalanced force is 0, so a condition that waits for equilibrium is met at once. */
+static void note_no_contact(const struct run *run, const struct nb_stage *stage) {
+  const struct nb_model *model = run->model;
+  const struct nb_progress *progress = run->reporter.progress;
+  char text[6 * NB_NAME_SIZE];
+  for (size_t k = 0; k < stage->condition_count && progress && progress->note; k++) {
+    const char *const name = stage->conditions[k].quantity.kind->name;
+    if (strncmp(name, "unbalanced.", strlen("unbalanced.")) != 0 || has_contact_force(model))
+      continue;
+    snprintf(
+        text, sizeof text,
+        "stage `%s` ended in cycle %lu without a contact force, where `%s` is 0; add a condition such as `and contacts "
+        "above 0`",
+        stage->name, model->stage_cycle, name);
+    progress->note(progress->data, text);
+    return;
   }
 }
 
@@ -183,8 +210,8 @@ static enum nb_status stop(struct run *run, bool stage_ended, struct nb_error *e
                       run->model->cycle, 100 * fraction, left, run->checkpoint.path);
 }
 
-/* After a cycle, or at the end of a stage: saves a checkpoint if it is due. A checkpoint that cannot be written does not
- * end the run. */
+/* After a cycle, or at the end of a stage: saves a checkpoint if it is due. A checkpoint that cannot be written does
+ * not end the run. */
 static enum nb_status check_in(struct run *run, bool stage_ended, struct nb_error *error) {
   const struct nb_model *model = run->model;
   const bool last = stage_ended && model->stage == &run->scene->stages[run->scene->stage_count - 1];
@@ -229,6 +256,8 @@ static enum nb_status run_stage(struct run *run, int index, bool resumed, struct
   run->result->stages[index] =
       (struct nb_stage_cost){run->model->stage_cycle, run->model->updates - run->updates, run->model->step,
                              nb_processor_clock() - run->reporter.stage_began};
+  if (outcome == ENDED)
+    note_no_contact(run, stage);
   if (outcome == CONTINUES || !stage->snapshot)
     return status;
   struct nb_error snapshot_error;

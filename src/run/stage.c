@@ -168,7 +168,7 @@ static void begin_property_changes(struct nb_model *model, struct nb_stable *apa
 
 /* ---- gravity ---- */
 
-/* Sets the gravity at which the ramp has covered this fraction. */
+/* Sets the gravity of a ramp that has covered this fraction of its way. */
 static void interpolate_gravity(struct nb_model *model, double fraction) {
   const struct nb_gravity *to = &model->stage->gravity;
   const struct nb_central *from = &model->changes->central_from;
