@@ -12,11 +12,11 @@ cd "$(dirname "$0")/.."
 cat <<'TEXT'
 # Physics at the extremes
 
-`make extremes` writes this document ([extremes.sh](extremes.sh)). It lists how far the program has been tested, what it
-says where it breaks, and how rounding adds up in long runs. [STABILITY](STABILITY.md) maps time steps,
-[ROUNDING](ROUNDING.md) rounding modes.
+`make extremes` writes this document ([extremes.sh](extremes.sh)). It lists the range in which the program has
+been tested, the messages of aborted runs, and how rounding errors add up in long runs. [STABILITY](STABILITY.md) has
+maps of time steps, and [ROUNDING](ROUNDING.md) has results under other rounding modes.
 
-## How far it has been tested
+## The tested range
 
 | what | from | to | test |
 | --- | --- | --- | --- |
@@ -37,10 +37,10 @@ says where it breaks, and how rounding adds up in long runs. [STABILITY](STABILI
 | impact parameter at the end of a wall over the radius | 0 | 0.999 | [wall-end](../cases/1-two-discs/wall-end.md) |
 | cycles of one particle or contact | 1000 | 10⁹ | [endurance.c](../tests/endurance.c), below |
 
-The range ends where the overlap exceeds the smaller radius, or where it is no longer large against the rounding of the
-coordinates, about 1e-16 of their size.
+The range ends where the overlap exceeds the smaller radius, or where the overlap is no longer large compared with the
+rounding error of the coordinates, about 1e-16 of their size.
 
-## What a run says where it breaks
+## Messages of aborted runs, errors and warnings
 
 Each message names the particle, the moment and the limit. Each page below causes one of them, and
 [aborted.sh](../tests/aborted.sh) requires exactly these words. The same test requires a page for each message in the
@@ -59,19 +59,19 @@ for page in tests/aborted/*.md; do
 done | fold -s -w 118 | sed 's/ *$//'
 cat <<'TEXT'
 Without `allow unstable` a step that is too long is stopped before any of these happens. With it there is a range in
-which nothing is said and the result is wrong: the ejected sphere is still slower than a radius per step at a hundred
-times the Rayleigh step. [STABILITY](STABILITY.md#just-above-the-limit) shows what reveals it.
+which the result is wrong and no message appears: at a hundred times the Rayleigh step the ejected sphere still moves by
+less than a radius per step. [STABILITY](STABILITY.md#just-above-the-limit) shows which quantities reveal the error.
 
 ## Long runs
 
 One particle or one contact runs for up to 10⁹ cycles ([endurance.c](../tests/endurance.c)); the last row of the table
-says how many the run of this document had. N is the number of cycles, ε = 2.2e-16.
+has the number of cycles of this document's run. N is the number of cycles, ε = 2.2e-16.
 
 - **oscillation**: a disc oscillates between two walls and never leaves them. The scheme has an exact solution, from which the
   phase and the amplitude deviate by rounding alone. The phase drifts as ε N/80, because the rounded step and stiffness
-  have one error in all cycles. The amplitude drifts like a random walk, a few times ε √N, and from 10⁷ cycles on as
+  have the same error in all cycles. The amplitude drifts like a random walk, a few times ε √N, and from 10⁷ cycles on as
   ε N/2000: the rounding of a periodic motion is not quite random.
-- **bounce**: a disc bounces on a floor. Its energy does not drift by rounding but by the scheme. The error of a bounce
+- **bounce**: a disc bounces on a floor. The scheme causes the drift of its energy, not rounding. The error of a bounce
   is of the order of $(\omega \Delta t)^{5/2}$, with a sign that depends on where in a step the contact begins. It adds
   up as the square root of the number of bounces. The work balance, which has no such error, drifts by rounding.
 - **loop**: the tangential displacement of two spheres follows a closed loop of 40 steps. The forces at the end of each
@@ -98,5 +98,5 @@ cat <<'TEXT'
 The program that writes the table requires bounds at each of its rows. They are ε N/2 for the phase and the forces, and
 10 ε √N + ε N/500 for the amplitude and the work balance. The bound of the energy is $(\omega \Delta t)^{5/2}$ times the
 root of the number of bounces. `make check` runs a million cycles, and once more with planted errors of 1e-6, which all
-six bounds must notice.
+six bounds must detect.
 TEXT

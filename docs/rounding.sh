@@ -89,14 +89,14 @@ awk -F '\t' '
     print "one page.\n"
     print "The number of bits that all modes have in common says how much of a result does not depend on rounding. A double has 53."
     print "[METHOD](METHOD.md#rounding) defines the count.\n"
-    printf "- %d cases, the median keeps %g bits. %d keep fewer than 30; each of these pages states why.\n", pages, median(bits, n), few
-    printf "- Of %d cases of which the parts of the cycle were run alone, the motion costs the most bits in %d.\n", with, motion
-    print "  It adds a small step to a large coordinate, and the overlap is the small difference of two such coordinates. The bits of a"
+    printf "- The median over %d cases is %g bits. %d cases keep fewer than 30 bits; the page of each states why.\n", pages, median(bits, n), few
+    printf "- In %d cases the parts of the cycle were also run alone in another mode. In %d of them the motion costs the most bits.\n", with, motion
+    print "  The motion adds a small displacement to a large coordinate, and the overlap is the small difference of two such coordinates. The bits of a"
     print "  force are at most those of a coordinate less log2(coordinate/overlap)."
     printf "- In %d cases some check fails in another mode. Most of these checks demand equality to the last bit, such as the\n", failing
     print "  mirror image of a run. Rounding up is not symmetric, so the mirror image rounds the other way; towards zero is symmetric.\n"
     if ("invariance-far" in geometry)
-      printf "**Far from the origin**, at 1 km, [invariance-far](../cases/5-numerics/invariance-far.md) keeps fewer bits than the same scene at the\norigin. With the geometry alone in another mode it keeps %d bits. So a motion without rounding, such as one with two-part\ncoordinates, would leave %d bits as long as the geometry is computed from rounded coordinates.\n\n**Two-part coordinates** were tried: a second double for each coordinate of a particle or wall, with the part that rounding cuts\noff, and both parts in the geometry. At 1 km this scene kept 27 bits instead of 19, and near the origin 37 instead of 29.\nForty bits are out of reach in doubles: the overlap is $2^{-12}$ of the distance of two centres, so at most 41 of 53 bits are\nleft in a single step. So nothing was built in.\n\n", geometry["invariance-far"], geometry["invariance-far"]
+      printf "**Far from the origin**, at 1 km, [invariance-far](../cases/5-numerics/invariance-far.md) keeps fewer bits than the same scene at the\norigin. With the geometry alone in another mode it keeps %d bits. So a motion without rounding errors, such as one with two-part\ncoordinates, would leave %d bits as long as the geometry is computed from rounded coordinates.\n\n**Two-part coordinates** were tried: a second double for each coordinate of a particle or wall, with the part that rounding cuts\noff, and both parts in the geometry. At 1 km this scene kept 27 bits instead of 19, and near the origin 37 instead of 29.\nForty bits are out of reach in doubles: the overlap is $2^{-12}$ of the distance of two centres, so at most 41 of 53 bits are\nleft in a single step. So two-part coordinates are not in the program.\n\n", geometry["invariance-far"], geometry["invariance-far"]
     print "| case | bits | expectation with the fewest | checks that fail in the other modes |"
     print "| --- | --- | --- | --- |"
     for (k = 1; k <= n; k++) print rows[k] }' "$work/rows" | cat -s >"$work/document"

@@ -56,13 +56,13 @@ seen() {
   case $1 in
   two-wall-compression)
     echo 'The walls move with a constant speed, and the springs are linear. The error of the force is of second order: twice the updates
-leave a quarter of it. The velocity `X.vx.half` is that of half a step before, so its error is of first order and costs much more.' ;;
+leave a quarter of it. The velocity `X.vx.half` is that of half a step before, so its error is of first order, and a small error needs far more updates.' ;;
   mindlin-loops)
     echo 'The exact law gives the same force with any number of steps. Only the work has an error, because it is the sum of mean force times slip, so
 each curve is replaced by straight pieces. That error is of second order.' ;;
   hertz-impact)
-    echo 'The force and its derivative vanish at both ends of the contact. So neither the first touch within a step nor the end of the contact costs
-first order, and the figure shows second order.' ;;
+    echo 'The force and its derivative vanish at both ends of the contact. So neither the first touch within a step nor the end of the contact causes
+an error of first order, and the figure shows second order.' ;;
   oblique-impact)
     echo 'The tangential velocity `impact.psi2` follows from the history of micro-slip. No other law has the same limit within these tolerances over
 the whole sweep, so the figure has one curve. Restitution and duration depend less on the shear force.' ;;
@@ -240,8 +240,8 @@ section() {
   table 0 <"$work/section"
   ! is_small "$page" || [ "$name" != isotropic-compression ] || cat <<TEXT
 
-Two cases measure prices of larger assemblies: [preparation-price](../cases/7-assemblies/preparation-price.md) those of a
-faster preparation, and [softness-price](../cases/7-assemblies/softness-price.md) those of softer spheres and faster loading.
+Two cases measure what larger assemblies lose: [preparation-price](../cases/7-assemblies/preparation-price.md) by a
+faster preparation, and [softness-price](../cases/7-assemblies/softness-price.md) by softer spheres and faster loading.
 TEXT
 }
 
@@ -314,7 +314,7 @@ low_order() { share "$(awk -F '\t' -v late="$1" '$3 == late && $2 < 1.5 { n++ } 
 
 {
   cat <<TEXT
-# The price of accuracy
+# The cost of accuracy
 
 \`make trades\` writes this document ([trades.sh](trades.sh)). For each case of at most fifty particles \`nineball advise --all\`
 searched for the cheapest setting that keeps the error of a quantity within a tolerance. It did so for up to three quantities
@@ -332,8 +332,8 @@ estimated, [ACCURACY](ACCURACY.md) how often such an estimate holds.
 
 ## Lessons
 
-There are $quantities quantities of $pages cases, each at one condition in the middle of the sweep. Left out are
-$(share $(($(swept | cut -f 1,6 | sort -u | wc -l) - quantities)) "$(swept | cut -f 1,6 | sort -u | wc -l)") quantities that the step does not change, such as those of time 0.
+There are $quantities quantities of $pages cases, each at one condition in the middle of the sweep. Not counted are
+$(share $(($(swept | cut -f 1,6 | sort -u | wc -l) - quantities)) "$(swept | cut -f 1,6 | sort -u | wc -l)") quantities, which the step does not change, such as those of time 0.
 
 **What accuracy costs.** From 10 % to 1 % the cost is multiplied by $(cost_ratios '10 %' '1 %' | quantile %.2g 0.5) in the median, with the upper
 quartile at $(cost_ratios '10 %' '1 %' | quantile %.2g 0.75). From 1 % to 0.1 % it is multiplied by $(cost_ratios '1 %' '0.1 %' | quantile %.2g 0.5), with the upper quartile at
@@ -350,8 +350,8 @@ setting than the chosen one can be run. Its step is at the stability limit, or t
 $(own_cost '1 %' 0.25) and $(own_cost '1 %' 0.75). Most pages check a theory to many digits, so their steps are shorter than an engineering
 result needs.
 
-**Where first order bites.** The order is the slope of the estimated error against the step, over the three finest steps
-that were tried. The table has the median, in brackets the quartiles and the number of quantities, without dashpots and increments, and with them. Dashpots use
+**Where the error is of first order.** The order is the slope of the estimated error against the step, over the three finest steps
+that were tried. The table has the median, and in parentheses the quartiles and the number of quantities. The first column is for quantities of pages without dashpots and increments, the second for those with them. Dashpots use
 the velocity of half a step before, and some laws add up increments of the force (\`hertz_increment\`, \`randall\`).
 
 $(order_table)
@@ -361,9 +361,9 @@ $(low_order 1) with them.
 
 - A stage that ends by \`until\` ends after a whole cycle, up to one step late. The error is of first order if the quantity still
   changes there.
-- A first touch happens within a step. At a given time after it the quantity is early or late by a part of a step.
-- A largest value is sampled once per step, but it is flat there. The sampling costs only second order.
-- The result of an impact does not change any more when the particles have separated, so it has the order of the forces.
+- A first touch happens within a step. At a given time after it the quantity is early or late by a fraction of a step.
+- A largest value is sampled once per step, but it is flat there. The error of the sampling is only of second order.
+- The result of an impact does not change any more when the particles have separated, so its error has the order of the forces.
 
 **Where the exact law is needed.** On cases with \`shear mindlin_deresiewicz\`, the table has the number of quantities for which
 another law gives the same limit within the tolerance, at no more updates. It counts a law only where the reference of the case covers it.

@@ -1,6 +1,6 @@
-/* Reference: a straight row of N equal particles between two fixed walls, with the same initial overlap at every
- * contact and given initial velocities along the row: normal modes in closed form, in the time steps of the calculation
- * cycle.
+/* Reference: a straight row of N equal particles between two fixed walls. All contacts have the same initial overlap,
+ * and the initial velocities along the row are given. The solution is by normal modes in closed form, in the time steps
+ * of the calculation cycle.
  *
  * u_l is the displacement of particle l from its initial position, with u_0 = u_(N+1) = 0 at the walls. The solution of
  * m u_l'' = k (u_(l-1) - 2 u_l + u_(l+1)) is, with the amplitude s_j of mode j = 1 ... N,

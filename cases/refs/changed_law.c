@@ -1,5 +1,5 @@
 /* Reference: a contact of constant overlap alpha whose tangential displacement grows as v t, under laws that change
- * from stage to stage. A sphere of the radius R, too heavy to move, touches a wall that moves along itself.
+ * from stage to stage. A sphere of the radius R, too heavy to move, touches a wall that moves tangentially.
  *
  *   normal linear            N = k_n alpha
  *   normal hertz             N = (4/3) E* R^(1/2) alpha^(3/2),    a = (R alpha)^(1/2)                [R89 3.13]
@@ -118,7 +118,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (!(it.overlap > 0) || fabs(wall->vy * wall->ex - wall->vx * wall->ey) > 0 || !read_stages(&it, scene))
     return nb_error_set(
         error, NB_BAD_USE,
-        "changed_law is for a wall that moves along itself, steps given as times, and a contact that does not slide");
+        "changed_law is for a wall that moves tangentially, steps given as times, and a contact that does not slide");
   const double end = it.parts[it.count - 1].end, mass = matter_mass(scene, particle);
   const double most = fmax(it.pair.kn * it.overlap, 4. / 3 * it.pair.young * contact_radius(&it) * it.overlap);
   if (!(most * end * end / 2 < 1e-13 * mass * it.overlap))

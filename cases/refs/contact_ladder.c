@@ -15,10 +15,10 @@
  *
  * linear, mindlin and mindlin_scaled are t = k d between -1 and 1; k = 3/2, and k_s A/mu N for `linear`.
  *
- * Returns shear (N) and work.shear (J) at each step and at the end of each segment, and `psi2 error`: the largest error
- * of the law in the rebound of an oblique impact (impact_laws.c, impact_springs.c) for 0.1 <= psi1 <= 6, with the nu of
- * the page. randall_literal has no `psi2 error`, because it does not converge there. The work is integrated by
- * Simpson's rule in 32 parts of a step.
+ * Returns shear (N) and work.shear (J) at each step and at the end of each segment, and `psi2 error`. This is the
+ * largest error of the law in the rebound of an oblique impact (impact_laws.c, impact_springs.c) for 0.1 <= psi1 <= 6,
+ * with the nu of the page. randall_literal has no `psi2 error`, because it does not converge there. The work is
+ * integrated by Simpson's rule in 32 parts of a step.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -69,9 +69,9 @@ static double end_of(const struct state *s) {
   return s->count == 1 ? b->d + b->sense : s->count == 2 ? 2 * b[-1].d - b->d : b[-1].d;
 }
 
-/* Moves beyond the end of a branch: of the first, to sliding; of the second, to virgin loading in the other direction;
- * of a later one, to the branch before the previous one, shifted where the third branch of randall_literal ended
- * elsewhere. */
+/* Moves beyond the end of a branch. After the first branch the contact slides. After the second one, virgin loading in
+ * the other direction follows. After a later one, the path continues on the branch before the previous one, which is
+ * shifted where the third branch of randall_literal ended elsewhere. */
 static void erase(struct state *s, double end, double d) {
   struct branch *b = &s->branches[s->count - 1];
   if (s->count == 1) {

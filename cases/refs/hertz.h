@@ -28,8 +28,8 @@ struct hertz {
 /* T_c V_N/alpha* = (4 sqrt(pi)/5) Gamma(2/5)/Gamma(9/10) = 2.9432751843247047  [R89 5.12] */
 double hertz_duration_factor(void);
 
-/* The coefficient of restitution of a dashpot with the damping ratio beta, e = exp(-pi z/(1 - z^2)^(1/2)), z =
- * (6/5)^(1/2) beta: in alpha^(5/4) and alpha' the damped equation of impact is that of a linear spring and dashpot
+/* The coefficient of restitution of a dashpot with the damping ratio beta, e = exp(-pi z/(1 - z^2)^(1/2)) with
+ * z = (6/5)^(1/2) beta. In alpha^(5/4) and alpha' the damped equation of impact is that of a linear spring and dashpot
  * (Antypov and Elliott 2011). e = 0 for beta >= (5/6)^(1/2). hertz_ratio is the inverse. */
 double hertz_restitution(double beta);
 double hertz_ratio(double restitution);

@@ -19,7 +19,8 @@
 #include "reference.h"
 #include "single.h"
 
-/* K_c between sphere c - 1 and sphere c, N/m^(3/2); walls are to the left of sphere 0 and to the right of the last one. */
+/* K_c between sphere c - 1 and sphere c, N/m^(3/2); walls are to the left of sphere 0 and to the right of the last
+ * one. */
 static double hertz_constant(const struct nb_scene *scene, size_t c) {
   const struct nb_particle *left = c > 0 ? &scene->particles[c - 1] : NULL;
   const struct nb_particle *right = c < scene->particle_count ? &scene->particles[c] : NULL;

@@ -30,7 +30,7 @@ struct history {
   double sense;   /* direction of the virgin loading, R89's CDF: 1 or -1; 0: none yet */
   bool unloading; /* R89's UFL = -1; reloading does not occur in an impact and counts as loading */
   double star;    /* T*, the force at the reversal, updated as N changes */
-  double deficit; /* R89's DD, the displacement missing to full slip of rings that stuck */
+  double deficit; /* R89's DD, the displacement that rings which stick still lack to slip */
 };
 
 static double none(struct step s, struct history *m) { return (void)m, 0 * s.f; }

@@ -197,7 +197,7 @@ static double total_hardness(const struct limit *limit, const struct nb_scene *s
 }
 
 /* The largest eigenvalue of dt^2 K + 2 dt C of one contact whose particles have only their fractions of mass and moment
- * of inertia: each degree of freedom in its rows of `stretch` is divided by the root of its fraction. */
+ * of inertia. Each degree of freedom in the rows of `stretch` of the contact is divided by the root of its fraction. */
 static double contact_eigenvalue(const struct limit *limit, const struct nb_scene *scene, size_t c, double step) {
   const struct lattice *lattice = &limit->lattice;
   const struct lattice_contact *contact = &lattice->contacts[c];

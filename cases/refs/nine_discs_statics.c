@@ -5,8 +5,8 @@
  *   C.normal, C.shear              of the run;    if the walls are at rest then, also C.normal mean, C.shear mean
  *   C.normal, C.shear in STAGE     of a stage;    likewise
  *
- * For nine equal discs, each wall displaced inward by d, with r = k_s/k_n, the corner discs move by d_c along both axes,
- * and the discs in the middle of a side by d_m towards the centre, in units of d:
+ * For nine equal discs, each wall displaced inward by d, with r = k_s/k_n, the corner discs move by d_c along both
+ * axes, and the discs in the middle of a side by d_m towards the centre, in units of d:
  *
  *   (2 + 2 r) d_c - r d_m = 1,   (2 + 2 r) d_m - 2 r d_c = 1
  *

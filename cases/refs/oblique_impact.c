@@ -1,7 +1,7 @@
 /* Reference: oblique impact of a sphere on a wall or on another sphere.
  *
- * `shear mindlin_deresiewicz` is computed as the exact contact, by independent springs (impact_springs.c), a simplified
- * law in its limit for small steps (impact_laws.c). In dimensionless numbers the impact has two parameters:
+ * `shear mindlin_deresiewicz` is computed as the exact contact, by independent springs (impact_springs.c). A simplified
+ * law is computed in its limit for small steps (impact_laws.c). In dimensionless numbers the impact has two parameters:
  *
  *   psi1 = V_T/(mu kappa V_N)       chi = (1 + m R^2/I)/(2 kappa)       kappa = (E* / G*)/4     [R89 5.14, 5.15]
  *

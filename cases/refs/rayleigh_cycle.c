@@ -1,4 +1,4 @@
-/* Reference: head-on impact of two spheres with Hertz's law in the steps of R89's time step.
+/* Reference: head-on impact of two spheres with Hertz's law, computed with R89's time step.
  *
  * The distance s of the centres and its rate u obey one recursion, with the reduced mass M* and the overlap
  * a = R_x + R_y - s:

@@ -1,4 +1,5 @@
-/* Reference: particles without contacts in an affine strain, with a boundary, in closed form [R89 4.41-4.44, sec. 4.5.2].
+/* Reference: particles without contacts in an affine strain, with a boundary, in closed form.
+ *                                                                                        [R89 4.41-4.44, sec. 4.5.2]
  *
  * A particle of the boundary follows the strain rate L. A particle inside follows it too and also has its own velocity
  * v, which only damping changes. With A = 1 + L dt, the position x_N from the centre after N cycles, and k the fraction

@@ -7,9 +7,10 @@
  *
  *   v = (s' + q u0)/(1 + q),     x = (s + q u0 t)/(1 + q)
  *
- * for any F. A rigid particle has F = F_m = mu m g + c until s' = 0 at t_s = m u0/((1 + q) F_m), then v = q u0/(1 + q),
- * which is 2/3 or 5/7 of u0. With springs, d_m = F_m/k_s, b = (1 + q) c_s/(2 m), w_d^2 = (1 + q) k_s/m - b^2, and t
- * from the beginning of each phase:
+ * for any F. A rigid particle has F = F_m = mu m g + c, with the cohesion c, until s' = 0 at t_s = m u0/((1 + q) F_m).
+ * Then v = q u0/(1 + q), which is 2/3 or 5/7 of u0. k_s is the stiffness of the shear spring and c_s the coefficient of
+ * its dashpot. With d_m = F_m/k_s, b = (1 + q) c_s/(2 m), w_d^2 = (1 + q) k_s/m - b^2, and t from the beginning of each
+ * phase:
  *
  *   stick   s = u0 e^(-b t) sin(w_d t)/w_d                           until s = d_m
  *   slide   s' decreases by (1 + q) F_m/m per second                 until s' = 0
@@ -32,7 +33,7 @@ struct slide {
   double u0, q, radius, x0; /* m/s, 1, m, m */
   double b, damped;         /* 1/s */
   double limit;             /* d_m, m */
-  double brake;             /* (1 + q) mu g, m/s2 */
+  double brake;             /* (1 + q) F_m/m, m/s2 */
   double stick, slide;      /* times at which they end, s */
   double slip;              /* s' at the beginning of sliding, m/s */
 };

@@ -6,7 +6,7 @@
  *                        eigenvalue of its six degrees of freedom
  *   step max             the stability limit of the calculation cycle, with which a page compares its own largest step:
  *                        by bisection of the spectral radius of the cycle as a matrix; relative error 1e-6
- * The first two are exact. All three are for contacts that neither open, slide nor rotate.
+ * The first two are exact. All three are for contacts that neither open nor slide nor rotate.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>

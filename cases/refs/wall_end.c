@@ -9,8 +9,8 @@
  *
  *   Theta = 2 integral from r_0 to R of (b v/r^2)/|r'| dr
  *
- * and the particle leaves with the components of its velocity along and across r as they came, the first one reversed.
- * r = r_0 + (R - r_0) s^2 removes the root of the integrand at r_0.
+ * and the particle leaves with the velocity components along and across r with which it arrived, the first one
+ * reversed. r = r_0 + (R - r_0) s^2 removes the root of the integrand at r_0.
  *
  * Returns, after the contact:
  *   D.vx, D.vy       for D that monitors the particle

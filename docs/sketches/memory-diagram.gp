@@ -1,4 +1,4 @@
-# The memory diagram of a contact that was pressed, then moved along itself: D against x.
+# The memory diagram of a contact that was pressed, then displaced tangentially: D against x.
 eval canvas(-0.75, 5.6, -1.45, 1.75)
 eval arrow(0, -1.4, 0, 1.55, black)
 eval arrow(0, 0, 5.0, 0, black)

@@ -137,12 +137,12 @@ END
 cat <<TEXT
 ## Other ways to trade
 
-Six more ways to trade were measured. One of them earned its place in the program. The intervals are at 95 % confidence.
+Six more ways to trade were measured. One of them became part of the program. The intervals are at 95 % confidence.
 
 **Dashpots with the velocity at the time of the force.** Within 0.1 % \`damping centred\` needs $centred_least to $centred_most times fewer updates
 than CS79's dashpots for each of $centred_quantities quantities, and within 1 % up to $centred_most_at_1 times fewer
-([centred-dashpots.tsv](trades/centred-dashpots.tsv), eight moments of first touch each). The error becomes second order
-([centred-dashpots](../cases/5-numerics/centred-dashpots.md)). It is part of the program; the default stays that of the
+([centred-dashpots.tsv](trades/centred-dashpots.tsv), eight moments of first touch each). The error becomes one of second order
+([centred-dashpots](../cases/5-numerics/centred-dashpots.md)). \`damping centred\` is part of the program; the default stays that of the
 paper.
 
 **Local damping** (P. A. Cundall, in *Analytical and Computational Methods in Engineering Rock Mechanics*, 1987) reduces every component of the unbalanced force on a particle by a fraction of itself,
@@ -160,7 +160,7 @@ take $(plan bound) cycles instead of $(plan hand) with two steps chosen by hand.
 contacts form and stiffen, the bound falls: 0.75, 0.7 and 0.6 of it at the beginning of the compression to 100 kPa were too long
 later. Nothing is built in: \`step F of stable\` in a stage does it.
 
-**Density scaling** makes small spheres heavier, so that all limit the step alike ([density.tsv](trades/density.tsv), eight
+**Density scaling** makes small spheres heavier, so that spheres of all sizes limit the step alike ([density.tsv](trades/density.tsv), eight
 realizations). With densities proportional to \$r^{-2}\$ the step in the shear test is $density_step times as long. The test takes
 $density_cycles cycles instead of $density_plain, and the mean unbalanced force is $density_force times as large. By interpolation a faster test reaches the
 same unbalanced force with $density_faster cycles, so scaling saves $density_saved %. The difference of \$\\sin \\Phi\$ is $density_sinphi.

@@ -9,8 +9,8 @@
 #include "model.h"
 #include "tensor.h"
 
-/* The strain rate that applies to a particle. In a cell it is that of the cell. Otherwise it is that of the boundary for
- * particles of the boundary, and that of `affine strain` for free particles. The strain rate of the box moves its
+/* The strain rate that applies to a particle. In a cell it is that of the cell. Otherwise it is that of the boundary
+ * for particles of the boundary, and that of `affine strain` for free particles. The strain rate of the box moves its
  * walls. */
 enum nb_affine_source {
   NB_AFFINE_NONE,
@@ -26,12 +26,13 @@ struct nb_affine {
   struct nb_tensor rate[NB_AFFINE_SOURCES];           /* over the next step, 1/s */
   struct nb_tensor base_rate[NB_AFFINE_SOURCES];      /* L of the stage, without the part that a servo adds, 1/s */
   struct nb_strain_rate requested[NB_AFFINE_SOURCES]; /* as the page gives it */
-  double separate[NB_AFFINE_SOURCES]; /* 1: c is kept apart from the particle's own velocity; 0: it is added to it */
-  bool twice;                         /* L z is added to the relative velocities too: pass/affine_twice.c */
-  unsigned char *source;              /* per slot: enum nb_affine_source */
-  bool used[NB_AFFINE_SOURCES];       /* by some particle, now or before */
-  bool free_before, any_before;       /* free particles, or any, moved affinely in the previous step */
-  bool uniform;                       /* all particles have the same rate */
+  double
+      separate[NB_AFFINE_SOURCES]; /* 1: c is stored separately from the particle's own velocity; 0: c is added to it */
+  bool twice;                      /* L z is added to the relative velocities too: pass/affine_twice.c */
+  unsigned char *source;           /* per slot: enum nb_affine_source */
+  bool used[NB_AFFINE_SOURCES];    /* by some particle, now or before */
+  bool free_before, any_before;    /* free particles, or any, moved affinely in the previous step */
+  bool uniform;                    /* all particles have the same rate */
   struct nb_servo_state {
     double stress[3];          /* the controlled stresses xx, yy, xy when the servo began, Pa */
     struct nb_tensor integral; /* Z of servo.c, 1/s */
@@ -49,7 +50,7 @@ static inline void nb_affine_assign(struct nb_affine *affine, size_t slot, enum 
   affine->used[carrier] = true;
 }
 
-/* The part of c that is kept apart from the particle's own velocity, and the part that is added to it
+/* The part of c that is stored separately from the particle's own velocity, and the part that is added to that velocity
  * (`accumulated`), m/s. */
 static inline struct nb_vec nb_affine_separate(const struct nb_affine *affine, size_t slot, struct nb_vec x) {
   return vec_scale(affine->separate[affine->source[slot]], nb_imposed_velocity(affine, slot, x));

@@ -11,8 +11,8 @@
  * from 1, and its byte; 0: none. */
 int nb_clean(char *text, size_t length, unsigned *byte);
 
-/* Appends a word as a POSIX shell must read it: quoted if it has other characters than letters, digits and those of names, numbers and
- * paths. */
+/* Appends a word as a POSIX shell must read it: in quotes if it has a character that is neither a letter nor a digit
+ * nor usual in names, numbers and paths. */
 void nb_append_word(char *text, size_t size, const char *word);
 /* Appends to the text, up to its size. */
 void nb_append(char *text, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));

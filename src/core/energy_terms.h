@@ -12,9 +12,9 @@ enum nb_term {
   NB_TERM_WALLS,      /* work of walls and of fixed particles that move */
   NB_TERM_GRAVITY,    /* work of gravity */
   NB_TERM_FRICTIONAL, /* energy dissipated by friction, of shear laws with stored energy */
-  NB_TERM_SLIDING,    /* part of it in steps that end with the contact sliding */
+  NB_TERM_SLIDING,    /* part of NB_TERM_FRICTIONAL in steps that end with the contact sliding */
   NB_TERM_SHEAR,      /* work against the shear forces of all laws */
-  NB_TERM_UNSTORED,   /* the part of it that is done against laws without stored energy */
+  NB_TERM_UNSTORED,   /* part of NB_TERM_SHEAR that is done against laws without stored energy */
   NB_TERM_CHANGED,    /* energy that stages put in: velocities zeroed or reversed, loaded springs or laws changed */
   NB_TERM_REMOVED,    /* kinetic energy, and that of springs, of particles that are removed or join a boundary */
   NB_TERM_IMPOSED,    /* work of the affine motion and of a stress on a boundary */

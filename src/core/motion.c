@@ -152,14 +152,14 @@ static inline NB_FORM void rotate(const struct task *task, const struct batch *b
     surface[k].speed = spin[k] * surface[k].radius;
 }
 
-/* Before the kick: own velocities. */
+/* Before the kick: stores the own velocities of the particles. */
 static inline NB_FORM void begin_prediction(const struct task *task, size_t from, size_t n) {
   const struct nb_particles *particles = &task->particles;
   for (size_t k = from; k < from + n; k++)
     particles->ahead[k] = (struct nb_velocities){particles->velocity[k], particles->surface[k].speed};
 }
 
-/* After it: their change, for half a step. */
+/* After the kick: replaces the stored velocities by their predicted change over half a step. */
 static inline NB_FORM void end_prediction(const struct task *task, const struct batch *batch, size_t from, size_t n) {
   const struct nb_particles *particles = &task->particles;
   const double fraction = task->step / (2 * task->time);

@@ -29,7 +29,7 @@ void nb_store_integers(struct nb_store *store, const char *name, void *values, s
 size_t nb_store_length(const struct nb_store *store, const char *name, size_t now);
 const struct nb_store_part *nb_store_find(const struct nb_store *store, const char *name); /* NULL: none */
 
-/* Objects of doubles alone; integers, also Boolean ones and characters. */
+/* NB_STORE: objects that consist of doubles alone. NB_STORE_INTEGERS: integers, Boolean values and characters. */
 #define NB_STORE(store, name, at, count)                                                                               \
   nb_store_doubles(store, name, (double *)(void *)(at), (count) * sizeof *(at) / sizeof(double))
 #define NB_STORE_INTEGERS(store, name, at, count)                                                                      \

@@ -71,8 +71,8 @@ static void override_timing(const struct nb_scene_reading *reading, struct nb_re
                    "`centred` or `late`");
 }
 
-/* There is one statement each for all contacts, for contacts with walls, for deep contacts, for all particles and for
- * the time of the velocity that dashpots use; `none` sets all of them. In a stage each replaces the inherited one. */
+/* Five things have one statement each: all contacts, contacts with walls, deep contacts, all particles, and the time
+ * of the velocity that dashpots use. `none` sets all five. In a stage a statement replaces the inherited one. */
 NB_APPLY(apply_damping) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;

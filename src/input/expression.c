@@ -121,9 +121,9 @@ static struct quantity expected(struct parser *p, const char *what) {
   if (length == 0)
     snprintf(text, sizeof text, "%c", c);
   snprintf(hint, sizeof hint, "an expression has names without `$`: `%s`", text + 1);
-  const char *const otherwise = c == '$'                           ? hint
-                                : c == '*'                         ? "a power is written `^`"
-                                : c == ','                         ? "the decimal point is `.`"
+  const char *const otherwise = c == '$'   ? hint
+                                : c == '*' ? "a power is written `^`"
+                                : c == ',' ? "the decimal point is `.`; `sweep` has several values, without commas"
                                 : strcmp(what, "an operator") != 0 ? NULL
                                 : isdigit((unsigned char)c)        ? "use `sweep` for several values"
                                 : nb_unit_read(&unit, text)        ? "the value before it has its unit already"

@@ -24,19 +24,19 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"psd gradation size distribution bimodal", "grading"},
     {"facet facets plane plate", "wall"}, {"domain container create_box", "box, cell"}, {"periodic pbc", "cell"},
     {"contact_model cmat pair_style model", "normal, shear"}, {"property prop attribute set assign", "material, pair, let"},
-    {"variable define parameter fish", "let"}, {"loop foreach for while", "sweep, repeat"}, {"bond bonds cement adhesion", "cohesion"},
-    {"friction_coefficient friction_angle frictionAngle fric mu xmu coulomb", "friction"}, {"rho dens mass_density", "density"},
-    {"young_modulus youngs_modulus youngs modulus emod E", "young"}, {"poisson_ratio poissons_ratio pois nu", "poisson"},
-    {"normal_stiffness k_n", "kn"}, {"shear_stiffness tangential_stiffness k_s k_t kt kratio", "ks"}, {"stiffness spring", "kn, ks, young", "stiffness is `kn` and `ks` in `material` or `pair`, or `young` in `material`"},
+    {"variable define parameter fish", "let"}, {"loop foreach for while", "sweep, repeat"}, {"study vary parametric", "sweep"}, {"result results", "report"}, {"bond bonds cement adhesion", "cohesion"},
+    {"friction_coefficient friction_angle frictionAngle fric mu xmu", "friction"}, {"coulomb", "friction, linear"}, {"rho dens mass_density", "density"},
+    {"young_modulus youngs_modulus youngs modulus emod E", "young"}, {"shear_modulus G", "young", "the shear modulus G gives `young` as 2 G (1 + poisson)"}, {"poisson_ratio poissons_ratio pois nu", "poisson"},
+    {"normal_stiffness k_n", "kn"}, {"shear_stiffness tangential_stiffness k_s k_t kt kratio", "ks"}, {"stiffness spring", "kn, ks, young, linear", "stiffness is `kn` and `ks` in `material` or `pair`, or `young` in `material`"},
     {"diameter r", "radius"}, {"g grav acceleration", "gravity"}, {"dt timestep time_step", "step"},
     {"damp viscous viscosity dashpot gamma gamma_n dp_nratio dp_sratio beta", "damping, ratio, stiffness"}, {"neighbor verlet cutoff", "skin"},
     {"local nonviscous", "mass", "there is no local damping"}, {"dump", "record, snapshot"}, {"plot graph figure", "gnuplot"},
     {"restitution cor", "ratio, impact.restitution", "restitution is a result, not an input; for 0.7 with linear springs write `damping ratio (-log(0.7)/hypot(pi, log(0.7)))`"},
     {"rolling rolling_friction rolling_resistance", "rotation off", "there is no rolling resistance"},
-    {"history hist track trace thermo output print probe", "monitor, record"}, {"measure measurement group range", "region"},
+    {"history hist track trace thermo output print probe", "record, monitor", "`record` lists quantities; `monitor` names the particle or contact that has them"}, {"measure measurement group range", "region"},
     {"run solve go iterate cycle", "cycles, until"}, {"equilibrium converge unbal", "until, unbalanced.max"},
     {"unbalanced unbalanced_force mech_ratio", "unbalanced.max"},
-    {"ratio", "unbalanced.max, damping, poisson"}, {"critical", "ratio, single-contact"}, {"no_contact separation", "contacts"},
+    {"ratio", "unbalanced.max, damping, poisson"}, {"critical", "ratio, single-contact"}, {"no_contact separation", "contacts"}, {"coordination_number cn Z", "coordination"}, {"voidratio", "void_ratio"}, {"solid_fraction packing_fraction volume_fraction", "porosity", "the porosity is 1 minus the solid fraction"},
     {"contact", "damping, monitor, region"}, {"all", "region", "`region M all` measures all particles and contacts"},
     {"calm relax quench", "zero velocities"}, {"fix freeze clamp", "fixed", "a particle with `fixed` does not move: `disc X Y radius R MATERIAL fixed`; `rotation off` prevents rotation"},
     {"apply load", "gravity, boundary stress, servo, wall"}, {"confine confining confinement membrane pressure", "servo, boundary stress, cell.stress.mean"}, {"goal target", "servo"},
@@ -47,13 +47,15 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"move displace", "wall, walls, transform"}, {"delete kill erase", "remove"},
     {"save checkpoint write_restart", "nineball state"}, {"restore restart read_restart read_data import", "start, packing"},
     {"assert compare equals equal is = ==", "expected, within"}, {"tolerance agree", "within"},
-    {"maximum largest", "max"}, {"end final", "last"}, {"rises rise grows", "increases"}, {"falls fall drops", "decreases"}, {"same unchanged", "constant"}, {"less < <=", "below"}, {"greater more > >=", "above"},
+    {"maximum largest peak", "max"}, {"tangential", "shear, ks"}, {"end final", "last"}, {"rises rise grows", "increases"}, {"falls fall drops", "decreases"}, {"same unchanged", "constant"}, {"less < <=", "below"}, {"greater more > >=", "above"},
     {"force contact_force forces", "normal, shear, fx, fy"}, {"position displacement pos disp", "x, y"}, {"vel velocity speed", "velocity, vx, vy", "a velocity is given by `velocity VX VY` and recorded as `A.vx` and `A.vy`"},
     {"kinetic kinetic_energy ke", "energy.kinetic"}, {"hertz_mindlin hertzian hertz_material mindlin_rescale", "normal hertz, shear mindlin"},
     {"hooke hookean", "normal linear, shear linear"}, {"SI", "units"}, {"degree degrees", "deg"},
     {"norotation no_rotation irrotational blockedDOFs", "rotation off"}, {"false no disable disabled", "off"}, {"true yes enable enabled", "on"},
     {"safety safety_factor", "stable", "write `step 0.2 of stable`"}, {"number count", "grading", "a grading has the number of particles of each radius: `grading sand 2 mm 100  1 mm 400`"},
     /* STATEMENT_WORD: a word in a statement that does not have it */
+    {"contact_linear contact_hertz", "normal, shear", "contact laws are two statements: `normal linear` and `shear linear`, or `normal hertz` and `shear mindlin`"},
+    {"shear_hertz", "shear", "the shear law of elastic spheres is `shear mindlin` or `shear mindlin_deresiewicz`"},
     {"wall_fixed box_fixed", "wall, walls", "a wall does not move unless it has a `velocity`"},
     {"remove_wall", "wall", "a wall stays, but it can move away: `wall NAME velocity VX VY`"}, {"step_auto", "stable", "write `step 0.3 of stable`, with elastic spheres `step 0.2 of rayleigh`"},
     {"cycles_s cycles_ms", "until", "a duration is `until time above 2 s at most 1000000 cycles`"},
@@ -91,7 +93,9 @@ const char *nb_synonym_hint(char *hint, const char *word) {
   if (!synonym)
     return NULL;
   list_ours(list, synonym, ~0u);
-  if (synonym->note)
+  if (synonym->note && strstr(synonym->note, "--help"))
+    snprintf(hint, NB_HINT_SIZE, "%s", synonym->note);
+  else if (synonym->note)
     snprintf(hint, NB_HINT_SIZE, "%s: see `nineball --help %.*s`", synonym->note, (int)strcspn(synonym->ours, ","),
              synonym->ours);
   else

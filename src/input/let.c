@@ -25,7 +25,8 @@ NB_APPLY(apply_units) {
   reading->reader.unitless = reading->setting.unitless = record->value[AT_NAME].number == 0;
 }
 
-/* Takes a word, or a number and its unit; *token is its first one. False, with a message, if there is none. */
+/* Takes a word, or a number and its unit; *token is the first token of the value. False, with a message, if there is no
+ * value. */
 static bool take_value(struct nb_reader *reader, struct nb_binding *value, const struct nb_token **token) {
   struct nb_unit read;
   *value = (struct nb_binding){.value = NAN};
@@ -336,7 +337,7 @@ static void read_divisor(struct nb_reader *setting, size_t line, double *divisor
     nb_expected(setting, NULL, "the end of the setting");
 }
 
-/* Whether it is the last one of its name, and its units are known. */
+/* Whether the setting on this line is the last one of its name, and the units of its value are known. */
 static bool is_read_now(const struct nb_scene_reading *reading, size_t line, const char *name) {
   return line == nb_setting_find(reading, name) && !(reading->before_start && strcmp(name, "step") == 0);
 }

@@ -363,7 +363,7 @@ static const char *owner_hint(char *hint, const struct nb_scene *scene, const ch
   return used ? hint : NULL;
 }
 
-/* Appends the quantities of that kind of monitor that a word means: of `velocity` "`A.vx` `A.vy`". */
+/* Appends the quantities that a word means for that kind of monitor: for `velocity` "`A.vx` `A.vy`". */
 static void list_meant(char *list, size_t size, unsigned kind, char monitor, const char *word) {
   const struct nb_synonym *const synonym = nb_synonym(word);
   const char *items = synonym ? synonym->ours : "";
@@ -382,7 +382,7 @@ static bool means_particle(const char *word) {
   return strcmp(word, "disc") == 0 || strcmp(word, "sphere") == 0 || (synonym && strstr(synonym->ours, "disc, sphere"));
 }
 
-/* The kind of monitor that two words are, `disc 1` or `wall floor`, with the shape of the scene; 0: they are none. */
+/* The kind of monitor that two words name, `disc 1` or `wall floor`, with the shape of the scene; 0: they name none. */
 static unsigned named_by(char *name, size_t size, const struct nb_scene *scene, const char *word, const char *of) {
   const size_t number = strspn(of, "0123456789") == strlen(of) ? strtoul(of, NULL, 10) : 0;
   const bool wall = strcmp(word, "wall") == 0, sphere = strcmp(word, "sphere") == 0;
@@ -438,7 +438,28 @@ static bool lacks_owner(const struct nb_scene *scene, const char *text) {
   return kind_at(k) && !scene->contact_test;
 }
 
-const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const char *text) {
+/* "did you mean `M.coordination`?" for `M.cn`, whose second part is a word of other programs; else a list of the
+ * quantities of the owner. */
+static const char *owned_by_hint(char *hint, const struct nb_scene *scene, const char *text, int owner) {
+  const char *const dot = text + strcspn(text, ".");
+  const struct nb_synonym *const synonym = *dot ? nb_synonym(dot + 1) : NULL;
+  const char *items = synonym ? synonym->ours : "";
+  char item[NB_NAME_SIZE], name[3 * NB_NAME_SIZE];
+  struct nb_quantity quantity;
+  bool found = false;
+  *hint = '\0';
+  if (synonym && synonym->note)
+    nb_append(hint, NB_HINT_SIZE, "%s: ", synonym->note);
+  while (nb_item(&items, item)) {
+    snprintf(name, sizeof name, "%.*s.%s", (int)(dot - text), text, item);
+    if (nb_quantity_find(&quantity, scene, name))
+      nb_append(hint, NB_HINT_SIZE, "%s`%s`", found ? " or " : "did you mean ", name), found = true;
+  }
+  nb_append(hint, NB_HINT_SIZE, "?");
+  return found ? hint : list_quantities(hint, scene, owner);
+}
+
+static const char *hint_of(char *hint, const struct nb_scene *scene, const char *text) {
   const char *const rest = strchr(text, '.');
   const int owner = monitor_named(scene, text, strcspn(text, "."));
   char stem[2 * NB_NAME_SIZE]; /* `energy` of `energy.potential` */
@@ -449,7 +470,7 @@ const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const cha
   if (lacks_owner(scene, text) ? owner_hint(hint, scene, text) : nb_guess_hint(&guess, hint))
     return hint;
   if (owner >= 0)
-    return list_quantities(hint, scene, owner);
+    return owned_by_hint(hint, scene, text, owner);
   const bool found = !scene->contact_test &&
                      (owned_hint(hint, scene, text) || nb_guess_hint(&of_stem, hint) || owner_hint(hint, scene, stem));
   if (!found && !nb_synonym_hint(hint, text))
@@ -459,4 +480,9 @@ const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const cha
                  : "see `nineball --help quantities`",
              (int)strcspn(text, "."), text);
   return hint;
+}
+
+const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const char *text) {
+  return strchr(text, '(') ? strcpy(hint, "`max`, `mean` and other reducers follow the quantity: `A.x max`")
+                           : hint_of(hint, scene, text);
 }

@@ -38,7 +38,8 @@ const struct nb_old_word *nb_old_words(void) {
     {NB_OLD_STATEMENT, "let NAME NUMBER", "let NAME = NUMBER"},
     {NB_OLD_STATEMENT, "step F of safe", "step F of stable"},
     {NB_OLD_STATEMENT, "step F of contact", "step F of collision"},
-    {NB_OLD_STATEMENT, "step F of critical", "step F of single-contact"},
+    {NB_OLD_STATEMENT, "step F of critical", "step F of single-contact",
+     "the limit of stability is `step F of stable`"},
     {NB_OLD_STATEMENT, "step N per contact", "step N per collision"},
     {NB_OLD_STATEMENT, "damping … contact-beta", "damping … stiffness"},
     {NB_OLD_STATEMENT, "damping … contact-ratio", "damping … ratio"},
@@ -396,7 +397,8 @@ void nb_old_line(struct nb_text *text, const char *line, enum nb_old_block block
 static const char *hint_of(char *hint, const struct nb_old_word *row) {
   if (!row)
     return NULL;
-  snprintf(hint, NB_HINT_SIZE, NOW "; `nineball migrate` rewrites a page", row->old, row->now);
+  snprintf(hint, NB_HINT_SIZE, NOW "; %s%s`nineball migrate` rewrites a page", row->old, row->now,
+           row->note ? row->note : "", row->note ? "; " : "");
   return hint;
 }
 

@@ -21,6 +21,7 @@ enum nb_old_kind {
 struct nb_old_word {
   enum nb_old_kind kind;
   const char *old, *now;
+  const char *note; /* for hints; NULL: none */
 };
 const struct nb_old_word *nb_old_words(void); /* the last row has no words */
 

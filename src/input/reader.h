@@ -266,7 +266,8 @@ enum nb_status nb_page_read_bytes(struct nb_page *page, const char *path, const 
 
 /* ---- refine.c ---- */
 
-/* Whether a number of cycles that `--set refine=R` has multiplied is whole, apart from rounding of R; *whole: the nearest one. */
+/* Whether a number of cycles that `--set refine=R` has multiplied is whole, apart from rounding of R; *whole: the
+ * nearest one. */
 bool nb_refined_is_whole(double product, double *whole);
 
 /* ---- file.c ---- */

@@ -67,7 +67,8 @@ NB_APPLY(apply_columns) {
 
 /* In a stage: `record every N cycles` or `record none`. */
 NB_APPLY(apply_record) {
-  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  struct nb_scene_reading *reading = subject;
+  struct nb_scene *scene = reading->scene;
   unsigned long every = 0;
   (void)record;
   if (nb_token_skip(reader, "every"))
@@ -77,8 +78,11 @@ NB_APPLY(apply_record) {
                 scene->contact_test ? "`record QUANTITY …` belongs before the first `segment`"
                                     : "`record QUANTITY …` belongs before the first `stage`",
                 scene->contact_test ? "`every N steps` or `none`" : "`every N cycles` or `none`");
-  if (!reader->bad)
-    nb_current_stage(scene)->record_interval = every;
+  if (reader->bad)
+    return;
+  nb_current_stage(scene)->record_interval = every;
+  if (every > 0 && reading->requested_count == 0)
+    nb_warn(&scene->warnings, (int)reader->line, "`record every` writes empty rows: no quantity is recorded");
 }
 
 bool nb_stage_before_start(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *name) {

@@ -122,8 +122,8 @@ void nb_stage_name(struct nb_stage *stage, const struct nb_scene_reading *readin
 
 /* Line among the settings of the last --set of that name; 0: none. */
 size_t nb_setting_find(const struct nb_scene_reading *reading, const char *name);
-/* Applies --set of laws and the step, and reports those of unknown names. On a page with `start` the second function does so for the
- * step, when the units of the other page are known. */
+/* Applies --set of laws and the step, and reports those of unknown names. On a page with `start` the second function
+ * does so for the step, when the units of the other page are known. */
 void nb_settings_read(struct nb_scene_reading *reading);
 void nb_setting_read_step(struct nb_scene_reading *reading);
 /* Number of runs by the sweeps so far. */

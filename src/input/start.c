@@ -1,8 +1,8 @@
 /* `start PAGE stage NAME`: continues the scene of another page from the end of one of its stages.
  *
  * The scene has the other page's materials, particles, walls, laws and stages, so that references see all of them;
- * their line is that of `start`. Regions, monitors and columns are those of this page alone. Statements before its first
- * stage belong to this stage.
+ * their line is that of `start`. Regions, monitors and columns are those of this page alone. Statements before its
+ * first stage belong to this stage.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _XOPEN_SOURCE 700

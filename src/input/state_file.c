@@ -97,7 +97,7 @@ static void take_field(struct stream *stream, char field[NB_STATE_FIELD], const 
 
 /* After an error each of the following functions leaves a valid value. */
 
-enum range { FINITE, FROM_0, ABOVE_0, FROM_0_OR_UNDEFINED }; /* the last one: infinite or `-`, NAN, as well */
+enum range { FINITE, FROM_0, ABOVE_0, FROM_0_OR_UNDEFINED }; /* the last one: also infinite, or undefined (`-`, NAN) */
 
 static void number(struct stream *stream, double *value, enum range range) {
   char field[NB_STATE_FIELD], *end = field;
@@ -531,8 +531,8 @@ static void store(struct stream *stream) {
 
 /* ---- the whole ---- */
 
-/* Word, function, how often it must stand in a file, and how many are written: none of what the scene does not have,
- * and none of a default. The history that a law keeps is written with its contact. */
+/* Word, function, how often the record must stand in a file, and how many are written. A record of something that the
+ * scene does not have is not written, nor is a default. The history that a law keeps is written with its contact. */
 #define RECORDS(X)                                                                                                     \
   X("program", program, ONCE, 1)                                                                                       \
   X("page", page, ONCE, 1)                                                                                             \

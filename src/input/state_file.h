@@ -121,7 +121,7 @@ struct nb_saved {
   size_t contact_count;
   double *history; /* all numbers of all histories */
   size_t history_count;
-  struct nb_store store; /* of a checkpoint: what a run keeps besides; else empty */
+  struct nb_store store; /* of a checkpoint: the other data of a run; else empty */
 };
 
 /* Bytes of a field with its terminating zero; of the last line: "end ", 16 digits and the line end. */

@@ -53,7 +53,7 @@ static bool number_next(const struct nb_reader *reader) {
 
 enum { CONTACT_TEST = NB_IN_CONTACT_TEST | NB_IN_SEGMENT };
 
-/* The place of a row that does not belong here; in the same kind of block, if possible. */
+/* Says where a row belongs that may not stand here; a place in the same kind of block, if possible. */
 static const char *where_words(unsigned where, unsigned here) {
   if (here & CONTACT_TEST && !(where & CONTACT_TEST))
     return "in a block of kind `scene`";
@@ -375,9 +375,9 @@ static size_t given_count(const struct nb_reader *reader) {
   return count;
 }
 
-/* The hint for a statement of another place with the same words, such as `wall` in the scene and in a stage, if that
- * one has more positional arguments and this line too many, or if it has as many as this line, which has too few. NULL:
- * there is none. */
+/* The hint for a statement of another place with the same words, such as `wall` in the scene and in a stage; NULL:
+ * there is none. It is given if this line has too many positional arguments and the other statement has more. It is
+ * also given if this line has too few and the other statement has exactly as many. */
 static const char *namesake_hint(const struct nb_reader *reader, char *hint, const struct nb_argument *missing) {
   const size_t count = reader->namesake ? positional_count(reader->namesake) : 0;
   const bool fits = nb_token_peek(reader) ? count > positional_count(reader->keyword)

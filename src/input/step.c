@@ -84,7 +84,7 @@ NB_STATEMENTS(step) = {
    "`collision`: the duration of the shortest collision, of which `N per collision` is the N-th part. For elastic spheres it is Hertz's, at the speeds of the pairs predicted to collide at their current velocities. "
    "`rayleigh`: the time of a surface wave from pole to pole of the smallest sphere. `rayleigh-mean`: the same for a sphere with the mean properties. "
    "With `-fit`: by R89's fit of the wave speed [R89 4.33, 4.34]. In a stage: from this stage on. --set step=... overrides it everywhere. --set refine=R divides it by R, multiplies all numbers of cycles by R and divides strains per cycle by R, so that the page stays the same in time.",
-   "step      0.1 of single-contact"},
+   "step      0.2 of stable"},
   {"allow", NB_IN_SCENE | NB_IN_STAGE | NB_IN_START, no_fields, "unstable", 0, false, apply_allow,
    "Allows a step longer than the guaranteed stable one. Without this statement such a run is aborted. In a stage it applies to this stage only.",
    "allow     unstable"},

@@ -73,7 +73,8 @@ static bool transform_point(const struct nb_transform *to, double *x, double *y)
   return isfinite(*x) && isfinite(*y);
 }
 
-/* L' = Q M L (Q M)^T: columns first, then rows, where what is not finite stays so. */
+/* L' = Q M L (Q M)^T: first the columns, then the rows. A component that is not finite after the columns is not finite
+ * after the rows either, so only the rows are tested. */
 static bool transform_rate(const struct nb_transform *to, struct nb_strain_rate *rate) {
   rotate(to, &rate->xx, &rate->yx), rotate(to, &rate->xy, &rate->yy);
   const bool finite = rotate(to, &rate->xx, &rate->xy);

@@ -103,7 +103,7 @@ static const char *without_comma(char bare[NB_NAME_SIZE], const char *text) {
   return bare;
 }
 
-/* Whether a token is a unit, or one of those in messages apart from upper and lower case. */
+/* Whether a token is a unit, or equals one of the units in messages except for upper and lower case. */
 static bool resembles_unit(const char *text) {
   struct nb_unit unit;
   char bare[NB_NAME_SIZE];
@@ -170,6 +170,17 @@ static bool comma_hint(char *hint, const char *n, const char *unit, const struct
   return comma && nb_unit_read(&read, bare) && nb_dimension_same(read.dimension, it->unit.dimension);
 }
 
+/* The hint for an angle in degrees where numbers have no units. */
+static bool radian_hint(char *hint, const char *n, const char *unit, const struct wanted *it) {
+  snprintf(hint, NB_HINT_SIZE, "without units an angle is in rad: write `(%.40s*pi/180)`", n);
+  return it->unit.angle && strcmp(unit, "deg") == 0;
+}
+
+static bool special_hint(char *hint, const struct nb_reader *reader, const char *n, const char *unit,
+                         const struct wanted *it) {
+  return comma_hint(hint, n, unit, it) || (reader->unitless && radian_hint(hint, n, unit, it));
+}
+
 /* The hint for a number without a unit, or with the wrong one. */
 static const char *unit_hint(char *hint, const struct nb_reader *reader, const struct nb_token *number,
                              const struct nb_token *unit, const struct wanted *it) {
@@ -182,7 +193,7 @@ static const char *unit_hint(char *hint, const struct nb_reader *reader, const s
   nb_unit_offer(&guess, it->units);
   if (unit && number->computed && !foreign)
     return NULL;
-  if (comma_hint(hint, n, text, it))
+  if (special_hint(hint, reader, n, text, it))
     return hint;
   if (unit && (reader->unitless || is_dimensionless(it)))
     snprintf(hint, NB_HINT_SIZE,

@@ -65,7 +65,8 @@ struct nb_law {
   bool cohesionless;      /* does not support cohesion: a page with some is invalid */
   bool dissipative;       /* dissipates energy before gross sliding, and returns how much */
   bool non_conservative;  /* may create energy in a closed path; its file says how much */
-  /* Adds to the previous force: its stiffness is that of the next step, and the force may end before the overlap. */
+  /* Adds to the previous force: its stiffness is that of the next step, and the force may be 0 although the particles
+   * overlap. */
   bool incremental;
   nb_run_pass *run[NB_ISAS]; /* for a block */
   /* The law itself, for contact tests, the stable step, energies and unit tests. */

@@ -22,21 +22,21 @@
  * on the step size: a step is exact where (alpha, delta) moves on a straight line, and so is a path of as many segments
  * as there are pieces.
  *
- * A new piece is merged with the one before it, with delta kept, if this changes T by less than 1e-7 mu N. Where delta is
- * below a hundredth of the one at which the contact slides, that limit shrinks with delta. When all
+ * A new piece is merged with the one before it, with delta kept, if this changes T by less than 1e-7 mu N. Where delta
+ * is below a hundredth of the delta at which the contact slides, that limit decreases in proportion to delta. When all
  * pieces are in use, two others are merged (corners.h). In contacts with decaying oscillations of 20 to 3000 reversals
  * the measured error of T is at most 1.2e-4 mu N with 64 pieces, the default (docs/CONTACT.md). The change of the
  * stored energy by a merge counts as loss; it may be negative.
  *
  * Stores     Int_0^alpha T(x) d(delta). The tractions are a sum of flat punches of radius a(x), each displaced
  *            by d(delta)(x), with forces 8 G* a(x) d(delta). A punch of radius a(x) displaces the whole area of a
- *            smaller one, at y, by its d(delta), so by reciprocity the interaction energy of the two is the force of
+ *            smaller one, at y, by its d(delta). So by reciprocity the interaction energy of the two is the force of
  *            the smaller one times that displacement: U = Int d(delta)(x) Int_(y < x) 8 G* a(y) d(delta)(y), where the
  *            inner integral is T(x).
  * Dissipates a slip front that advances inwards from c to c - dc takes d(delta) = mu kappa (1 - s D) dc. Of its work
  *            T d(delta), mu^2 kappa (1 - s D) [N(alpha) - N(c) - N'(c)(alpha - c)] dc  is not stored. Sliding
- *            dissipates mu N times displacement. Both use alpha at the time of the front, so the sum is exact on a
- *            straight segment without a reversal.
+ *            dissipates mu N times displacement. Both use alpha at the time when the front passes, so the sum is exact
+ *            on a straight segment without a reversal.
  * Source     Jaeger (1993-1998); Aleshin, Bou Matar and Van Den Abeele (2015). All cases of Mindlin and Deresiewicz
  *            (1953) follow: [R89 3.25, 3.40, 3.50, 3.94].
  * Range      slip along one line; no coupling of normal and tangential motion; friction limits the traction, so no
@@ -52,8 +52,9 @@
 
 #include "corners.h"
 
-/* Change of u over x up to which two pieces are merged; T then changes by at most 1.5 mu N times this. Where |u| is below
- * this fraction of x, that is T far below mu N, the change in proportion to |u| counts; below the least one, to x. */
+/* Two pieces are merged if u changes by at most merge_tolerance x; T then changes by at most 1.5 mu N merge_tolerance.
+ * Where |u| is below small_fraction x, T is far below mu N, and |u|/small_fraction replaces x. The replacement is never
+ * smaller than least_fraction x. */
 static const double merge_tolerance = 1e-7 / 1.5, small_fraction = 1e-2, least_fraction = 1e-15;
 /* Upper limit of the ratio of old to new friction, so that its square stays finite. The contact slides in any case. */
 static const double max_friction_ratio = 1e150;
@@ -70,7 +71,7 @@ static inline double u_increment(struct nb_pair p, double ds) { return ds * p.ra
 /* A friction whose inverse overflows counts as none. */
 static inline bool has_friction(struct nb_pair p) { return mu_kappa(p) >= DBL_MIN; }
 
-/* No shear force without friction, nor where the normal force has ended before the overlap. */
+/* No shear force without friction, nor where the normal force is 0 although the particles overlap. */
 static inline bool can_slide(struct nb_pair p, struct nb_normal n) {
   return has_friction(p) && n.radius * n.radius * n.radius > 0;
 }

@@ -23,8 +23,8 @@
  *   - Increments are compared in the sense of the motion, |ds| > ds_c + DD, for N rising and falling. DD grows by
  *     ds_c - |ds| with either sign, but not below 0. It is reset by a reversal, virgin loading and sliding, and starts
  *     with the first motion.
- *   - While N falls, slip continues in its sense, with ds = 0 and against motion slower than |ds_c|; only faster motion
- *     is a reversal.
+ *   - While N falls, slip continues in the same sense even if ds = 0, and even against a motion with |ds| < |ds_c|.
+ *     Only a faster motion is a reversal.
  *   - Re-unloading, between T** and T*, follows the reloading curve, with UFL = 1 as in reloading.
  *   - T* is deleted when reloading reaches T*, when unloading reaches -T*, or when a falling N brings T* to T; T**
  *     likewise. Virgin loading has the sense of T, also where T changed its sign while N fell.

@@ -23,8 +23,8 @@
  * 0.045 (tests/randall_exact.c).
  *
  * Source     [R89 4.15-4.25], FORD and THETA.
- * Range      as shear_randall.c. Exact in the limit of small steps in virgin loading at constant N, and hardly
- *            elsewhere.
+ * Range      as shear_randall.c. Exact in the limit of small steps in virgin loading at constant N, and almost
+ *            nowhere else.
  * History    m[0..4]  N of the previous step, 0: none; T, T*, T**, N; DD, m.
  * Creates    energy: in the cycle of shear_randall.c 0.0067 mu N A the first time, 0.0113 mu N A each later time.
  *

@@ -92,9 +92,11 @@ struct nb_vec nb_box_initial_sides(const struct nb_scene *scene) {
   return vec(south->h2 - south->h1, east->h2 - east->h1);
 }
 
-/* -sum F_i X_j over the contacts with the walls of the box, X from the middle of the box. `at_middle`: X is the foot of
- * the perpendicular to the wall's line instead of the contact. */
-static struct nb_tensor virial(const struct nb_model *model, bool at_middle) {
+enum box_sides { SOUTH_AND_NORTH, EAST_AND_WEST, ALL_SIDES };
+
+/* -sum F_i X_j over the contacts with these walls of the box, X from the middle of the box. `at_middle`: X is the foot
+ * of the perpendicular to the wall's line instead of the contact. */
+static struct nb_tensor virial(const struct nb_model *model, enum box_sides which, bool at_middle) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_walls *walls = &model->walls;
   const int first = nb_box_first_wall(model->scene);
@@ -102,7 +104,7 @@ static struct nb_tensor virial(const struct nb_model *model, bool at_middle) {
   struct nb_tensor sum = {0, 0, 0, 0};
   for (size_t c = model->contacts.wall_from; c < contacts->count; c++) {
     const int w = contacts->b[c];
-    if (w < first || w >= first + SIDES)
+    if (w < first || w >= first + SIDES || (which != ALL_SIDES && (w - first) % 2 != (int)which))
       continue;
     const struct nb_vec at = nb_wall_nearest(walls, w, model->particles.position[contacts->a[c]]);
     const struct nb_vec n = vec_clockwise(walls->along[w]), x = vec_sub(at, middle);
@@ -117,17 +119,20 @@ static double volume(const struct nb_model *model) {
 }
 
 struct nb_tensor nb_box_stress(const struct nb_model *model) {
-  return tensor_scale(1 / volume(model), virial(model, false));
+  return tensor_scale(1 / volume(model), virial(model, ALL_SIDES, false));
 }
 
 struct nb_tensor nb_walls_stress(const struct nb_model *model) {
-  return tensor_scale(1 / volume(model), virial(model, true));
+  return tensor_scale(1 / volume(model), virial(model, ALL_SIDES, true));
 }
 
+/* The trace of the sum over two opposite walls is their normal force times their distance, in any direction of the box. */
 double nb_walls_ratio(const struct nb_model *model) {
-  const struct nb_tensor stress = nb_walls_stress(model);
+  const struct nb_tensor vertical = virial(model, SOUTH_AND_NORTH, true),
+                         horizontal = virial(model, EAST_AND_WEST, true);
   const struct nb_vec sides = nb_box_sides(model);
-  return stress.yy != 0 ? stress.xx * sides.y / (stress.yy * sides.x) : 0;
+  const double v = vertical.xx + vertical.yy, h = horizontal.xx + horizontal.yy;
+  return v != 0 ? h * sides.y / (v * sides.x) : 0;
 }
 
 double nb_walls_residual(const struct nb_model *model) {

@@ -15,10 +15,9 @@
  *
  *   e'' + f e'/T + f e/(16 T^2) = 0          with decay rates r = f (1 -+ (1 - 1/(4f))^(1/2))/(2T)
  *
- * This is stable for each f and does not oscillate for f >= 1/4. In the time T a wave reaches the middle and
- * returns to the boundary. P alone would leave the error B T e_v at a steady dilatation rate e_v; Z removes it. Z begins
- * at -a P, a = (1 - (3/4)^(1/2))/2, which selects the faster decay for f = 1, exp(-0.93 t/T), so that Z does not
- * overshoot.
+ * This is stable for each f and does not oscillate for f >= 1/4. In the time T a wave reaches the middle and returns to
+ * the boundary. P alone would leave the error B T e_v at a steady dilatation rate e_v; Z removes it. Z begins at -a P,
+ * a = (1 - (3/4)^(1/2))/2, which selects the faster decay for f = 1, exp(-0.93 t/T), so that Z does not overshoot.
  *
  * Controlled components and the bound `at most` refer to the servo's own axes, which `transform` rotates and mirrors
  * with the scene.

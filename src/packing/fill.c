@@ -1,10 +1,10 @@
 /* Random packings: particles of a grading, placed one after the other without overlap.
  *
  * The largest size comes first. A centre is drawn from a uniform distribution over the positions at which the whole
- * particle is inside the circle or the box, or over the whole periodic cell; there no image of another particle may
- * overlap either, so that the packing has no edge. If the particle would overlap one that is already there, another
- * centre is drawn, up to `attempts` times per particle. If all attempts fail, R89's old generator stops (R89, section
- * 6.4.1), and the new one continues with the next smaller size (R89, section 4.4).
+ * particle is inside the circle or the box, or over the whole periodic cell. In a cell the particle may not overlap an
+ * image of another one either, so the packing has no edge. If the particle would overlap one that is already there,
+ * another centre is drawn, up to `attempts` times per particle. If all attempts fail, R89's old generator stops (R89,
+ * section 6.4.1), and the new one continues with the next smaller size (R89, section 4.4).
  *
  * There are no initial contacts (R89, section 6.4): d^2 >= (R_x + R_y)^2 for the distance d of two centres, in rounded
  * arithmetic and with the positions that the scene contains. The square root is correctly rounded, so R_x + R_y - d,

@@ -14,12 +14,12 @@
  * F_n + D_n may be tensile. ds/dt is the mean over the whole last step, even if the contact began in it and the law
  * used only a part of ds. The friction limit of F_s was computed from F_n alone, before this pass.
  *
- * With `damping centred` the rates are those at the time of the force: dn/dt + (a_x - a_y).e, with the predicted
- * change a of the velocities in the last half step (core/motion.c). At time 0 they follow from the velocities of the
- * page; in CS79's scheme they are 0 then. The force of a dashpot jumps at first touch, so second order needs a
- * correction there. The force at t_N stands for the time from t_(N-1/2) to t_(N+1/2), of which the contact exists for the fraction f + 1/2;
- * f is the time from first touch to t_N over dt. As c is proportional to alpha^p there, with p = 0 for linear springs,
- * 1/2 for the stiffness of elastic spheres and 1/4 for its root, the force is multiplied by
+ * With `damping centred` the rates are those at the time of the force: dn/dt + (a_x - a_y).e, with the predicted change
+ * a of the velocities in the last half step (core/motion.c). At time 0 they follow from the velocities of the page; in
+ * CS79's scheme they are 0 then. The force of a dashpot jumps at first touch, so second order needs a correction there.
+ * The force at t_N stands for the time from t_(N-1/2) to t_(N+1/2), of which the contact exists for the fraction f +
+ * 1/2; f is the time from first touch to t_N over dt. As c is proportional to alpha^p there, with p = 0 for linear
+ * springs, 1/2 for the stiffness of elastic spheres and 1/4 for its root, the force is multiplied by
  *
  *   w(f) = Int_0^(f+1/2) t^p dt / f^p = (f + 1/2)^(1+p)/((1 + p) f^p)
  *

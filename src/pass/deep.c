@@ -1,5 +1,5 @@
-/* Counts contacts with an overlap beyond the range of Hertz theory [R89 sec. 6.4.3], or beyond the stable overlap of the
- * step (stability.c).
+/* Counts contacts with an overlap beyond the range of Hertz theory [R89 sec. 6.4.3], or beyond the stable overlap of
+ * the step (stability.c).
  *
  *   alpha > s 2 min(R_x, R_y)       s = 7 % of the smaller diameter, or the page's fraction
  *   alpha > NB_STABLE_OVERLAP

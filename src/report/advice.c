@@ -1,5 +1,5 @@
-/* `nineball advise`: prints the result of the search; writes a table of all settings with an estimated error, and a figure
- * of this error against cost.
+/* `nineball advise`: prints the result of the search; writes a table of all settings with an estimated error, and a
+ * figure of this error against cost.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -51,7 +51,8 @@ void nb_advice_options(char *text, size_t size, const struct nb_advice *advice, 
   nb_append(text, size, "%s--set refine=%.10g", text[0] ? " " : "", refine_of(advice, setting->level));
 }
 
-/* Prints the options of this call that the suggested command needs, too: --set NAME=VALUE except `trade` and `refine`. */
+/* Prints the options of this call that the suggested command needs, too: --set NAME=VALUE except `trade` and
+ * `refine`. */
 static void print_own_options(const struct nb_advice *advice) {
   for (size_t k = 0; advice->query->settings[k]; k++) {
     const char *setting = advice->query->settings[k];

@@ -2,18 +2,20 @@
  *
  * Errors are relative to the limit of the page for a step towards zero, with its own laws and values; the anchor of
  * estimate.c approximates it. The reference of the page is not used, because for a candidate with other laws it would
- * return another solution. A setting is a variant, which is the page with other laws, softer contacts, centred dashpots or
- * other values of the names that it trades, and a level: the variant with --set refine=2^level. Each setting is run in
- * several trials (trials.c).
+ * return another solution. A setting is a variant, which is the page with other laws, softer contacts, centred dashpots
+ * or other values of the names that it trades, and a level: the variant with --set refine=2^level. Each setting is run
+ * in several trials (trials.c).
  *
- * The estimated error of a setting needs the results at its level, at the two finer ones, and an anchor that is at least
- * two levels finer. Levels are tried from the coarsest one on; the first one within the tolerance is the cheapest of
- * its variant. A variant is left out if the page or its reference refuses it, if it gives the values of another one,
- * or if they differ from the anchor by more than twice the tolerance at the level that was found for the page as it is.
+ * The estimated error of a setting needs the results at its level, at the two finer ones, and an anchor that is at
+ * least two levels finer. Levels are tried from the coarsest one on; the first one within the tolerance is the cheapest
+ * of its variant. A variant is left out if the page or its reference refuses it, or if it gives the values of another
+ * one. It is also left out if its values, at the level that was found for the page as it is, differ from the anchor by
+ * more than twice the tolerance.
  *
  * With realizations only their mean is estimated. Its anchor is the page with half its step, and no step is shorter
  * than that of the page. The guaranteed stable step differs between realizations, so a setting is left out if another
- * realization may stop: with the largest ratios s_k of the step to the stable one, their mean s and standard deviation d,
+ * realization may stop: with the largest ratios s_k of the step to the stable one, their mean s and standard deviation
+ * d,
  *
  *   s + t d (1 + 1/m)^(1/2) > 1              t: quantile of Student's distribution for one realization in a thousand
  *
@@ -132,8 +134,8 @@ static enum nb_status find_anchor(struct nb_advice *advice, struct nb_error *err
                                            : "the budget is too small; choose a larger --budget");
 }
 
-/* Whether realizations other than those of the search will not stop by the stability check, too. The page as it is needs
- * no such margin. */
+/* Whether realizations other than those of the search will not stop by the stability check, too. The page as it is
+ * needs no such margin. */
 static bool keeps_margin(const struct nb_advice *advice, const struct nb_variant *variant, int level) {
   struct nb_point *point = (struct nb_point *)&variant->points[level - NB_LEVEL_LOW];
   const double m = (double)advice->trials, mean = nb_estimate_average(point->stability, advice->trials);
@@ -197,9 +199,9 @@ bool nb_setting_cheaper(const struct nb_advice *advice, const struct nb_setting 
   return one->soften != other->soften ? one->soften < other->soften : one->history < other->history;
 }
 
-/* Tries the levels of a variant from the coarsest one on, up to the first one within the tolerance, or until the next
- * one, which mostly has twice the updates of this one, would have more than the chosen setting. With nearly as many it is
- * tried, because its laws may store less. */
+/* Tries the levels of a variant from the coarsest one on, up to the first one within the tolerance. It also stops
+ * when the next level, which usually has twice the updates, would have more updates than the chosen setting. If it
+ * would have nearly as many, it is tried, because its laws may store less. */
 static void search_levels(struct nb_advice *advice, size_t index, int highest) {
   struct nb_variant *variant = &advice->variants[index];
   const size_t before = advice->setting_count;
@@ -372,8 +374,8 @@ static void list_own_laws(struct nb_advice *advice) {
     copy_variant(advice, 0)->centred = true;
 }
 
-/* The page as it is, with softer contacts, with centred dashpots, with all other pairs of laws, and each of these with all
- * combinations of traded values. */
+/* The page as it is, with softer contacts, with centred dashpots, with all other pairs of laws, and each of these with
+ * all combinations of traded values. */
 static enum nb_status list_variants(struct nb_advice *advice, struct nb_error *error) {
   const size_t trades = advice->page.runs[0].scene.trade_count;
   advice->variant_count = 1;
@@ -497,7 +499,7 @@ bool nb_advice_run(struct nb_advice *advice, size_t variant, int level, size_t t
   return nb_trials_run(advice, &advice->variants[variant], level, trial, 1, 1);
 }
 
-/* ---- what is said of the result ---- */
+/* ---- text about the result ---- */
 
 const struct nb_setting *nb_advice_cheaper(const struct nb_advice *advice, const struct nb_setting *setting) {
   const struct nb_setting *found = NULL;

@@ -7,8 +7,8 @@
 #include "estimate.h"
 #include "outcome.h"
 
-/* The step of the page is divided by 2^level, or by the next larger number that divides its stages into whole numbers of
- * cycles. A trial is one phase, or one realization. */
+/* The step of the page is divided by 2^level, or by the next larger number that divides its stages into whole numbers
+ * of cycles. A trial is one phase, or one realization. */
 enum { NB_LEVEL_LOW = -7, NB_LEVEL_HIGH = 12, NB_LEVELS = NB_LEVEL_HIGH - NB_LEVEL_LOW + 1 };
 enum { NB_REALIZATIONS_MIN = 8, NB_VARIANTS_MAX = 500, NB_TRADES = 8 };
 
@@ -99,8 +99,8 @@ double nb_level_refine(const struct nb_advice *advice, int level);
 /* The steps of a level, of the next finer one and of that after it. */
 struct nb_ratios nb_level_ratios(const struct nb_advice *advice, int level);
 
-/* The numbers of updates decide. If they are nearly equal, as those of different laws with the same step, contacts that
- * are as stiff as those of the page are cheaper than softer ones, then laws that store less per contact are cheaper.
+/* The numbers of updates decide. If they are nearly equal, as those of different laws with the same step, contacts as
+ * stiff as those of the page count as cheaper than softer ones. After that, laws that store less per contact do.
  * Measured times do not decide, because another call would give other advice. */
 bool nb_setting_cheaper(const struct nb_advice *advice, const struct nb_setting *a, const struct nb_setting *b);
 /* The most expensive setting that is cheaper than this one, of equal ones the most accurate; NULL: none. */
@@ -122,9 +122,9 @@ struct nb_left_out {
   const struct nb_variant *nearest;
 };
 struct nb_left_out nb_advice_left_out(const struct nb_advice *advice);
-/* Whether checks of the page that the setting of the page passes may fail with this one. */
-/* Whether softer contacts save nothing, since the step is a fraction of the collision and both last longer. */
+/* Whether softer contacts save nothing: the step is a fraction of the collision, so both of them become longer. */
 bool nb_advice_softness_is_useless(const struct nb_advice *advice);
+/* Whether the setting may fail checks of the page that the page passes as it is. */
 static inline bool nb_setting_loosens(const struct nb_setting *setting) {
   return setting->level < 0 || setting->variant > 0;
 }

@@ -1,12 +1,12 @@
-/* `nineball advise --all`: the cheapest settings of many pages. Writes a table with one row for each search, and a figure
- * for each page.
+/* `nineball advise --all`: the cheapest settings of many pages. Writes a table with one row for each search, and a
+ * figure for each page.
  *
  * It searches up to three quantities that a page expects, in the middle run of the sweeps. With --quantity it searches
- * those, in all runs. It tries the tolerances in their order and stops at the first one without advice. If a value is near
- * 0, or too uncertain for a relative tolerance, it takes the absolute tolerance of the page.
+ * those, in all runs. It tries the tolerances in their order and stops at the first one without advice. If a value is
+ * near 0, or too uncertain for a relative tolerance, it takes the absolute tolerance of the page.
  *
- * Every row is written when its search ends, and a later call adds to the table what it does not have yet. So a call that was
- * interrupted can be repeated.
+ * Every row is written when its search ends, and a later call adds to the table what it does not have yet. So a call
+ * that was interrupted can be repeated.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _DEFAULT_SOURCE
@@ -117,8 +117,8 @@ static void put_text(FILE *out, const char *text, const char *end) {
   fputs(end, out);
 }
 
-/* The order of convergence: the slope of the estimated error against the step, over the three finest steps of the page's own
- * laws and values. NaN: there are fewer. */
+/* The order of convergence: the slope of the estimated error against the step, over the three finest steps of the
+ * page's own laws and values. NaN: there are fewer. */
 static double order_of(const struct nb_advice *advice) {
   double error[3] = {0};
   int level[3] = {0};
@@ -207,8 +207,8 @@ static void draw(struct search_all *all, const struct nb_advice *advice) {
     note_status(all, nb_print_plain_error(&error));
 }
 
-/* Searches for a setting, unless the table has a row of this search. Returns the first letter of the result; 0: memory ran
- * out. */
+/* Searches for a setting, unless the table has a row of this search. Returns the first letter of the result; 0: memory
+ * ran out. */
 static char search_one(struct search_all *all, const struct nb_page *page, const struct wanted *wanted,
                        const char *tolerance, bool first) {
   char key[4096];
@@ -251,7 +251,7 @@ static char search_one(struct search_all *all, const struct nb_page *page, const
   return status == NB_NO_MEMORY ? 0 : result[0];
 }
 
-/* The next text of a list whose parts are separated by `;`, without blanks around it. False: there is none. */
+/* The next text of a list whose parts are separated by `;`, without spaces around it. False: there is none. */
 static bool next_text(char *text, size_t size, const char **list) {
   const char *at = *list + strspn(*list, " ;");
   size_t length = strcspn(at, ";");
@@ -277,8 +277,8 @@ static bool search_tolerances(struct search_all *all, const struct nb_page *page
 
 /* ---- the quantities of a page ---- */
 
-/* The kind of a measure, which decides how its error depends on the step: a quantity of an impact, an extreme value, a
- * mean, or a value at a given time, at the end of a stage of N cycles or at the end by a condition. */
+/* The kind of a measure, which decides how its error depends on the step. It is a quantity of an impact, an extreme
+ * value, a mean, or a value at a given time, at the end of a stage of N cycles, or at an end by a condition. */
 static const char *kind_of(const struct nb_measure *measure, const struct nb_scene *scene) {
   static const char *const kinds[] = {
       [NB_MAX] = "extreme",    [NB_MIN] = "extreme",   [NB_AMPLITUDE] = "extreme", [NB_MEAN] = "mean",

@@ -1,9 +1,10 @@
 /* The leading bits that two values of an expected quantity have in common.
  *
  * A value x and the one rounded to nearest have floor(-log2(|x - x_nearest| / scale)) bits in common, 53 if they are
- * equal. The scale is |x_nearest|, or the quantity of which the tolerance is a fraction. With an absolute tolerance, and
- * for a curve, it is the largest value of the quantity in the run, since a force that returns to 0 has no leading bits.
- * Residuals have no bits, nor has a quantity that stays within its absolute tolerance: they consist of rounding errors.
+ * equal. The scale is |x_nearest|, or the quantity of which the tolerance is a fraction. With an absolute tolerance,
+ * and for a curve, it is the largest value of the quantity in the run, since a force that returns to 0 has no leading
+ * bits. Residuals have no bits, nor has a quantity that stays within its absolute tolerance: they consist of rounding
+ * errors.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "bits.h"

@@ -12,8 +12,8 @@ enum { NB_ALL_BITS = 53 };
 int nb_common_bits(double value, double nearest, double scale);
 /* Whether the quantity has digits: not if it is a residual, or within its absolute tolerance during the whole run. */
 bool nb_expected_has_bits(const struct nb_page_run *nearest, size_t index);
-/* The bits that expectation number `index` has in common in two runs, the second one rounded to nearest: for a curve the
- * fewest of its rows. 53 if it has no digits, 0 if it is not defined. */
+/* The bits that expectation number `index` has in common in two runs, the second one rounded to nearest: for a curve
+ * the fewest of its rows. 53 if it has no digits, 0 if it is not defined. */
 int nb_expected_bits(const struct nb_page_run *run, const struct nb_page_run *nearest, size_t index);
 
 #endif

@@ -1,9 +1,10 @@
 /* What a run is expected to cost.
  *
- * The number of cycles of a stage is fixed by `cycles`, or by conditions on the clock alone, such as `until time above 2 ms`: these
- * are tested here as in the run, but without cycles. Any other condition gives bounds. The cost of a cycle is measured by a trial: a
- * run whose stages end after a few milliseconds each. It tests conditions and records rows as the run does, but later stages begin
- * from an early state. Its rows and snapshots are written and checked, which measures the cost of tables and verdict.
+ * The number of cycles of a stage is fixed by `cycles`, or by conditions on the clock alone, such as `until time above
+ * 2 ms`: these are tested here as in the run, but without cycles. Any other condition gives bounds. The cost of a cycle
+ * is measured by a trial: a run whose stages end after a few milliseconds each. It tests conditions and records rows as
+ * the run does, but later stages begin from an early state. Its rows and snapshots are written and checked, which
+ * measures the cost of tables and verdict.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _DEFAULT_SOURCE
@@ -38,8 +39,8 @@ static bool is_clock(const struct nb_condition *condition) {
   return condition->relation == NB_ABOVE && condition->quantity.kind->fields & NB_REQUEST_CLOCK;
 }
 
-/* The cycle of the stage in which its conditions on the clock hold for the first time when they are tested; its largest number of
- * cycles + 1: in none. */
+/* The first cycle of the stage in which its conditions on the clock are tested and hold; if there is none, its largest
+ * number of cycles + 1. */
 static unsigned long first_cycle(struct nb_model *model, const struct nb_stage *stage, const struct clock *begin,
                                  int which, double step) {
   const unsigned long most = stage->cycles, every = stage->check_interval, tests = (most - 1) / every + 1;
@@ -59,8 +60,8 @@ static unsigned long first_cycle(struct nb_model *model, const struct nb_stage *
   return from < tests ? from * every : from == tests ? most : most + 1;
 }
 
-/* Whether the step is what it will be when the stage begins: it does not depend on the state of the particles, or the stage is the
- * first one. */
+/* Whether the step is what it will be when the stage begins: it does not depend on the state of the particles, or the
+ * stage is the first one. */
 static bool step_is_known(const struct nb_scene *scene, size_t index) {
   const enum nb_step_kind kind = scene->stages[index].step.kind;
   bool changes = false;
@@ -123,7 +124,8 @@ static double write_file(const struct nb_table *table) {
 
 double nb_cost_file(void) { return write_file(NULL); }
 
-/* Seconds to write one row of the table and to check it against the expectations; *snapshots: to write all snapshots. */
+/* Seconds to write one row of the table and to check it against the expectations; *snapshots: to write all
+ * snapshots. */
 static double time_tables(struct nb_page_run *trial, double *snapshots) {
   struct nb_outcome outcome = {.page = *trial->scene.page, .runs = trial, .run_count = 1};
   FILE *out = fopen("/dev/null", "w");
@@ -146,8 +148,8 @@ static void add(struct nb_bounds *sum, struct nb_bounds range, double factor) {
   sum->from += range.from * factor, sum->to += range.to * factor;
 }
 
-/* Sums over the stages, and the forces at their beginnings, which belong to no cycle. A stage that the trial did not reach costs as much
- * per cycle as the one before. */
+/* Sums over the stages, and the forces at their beginnings, which belong to no cycle. A stage that the trial did not
+ * reach costs as much per cycle as the one before. */
 static void add_stages(struct nb_cost *cost, const struct nb_scene *scene, const struct nb_result *trial,
                        double row_seconds) {
   struct nb_stage_cost one = {0};
@@ -247,8 +249,8 @@ void nb_cost_add(struct nb_cost *sum, const struct nb_cost *cost) {
 
 /* ---- after the runs ---- */
 
-/* Adds what the runs are expected to cost, without references: bounds of the cycles with the steps that they have had, or all by
- * trials. False: unknown. */
+/* Adds what the runs are expected to cost, without references: bounds of the cycles with the steps that they have had,
+ * or all by trials. False: unknown. */
 static bool expect_all(struct nb_cost *sum, const struct nb_outcome *outcome, bool bounds,
                        const struct nb_options *options) {
   struct nb_error error;

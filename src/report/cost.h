@@ -26,8 +26,8 @@ struct nb_cost {
   double reading;                   /* s of a run: start of the program, reading, files of a page; set by the caller */
   struct nb_length *lengths;        /* for each stage; owned */
 };
-/* The model is at the beginning of the run; its clock is changed. NULL: a contact test. NB_OK with error->text if the time of a cycle
- * cannot be measured. The caller frees cost->lengths in any case. */
+/* The model is at the beginning of the run; its clock is changed. NULL: a contact test. NB_OK with error->text if the
+ * time of a cycle cannot be measured. The caller frees cost->lengths in any case. */
 enum nb_status nb_cost_expect(struct nb_cost *cost, const struct nb_page_run *run, struct nb_model *model,
                               const struct nb_options *options, struct nb_error *error);
 /* Bounds of the cycles alone, without a model: the clock of the first stage is not known. */
@@ -35,12 +35,12 @@ enum nb_status nb_cost_bounds(struct nb_cost *cost, const struct nb_scene *scene
 void nb_cost_add(struct nb_cost *sum, const struct nb_cost *cost);
 void nb_cost_print(FILE *out, const struct nb_cost *cost, const char *cycles); /* " cycles" or " steps" */
 void nb_cost_print_length(FILE *out, const struct nb_length *length, const struct nb_stage *stage);
-/* By more than a fifth of what was expected. */
+/* Whether a time differs from the expected one by more than a fifth of it. */
 static inline bool nb_time_differs(double seconds, double expected) {
   return fabs(seconds - expected) > 0.2 * expected;
 }
-/* One line: what the runs of an outcome have cost, with the processor time `seconds` of the whole page, beside what was expected if a
- * condition decides or the time differs by a fifth. */
+/* Prints one line: what the runs of an outcome have cost, with the processor time `seconds` of the whole page. The
+ * expected cost is beside it if a condition decides the length, or if the time differs by more than a fifth. */
 void nb_cost_print_actual(FILE *out, const struct nb_outcome *outcome, double seconds,
                           const struct nb_options *options);
 /* Processor time of the program since its start, of all threads, s. */
@@ -48,8 +48,8 @@ double nb_cost_clock(void);
 /* Processor time to write an empty file, s. */
 double nb_cost_file(void);
 
-/* Prints the plan and the lines that require it, memory, the step and what limits it, stages and cost; for a contact test the contact,
- * its laws and its segments. Adds the warnings of the plan, and the cost to `sum`. */
+/* Prints the plan and the lines that require it, memory, the step and what limits it, stages and cost; for a contact
+ * test the contact, its laws and its segments. Adds the warnings of the plan, and the cost to `sum`. */
 enum nb_status nb_explain(FILE *out, const struct nb_scene *scene, const struct nb_page_run *run,
                           const struct nb_options *options, struct nb_warnings *warnings, struct nb_cost *sum,
                           struct nb_error *error);

@@ -6,8 +6,8 @@
  *   G = |d_1| 2^p/(2^p - 1)                  error of Q(n) by Richardson's extrapolation
  *   G = 3 max(|d_1|, |d_2|)                  where |d_2| >= |d_1|, because no order is visible
  *
- * If numbers of cycles allow no step of half the length, but one of the length 1/r with 1 < r < 2, the difference of the
- * two counts as d ln 2/ln r: as if Q changed as much for each factor of the step.
+ * Numbers of cycles may allow no step of half the length, but one of the length 1/r with 1 < r < 2. Then the difference
+ * d of the two results counts as d ln 2/ln r, as if Q changed in proportion to the logarithm of the step.
  *
  * The moment of first touch within a step changes Q(n). So Q(n) is computed for several such moments, the phases, and
  * the largest G counts. The anchor is a result with the laws of the page and a smaller step:

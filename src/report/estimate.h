@@ -8,7 +8,8 @@
 
 enum { NB_PHASES = 8, NB_TRIALS = 32 }; /* NB_TRIALS: largest number of realizations */
 
-/* Ratios of three time steps: the first over the second, and the second over the third. Each is above 1 and at most 2. */
+/* Ratios of three time steps: the first over the second, and the second over the third. Each is above 1 and at most
+ * 2. */
 struct nb_ratios {
   double first, second;
 };
@@ -32,8 +33,8 @@ double nb_estimate_claim(double *step, const double n[], const double n2[], cons
 /* The mean and the standard deviation. */
 double nb_estimate_average(const double values[], size_t count);
 double nb_estimate_scatter(const double values[], size_t count);
-/* The estimated error of the mean over realizations, from Q of each realization and from that of the same realization at
- * the anchor; `quantile`: Student's, of count values. *difference receives the difference of the two means. */
+/* The estimated error of the mean over realizations, from Q of each realization and from that of the same realization
+ * at the anchor; `quantile`: Student's, of count values. *difference receives the difference of the two means. */
 double nb_estimate_mean(double *difference, const double n[], const double anchor[], size_t count, double quantile);
 
 #endif

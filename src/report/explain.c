@@ -1,6 +1,6 @@
-/* `nineball explain`: the state from which a page starts, its particles, the passes and hooks of a cycle with the lines of the page
- * that request them, memory, the time step and what limits it, and the statements of each stage with the values of this run. For a
- * contact test: the contact, its laws, its segments.
+/* `nineball explain` prints the state from which a page starts, its particles, and the passes and hooks of a cycle with
+ * the lines of the page that request them. Then it prints memory, the time step and what limits it, and the statements
+ * of each stage with the values of this run. For a contact test it prints the contact, its laws and its segments.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -212,7 +212,8 @@ static bool explain_material_pair(FILE *out, const struct nb_model *model,
   return true;
 }
 
-/* What a cycle reads and writes of a particle; without the measures of regions and the workspace of the stability check. */
+/* What a cycle reads and writes of a particle; without the measures of regions and the workspace of the stability
+ * check. */
 static size_t bytes_per_particle(const struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   return sizeof(double) * (particles->spin ? 14 : 12) + 5 * sizeof(int) +
@@ -515,7 +516,8 @@ static enum nb_status explain_contact_test(FILE *out, const struct nb_scene *sce
 
 /* ---- nb_explain ---- */
 
-/* A model of a page whose state does not exist: particles at time 0 of the other page, laws and properties as its stages leave them. */
+/* A model of a page whose state does not exist: particles at time 0 of the other page, laws and properties as its
+ * stages leave them. */
 static struct nb_model *model_before_start(const struct nb_scene *scene, const struct nb_options *options,
                                            struct nb_error *error) {
   struct nb_model *model = nb_model_resume(scene, options, NULL, error);

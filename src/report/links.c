@@ -1,7 +1,7 @@
 /* Where the links of a page lead in the report: to another page, or to a copy of a file.
  *
- * A page may come from a stranger, and a report may be published. So a file is copied only if it is in the folder of the
- * page or below, unless the pages are trusted; and only if it is a small picture or text.
+ * A page may come from a stranger, and a report may be published. So a file is copied only if it is in the folder of
+ * the page or below, unless the pages are trusted; and only if it is a small picture or text.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _XOPEN_SOURCE 700

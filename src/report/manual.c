@@ -458,7 +458,8 @@ static const char *own_line(const struct manual *to, const struct nb_quantity_ro
   return row->statement;
 }
 
-/* Quantities of this name, `C.normal` or `normal`, or that begin with it, `energy`; if `part_of`, also `kinetic`. */
+/* Quantities whose name is the word (`C.normal`, `normal`) or begins with it (`energy`). If `part_of`, also those whose
+ * name ends with it after the first dot (`kinetic`). */
 static bool find_quantity(const struct manual *to, const char *word, struct nb_guess *guess, bool part_of) {
   struct nb_quantity_row row;
   const char *const dot = strchr(word, '.'), *const names[] = {word, dot ? dot + 1 : word};

@@ -21,8 +21,8 @@ static void add_warnings(struct nb_outcome *outcome, const struct nb_warnings *w
     nb_warnings_add(&outcome->warnings, &warnings->list[k]);
 }
 
-/* The largest number of particles in memory, of all runs of a page together. Further runs are read again when they run, so the memory of
- * a sweep is bounded. */
+/* The largest number of particles in memory, of all runs of a page together. Further runs are read again when they run,
+ * so the memory of a sweep is bounded. */
 enum { PARTICLES_KEPT = 1000000 };
 
 static void release_particles(struct nb_page_run *run) {
@@ -136,8 +136,8 @@ static struct nb_options options_of_run(const struct nb_outcome *outcome, const 
   return own;
 }
 
-/* One process at a time saves checkpoints of a page with these settings, from its first run until they are removed. Unless it resumes,
- * there must be none of any run. */
+/* One process at a time saves checkpoints of a page with these settings, from its first run until they are removed.
+ * Unless it resumes, there must be none of any run. */
 static enum nb_status lock(struct nb_outcome *outcome, const struct nb_options *options) {
   const unsigned long long key = options_of_run(outcome, options, outcome->run_count).checkpoint.key;
   if (!options || !(options->checkpoint.seconds > 0) || outcome->run_count == 0)

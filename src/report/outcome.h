@@ -92,12 +92,12 @@ void nb_outcome_free_runs(struct nb_outcome *outcome); /* keeps page, checks, wa
 
 /* ---- spool.c: results of runs that are not in memory ---- */
 
-/* Writes what the run has recorded to the file of the spool, unless less than options->results.bytes are in memory. After an error the
- * result stays in memory. */
+/* Writes what the run has recorded to the file of the spool, unless less than options->results.bytes are in memory.
+ * After an error the result stays in memory. */
 enum nb_status nb_spool_put(struct nb_spool *spool, struct nb_page_run *run, const struct nb_results_kept *limit,
                             struct nb_error *error);
-/* The table of a run, and the result with its snapshots; valid until that of another run is asked for. Of both only the recorded tables
- * may be used. If the file cannot be read they are empty, and the spool has the error. */
+/* The table of a run, and the result with its snapshots; valid until that of another run is asked for. Of both only the
+ * recorded tables may be used. If the file cannot be read they are empty, and the spool has the error. */
 const struct nb_table *nb_run_table(const struct nb_page_run *run);
 const struct nb_result *nb_run_result(const struct nb_page_run *run);
 enum nb_status nb_spool_status(const struct nb_spool *spool, struct nb_error *error); /* of reading, so far */

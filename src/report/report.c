@@ -1,5 +1,5 @@
-/* The command `report`: runs pages, draws their figures, and writes a static site about them. It needs no server. A page
- * is written as soon as it has run, the index at the end.
+/* The command `report`: runs pages, draws their figures, and writes a static site about them. It needs no server. A
+ * page is written as soon as it has run, the index at the end.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _XOPEN_SOURCE 700
@@ -17,7 +17,7 @@
 #include "input/reader.h"
 #include "sandbox.h"
 
-/* Bytes: the largest table or script, and the largest drawing, that a report keeps; at most of report.css. */
+/* Bytes: the largest table or script, and the largest drawing, that a report keeps; the largest report.css. */
 enum { TABLE_BYTES = 100000, DRAWING_BYTES = 300000, STYLE_BYTES = 100000 };
 
 /* ---- the pages of a report ---- */
@@ -100,7 +100,8 @@ static bool is_output(const struct nb_report_page *page, const char *name) {
                                               (strcmp(dot, ".gp") == 0 || strcmp(dot, ".svg") == 0)));
 }
 
-/* Tables, scripts and drawings with many points are removed, so that the report stays small; a figure is then the PNG. */
+/* Tables, scripts and drawings with many points are removed, so that the report stays small; a figure is then the
+ * PNG. */
 static void drop_large_files(struct nb_report_page *page, const char *folder) {
   size_t size;
   FILE *names = open_memstream(&page->dropped, &size);
@@ -409,7 +410,7 @@ static void print_line(const struct nb_report_page *page) {
   fflush(stdout);
 }
 
-/* Which page is next, and the time left: that of the pages so far, for as many pages. */
+/* Which page is next, and the time left if the other pages take as long, on average, as those so far. */
 static void print_progress(const struct nb_report *report, size_t k, double elapsed) {
   if (!isatty(STDERR_FILENO))
     return;

@@ -1,8 +1,9 @@
-/* The results of the runs of a sweep. Those beyond a limit are written to a temporary file as the runs end, and read again, one run at a
- * time, by the verdict and the output files. So the memory of a sweep does not grow with its results.
+/* The results of the runs of a sweep. Those beyond a limit are written to a temporary file as the runs end, and read
+ * again, one run at a time, by the verdict and the output files. So the memory of a sweep does not grow with its
+ * results.
  *
- * The file has no name, so it ends with the process. The table of a run comes before its snapshots, because most readers need the table
- * only.
+ * The file has no name, so it ends with the process. The table of a run comes before its snapshots, because most
+ * readers need the table only.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef _POSIX_C_SOURCE

@@ -182,8 +182,8 @@ static void free_trial(struct trial *trial) {
 
 /* ---- several trials at once ---- */
 
-/* Whether trials that run at once would end within the budget, if they take as long as those before, or twice as long as
- * those of the next coarser level. */
+/* Whether trials that run at once would end within the budget, if they take as long as those before, or twice as long
+ * as those of the next coarser level. */
 static bool is_affordable(struct nb_advice *advice, const struct nb_point *point, int level) {
   const double now = nb_clock() - advice->began;
   const double expected = point->done || level == NB_LEVEL_LOW ? point->seconds : 2 * point[-1].seconds;

@@ -12,10 +12,11 @@
 #
 # Exit status: 0 the proof holds, 1 it does not, 2 wrong use, 77 something that it needs is missing.
 #
-# Every page runs twice under callgrind, with CYCLES and with twice as many cycles. The difference of the two profiles is the cost of
-# the second half: reading, start, the stages after it and the end are the same in both. Callgrind attributes each instruction to its
-# source line, of inlined functions too. A line of a file that belongs to features none of which the page uses is an error. So is a file
-# of the simulator that belongs to no feature, and a feature whose page executes none of its lines.
+# Every page runs twice under callgrind, with CYCLES and with twice as many cycles. The difference of the two profiles
+# is the cost of the second half: reading, start, the stages after it and the end are the same in both. Callgrind
+# attributes each instruction to its source line, of inlined functions too. It is an error if a page executes a line of
+# a file that belongs only to features that the page does not use. It is also an error if a file of the simulator
+# belongs to no feature, or if a page executes no line of a feature that it uses.
 #
 # Counts repeat exactly. Callgrind 3.19 knows AVX2 but not AVX-512.
 #
@@ -59,8 +60,8 @@ laws() {
 # NAME | page it is compared with | features it uses | particles | clauses of the material | lines of the scene | lines of the stage |
 # lines after the stage | text of the table
 #
-# In lines, `;` separates statements. $M and $E are the middle and the edge of the lattice, mm. A page whose features are those of the
-# page it is compared with declares something that the measured stage does not use.
+# In lines, `;` separates statements. $M and $E are the middle and the edge of the lattice, mm. If a page has the
+# same features as the page it is compared with, it declares something that the measured stage does not use.
 pages() {
   cat <<'PAGES'
 base | - | | frame discs | | | | | base page
@@ -284,7 +285,7 @@ profile() {
 # Runs page $1 with $2 cycles; the profile is in $3.
 callgrind() {
   write_page "$1" "$2" >"$work/page.md"
-  rm -rf "$work/page.out" # the folder of the run before takes another way
+  rm -rf "$work/page.out" # an existing folder would make the program execute other lines
   (cd "$work" && valgrind --tool=callgrind --callgrind-out-file="$work/callgrind" "$nineball" figure page.md --isa avx2 --jobs 1 \
     >"$work/said" 2>&1) || {
     grep -v '^==' "$work/said" >&2
@@ -433,8 +434,8 @@ describe() {
     END { printf "%s %.17g %d %d %d %s %.17g\n", name, sum / cycles, contacts, particle, contact, us, own / cycles }' "$work/$1.cost" "$work/$1.plan"
 }
 
-# list_rows PROGRAM PAGE ...: a table, by an awk program that is given for each page its name, the one that it is compared with, and what
-# it adds; value[PAGE, K] are the numbers of the pages, n is the number of particles.
+# list_rows PROGRAM PAGE ...: a table. The awk program gets for each page its name, the page that it is compared with,
+# and what it adds. value[PAGE, K] are the numbers of the pages, n is the number of particles.
 list_rows() {
   program=$1
   shift
@@ -567,7 +568,7 @@ of a cycle. So reading, start and printing cancel. All pages run with \`--isa av
 does not know AVX-512. Counts repeat exactly on one machine. They depend on the compiler, here
 $FLAGS.
 
-Bytes are those that \`nineball explain\` prints under \`memory\`: what a cycle reads and writes. Times are processor times of its trial run: the median of five, on one
+Bytes are those that \`nineball explain\` prints under \`memory\`: what a cycle reads and writes. Times are processor times of the trial run of \`explain\`: the median of five, on one
 core of a machine with $(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1). Other programs ran at the same
 time. Pages that execute exactly as many instructions as the base page differ in time by a factor of up to $(spread). Smaller
 differences of time mean nothing, and a single time can be an outlier.

@@ -4,7 +4,8 @@
 #   interleaved.sh SIDES KINDS LAWS REPEATS PROGRAM ...      lists are in quotes; `lmp` is LAMMPS, others are nineball
 #
 # Prints a line for each packing and law: particles, kind, law, then for each program the median, the least and the
-# greatest time of a cycle, ns. User time of one thread, so other processes disturb it less than elapsed time.
+# greatest time of a cycle, ns. User and system time of one thread: other processes disturb it less
+# than elapsed time.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 set -eu

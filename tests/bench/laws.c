@@ -3,8 +3,8 @@
  * contact update, million updates per second, and the ratio to the law without micro-slip, for each shear law, in two
  * sizes. A contact update is one cycle of one pair of the neighbour list, including the motion of the particles.
  *
- * Times are processor times. The laws take turns, so other processes affect all of them equally; medians of eleven
- * runs. Not a test: compare the ratios of one run.
+ * Times are processor times, and each is the median of eleven runs. The laws take turns, so other processes affect all
+ * of them equally. This is not a test: compare the ratios of one run.
  *
  *   tests/bench/laws [ISA [LAW]]
  *

@@ -71,8 +71,8 @@ outermost spheres are fixed. The law \`linear\` is \`gran/hooke/history\` in LAM
 is \`gran/hertz/history\`. Both have friction and dashpots. The dashpots of the two programs depend differently on mass
 and stiffness; the constants agree in the lattice.
 
-Times are user and system times of one thread. A time of a cycle is that of a long run less that of a short one, over
-the difference of their cycles, so reading and start cancel. The programs take turns. The table has medians of
+Times are user and system times of one thread. The time of a cycle is the difference of the times of a long
+and a short run, over the difference of their cycles, so reading and start cancel. The programs take turns. The table has medians of
 $repeats repeats, with the least and the greatest. Other programs ran on this machine at the same time, so the spread
 belongs to every number.
 
@@ -98,8 +98,8 @@ TEXT
   instructions_table
   cat <<TEXT
 
-The quotient of this count and the times above is how fast the machine executes them. The last column is the number of
-instructions that a cycle could have, executed at this rate, in an eighth of the time of LAMMPS:
+The quotient of this count and the times above is the rate at which the machine executes instructions. The last column
+is the number of instructions that it could execute at this rate in an eighth of the time of LAMMPS, per particle:
 
 TEXT
   rate_table

@@ -1,9 +1,9 @@
-/* Measures contact updates per second: a dense triangular lattice of discs in a box that is compressed, with friction,
- * with dashpots of beta k too, and without both. Sizes fit into different caches. All instruction sets of this machine,
- * one and two threads. Median of five runs. A contact update is one cycle of one pair of the neighbour list, including
- * the motion of the particles.
+/* Measures contact updates per second of a dense triangular lattice of discs in a box that is compressed: with
+ * friction, with friction and dashpots of beta k, and with neither. The sizes of the lattice fit into different caches.
+ * Each size runs with all instruction sets of this machine, on one thread and on two; the medians of five runs are
+ * printed. A contact update is one cycle of one pair of the neighbour list, including the motion of the particles.
  *
- * Not a test: it prints, and never fails. Compare columns of one run only.
+ * This is not a test: it prints, and never fails. Compare only columns of one run.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>

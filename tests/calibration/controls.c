@@ -53,8 +53,8 @@ static double control_ratio(struct nb_advice *advice, enum estimator control, st
   return largest;
 }
 
-/* The coarsest level that the control takes for good enough, unless it costs more than `most`. Without an anchor no value of
- * the page's own laws is there to compare with. */
+/* The coarsest level that the control takes for good enough, unless it costs more than `most`. Without an anchor there
+ * is no value of the page's own laws to compare with. */
 static bool search_levels(struct chosen *chosen, struct nb_advice *advice, enum estimator control,
                           struct nb_variant *variant, double most) {
   const int highest = advice->anchor > FINEST ? advice->anchor : FINEST;
@@ -120,7 +120,8 @@ static double reference_ratio(const struct nb_advice *advice, const struct nb_va
   return largest;
 }
 
-/* The coarsest setting that agrees with its own reference; of each level first that without shear forces. */
+/* The coarsest setting that agrees with its own reference. At each level the one without shear forces is tried
+ * first. */
 static struct chosen search_references(struct nb_advice *advice) {
   size_t none = 0;
   for (size_t k = 1; k < advice->variant_count; k++)

@@ -48,7 +48,7 @@ struct score score_of(const struct draw draws[], size_t count, enum estimator es
 /* Of the draws of one kind of page; the members worst_… have no meaning. */
 struct score score_of_kind(const struct draw draws[], size_t count, const char *kind);
 
-/* Whether so many of the answers are within the tolerance. */
+/* Whether it is enough that `within` of `answered` answers are within the tolerance. */
 bool is_enough(size_t within, size_t answered);
 
 /* The criteria of the calibration. */
@@ -58,8 +58,8 @@ bool criterion_holds(const struct score *score, enum criterion criterion);
 /* Prints the criteria that do not hold, separated by "; "; returns their number. */
 size_t write_failures(FILE *out, const struct score *score);
 
-/* The quantile of the values that are not NaN: the one whose rank is nearest. NaN: there are none. Sorts the values, NaN
- * last. */
+/* The quantile of the values that are not NaN: the one whose rank is nearest. NaN: there are none. Sorts the values,
+ * NaN last. */
 double quantile(double *values, size_t count, double fraction);
 
 #endif

@@ -146,14 +146,15 @@ static bool write_scores(FILE *out, const struct results *results) {
     }
   }
   fputs(
-      "\nThe same draws with estimators that lack something, the negative controls. Each must fail. They share the\n"
-      "refusals of the whole estimator.\n\n"
+      "\nThe next table has the negative controls: the same draws with estimators that lack something. Each must fail\n"
+      "at least one criterion. They share the refusals of the whole estimator.\n\n"
       "- One phase: everything is computed at one phase.\n"
       "- No anchor: Richardson's estimate $G$ alone. Nothing compares a candidate that has other laws with the page.\n"
       "- Difference of two steps: $|Q(n) - Q(2n)|$ at one phase, without an anchor.\n"
       "- The reference of each candidate: the coarsest step, up to that of the page, whose result agrees with the\n"
       "  reference solution of the page with the laws of the candidate.\n"
-      "- Always the finest: no estimate. It claims the tolerance, and its true error is that at one phase.\n\n"
+      "- Always the finest: no estimate. The tolerance counts as its estimated error, and its true error is that at\n"
+      "  one phase.\n\n"
       "| what chooses the setting",
       out);
   fputs(score_head, out);
@@ -170,8 +171,8 @@ static bool write_scores(FILE *out, const struct results *results) {
 /* The errors by steps per collision: in the document, and for `nineball explain`. */
 static void write_errors(FILE *out, FILE *header, struct results *results) {
   fputs("\n## The error of a step\n\n"
-        "The relative errors of the quantities of all draws, at one phase, by the number of time steps during the\n"
-        "shortest collision. `nineball explain` prints the row of a page.\n\n"
+        "The table has the relative errors of the quantities of all draws, at one phase, by the number of time steps\n"
+        "during the shortest collision. `nineball explain` prints the row that applies to a page.\n\n"
         "| steps per collision | errors | median | 90 % |\n| --- | --- | --- | --- |\n",
         out);
   fputs("/* Relative errors by steps per collision; written by `make accuracy`, see docs/ACCURACY.md.\n"
@@ -244,7 +245,8 @@ static bool write_means(FILE *out, const struct results *results) {
   fprintf(
       out,
       "\n## Means over realizations\n\n"
-      "The same for `--over seed` on %zu pages of assemblies of about a hundred particles, with %d draws for each.\n"
+      "The same was measured for `--over seed` on %zu pages of assemblies of about a hundred particles, with %d draws\n"
+      "for each.\n"
       "Each draw has its own 8, 16 or 32 realizations. The pages trade a rate of loading or the stiffness. The truth "
       "is\n"
       "the mean over %d other realizations, with half the step of the page. The true error is that of the mean over\n"
@@ -256,8 +258,8 @@ static bool write_means(FILE *out, const struct results *results) {
       "Of the draws, ",
       pages, MEAN_DRAWS, TRUTH_REALIZATIONS, lowest_of_mean, TRUTH_REALIZATIONS);
   write_share(out, answered, results->mean_count);
-  fputs("\nare answered. The others have a tolerance below what the realizations of the search resolve. With more of "
-        "them\n"
+  fputs("\nare answered. The others have a tolerance below what the realizations of the search resolve. With more "
+        "realizations\n"
         "more draws are answered:\n",
         out);
   write_realizations(out, results);
@@ -286,13 +288,15 @@ static void write_beginning(FILE *out, const struct results *results) {
         "quantity of its expectations, a condition (one run of the sweep, or all runs) and a relative tolerance.\n"
         "For each draw the program is asked for advice. The true error of the advice is the largest difference,\n"
         "over all runs and phases, from the limit of the page for small steps.\n"
-        "[METHOD](METHOD.md#the-accuracy-of-a-step) defines the terms.\n\n",
+        "[METHOD](METHOD.md#the-accuracy-of-a-step) defines the terms. A setting meets a draw if its true error is\n"
+        "within the tolerance.\n\n",
         out);
-  fprintf(out,
-          "There are %d draws for each of %zu pages. The logarithm of the tolerance is uniform between %g and %g. The\n"
-          "search may take %g s of computing time. It takes %.2g s in the median, and %.2g s at 90 %%.\n\n",
-          DRAWS, results->pages, lowest_tolerance, highest_tolerance, search_time,
-          quantile(seconds, results->draw_count, 0.5), quantile(seconds, results->draw_count, 0.9));
+  fprintf(
+      out,
+      "There are at most %d draws for each of %zu pages. The logarithm of the tolerance is uniform between %g and %g.\n"
+      "The search may take %g s of computing time. It takes %.2g s in the median, and %.2g s at 90 %%.\n\n",
+      DRAWS, results->pages, lowest_tolerance, highest_tolerance, search_time,
+      quantile(seconds, results->draw_count, 0.5), quantile(seconds, results->draw_count, 0.9));
 }
 
 bool write_document(FILE *out, FILE *header, struct results *results) {
@@ -315,8 +319,9 @@ bool write_document(FILE *out, FILE *header, struct results *results) {
       "\n## The criteria\n\n"
       "The cheapest setting is that of an exhaustive grid. It has all contact laws, three softer stiffnesses (a tenth, "
       "a\n"
-      "hundredth and a thousandth), centred dashpots, and steps a factor of √2 apart. It is the one with the fewest "
-      "updates of contacts and particles whose true error, over all phases\n"
+      "hundredth and a thousandth), centred dashpots, and steps a factor of √2 apart. The cheapest setting has the "
+      "fewest updates of\n"
+      "contacts and particles of all settings whose true error, over all phases\n"
       "and runs, is within the tolerance. The steps of advice are a factor of 2 apart. The grid of a draw may take\n"
       "%g s of computing time. The cost is counted for the %zu of %zu answers whose grid was completed.\n\n"
       "The ratio of the estimated to the true error is counted for %zu of %zu answers. Their true error is at\n"

@@ -87,9 +87,9 @@ static double mean_error(double *uncertainty, struct means *means, const struct 
   return fabs(nb_estimate_average(differences, TRUTH_REALIZATIONS)) / average;
 }
 
-/* The tolerance lies between the errors of the best and of the worst setting: each traded value, and some steps. It is at
- * least twice the standard error with which these realizations resolve the step of the page, and the range has at least a
- * factor of 8, because 8 realizations resolve less than 64. */
+/* The tolerance lies between the errors of the best and of the worst setting: each traded value, and some steps. It is
+ * at least twice the standard error with which these realizations resolve the step of the page, and the range has at
+ * least a factor of 8, because 8 realizations resolve less than 64. */
 static double draw_tolerance(struct means *means, const struct nb_scene *page, const char *path, size_t quantity,
                              gsl_rng *random) {
   static const double widest = 8;

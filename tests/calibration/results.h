@@ -11,8 +11,8 @@
 
 /* For each page: the draws of a step and laws, or of a mean over realizations. */
 enum { DRAWS = 3, MEAN_DRAWS = 12, TRUTH_REALIZATIONS = 64, DRAWS_MAX = 4000 };
-/* What a draw may take in computing time, s: the search, the truth, and the grid. Tolerances: of steps and laws; the
- * smallest one of means. */
+/* Limits of the computing time of a draw, s: for the search, the truth, and the grid. Then the range of tolerances for
+ * steps and laws, and the smallest tolerance for means. */
 static const double search_time = 2, truth_time = 1, grid_time = 3;
 static const double lowest_tolerance = 1e-4, highest_tolerance = 0.3, lowest_of_mean = 0.005;
 static const double truth_margin = 10; /* a true error is known if it is so many times the last change of the truth */

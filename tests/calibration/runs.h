@@ -42,8 +42,8 @@ struct truth {
 bool take_truth(struct truth *truth, struct nb_advice *advice, int level);
 /* False: it is not known well enough. */
 bool find_truth(struct truth *truth, struct nb_advice *advice);
-/* The largest error of a setting over all runs and phases, over the tolerance; not more are computed once it is above
- * `most`, which may be negative: only the first phase. Infinite: it cannot be run. */
+/* The largest error of a setting over all runs and phases, over the tolerance. The computation ends once it is above
+ * `most`; if `most` is negative, only the first phase is computed. Infinite: the setting cannot be run. */
 double true_error(struct nb_advice *advice, const struct truth *truth, struct nb_variant *variant, int level,
                   double most);
 /* The fewest updates of a setting of the grid whose true error is within the tolerance; `most`: none has as few. */

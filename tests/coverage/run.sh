@@ -1,7 +1,7 @@
 #!/bin/sh
-# Coverage of the verdict by its tests. `make coverage` builds everything in coverage/ of the build folder with counters for lines and
-# branches, runs the unit tests of the verdict, the invalid pages and the test of the program, and fails if they execute less than
-# 95 % of the branches. $srcdir is the top of the source tree, $CC the compiler.
+# Coverage of the verdict by its tests. `make coverage` builds everything in coverage/ of the build folder with counters
+# for lines and branches. It runs the unit tests of the verdict, the invalid pages and the test of the program, and
+# fails if they execute less than 95 % of the branches. $srcdir is the top of the source tree, $CC the compiler.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 set -eu

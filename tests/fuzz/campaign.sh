@@ -115,8 +115,8 @@ search() {
   test "$status" -eq 0 || echo "fuzz: $1 failed; look at $(pwd)/$1.log"
 }
 
-# All sessions of all readers. Executions per second are of processor time, for a session at a low priority may run for a
-# hundredth of the time that passes. A failed input counts once for each session that found it.
+# All sessions of all readers. Executions per second are of processor time, because a session at a low priority may run
+# for a hundredth of the time that passes. A failed input counts once for each session that found it.
 report() {
   echo '| reader | executions | per second | inputs kept | edges reached | errors | timeouts | memory limits |'
   echo '| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |'

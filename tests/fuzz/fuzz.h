@@ -1,5 +1,5 @@
-/* Functions shared by the programs of the fuzzer: `replay`, which `make check` runs, and one program of libFuzzer for each
- * reader, which `make fuzz` runs.
+/* Functions shared by the programs of the fuzzer: `replay`, which `make check` runs, and one program of libFuzzer for
+ * each reader, which `make fuzz` runs.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_FUZZ_H
@@ -27,7 +27,7 @@ extern const struct fuzz_reader fuzz_pages, fuzz_expressions, fuzz_paths, fuzz_p
 void fuzz_begin(const void *bytes, size_t size);
 void fuzz_hold(bool holds, const char *what);
 void fuzz_hold_mistakes(const struct nb_mistakes *mistakes, enum nb_status status);
-/* Whether to do what is done with one of `count` inputs, to save time; in `replay` with all of them. */
+/* Whether to make, for this input, a test that to save time only one of `count` inputs gets; in `replay` all get it. */
 bool fuzz_one_of(int count);
 extern bool fuzz_saves_time;
 /* Writes the input of the last fuzz_begin to a temporary file. Returns its path. */
@@ -35,8 +35,8 @@ const char *fuzz_file(void);
 /* Reads a page of this test, which is valid. */
 void fuzz_read_page(struct nb_page *page, struct nb_scene *scene, const char *path, const char *statements);
 
-/* states.c: replaces or adds the last line with the right checksum, in one of two inputs that are states. Returns the new
- * size; `text` has room for FUZZ_END bytes more. */
+/* states.c: replaces or adds the last line with the right checksum, in one of two inputs that are states. Returns the
+ * new size; `text` has room for FUZZ_END bytes more. */
 enum { FUZZ_END = 23 };
 size_t fuzz_seal(char *text, size_t size);
 

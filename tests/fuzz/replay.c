@@ -1,5 +1,5 @@
-/* Reads the inputs of the fuzzer's corpus, and random changes of them, with every reader. For any bytes a reader returns
- * a valid value or a message.
+/* Reads the inputs of the fuzzer's corpus, and random changes of them, with every reader. For any bytes a reader
+ * returns a valid value or a message.
  *
  *   tests/fuzz/replay                        all readers; TAP
  *   tests/fuzz/replay READER FILE ...        one reader, with these inputs

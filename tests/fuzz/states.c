@@ -1,6 +1,6 @@
-/* The readers of saved states and of checkpoints. A changed state gets its new checksum, so its records are read. What is
- * read must be complete, and an error must have a position. If the page accepts a state, it runs for a few cycles from
- * it: for any numbers the run must end with a status.
+/* The readers of saved states and of checkpoints. A changed state gets its new checksum, so its records are read. What
+ * is read must be complete, and an error must have a position. If the page accepts a state, it runs for a few cycles
+ * from it: for any numbers the run must end with a status.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _POSIX_C_SOURCE 200809L
@@ -156,7 +156,7 @@ static const char *text_of(const unsigned char *bytes, size_t *size) {
   return text;
 }
 
-/* Reads a text and holds what is always true. */
+/* Reads a text and tests the invariants. */
 static bool read_text(struct nb_saved *saved, const char *text, size_t size) {
   struct nb_error error = {NB_OK, ""};
   const enum nb_status status = nb_saved_read_text(saved, "fuzz.state", text, size, &error);

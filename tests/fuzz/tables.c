@@ -1,5 +1,5 @@
-/* The reader of a table that a later call of `advise --all` continues. What was complete stays, and what is added can be
- * found.
+/* The reader of a table that a later call of `advise --all` continues. What was complete stays, and what is added can
+ * be found.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>

@@ -1,5 +1,5 @@
-/* Random paths of one contact after the other. Each contact draws its own numbers, opens at the end of its path, and the
- * next one begins.
+/* Random paths of one contact after the other. Each contact draws its own numbers, opens at the end of its path, and
+ * the next one begins.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "paths.h"

@@ -1,7 +1,7 @@
 /* A law on random paths: forces within the friction limit, finite numbers, a history within its bounds, and energy.
  *
- * Each segment of a path is led twice from the same state, in `COARSE` and in twice as many steps. The error of the work is
- * estimated from the difference, as in laws_energy.c.
+ * Each segment of a path is led twice from the same state, in `COARSE` and in twice as many steps. The error of the
+ * work is estimated from the difference, as in laws_energy.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
@@ -43,7 +43,8 @@ static bool is_finite(const struct contact *it) {
   return is;
 }
 
-/* No variable in the next cache line beyond the declared ones is written, and the declared ones are a row that a saved state may have. */
+/* No variable in the next cache line beyond the declared ones is written, and the declared ones are a row that a saved
+ * state may have. */
 static bool is_within(const struct contact *it) {
   const struct nb_law *law = it->shear;
   bool is = true;

@@ -1,4 +1,5 @@
-/* Paths of overlap and tangential displacement, what is checked along them, and what is measured: tests/contact_paths.c.
+/* Paths of overlap and tangential displacement, what is checked along them, and what is measured:
+ * tests/contact_paths.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_PATHS_H
@@ -41,7 +42,7 @@ struct findings {
   long creations;    /* segments at whose end a contact had created energy beyond the error of the steps */
   double grown;      /* largest growth of the stored energy that is not work, over the energy given */
 };
-/* Of a normal law with a shear law. `kind` DECADES has too large steps for an account of energy. */
+/* The findings for a normal law with a shear law. The steps of the kind DECADES are too large for an energy account. */
 struct findings law_on_paths(const struct nb_law *normal, const struct nb_law *shear, int kind, long steps);
 void findings_add(struct findings *sum, const struct findings *more);
 /* The first promise that is broken, in words; NULL: none. `joins`: the law joins pieces of its history. */
