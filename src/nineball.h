@@ -15,7 +15,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-enum { NB_NAME_SIZE = 64 }; /* longest name that a page may use, with its terminating zero */
+enum { NB_NAME_SIZE = 64 }; /* bytes of the longest name that a page may use, with its terminating zero */
 
 /* What a function returns to its caller; also the exit status of `nineball`. */
 enum nb_status {
@@ -30,7 +30,7 @@ enum nb_status {
 struct nb_error {
   enum nb_status status;
   char text[512];
-  int line; /* of the page, where the message names it; 0: none */
+  int line; /* the line of the page that the message names; 0: none */
 };
 
 /* ---- warning.c: warnings; they change no exit status ---- */
@@ -45,46 +45,48 @@ struct nb_warnings {
   size_t count;
 };
 
-/* ---- mistakes.c: the errors of a page, all reported at once ---- */
+/* ---- mistakes.c: the list of all errors found in a page ---- */
 
 struct nb_mistakes {
-  char *text;                        /* the messages, ready to print; NULL while there are none; owned here */
+  char *text;                        /* the messages, ready to print; NULL while there are none; owned */
   size_t count;                      /* messages in `text` */
   size_t total;                      /* errors found, including those without a message */
   bool no_memory;                    /* memory ran out; counts as an error without a message, and stays set */
-  struct nb_mistakes_inside *inside; /* private to mistakes.c; owned here */
+  struct nb_mistakes_inside *inside; /* private to mistakes.c; owned */
 };
 void nb_mistakes_free(struct nb_mistakes *mistakes);
 
 /* ---- page.c: a Markdown file and its fenced blocks ---- */
 
 struct nb_page {
-  char *path;              /* as given, for messages; owned */
+  char *path;              /* as the caller gave it, for messages; owned */
   char name[NB_NAME_SIZE]; /* file name without directory and .md: `nine-discs` */
   char title[128];         /* first heading, without its `#` */
   char **lines;            /* the text, line by line, without line ends; owned */
   size_t line_count;       /* lines[0] is line 1 of the file */
-  unsigned char *kind_of;  /* for each line, the block that it belongs to (input/reader.h); owned */
+  unsigned char *kind_of;  /* for each line, the kind of block that contains it (input/reader.h); owned */
   unsigned long long hash; /* FNV-1a of the whole file; tables record it */
 };
+/* Reads the file and finds its blocks. Adds all errors to `mistakes`; after an error the page is empty. */
 enum nb_status nb_page_read(struct nb_page *page, const char *path, struct nb_mistakes *mistakes);
 void nb_page_free(struct nb_page *page);
 
-/* ---- names.c: dotted names ---- */
+/* ---- names.c: quantities and their names ---- */
 
 struct nb_model;
 struct nb_scene;
 
 /* A quantity that can be recorded, waited for or expected: `C.normal`, `time`, `energy.kinetic`. */
 struct nb_quantity {
-  const struct nb_quantity_kind *kind; /* one row of the table in names.c, NULL: none */
-  int monitor;                         /* index of its monitor; -1: of the whole scene */
+  const struct nb_quantity_kind *kind; /* its row of the table in names.c; NULL: no quantity */
+  int monitor;                         /* index of its monitor; -1: a quantity of the whole scene */
   const struct nb_suffix *suffix;      /* its suffix in a family of quantities (families.c); NULL: no family */
 };
 
-bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene, const char *text); /* false: none */
-const char *nb_quantity_unit(struct nb_quantity quantity);                                           /* "N", "m", "1" */
-double nb_quantity_value(struct nb_quantity quantity, const struct nb_model *model);                 /* SI */
+/* Finds the quantity with the name `text`. False: the scene has no such quantity. */
+bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene, const char *text);
+const char *nb_quantity_unit(struct nb_quantity quantity);                           /* "N", "m"; "1": dimensionless */
+double nb_quantity_value(struct nb_quantity quantity, const struct nb_model *model); /* its current value, SI */
 
 /* ---- scene.c: the scene that a page describes ---- */
 
@@ -95,8 +97,9 @@ enum nb_shape {
 
 /* The properties of a contact between two materials. A row has: the property's keyword, which is also its name in the
  * structures below; its value as the manual shows it, unit and range; the default of `material`; the rule that combines
- * two materials (properties.c); and the help text. A row is all that a new property needs: reading, changes in stages,
- * ramps, saved states and the manual use this table. Law files read it as p.NAME, 0 where no page gives a value. */
+ * two materials (properties.c); and the help text. A new property needs only a new row: reading, changes in stages,
+ * ramps, saved states and the manual use this table. Law files read the property NAME as p.NAME, which is 0 if the page
+ * gives no value. */
 #define NB_PAIR_ROWS(ROW)                                                                                              \
   ROW(kn, "K", STIFFNESS, NOT_NEGATIVE, "0", series, "Normal stiffness of a contact [CS79 16].")                       \
   ROW(ks, "K", STIFFNESS, NOT_NEGATIVE, "0", series, "Shear stiffness of a contact [CS79 17].")                        \
@@ -109,11 +112,12 @@ struct nb_material {
   double density;              /* kg/m3 */
   NB_PAIR_ROWS(NB_PAIR_MEMBER) /* of a contact between two particles of this material */
   double young;                /* E, Pa, for laws of elastic spheres; INFINITY: rigid; 0: not given [R89 4.7] */
-  double poisson;              /* nu, 1; G = E/(2(1 + nu)) */
+  double poisson;              /* nu, 1; the shear modulus is G = E/(2(1 + nu)), Pa */
   int line;                    /* line of the page, for messages */
 };
 
-/* `pair A B ...`: values that replace the combination rules of two materials; NAN where the rule applies. */
+/* `pair A B ...`: properties of contacts between two materials, which replace the results of the combination rules.
+ * NAN: the combination rule applies. */
 struct nb_pair_rule {
   int a, b; /* indices of the materials */
   NB_PAIR_ROWS(NB_PAIR_MEMBER)
@@ -148,23 +152,24 @@ struct nb_grading {
 /* `fill`: particles of a grading, placed at random in a circle or a box. Coordinates are those before `transform`. */
 struct nb_fill {
   bool circle;
-  double x, y;          /* m; centre of the circle, or lower left corner of the box */
-  double radius;        /* m, of the circle */
-  double x1, y1;        /* m, upper right corner of the box */
-  double width, height; /* m, of the periodic cell, if it is filled: x, y and x1, y1 are its corners; 0: none */
+  double x, y;          /* centre of the circle, or lower left corner of the box, m */
+  double radius;        /* radius of the circle, m */
+  double x1, y1;        /* upper right corner of the box, m */
+  double width, height; /* sides of the periodic cell, m, if the cell is filled; x, y and x1, y1 are then its corners;
+                         * 0: the cell is not filled */
   int grading;
   unsigned long seed;
   unsigned long attempts;           /* at most, for each particle */
-  bool skip;                        /* a size that does not fit is skipped; otherwise that is an error */
-  size_t first, count;              /* its particles */
-  unsigned long long attempts_made; /* attempts in all */
+  bool skip;                        /* true: a size that does not fit is skipped; false: it is an error */
+  size_t first, count;              /* index of its first particle; number of its particles */
+  unsigned long long attempts_made; /* attempts for all its particles */
   int line;
 };
 
 /* `packing`: particles read from a file. */
 struct nb_packing {
   char *path;          /* owned by the scene */
-  size_t first, count; /* its particles */
+  size_t first, count; /* index of its first particle; number of its particles */
   int line;
 };
 
@@ -174,15 +179,20 @@ struct nb_wall {
   double x, y;     /* P, m */
   double ex, ey;   /* e, unit vector */
   double h1, h2;   /* m */
-  double h0;       /* m; distance of its line from P, to the left of e; 0 for walls of [CS79 figure 4] */
+  double h0;       /* distance of the wall's line from P, to the left of e, m; 0 for walls of [CS79 figure 4] */
   double inx, iny; /* unit normal into the box that the wall belongs to; 0, 0: no box */
-  double vx, vy;   /* of P at time 0, m/s */
-  double spin;     /* about P at time 0, rad/s, counterclockwise */
+  double vx, vy;   /* velocity of P at time 0, m/s */
+  double spin;     /* angular velocity about P at time 0, rad/s, counterclockwise */
   int material;
   int line;
 };
 
-/* Damping of contacts and of motion. The papers use four conventions; see docs/METHOD.md. */
+/* Damping of contacts and of motion. The papers use four conventions; see docs/METHOD.md.
+ *
+ *   c   coefficient of a dashpot, N s/m        k  stiffness of the contact, N/m
+ *   M*  reduced mass of two particles, kg      m  mass of a particle, kg
+ *   C   coefficient of mass-proportional damping, N s/m
+ *   v   velocity, m/s                          F  sum of the forces, N           dt  step, s */
 enum nb_contact_damping {
   NB_CONTACT_UNDAMPED,
   NB_CONTACT_STIFFNESS,    /* c = beta k; beta is a time, s [CS79 28] */
@@ -200,26 +210,29 @@ struct nb_damping {
   enum nb_contact_damping contact_kind;
   double contact; /* s or 1 */
   int contact_line;
-  bool walls_separate; /* contacts with walls have their own damping: */
+  bool walls_separate; /* contacts with walls have their own damping, which the next three members give */
   enum nb_contact_damping walls_kind;
   double walls; /* s or 1 */
   int walls_line;
   double deep; /* overlap beyond which a contact is critically damped, as a fraction of the smaller diameter; 0: none */
   int deep_line;
-  bool centred; /* dashpots use the velocity at t_N, and the time since first touch: pass/dashpots.c */
+  bool
+      centred; /* dashpots use the velocity at t_N and, in a new contact, the time since first touch: pass/dashpots.c */
   int centred_line;
   enum nb_global_damping global_kind;
   double global; /* 1/s or 1 */
   int global_line;
 };
-/* The kind of damping of a contact, with a wall or between particles, and its coefficient, s or 1. */
+/* Returns the kind of damping of a contact with a wall, or of one between particles, and sets `value` to its
+ * coefficient, s or 1. */
 enum nb_contact_damping nb_damping_at(const struct nb_damping *damping, bool wall, double *value);
-int nb_damping_contact_line(const struct nb_damping *damping); /* that sets damping at contacts; 0: none */
-bool nb_damping_equal(const struct nb_damping *a, const struct nb_damping *b);
+/* The line of the page that sets the damping of contacts; 0: none. */
+int nb_damping_contact_line(const struct nb_damping *damping);
+bool nb_damping_equal(const struct nb_damping *a, const struct nb_damping *b); /* the lines of the page may differ */
 bool nb_damping_none(const struct nb_damping *damping); /* neither contacts nor particles are damped */
 
-/* What the value of a step is multiplied by: measure/step.c, measure/rayleigh_step.c. MEAN: for a sphere with the means
- * of radius, density, G and nu. FIT: with R89's fit of the wave speed. R89's own step is NB_STEP_RAYLEIGH_FIT_MEAN. */
+/* The time that `value` of a step multiplies: measure/step.c, measure/rayleigh_step.c. MEAN: for a sphere with the mean
+ * values of radius, density, G and nu. FIT: with R89's fit of the wave speed. R89 uses NB_STEP_RAYLEIGH_FIT_MEAN. */
 enum nb_step_kind {
   NB_STEP_TIME,           /* 1 s */
   NB_STEP_SINGLE_CONTACT, /* 2 sqrt(m/k) of the smallest mass and the largest stiffness [CS79, Motion] */
@@ -259,21 +272,21 @@ enum nb_region_kind { NB_REGION_CIRCLE, NB_REGION_BOX, NB_REGION_ALL, NB_REGION_
 struct nb_region {
   enum nb_region_kind kind;
   double x, y;             /* centre, m */
-  double radius;           /* m; of NB_REGION_INSIDE a fraction of the boundary's mean radius, 1 */
-  double ex, ey;           /* of a box, and of all: unit vector along one side; */
-  double half_x, half_y;   /* half its length along e and across, m */
+  double radius;           /* m; for NB_REGION_INSIDE, as a fraction of the boundary's mean radius, 1 */
+  double ex, ey;           /* e, unit vector along one side of the rectangle; NB_REGION_BOX and NB_REGION_ALL */
+  double half_x, half_y;   /* half the length of the rectangle along e, and at right angles to e, m */
   int rings;               /* number of rings of equal width that a snapshot measures; 0: none */
-  char from[NB_NAME_SIZE]; /* stage at whose beginning the strain is 0; empty: the start */
-  int stage;               /* its index; -1: the start */
+  char from[NB_NAME_SIZE]; /* stage at whose beginning the strain is 0; empty: the start of the run */
+  int stage;               /* index of that stage; -1: the start of the run */
   int line;
 };
 
-/* `gravity GX GY`: uniform; `gravity centripetal G about X Y`: towards a point. Acts on all particles that are not
- * fixed. */
+/* `gravity GX GY`: uniform gravity; `gravity centripetal G about X Y`: gravity towards a point. Gravity acts on all
+ * particles that are not fixed. */
 struct nb_gravity {
   double x, y;             /* m/s2 */
-  double central;          /* m/s2, towards the point */
-  double about_x, about_y; /* m */
+  double central;          /* acceleration towards the point, m/s2 */
+  double about_x, about_y; /* the point, m */
   bool ramp;               /* changed linearly, reached at the end of the stage */
   int line;                /* line of the page; 0: not given here */
 };
@@ -286,22 +299,22 @@ struct nb_change {
   int line;
 };
 
-/* `impact`: a sphere strikes the other object of its monitor. Reading the page places it just in contact and sets its
- * velocity; the run starts the fraction `phase` of a step earlier. */
+/* `impact`: a sphere strikes another particle or a wall. The reader of the page places the sphere just in contact and
+ * sets its velocity. The run starts earlier, by the fraction `phase` of a step. */
 struct nb_impact {
-  int monitor;  /* monitor of the contact; its first particle is the one that moves */
-  double speed; /* of its centre relative to the other object, m/s */
-  double angle; /* from the normal, rad; NAN: computed from psi1 */
+  int monitor;  /* monitor of the contact; its first particle is the sphere that moves */
+  double speed; /* speed of the sphere's centre relative to the other particle or the wall, m/s */
+  double angle; /* angle of this velocity from the normal, rad; NAN: computed from psi1 */
   double psi1;  /* Maw's angle of incidence, 1 [R89 5.15]; NAN: computed from the angle */
-  double phase; /* 0 to 1 */
+  double phase; /* fraction of a step between the start and first touch, 0 to 1 */
   int line;     /* 0: no such statement */
 };
 
 /* Motion of a wall from the beginning of a stage until another stage changes it. */
 struct nb_wall_motion {
   int wall;      /* index */
-  double vx, vy; /* of P, m/s */
-  double spin;   /* about P, rad/s */
+  double vx, vy; /* velocity of P, m/s */
+  double spin;   /* angular velocity about P, rad/s, counterclockwise */
   bool ramp;     /* changed linearly, reached at the end of the stage */
   int line;
 };
@@ -312,17 +325,17 @@ struct nb_removal {
   int line;
 };
 
-/* `cell`: the periodic cell. Its sides are the columns of H = (h[0] h[1], h[2] h[3]). */
+/* `cell`: the periodic cell. Its sides are the columns of the matrix H with the rows h[0] h[1] and h[2] h[3]. */
 struct nb_scene_cell {
   double x, y; /* its centre, m */
-  double h[4]; /* m */
-  int line;    /* 0: there is none */
+  double h[4]; /* H, m */
+  int line;    /* 0: the scene has no cell */
 };
 
-/* A velocity gradient: x' = xx x + xy y, y' = yx x + yy y, extension positive [R89 4.43, 4.44]. */
+/* A velocity gradient: the velocity at (x, y) is (xx x + xy y, yx x + yy y), extension positive [R89 4.43, 4.44]. */
 struct nb_strain_rate {
-  double xx, xy, yx, yy; /* 1/s; with per_cycle 1 */
-  bool per_cycle;        /* strain per cycle: divided by the step when it is used */
+  double xx, xy, yx, yy; /* 1/s; if per_cycle, 1 */
+  bool per_cycle;        /* the components are strains per cycle; the program divides them by the step */
 };
 
 /* Contact laws by the names of their files, `linear`, `none`; empty: unchanged. When a stage changes a law, the
@@ -344,55 +357,57 @@ struct nb_condition {
 
 /* Target of one direction, normal or tangential, in a segment of a contact test. */
 struct nb_target {
-  bool force;    /* the force varies linearly; otherwise overlap or tangential displacement */
-  bool relative; /* value is relative to the current one; otherwise absolute */
+  bool force;    /* true: the force varies linearly; false: the overlap or the tangential displacement does */
+  bool relative; /* the value is a change from the value at the beginning of the segment */
   double value;  /* m or N; relative 0: held constant */
 };
 struct nb_path_point {
-  double approach, slip; /* m; an approach below 0 is a gap */
+  double approach, slip; /* overlap, below 0 for a gap, m; tangential displacement, m */
 };
 
 /* A segment of a contact test: the loading of the contact during one stage. */
 struct nb_segment {
   struct nb_target normal, shear;
-  struct nb_path_point *points; /* `follow FILE`: one step to each point instead of the targets; owned by the scene */
+  struct nb_path_point *points; /* `follow FILE`: one step to each point; replaces the targets; owned by the scene */
   size_t point_count;
 };
 
 /* `boundary circle`: particles whose centres are on the circle or outside it form the assembly's boundary. */
 struct nb_circle {
   double x, y, radius; /* m */
-  int line;            /* 0: no boundary begins here */
+  int line;            /* 0: no boundary begins */
 };
 
 /* Loading of the boundary, and affine motion of the free particles, until another stage changes it. */
 enum nb_control { NB_CONTROL_STRAIN, NB_CONTROL_STRESS, NB_CONTROL_NONE };
 struct nb_boundary {
   enum nb_control control;
-  struct nb_strain_rate strain; /* NB_CONTROL_STRAIN: imposed on its centres; `boundary fixed`: 0 */
-  double sxx, syy, sxy;         /* Pa, compression positive. NB_CONTROL_STRESS: applied as forces on its particles */
-  int line;                     /* 0: unchanged */
+  struct nb_strain_rate strain; /* NB_CONTROL_STRAIN: imposed on its particles' centres; `boundary fixed`: 0 */
+  double sxx, syy, sxy; /* NB_CONTROL_STRESS: stress applied as forces on its particles, Pa, compression positive */
+  int line;             /* 0: unchanged */
 };
 struct nb_affine_motion {
   struct nb_strain_rate strain; /* `none`: 0 */
-  bool accumulated; /* added to the velocity in every cycle and kept in it: R89 4.43, 4.44 taken literally */
-  bool twice;       /* also added to the relative velocities, as in R89's FORD; then `accumulated` is true */
+  bool accumulated; /* the affine velocity is added to the particle's velocity in every cycle and stays in it: R89 4.43,
+                     * 4.44 taken literally */
+  bool twice;       /* the affine velocity is also added to the relative velocities, as in R89's subroutine FORD;
+                     * `accumulated` is then true */
   int line;         /* 0: unchanged */
 };
 
 /* `servo`: adjusts strain rates so that a stress reaches its target. */
 struct nb_servo {
   struct nb_quantity quantity[4]; /* measured stresses: xx, xy, yx, yy */
-  double stress[3];               /* their targets, Pa */
-  bool controlled[3];             /* which of them are controlled */
+  double stress[3];               /* targets of xx, yy, xy, Pa */
+  bool controlled[3];             /* for xx, yy, xy: the servo controls this stress */
   double axis_x[2], axis_y[2];    /* components of the unit vectors to which xx, yy and xy refer */
-  bool mean;                      /* only (xx + yy)/2 */
-  bool affine;                    /* acts on the free particles' affine motion as on the boundary's; or */
-  bool cell;                      /* on the cell only; or */
-  bool box;                       /* on the box */
+  bool mean;                      /* only the mean (xx + yy)/2 is controlled */
+  bool affine;                    /* adjusts the affine motion of the boundary and of the free particles */
+  bool cell;                      /* adjusts the strain rate of the cell */
+  bool box;                       /* adjusts the strain rate of the box; if none of the three: of the boundary only */
   bool ramp;                      /* target changed linearly, reached at the end of the stage */
-  double max_rate;                /* largest component of the added strain rate, 1/s; or */
-  bool per_cycle;                 /* strain per cycle */
+  double max_rate;                /* largest component of the added strain rate, 1/s; if per_cycle, 1 */
+  bool per_cycle;                 /* max_rate is a strain per cycle */
   unsigned long every;            /* cycles between two adjustments */
   int line;                       /* 0: none */
 };
@@ -420,11 +435,11 @@ struct nb_stage {
   bool reverse_velocities;         /* the stage begins with all velocities reversed, those of walls too */
   struct nb_condition *conditions; /* all must hold; owned by the scene */
   size_t condition_count;
-  unsigned long cycles;          /* number of cycles; with conditions the most, and reaching it is a failure */
+  unsigned long cycles;          /* number of cycles; with conditions, a limit: a stage that reaches it has failed */
   unsigned long check_interval;  /* cycles between two tests of the conditions */
   unsigned long record_interval; /* cycles between two rows; 0: no rows */
-  bool snapshot;                 /* keep particles, walls and contacts at its end, */
-  int snapshot_from;             /* with the changes since the beginning of the stage of this index; -1: none */
+  bool snapshot;                 /* keep particles, walls and contacts at the end of the stage */
+  int snapshot_from;             /* index of the stage from whose beginning a snapshot measures changes; -1: none */
   struct nb_step step;           /* as the scene's, unless the stage gives its own */
   bool allow_unstable;           /* the stability of the step is not checked in this stage */
   struct nb_damping damping;     /* as in the stage before, unless the stage gives its own */
@@ -439,19 +454,17 @@ struct nb_column {
   struct nb_quantity quantity;
 };
 
-/* `start PAGE stage NAME`: the scene continues from the end of another page's stage. It contains the other scene with
- * its stages. Those are not run again: their end is read from the saved states, or computed first. */
+/* `start PAGE stage NAME`: the scene continues from the end of a stage of another page. The scene includes the other
+ * page's stages up to that one, but they are not run again: their end is read from a saved state, or computed first. */
 struct nb_start {
   struct nb_page *page;               /* the other page; owned, as is all below */
   struct nb_scene *scene;             /* its scene, up to the end of that stage */
-  char (*settings)[2 * NB_NAME_SIZE]; /* its settings: "v=0.1 m/s" */
+  char (*settings)[2 * NB_NAME_SIZE]; /* settings of the other page: "v=0.1 m/s" */
   size_t setting_count;
   size_t stages; /* number of stages that come from the other page; 0: no such statement */
   int line;
 };
 
-/* One run of a page: every name resolved, every number in SI. nb_scene_read fills it; it is constant from then on.
- * References read the same structure. It owns everything its pointers reach. */
 /* `trade NAME VALUE …`: other values that `nineball advise` may give to a name. */
 enum { NB_TRADED_MAX = 16 };
 struct nb_trade {
@@ -460,12 +473,14 @@ struct nb_trade {
   size_t count;
 };
 
+/* One run of a page: every name resolved, every number in SI. nb_scene_read fills the structure, which is constant from
+ * then on. Reference solutions read the same structure. It owns everything its pointers reach, except the page. */
 struct nb_scene {
   const struct nb_page *page; /* not owned */
   bool unitless;              /* `units none` */
   bool contact_test;          /* a contact test: particle 1 with particle 2, or with the wall; stages are segments */
   double refine;              /* `--set refine=R`: the step of the page divided by R; 1: as written */
-  double soften;              /* `--set soften=S`: its stiffnesses divided by S; 1: as written */
+  double soften;              /* `--set soften=S`: the stiffnesses of the page divided by S; 1: as written */
   bool path_replaced;         /* a setting `follow=FILE` replaced the page's segments: expectations do not apply */
   struct nb_material *materials;
   size_t material_count;
@@ -510,23 +525,24 @@ struct nb_scene {
   struct nb_warnings warnings; /* found while the page was read */
 };
 
-/* `--set NAME=VALUE`, any number of times: NULL-terminated array of such texts, or NULL for none. */
+/* Settings `--set NAME=VALUE`: a NULL-terminated array of texts "NAME=VALUE", or NULL for none. */
 typedef const char *const *nb_settings;
 
-/* Number of runs of a page: the product of the lengths of its sweeps; 1 when they are invalid or too long. */
+/* Number of runs of a page: the product of the lengths of its sweeps; 1 if a sweep is invalid or the product is too
+ * large. Only a lack of memory is added to `mistakes`; nb_scene_read reports all other errors. */
 size_t nb_scene_runs(const struct nb_page *page, nb_settings settings, struct nb_mistakes *mistakes);
-/* Reads run 0 <= run < runs and reports all errors of its scene blocks. If there are any, the scene is incomplete and
- * must not be run. Free it in any case. */
+/* Reads the scene of one run, 0 <= run < nb_scene_runs, and adds all errors of the scene blocks to `mistakes`. After an
+ * error the scene is incomplete and must not be run. The caller frees the scene in any case. */
 enum nb_status nb_scene_read(struct nb_scene *scene, const struct nb_page *page, size_t run, nb_settings settings,
                              struct nb_mistakes *mistakes);
 void nb_scene_free(struct nb_scene *scene);
 
 /* ---- model.c, cycle.c: a running simulation ---- */
 
-/* A rounding mode of IEEE 754, and where it applies. */
+/* A rounding mode of IEEE 754, and the part of the cycle to which it applies. */
 struct nb_rounding {
   enum { NB_TO_NEAREST, NB_UPWARD, NB_DOWNWARD, NB_TOWARDS_ZERO, NB_ROUNDINGS } mode;
-  const char *part; /* of the cycle: a pass, a hook, "motion", "search", "step" of a contact test; NULL: all */
+  const char *part; /* a pass, a hook, "motion", "search", or "step" of a contact test; NULL: the whole cycle */
 };
 
 struct nb_options {
@@ -536,27 +552,29 @@ struct nb_options {
   bool shuffle;            /* tests: store the particles in another order than their numbers, which changes no result */
   bool keep_all;           /* keep all contact fields that a saved state contains */
   const char *states;      /* folder of saved states; NULL: `states` */
-  struct nb_results_kept { /* of a sweep */
-    size_t bytes;          /* kept in memory; those beyond are in a temporary file */
-    const char *folder;    /* of that file; NULL: all are kept in memory */
+  struct nb_results_kept { /* where the results of a sweep are kept */
+    size_t bytes;          /* bytes kept in memory; further results go to a temporary file */
+    const char *folder;    /* folder of that file; NULL: all results are kept in memory */
     bool verdict_only;     /* snapshots are not kept */
   } results;
-  struct nb_rounding rounding; /* of cycles and of steps of contact tests; all else is rounded to nearest */
+  struct nb_rounding rounding; /* of cycles and of steps of contact tests; all other code rounds to nearest */
   struct nb_checkpointing {
     double seconds;                    /* between two checkpoints; 0: none are saved */
-    bool resume;                       /* continue from the last one */
-    const volatile sig_atomic_t *stop; /* not 0: save one and stop; NULL: run to the end */
+    bool resume;                       /* continue from the last checkpoint */
+    const volatile sig_atomic_t *stop; /* when *stop is not 0, the run saves a checkpoint and stops; NULL: never */
     unsigned long stop_after;          /* tests: stop after so many cycles; 0: run to the end */
-    unsigned long long key;            /* of settings and run, part of the name of the file; 0: none are saved */
+    unsigned long long key;            /* hash of settings and run, part of the file name; 0: none are saved */
   } checkpoint;
 };
 
-/* Returns NULL and fills `error` when the model cannot be created. The scene must outlive the model. */
+/* Creates a model of the scene at time 0. Returns NULL and fills `error` when the model cannot be created. The scene
+ * must outlive the model. */
 struct nb_model *nb_model_create(const struct nb_scene *scene, const struct nb_options *options,
                                  struct nb_error *error);
 void nb_model_free(struct nb_model *model);
 
-/* One calculation cycle: motion from t_N to t_(N+1), then the forces at t_(N+1) [CS79, The calculation cycle]. */
+/* Computes one cycle: motion from t_N to t_(N+1), then the forces at t_(N+1) [CS79, The calculation cycle]. After an
+ * error, for example NB_BROKEN from a guard (guard.c), the model must not be used any more. */
 enum nb_status nb_cycle(struct nb_model *model, struct nb_error *error);
 
 /* ---- table.c, run.c: results ---- */
@@ -566,21 +584,21 @@ struct nb_table {
   size_t column_count, row_count;
   char (*names)[2 * NB_NAME_SIZE]; /* owned */
   const char **units;              /* constant texts */
-  double *values;                  /* row by row, column_count each; owned */
+  double *values;                  /* row by row, column_count numbers per row; owned */
   int *stage;                      /* for each row: index of the stage; owned */
-  double *cycle, *time;            /* for each row, recorded or not; owned */
+  double *cycle, *time;            /* for each row: number of the cycle; time, s, also if no column shows them; owned */
 };
 
-bool nb_table_create(struct nb_table *table, size_t column_count);
+bool nb_table_create(struct nb_table *table, size_t column_count); /* a table without rows; false: out of memory */
 /* Adds a row of zeros at this stage, cycle and time. NULL: out of memory; the table is then unchanged. */
 double *nb_table_row(struct nb_table *table, int stage, double cycle, double time);
 void nb_table_free(struct nb_table *table);
 
-/* The contacts, particles and walls at one time, as figures of forces need them. */
+/* Tables of the contacts, particles and walls at the end of a stage, for figures. */
 struct nb_snapshot {
   int stage; /* index of the stage at whose end it was taken */
   struct nb_table particles, walls, contacts;
-  struct nb_table rings;            /* porosity against radius, of regions */
+  struct nb_table rings;            /* porosity of the rings of each region, against radius */
   struct nb_table boundary;         /* the particles of a boundary, counterclockwise */
   struct nb_table lattice;          /* `snapshot from`: contacts kept, new and lost */
   struct nb_table traction, pieces; /* of a contact test: traction q(r), and D(x) of each piece */
@@ -594,30 +612,31 @@ struct nb_result {
   struct nb_table table;
   struct nb_snapshot *snapshots; /* owned */
   size_t snapshot_count;
-  unsigned long cycles;         /* in all */
+  unsigned long cycles;         /* number of cycles of all stages */
   struct nb_stage_cost *stages; /* for each stage; owned */
   unsigned long long updates;   /* contact updates: contacts listed, summed over cycles */
-  unsigned long long searches;  /* for neighbours, the first one included */
+  unsigned long long searches;  /* number of neighbour searches, including the first one */
   unsigned long long deep;      /* contact updates with overlaps beyond the range of Hertz theory [R89 sec. 6.4.3] */
   char deep_first[3 * NB_NAME_SIZE]; /* the first of them: "particle 1 and particle 2, cycle 7, time 1e-06 s" */
-  double stability;                  /* the largest step over the guaranteed stable one that a check has found */
+  double stability;                  /* largest ratio of the step to the guaranteed stable step in any check, 1 */
   double seconds;                    /* wall-clock time, s */
   struct nb_warnings warnings;       /* found during the run */
 };
 
 struct nb_progress {
-  /* Called about ten times a second during a run, with the completed fraction, 0 to 1, and the seconds since its start;
-   * or NULL. */
+  /* Called about ten times a second during a run, with the completed fraction, 0 to 1, and the seconds since the run
+   * started; NULL: not called. */
   void (*call)(void *data, const char *stage, double fraction, double seconds);
-  void (*note)(void *data, const char *text); /* a message of interest to the user; or NULL */
+  void (*note)(void *data, const char *text); /* receives messages of interest to the user; NULL: not called */
   void *data;
-  double stage_seconds; /* a trial: each stage ends after this processor time; 0: it runs to its end */
+  double stage_seconds; /* processor time after which a trial ends each stage, s; 0: the stage runs to its end */
 };
 
-/* Runs all stages of the scene. After NB_BROKEN the result holds everything recorded until then. */
+/* Runs all stages of the scene and fills `result`; the caller frees it in any case. After NB_BROKEN it contains
+ * everything recorded until then. */
 enum nb_status nb_run(struct nb_result *result, const struct nb_scene *scene, const struct nb_options *options,
                       const struct nb_progress *progress, struct nb_error *error);
 void nb_result_free(struct nb_result *result);
-void nb_result_free_snapshots(struct nb_result *result); /* only these */
+void nb_result_free_snapshots(struct nb_result *result); /* frees the snapshots and keeps the rest */
 
 #endif

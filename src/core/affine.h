@@ -1,5 +1,6 @@
 /* Affine (imposed) motion: a velocity c = L (x - x_0) in addition to the particle's own velocity.           [R89 4.41]
  *
+ *   c   affine velocity, m/s         x    position of the particle, m
  *   L   strain rate tensor, 1/s      x_0  the point that the motion leaves in place, m
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -9,9 +10,9 @@
 #include "model.h"
 #include "tensor.h"
 
-/* The strain rate that applies to a particle. In a cell it is that of the cell. Otherwise it is that of the boundary
- * for particles of the boundary, and that of `affine strain` for free particles. The strain rate of the box moves its
- * walls. */
+/* Where the strain rate of a particle comes from: in a cell from the cell; otherwise, for particles of the boundary,
+ * from the boundary, and for free particles from `affine strain`. The strain rate of the box moves the walls of the
+ * box. */
 enum nb_affine_source {
   NB_AFFINE_NONE,
   NB_AFFINE_FREE,
@@ -25,22 +26,22 @@ struct nb_affine {
   struct nb_vec centre;                               /* x_0, m */
   struct nb_tensor rate[NB_AFFINE_SOURCES];           /* over the next step, 1/s */
   struct nb_tensor base_rate[NB_AFFINE_SOURCES];      /* L of the stage, without the part that a servo adds, 1/s */
-  struct nb_strain_rate requested[NB_AFFINE_SOURCES]; /* as the page gives it */
+  struct nb_strain_rate requested[NB_AFFINE_SOURCES]; /* as the page gives them */
   double
       separate[NB_AFFINE_SOURCES]; /* 1: c is stored separately from the particle's own velocity; 0: c is added to it */
-  bool twice;                      /* L z is added to the relative velocities too: pass/affine_twice.c */
+  bool twice;                      /* the affine part is added to relative velocities too: pass/affine_twice.c */
   unsigned char *source;           /* per slot: enum nb_affine_source */
-  bool used[NB_AFFINE_SOURCES];    /* by some particle, now or before */
-  bool free_before, any_before;    /* free particles, or any, moved affinely in the previous step */
+  bool used[NB_AFFINE_SOURCES];    /* some particle has this source, or had it before */
+  bool free_before, any_before;    /* free particles, or any particles, moved affinely in the previous step */
   bool uniform;                    /* all particles have the same rate */
   struct nb_servo_state {
     double stress[3];          /* the controlled stresses xx, yy, xy when the servo began, Pa */
     struct nb_tensor integral; /* Z of servo.c, 1/s */
-    bool begun;                /* these are set */
+    bool begun;                /* the integral has been set */
   } servo_state;
 };
 
-/* c of the particle in that slot at the position x. */
+/* c of the particle in a slot, if its position is x, m/s. */
 static inline struct nb_vec nb_imposed_velocity(const struct nb_affine *affine, size_t slot, struct nb_vec x) {
   return tensor_times(affine->rate[affine->source[slot]], vec_sub(x, affine->centre));
 }

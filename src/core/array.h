@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Zeroed and aligned for vector loads; NULL only when memory ran out. Free it with free(). */
+/* Returns a zeroed array, aligned for vector loads; NULL only when memory ran out. Free it with free(). */
 void *nb_array(size_t count, size_t size);
 /* Reserves capacity for `more` elements after `count`, in an array that only these functions enlarge. Returns the
  * array, perhaps moved, or NULL when memory ran out (the old array is then unchanged). Free it with free(). */
@@ -25,7 +25,7 @@ struct nb_owner {
   size_t count;
   bool failed; /* an allocation failed; tested once, after all arrays are made */
 };
-/* As nb_array; freed with its owner. */
+/* Returns an array as nb_array does, which is freed with its owner. */
 void *nb_own(struct nb_owner *owner, size_t count, size_t size);
 void nb_owner_free(struct nb_owner *owner);
 

@@ -3,7 +3,7 @@
  * Every contact variable is a field: one double per contact in an array of its own, so that the loops over a block
  * vectorise. Fields that only the passes of this cycle read share a few kilobytes of scratch memory, which stay in the
  * first-level cache. Fields that are read later (by the integration of motion, a monitor, a snapshot) are kept for all
- * contacts. A pass treats both alike.
+ * contacts. A pass uses both kinds of fields in the same way.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_BLOCK_H
@@ -15,8 +15,9 @@
 
 enum { NB_BLOCK_SIZE = 64 };
 
-/* Contact parameters of two materials at time 0: the harmonic mean 2ab/(a+b) of the stiffnesses (k for equal ones),
- * the smaller friction and cohesion [CS79 19], replaced by the values of the page's `pair`. */
+/* The parameters that a contact law reads, for two materials x and y. Values of the page's `pair` come first. Otherwise
+ * a stiffness is the harmonic mean 2ab/(a+b) of the stiffnesses a and b of the materials, and friction and cohesion are
+ * the smaller ones [CS79 19]. R_x and R_y are the radii of the two particles, m. */
 struct nb_pair {
   NB_PAIR_ROWS(NB_PAIR_MEMBER)
   double young;  /* E* = 1/((1 - nu_x^2)/E_x + (1 - nu_y^2)/E_y), Pa; 0 where a material has none [R89 4.7] */
@@ -45,27 +46,28 @@ enum nb_field {
   NB_REDUCED,                /* R*, effective radius, m [R89 4.5] */
   NB_DEEP,                   /* 1 where the overlap is beyond the range of Hertz theory, else 0 */
   NB_STABLE_OVERLAP,         /* overlap up to which the step is guaranteed stable, m: stability.c */
-  NB_SHEAR_BEFORE,           /* F_s a step ago, N, for the energy balance only */
-  NB_SHEAR_STIFFNESS_BEFORE, /* its stiffness then, N/m */
+  NB_SHEAR_BEFORE,           /* F_s one step earlier, N, for the energy balance only */
+  NB_SHEAR_STIFFNESS_BEFORE, /* dF_s/ds one step earlier, N/m, for the energy balance only */
   NB_FIELDS
 };
 
 /* A set of fields. */
 #define NB_BIT(field) (1u << (field))
 
-/* The contact history of a law. Up to four doubles are arrays of their own, so that the law's loop vectorises. A law
- * with more has a row for each contact; the row's first double is 0 when the history is empty, and the others are then
- * undefined. */
+/* The contact history of a law. A law with up to four doubles per contact has an array for each of them, so that the
+ * law's loop vectorises. A law with more doubles has a row of them for each contact. The first double of a row is 0
+ * when the history is empty; the others are then undefined. */
 #define NB_HISTORY 4 /* not an enum: the preprocessor compares it */
 enum { NB_PIECES_MAX = 256, NB_HISTORY_MAX = 12 + 5 * NB_PIECES_MAX };
-enum { NB_PREFETCH_DISTANCE = 6 }; /* contacts between prefetching a row and using it */
+enum { NB_PREFETCH_DISTANCE = 6 }; /* a row is prefetched this many contacts before it is used */
 struct nb_history {
-  int doubles;               /* for each contact */
-  double *field[NB_HISTORY]; /* of up to four doubles; else NULL */
-  double *rows;              /* of more; else NULL */
+  int doubles;               /* number of doubles for each contact */
+  double *field[NB_HISTORY]; /* the arrays, if there are up to four doubles; else NULL */
+  double *rows;              /* the rows, if there are more; else NULL */
 };
 
-/* Placed before a loop over a block: its arrays do not overlap, so the compiler may vectorise it. */
+/* Placed before a loop over a block. Tells the compiler that the arrays do not overlap, so that it can vectorise the
+ * loop. */
 #ifdef __clang__
 #define NB_WIDE _Pragma("clang loop vectorize(assume_safety)")
 #define NB_UNROLLED _Pragma("clang loop unroll(full)")
@@ -102,22 +104,24 @@ typedef void nb_run_pass(const struct nb_model *model, const struct nb_block *bl
   { name##_plain, name##_plain, name##_plain }
 #endif
 
-/* Whether the contact began in the last step: the overlap is then smaller than the normal increment. */
+/* True if the contact began in the last step: the overlap is then smaller than the normal increment dn. */
 static inline bool nb_touch_began(double overlap, double dn) { return overlap > 0 && overlap < dn; }
-/* The fraction of the last step after first touch, 1 if the contact is older. Only the displacement after the touch
- * counts; with all of it the shear force would have an error of first order in the step. */
+/* The fraction of the last step after first touch; 1 if the contact is older. A law uses only the displacement after
+ * first touch; with the displacement of the whole step the shear force would have an error of first order in the
+ * step. */
 static inline double nb_touch_fraction(double overlap, double dn) {
   return nb_touch_began(overlap, dn) ? overlap / dn : 1;
 }
 
 /* ---- history.c ---- */
-/* An empty history of so many contacts; a failed allocation is recorded in the owner. */
+/* Creates an empty history of `contacts` contacts. A failed allocation is recorded in the owner. */
 struct nb_history nb_history_create(struct nb_owner *owner, int doubles, size_t contacts);
-struct nb_history nb_history_from(const struct nb_history *history, size_t first); /* of the contacts from `first` on */
+/* The part of a history that begins with the contact `first`; it shares the memory. */
+struct nb_history nb_history_from(const struct nb_history *history, size_t first);
 /* Copies the history of one contact. */
 void nb_history_copy(struct nb_history *to, size_t there, const struct nb_history *from, size_t here);
 void nb_history_forget(struct nb_history *history, size_t contact);
-/* The history of a contact as its law reads it, copied to `buffer` or in place. */
+/* The history of a contact as one array, which the law can read: a row in place, or a copy in `buffer`. */
 const double *nb_history_read(const struct nb_history *history, size_t contact, double buffer[NB_HISTORY]);
 
 struct nb_material_pair;
@@ -135,8 +139,8 @@ struct nb_block {
   const struct nb_material_pair *material_pair;
 };
 
-/* For contacts that began in the last step, reduces ds to the displacement since the touch. They are few, so this
- * stays outside the vectorised loop. */
+/* Reduces ds to the displacement after first touch in contacts that began in the last step. Such contacts are few, so
+ * this loop is separate from the vectorised one. */
 static inline void nb_tangential_since_touch(const struct nb_block *block) {
   const double *overlap = block->f[NB_OVERLAP], *dn = block->f[NB_NORMAL_INCREMENT];
   double *slip = block->f[NB_TANGENTIAL_INCREMENT];

@@ -27,7 +27,8 @@ static struct nb_block block_of(const struct nb_model *model, size_t from, size_
   return block;
 }
 
-/* Finds the first contact of each block, and after them the end of the last block. Returns the number of blocks. */
+/* Sets start[b] to the first contact of block b, and the entry after the last block to the end of that block. Returns
+ * the number of blocks. */
 static size_t find_starts(size_t start[], const struct nb_contacts *contacts) {
   size_t n = 0;
   for (size_t c = 0; c < contacts->count; c++)
@@ -47,7 +48,7 @@ static bool create_counters(struct nb_model *model, size_t blocks) {
          (!check_stable || stable_overlap_begin(model, blocks));
 }
 
-/* Thread t of T computes the n blocks from n t/T to n (t+1)/T - 1 in its own scratch memory. */
+/* Of n blocks, thread t of T computes those from n t/T to n (t+1)/T - 1, in its own scratch memory. */
 enum nb_status nb_blocks_create(struct nb_model *model, struct nb_error *error) {
   const struct nb_contacts *contacts = &model->contacts;
   /* a thread with fewer contacts waits longer than it computes */

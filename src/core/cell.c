@@ -1,6 +1,6 @@
 /* The periodic cell.                                                                              [R89 sec. 2.3, sec. 4.5.2]
  *
- *   H <- (1 + L dt) H                    H  the two sides of the cell as columns, m;  L = c_ij  strain rate tensor, 1/s
+ *   H <- (1 + L dt) H                    H  the two sides of the cell as columns, m;  L  strain rate tensor, 1/s (c_ij)
  *                                                                                                  [R89 4.43, 4.44]
  *   c_i = L (x_i - x_0)                  affine velocity of a particle, besides its own velocity v_i (affine.h)
  *   x_i <- x_i + (v_i + c_i) dt          with v = 0, s in x_i - x_0 = H s is constant: the strain is uniform
@@ -16,9 +16,9 @@
  * is the largest diameter plus the skin. A sheared cell is equivalent to the reduced one with the same images
  * (Lagrange, Gauss), so the height of the reduced cell must be at least that large.
  *
- * A pair that was a distance d apart at the last search, and not listed, is now apart by F d plus the two displacements
- * relative to the affine motion, where F is the deformation gradient since then. So strain alone requires a search only
- * when ||F - 1|| (D + skin) reaches the skin, D the largest diameter.
+ * Let d be the vector between two particles that the last search did not list, m, F the deformation gradient since that
+ * search, and D the largest diameter, m. The vector is now F d plus the two displacements relative to the affine
+ * motion. So strain alone requires a search only when ||F - 1|| (D + skin) reaches the skin.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "affine.h"
@@ -71,8 +71,7 @@ static const double reduction_tolerance = 1e-12;
 struct nb_wrap nb_cell_wrap(const struct nb_cell *cell) {
   struct nb_wrap wrap = {.centre = cell->centre};
   struct nb_vec a = vec(cell->h.xx, cell->h.yx), b = vec(cell->h.xy, cell->h.yy), na = vec(1, 0), nb = vec(0, 1);
-  for (bool on = true;
-       on;) { /* subtract integer multiples of the shorter side from the longer one until neither shrinks */
+  for (bool on = true; on;) { /* subtract multiples of the shorter side from the longer one, until neither shrinks */
     const bool second = vec_dot(b, b) >= vec_dot(a, a);
     struct nb_vec *longer = second ? &b : &a, *shorter = second ? &a : &b;
     const double n = floor(vec_dot(*longer, *shorter) / vec_dot(*shorter, *shorter) + 0.5);
@@ -94,7 +93,7 @@ double nb_wrap_width(const struct nb_wrap *wrap) {
   return fabs(tensor_determinant(wrap->h)) / (a > b ? a : b);
 }
 
-/* The integers m of the nearest image, in sides of `wrap`. */
+/* The integers m of the nearest image, as multiples of the sides of `wrap`. */
 static struct nb_vec sides(const struct nb_wrap *wrap, struct nb_vec apart) {
   const struct nb_vec s = tensor_times(wrap->inverse, apart);
   return vec(-floor(s.x + 0.5), -floor(s.y + 0.5));

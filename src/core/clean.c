@@ -8,14 +8,15 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Bytes of a character, from its first one; 0: not the first byte of a character. */
+/* Number of bytes of the UTF-8 character with this first byte; 0: no character begins with it. */
 static size_t length_of(unsigned char first) {
   return first < 0x80 ? 1 : (first & 0xE0) == 0xC0 ? 2 : (first & 0xF0) == 0xE0 ? 3 : (first & 0xF8) == 0xF0 ? 4 : 0;
 }
 
 static bool is_control(unsigned long code) { return (code < 0x20 && code != '\t') || (code >= 0x7F && code < 0xA0); }
 
-/* Bytes of the UTF-8 character at c (RFC 3629, no control characters except tab); 0: invalid. */
+/* Number of bytes of the UTF-8 character at c, of which `left` can be read; 0: no valid character (RFC 3629), or a
+ * control character other than tab. */
 static size_t character(const unsigned char *c, size_t left) {
   static const unsigned long least[] = {0, 0, 0x80, 0x800, 0x10000};
   const size_t n = length_of(c[0]);

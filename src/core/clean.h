@@ -7,14 +7,14 @@
 #include <stdarg.h>
 #include <stddef.h>
 
-/* Replaces every byte that is not part of a printable UTF-8 character by `?`. Returns the column of the first one,
- * from 1, and its byte; 0: none. */
+/* Replaces every byte that is not part of a printable UTF-8 character by `?`. Returns the column of the first such
+ * byte, counted from 1, and sets `byte` to its value; 0: there was no such byte. */
 int nb_clean(char *text, size_t length, unsigned *byte);
 
-/* Appends a word as a POSIX shell must read it: in quotes if it has a character that is neither a letter nor a digit
- * nor usual in names, numbers and paths. */
+/* Appends a word to the text so that a POSIX shell reads it unchanged: in quotes if it has a character other than
+ * letters, digits and the usual ones of names, numbers and paths. */
 void nb_append_word(char *text, size_t size, const char *word);
-/* Appends to the text, up to its size. */
+/* Appends to the text as printf would, up to its size. */
 void nb_append(char *text, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
 void nb_append_list(char *text, size_t size, const char *format, va_list list) __attribute__((format(printf, 3, 0)));
 

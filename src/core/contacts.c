@@ -39,7 +39,7 @@ int nb_contacts_order(const struct nb_model *model, struct nb_neighbour_pair p, 
   return difference[0] ? difference[0] : difference[1] ? difference[1] : difference[2];
 }
 
-/* The fields whose values of the last step the energy balance still needs. */
+/* Copies the fields whose values of the last step the energy balance still needs, from contact o to contact c. */
 static void copy_energy_fields(struct nb_contacts *now, size_t c, const struct nb_contacts *old, size_t o) {
   static const enum nb_field fields[] = {NB_OVERLAP, NB_SHEAR_BEFORE, NB_SHEAR_STIFFNESS_BEFORE};
   for (size_t f = 0; f < sizeof fields / sizeof *fields; f++)
@@ -47,7 +47,8 @@ static void copy_energy_fields(struct nb_contacts *now, size_t c, const struct n
       now->kept[fields[f]][c] = old->kept[fields[f]][o];
 }
 
-/* All fields except M*, which changes when a particle becomes part of a boundary: its mass is then infinite. */
+/* Copies all fields except M*, from contact o to contact c. M* changes when a particle becomes part of a boundary,
+ * because its mass is then infinite. */
 static void copy_all_fields(struct nb_contacts *now, size_t c, const struct nb_contacts *old, size_t o) {
   now->force[c] = old->force[o];
   for (int f = 0; f < NB_FIELDS; f++)
@@ -80,8 +81,8 @@ static void copy_histories(const struct nb_model *model, const struct nb_contact
   }
 }
 
-/* M* and R*. Fixed particles and walls have infinite mass, and walls an infinite radius. M* is finite because at least
- * one particle of a listed pair is free. */
+/* Sets M* and R* of contact c. Fixed particles and walls have infinite mass, and walls an infinite radius. M* is finite
+ * because at least one particle of a listed pair is free. */
 static void find_constants(struct nb_contacts *contacts, size_t c, const struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   const int a = contacts->a[c], b = contacts->b[c];

@@ -10,9 +10,9 @@
 
 /* The contacts of each particle, for the integration of motion. */
 struct nb_incidence {
-  int *first;  /* slot -> its first entry; one more than particles */
-  int *middle; /* slot -> its first entry in which it is the contact's first particle */
-  int *entry;  /* index of the contact */
+  int *first;  /* for each slot, the index of its first entry; one element more than there are particles */
+  int *middle; /* for each slot, the index of its first entry in which it is the contact's first particle */
+  int *entry;  /* indices of contacts */
 };
 
 /* Every pair closer than the skin, touching or not. Sorted by material pair, then by the number of a, then of b. */
@@ -20,10 +20,10 @@ struct nb_contacts {
   struct nb_owner owner; /* of these arrays, and of the blocks */
   size_t count;
   int *a, *b;              /* slots; a has the smaller number; b is a wall's index in a pair with walls */
-  int *material_pair;      /* index */
+  int *material_pair;      /* index of the material pair */
   int *suppressed;         /* 1 where another wall's contact replaces this one (wall_vertices.c); NULL: nowhere */
   struct nb_vec *image;    /* integers m: the second particle's image is at x + H m (cell.h); NULL without a cell */
-  struct nb_vec *force;    /* on the first particle, with dashpots, N */
+  struct nb_vec *force;    /* force on the first particle, including dashpots, N */
   double *kept[NB_FIELDS]; /* the fields that are kept after the pass; else NULL */
   size_t wall_from;        /* first contact with a wall; all later ones are with walls */
   struct nb_incidence incidence; /* the contacts of each particle */
@@ -52,7 +52,8 @@ void nb_pairs_store(struct nb_store *store, const char *name, struct nb_neighbou
                     const struct nb_model *model);
 /* Sort key of b among the partners of a: its number, walls last. */
 int nb_partner_rank(const struct nb_model *model, struct nb_neighbour_pair pair);
-/* Compares by material pair, number of a, number of b; < 0, 0, > 0. */
+/* Compares p and q by material pair, then by the number of a, then by the number of b. Returns < 0, 0 or > 0, like
+ * strcmp. */
 int nb_contacts_order(const struct nb_model *model, struct nb_neighbour_pair p, struct nb_neighbour_pair q);
 /* Replaces the list by a new one, sorted by the number of a, then by partners; pairs that stay keep their history.
  * False: out of memory, nothing changed. */
@@ -69,11 +70,13 @@ static inline int nb_coordination_number(const struct nb_contacts *contacts, siz
   return count;
 }
 
-long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall); /* of two slots; -1: not listed */
+/* Index of the contact of two slots, or of slot a with wall b; -1: the pair is not listed. */
+long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall);
 /* Branch vector between two particles: from the first centre to the second, or to its image, m. */
 struct nb_vec nb_contacts_branch(const struct nb_model *model, size_t contact);
-struct nb_tensor nb_contacts_virial(const struct nb_model *model); /* of pairs of particles: -sum f_i l_j, N m */
-double nb_overlap(const struct nb_model *model, size_t contact);   /* at the current positions; < 0: a gap, m */
+/* -sum f_i l_j over contacts between particles, N m: f force on the first particle, N; l branch vector, m. */
+struct nb_tensor nb_contacts_virial(const struct nb_model *model);
+double nb_overlap(const struct nb_model *model, size_t contact); /* at the current positions, m; below 0: a gap */
 /* The parameters that a contact's laws read: those of its material pair, and its own R*. */
 struct nb_pair nb_contact_constants(const struct nb_model *model, size_t contact, struct nb_pair values);
 

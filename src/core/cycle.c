@@ -81,7 +81,7 @@ static enum nb_status rounded_search(struct nb_model *model, struct nb_error *er
   return status;
 }
 
-/* No second search in this cycle: a hook may have made one. */
+/* Runs the search unless a hook has already run one in this cycle. */
 static enum nb_status search(struct nb_model *model, bool out, struct nb_error *error) {
   if (out && model->search.last_cycle != model->cycle)
     return rounded_search(model, error);

@@ -1,8 +1,8 @@
-/* Counts contacts of elastic spheres with too large an overlap, and describes the first.                   [R89 sec. 6.4.3]
+/* Counts contacts of elastic spheres whose overlap is too large, and describes the first one.              [R89 sec. 6.4.3]
  *
- * R89 assumes plastic flow above an overlap of 7 % of the smaller diameter, damps such a contact critically, and prints
- * their number as a warning. Hertz theory is inaccurate there too: the contact radius a = (R* alpha)^(1/2) exceeds 0.26
- * of the smaller radius, and 0.37 of it at a wall.
+ * R89 assumes plastic flow above an overlap of 7 % of the smaller diameter, damps such contacts critically, and prints
+ * their number as a warning. Hertz theory is inaccurate there too: with the effective radius R*, m, and the overlap
+ * alpha, m, the contact radius a = (R* alpha)^(1/2) exceeds 0.26 of the smaller radius, and 0.37 of it at a wall.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -38,7 +38,7 @@ void nb_deep_end(struct nb_model *model) {
   model->deep.counts = NULL;
 }
 
-/* The same test as in pass/deep.c. */
+/* True if contact c has too large an overlap. This is the same test as in pass/deep.c. */
 bool nb_is_deep(const struct nb_model *model, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
   const double a = model->particles.surface[contacts->a[c]].radius;

@@ -1,4 +1,4 @@
-/* Terms of the energy balance since the start. Each module adds its own; measure/balance.c owns and reads them.
+/* Terms of the energy balance since the start. Each module adds its own terms; measure/balance.c owns and reads them.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_ENERGY_TERMS_H
@@ -9,15 +9,15 @@
 /* Each is computed from its own definition, J. */
 enum nb_term {
   NB_TERM_DAMPED,     /* work of dashpots and of mass-proportional damping */
-  NB_TERM_WALLS,      /* work of walls and of fixed particles that move */
-  NB_TERM_GRAVITY,    /* work of gravity */
+  NB_TERM_WALLS,      /* work done by walls, and by fixed particles that move */
+  NB_TERM_GRAVITY,    /* work done by gravity */
   NB_TERM_FRICTIONAL, /* energy dissipated by friction, of shear laws with stored energy */
   NB_TERM_SLIDING,    /* part of NB_TERM_FRICTIONAL in steps that end with the contact sliding */
   NB_TERM_SHEAR,      /* work against the shear forces of all laws */
   NB_TERM_UNSTORED,   /* part of NB_TERM_SHEAR that is done against laws without stored energy */
   NB_TERM_CHANGED,    /* energy that stages put in: velocities zeroed or reversed, loaded springs or laws changed */
-  NB_TERM_REMOVED,    /* kinetic energy, and that of springs, of particles that are removed or join a boundary */
-  NB_TERM_IMPOSED,    /* work of the affine motion and of a stress on a boundary */
+  NB_TERM_REMOVED,    /* kinetic energy, and energy of springs, of particles that are removed or join a boundary */
+  NB_TERM_IMPOSED,    /* work done by the affine motion and by a stress on a boundary */
   NB_TERMS
 };
 

@@ -15,7 +15,7 @@ enum nb_status nb_error_set(struct nb_error *error, enum nb_status status, const
     va_start(arguments, format);
     vsnprintf(error->text, sizeof error->text, format, arguments);
     va_end(arguments);
-    nb_clean(error->text, strlen(error->text), &byte); /* file names, and quoted contents of files */
+    nb_clean(error->text, strlen(error->text), &byte); /* the text may quote file names and contents of files */
     error->status = status, error->line = 0;
   }
   return status;

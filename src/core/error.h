@@ -9,9 +9,11 @@
 /* Fills `error` as printf would. Returns the status, so that a function can end with this call. */
 enum nb_status nb_error_set(struct nb_error *error, enum nb_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-enum nb_status nb_error_memory(struct nb_error *error); /* NB_NO_MEMORY; called for each allocation that fails */
+/* Fills `error` with the message for a failed allocation. Returns NB_NO_MEMORY. */
+enum nb_status nb_error_memory(struct nb_error *error);
 static inline enum nb_status nb_worse(enum nb_status a, enum nb_status b) { return a > b ? a : b; }
-/* "WHAT: reason", the reason from errno. */
+/* Fills `error` with "WHAT: REASON", where printf would write WHAT and REASON describes errno. Returns NB_BAD_USE, or
+ * NB_NO_MEMORY if memory ran out. */
 enum nb_status nb_error_system(struct nb_error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* Adds a warning that is not yet in the list. */

@@ -18,7 +18,7 @@ bool nb_grid_create(struct nb_grid *grid, size_t items, double largest_width) {
   for (int l = 0; l < NB_GRID_LEVELS; l++, largest_width /= 2)
     grid->width[l] = largest_width;
   if (grid->first)
-    memset(grid->first, -1, buckets * sizeof *grid->first); /* all bits set: -1 */
+    memset(grid->first, -1, buckets * sizeof *grid->first); /* all bits set: each entry is -1 */
   return grid->first && grid->entry;
 }
 

@@ -15,7 +15,7 @@
 
 #include "vec.h"
 
-enum { NB_GRID_LEVELS = 24 }; /* the last level takes all that is smaller than 2^-23 of the largest */
+enum { NB_GRID_LEVELS = 24 }; /* the last level takes all objects smaller than 2^-23 of the largest one */
 
 struct nb_box {
   int level;
@@ -23,22 +23,24 @@ struct nb_box {
 };
 
 struct nb_grid {
-  double width[NB_GRID_LEVELS]; /* of the boxes of a level, m */
-  size_t count[NB_GRID_LEVELS]; /* items on a level */
+  double width[NB_GRID_LEVELS]; /* width of the boxes of each level, m */
+  size_t count[NB_GRID_LEVELS]; /* number of items on each level */
   size_t mask;                  /* buckets - 1; the number of buckets is a power of two */
   int *first;                   /* for each bucket: the item added last, -1: none */
   struct nb_grid_entry {
     struct nb_box box;
-    int next; /* the item added before it to this bucket */
+    int next; /* the item added to this bucket before this one; -1: none */
   } * entry;  /* for each item */
 };
 
-/* For so many items, the largest of this width, m; false: no memory. */
+/* Creates an empty grid for `items` items, of which the largest has the width `largest_width`, m. False: out of
+ * memory. */
 bool nb_grid_create(struct nb_grid *grid, size_t items, double largest_width);
 void nb_grid_free(struct nb_grid *grid);
 void nb_grid_add(struct nb_grid *grid, int item, struct nb_vec at, double width);
 
-/* All coordinates of more than 2^53 box widths share the last box; distances still tell the particles apart. */
+/* The integer coordinate of the box that contains the coordinate x, m. All coordinates beyond 2^53 box widths share the
+ * last box; such particles are still distinguished by their distances. */
 static inline int64_t nb_grid_place(const struct nb_grid *grid, int level, double x) {
   const double widths = x / grid->width[level], last = 9007199254740992;
   return (int64_t)(widths < -last ? -last : widths > last ? last : floor(widths));
@@ -51,7 +53,7 @@ static inline size_t nb_grid_bucket(const struct nb_grid *grid, struct nb_box bo
   return (size_t)h & grid->mask;
 }
 
-/* The first item in that box among `item` and those before it in its bucket; -1: none. */
+/* The first item that is in `box`, among `item` and the items after it in the list of its bucket; -1: none. */
 static inline int nb_grid_next(const struct nb_grid *grid, int item, struct nb_box box) {
   while (item >= 0) {
     const struct nb_grid_entry *entry = &grid->entry[item];

@@ -29,7 +29,7 @@
 
 static int line_of(const struct nb_model *model, int number) { return model->scene->particles[number - 1].line; }
 
-/* Without the cell's affine motion, which moves the images too. */
+/* Displacement of slot i in the last step, m; without the cell's affine motion, because that also moves the images. */
 static double displacement_of(const struct nb_model *model, int i) {
   const struct nb_vec v = model->particles.velocity[i];
   return model->previous_step * vec_length(model->cell ? vec_sub(v, model->particles.imposed[i]) : v);
@@ -80,7 +80,7 @@ static enum nb_status check_rotation(const struct nb_model *model, size_t w, str
 enum nb_status nb_guard_motion(const struct nb_model *model, struct nb_error *error) {
   enum nb_status status = NB_OK;
   if (!(model->search.skin < INFINITY))
-    return NB_OK; /* nothing can touch */
+    return NB_OK; /* no particle can touch anything */
   for (size_t k = 0; k < model->particles.count && !status; k++)
     status = check_displacement(model, model->particles.slot[k], error);
   for (size_t w = 0; w < model->walls.count && !status; w++)
@@ -134,7 +134,8 @@ static double coordinate(const struct nb_model *model, int i) {
 
 static double ulp(double x) { return nextafter(x, INFINITY) - x; }
 
-/* Largest ratio of the resolution of a coordinate to the mean overlap: the error of forces is then 0.1 %. */
+/* Largest ratio of the resolution of a coordinate to the mean overlap without a warning: the error of forces is then
+ * 0.1 %. */
 static const double resolution_limit = 1e-3;
 /* Largest ratio of an overlap to the radius at which the overlap counts as a rounding error. */
 static const double touch_limit = 1e-9;

@@ -11,14 +11,14 @@ enum { NB_HINT_SIZE = 512, NB_RELATED_MAX = 3 };
 
 /* Terms of other programs and textbooks with the same meaning, and the keywords of nineball for them. */
 struct nb_synonym {
-  const char *words, *ours; /* "ball disk", "disc, sphere" */
+  const char *words, *ours; /* terms of other programs, "ball disk"; keywords of nineball, "disc, sphere" */
   const char *note;         /* "there is no local damping"; NULL: no note */
 };
 const struct nb_synonym *nb_synonym(const char *word); /* NULL: not a term of another program */
-/* Writes "`ball` of other programs is `disc` or `sphere` here: …" to `hint`, of NB_HINT_SIZE bytes. NULL: the word is
- * no term of another program. */
+/* Writes "`ball` of other programs is `disc` or `sphere` here: …" to `hint`, which has NB_HINT_SIZE bytes, and returns
+ * it. NULL: the word is no term of another program. */
 const char *nb_synonym_hint(char *hint, const char *word);
-/* The same for two words: `contact model`, or a statement and a word in it. */
+/* Does the same for two words: `contact model`, or a statement and a word in it. */
 const char *nb_pair_hint(char *hint, const char *first, const char *second);
 /* Copies the next item of a list like "disc, sphere" and advances the list; false: the list is empty. */
 bool nb_item(const char **list, char item[NB_NAME_SIZE]);
@@ -26,17 +26,18 @@ bool nb_item(const char **list, char item[NB_NAME_SIZE]);
 /* The search for a keyword: begin with the unknown word, offer every valid keyword, then request the hint. */
 struct nb_guess {
   const char *word;
-  const struct nb_synonym *synonym; /* of the word; NULL: none */
+  const struct nb_synonym *synonym; /* keywords with the meaning of the word; NULL: none */
   unsigned marked;                  /* bit i: keyword i of `synonym->ours` has been offered */
   char best[2 * NB_NAME_SIZE];      /* the most similar keyword so far */
-  int distance;                     /* edits between the word and `best`; 1 too if it begins or ends with the word */
-  int related_count;                /* number of such keywords; the first ones are in `related`, in backticks */
+  int distance;                     /* edits between the word and `best`; 1 if `best` begins or ends with the word */
+  int related_count;                /* number of keywords that begin or end with the word; `related` has the first */
   char related[NB_HINT_SIZE / 2 - 8];
 };
 struct nb_guess nb_guess_begin(const char *word);
 void nb_guess_offer(struct nb_guess *guess, const char *known);
 bool nb_guess_found(const struct nb_guess *guess); /* `best` is similar enough to be suggested */
-/* The hint "did you mean `best`?" written to `text`, of NB_HINT_SIZE bytes; NULL: no keyword is similar. */
+/* Writes the hint "did you mean `best`?" to `text`, which has NB_HINT_SIZE bytes, and returns it. NULL: no keyword is
+ * similar. */
 const char *nb_guess_hint(const struct nb_guess *guess, char *text);
 
 #endif

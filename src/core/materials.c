@@ -9,7 +9,7 @@ double nb_particle_mass(const struct nb_scene *scene, const struct nb_particle *
 }
 
 double nb_particle_inertia(const struct nb_scene *scene, const struct nb_particle *particle) {
-  double fraction = particle->shape == NB_DISC ? 0.5 : 0.4; /* of m R^2 */
+  double fraction = particle->shape == NB_DISC ? 0.5 : 0.4; /* I/(m R^2) */
   return fraction * nb_particle_mass(scene, particle) * particle->radius * particle->radius;
 }
 

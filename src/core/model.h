@@ -2,8 +2,8 @@
  * users `struct nb_model` is an opaque type.
  *
  * A particle's slot is the index of its data in the arrays; its number (1, 2, ...) never changes. Results depend on
- * numbers only: sums over a particle's contacts run in the order of the partners' numbers, walls last, so they do not
- * depend on storage order, search or threads, to the last bit.
+ * numbers only. Sums over a particle's contacts run in the order of the partners' numbers, walls last. So storage
+ * order, searches and threads do not change a bit of the sums.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_MODEL_H
@@ -18,13 +18,13 @@
 #include "vec.h"
 #include "walls.h"
 
-/* The particle data besides position and velocity that every contact reads. */
+/* The data of a particle that every contact reads besides position and velocity. */
 struct nb_surface {
-  double radius, speed; /* R, m; R omega, m/s, at the time of the velocity, 0 without rotation */
+  double radius, speed; /* R, m; R omega, m/s, at the time of the particle's velocity; 0 without rotation */
 };
 static inline struct nb_surface nb_surface(double radius, double speed) { return (struct nb_surface){radius, speed}; }
 
-/* Velocity, m/s, and spin, rad/s, of a particle or a wall. */
+/* Velocity, m/s, and angular velocity, rad/s, of a particle or a wall. */
 struct nb_velocities {
   struct nb_vec velocity;
   double spin;
@@ -32,18 +32,18 @@ struct nb_velocities {
 
 struct nb_particles {
   size_t count;
-  int *number;                            /* slot -> number */
-  int *slot;                              /* number - 1 -> slot */
+  int *number;                            /* number of the particle in each slot */
+  int *slot;                              /* slot of each particle; index: its number - 1 */
   struct nb_vec *position;                /* m */
-  struct nb_vec *velocity;                /* of the last half step, t_(N-1/2), m/s */
+  struct nb_vec *velocity;                /* at the last half step, t_(N-1/2), m/s */
   struct nb_surface *surface;             /* radius and surface speed */
-  double *spin, *angle;                   /* omega, rad/s, at the time of the velocity; rad. NULL without rotation */
+  double *spin, *angle;                   /* omega at t_(N-1/2), rad/s; rotation at t_N, rad. NULL without rotation */
   double *mass, *inertia;                 /* kg, kg m2 */
   double *inverse_mass, *inverse_inertia; /* 0 for fixed particles */
   int *material;
   struct nb_vec *search_position; /* positions at the last search, m */
-  struct nb_velocities *ahead;    /* change of velocity, m/s, and of surface speed from t_(N-1/2) to t_N, predicted from
-                                     * the last acceleration, for centred dashpots; NULL: no stage has them */
+  struct nb_velocities *ahead;    /* changes of velocity and of surface speed from t_(N-1/2) to t_N, m/s, predicted from
+                                     * the last acceleration, for centred dashpots; NULL: no stage needs them */
   struct nb_vec *imposed;         /* c, the affine part of the velocity, m/s; NULL: none (affine.h) */
   const struct nb_vec *boundary_force; /* force of a boundary stress, N; NULL: none (loading/boundary.c) */
   bool *removed;                       /* removed from the scene (remove.c); NULL when no stage removes any */
@@ -65,7 +65,7 @@ struct nb_material_pair {
   struct nb_planned {
     nb_run_pass *run; /* compiled for the selected instruction set */
     char name[NB_NAME_SIZE];
-    int line; /* line of the page that requires it; 0: required by another part of the scene */
+    int line; /* line of the page that requires the pass; 0: another part of the scene requires it */
   } passes[NB_PASSES];
   int pass_count;
   struct nb_pair next;             /* parameters of the next force calculation: stable_step.c */
@@ -74,8 +74,8 @@ struct nb_material_pair {
 
 /* The current materials and pairs; stages change them. */
 struct nb_properties {
-  struct nb_material *materials; /* initially those of the scene */
-  struct nb_pair_rule *rules;    /* those of the scene, and those added by stages */
+  struct nb_material *materials; /* initially the materials of the scene */
+  struct nb_pair_rule *rules;    /* rules of the scene, and rules that stages have added */
   size_t rule_count;
   double pieces; /* as in struct nb_pair; the same for all pairs */
 };
@@ -109,7 +109,7 @@ struct nb_plan {
   bool rotates;      /* in this stage some particle rotates, or may begin to */
   unsigned dashpots; /* enum nb_dashpot_kind of pass/pass.h; 0: no contact damping */
   bool centred;      /* these dashpots use the velocity at t_N */
-  bool affine_twice; /* L z is added to relative velocities again: pass/affine_twice.c */
+  bool affine_twice; /* the affine part is added to relative velocities twice: pass/affine_twice.c */
 };
 
 /* Stiffnesses of a contact, N/m, and dashpot coefficients, N s/m. */
@@ -121,7 +121,7 @@ struct nb_coefficients {
 struct nb_blocks {
   struct nb_block *list; /* one per block */
   size_t count;
-  double *scratch; /* for each thread NB_FIELDS * NB_BLOCK_SIZE doubles */
+  double *scratch; /* NB_FIELDS * NB_BLOCK_SIZE doubles for each thread */
   struct nb_stable_overlap {
     double overlap;                     /* smallest NB_STABLE_OVERLAP of the block, m */
     unsigned long above;                /* number of contacts that overlap by more than their NB_STABLE_OVERLAP */
@@ -138,21 +138,21 @@ struct nb_close_pair {
 
 /* The neighbour search and its results: neighbours.c, guard.c. */
 struct nb_search {
-  double skin; /* m: pairs closer than this are listed [R89 TOL]; infinite: nothing can touch, and there is no search */
+  double skin; /* pairs closer than this are listed, m [R89 TOL]; infinite: no pair can touch, and there is no search */
   double smallest_radius;               /* of all particles, m */
   unsigned long last_cycle;             /* cycle of the last search */
   unsigned long long count, candidates; /* number of searches; number of distances computed in them */
   bool keep_forces; /* contacts keep their forces in the next search, because no force calculation follows it */
   bool check_walls; /* a centre was within the skin of a wall: test crossings in every cycle */
   bool check_pairs; /* a pair was within the skin of the overlap limit of guard.c: test pairs in every cycle */
-  struct nb_close_pair too_deep; /* of this search: the first pair beyond the overlap limit; overlap 0: none */
+  struct nb_close_pair too_deep; /* the first pair of this search beyond the overlap limit; overlap 0: no such pair */
   bool coarse_warned;            /* the warning about coarse positions has been given */
 };
 
 /* A vertex, the common end of two walls, that a disc may touch. */
 struct nb_vertex {
-  int c, d;       /* contacts of one particle with the two walls */
-  int at_c, at_d; /* the end of each wall, 0 or 1 */
+  int c, d;       /* the contacts of one particle with the two walls */
+  int at_c, at_d; /* the end of each wall that is at the vertex, 0 or 1 */
 };
 struct nb_vertices {
   bool any;               /* two walls have a common end */
@@ -162,10 +162,10 @@ struct nb_vertices {
 
 /* Optional actions at fixed places of a cycle. run/hooks.c lists those that the scene uses. */
 enum nb_when {
-  NB_BEFORE_MOTION, /* loading for the next step */
+  NB_BEFORE_MOTION, /* sets the loading for the next step */
   NB_AFTER_MOTION,  /* forces and time step are still those of this motion */
   NB_BEFORE_SEARCH, /* positions and time are those of the next force calculation */
-  NB_BEFORE_FORCES, /* so is the contact list */
+  NB_BEFORE_FORCES, /* positions, time and contact list are those of the next force calculation */
   NB_AFTER_FORCES,
   NB_WHENS
 };
@@ -178,7 +178,7 @@ struct nb_hooks {
   } list[NB_HOOKS];
 };
 
-/* A run. Only the file in a member's comment changes that member. */
+/* A run. A member is changed only by the file that its comment names. */
 struct nb_model {
   const struct nb_scene *scene;
   struct nb_owner owner; /* of all memory that lives as long as the model */
@@ -188,7 +188,7 @@ struct nb_model {
   struct nb_cell *cell;                    /* cell.c; NULL: not periodic */
   struct nb_vertices vertices;             /* wall_vertices.c */
   struct nb_properties properties;         /* properties.c */
-  struct nb_active_laws laws, next_laws;   /* of the last and the next forces; a stage may change them (laws_now.c) */
+  struct nb_active_laws laws, next_laws;   /* laws of the last and of the next force calculation (laws_now.c) */
   struct nb_material_pair *material_pairs; /* plan.c */
   size_t material_pair_count;
   struct nb_plan plan;
@@ -205,13 +205,13 @@ struct nb_model {
   double critical;            /* single-contact step 2 sqrt(m/k), s (measure/step.c) */
 
   const struct nb_stage *stage;                /* run/stage.c, to `central`: current stage; NULL before the first */
-  struct nb_changes *changes;                  /* its ramps */
+  struct nb_changes *changes;                  /* ramps of the current stage */
   struct nb_damping damping, previous_damping; /* of the current stage; of the previous stage */
-  struct nb_vec gravity;                       /* in the next step, m/s2 */
+  struct nb_vec gravity;                       /* uniform gravity in the next step, m/s2 */
   struct nb_central {
     double acceleration; /* towards the point, m/s2; 0: none */
     struct nb_vec point; /* m */
-  } central;             /* in the next step */
+  } central;             /* gravity towards a point in the next step */
 
   bool rotates;                           /* `rotation on`: loading/boundary.c */
   struct nb_affine *affine;               /* affine.h; NULL: no affine motion */
@@ -236,9 +236,10 @@ struct nb_model {
 /* machine.c: instruction set and threads, from the options */
 enum nb_status nb_machine_choose(struct nb_model *model, const struct nb_options *options, struct nb_error *error);
 
-/* machine.c: sets the rounding mode of this thread for a part of the cycle; NULL: to nearest */
+/* machine.c: sets the rounding mode of this thread for a part of the cycle; part NULL: to nearest */
 void nb_rounding_set(const struct nb_rounding *rounding, const char *part);
-/* The part of the cycle that begins may have another rounding mode; NULL: it ends. */
+/* Called when a part of the cycle begins: changes the rounding mode if the options ask for it. part NULL: a part ends.
+ * */
 static inline void nb_rounding_begin(const struct nb_rounding *rounding, const char *part) {
   if (rounding->mode != NB_TO_NEAREST)
     nb_rounding_set(rounding, part);
@@ -247,8 +248,8 @@ static inline void nb_rounding_begin(const struct nb_rounding *rounding, const c
 /* blocks.c: divides the contacts into blocks, after each search */
 enum nb_status nb_blocks_create(struct nb_model *model, struct nb_error *error);
 
-/* What columns and conditions request besides fields, in model->plan.requested: */
-#define NB_REQUEST_CLOCK (1u << 24)  /* no field: the quantity depends on the number of cycles and the step alone */
+/* Bits of model->plan.requested for what columns and conditions read besides fields: */
+#define NB_REQUEST_CLOCK (1u << 24)  /* nothing else: the quantity depends on the number of cycles and the step alone */
 #define NB_REQUEST_FRACC (1u << 27)  /* fracc.c */
 #define NB_REQUEST_STRAIN (1u << 28) /* strain.c */
 #define NB_REQUEST_WORK (1u << 29)   /* the work balance, energy.h */
@@ -260,7 +261,7 @@ static inline const char *nb_unit(const struct nb_scene *scene, const char *unit
   return scene->unitless ? "" : unit;
 }
 
-/* Whether a stage has removed the particle (loading/remove.c). */
+/* True if a stage has removed the particle (loading/remove.c). */
 static inline bool nb_removed(const struct nb_model *model, size_t slot) {
   return model->particles.removed && model->particles.removed[slot];
 }
@@ -268,7 +269,8 @@ static inline bool nb_removed(const struct nb_model *model, size_t slot) {
 /* materials.c */
 double nb_particle_mass(const struct nb_scene *scene, const struct nb_particle *particle);    /* kg */
 double nb_particle_inertia(const struct nb_scene *scene, const struct nb_particle *particle); /* kg m2 */
-double nb_thickness(const struct nb_model *model); /* discs 1 m; spheres their mean diameter, m */
+double
+nb_thickness(const struct nb_model *model); /* of the assembly, m: 1 m for discs, the mean diameter for spheres */
 
 /* guard.c: stops a run before particles pass through each other or through walls */
 /* NB_BROKEN when a position is NaN or infinite. */
@@ -278,7 +280,7 @@ enum nb_status nb_guard_motion(const struct nb_model *model, struct nb_error *er
 /* NB_BROKEN (at cycle 0 NB_BAD_USE) when the particles overlap by more than the smaller radius. */
 enum nb_status nb_guard_pair(const struct nb_model *model, struct nb_close_pair pair, struct nb_error *error);
 
-/* The guards of a cycle without a search. */
+/* Runs the guards of a cycle without a search. NB_BROKEN when one of them is violated. */
 enum nb_status nb_guard_cycle(const struct nb_model *model, struct nb_error *error);
 
 /* Warns when the resolution of positions is too coarse for the current overlaps. */
@@ -286,53 +288,62 @@ void nb_guard_resolution(struct nb_model *model);
 
 /* neighbours.c: runs the guards, then builds a new contact list */
 enum nb_status nb_neighbours_search(struct nb_model *model, struct nb_error *error);
-/* Instead of the first search: lists the contacts of a checkpoint, whose pairs are the next part of `store`. */
+/* Replaces the first search of a resumed run: lists the contacts of a checkpoint. Their pairs are the next part of
+ * `store`. */
 enum nb_status nb_neighbours_restore(struct nb_model *model, struct nb_store *store, struct nb_error *error);
 
 /* motion.c */
-/* Both move particles or walls by one step. They return how many have moved by more than half the skin since the last
- * search, or to NaN. */
+/* These two move particles and walls by one step. They return how many of them have moved by more than half the skin
+ * since the last search, or to NaN. */
 int nb_motion_part(struct nb_model *model, int part, int parts);
-int nb_motion_walls(struct nb_model *model);    /* walls.c */
-void nb_motion_reverse(struct nb_model *model); /* time reversal; model->step must be that of the next step */
+int nb_motion_walls(struct nb_model *model); /* walls.c */
+/* Reverses all velocities, so that the next steps retrace the motion. model->step must be that of the next step. */
+void nb_motion_reverse(struct nb_model *model);
 struct nb_force {
   struct nb_vec force; /* N */
   double moment;       /* N m, counterclockwise */
 };
-struct nb_force nb_force_on(const struct nb_model *model, size_t slot);           /* sum over its contacts */
-struct nb_velocities nb_velocity_half(const struct nb_model *model, size_t slot); /* at t_(N-1/2) */
-/* At t_N, the mean of the two half steps [CS79 31], without affine motion. */
+/* Sum of the forces and moments of the particle's contacts. */
+struct nb_force nb_force_on(const struct nb_model *model, size_t slot);
+/* Velocities of a particle at t_(N-1/2), without affine motion. */
+struct nb_velocities nb_velocity_half(const struct nb_model *model, size_t slot);
+/* Velocities of a particle at t_N, the mean of the two half steps [CS79 31], without affine motion. */
 struct nb_velocities nb_velocity_now(const struct nb_model *model, size_t slot);
-struct nb_vec nb_imposed_now(const struct nb_model *model, size_t slot);    /* affine velocity at t_N, m/s */
-struct nb_vec nb_velocity_total(const struct nb_model *model, size_t slot); /* with affine motion, at t_N, m/s */
+struct nb_vec nb_imposed_now(const struct nb_model *model, size_t slot); /* affine velocity at t_N, m/s */
+struct nb_vec nb_velocity_total(const struct nb_model *model,
+                                size_t slot); /* velocity at t_N with affine motion, m/s */
 
-struct nb_vec nb_weight(const struct nb_model *model, size_t slot, struct nb_vec x); /* at the position x, N */
+struct nb_vec nb_weight(const struct nb_model *model, size_t slot, struct nb_vec x); /* weight at the position x, N */
 /* Sum of the contact forces, the weight and the force of a boundary stress on a free particle, N. */
 struct nb_vec nb_unbalanced_force(const struct nb_model *model, size_t slot);
 
-/* Sets a particle's velocities at t_N. */
+/* Changes the half-step velocities of a particle so that its velocities at t_N are `now`. */
 void nb_motion_set_velocity(struct nb_model *model, size_t slot, struct nb_velocities now);
-/* A force and a moment cease at t_N: changes the half-step velocities so that the velocities at t_N stay the same. */
+/* Called when a force and a moment cease at t_N: changes the half-step velocities so that the velocities at t_N stay
+ * the same. */
 void nb_motion_offset_force(struct nb_model *model, size_t slot, struct nb_force ending);
 
 /* walls.c */
-bool nb_rotates_too_far(const struct nb_model *model, size_t wall, double angle); /* by `angle` in one step, rad */
+/* True if a rotation of the wall by `angle`, rad, in one step is too large for the guard (guard.c). */
+bool nb_rotates_too_far(const struct nb_model *model, size_t wall, double angle);
 void nb_walls_reset_travel(struct nb_walls *walls); /* measures the travel of walls from their current ends */
-/* NB_BROKEN when the centre of a particle crossed a wall in the last step. Tests listed pairs, or all pairs. */
+/* NB_BROKEN when the centre of a particle crossed a wall in the last step. `all`: tests all pairs of a particle and a
+ * wall; otherwise the listed ones. */
 enum nb_status nb_walls_crossed(const struct nb_model *model, bool all, struct nb_error *error);
 
 /* wall_vertices.c */
 bool nb_vertices_exist(const struct nb_scene *scene); /* two walls have a common end */
-bool nb_vertices_find(struct nb_model *model);        /* after a search; false: out of memory */
+bool nb_vertices_find(struct nb_model *model);        /* lists vertices after a search; false: out of memory */
 void nb_vertices_suppress(struct nb_model *model);    /* before the force calculation: marks the suppressed contacts */
 
 /* deep.c: overlaps beyond the range of Hertz theory */
-enum { NB_DEEP_STRIDE = 8 }; /* in counters: two threads must not write to the same cache line */
+enum { NB_DEEP_STRIDE = 8 }; /* counters from block to block: two threads must not write to the same cache line */
 /* Overlap over the smaller diameter above which a contact is deep: from the page, or 0.07 [R89 sec. 6.4.3]. */
 double nb_deep_fraction(const struct nb_model *model);
-bool nb_deep_begin(struct nb_model *model, size_t blocks); /* new counters, after a search; false: out of memory */
-void nb_deep_end(struct nb_model *model);                  /* when the law of elastic spheres ends: keeps the count */
-void nb_deep_record_first(struct nb_model *model); /* after the force calculation: describes the first such contact */
+bool nb_deep_begin(struct nb_model *model, size_t blocks); /* makes counters, after a search; false: out of memory */
+void nb_deep_end(struct nb_model *model); /* called when a law of elastic spheres ends; the count is kept */
+/* Called after the force calculation: describes the first deep contact in model->deep.first. */
+void nb_deep_record_first(struct nb_model *model);
 bool nb_is_deep(const struct nb_model *model, size_t contact);
 unsigned long long nb_deep_count(const struct nb_model *model);
 

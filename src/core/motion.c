@@ -9,7 +9,7 @@
  * `impulse`; alpha (1/s) is alpha_g of docs/METHOD.md:
  *
  *   C = alpha m        keep = (1 - alpha dt/2)/(1 + alpha dt/2),   impulse = 1/(1 + alpha dt/2)     34-36
- *   CON1, as CS79      keep = CON1/(2 - CON1),   impulse = 1/(2 - CON1)       the same with alpha dt/2 = 1 - CON1
+ *   CON1, as CS79      keep = CON1/(2 - CON1),   impulse = 1/(2 - CON1)       as C = alpha m, alpha dt/2 = 1 - CON1
  *   CON1, velocity     keep = CON1,              impulse = 1
  *   CON1, all          keep = CON1,              impulse = CON1
  *
@@ -25,9 +25,9 @@
  * Dashpots that are centred [pass/dashpots.c] need the velocity at t_(N+1). Its difference from v_(N+1/2) is predicted
  * from the acceleration at t_N: (v_(N+1/2) - v_(N-1/2)) dt/(2 tau), where tau is the duration of the kick.
  *
- * A page's velocities belong to time 0, those of the scheme to half steps. So the first kick lasts half a step, and a
- * kick between two steps of unequal length lasts their mean. CS79's program BALL starts from rest without forces, where
- * the half kick changes nothing.
+ * The velocities of a page are those at time 0; the velocities of the scheme are those at half steps. So the first kick
+ * lasts half a step, and a kick between two steps of unequal length lasts their mean. CS79's program BALL starts from
+ * rest without forces, so the half kick would change nothing there.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "motion.h"
@@ -36,8 +36,8 @@
 enum { BATCH_SIZE = 128 };
 struct batch {
   struct nb_vec force[BATCH_SIZE], c[BATCH_SIZE];                            /* N, m/s */
-  double moment[BATCH_SIZE];                                                 /* N: divided by the radius */
-  double keep[2 * BATCH_SIZE], kick[2 * BATCH_SIZE], travel[2 * BATCH_SIZE]; /* for each component */
+  double moment[BATCH_SIZE];                                                 /* moment over radius, N */
+  double keep[2 * BATCH_SIZE], kick[2 * BATCH_SIZE], travel[2 * BATCH_SIZE]; /* x and y of each particle in turn */
 };
 
 static inline NB_FORM void sum_forces(struct batch *batch, const struct nb_contact_forces *by,
@@ -54,7 +54,7 @@ static inline NB_FORM void sum_forces(struct batch *batch, const struct nb_conta
   }
 }
 
-/* m g [CS79, Motion]. */
+/* Adds the weight m g to the forces [CS79, Motion]. */
 static void add_weight(struct batch *batch, const double *mass, struct nb_vec gravity, size_t n) {
   for (size_t k = 0; k < n; k++)
     batch->force[k] = vec_add(batch->force[k], vec_scale(mass[k], gravity));
@@ -79,7 +79,7 @@ struct task {
   struct nb_central central;
   const struct nb_vec *boundary_force; /* NULL: no stress on a boundary */
   const struct nb_affine *affine;      /* NULL: no affine motion */
-  bool along;                          /* all particles move affinely */
+  bool along;                          /* all particles have an affine motion */
   bool cell;                           /* the cell moves affinely too */
   bool rotates;                        /* some particle rotates */
   bool predicts;                       /* centred dashpots need the velocity at the end of the step */
@@ -87,8 +87,8 @@ struct task {
   double travel_limit;                 /* displacement since the last search that requires a new one, m */
 };
 
-/* Subtracts c of the last step from the velocities, which leaves v, and computes c of the next step. With `accumulated`
- * c stays part of v. `alike`: all particles have the same rate. */
+/* Subtracts c of the last step from the velocities, which gives v, and computes c of the next step. With `accumulated`
+ * c stays part of v. `alike`: all particles have the same strain rate. */
 static inline NB_FORM void add_affine(const struct task *task, struct batch *batch, size_t from, size_t n, bool alike) {
   struct nb_vec *velocity = task->particles.velocity + from, *imposed = task->particles.imposed + from;
   const struct nb_vec *position = task->particles.position + from;
@@ -103,9 +103,9 @@ static inline NB_FORM void add_affine(const struct task *task, struct batch *bat
   }
 }
 
-/* Kick and drift, 22, 22a. Fixed particles keep their velocity: neither force nor damping acts on them. `along`: with
- * affine motion. Returns the number of particles that moved beyond the travel limit, or to NaN. Vector
- * components are processed as one array, so the loops vectorise. */
+/* Kick and drift, 22, 22a. Fixed particles keep their velocity: neither force nor damping acts on them. `along`: the
+ * particles have an affine motion. Returns the number of particles that moved beyond the travel limit, or to NaN. The
+ * loops process x and y components as one array, so they vectorise. */
 static inline NB_FORM int drift(const struct task *task, struct batch *batch, size_t from, size_t n, bool along) {
   const double *mass = task->particles.inverse_mass + from,
                *search_position = vec_flat(task->particles.search_position + from);
@@ -152,14 +152,14 @@ static inline NB_FORM void rotate(const struct task *task, const struct batch *b
     surface[k].speed = spin[k] * surface[k].radius;
 }
 
-/* Before the kick: stores the own velocities of the particles. */
+/* Called before the kick: stores the velocities v of the particles. */
 static inline NB_FORM void begin_prediction(const struct task *task, size_t from, size_t n) {
   const struct nb_particles *particles = &task->particles;
   for (size_t k = from; k < from + n; k++)
     particles->ahead[k] = (struct nb_velocities){particles->velocity[k], particles->surface[k].speed};
 }
 
-/* After the kick: replaces the stored velocities by their predicted change over half a step. */
+/* Called after the kick: replaces the stored velocities by their predicted change over half a step. */
 static inline NB_FORM void end_prediction(const struct task *task, const struct batch *batch, size_t from, size_t n) {
   const struct nb_particles *particles = &task->particles;
   const double fraction = task->step / (2 * task->time);
@@ -172,7 +172,8 @@ static inline NB_FORM void end_prediction(const struct task *task, const struct 
   }
 }
 
-/* A cell moves the positions of the last search affinely too, so travel_limit applies to the motion relative to it. */
+/* Moves the positions of the last search affinely with the cell, so that the travel limit applies to displacements
+ * relative to the affine motion. */
 static inline NB_FORM void move_list(const struct task *task, size_t from, size_t n) {
   struct nb_vec *search_position = task->particles.search_position;
   for (size_t k = from; k < from + n; k++)

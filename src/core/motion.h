@@ -1,4 +1,5 @@
-/* Parts of the integration of motion that motion.c (moves particles) and velocity.c (computes velocities) share.
+/* The parts of the integration of motion that motion.c and velocity.c share. motion.c moves particles; velocity.c
+ * computes velocities.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_MOTION_H
@@ -8,8 +9,8 @@
 
 static inline double nb_kick_time(const struct nb_model *model) { return (model->previous_step + model->step) / 2; }
 
-/* What mass-proportional damping removes in a kick of the duration dt: fractions of m v-, of m v+, and of the impulse
- * of the forces; v- and v+ are the velocities before and after the kick. */
+/* The momentum that mass-proportional damping removes in a kick of the duration dt, as fractions of m v-, of m v+, and
+ * of the impulse of the forces; v- and v+ are the velocities before and after the kick, m/s. */
 struct nb_damping_losses {
   double old, new, impulse;
 };
@@ -31,8 +32,8 @@ static inline struct nb_damping_losses nb_damping_losses_of(const struct nb_damp
   return (struct nb_damping_losses){0, 0, 0};
 }
 
-/* In the kick around t_0, where a stage begins, the part before t_0 has the damping of the previous stage; `before` is
- * its fraction of the kick. */
+/* The losses of the next kick. In the kick around t_0, where a stage begins, the part before t_0 has the damping of the
+ * previous stage; `before` is the fraction of the kick before t_0. */
 static inline struct nb_damping_losses nb_damping_losses(const struct nb_model *model, double dt, double before) {
   const struct nb_damping_losses now = nb_damping_losses_of(&model->damping, dt);
   if (model->stage_cycle > 0 || before == 0 ||
@@ -68,8 +69,9 @@ static inline struct nb_contact_forces nb_contact_forces_of(const struct nb_mode
                                     model->plan.has_friction ? model->contacts.kept[model->plan.total_shear] : NULL};
 }
 
-/* The stored force is the one on the contact's first particle; the second one gets the opposite. The shear force F_s
- * is counterclockwise on both [CS79, The force-displacement law]; `moment` is the sum of F_s, without the radius. */
+/* The sum of the contact forces on a particle. The stored force acts on the contact's first particle; its opposite acts
+ * on the second one. The moment of the shear force F_s is counterclockwise on both particles [CS79, The
+ * force-displacement law]; `moment` is the sum of F_s, N, which the caller multiplies by the radius. */
 static inline NB_FORM struct nb_force nb_contact_force_sum(struct nb_contact_forces contact_forces,
                                                            struct nb_contact_range its, bool rotates) {
   struct nb_force sum = {.moment = 0};
@@ -89,7 +91,7 @@ static inline NB_FORM struct nb_force nb_contact_force_sum(struct nb_contact_for
 
 static inline bool nb_has_gravity(struct nb_vec gravity) { return gravity.x != 0 || gravity.y != 0; }
 
-/* m G towards the point; zero at the point itself. */
+/* The force of central gravity, mass times acceleration, N, towards the point; 0 at the point itself. */
 static inline struct nb_vec nb_central_force(const struct nb_central *gravity, double mass, struct nb_vec x) {
   const struct nb_vec travel = vec_sub(gravity->point, x);
   const double distance = vec_length(travel);

@@ -1,4 +1,4 @@
-/* Rows of the table of quantities, for names.c and the files that define quantities of their own.
+/* The rows of the table of quantities. names.c and the files that define quantities include this file.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_NAMES_H
@@ -6,18 +6,18 @@
 
 #include "model.h"
 
-/* Families of quantities NAME.SUFFIX computed from the same few numbers: tensors with their invariants, statistics of
- * a sample. */
+/* Families of quantities NAME.SUFFIX. The quantities of a family are computed from the same few numbers: a tensor with
+ * its invariants, or the statistics of a sample. */
 enum nb_quantity_family {
   NB_SCALAR,     /* one quantity without a suffix */
-  NB_COMPONENTS, /* components xx xy yx yy */
-  NB_TENSOR,     /* with principal values, deviator, angle; */
-  NB_STRESSES,   /* with the mean as well; */
-  NB_FABRICS,    /* with the deviator called anisotropy */
+  NB_COMPONENTS, /* the suffixes xx xy yx yy */
+  NB_TENSOR,     /* also major, minor, deviator, angle */
+  NB_STRESSES,   /* as NB_TENSOR, and mean */
+  NB_FABRICS,    /* as NB_TENSOR, with `anisotropy` instead of `deviator` */
   NB_FOURTH,     /* the five components of a symmetric fourth-order tensor */
   NB_STATISTICS, /* mean max min std */
 };
-enum { NB_COMPONENTS_MAX = 5 }; /* most numbers that a family is computed from */
+enum { NB_COMPONENTS_MAX = 5 }; /* largest number of numbers from which a family is computed */
 
 /* A row of the table: one quantity, or a family. */
 struct nb_quantity_kind {
@@ -25,20 +25,21 @@ struct nb_quantity_kind {
   /* Set of monitor kinds; 0: the whole scene; or NB_OF_IMPACT, NB_OF_CELL, NB_OF_BOX, NB_OF_CONTACT_TEST. */
   unsigned monitors;
   const char *unit;
-  unsigned fields; /* contact fields it reads; in a contact test what it requires of the laws */
+  unsigned fields; /* contact fields that the quantity reads; in a contact test, what it requires of the laws */
   double (*value)(const struct nb_model *model, const struct nb_monitor *monitor);
   const char *help;
 
-  enum nb_quantity_family family; /* of a family, and of a region: value is NULL, and */
+  enum nb_quantity_family family;
+  /* Computes the numbers of a family, or of a quantity of a region; `value` is then NULL. */
   void (*parts)(double parts[], const struct nb_quantity_kind *kind, const struct nb_model *model,
                 const struct nb_monitor *monitor);
-  int measure; /* of a region: measure/region.h; */
-  size_t at;   /* and where in struct nb_region_state it is */
+  int measure; /* for a region: the measure that computes the quantity (measure/region.h) */
+  size_t at;   /* for a region: offset of the quantity in struct nb_region_state */
 };
 #define NB_OF_IMPACT (1u << 31)
-#define NB_OF_CELL (1u << 29)         /* of a periodic cell */
-#define NB_OF_BOX (1u << 28)          /* of a box of walls */
-#define NB_OF_CONTACT_TEST (1u << 30) /* of a contact test */
+#define NB_OF_CELL (1u << 29)         /* quantity of a periodic cell */
+#define NB_OF_BOX (1u << 28)          /* quantity of a box of walls */
+#define NB_OF_CONTACT_TEST (1u << 30) /* quantity of a contact test */
 enum { NB_OF_REGION = 1 << NB_MONITOR_REGION };
 
 /* Fields that stored energies, and the terms of the energy balance, need. */
@@ -52,29 +53,29 @@ enum { NB_OF_STORED = NB_BIT(NB_OVERLAP) | NB_BIT(NB_NORMAL) | NB_BIT(NB_STIFFNE
 extern const struct nb_quantity_kind nb_contact_test_kinds[];
 
 /* input/names.c */
-/* What to type instead of a name that is no quantity of the scene: the nearest name, or a list. */
+/* Writes a hint what to type instead of a name that is no quantity of the scene: the nearest name, or a list. */
 const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const char *text);
-bool nb_is_quantity(const char *name);                     /* of any monitor, or of a scene */
-bool nb_quantity_is_residual(struct nb_quantity quantity); /* a residual, 0 by definition */
-/* The k-th quantity, for the manual; false past the last one. */
+bool nb_is_quantity(const char *name);                     /* a quantity of any monitor, or of a scene, has this name */
+bool nb_quantity_is_residual(struct nb_quantity quantity); /* the quantity is a residual, 0 by definition */
+/* Fills a row with the k-th quantity, for the manual; false past the last one. */
 struct nb_quantity_row {
   const void *key; /* identifies the quantity */
   char name[NB_NAME_SIZE], help[512];
-  const char *unit, *of;          /* the kind of monitor */
-  const char *statement, *prefix; /* "region M all", "M."; NULL: the scene's */
+  const char *unit, *of;          /* unit; kind of monitor that has the quantity */
+  const char *statement, *prefix; /* "region M all", "M."; NULL: a quantity of the scene */
 };
 bool nb_quantity_row(struct nb_quantity_row *row, size_t k);
 
 /* families.c */
 struct nb_suffix {
-  unsigned families; /* set of families that have it */
+  unsigned families; /* set of families that have the suffix */
   const char *name, *help;
-  int part;                                      /* index of the number; or */
-  double (*function)(const struct nb_tensor *t); /* function of the tensor */
-  const char *unit;                              /* NULL: the family's */
+  int part;                                      /* index of the number that is the value, if `function` is NULL */
+  double (*function)(const struct nb_tensor *t); /* computes the value from the tensor; NULL: see `part` */
+  const char *unit;                              /* NULL: the unit of the family */
 };
-const struct nb_suffix *nb_suffix(enum nb_quantity_family family, size_t k);       /* NULL past the last one */
-double nb_quantity_now(struct nb_quantity quantity, const struct nb_model *model); /* SI */
+const struct nb_suffix *nb_suffix(enum nb_quantity_family family, size_t k); /* the k-th; NULL past the last one */
+double nb_quantity_now(struct nb_quantity quantity, const struct nb_model *model); /* current value, SI */
 
 /* Defines a function for one quantity, or for one tensor. */
 #define NB_QUANTITY(function, expression)                                                                              \

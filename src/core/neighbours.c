@@ -1,9 +1,9 @@
 /* The neighbour list: pairs of particles, and of particles and walls, closer than the skin.     [CS79; R89 sec. 4.3.1, TOL]
  *
  * All pairs closer than the skin are listed, touching or not. Until a particle or a wall has moved by more than half
- * the skin, a pair that is not listed cannot touch. A scene without motion is searched once, when it is created. If no
- * free particle can touch anything, the skin is infinite and there is no search. A contact that stays in the list keeps
- * its history.
+ * the skin, a pair that is not listed cannot touch. A scene in which nothing moves is searched once, when the model is
+ * created. If no free particle can touch anything, the skin is infinite and there is no search. A contact that stays in
+ * the list keeps its history.
  *
  * Particles are in a grid of boxes with levels by size (grid.h), each on the finest level whose boxes are at least as
  * wide as its diameter plus the skin. For each particle the nine boxes around it are searched, on its own level and on
@@ -23,8 +23,8 @@ enum { GRID_MIN_PARTICLES = 16 }; /* up to this number there is no grid, and all
 
 struct search {
   struct nb_grid grid;
-  struct nb_wrap wrap;    /* of the periodic cell; */
-  struct nb_vec *wrapped; /* for each slot: its image in the cell, m; NULL without a cell */
+  struct nb_wrap wrap;    /* the periodic cell with the shortest sides */
+  struct nb_vec *wrapped; /* position of the image of each slot in this cell, m; NULL without a cell */
 };
 
 static bool wrap_positions(struct search *search, const struct nb_model *model) {
@@ -71,7 +71,7 @@ static int material_pair_of(const struct nb_model *model, int material_a, int ma
   return -1;
 }
 
-/* Keeps the first pair, in the order of contacts, that overlaps too far. */
+/* Keeps the pair if it comes first, in the order of contacts, among those whose overlap exceeds the limit. */
 static void note_too_deep(struct nb_model *model, struct nb_close_pair pair) {
   const int *number = model->particles.number;
   struct nb_close_pair *first = &model->search.too_deep;
@@ -80,8 +80,9 @@ static void note_too_deep(struct nb_model *model, struct nb_close_pair pair) {
     *first = pair;
 }
 
-/* Lists particles i and j, separated by `apart`, if they are near; the one with the smaller number first. A pair that
- * overlaps too far ends the run, so the search then lists nothing more: coincident particles would fill the memory. */
+/* Lists particles i and j, whose centres are `apart` from each other, if the gap is smaller than the skin. The particle
+ * with the smaller number comes first. A pair whose overlap exceeds the limit ends the run. The search then lists no
+ * further pairs, because pairs of many coincident particles would fill the memory. */
 static bool neighbour_pair(struct nb_neighbour_pairs *pairs, struct nb_model *model, int i, int j,
                            struct nb_vec apart) {
   const struct nb_particles *particles = &model->particles;
@@ -101,13 +102,14 @@ static bool neighbour_pair(struct nb_neighbour_pairs *pairs, struct nb_model *mo
          pairs_add(pairs, a, b, material_pair_of(model, particles->material[a], particles->material[b], false));
 }
 
-/* A particle, and the position, its own or an image's, from which to search. */
+/* A particle, and the position from which to search: that of the particle or of one of its images. */
 struct origin {
   int i;
   struct nb_vec from; /* m */
 };
 
-/* Tests the particles of one box: all larger ones, and those of the same level with larger numbers. */
+/* Tests the pairs of a particle with those in one box: with all on the levels of larger particles, and with those of
+ * its own level that have larger numbers. False: out of memory. */
 static bool neighbours_in_box(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct search *search,
                               struct origin origin, struct nb_box box) {
   const int *number = model->particles.number;
@@ -136,10 +138,11 @@ static bool neighbours_around(struct nb_neighbour_pairs *pairs, struct nb_model 
   return true;
 }
 
-/* Images are searched for up to this fraction beyond the range of a contact, so that rounding (1e-16) misses none. */
+/* The search for images goes beyond the range of a contact by this fraction, so that rounding (1e-16) misses none. */
 static const double image_margin = 1e-12;
 
-/* Searches from those of the nine images of i that are in the cell or near its edge, within the range of a contact. */
+/* Searches from those of the nine images of particle i that are in the cell, or outside it within the range of a
+ * contact. */
 static bool neighbour_copies(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct search *search,
                              int i) {
   const struct nb_wrap *wrap = &search->wrap;
@@ -168,7 +171,7 @@ static bool neighbour_walls(struct nb_neighbour_pairs *pairs, struct nb_model *m
   return true;
 }
 
-/* Adds every near pair once, unsorted; false: no memory. */
+/* Finds every pair closer than the skin once, unsorted; false: out of memory. */
 static bool find_pairs(struct nb_neighbour_pairs *found, struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   const struct nb_vec *x = particles->position;
@@ -191,8 +194,8 @@ static bool find_pairs(struct nb_neighbour_pairs *found, struct nb_model *model)
   return ok;
 }
 
-/* Counting sort by the number of the first particle, then insertion sort of each particle's few pairs in the order of
- * force summation. */
+/* Sorts the pairs: by the number of the first particle with a counting sort, then each particle's few pairs in the
+ * order of force summation with an insertion sort. */
 static bool sort_pairs(struct nb_neighbour_pairs *pairs, const struct nb_model *model) {
   const size_t n = pairs->count, particles = model->particles.count;
   const int *number = model->particles.number;
@@ -220,7 +223,7 @@ static bool sort_pairs(struct nb_neighbour_pairs *pairs, const struct nb_model *
   return true;
 }
 
-/* Sorts the pairs, and replaces the list of contacts by them. False: out of memory. */
+/* Sorts the pairs and makes the new list of contacts from them. False: out of memory. */
 static bool renew_contacts(struct nb_model *model, struct nb_neighbour_pairs *pairs) {
   return (pairs->count == 0 || sort_pairs(pairs, model)) && nb_contacts_renew(model, pairs) && nb_vertices_find(model);
 }

@@ -15,7 +15,8 @@ void nb_store_free(struct nb_store *store) {
   *store = (struct nb_store){0};
 }
 
-/* The numbers of the next part: a new one to be filled, or the saved one. NULL: there are none, or a failure. */
+/* The numbers of the next part: of a new part that the caller fills, or of the saved part that the caller reads. NULL:
+ * the part has no numbers, or the store has failed. */
 static double *next_part(struct nb_store *store, const char *name, size_t count) {
   if (store->failed)
     return NULL;

@@ -20,7 +20,7 @@ static inline struct nb_vec vec_scale(double s, struct nb_vec a) { return vec(s 
 static inline double vec_dot(struct nb_vec a, struct nb_vec b) { return a.x * b.x + a.y * b.y; }
 static inline double vec_cross(struct nb_vec a, struct nb_vec b) { return a.x * b.y - a.y * b.x; }
 static inline double vec_length(struct nb_vec a) { return sqrt(a.x * a.x + a.y * a.y); }
-/* Turned clockwise by 90 degrees: t = (e2, -e1) [CS79 10]. */
+/* e rotated clockwise by 90 degrees: t = (e2, -e1) [CS79 10]. */
 static inline struct nb_vec vec_clockwise(struct nb_vec e) { return vec(e.y, -e.x); }
 /* The components of an array of vectors as one array. */
 static inline double *vec_flat(struct nb_vec *first) { return (double *)(void *)first; }

@@ -1,4 +1,4 @@
-/* Forces on particles, and velocities at t_N, between two half steps.                   [CS79 31]
+/* Forces on particles, and velocities at t_N, the time between two half steps.          [CS79 31]
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "motion.h"
@@ -18,7 +18,7 @@ struct nb_vec nb_weight(const struct nb_model *model, size_t slot, struct nb_vec
              : weight;
 }
 
-/* Adds the weight and the force of a stress on the boundary. */
+/* Returns `sum` plus the weight and the force of a stress on the boundary. */
 static struct nb_force all_forces(const struct nb_model *model, size_t slot, struct nb_force sum) {
   if (nb_has_gravity(model->gravity) || model->central.acceleration != 0)
     sum.force = vec_add(sum.force, nb_weight(model, slot, model->particles.position[slot]));
@@ -38,8 +38,8 @@ struct nb_velocities nb_velocity_half(const struct nb_model *model, size_t slot)
                                 particles->spin ? particles->spin[slot] : 0};
 }
 
-/* Own velocities, without the imposed motion, after a kick. Those of a fixed particle stay: neither force nor damping
- * acts on it. */
+/* Velocities after a kick, without the affine motion. A fixed particle keeps its velocities, because neither force nor
+ * damping acts on it. */
 static struct nb_velocities kicked_velocities(const struct nb_model *model, size_t slot, struct nb_kick_factors f,
                                               double time) {
   const struct nb_particles *particles = &model->particles;
@@ -61,7 +61,7 @@ struct nb_velocities nb_velocity_now(const struct nb_model *model, size_t slot) 
   const struct nb_velocities before = nb_velocity_half(model, slot);
   const double dt = model->previous_step;
   if (!(dt > 0))
-    return before; /* at the start a page's velocities are those of time 0 */
+    return before; /* at the start the velocities, from the page, are those at time 0 */
   const struct nb_velocities next = kicked_velocities(model, slot, nb_kick_factors(model, dt, 1), dt);
   return (struct nb_velocities){vec_scale(0.5, vec_add(before.velocity, next.velocity)), (before.spin + next.spin) / 2};
 }
@@ -77,8 +77,8 @@ struct nb_vec nb_velocity_total(const struct nb_model *model, size_t slot) {
   return vec_add(nb_velocity_now(model, slot).velocity, nb_imposed_now(model, slot));
 }
 
-/* v_N = (v- + v+)/2 with v+ = keep v- + impulse (F/m) dt, so v_N stays the same if v- increases by
- * impulse (F/m) dt/(1 + keep) when F ceases. */
+/* With v- and v+, the velocities before and after the kick, v_N = (v- + v+)/2 and v+ = keep v- + impulse (F/m) dt
+ * (motion.c). So v_N stays the same if v- increases by impulse (F/m) dt/(1 + keep) when the force F ceases. */
 void nb_motion_offset_force(struct nb_model *model, size_t slot, struct nb_force ending) {
   struct nb_particles *particles = &model->particles;
   const double dt = model->previous_step;
@@ -90,7 +90,7 @@ void nb_motion_offset_force(struct nb_model *model, size_t slot, struct nb_force
     particles->spin[slot] += time * particles->inverse_inertia[slot] * ending.moment;
 }
 
-/* Solves for the velocity at t_(N-1/2) that gives `now` at t_N under the current forces. */
+/* Solves for the velocity at t_(N-1/2) from which the current forces give the velocity `now` at t_N. */
 void nb_motion_set_velocity(struct nb_model *model, size_t slot, struct nb_velocities now) {
   struct nb_particles *particles = &model->particles;
   const double dt = model->previous_step;

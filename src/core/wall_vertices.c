@@ -1,17 +1,18 @@
 /* A single contact at a vertex, the common end of two walls.
  *
- * When a disc rolls from one wall onto the next, both walls are near at the vertex E. The nearest point of the first
- * wall is E, that of the other is E or a point inside. Two contacts would push the disc twice. Therefore
+ * A disc that rolls from one wall onto the next is near both walls at the vertex E. The nearest point of the first wall
+ * is E; the nearest point of the second wall is E or a point inside that wall. Two contacts would push the disc twice.
+ * Therefore
  *
  *   a contact at E is suppressed (counts as not touching) when the nearest point of the other wall is inside that wall;
- *   of two contacts at E that of the wall defined first on the page is kept.
+ *   of two contacts at E, the contact with the wall that the page defines first is kept.
  *
- * A disc pressed into a corner touches the insides of both walls and keeps two contacts. When a disc passes from one
+ * A disc pressed into a corner touches points inside both walls and keeps two contacts. When a disc passes from one
  * wall to the other, the contact that becomes suppressed passes its history to the one that becomes active. So neither
  * the normal nor the shear force jumps at a vertex of a straight line or at an outer corner.
  *
  * Two ends form a vertex while their distance is at most `coincidence_limit` of the radius plus the rounding of
- * coordinates far from the origin. Ends that are apart at time 0 never do.
+ * coordinates far from the origin. Two ends that are farther apart at time 0 never form a vertex.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
@@ -51,8 +52,8 @@ bool nb_vertices_exist(const struct nb_scene *scene) {
 
 /* ---- finding vertices ---- */
 
-/* Contacts c and d are those of one particle with two walls. Adds the vertices of these walls that the particle may
- * touch before the next search. */
+/* Adds the vertices that a particle may touch before the next search; c and d are its contacts with two walls. False:
+ * out of memory. */
 static bool find_vertices(struct nb_model *model, int c, int d) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_wall *first = &model->scene->walls[contacts->b[c]], *second = &model->scene->walls[contacts->b[d]];
@@ -72,7 +73,7 @@ static bool find_vertices(struct nb_model *model, int c, int d) {
   return true;
 }
 
-/* Contacts without a vertex are active; the others keep their state. */
+/* Makes the contacts without a vertex active. Contacts at a vertex keep their state. */
 static void reset_other_contacts(struct nb_model *model) {
   int *suppressed = model->contacts.suppressed;
   for (size_t c = model->contacts.wall_from; c < model->contacts.count; c++)
@@ -100,7 +101,7 @@ bool nb_vertices_find(struct nb_model *model) {
 
 /* ---- suppressing contacts ---- */
 
-/* Whether that end is the wall's nearest point to the particle. */
+/* True if the wall's point nearest to the particle is its end number `end`. */
 static bool nearest_is_end(const struct nb_model *model, int contact, int end) {
   const struct nb_walls *walls = &model->walls;
   const int i = model->contacts.a[contact], w = model->contacts.b[contact];
@@ -118,7 +119,7 @@ static int suppressed_contact(const struct nb_model *model, const struct nb_vert
   if (!coincident(one, other, model->particles.surface[contacts->a[vertex->c]].radius))
     return -1; /* the walls have separated */
   if (nearest_is_end(model, vertex->d, vertex->at_d))
-    return vertex->d; /* the first wall's contact, at E or inside, suffices */
+    return vertex->d; /* the contact with the first wall, at E or inside it, is kept */
   return nearest_is_end(model, vertex->c, vertex->at_c) ? vertex->c : -1;
 }
 

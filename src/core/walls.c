@@ -6,14 +6,14 @@
  *   e_w  unit vector along the wall      w  angular velocity, rad/s, counterclockwise (CS79: dalpha/dt)
  *
  * The rotation is exact: e_w is rotated by the angle and normalised, so a wall neither grows nor drifts. Contacts use
- * the velocity of the wall's point Q, v_P + w x (Q - P), averaged over the last step as the particle's velocity is: the
- * displacement of that point divided by the step.
+ * the mean velocity v_P + w x (Q - P) of the wall's point Q over the last step: the displacement of that point divided
+ * by the step. The particle's velocity is a mean over the same step.
  *
- * A wall pushes a disc towards the side of its centre. If the centre crosses to the other side, the disc is pushed
- * through: it was too fast for the step, or its overlap exceeded its radius. The test compares the sides of the centre,
- * in the frame of the wall, at both ends of the step. It covers all pairs at each search. Between searches a particle
- * and a wall approach by at most the skin, so listed pairs are tested in every cycle only if a centre was within the
- * skin of a wall at the last search.
+ * A wall pushes a disc towards the side on which the disc's centre is. If the centre crosses to the other side, the
+ * wall pushes the disc through: the disc was too fast for the step, or its overlap exceeded its radius. The test
+ * compares the sides of the centre, in the frame of the wall, at both ends of the step. Each search tests all pairs.
+ * Between searches a particle and a wall approach by at most the skin. So listed pairs are tested in every cycle only
+ * if a centre was within the skin of a wall at the last search.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -26,7 +26,7 @@ static struct nb_vec rotated(struct nb_vec e, struct nb_vec by) {
   return vec_scale(1 / vec_length(to), to);
 }
 
-/* Whether the arc of the wall's far end departs from the chord by more than the smallest radius; see guard.c. */
+/* True if the arc of the wall's far end departs from its chord by more than the smallest radius; see guard.c. */
 bool nb_rotates_too_far(const struct nb_model *model, size_t w, double angle) {
   const struct nb_walls *walls = &model->walls;
   const double end = fabs(walls->h0[w]) + fmax(fabs(walls->h1[w]), fabs(walls->h2[w]));
@@ -49,7 +49,7 @@ int nb_motion_walls(struct nb_model *model) {
     }
     walls->angle[w] += angle;
     walls->point[w] = vec_add(walls->pivot[w], vec_scale(-walls->h0[w], vec_clockwise(walls->along[w])));
-    bool far = nb_rotates_too_far(model, w, angle); /* after a full turn the ends are where they were */
+    bool far = nb_rotates_too_far(model, w, angle); /* after a full turn the ends are at their old places */
     for (int end = 0; end < 2; end++)
       far = far || !(vec_length(vec_sub(nb_wall_end(walls, (int)w, end),
                                         walls->search_position[2 * w + (size_t)end])) <= model->search.skin / 2);
@@ -84,7 +84,8 @@ static inline bool may_cross(const struct nb_model *model, size_t i, size_t w) {
  * It is far above the rounding of a coordinate (1e-16) and far below any intended gap. */
 static const double beyond_end = 1e-12;
 
-/* Whether the centre of particle i came from one side of wall w to the other between its ends, or onto it. */
+/* True if the centre of particle i moved from one side of wall w to the other, or onto the wall, between the ends of
+ * the wall. */
 static bool crossed(const struct nb_model *model, size_t i, size_t w, double *displacement) {
   const struct nb_walls *walls = &model->walls;
   const double dt = model->previous_step, h0 = walls->h0[w];

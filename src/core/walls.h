@@ -14,11 +14,11 @@ struct nb_walls {
   struct nb_vec *point; /* point of the wall's line nearest to P, m; P itself if h0 = 0 */
   struct nb_vec *along; /* unit vector along the wall */
   double *h0, *h1, *h2; /* point is h0 to the left of P; the wall's ends are point + h1 along and point + h2 along, m */
-  struct nb_vec *velocity;        /* of P in the last step, m/s; a change sets it for the next step */
-  double *spin;                   /* about P, counterclockwise, of the same step, rad/s */
+  struct nb_vec *velocity;        /* velocity of P in the last step, m/s; a change sets the velocity of the next step */
+  double *spin;                   /* angular velocity about P in that step, counterclockwise, rad/s */
   struct nb_vec *turn;            /* (1 - cos phi)/dt and sin phi/dt, phi the rotation in the last step, 1/s */
   double *angle;                  /* rotation since the start, rad */
-  struct nb_vec *search_position; /* two for each wall: its ends at the last search, m */
+  struct nb_vec *search_position; /* the two ends of each wall at the last search, m */
 };
 
 /* Velocity of the wall's point that is at q now, m/s: its displacement in the last step over the step. A particle's
@@ -31,12 +31,12 @@ static inline struct nb_vec nb_wall_end(const struct nb_walls *walls, int wall, 
   return vec_add(walls->point[wall], vec_scale(end ? walls->h2[wall] : walls->h1[wall], walls->along[wall]));
 }
 
-/* s limited to the wall's length. */
+/* s limited to the range from h1 to h2. */
 static inline double nb_wall_clamp(double s, double h1, double h2) {
   const double past_first = s > h1 ? s : h1;
   return past_first < h2 ? past_first : h2;
 }
-/* Position along the wall, from `point`, of its point nearest to x, m; and that point. */
+/* The distance along the wall from `point` to the wall's point nearest to x, m; and the nearest point itself. */
 static inline double nb_wall_projection(const struct nb_walls *walls, int wall, struct nb_vec x) {
   const double s = vec_dot(vec_sub(x, walls->point[wall]), walls->along[wall]);
   return nb_wall_clamp(s, walls->h1[wall], walls->h2[wall]);
@@ -44,7 +44,8 @@ static inline double nb_wall_projection(const struct nb_walls *walls, int wall, 
 static inline struct nb_vec nb_wall_nearest(const struct nb_walls *walls, int wall, struct nb_vec x) {
   return vec_add(walls->point[wall], vec_scale(nb_wall_projection(walls, wall, x), walls->along[wall]));
 }
-/* From the nearest point to x, computed relative to `point`: a wall far from the origin loses no digits. */
+/* The vector from the nearest point to x, m. It is computed relative to `point`, so a wall far from the origin loses no
+ * digits. */
 static inline struct nb_vec nb_wall_separation(const struct nb_walls *walls, int wall, struct nb_vec x) {
   return vec_sub(vec_sub(x, walls->point[wall]), vec_scale(nb_wall_projection(walls, wall, x), walls->along[wall]));
 }
