@@ -1,10 +1,10 @@
 /* Reference: two discs in a row between two walls that approach with the speed v each: the first calculation cycles by
  * hand [CS79 1-7].
  *
- * At t_0 everything touches without forces. With X_n, Y_n the displacements of the discs x and y at t_n along the row,
- * in units of v dt, the overlaps at A (wall and x), B (x and y), C (y and wall) are, in that unit,
+  * At t_0 discs and walls just touch, without forces. X_n and Y_n are the displacements of the discs x and y along the
+ * row at t_n, in units of v dt. The overlaps at A (wall and x), B (x and y) and C (y and wall) in the same unit are
  *     a_n = n - X_n,    b_n = X_n - Y_n,    c_n = n + Y_n
- * and the cycle, with p = k_A dt^2/m_x, q = k_B dt^2/m_x, r = k_B dt^2/m_y, s = k_C dt^2/m_y, is
+ * With p = k_A dt^2/m_x, q = k_B dt^2/m_x, r = k_B dt^2/m_y, s = k_C dt^2/m_y the cycle is
  *     X_(n+1) = 2 X_n - X_(n-1) + p a_n - q b_n,    Y_(n+1) = 2 Y_n - Y_(n-1) + r b_n - s c_n,
  * X_0 = X_1 = Y_0 = Y_1 = 0, because the discs are at rest during the first step of the walls. So each displacement is
  * a polynomial in p, q, r, s with integer coefficients, which are computed exactly; the first are
@@ -13,7 +13,8 @@
  * Rounding occurs only when a polynomial is evaluated. A program that stores positions x differs by the relative error
  * rounding(x)/overlap.
  *
- * Returns, for n = 1 ... 6 within the first undamped motion of the walls, for C that monitors a contact and D a disc:
+  * Returns, for n = 1 ... 6 within the first undamped motion of the walls, for C that monitors a contact and D that
+ * monitors a disc:
  *     C.normal, C.overlap at n cycles          k v dt a_n (or b_n, c_n) and v dt a_n
  *     D.fx, D.fy at n cycles                   the sum of forces (2)
  *     D.vx.half, D.vy.half at n cycles         the velocity over the previous step (4)
