@@ -2,7 +2,7 @@
  *
  *   m* alpha'' = -K alpha^(3/2) - c alpha',   c = 2 beta (m* 2 E* a)^(1/2),   a^2 = R* alpha        [R89 4.13, 5.6]
  *
-  * hertz_motion.c solves it for s = alpha/alpha*. Integration with s' as the independent variable finds the largest
+ * hertz_motion.c solves it for s = alpha/alpha*. Integration with s' as the independent variable finds the largest
  * overlap, integration with s as the independent variable finds the end of the contact.
  *
  * The dashpot acts, and at the end pulls, while the overlap is positive, as in the simulator: the contact ends when the

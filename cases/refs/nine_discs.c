@@ -3,17 +3,17 @@
  *
  * Returns, for C that monitors a contact, and likewise for C.shear:
  *   C.normal along cycle, time    the exact solution of the calculation cycle for the linear network
- *   C.normal mean                 the static force, about which it oscillates once the walls are at rest
+ *   C.normal mean                 the static force, about which the force oscillates when the walls are at rest
  *   C.normal amplitude            half of the difference between the largest and the smallest value in an infinitely
- *                                 long run: the sum of the amplitudes of its waves. With two waves of the amplitudes A1
+ *                                 long run: the sum of the amplitudes of the modes. With two modes of the amplitudes A1
  *                                 and A2 a run of W cycles gives about 2 pi sqrt(A1 A2) / W less
- *   C.normal frequency            how often it rises through its mean per unit time, in the long run; returned only
- *                                 when one wave has a larger amplitude and slope than all others together
+ *   C.normal frequency            how often the force rises through its mean per unit time, in the long run; returned
+ *                                 only when one mode has a larger amplitude and slope than all others together
  * Mean, amplitude and frequency are also returned `in STAGE` for each stage in which the walls are at rest.
  *
  * Refuses scenes in which a contact opens, slips or closes. The error is due to the rotation of contacts, of the order
  * of overlap over radius. For nine discs it is 0.01 (overlap / radius) of the mean force and of the frequencies; in a
- * curve it grows from one oscillation to the next.
+ * curve this error grows from one oscillation to the next.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>

@@ -1,4 +1,5 @@
-/* Reference: touching discs between walls that approach slowly and then turn, with friction [CS79 16-19, figures 8, 9].
+/* Reference: touching discs between walls that approach slowly and then rotate, with friction
+ * [CS79 16-19, figures 8, 9].
  *
  * The network of springs (lattice_path.c) follows the path of the walls in equilibrium; contacts slide and stick again.
  *

@@ -2,7 +2,7 @@
  * contacts form a linear network [CS79 figures 5, 6].
  *
  * Returns the forces in equilibrium at the contact that C monitors, for the positions of the walls at the end:
- *   C.normal, C.shear              of the run;    if the walls are at rest then, also C.normal mean, C.shear mean
+ *   C.normal, C.shear              of the run;    if the walls are at rest at its end, also C.normal mean, C.shear mean
  *   C.normal, C.shear in STAGE     of a stage;    likewise
  *
  * For nine equal discs, each wall displaced inward by d, with r = k_s/k_n, the corner discs move by d_c along both

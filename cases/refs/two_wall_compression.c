@@ -1,7 +1,7 @@
 /* Reference: two discs in a row between two walls that approach with the speed v each: the first calculation cycles by
  * hand [CS79 1-7].
  *
-  * At t_0 discs and walls just touch, without forces. X_n and Y_n are the displacements of the discs x and y along the
+ * At t_0 discs and walls just touch, without forces. X_n and Y_n are the displacements of the discs x and y along the
  * row at t_n, in units of v dt. The overlaps at A (wall and x), B (x and y) and C (y and wall) in the same unit are
  *     a_n = n - X_n,    b_n = X_n - Y_n,    c_n = n + Y_n
  * With p = k_A dt^2/m_x, q = k_B dt^2/m_x, r = k_B dt^2/m_y, s = k_C dt^2/m_y the cycle is
@@ -13,7 +13,7 @@
  * Rounding occurs only when a polynomial is evaluated. A program that stores positions x differs by the relative error
  * rounding(x)/overlap.
  *
-  * Returns, for n = 1 ... 6 within the first undamped motion of the walls, for C that monitors a contact and D that
+ * Returns, for n = 1 ... 6 within the first undamped motion of the walls, for C that monitors a contact and D that
  * monitors a disc:
  *     C.normal, C.overlap at n cycles          k v dt a_n (or b_n, c_n) and v dt a_n
  *     D.fx, D.fy at n cycles                   the sum of forces (2)

@@ -1,16 +1,16 @@
 /* Reference: a particle without friction hits the end of a wall, which moves at a constant velocity.
  *
-  * In the frame that moves with the end the force is central: k (R - r) along r, the vector from the end to the centre.
+ * In the frame that moves with the end the force is central: k (R - r) along r, the vector from the end to the centre.
  * v is the relative speed, and the impact parameter b is the distance between the end and the line on which the centre
  * arrives. Energy and angular momentum give
  *
  *   r'^2 = v^2 (1 - b^2/r^2) - (k/m) (R - r)^2,          r^2 theta' = b v
  *
-  * r falls from R to r_0, where r' = 0, and rises again. During the contact the vector r turns by
+ * r falls from R to r_0, where r' = 0, and rises again. During the contact the vector r turns by
  *
  *   Theta = 2 integral from r_0 to R of (b v/r^2)/|r'| dr
  *
-  * When the particle leaves, the component of its velocity along r is reversed, and the one perpendicular to r is the
+ * When the particle leaves, the component of its velocity along r is reversed, and the one perpendicular to r is the
  * same as at first contact. The substitution r = r_0 + (R - r_0) s^2 removes the root of the integrand at r_0.
  *
  * Returns, after the contact:
