@@ -238,8 +238,8 @@ enum nb_status nb_machine_choose(struct nb_model *model, const struct nb_options
 
 /* machine.c: sets the rounding mode of this thread for a part of the cycle; part NULL: to nearest */
 void nb_rounding_set(const struct nb_rounding *rounding, const char *part);
-/* Called when a part of the cycle begins: changes the rounding mode if the options ask for it. part NULL: a part ends.
- * */
+/* Called when a part of the cycle begins: changes the rounding mode if the options ask for it. part NULL: a part
+ * ends. */
 static inline void nb_rounding_begin(const struct nb_rounding *rounding, const char *part) {
   if (rounding->mode != NB_TO_NEAREST)
     nb_rounding_set(rounding, part);

@@ -1,10 +1,11 @@
 /* The loading path (overlap against tangential displacement) that the exact law stores for a contact: corners, from the
- * centre outwards, joined by straight pieces. Symbols and units as in shear_mindlin_deresiewicz.c.
+ * centre outwards, joined by straight pieces. shear_mindlin_deresiewicz.c defines the symbols and their units.
  *
- * Merging two pieces keeps u at their outer ends and changes it between them by a triangle. An error e(x) of u changes
- * t by -Int e n'' dx, n'' = (3/4) x^(-1/2), so the cost of a merge is the area of the triangle over x^(1/2). When all
- * pieces are in use, the corner with the lowest cost is removed; the cost includes the errors of earlier merges in its
- * pieces. The u of a neighbouring corner then changes so that T is kept too, and the error stays within three pieces.
+ * A merge of two pieces keeps u at their outer ends; between these ends it adds a triangle to u(x). An error e(x) of u
+ * changes t by -Int e n'' dx with n'' = (3/4) x^(-1/2), so the cost of a merge is the area of the triangle over
+ * x^(1/2). When all pieces are in use, the corner with the lowest cost is removed. Its cost includes the errors of
+ * earlier merges in its two pieces. Then u of a neighbouring corner is changed so that T keeps its value too. The error
+ * of u is thus limited to three pieces.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_CORNERS_H
@@ -12,14 +13,14 @@
 
 #include "law.h"
 
-/* The inner end of piece k, and the line of the piece. The entry after the last piece is its outer end: x and u, with d
- * and b of that piece. */
+/* The corner at the inner end of a piece, and the straight line of the piece. The entry after the last piece has x and
+ * u of the outer end of that piece, and d and b of the piece. */
 struct corner {
-  double x, u, d, b; /* on the piece u grows by d per unit of x, and t = b + d n */
-  double e; /* twice the area by which merges have changed the path here; older merges count less: drop_corner */
+  double x, u, d, b; /* on the piece, u increases by d per unit of x, and t = b + d n */
+  double e;          /* twice the area by which merges have changed this piece; older merges count less: drop_corner */
 };
 
-/* Whether a path with |D| <= 1 leads from (x0, u0) to (x, u). */
+/* True if a path with |D| <= 1 leads from (x0, u0) to (x, u). */
 static inline bool reachable(double x0, double u0, double x, double u) { return fabs(u - u0) <= x - x0; }
 
 static inline double n_of(double x) { return x * sqrt(x); }
@@ -46,7 +47,7 @@ static inline double mean_n(double x0, double x1) {
   return sum > 0 ? 0.4 * ((a * a + b * b) * (a * a + a * b + b * b) - x0 * x1) / sum : 0;
 }
 
-/* The energy lost in rings that the slip front passes on its way inwards from y1, at the overlap x1, to y0, at x0:
+/* The energy lost while the slip front moves inwards from y1 to y0, and the overlap changes from x1 to x0:
  * Int n(x) - n(y) - n'(y)(x - y) dy, where x(y) is the overlap when the front is at y. */
 static inline double front_loss(double y0, double x0, double y1, double x1) {
   const double slope = (x1 - x0) / (y1 - y0), foot = x0 - slope * y0; /* x = foot + slope y */
@@ -61,7 +62,8 @@ static inline int corners_used(const double m[]) { return HEAD + 5 * ((int)m[0] 
 /* Excess of |D| over 1 that rounding may cause: a slope is a quotient of differences of sums. */
 static const double slope_rounding = 1e-9;
 
-/* Whether a row is consistent: corners in ascending order, and no ring beyond its friction limit, up to rounding. */
+/* True if a row is consistent: corners in ascending order, and no ring beyond its friction limit, except by
+ * rounding. */
 static inline bool corners_valid(const double m[], int doubles, int max_pieces) {
   const struct corner *at = (const struct corner *)(m + HEAD);
   bool is = doubles > HEAD && m[0] >= 1 && m[0] <= max_pieces && m[0] == floor(m[0]) && m[1] > 0;
@@ -71,7 +73,7 @@ static inline bool corners_valid(const double m[], int doubles, int max_pieces) 
   return is;
 }
 
-/* Removes corner k by merging its two pieces. Returns the change of t outside them. */
+/* Removes corner k by merging the two pieces that meet there. Returns the change of t outside these pieces. */
 static inline double merge(struct corner at[], int k, int pieces) {
   const struct corner one = at[k - 1], two = at[k], end = at[k + 1];
   const double x1 = two.x - one.x, x2 = end.x - two.x, d = (end.u - one.u) / (x1 + x2);
@@ -82,8 +84,8 @@ static inline double merge(struct corner at[], int k, int pieces) {
   return at[k - 1].b - two.b + (d - two.d) * n_of(end.x);
 }
 
-/* Changes u of corner k so that t outside piece k grows by `more`. False, without a change, if a ring would exceed its
- * friction limit. */
+/* Changes u of corner k so that t outside piece k increases by `more`. Returns false and changes nothing if a ring
+ * would exceed its friction limit. */
 static inline bool shift_corner(struct corner at[], int k, double more) {
   const double x1 = at[k].x - at[k - 1].x, x2 = at[k + 1].x - at[k].x;
   const double n0 = n_of(at[k - 1].x), n1 = n_of(at[k].x), n2 = n_of(at[k + 1].x);
@@ -96,10 +98,10 @@ static inline bool shift_corner(struct corner at[], int k, double more) {
   return true;
 }
 
-/* Removes the corner with the lowest cost and moves a neighbour, so that delta and T keep their values. Earlier
- * errors count three quarters at each merge. Counting all of them keeps corners among old pieces where new ones need
- * them; counting none merges the same pieces again and again. With 64 pieces those choices give errors of 2.3e-4 and
- * 4e-4 mu N in decaying oscillations. */
+/* Removes the corner with the lowest cost and moves a neighbouring corner, so that delta and T keep their values. At
+ * each merge the earlier errors are multiplied by three quarters. If they were kept in full, old pieces would keep
+ * corners that new pieces need. If they were set to 0, the same pieces would be merged again and again. With 64 pieces
+ * these two choices give errors of 2.3e-4 and 4e-4 mu N in decaying oscillations. */
 static NB_COLD void drop_corner(struct corner at[], int pieces) {
   int k = 1;
   double lowest = INFINITY;

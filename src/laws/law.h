@@ -4,11 +4,11 @@
  *   struct nb_normal normal_NAME(struct nb_pair p, double overlap, double dn, double m[])
  *   struct nb_shear  shear_NAME(struct nb_pair p, struct nb_normal n, double ds, double m[])
  *
- * overlap is never negative. It is 0 without contact; force and stiffness must then be 0. A law with plastic flow may
- * have no force at an overlap smaller than an earlier one; the stable step uses the greatest stiffness that can follow
- * (measure/stable_step.c). dn and ds are the normal and tangential increments of this step, m. m is the history of this
- * contact, as many doubles as the law declares, 0 at first touch; the law updates it for the next step. Forces are
- * elastic; dashpots are added later, from the stiffnesses returned here.
+ * overlap, m, is never negative. It is 0 without contact; force and stiffness must then be 0. With plastic flow the
+ * force may be 0 while particles overlap, if the overlap was larger before; the stable step uses the greatest stiffness
+ * that can follow (measure/stable_step.c). dn and ds are the normal and tangential increments of this step, m. m is the
+ * history of this contact: as many doubles as the law declares, 0 at first touch. The law updates them for the next
+ * step. Forces are elastic; the dashpots are added later, from the stiffnesses that the laws return.
  *
  * Straight-line laws, which have no branches, use only + - x / sqrt fabs copysign, ?: and nb_where, so that the
  * compiler vectorises their loop.
@@ -22,8 +22,8 @@
 
 #include "core/block.h"
 
-/* x where the condition holds, else 0: the bits of x and those of a mask. Where several `?:` depend on each other, gcc
- * computes every combination of their cases. The mask is a double, so that SSE2 vectorises the comparison. */
+/* x if the condition holds, else 0: the bitwise `and` of x and a mask. If several `?:` depended on each other, gcc
+ * would compute every combination of their cases. The mask is a double, so that SSE2 vectorises the comparison. */
 static inline double nb_where(bool condition, double x) {
   union {
     int64_t bits;
@@ -38,8 +38,8 @@ struct nb_normal {
   double stiffness; /* dF_n/d(overlap) in the direction of this step, N/m; 0 without force */
   double radius;    /* a, radius of the contact circle, m; 0 for laws without one */
   double overlap;   /* alpha, the argument, for shear laws, m; normal laws need not set it */
-  /* The greatest slope that can follow at this overlap, N/m; 0: the stiffness. It must be the last member: before
-   * those that shear laws read it makes R89's laws 1.6 times slower. */
+  /* The greatest slope of the force that can follow at this overlap, N/m; 0: equal to `stiffness`. This member must be
+   * the last one: if it came before members that shear laws read, R89's laws would be 1.6 times slower. */
   double max_stiffness;
 };
 
@@ -47,7 +47,7 @@ struct nb_shear {
   double force;      /* F_s, with the sign of the displacement that caused it, N */
   double stiffness;  /* dF_s/ds while sticking, N/m; 0 without contact */
   double sliding;    /* 1 when the force is at its limit, else 0 */
-  double dissipated; /* by micro-slip and sliding in this step, J; of laws that declare DISSIPATIVE */
+  double dissipated; /* energy lost to micro-slip and sliding in this step, J; only laws that declare DISSIPATIVE */
 };
 
 /* An entry of the register; law_batch.h defines it. */
@@ -56,29 +56,29 @@ struct nb_law {
   const char *name;       /* "linear" */
   const char *title;      /* one line for `nineball laws` */
   const char *source;     /* equation tags */
-  const char *parameters; /* material properties that its force depends on: "ks, friction, cohesion" */
-  int history;            /* doubles per contact, besides those of the pieces: */
-  int piece, pieces;      /* doubles for each piece, and the number of pieces unless the page gives another */
-  unsigned needs;         /* set of fields that it reads, besides overlap, normal force and normal stiffness */
+  const char *parameters; /* material properties on which the force depends: "ks, friction, cohesion" */
+  int history;            /* doubles per contact, without those of the pieces */
+  int piece, pieces;      /* doubles for each piece; default number of pieces */
+  unsigned needs;         /* set of fields that the law reads besides overlap, normal force and normal stiffness */
   bool elastic;           /* for elastic spheres: uses E*, G* and R* instead of k_n and k_s */
   bool branching;         /* has loops or calls: its loop need not vectorise */
   bool cohesionless;      /* does not support cohesion: a page with some is invalid */
-  bool dissipative;       /* dissipates energy before gross sliding, and returns how much */
+  bool dissipative;       /* dissipates energy before gross sliding, and returns this energy */
   bool non_conservative;  /* may create energy in a closed path; its file says how much */
-  /* Adds to the previous force: its stiffness is that of the next step, and the force may be 0 although the particles
-   * overlap. */
+  /* Adds an increment to the previous force: the returned stiffness is the one of the next step, and the force may be 0
+   * although the particles overlap. */
   bool incremental;
-  nb_run_pass *run[NB_ISAS]; /* for a block */
+  nb_run_pass *run[NB_ISAS]; /* the law's loop over a block, for each instruction set */
   /* The law itself, for contact tests, the stable step, energies and unit tests. */
   struct nb_normal (*normal)(struct nb_pair, double overlap, double dn, double m[]);
   struct nb_shear (*shear)(struct nb_pair, struct nb_normal, double ds, double m[]);
   double (*stored)(struct nb_pair, struct nb_normal, const double m[]); /* elastic energy, J; NULL: none defined */
-  int (*used)(const double m[]); /* doubles in use in a contact's row; NULL: all */
-  /* Whether these doubles, read from a file, are a valid row with at most that many pieces. NULL: any row of the
-   * declared length is. */
+  int (*used)(const double m[]); /* number of doubles in use in a contact's row; NULL: all */
+  /* True if these doubles, read from a file, are a valid row with at most `pieces` pieces. NULL: any row of the
+   * declared length is valid. */
   bool (*valid)(const double m[], int doubles, int pieces);
-  /* The pieces of a contact's history, for contact tests: up to p.pieces overlaps x, m, ascending to alpha, and D of
-   * the piece that ends there, 1. Returns their number; NULL: the law has no pieces. */
+  /* For contact tests: sets x to the overlaps at which the pieces of a contact's history end, m, ascending to alpha,
+   * and d to D of each piece, 1. Returns the number of pieces, at most p.pieces. NULL: the law has no pieces. */
   int (*pieces_of)(struct nb_pair, struct nb_normal, const double m[], double x[], double d[]);
 };
 
@@ -87,11 +87,11 @@ static inline double nb_normal_max_stiffness(struct nb_normal n) {
   return n.max_stiffness > n.stiffness ? n.max_stiffness : n.stiffness;
 }
 
-/* The number of pieces: the page's, or the law's default where that is 0. */
+/* The number of pieces: `given`, from the page, or the law's default if that is 0. */
 static inline double nb_law_pieces(const struct nb_law *law, double given) {
   return !law || law->piece == 0 ? 0 : given > 0 ? given : law->pieces;
 }
-/* Doubles of history per contact of such a pair; 0 for no law. */
+/* Number of doubles of history per contact of a material pair; 0 if `law` is NULL. */
 static inline int nb_law_history(const struct nb_law *law, struct nb_pair p) {
   return law ? law->history + law->piece * (int)p.pieces : 0;
 }
@@ -101,7 +101,7 @@ static inline int nb_law_history(const struct nb_law *law, struct nb_pair p) {
 const struct nb_law *nb_law_find(const char *kind, const char *name); /* "normal", "linear"; NULL: no such law */
 const struct nb_law *const *nb_laws(void);                            /* NULL-terminated */
 
-/* properties.c */
+/* properties.c: contact parameters of two materials at time 0 */
 struct nb_pair nb_scene_pair(const struct nb_scene *scene, int material_a, int material_b);
 
 #endif

@@ -1,27 +1,27 @@
 /* The loop of a law over a block, for each instruction set, and its entry in the register. The last line of a law's
  * file includes this file, after the definitions
  *
- *   #define LAW     shear_linear            its function, and the name of its file
+ *   #define LAW     shear_linear            name of the law's function and of its file
  *   #define SHEAR   or  #define NORMAL      the kind of law
  *   #define TITLE   "..."                   one line
- *   #define SOURCE  "[CS79 17-19]"          where the equations come from
- *   #define PARAMETERS "ks, friction"       material properties that its force depends on; young, poisson: E* and G*
+ *   #define SOURCE  "[CS79 17-19]"          source of the equations
+ *   #define PARAMETERS "ks, friction"       properties on which the force depends; young, poisson: E* and G*
  *   #define HISTORY 1                       doubles of history per contact
- *   #define PIECE   4, #define PIECES  16   doubles for each piece of the history, and the number of pieces (optional)
+ *   #define PIECE   4, #define PIECES  16   doubles for each piece of the history; default number of pieces (optional)
  *   #define NEEDS   NB_BIT(NB_NORMAL_INCREMENT)   fields that it reads besides those every law gets (optional)
- *   #define STORED  shear_linear_stored     its elastic energy (optional)
- *   #define ELASTIC                         for elastic spheres: p.young, p.shear and p.radius (optional)
- *   #define DISSIPATIVE                     returns the energy lost to micro-slip (optional)
+ *   #define STORED  shear_linear_stored     function that returns the stored elastic energy, J (optional)
+ *   #define ELASTIC                         for elastic spheres: reads p.young, p.shear and p.radius (optional)
+ *   #define DISSIPATIVE                     returns the energy lost to micro-slip and sliding (optional)
  *   #define COHESIONLESS                    does not support cohesion (optional)
- *   #define PREFETCH  ..._prefetch          prefetches the part of a row that it will read (optional)
- *   #define USED  ..._used                  returns the number of doubles in use in a row (optional)
- *   #define VALID ..._valid                 returns whether doubles from a file are a valid row (optional)
- *   #define PIECES_OF  ..._pieces           returns the pieces of its history (optional)
+ *   #define PREFETCH  ..._prefetch          function that prefetches the part of a row which the law reads (optional)
+ *   #define USED  ..._used                  function that returns the number of doubles in use in a row (optional)
+ *   #define VALID ..._valid                 function that tests whether doubles from a file are a valid row (optional)
+ *   #define PIECES_OF  ..._pieces           function that returns the pieces of a history (optional)
  *   #define STAGED                          split into three functions, see law_stages.h (optional; for laws with rows)
  *   #define BRANCHING, NON_CONSERVATIVE, INCREMENTAL   (optional, see law.h)
  *
- * A law with more than four doubles of history finds m[0] = 0 when the history is empty; the others are then undefined.
- * Such a law is not called without contact.
+ * If a law has more than four doubles of history, m[0] is 0 when the history is empty, and the other doubles are then
+ * undefined. Such a law is not called without contact.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 
@@ -52,7 +52,8 @@
 #ifdef STAGED
 #include "law_stages.h"
 #else
-/* `counts`: stores the energy lost. That is a second loop, because few runs need it and it may be expensive. */
+/* `counts`: the loop also stores the energy lost. The compiler makes two loops, because few runs need this energy and
+ * its computation may be expensive. */
 static inline NB_FORM void LAW_LOOP(const struct nb_block *block, bool counts) {
   (void)counts;
   /* A material pair begins with its parameters. */

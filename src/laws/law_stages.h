@@ -1,6 +1,7 @@
-/* The loop of a law in three stages, for a law with a long row of history per contact. Reading and writing the row
- * needs branches, the computation between does not. Each stage is a loop over as many contacts as fit into the
- * first-level cache with their rows, so that the middle loop vectorises. The law's file defines
+/* The loop of a law in three stages, for a law with a long row of history per contact. The first stage reads the row
+ * and the third one writes it; both need branches. The second stage, the computation, needs none, so its loop
+ * vectorises. Each stage is a loop over as many contacts as fit into the first-level cache with their rows. The law's
+ * file defines
  *
  *   #define STAGED
  *   #define FETCHED  struct fetched         of doubles: what the first stage reads from the row
@@ -8,10 +9,10 @@
  *
  *   FETCHED         LAW_fetch(p, n, m)
  *   struct nb_shear LAW_solve(p, n, ds, fetched, &solved)               straight-line (law.h); does not set `sliding`
- *   void            LAW_store(p, n, ds, m, solved, &out, counts)        may set it and replace the force; if `counts`,
- *                                                                       computes the energy lost
+ *   void            LAW_store(p, n, ds, m, solved, &out, counts)        may set out.sliding and replace out.force; if
+ *                                                                       `counts`, computes the energy lost
  *
- * and no function LAW, which is the three in sequence.
+ * This file defines the function LAW, which calls the three in sequence.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 
@@ -26,7 +27,7 @@ static struct nb_shear LAW(struct nb_pair p, struct nb_normal n, double ds, doub
   return out;
 }
 
-/* In a block, a struct of doubles is stored as one array per member, so that the middle loop vectorises. */
+/* In a block, a struct of doubles is stored as one array per member, so that the second loop vectorises. */
 enum {
   LAW_STAGE = 32, /* contacts; more would not fit into the first-level cache */
   LAW_FETCHED = sizeof(FETCHED) / sizeof(double),

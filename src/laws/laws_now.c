@@ -1,7 +1,7 @@
 /* The current contact laws: those of the scene, until a stage changes them.
  *
- * A new law starts with an empty contact history, because it cannot interpret that of another law. A different number
- * of pieces counts as a new law. A law that a stage repeats unchanged keeps its history.
+ * A new law starts with an empty contact history, because it cannot interpret the history of another law. A different
+ * number of pieces counts as a new law. If a stage names the current law again, the law keeps its history.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -40,7 +40,7 @@ bool nb_laws_shear(const struct nb_scene *scene) {
   return shear;
 }
 
-/* A stage may give friction or cohesion to contacts that had none. */
+/* True if some stage sets a friction or a cohesion above 0. */
 static bool friction_later(const struct nb_scene *scene) {
   for (size_t s = 0; s < scene->stage_count; s++)
     for (size_t k = 0; k < scene->stages[s].change_count; k++)

@@ -8,25 +8,28 @@
 #include "law.h"
 
 struct nb_active_laws nb_laws_initial(const struct nb_scene *scene);
-struct nb_active_laws nb_laws_of(const struct nb_stage *stage, struct nb_active_laws before); /* from that stage on */
-/* Whether the law changes at the next force calculation, which then discards its history. */
+/* The laws of a stage; `before` are those of the previous stage. */
+struct nb_active_laws nb_laws_of(const struct nb_stage *stage, struct nb_active_laws before);
+/* True if the normal or the shear law changes at the next force calculation, which then discards its history. */
 bool nb_laws_normal_changes(const struct nb_model *model);
 bool nb_laws_shear_changes(const struct nb_model *model);
 bool nb_laws_elastic(const struct nb_scene *scene);  /* in some stage the normal law is for elastic spheres */
 bool nb_laws_shear(const struct nb_scene *scene);    /* in some stage there is a shear law */
 bool nb_laws_friction(const struct nb_scene *scene); /* in some stage some contact has friction or cohesion */
-/* The first law without stored energy that a stage brings in: by a change of law, or by friction for contacts that had
- * none. NULL: none. */
+/* The first law without stored energy that a stage makes active: by a change of the law, or by friction or cohesion for
+ * contacts that had none. NULL: no stage does. */
 const struct nb_law *nb_laws_unstored(const struct nb_scene *scene, bool normal);
 void nb_laws_change(struct nb_model *model); /* makes the next laws the current ones */
 
 /* properties.c */
-bool nb_properties_create(struct nb_properties *now, const struct nb_scene *scene); /* at time 0 */
+/* Sets the properties at time 0. False: out of memory. */
+bool nb_properties_create(struct nb_properties *now, const struct nb_scene *scene);
 void nb_properties_free(struct nb_properties *now);
 struct nb_pair nb_properties_pair(const struct nb_properties *now, int material_a, int material_b);
-/* The current values of the material or pair that the change refers to. */
+/* The current values of the material or the pair that the change will change. */
 struct nb_pair nb_properties_before(const struct nb_properties *now, const struct nb_change *change);
-/* Sets these values to a fraction (0 to 1) of the way from `from` to those of the change. */
+/* Sets these values between `from`, at fraction 0, and the values of the change, at fraction 1, by linear
+ * interpolation. */
 void nb_properties_change(struct nb_properties *now, const struct nb_change *change, struct nb_pair from,
                           double fraction);
 

@@ -5,7 +5,7 @@
  *   E*, R*  1/E* = (1 - nu_x^2)/E_x + (1 - nu_y^2)/E_y, Pa;  1/R* = 1/R_x + 1/R_y, m
  *
  * Source     [R89 3.13]; a from [R89 3.12]; dN/d(alpha) = 2 E* a [R89 3.15]. The force is a function of the overlap, so
- *            it does not drift; the increments that R89 coded are normal_hertz_increment.
+ *            it does not drift. R89 coded increments of the force: normal_hertz_increment.c.
  * Range      smooth elastic spheres with a small compared with R*: overlaps below 7 % of the smaller diameter
  *            [R89 sec. 6.4.3].
  * History    none.

@@ -4,22 +4,24 @@
  *   a       radius of the contact circle, m, from the force before the step: forward Euler in N(alpha)
  *   E*, R*  as in normal_hertz.c
  *
- * Without a previous force there is no radius, and the first force is  N = (4/3) E* (R* dn^3)^(1/2)  [R89 4.11].
+ * At first touch a is 0, so the first force is  N = (4/3) E* (R* dn^3)^(1/2)  [R89 4.11].
  *
- * Source     [R89 4.11, 4.12, 4.14]. The returned stiffness 2 E* a is that of the next step, with the new a; R89's
- *            dashpot [R89 4.13] uses the a before the step, which is equal to first order.
- * Order      first, with an error of one sign: dn at the old radius is too little while N grows and too much while it
- *            falls. An impact rebounds with 0.971, 0.975 and 0.978 of its speed at 30, 35 and 40 steps per collision
- *            (cases/2-hertz/hertz-increment.md), and the force ends while a tenth of the largest overlap is left.
+ * Source     [R89 4.11, 4.12, 4.14]. The returned stiffness 2 E* a uses the new a, which the next step reads. R89's
+ *            dashpot [R89 4.13] uses the a before the step; the two agree to first order.
+ * Order      first, with an error of one sign: the increment at the old radius is too small while N increases, and too
+ *            large while N decreases. After an impact the sphere has 0.971, 0.975 and 0.978 of its speed at 30, 35 and
+ *            40 steps per collision (cases/2-hertz/hertz-increment.md), and the force ends while the overlap is still a
+ *            tenth of its largest value.
  * Separation when N <= 0, and then "the contact data is set to zero" (4.3.1): N, a, and the history of the shear law.
  *            The particles may still overlap; R89's [4.11] would then need the root of a negative number.
- *            Interpretation here: no force while they separate, and a new first touch, by 4.11, if they approach again
- *            before the overlap has ended. An overlap at time 0 was never an increment and causes no force.
- * Range      as normal_hertz.c.
+ *            Interpretation in this file: there is no force while the particles separate. If they approach again before
+ *            the overlap has ended, that is a new first touch, by 4.11. An overlap at time 0 causes no force, because
+ *            it was never an increment.
+ * Range      as in normal_hertz.c.
  * History    m[0]  N of the previous step, N.
- * Stores     (2/5) N a^2/R*, the energy of Hertz's contact at the force N. No step returns more energy than it takes
- *            from the store: with the mean of N over the step the work exceeds the stored energy by a second-order
- *            term, on loading and unloading.
+ * Stores     (2/5) N a^2/R*, the energy of Hertz's contact at the force N. No step creates energy: the work of the mean
+ *            of N over the step exceeds the change of the stored energy by a second-order term, on loading and on
+ *            unloading.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "law.h"

@@ -3,9 +3,9 @@
  *   alpha   overlap, m, >= 0
  *   k_n     normal stiffness of the pair, N/m
  *
- * Source     [CS79 16, 18], which add dF_n = k_n dn in each step. This is their sum. For a contact of constant
- *            direction the two agree to rounding; with a rotating direction the increments leave a force behind when
- *            the discs separate, the sum does not.
+ * Source     [CS79 16, 18]. CS79 adds dF_n = k_n dn in each step; this law is the sum of these increments. If the
+ *            direction of the contact is constant, sum and increments agree except for rounding. If it rotates, the
+ *            increments leave a force when the discs separate; the sum leaves none.
  * Range      any overlap; the paper requires overlaps that are small compared with the discs.
  * History    none.
  * Stores     F_n^2 / (2 k_n).

@@ -1,4 +1,4 @@
-/* The current materials and pairs: those of the scene at time 0, with the changes of stages since.
+/* The current materials and pairs: those of the scene at time 0, with all changes that stages have made.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -6,12 +6,13 @@
 
 #include "laws_now.h"
 
-/* Two springs in series, each half of the contact: 2ab/(a+b), which is k for equal ones and 0 if one is 0. */
+/* The stiffness of two springs in series, 2a and 2b, one for each side of the contact, N/m: 2ab/(a+b). It is a if a =
+ * b, and 0 if one of them is 0. */
 static double series(double a, double b) { return a == b ? a : 2 * a * b / (a + b); }
 
 static double smaller(double a, double b) { return a < b ? a : b; }
 
-/* (2 - nu)/G, with G = E/(2(1 + nu)); 1/Pa [R89 4.9, 4.10] */
+/* (2 - nu)/G with the shear modulus G = E/(2(1 + nu)), 1/Pa [R89 4.9, 4.10]. */
 static double shear_compliance(const struct nb_material *a) {
   return 2 * (1 + a->poisson) * (2 - a->poisson) / a->young;
 }
@@ -20,7 +21,7 @@ static bool matches(const struct nb_pair_rule *rule, int a, int b) {
   return (rule->a == a && rule->b == b) || (rule->a == b && rule->b == a);
 }
 
-/* The value of a rule where it has one, otherwise the combined value. */
+/* The number of a rule of a pair; the combined value `otherwise` if the rule gives none. */
 static double given(double number, double otherwise) { return isnan(number) ? otherwise : number; }
 
 static struct nb_pair pair_of(const struct nb_material *materials, const struct nb_pair_rule *rules, size_t rule_count,
@@ -89,8 +90,8 @@ struct nb_pair nb_properties_before(const struct nb_properties *now, const struc
 #undef ROW
 }
 
-/* The rule of a pair; a new one without values if there was none. nb_properties_create has allocated enough for all
- * stages. */
+/* The rule of a pair. If there is none, adds a rule without values; nb_properties_create has allocated enough of them
+ * for all stages. */
 static struct nb_pair_rule *rule_of(struct nb_properties *now, int a, int b) {
   for (size_t i = 0; i < now->rule_count; i++)
     if (matches(&now->rules[i], a, b))
@@ -102,7 +103,7 @@ static struct nb_pair_rule *rule_of(struct nb_properties *now, int a, int b) {
   return rule;
 }
 
-/* At fraction 1 the value is exactly the page's number. */
+/* Interpolates linearly, so that the value at fraction 1 is exactly the number of the page. */
 static void interpolate(double *value, double from, double to, double fraction) {
   if (!isnan(to))
     *value = fraction < 1 ? from + (to - from) * fraction : to;

@@ -9,9 +9,9 @@
 
 #include "law.h"
 
-/* x^(1/3), within two units of the last place. It uses only + - x / and is the same on all machines; library functions
- * cbrt round differently. The start value, from the exponent, has an error of at most 3 %; Halley's step turns a
- * relative error e into (2/3) e^3. */
+/* x^(1/3), within two units of the last place. The function uses only + - x / and returns the same bits on all
+ * machines, whereas the functions cbrt of different libraries round differently. The start value, from the exponent,
+ * has an error of at most 3 %; each step of Halley's method changes a relative error e to (2/3) e^3. */
 static inline double cube_root(double x) {
   const double size = fabs(x);
   uint64_t bits;
@@ -24,12 +24,12 @@ static inline double cube_root(double x) {
   return size > 0 ? copysign(y, x) : 0;
 }
 
-/* x CDF or x UFL, the signs of shear_randall.c. `back`: the sign is -1. */
+/* x times a sign, CDF or UFL of shear_randall.c. `back`: the sign is -1. */
 static inline double flip_if(bool back, double x) { return back ? -x : x; }
 
-/* theta = c/a, c the radius of the stick region, after a change of T by `force` in virgin loading (times = 1, [R89
- * 4.22]) or since the last reversal (times = 2, [R89 4.23, 4.24]). `force` is this change before the step, N; `rise`
- * is mu dN of the step, N; `limit` is mu N after the step, N. */
+/* theta = c/a; c is the radius of the stick region and a that of the contact circle, m. `force` is the change of T
+ * before the step, N: since the beginning of virgin loading (times = 1, [R89 4.22]), or since the last reversal (times
+ * = 2, [R89 4.23, 4.24]). `rise` is mu dN of the step, N; `limit` is mu N after the step, N. */
 static inline double stuck_fraction(double force, double times, double rise, double limit) {
   return cube_root(1 - (force + times * rise) / (times * limit));
 }

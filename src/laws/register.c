@@ -1,5 +1,5 @@
-/* The register of laws. The build makes laws-register.h from LAWS in build-aux/lists.mk, one line NB_LAW(normal_linear)
- * for each.
+/* The register of laws. The build makes laws-register.h from LAWS in build-aux/lists.mk, with one line such as
+ * NB_LAW(normal_linear) for each law.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>

@@ -7,8 +7,8 @@
  *   c         the smaller cohesion, N; it increases the shear limit of a compressed contact and causes no attraction
  *   F_n       the elastic normal force, without dashpots
  *
- * Source     [CS79 17-19]. The limit keeps the sign of the force.
- * Range      any.
+ * Source     [CS79 17-19]. A force beyond the limit is reduced to the limit and keeps its sign.
+ * Range      any displacement.
  * History    m[0]  F_s, N.
  * Stores     F_s^2 / (2 k_s).
  *

@@ -8,13 +8,14 @@
  *
  * Source     the stiffness of a contact that sticks everywhere [R89 3.27; 3.94 with theta = 1], with Coulomb's limit
  *            for the whole contact. Widely used; it neglects the slip that begins at the edge.
- * Order      exact at constant N. While N changes, using the radius at the end of the step makes it first order in the
- *            step: the error of T is half a step of 8 G* Int (da/dt) ds.
- * Range      as normal_hertz.c.
+ * Order      exact at constant N. While N changes, the law is of first order in the step, because it uses the radius at
+ *            the end of the step: the error of T is half a step of 8 G* Int (da/dt) ds.
+ * Range      as in normal_hertz.c.
  * History    m[0]  T, N.
- * Creates    energy, because T is kept when N falls, although a part of the contact area that carried it has separated.
- *            In the cycle N up to the radius a2, displacement s, N down to the radius a1, displacement -s, the work is
- *            -4 G* (a2 - a1) s^2 (cases/4-oblique/closed-squares.md). So it has no stored energy.
+ * Creates    energy, because T is kept when N falls, although a part of the contact area that carried T has separated.
+ *            In the cycle "N increases up to the radius a2, displacement s, N decreases down to the radius a1,
+ *            displacement -s" the work is -4 G* (a2 - a1) s^2 (cases/4-oblique/closed-squares.md). So the law has no
+ *            stored energy.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "law.h"

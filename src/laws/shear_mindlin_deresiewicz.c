@@ -6,42 +6,42 @@
  *   N(x)      N (x/alpha)^(3/2), Hertz's force at the overlap x; N the present normal force, in newtons
  *   delta     tangential displacement since the last gross sliding, m;  T  shear force, in newtons
  *   E*, G*    effective moduli, Pa: normal_hertz.c, shear_mindlin.c
- *   D(x)      of the ring that joined the contact at the overlap x: its traction as a fraction of the friction limit; 1
- *             or -1 where it has slipped
+ *   D(x)      traction of the ring that joined the contact at the overlap x, as a fraction of its friction limit; 1 or
+ *             -1 in a ring that has slipped
  *   mu        the smaller friction of the two materials, 1
  *
  * D is piecewise constant: delta(x) = mu kappa Int_0^x D is a polygonal path, the shortest loading path that leads to
- * the present state of the contact. A step to a new alpha and delta keeps those corners k, at x_k and delta_k, from
- * which a path with |D| <= 1 leads there:
+ * the present state of the contact. A step to a new alpha and delta keeps each corner k, at x_k and delta_k, from which
+ * a path with |D| <= 1 leads to the new state:
  *
  *   |delta - delta_k| <= mu kappa (alpha - x_k)
  *
- * If the last corner is kept, a new ring sticks, with D = d(delta)/(mu kappa d(alpha)). If an inner one is the last
- * kept, the path continues from it on its old piece up to the slip front c, and from c to alpha with D = s, s = 1 or
- * -1: those rings have slipped. If none is kept, not even the one at 0, the contact slides. The result does not depend
- * on the step size: a step is exact where (alpha, delta) moves on a straight line, and so is a path of as many segments
- * as there are pieces.
+ * If the last corner is kept, a new ring sticks, with D = d(delta)/(mu kappa d(alpha)). If only inner corners are kept,
+ * the path continues from the outermost of them on its old piece up to the slip front c, and from c to alpha with D =
+ * s, s = 1 or -1: the rings outside c have slipped. If no corner is kept, not even the one at 0, the contact slides.
+ * The result does not depend on the step size: a step is exact if (alpha, delta) moves on a straight line. A path of
+ * straight segments is exact as long as there are enough pieces for its segments.
  *
- * A new piece is merged with the one before it, with delta kept, if this changes T by less than 1e-7 mu N. Where delta
- * is below a hundredth of the delta at which the contact slides, that limit decreases in proportion to delta. When all
- * pieces are in use, two others are merged (corners.h). In contacts with decaying oscillations of 20 to 3000 reversals
- * the measured error of T is at most 1.2e-4 mu N with 64 pieces, the default (docs/CONTACT.md). The change of the
- * stored energy by a merge counts as loss; it may be negative.
+ * A new piece is merged with the piece before it, without a change of delta, if the merge changes T by less than 1e-7
+ * mu N. If delta is below a hundredth of the delta at which the contact slides, this limit decreases in proportion to
+ * delta. When all pieces are in use, two other pieces are merged (corners.h). In contacts with decaying oscillations of
+ * 20 to 3000 reversals the measured error of T is at most 1.2e-4 mu N with 64 pieces, the default (docs/CONTACT.md).
+ * The decrease of the stored energy by a merge counts as energy lost; it may be negative.
  *
- * Stores     Int_0^alpha T(x) d(delta). The tractions are a sum of flat punches of radius a(x), each displaced
- *            by d(delta)(x), with forces 8 G* a(x) d(delta). A punch of radius a(x) displaces the whole area of a
- *            smaller one, at y, by its d(delta). So by reciprocity the interaction energy of the two is the force of
- *            the smaller one times that displacement: U = Int d(delta)(x) Int_(y < x) 8 G* a(y) d(delta)(y), where the
- *            inner integral is T(x).
+ * Stores     Int_0^alpha T(x) d(delta). The tractions are a sum of flat punches of radius a(x), each displaced by
+ *            d(delta)(x), with the force 8 G* a(x) d(delta). A punch of radius a(x) displaces the whole area of a
+ *            smaller punch, with the radius a(y), by its d(delta). So by reciprocity the interaction energy of the two
+ *            punches is the force of the smaller one times the displacement of the larger one: U = Int d(delta)(x)
+ *            Int_(y < x) 8 G* a(y) d(delta)(y), where the inner integral is T(x).
  * Dissipates a slip front that advances inwards from c to c - dc takes d(delta) = mu kappa (1 - s D) dc. Of its work
  *            T d(delta), mu^2 kappa (1 - s D) [N(alpha) - N(c) - N'(c)(alpha - c)] dc  is not stored. Sliding
- *            dissipates mu N times displacement. Both use alpha at the time when the front passes, so the sum is exact
- *            on a straight segment without a reversal.
+ *            dissipates mu N times the displacement. Both terms use alpha at the time when the front passes c, so their
+ *            sum is exact on a straight segment without a reversal.
  * Source     Jaeger (1993-1998); Aleshin, Bou Matar and Van Den Abeele (2015). All cases of Mindlin and Deresiewicz
  *            (1953) follow: [R89 3.25, 3.40, 3.50, 3.94].
- * Range      slip along one line; no coupling of normal and tangential motion; friction limits the traction, so no
- *            cohesion. When the friction changes, the path of the pieces is computed again; no ring slips where the
- *            friction grows.
+ * Range      slip along one line; no coupling of normal and tangential motion. No cohesion, because friction alone
+ *            limits the traction. When the friction changes, the path of the pieces is computed again; an increase of
+ *            the friction makes no ring slip.
  * History    in variables that do not contain mu, E* and N. x stands for x R*, the square of a radius, m2;
  *            n = x^(3/2), m3; u = R* delta/(mu kappa), m2; t = Int D dn, m3, so that T/mu N = t/n at alpha
  *            m[0]  number of pieces; 0: none;  m[1]  mu kappa of these pieces
@@ -53,8 +53,8 @@
 #include "corners.h"
 
 /* Two pieces are merged if u changes by at most merge_tolerance x; T then changes by at most 1.5 mu N merge_tolerance.
- * Where |u| is below small_fraction x, T is far below mu N, and |u|/small_fraction replaces x. The replacement is never
- * smaller than least_fraction x. */
+ * If |u| is below small_fraction x, T is far below mu N, and |u|/small_fraction replaces x, but never a value smaller
+ * than least_fraction x. */
 static const double merge_tolerance = 1e-7 / 1.5, small_fraction = 1e-2, least_fraction = 1e-15;
 /* Upper limit of the ratio of old to new friction, so that its square stays finite. The contact slides in any case. */
 static const double max_friction_ratio = 1e150;
@@ -68,15 +68,15 @@ static inline double merge_limit(double x, double u1, double u2) {
 static inline double mu_kappa(struct nb_pair p) { return p.friction * p.young / (4 * p.shear); }
 static inline double u_increment(struct nb_pair p, double ds) { return ds * p.radius * (1 / mu_kappa(p)); }
 
-/* A friction whose inverse overflows counts as none. */
+/* True if there is friction. A friction so small that its inverse overflows counts as 0. */
 static inline bool has_friction(struct nb_pair p) { return mu_kappa(p) >= DBL_MIN; }
 
-/* No shear force without friction, nor where the normal force is 0 although the particles overlap. */
+/* True if the contact can have a shear force: it has friction, and the normal force is above 0. */
 static inline bool can_slide(struct nb_pair p, struct nb_normal n) {
   return has_friction(p) && n.radius * n.radius * n.radius > 0;
 }
 
-/* The outermost corner that is kept in a step to an overlap x and a displacement u: the new piece begins there. */
+/* The outermost corner that is kept in a step to an overlap x and a displacement u. The new piece begins there. */
 struct base {
   double k;          /* index of the new piece; below 0: not found yet */
   double x, u, d, b; /* the corner */
@@ -85,13 +85,13 @@ struct base {
 
 /* The new piece, and u at its end. */
 struct piece {
-  double k; /* below 0: general case, because the piece may vanish by rounding, or be merged */
+  double k; /* index of the piece; below 0: general case, because the piece may vanish by rounding, or be merged */
   double x, u, d, b, end;
 };
 
 static inline NB_FORM struct piece new_piece(struct base at, bool sticks, double x, double u) {
   const double h = x - at.x, wanted = u - at.u, s = copysign(1, wanted - at.d * h);
-  const double v = fabs(wanted) > h ? s * h : wanted; /* beyond it the contact slides */
+  const double v = fabs(wanted) > h ? s * h : wanted; /* beyond h the contact slides */
   const double part = (sticks ? v : h - s * v) / (sticks ? h : 1 - s * at.d), in = at.x + part;
   const double d = sticks ? part : s, c = sticks ? at.x : in < x ? in : x;
   const double x1 = c - at.from, x2 = x - c, end = at.u + v;
@@ -99,7 +99,8 @@ static inline NB_FORM struct piece new_piece(struct base at, bool sticks, double
   return (struct piece){k, c, end - d * x2, d, at.b + (at.d - d) * n_of(c), end};
 }
 
-/* Searches all corners; if none is kept, the contact slides from the one at 0. */
+/* Searches all corners for the outermost one that is kept. If there is none, returns the corner at 0: the contact
+ * slides. */
 static inline struct base find_base(const struct corner at[], int pieces, double x, double u) {
   int k = pieces;
   while (k > 0 && !reachable(at[k].x, at[k].u, x, u))
@@ -113,11 +114,11 @@ static inline NB_FORM void append_piece(struct corner at[], int k, double x, con
   at[k + 1] = (struct corner){x, piece->end, piece->d, piece->b, 0};
 }
 
-/* Adds a piece. Merges it with the last one if the change is small enough, or merges others if all are in use.
+/* Adds a piece. Merges it with the last piece if the change is small enough; merges two other pieces if all are in use.
  * Returns the number of pieces. */
 static int append_or_merge(struct corner at[], int k, double x, const struct piece *piece, int max_pieces,
                            double *dissipated) {
-  if (k > 0 && !(piece->x > at[k - 1].x)) /* the piece before has vanished */
+  if (k > 0 && !(piece->x > at[k - 1].x)) /* the previous piece has vanished */
     k--;
   if (!(piece->x < x)) { /* no new ring */
     at[k] = (struct corner){x, piece->end, at[k - 1].d, at[k - 1].b, 0};
@@ -144,9 +145,10 @@ static int append_or_merge(struct corner at[], int k, double x, const struct pie
   return k;
 }
 
-/* The energy lost in a step, as Int t du: at the front, which passes the end of the piece before the new one and all
- * pieces outside it, and by sliding. For a displacement in the sense s the front is at the y where y - s u(y) equals
- * g = x - s u at the edge. g falls during the step; where it is below 0 the contact slides. */
+/* The energy lost in a step, in the unit of Int t du, at the slip front and by sliding. The front passes all pieces
+ * outside the piece before the new one, and the end of that piece. For a displacement in the sense s the front is at
+ * the y where y - s u(y) equals g, the value of x - s u at the edge. g decreases during the step; when g is below 0 the
+ * contact slides. */
 static double energy_loss(const struct corner at[], int pieces, double x, double u, int index,
                           const struct piece *piece) {
   const double s =
@@ -155,7 +157,7 @@ static double energy_loss(const struct corner at[], int pieces, double x, double
   if (!(fall > 0))
     return 0;
   double g = g1 > 0 ? g1 : 0,
-         y = piece->x < at[index].x ? piece->x : at[index].x;  /* where D = s the front has no unique position */
+         y = piece->x < at[index].x ? piece->x : at[index].x;  /* if D = s, the front has no unique position */
   double now = g < g0 ? x + (x0 - x) * ((g - g1) / fall) : x0; /* the overlap when the front is at y */
   double sum = g1 < 0 ? -g1 * mean_n(x, now) : 0;
   for (int k = index > 0 ? index - 1 : 0; k < pieces; k++) {
@@ -170,7 +172,7 @@ static double energy_loss(const struct corner at[], int pieces, double x, double
   return sum;
 }
 
-/* A step in the general case. Returns the number of pieces. */
+/* Makes a step in the general case. Returns the number of pieces. */
 static NB_COLD int advance(struct corner at[], int pieces, double x, double u, int max_pieces, double *dissipated) {
   const struct base base = find_base(at, pieces, x, u);
   const int index = (int)base.k;
@@ -180,7 +182,8 @@ static NB_COLD int advance(struct corner at[], int pieces, double x, double u, i
   return append_or_merge(at, index, x, &piece, max_pieces, dissipated);
 }
 
-/* Computes the path again for another friction, in place: a step adds at most one piece. Returns the energy lost. */
+/* Computes the path again for another friction. The old corners are replaced in place, because a step adds at most one
+ * piece. Returns the energy lost. */
 static NB_COLD double rebuild(struct corner at[], double *count, double fraction, int max_pieces) {
   const int pieces = (int)*count;
   const double before = fraction * fraction * stored_energy(at, pieces);
@@ -196,8 +199,8 @@ static NB_COLD double rebuild(struct corner at[], double *count, double fraction
   return before - stored_energy(at, k);
 }
 
-/* ---- in a block, see law_stages.h: the last four corners, of which one is kept in most steps; the new piece; the
- * update of the row ---- */
+/* ---- the three stages in a block (law_stages.h): read the last four corners, of which one is kept in most steps;
+ * compute the new piece; update the row ---- */
 
 struct corner_values {
   double x, u, d, b;
@@ -219,7 +222,7 @@ static inline NB_FORM struct fetched shear_mindlin_deresiewicz_fetch(struct nb_p
     at[0] = (struct corner){0};
   } else if (m[1] != mu_kappa(p)) {
     const double dissipated = rebuild(at, &m[0], fmin(m[1] / mu_kappa(p), max_friction_ratio), (int)p.pieces);
-    at[(int)m[0]].e = dissipated; /* until it is reported */
+    at[(int)m[0]].e = dissipated; /* kept there until the law returns it */
   }
   m[1] = mu_kappa(p);
   const int k = (int)m[0];
@@ -227,7 +230,7 @@ static inline NB_FORM struct fetched shear_mindlin_deresiewicz_fetch(struct nb_p
                           corner_values(&at[k > 1 ? k - 2 : 0]), corner_values(&at[k > 2 ? k - 3 : 0])};
 }
 
-/* This corner, of piece k, if it is kept; otherwise the one found farther inside. */
+/* The corner `at` of piece k if it is kept; otherwise `inner`, the corner found farther inside. */
 static inline struct base select_base(struct corner_values at, double k, double x, double u, struct base inner) {
   const bool here = reachable(at.x, at.u, x, u);
   return (struct base){.k = here ? k : inner.k,
@@ -269,12 +272,13 @@ static NB_COLD void advance_general(struct nb_pair p, struct nb_normal n, double
   out->force = force_of(p, n, at[pieces].d, at[pieces].b);
 }
 
-/* The general case: no corner found among the last four, a piece that rounding affects, or no free piece. */
+/* Updates the row. The general case is: none of the last four corners is kept, rounding affects a piece, or no piece is
+ * free. */
 static inline NB_FORM void shear_mindlin_deresiewicz_store(struct nb_pair p, struct nb_normal n, double ds, double m[],
                                                            struct piece piece, struct nb_shear *out, bool counts) {
   struct corner *at = (struct corner *)(m + HEAD);
   const double x = n.radius * n.radius;
-  double dissipated = at[(int)m[0]].e; /* from a change of friction */
+  double dissipated = at[(int)m[0]].e; /* energy lost by a change of friction */
   if (piece.k >= 0 && piece.k < p.pieces) {
     if (counts)
       dissipated += energy_loss(at, (int)m[0], x, piece.end, (int)piece.k, &piece);
@@ -294,7 +298,8 @@ static double shear_mindlin_deresiewicz_stored(struct nb_pair p, struct nb_norma
   return pieces > 0 ? m[1] / p.radius * friction * (n.force / n_of(at[pieces].x)) * stored_energy(at, pieces) : 0;
 }
 
-/* From the centre outwards: the ends of the pieces, m, and their D. */
+/* Sets x to the overlaps at which the pieces end, from the centre outwards, m, and d to their D. Returns their
+ * number. */
 static int shear_mindlin_deresiewicz_pieces(struct nb_pair p, struct nb_normal n, const double m[], double x[],
                                             double d[]) {
   (void)n;
@@ -304,7 +309,7 @@ static int shear_mindlin_deresiewicz_pieces(struct nb_pair p, struct nb_normal n
   return (int)m[0];
 }
 
-/* Prefetches the last corners, and the place of a new one. */
+/* Prefetches the last corners and the place of a new corner. */
 static inline void shear_mindlin_deresiewicz_prefetch(const double m[]) {
   for (int line = -2; line < 2; line++)
     __builtin_prefetch(&m[m[0] > 2 ? HEAD + 5 * (int)m[0] + 8 * line + 1 : 0], 1);

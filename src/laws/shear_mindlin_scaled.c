@@ -1,4 +1,4 @@
-/* As shear_mindlin.c, but T decreases with the contact radius when N falls:
+/* The law of shear_mindlin.c, but T decreases with the contact radius when N falls:
  *
  *   T <- T a/a_before + 8 G* a ds,  limited to  |T| <= mu N + c
  *
@@ -6,14 +6,15 @@
  *                 unless N fell
  *   ds, G*, mu, c, N   as in shear_mindlin.c
  *
- * Source     in use wherever shear_mindlin.c was found to create energy; the increment is [R89 3.27].
- * Order      exact at constant N, first order in the step while N changes, as shear_mindlin.c.
- * Range      as normal_hertz.c.
+ * Source     used in other programs to avoid the energy that the law of shear_mindlin.c creates; the increment is
+ *            [R89 3.27].
+ * Order      exact at constant N, first order in the step while N changes, as in shear_mindlin.c.
+ * Range      as in normal_hertz.c.
  * History    m[0]  T, N;   m[1]  a, m.
- * Energy     none is created in any closed path. T^2/(16 G* a), the work of applying T at this a, decreases when a
- *            grows at constant T and when T decreases in proportion to a; otherwise it changes by T ds. So it never
- *            exceeds the work done. But a change of N loses energy without sliding, so there is no state function. The
- *            law declares no stored energy, and the balance counts the shear work.
+ * Energy     No closed path creates energy. T^2/(16 G* a), the work of applying T at this a, decreases when a grows at
+ *            constant T, and when T decreases in proportion to a; otherwise it changes by T ds. So it never exceeds the
+ *            work done. But a change of N loses energy without sliding, so the law has no stored energy; the energy
+ *            balance counts the shear work instead.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "law.h"

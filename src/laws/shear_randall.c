@@ -3,14 +3,15 @@
  *
  *   dT = CDF (theta (8 G* a ds CDF - mu dN UFL) + mu dN UFL),       |T| <= mu N       [R89 4.15]
  *
- *   ds, dN  tangential increment, m, and change of normal force, N, in this step;  a  the radius after it, m
- *   theta   slip factor c/a, c the radius of the stick region [R89 4.22-4.24]; 1 if the step only loads sticking
+ *   ds, dN  tangential increment, m, and change of the normal force N, in newtons, in this step
+ *   a, G*   radius of the contact circle after the step, m; effective shear modulus, Pa;  mu  the smaller friction, 1
+ *   theta   slip factor c/a, c the radius of the stick region, m [R89 4.22-4.24]; 1 if the step only loads sticking
  *           rings outside c [R89 4.25]
- *   CDF     sense of the virgin loading;  UFL  -1 in unloading, else 1
+ *   CDF     sense of the virgin loading, 1 or -1;  UFL  -1 in unloading, else 1
  *   T*, T** forces at which unloading and reloading began; a change of N moves them to the curves of the new N
  *           [R89 4.20, 4.21]
- *   DD      deficit, m: the rings outside c joined without slip; DD is the displacement that they lack to slip
- *           [R89 4.17]
+ *   DD      deficit, m: the rings outside c joined the contact without slip; they slip after a further displacement
+ *           DD [R89 4.17]
  *   ds_c    mu dN/(8 G* a), the increment at which a new ring is just at its limit and c does not change
  *           [R89 4.16]
  *
@@ -20,25 +21,27 @@
  *   - A reversal sets T* or T** before theta is computed. `branch` tells whether they have a value, because 0 is a
  *     valid force.
  *   - dN moves T* and T** in every step, including the one that sets them.
- *   - Increments are compared in the sense of the motion, |ds| > ds_c + DD, for N rising and falling. DD grows by
- *     ds_c - |ds| with either sign, but not below 0. It is reset by a reversal, virgin loading and sliding, and starts
- *     with the first motion.
+ *   - Increments are compared in the sense of the motion, |ds| > ds_c + DD, whether N rises or falls. In each step
+ *     ds_c - |ds| is added to DD, with either sign, but DD does not fall below 0. DD is 0 until the first motion; a
+ *     reversal, virgin loading and sliding set it to 0 again.
  *   - While N falls, slip continues in the same sense even if ds = 0, and even against a motion with |ds| < |ds_c|.
  *     Only a faster motion is a reversal.
  *   - Re-unloading, between T** and T*, follows the reloading curve, with UFL = 1 as in reloading.
- *   - T* is deleted when reloading reaches T*, when unloading reaches -T*, or when a falling N brings T* to T; T**
- *     likewise. Virgin loading has the sense of T, also where T changed its sign while N fell.
+ *   - T* is deleted when reloading reaches T*, when unloading reaches -T*, or when a falling N brings T* to T. T** is
+ *     deleted when unloading reaches T**, or when a falling N brings T** to T. Virgin loading has the sense of T, also
+ *     if T changed its sign while N fell.
  *   - theta is never negative. Sliding means |T| > mu N, or no sticking region; it resets the history.
  *
  * Source     [R89 3.94-3.98, 4.15-4.25], FORD and THETA.
- * Order      first in the step, relative to its own limit of small steps: theta is that of the beginning of the step.
- * Range      as normal_hertz.c; friction limits the traction, so no cohesion. In the limit of small steps exact for up
- *            to two nested reversals, while N is constant, falls, or rises so slowly that |ds| > ds_c. Further inner
- *            reversals are elastic [R89 sec. 3.3]. Rings that stick as N grows are represented by DD
- *            alone, which a reversal resets.
+ * Order      first in the step, relative to the law's own limit of small steps, because theta is the value at the
+ *            beginning of the step.
+ * Range      as in normal_hertz.c. No cohesion, because friction alone limits the traction. In the limit of small steps
+ *            the law is exact for up to two nested reversals, while N is constant, falls, or rises so slowly that
+ *            |ds| > ds_c. Further inner reversals are elastic [R89 sec. 3.3]. DD alone represents rings that stick as N
+ *            grows, and a reversal sets it to 0.
  * History    m[0..6]  N of the previous step, 0: none; T, T*, T**, N; DD, m; CDF, 0 before the first motion; branch.
  * Creates    energy: in the cycle N to 2 N, displacement A/5, 2 N to N, displacement -A/5, with A = 3 mu N/(16 G* a),
- *            it creates 0.0074 mu N A the second time and less later. So it has no stored energy.
+ *            the law creates 0.0074 mu N A in the second cycle and less in later ones. So it has no stored energy.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "randall.h"
@@ -70,7 +73,8 @@ static inline double theta(const struct history *h, double rise, double limit) {
   return fraction < 0 ? 0 : fraction > 1 ? 1 : fraction;
 }
 
-/* Returns to an outer branch: reloading reaches T*, unloading T** or -T*, or a falling N brings T* and T** to T. */
+/* Returns to an outer branch: when reloading reaches T*, when unloading reaches T** or -T*, or when a falling N brings
+ * T* and T** to T. */
 static inline void forget(struct history *h) {
   const double t = along_virgin(h, h->t), t_star = along_virgin(h, h->t_star), t_star2 = along_virgin(h, h->t_star2);
   if (h->branch > UNLOADING && t <= t_star2)

@@ -3,30 +3,32 @@
  *
  *   dT = CDF (theta (8 G* a ds CDF - mu dN UFL) + mu dN UFL)                         [R89 4.15]
  *
- * In the text T* and T** are 0 while they have no value, are set after dT has been computed, and are not moved by the
- * dN of that step. UFL is -1 in re-unloading too. theta of reloading uses T* instead of T** [R89 4.24], and nothing
- * limits any theta to 1. The critical increment contains mu twice. DD loses |ds_c| in every step in which N falls
- * [R89 4.18], grows with |ds| in unloading, and is never reset.
+ * In the text T* and T** are 0 while they have no value. They are set after dT has been computed, and the dN of that
+ * step does not move them. UFL is -1 in re-unloading too. theta of reloading uses T* instead of T** [R89 4.24], and
+ * nothing limits theta to 1. The critical increment ds_c contains mu twice. DD decreases by |ds_c| in every step in
+ * which N falls [R89 4.18], increases by |ds| in unloading, and is never set to 0.
  *
- * Choices where the text cannot be coded, or says nothing:
+ * This file makes these choices where the text cannot be coded or says nothing:
  *
  *   - Chapter 3 has positive forces only. Sliding is |T| > mu N, with the sign of T; the increment compared with
  *     ds_c + DD is ds CDF.
- *   - CDF of a contact without T*, T and T** is the sense of ds.
+ *   - If T*, T and T** are 0, CDF is the sense of ds.
  *   - Virgin loading resumes where |T| >= |T*|, by which THETA distinguishes it from reloading; T** is deleted where T
  *     CDF <= T** CDF.
- *   - theta of a negative number is the negative root, and the result is limited to mu N. The contact stiffness 8 G* a
- *     theta is then 0; otherwise critical damping, which uses its root, would have no value [R89 4.19].
+ *   - If theta is the root of a negative number, the negative real root is used, and T is limited to mu N. The contact
+ *     stiffness 8 G* a theta is then 0; otherwise critical damping, which uses the root of the stiffness, would have no
+ *     value [R89 4.19].
  *
  * With mu twice in the critical increment, a contact that should stick slides from first touch on: T = mu N to the last
  * bit of both, and that bit decides whether dT < mu dN. In one impact psi2 is then 0.369 or 0.195; the exact value is
  * 0.045 (tests/randall_exact.c).
  *
  * Source     [R89 4.15-4.25], FORD and THETA.
- * Range      as shear_randall.c. Exact in the limit of small steps in virgin loading at constant N, and almost
- *            nowhere else.
+ * Range      as in shear_randall.c. In the limit of small steps the law is exact in virgin loading at constant N, and
+ *            almost nowhere else.
  * History    m[0..4]  N of the previous step, 0: none; T, T*, T**, N; DD, m.
- * Creates    energy: in the cycle of shear_randall.c 0.0067 mu N A the first time, 0.0113 mu N A each later time.
+ * Creates    energy: in the cycle given in shear_randall.c, 0.0067 mu N A the first time and 0.0113 mu N A each later
+ *            time.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "randall.h"

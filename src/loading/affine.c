@@ -5,14 +5,14 @@
  *   u    total velocity of a particle, m/s     v    own velocity, which forces and damping change (motion.c), m/s
  *   L    strain rate, 1/s                      x_0  centre of the cell or of the boundary, else the origin, m
  *
- * L depends on the particle. All particles of a periodic cell have the cell's (cell.c). Without a cell the particles of
- * a held boundary have the boundary's, with v = 0 (boundary.c), and all other free particles have that of `affine
- * strain`. v does not change when L jumps at the beginning of a stage.
+ * L depends on the particle. In a periodic cell all particles have the strain rate of the cell (cell.c). Without a cell
+ * the particles of a held boundary have the strain rate of the boundary, and v = 0 (boundary.c). All other free
+ * particles have the strain rate of `affine strain`. v does not change when L jumps at the beginning of a stage.
  *
- * R89 writes x' = x' + c_11 x + c_12 y [R89 4.43] and stores the sum as the new velocity (`accumulated`). Then c is
- * added again in every cycle and acts as an acceleration L (x - x_0)/dt: a particle at rest moves away as
- * exp(sqrt(L/dt) t). R89 also adds L z to the relative velocity of two particles (`accumulated-twice`,
- * pass/affine_twice.c).
+ * R89 writes x' = x' + c_11 x + c_12 y [R89 4.43], where x' is a velocity, and stores the sum as the new velocity
+ * (`accumulated`). Then c is added again in every cycle and acts as an acceleration L (x - x_0)/dt: a particle at rest
+ * moves away as exp(sqrt(L/dt) t). R89 also adds L z to the relative velocity of two particles with separation z
+ * (`accumulated-twice`, pass/affine_twice.c).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -49,7 +49,7 @@ enum nb_status nb_affine_create(struct nb_model *model, struct nb_error *error) 
   return NB_OK;
 }
 
-/* L, 1/s. */
+/* The strain rate of a statement as a tensor L, 1/s. */
 static struct nb_tensor rate_of(const struct nb_model *model, const struct nb_strain_rate *strain) {
   return tensor_scale(strain->per_cycle ? 1 / model->step : 1, tensor(strain->xx, strain->xy, strain->yx, strain->yy));
 }
@@ -76,7 +76,7 @@ void nb_affine_begin(struct nb_model *model, const struct nb_stage *stage) {
     affine->rate[c] = affine->base_rate[c] = rate_of(model, &requested[c]);
 }
 
-/* Whether all particles with an imposed motion have the same L, and either all or none of them accumulate c. */
+/* True if all particles with an imposed motion have the same L, and either all or none of them accumulate c. */
 static bool same_rate(const struct nb_affine *affine, enum nb_affine_source reference) {
   for (int c = 0; c < NB_AFFINE_SOURCES; c++)
     if (affine->used[c] && (tensor_largest(tensor_sub(affine->rate[c], affine->rate[reference])) != 0 ||

@@ -1,26 +1,28 @@
 /* The boundary of an assembly, a ring of its own particles; and `rotation`.            [R89 sec. 6.4.1, sec. 6.5.1]
  *
- * A circle defines the boundary at its start: the free particles whose centres are on the circle or outside of it.
- * While they are held they follow the boundary's strain rate (affine.c) and have no velocity of their own. Their mass
- * counts as infinite, they do not rotate, and there is no force between two of them. Their centres move as
+ * A circle defines the boundary when it begins: the free particles whose centres are on the circle or outside it. While
+ * these particles are held, they follow the boundary's strain rate L, 1/s (affine.c), and have no velocity of their
+ * own. Their mass counts as infinite, they do not rotate, and there is no force between two of them. Their centres move
+ * as
  *
  *   x_(N+1) - x_0 = (1 + L dt)(x_N - x_0)
  *
- * about the centre x_0 of the circle. The circle, of the radius R, deforms with them into the ellipse x = x_0 + S y
- * with |y| = R and S_(N+1) = (1 + L dt) S_N. A particle whose centre is on the ellipse or outside belongs to the
- * boundary from then on.
+ * about the centre x_0 of the circle. The circle, of radius R, m, deforms with them into the ellipse x = x_0 + S y with
+ * |y| = R and S_(N+1) = (1 + L dt) S_N. When the centre of another free particle reaches the ellipse or crosses it, the
+ * particle becomes part of the boundary.
  *
- * After each search, and when the ellipse has moved by half the skin, the particles closer to it than the skin are
- * listed as candidates, because only they can cross it before the next list. So each cycle checks few particles, and no
- * result depends on the skin.
+ * After each search, and when the ellipse has moved by half the skin, the particles closer to the ellipse than the skin
+ * are listed as candidates, because only these can cross the ellipse before the next list. So each cycle checks few
+ * particles, and no result depends on the skin.
  *
  * The polygon through the centres of the boundary's particles, counterclockwise, has the area
  *
  *   A = sum (x_i y_(i+1) - x_(i+1) y_i)/2
  *
- * and each particle represents half of its two sides: n l is (x_(i+1) - x_(i-1))/2 rotated clockwise, n the outward
- * normal. A stress s on the boundary, compression positive, is the force F = -s n l h on each particle, h the
- * thickness, m. The sum of these forces is 0, and sum F_i (x - x_0)_j = -s_ij A h. Area and stress: measure/boundary.c.
+ * m2. Each particle represents half of the two sides that meet in its centre: with the outward normal n and the length
+ * l, m, n l is (x_(i+1) - x_(i-1))/2 rotated clockwise. A stress s on the boundary, Pa, compression positive, causes
+ * the force F = -s n l h on each particle, N, where h is the thickness, m. The sum of these forces is 0, and sum F_i (x
+ * - x_0)_j = -s_ij A h. measure/boundary.c computes the area and the stress.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -31,8 +33,8 @@
 
 /* ---- the circle ---- */
 
-/* A centre closer to the circle than this fraction of the radius is on it. A page may place particles there, up to
- * rounding (1e-16). */
+/* A centre closer to the circle than this fraction of the radius counts as on the circle. A page may place particles on
+ * the circle, and their positions are rounded (1e-16). */
 static const double on_circle = 1e-12;
 
 static bool is_outside(const struct nb_model *model, struct nb_vec x, double margin) {
@@ -43,12 +45,12 @@ static bool is_outside(const struct nb_model *model, struct nb_vec x, double mar
 
 static double size(struct nb_tensor a) { return sqrt(a.xx * a.xx + a.xy * a.xy + a.yx * a.yx + a.yy * a.yy); }
 
-/* Fixed and removed particles cannot belong to the boundary. */
+/* True if particle i can become part of the boundary. Fixed and removed particles cannot. */
 static bool may_join(const struct nb_model *model, size_t i) {
   return model->particles.inverse_mass[i] > 0 && model->affine->source[i] == NB_AFFINE_FREE;
 }
 
-/* ---- one particle ---- */
+/* ---- a particle joins or leaves ---- */
 
 static void set_spin(struct nb_particles *particles, size_t i, double spin) {
   if (particles->spin)
@@ -83,7 +85,7 @@ static void detach(struct nb_model *model, int slot) {
 
 static bool in_lower_half(struct nb_vec a) { return a.y < 0 || (a.y == 0 && a.x < 0); }
 
-/* Whether slot i comes before slot j, counterclockwise from the x axis. */
+/* True if slot i comes before slot j, counterclockwise from the x axis. */
 static bool comes_before(const struct nb_model *model, int i, int j) {
   const struct nb_vec a = vec_sub(model->particles.position[i], model->affine->centre);
   const struct nb_vec b = vec_sub(model->particles.position[j], model->affine->centre);
@@ -145,7 +147,7 @@ void nb_boundary_remove(struct nb_model *model, size_t slot) {
   ring->count = left;
 }
 
-/* ---- a stress on it ---- */
+/* ---- a stress on the boundary ---- */
 
 void nb_boundary_set_forces(struct nb_model *model) {
   struct nb_boundary_state *state = model->boundary;
@@ -159,7 +161,7 @@ void nb_boundary_set_forces(struct nb_model *model) {
   }
 }
 
-/* ---- set up ---- */
+/* ---- creation ---- */
 
 static bool stage_has_boundary(const struct nb_stage *stage) { return stage->circle.line || stage->boundary.line; }
 
@@ -191,12 +193,13 @@ enum nb_status nb_boundary_create(struct nb_model *model, struct nb_error *error
   }
   if (model->owner.failed)
     return nb_error_memory(error);
-  if (scene->circle.line && scene->start.stages == 0 && model->cycle == 0) /* else the state has the boundary */
+  if (scene->circle.line && scene->start.stages == 0 &&
+      model->cycle == 0) /* otherwise the saved state contains the boundary */
     boundary_define(model, &scene->circle);
   return NB_OK;
 }
 
-/* ---- a stage ---- */
+/* ---- the beginning of a stage ---- */
 
 /* Counts the energy of the springs between held particles as removed: the next search drops these pairs. */
 static void count_removed_springs(struct nb_model *model) {
@@ -273,7 +276,7 @@ enum nb_status nb_boundary_begin(struct nb_model *model, const struct nb_stage *
   return status;
 }
 
-/* ---- particles that cross it ---- */
+/* ---- particles that cross the ellipse ---- */
 
 static void list_candidates(struct nb_model *model) {
   struct nb_ring *ring = &model->boundary->ring;
@@ -312,7 +315,7 @@ enum nb_status nb_boundary_before_motion(struct nb_model *model, struct nb_error
   return status;
 }
 
-/* The velocity of a held particle changes by c_(N+1/2) - c_(N-1/2) and nothing else (motion.c). */
+/* Changes the velocity of each held particle by c_(N+1/2) - c_(N-1/2), its only change (motion.c). */
 void nb_boundary_set_velocities(struct nb_model *model) {
   const struct nb_ring *ring = &model->boundary->ring;
   struct nb_particles *particles = &model->particles;

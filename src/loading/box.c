@@ -2,23 +2,24 @@
  *
  *   v_P = (n.L n) (n.(P - x_0)) n         dh = (e.L e) h dt
  *
- *   P    point of a wall, its middle unless the page gives another, m; v_P its velocity, m/s
+ *   P    point of a wall, its middle unless the page gives another, m
+ *   v_P  velocity of P, m/s               dh   change of h in a step, m
  *   x_0  the middle between opposite walls, m
  *   n, e unit vectors normal to the wall and along it
  *   h    distance of an end of the wall from P, m
  *   L    strain rate, extension positive, 1/s
  *
  * The corners move as x_(N+1) - x_0 = (1 + L dt)(x_N - x_0), so they stay closed. The walls grow or shrink at their
- * ends; in a contact with one only the velocity v_P counts.
+ * ends; a contact with a wall uses only the velocity v_P.
  *
  * The stress of the box is computed from the forces F of its walls on particles, at the points of contact X:
  *
  *   s_ij = -(1/V) sum F_i (X - x_0)_j        compression positive, V the box's area times the thickness, m3
  *
- * At rest and without gravity it equals the mean stress of the assembly inside. The stress of the walls has the foot
- * of the perpendicular from x_0 to the wall's line instead of X. It is the mean traction of opposite walls: s_xx is the
- * mean of the forces of the east and the west wall, along their normals, over height and thickness. Without friction at
- * the walls, both have the same s_xx and s_yy.
+ * At rest and without gravity this equals the mean stress of the assembly inside. The stress of the walls uses the foot
+ * of the perpendicular from x_0 to the wall's line instead of X, and is the mean traction of opposite walls: s_xx is
+ * the mean of the forces of the east and the west wall, along their normals, over height and thickness. Without
+ * friction at the walls, the stress of the box and the stress of the walls have the same s_xx and s_yy.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "loading.h"
@@ -26,7 +27,7 @@
 #include "core/affine.h"
 #include "measure/region.h"
 
-enum { SIDES = 4 }; /* opposite sides: w and w + 2 */
+enum { SIDES = 4 }; /* sides w and w + 2 are opposite */
 
 int nb_box_first_wall(const struct nb_scene *scene) {
   for (size_t w = 0; w + SIDES <= scene->wall_count; w++)
@@ -94,8 +95,9 @@ struct nb_vec nb_box_initial_sides(const struct nb_scene *scene) {
 
 enum box_sides { SOUTH_AND_NORTH, EAST_AND_WEST, ALL_SIDES };
 
-/* -sum F_i X_j over the contacts with these walls of the box, X from the middle of the box. `at_middle`: X is the foot
- * of the perpendicular to the wall's line instead of the contact. */
+/* -sum F_i X_j over the contacts with the walls `which` of the box, N m; F is the force on the particle and X the
+ * vector from the middle of the box to the contact. `at_middle`: X ends at the foot of the perpendicular to the wall's
+ * line. */
 static struct nb_tensor virial(const struct nb_model *model, enum box_sides which, bool at_middle) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_walls *walls = &model->walls;
@@ -126,7 +128,8 @@ struct nb_tensor nb_walls_stress(const struct nb_model *model) {
   return tensor_scale(1 / volume(model), virial(model, ALL_SIDES, true));
 }
 
-/* The trace of the sum over two opposite walls is their normal force times their distance, in any direction of the box. */
+/* The trace of the sum over two opposite walls is their normal force times their distance, whatever the direction of
+ * the box. */
 double nb_walls_ratio(const struct nb_model *model) {
   const struct nb_tensor vertical = virial(model, SOUTH_AND_NORTH, true),
                          horizontal = virial(model, EAST_AND_WEST, true);

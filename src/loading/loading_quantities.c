@@ -1,4 +1,4 @@
-/* Quantities of a boundary, a periodic cell and a box of walls. Those of a boundary are 0 if there is none.
+/* Quantities of a boundary, a periodic cell and a box of walls. Quantities of a boundary are 0 if there is no boundary.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "core/names.h"
@@ -12,7 +12,8 @@ BOUNDARY_QUANTITY(boundary_area, nb_boundary_area(model))
 BOUNDARY_QUANTITY(boundary_roughness, nb_boundary_roughness(model))
 NB_TENSOR_QUANTITY(boundary_stress, nb_boundary_exists(model) ? nb_boundary_stress(model) : tensor(0, 0, 0, 0))
 
-/* Largest component of the difference between the stress from boundary forces and that from all contacts, Pa. */
+/* The difference between the stress from boundary forces and the stress from all contacts: its largest component,
+ * Pa. */
 static double difference_from_contacts(const struct nb_model *model) {
   const double volume = nb_boundary_area(model) * nb_thickness(model);
   if (!(volume > 0))
@@ -22,8 +23,8 @@ static double difference_from_contacts(const struct nb_model *model) {
 BOUNDARY_QUANTITY(boundary_residual, difference_from_contacts(model))
 
 NB_TENSOR_QUANTITY(cell_sides, model->cell->h)
-/* -(1/V) sum f_i l_j over contacts, Pa, compression positive: f is the force on the first particle, l the vector from
- * its centre to that of the copy of the second. */
+/* The stress of a cell, Pa, compression positive: -(1/V) sum f_i l_j over contacts. V is the volume of the cell, m3; f
+ * is the force on the first particle, N; l is the vector from its centre to that of the second particle's image, m. */
 NB_TENSOR_QUANTITY(cell_stress,
                    tensor_scale(1 / (nb_cell_area(model->cell) * nb_thickness(model)), nb_contacts_virial(model)))
 NB_TENSOR_QUANTITY(cell_strain, nb_cell_strain(model->cell))

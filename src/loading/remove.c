@@ -1,21 +1,23 @@
-/* Particles that a stage removes when it begins, at t_0.
+/* Removal of particles when a stage begins, at the time t_0.
  *
  * A removed particle keeps its number and its last position. From t_0 on it does not move, has no contacts and no
  * weight: its mass counts as infinite, and the search that follows at once lists none of its contacts.
  *
- * The kick around t_0 lasts from half a step before t_0 to half a step after it. The forces of the removed particle act
- * during the first half alone. That half is applied to its neighbours at once (motion.c), so the velocities at t_0 do
- * not change and the next kick has no such force. This keeps the error of the motion of second order in the step.
+ * The kick around t_0 lasts from half a step before t_0 to half a step after t_0. The forces of the removed particle
+ * act only during the first half. The impulse of this half is applied to its neighbours at once (motion.c), so the
+ * velocities at t_0 do not change and the next kick does not contain these forces. This keeps the motion of second
+ * order in the step.
  *
- * energy.removed receives its kinetic energy at t_0 and the energy stored in its contacts, by the laws' state
- * functions.
+ * energy.removed receives the particle's kinetic energy at t_0 and the energy stored in its contacts, which the state
+ * functions of the laws give.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "core/contacts.h"
 #include "loading.h"
 #include "measure/energy.h"
 
-/* Applies the half kick of contact c before t_0 to its particles, and sets its fields to those of an open contact. */
+/* Applies the half kick before t_0 of contact c to its two particles, and opens the contact: its fields are set to
+ * 0. */
 static void end_contact(struct nb_model *model, size_t c) {
   struct nb_contacts *contacts = &model->contacts;
   const struct nb_particles *particles = &model->particles;

@@ -4,11 +4,13 @@
  *   P_ij = (s_ij - s0_ij)/(2 B T),           dZ_ij/dt = P_ij/(16 T)
  *
  *   s, s0  measured and target stress, compression positive, Pa
+ *   L      added strain rate, 1/s; P and Z  its proportional and its integral part, 1/s
  *   B      stiffness against a change of area if all particles follow the strain, Pa: the mean stress p changes by
- *          dp = -B tr(L) dt. B = sum k_n l^2/(4 A h) over the contacts that touch; k_n normal stiffness, l distance of
- *          the centres, for a box also from a centre to a wall; A area of boundary, cell or box, h thickness
- *   T      time in which a pressure wave crosses the assembly, s: 2 R (rho/B)^(1/2), R the boundary's mean radius, rho
- *          the mass of all particles over A h; for a cell or a box A^(1/2) replaces 2 R
+ *          dp = -B tr(L) dt. B = sum k_n l^2/(4 A h) over the contacts that touch; k_n normal stiffness, N/m; l
+ *          distance of the centres, for a box also from a centre to a wall, m; A area of boundary, cell or box, m2; h
+ *          thickness, m
+ *   T      time in which a pressure wave crosses the assembly, s: 2 R (rho/B)^(1/2); R mean radius of the boundary, m;
+ *          rho mass of all particles over A h, kg/m3; for a cell or a box A^(1/2) replaces 2 R
  *
  * If the particles do not follow the strain exactly, the assembly is softer: its stiffness is f B with 0 < f <= 1, and
  * the error e of the stress obeys
@@ -16,8 +18,9 @@
  *   e'' + f e'/T + f e/(16 T^2) = 0          with decay rates r = f (1 -+ (1 - 1/(4f))^(1/2))/(2T)
  *
  * This is stable for each f and does not oscillate for f >= 1/4. In the time T a wave reaches the middle and returns to
- * the boundary. P alone would leave the error B T e_v at a steady dilatation rate e_v; Z removes it. Z begins at -a P,
- * a = (1 - (3/4)^(1/2))/2, which selects the faster decay for f = 1, exp(-0.93 t/T), so that Z does not overshoot.
+ * the boundary. P alone would leave the error B T e_v at a steady dilatation rate e_v, 1/s; Z removes this error. Z
+ * begins at -a P with a = (1 - (3/4)^(1/2))/2, which selects the faster decay for f = 1, exp(-0.93 t/T), so that Z does
+ * not overshoot.
  *
  * Controlled components and the bound `at most` refer to the servo's own axes, which `transform` rotates and mirrors
  * with the scene.
@@ -56,7 +59,7 @@ static double density(const struct nb_model *model, double volume) {
   return sum / volume;
 }
 
-/* The columns are the axes of the servo. */
+/* The matrix whose columns are the axes of the servo. */
 static struct nb_tensor axes(const struct nb_servo *servo) {
   return tensor(servo->axis_x[0], servo->axis_y[0], servo->axis_x[1], servo->axis_y[1]);
 }

@@ -2,18 +2,20 @@
  *
  * The largest size comes first. A centre is drawn from a uniform distribution over the positions at which the whole
  * particle is inside the circle or the box, or over the whole periodic cell. In a cell the particle may not overlap an
- * image of another one either, so the packing has no edge. If the particle would overlap one that is already there,
- * another centre is drawn, up to `attempts` times per particle. If all attempts fail, R89's old generator stops (R89,
- * section 6.4.1), and the new one continues with the next smaller size (R89, section 4.4).
+ * image of another particle either, so the packing has no edge. If the particle would overlap a placed particle,
+ * another centre is drawn, up to `attempts` times per particle. If all attempts fail, `else stop` ends the filling,
+ * like R89's old generator (R89, section 6.4.1), and `else skip` continues with the next smaller size, like R89's new
+ * generator (R89, section 4.4).
  *
- * There are no initial contacts (R89, section 6.4): d^2 >= (R_x + R_y)^2 for the distance d of two centres, in rounded
- * arithmetic and with the positions that the scene contains. The square root is correctly rounded, so R_x + R_y - d,
- * which the force calculation computes, is not positive either.
+ * There are no initial contacts (R89, section 6.4): with the positions in the scene and in rounded arithmetic,
+ * d^2 >= (R_x + R_y)^2 for the distance d of two centres, m, and the radii R_x and R_y, m. The square root is correctly
+ * rounded, so the overlap R_x + R_y - d that the force calculation computes is not positive either.
  *
- * A centre in a circle is drawn by rejection from the surrounding square, which takes + - * / alone. With SplitMix64
- * the positions have the same bits on every machine.
+ * A centre in a circle is drawn by rejection from the surrounding square, which needs only + - * /. So, with
+ * SplitMix64, the positions have the same bits on every machine.
  *
- * Particles are in a grid with levels by size (core/grid.h), so that no box holds many, however wide the grading.
+ * The particles are in a grid with levels by size (core/grid.h), so that no box of the grid contains many of them,
+ * however wide the grading is.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -23,7 +25,7 @@
 #include "packing.h"
 #include "random_numbers.h"
 
-/* x shifted by whole periods into the period that begins at `from`; x itself if the period is 0. */
+/* x shifted by whole periods into the period that begins at `from`; x unchanged if the period is 0. */
 static double wrapped(double x, double from, double period) {
   return period > 0 ? x - period * floor((x - from) / period) : x;
 }
@@ -46,21 +48,22 @@ static bool grid_create(struct nb_grid *grid, const struct nb_fill *fill, const 
   return true;
 }
 
-/* Whether a overlaps b or, in a cell, the nearest image of b. */
+/* True if a overlaps b or, in a cell, the nearest image of b. */
 static bool overlap(const struct nb_fill *fill, const struct nb_particle *a, const struct nb_particle *b) {
   const double dx = wrapped(a->x - b->x, -fill->width / 2, fill->width),
                dy = wrapped(a->y - b->y, -fill->height / 2, fill->height), apart = a->radius + b->radius;
   return dx * dx + dy * dy < apart * apart;
 }
 
-/* Whether particle `count` (not placed yet), or its image there, overlaps none of those on a level of the grid. */
+/* True if particle number `count`, which is not placed yet, overlaps no particle on a level of the grid. `at`: the
+ * position of this particle, or of one of its images. */
 static bool no_overlap_on_level(const struct nb_grid *grid, int level, const struct nb_fill *fill, struct nb_vec at,
                                 const struct nb_particle *particles, size_t count) {
   const struct nb_particle *particle = &particles[count];
   const double range = particle->radius + grid->width[level] / 2;
   const int64_t west = nb_grid_place(grid, level, at.x - range), east = nb_grid_place(grid, level, at.x + range);
   const int64_t south = nb_grid_place(grid, level, at.y - range), north = nb_grid_place(grid, level, at.y + range);
-  /* A particle far larger than those of the level covers more boxes than there are particles. */
+  /* A particle far larger than those of the level may cover more boxes than there are particles. */
   if ((double)(east - west) * (double)(north - south) > (double)count) {
     for (size_t k = 0; k < count; k++)
       if (overlap(fill, particle, &particles[k]))
@@ -77,7 +80,7 @@ static bool no_overlap_on_level(const struct nb_grid *grid, int level, const str
 
 static bool no_overlap(const struct nb_grid *grid, const struct nb_fill *fill, const struct nb_particle *particles,
                        size_t count) {
-  const int images = fill->width > 0; /* to each side */
+  const int images = fill->width > 0; /* number of images to each side */
   for (int level = 0; level < NB_GRID_LEVELS; level++)
     for (int x = -images; x <= images && grid->count[level]; x++)
       for (int y = -images; y <= images; y++) {
@@ -88,7 +91,7 @@ static bool no_overlap(const struct nb_grid *grid, const struct nb_fill *fill, c
   return true;
 }
 
-/* False if rounding has put the particle across the edge. */
+/* Draws the centre of a particle. False if rounding has put the particle across the edge. */
 static bool draw_centre(struct nb_particle *particle, const struct nb_fill *fill, struct nb_random *random) {
   const double r = particle->radius;
   if (fill->width > 0) {

@@ -5,7 +5,7 @@
 
 #include "core/names.h"
 
-/* Number of particles, over all sizes of the monitored grading or of one size. */
+/* Numbers of particles of the monitored grading, or of one of its sizes. */
 struct sum {
   double wanted, placed;
 };
@@ -37,7 +37,7 @@ static double attempts(const struct nb_model *model, const struct nb_monitor *mo
       total += (double)model->scene->fills[f].attempts_made;
   return total;
 }
-/* Gap between two particles that may touch, in a cell between the nearest copies, m. */
+/* Gap between two particles, m; in a cell, between their nearest images. INFINITY: the two cannot touch. */
 static double gap_between(const struct nb_model *model, const struct nb_wrap *wrap, int i, int j) {
   const struct nb_particles *particles = &model->particles;
   if (nb_removed(model, (size_t)i) || nb_removed(model, (size_t)j) ||
@@ -48,7 +48,8 @@ static double gap_between(const struct nb_model *model, const struct nb_wrap *wr
   return vec_length(nearest) - (particles->surface[i].radius + particles->surface[j].radius);
 }
 
-/* Pairs that are not listed do not touch, but their gap may be smaller than that of listed ones. */
+/* The smallest gap, m. All pairs are compared: a pair that is not listed does not touch, but it may have the smallest
+ * gap. */
 static double gap(const struct nb_model *model, const struct nb_monitor *monitor) {
   (void)monitor;
   const struct nb_contacts *contacts = &model->contacts;

@@ -6,10 +6,10 @@
 #include "core/array.h"
 #include "packing.h"
 
-/* Particles are numbered row by row: the first row 1 .. nx in x, then the next row in y. In a hexagonal lattice
- * every second row is shifted by half a spacing in x, and rows are sqrt(3)/2 spacings apart, so all six neighbours
- * have the same distance. Each centre is the first one plus a product, not a running sum, so rounding does not grow
- * along a row. */
+/* Particles are numbered row by row: first the nx particles of the first row in the order of x, then the next row in y.
+ * In a hexagonal lattice every second row is shifted by half a spacing in x, and rows are sqrt(3)/2 spacings apart, so
+ * all six neighbours have the same distance. Each centre is the first centre plus a product, not a running sum, so
+ * rounding errors do not grow along a row. */
 bool nb_fill_lattice(struct nb_scene *scene, struct nb_lattice lattice, struct nb_particle prototype) {
   struct nb_particle *particles =
       nb_array_reserve(scene->particles, scene->particle_count, lattice.nx * lattice.ny, sizeof *particles);

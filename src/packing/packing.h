@@ -13,8 +13,8 @@ struct nb_lattice {
 };
 /* Adds copies of `prototype`, row by row: x increases within a row, y from row to row. False: out of memory. */
 bool nb_fill_lattice(struct nb_scene *scene, struct nb_lattice lattice, struct nb_particle prototype);
-/* Adds copies of `prototype` with the sizes of the grading at random places, largest first. Counts the attempts in
- * fill->attempts_made, and the requested and the placed particles in each size of the grading. */
+/* nb_fill_random adds copies of `prototype` with the sizes of the grading at random positions, largest first. It counts
+ * the attempts in fill->attempts_made, and the requested and the placed particles in each size of the grading. */
 enum nb_fill_result { NB_FILL_DONE, NB_FILL_STOPPED, NB_FILL_NO_MEMORY };
 enum nb_fill_result nb_fill_random(struct nb_scene *scene, struct nb_fill *fill, struct nb_particle prototype);
 

@@ -1,9 +1,10 @@
-/* SplitMix64: the state is increased by an odd constant, so it takes all 2^64 values; the result is the state with its
- * bits mixed by a bijection. Steele, Lea and Flood, Fast splittable pseudorandom number generators, OOPSLA 2014, with
- * the mixing constants of Stafford's variant 13, as in java.util.SplittableRandom. The mixing separates neighbouring
- * seeds, so 1, 2, 3 are good seeds.
+/* The random number generator SplitMix64. Each call adds an odd constant to the state, so the state takes all 2^64
+ * values; the result is a bijective mix of the bits of the state. Source: Steele, Lea and Flood, Fast splittable
+ * pseudorandom number generators, OOPSLA 2014, with the mixing constants of Stafford's variant 13, as in
+ * java.util.SplittableRandom. The mixing separates neighbouring seeds, so 1, 2, 3 are good seeds.
  *
- * Integers and one exact division by a power of two give the same bits with every compiler on every machine.
+ * The generator uses integers and one exact division by a power of two, so it gives the same bits with every compiler
+ * on every machine.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "random_numbers.h"

@@ -4,17 +4,19 @@
  *
  *   x', y'  relative velocity of two particles, m/s    x, y  vector between their centres, m    c_ij  L, 1/s
  *
- * R89 adds this in MOTION to the velocity of each particle, and in FORD to the relative velocity of two particles. If
- * MOTION stores the sum, as `accumulated` does, the relative velocity contains L z already, and FORD adds it again.
- * Cundall's equation [R89 4.42], from which it comes, has it once.
+ * R89 adds these terms in MOTION to the velocity of each particle, and in FORD to the relative velocity of two
+ * particles. If MOTION stores the sum, as `accumulated` does, the relative velocity of two particles with separation z,
+ * m, already contains L z, and FORD adds L z again. Cundall's equation [R89 4.42], the source of these terms, has L z
+ * once.
  *
  *   dn += -(e.L e) D dt,   ds += -(t.L e) D dt,   D = R_x + R_y - alpha
  *
  *   dn, ds, e, t, alpha, R  as in disc_disc.c         D  distance of the centres, m
  *
- * L is that of `affine strain` for all contacts of two particles, also those with the boundary: FORD has one tensor. A
- * contact with a wall does not have it. In the step of first touch the increment is the overlap, so nothing is added.
- * The overlap comes from the positions and does not change. So laws that need dn, dashpots and shear forces change.
+ * L is the strain rate of `affine strain` for all contacts of two particles, also with a particle of the boundary,
+ * because FORD has one tensor. Nothing is added in a contact with a wall, nor in the step of first touch, where the
+ * increment is the overlap. The overlap is computed from the positions and does not change. So this pass changes only
+ * laws that read dn, dashpots and shear forces.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "core/affine.h"

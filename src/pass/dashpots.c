@@ -1,12 +1,17 @@
-/* Contact dashpots: added to the contact force, never to the contact history.       [CS79 24-28; R89 4.3, 4.13]
+/* Contact dashpots. Their forces are added to the contact force, never to the contact history. [CS79 24-28; R89 4.3,
+ * 4.13]
  *
  *   D_n = c_n dn/dt,   D_s = c_s ds/dt                                  [CS79 26, 27]
  *   c = beta k                  `damping stiffness`, beta a time       [CS79 28]
- *   c = beta k t_c/2            `damping r89-fraction`: dN beta/(2 FRAC) is this, since dt = FRAC t_c  [R89 4.3, 4.4]
- *   c = beta 2 sqrt(M* k)       `damping ratio`, a fraction of critical  [R89 4.13, 4.19]
- *   c = 2 sqrt(M* k)            instead of these for a deep contact with `critical beyond overlap` [R89 sec. 6.4.3]
+ *   c = beta k t_c/2            `damping r89-fraction`; R89 writes dN beta/(2 FRAC), with dt = FRAC t_c  [R89 4.3, 4.4]
+ *   c = beta 2 sqrt(M* k)       `damping ratio`, beta a fraction of critical  [R89 4.13, 4.19]
+ *   c = 2 sqrt(M* k)            instead of these for a deep contact, `critical beyond overlap` [R89 sec. 6.4.3]
  *
- * k is k_n for c_n and k_s for c_s; for elastic spheres 2 E* a and 8 G* a. Contacts with walls may have their own beta.
+ *   D_n, D_s  forces of the normal and the shear dashpot, N      c, c_n, c_s  coefficients, N s/m
+ *   k    stiffness, N/m: k_n for c_n and k_s for c_s; for elastic spheres 2 E* a and 8 G* a
+ *   t_c  single-contact step 2 sqrt(m/k), s                      M*  reduced mass, kg
+ *
+ * Contacts with walls may have their own beta.
  *
  * Scenes without damping ratios keep no M* and compute no square roots.
  *
@@ -14,19 +19,20 @@
  * F_n + D_n may be tensile. ds/dt is the mean over the whole last step, even if the contact began in it and the law
  * used only a part of ds. The friction limit of F_s was computed from F_n alone, before this pass.
  *
- * With `damping centred` the rates are those at the time of the force: dn/dt + (a_x - a_y).e, with the predicted change
- * a of the velocities in the last half step (core/motion.c). At time 0 they follow from the velocities of the page; in
- * CS79's scheme they are 0 then. The force of a dashpot jumps at first touch, so second order needs a correction there.
- * The force at t_N stands for the time from t_(N-1/2) to t_(N+1/2), of which the contact exists for the fraction f +
- * 1/2; f is the time from first touch to t_N over dt. As c is proportional to alpha^p there, with p = 0 for linear
- * springs, 1/2 for the stiffness of elastic spheres and 1/4 for its root, the force is multiplied by
+ * With `damping centred` the rates are those at the time of the force: dn/dt + (a_x - a_y).e, where a_x and a_y are the
+ * predicted changes of the two velocities in the last half step, m/s (core/motion.c). At time 0 the rates follow from
+ * the velocities of the page; in CS79's scheme they are then 0. The force of a dashpot jumps at first touch, so the
+ * scheme is of second order only with a correction there. The force at t_N acts from t_(N-1/2) to t_(N+1/2); the
+ * contact exists during the fraction f + 1/2 of this time, where f is the time from first touch to t_N over dt. Near
+ * first touch c is proportional to alpha^p, with p = 0 for linear springs, 1/2 for the stiffness of elastic spheres and
+ * 1/4 for the root of this stiffness. So the force is multiplied by
  *
  *   w(f) = Int_0^(f+1/2) t^p dt / f^p = (f + 1/2)^(1+p)/((1 + p) f^p)
  *
- * The end of a contact is treated in the same way, backwards in time: f is then the time from t_N to the end. It is
- * known only one cycle later, when the contact has opened. Then w(f) - 1 times the force at t_N acts. This force is
- * computed again from the previous overlap, with the rate over the last step. The tangential dashpot needs no such
- * term, because a contact slides at its end.
+ * The end of a contact is treated in the same way, backwards in time: f is then the time from t_N to the end over dt.
+ * This f is known only one cycle later, when the contact has opened. Then w(f) - 1 times the force at t_N acts. The
+ * force at t_N is computed again from the previous overlap, with the rate over the last step. The tangential dashpot
+ * needs no such term, because a contact slides before it ends.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "laws/law.h"
@@ -47,10 +53,10 @@ struct nb_dashpot nb_dashpot(const struct nb_model *model, bool wall) {
   return (struct nb_dashpot){0};
 }
 
-/* The coefficients of a block. */
+/* What the coefficients of a block depend on. */
 struct dashpots {
   struct nb_dashpot dashpot;
-  bool uses_damping_ratio, critical; /* some use sqrt(M* k); some contacts may be too deep */
+  bool uses_damping_ratio, critical; /* some coefficients contain sqrt(M* k); deep contacts are damped critically */
   const double *mass, *deep;
 };
 
@@ -60,17 +66,18 @@ static inline NB_FORM double coefficient(const struct dashpots *spec, double sti
                                              : spec->dashpot.time * stiffness + spec->dashpot.ratio * oscillation;
 }
 
-/* Changes of relative velocities in the last half step; at time 0, where no step has been made, the velocities. */
+/* Changes of relative velocities in the last half step; at time 0, before the first step, the velocities themselves. */
 struct changes {
-  struct nb_vec approach[NB_BLOCK_SIZE]; /* of v_x - v_y, m/s */
-  double rotation[NB_BLOCK_SIZE];        /* of w_x R_x + w_y R_y, m/s */
+  struct nb_vec approach[NB_BLOCK_SIZE]; /* change of v_x - v_y, m/s */
+  double rotation[NB_BLOCK_SIZE];        /* change of w_x R_x + w_y R_y, m/s */
 };
 
 static inline NB_FORM struct nb_velocities change_of(const struct nb_particles *particles, int i, bool start) {
   return start ? (struct nb_velocities){particles->velocity[i], particles->surface[i].speed} : particles->ahead[i];
 }
 
-/* Of the wall's point nearest to the particle. Its velocity in a step is a mean; at the end of the step it is exact. */
+/* The velocity of the wall's point nearest to the particle at the end of the step, minus its mean velocity in the step;
+ * at time 0, its velocity. */
 static inline NB_FORM struct nb_vec wall_change(const struct nb_walls *walls, int w, struct nb_vec x, bool start) {
   const struct nb_vec q = nb_wall_nearest(walls, w, x), arm = vec_sub(q, walls->pivot[w]);
   const struct nb_vec v = vec_add(walls->velocity[w], vec_scale(walls->spin[w], vec(-arm.y, arm.x)));
@@ -92,15 +99,15 @@ static inline NB_FORM void predict(struct changes *changes, const struct nb_mode
   }
 }
 
-/* A displacement smaller than this fraction of that of the step is rounding: a touch at the end of a step then belongs
- * to the next one, with f = 1, whatever the sign of the overlap. Coordinates that are 1e7 times the displacement are
- * still more accurate than this. */
+/* An overlap smaller than this fraction of the displacement in the step counts as rounding: a touch at the end of a
+ * step then belongs to the next step, with f = 1, whatever the sign of the overlap. Rounding is smaller than this
+ * fraction even if the coordinates are 1e7 times the displacement. */
 static const double touch_rounding = 1e-9;
 static inline NB_FORM bool just_began(double overlap, double dn) {
   return overlap > 0 && overlap < dn * (1 + touch_rounding);
 }
 
-/* w(f) */
+/* w(f), the factor of a dashpot's force at first touch and at the end of a contact. */
 static double weight(const struct dashpots *spec, const struct nb_law *law, double f) {
   static const double least = 1e-6; /* keeps f^(-p) finite; c is proportional to f^p */
   const double from = f > least ? f : least, to = from + 0.5, root = sqrt(to / from);
@@ -109,7 +116,7 @@ static double weight(const struct dashpots *spec, const struct nb_law *law, doub
   return spec->dashpot.ratio > 0 ? to * sqrt(root) / 1.25 : to * root / 1.5;
 }
 
-/* The force of the dashpot that is left when contact c has opened in the last step; else 0. */
+/* The force of the normal dashpot that remains if contact c has opened in the last step, N; else 0. */
 static double end_force(const struct dashpots *spec, const struct nb_model *model, const struct nb_block *block,
                         size_t c) {
   const struct nb_law *law = block->material_pair->normal;
@@ -131,7 +138,7 @@ static void multiply(const struct nb_block *block, size_t c, double w) {
     block->f[NB_TOTAL_SHEAR][c] = shear + w * (block->f[NB_TOTAL_SHEAR][c] - shear);
 }
 
-/* First touch and the end of contacts. */
+/* Corrects the forces of contacts that began or ended in the last step. */
 static NB_COLD void weigh(const struct dashpots *spec, const struct nb_model *model, const struct nb_block *block) {
   const double *overlap = block->f[NB_OVERLAP], *dn = block->f[NB_NORMAL_INCREMENT];
   for (size_t c = 0; c < block->n; c++) {
@@ -143,7 +150,7 @@ static NB_COLD void weigh(const struct dashpots *spec, const struct nb_model *mo
   }
 }
 
-/* At time 0, when no step has been made: contacts that touch within rounding begin in the next step. */
+/* Called at time 0. Contacts that touch within rounding begin in the next step, so their dashpots have no force yet. */
 static NB_COLD void defer(const struct nb_model *model, const struct nb_block *block,
                           const struct changes *velocities) {
   for (size_t c = 0; c < block->n; c++) {

@@ -1,12 +1,12 @@
 /* Counts contacts with an overlap beyond the range of Hertz theory [R89 sec. 6.4.3], or beyond the stable overlap of
  * the step (stability.c).
  *
- *   alpha > s 2 min(R_x, R_y)       s = 7 % of the smaller diameter, or the page's fraction
+ *   alpha > s 2 min(R_x, R_y)       alpha overlap, m; s fraction of the smaller diameter, 0.07 unless the page gives it
  *   alpha > NB_STABLE_OVERLAP
  *
- * A deep contact counts once per cycle. Where the page damps such contacts critically, the pass sets NB_DEEP to 1 for
- * them, else to 0. A first loop compares with the limit of the smallest particle and with the block's smallest stable
- * overlap; most blocks need no more.
+ * A deep contact counts once per cycle. If the page damps such contacts critically, the pass sets NB_DEEP to 1 for deep
+ * contacts and to 0 for all others. A first loop compares the overlaps with the limit of the smallest particle and with
+ * the smallest stable overlap of the block; for most blocks this is enough.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "pass.h"

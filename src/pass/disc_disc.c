@@ -5,8 +5,12 @@
  *   dn = (v_x - v_y).e dt                                              14
  *   ds = ((v_x - v_y).t - (w_x R_x + w_y R_y)) dt                      15
  *
- * v (m/s) and w (rad/s, counterclockwise) are the velocities over the last step, so dn and ds are the increments since
- * the last forces. A scene without dashpots needs no dn, one without friction no ds: the loop exists in three forms.
+ *   x, y   centres of the two discs, m            R     radius, m
+ *   D      distance of the centres, m             e, t  unit vectors along the normal and the tangent
+ *   v, w   velocity, m/s, and angular velocity, rad/s, counterclockwise, over the last step
+ *   alpha  overlap, m                             dn, ds  normal and tangential increment since the last forces, m
+ *
+ * A scene without dashpots needs no dn, and a scene without friction needs no ds, so the loop exists in three forms.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "disc_disc.h"

@@ -6,13 +6,14 @@
 
 #include "pass.h"
 
-/* Vectors of a block, gathered from the particles first, so that the loop with the square roots vectorises. */
+/* Vectors of a block. A first loop gathers them from the particles, so that the loop with the square roots
+ * vectorises. */
 struct relative_motion {
-  struct nb_vec apart[NB_BLOCK_SIZE], approach[NB_BLOCK_SIZE]; /* y - x, v_x - v_y */
-  double rotation[NB_BLOCK_SIZE];                              /* w_x R_x + w_y R_y */
+  struct nb_vec apart[NB_BLOCK_SIZE], approach[NB_BLOCK_SIZE]; /* y - x, m; v_x - v_y, m/s */
+  double rotation[NB_BLOCK_SIZE];                              /* w_x R_x + w_y R_y, m/s */
 };
 
-/* `copies`: the second disc is the image x_j + H m in a periodic cell, whose velocity is larger by L H m. */
+/* `copies`: the second disc is the image at x_j + H m in a periodic cell, and L H m is added to its velocity. */
 static inline NB_FORM void nb_disc_disc(const struct nb_model *model, const struct nb_block *block,
                                         enum nb_approach approach, bool copies) {
   const struct nb_vec *position = model->particles.position, *velocity = model->particles.velocity;

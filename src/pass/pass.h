@@ -1,4 +1,4 @@
-/* The passes that a plan is made of.
+/* The passes of which a plan consists.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_PASS_H
@@ -6,19 +6,19 @@
 
 #include "core/model.h"
 
-/* What a geometry pass computes: overlap; also dn; also ds. */
+/* What a geometry pass computes: the overlap; overlap and dn; overlap, dn and ds. */
 enum nb_approach { NB_APPROACH_OVERLAP, NB_APPROACH_NORMAL, NB_APPROACH_TANGENTIAL };
-/* What the dashpots of the stage depend on: k only; also sqrt(M* k); also whether the contact is deep. */
+/* What the dashpots of the stage depend on: nothing; k; k and sqrt(M* k); both, and whether the contact is deep. */
 enum nb_dashpot_kind { NB_DASHPOTS_NONE, NB_DASHPOTS_TIME, NB_DASHPOTS_RATIO, NB_DASHPOTS_DEEP };
 
 extern const struct nb_pass nb_pass_disc_disc[3], nb_pass_periodic[3], nb_pass_disc_wall[3]; /* by enum nb_approach */
 extern const struct nb_pass nb_pass_affine_twice[2]; /* without and with tangential increment */
 extern const struct nb_pass nb_pass_vertices;
 extern const struct nb_pass nb_pass_deep;
-extern const struct nb_pass nb_pass_dashpots[2][4]; /* late and centred; by enum nb_dashpot_kind */
+extern const struct nb_pass nb_pass_dashpots[2][4]; /* not centred and centred; by enum nb_dashpot_kind */
 extern const struct nb_pass nb_pass_resolve[2];     /* without and with shear */
 
-/* Dashpot coefficients of a contact, s and 1: D_n = time k_n dn/dt + ratio sqrt(M* k_n) dn/dt, D_s likewise. */
+/* Dashpot coefficients of a contact, s and 1: D_n = (time k_n + ratio sqrt(M* k_n)) dn/dt, and D_s with k_s and ds. */
 struct nb_dashpot {
   double time, ratio;
 };

@@ -5,7 +5,7 @@
  *   v_y  velocity of y, including the affine motion, m/s      L  strain rate of the cell in the last step, 1/s
  *   H    sides of the cell as columns, in metres              m  two integers: the image is m sides away
  *
- * Otherwise as disc_disc.c.
+ * The rest is the same as in disc_disc.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "disc_disc.h"
