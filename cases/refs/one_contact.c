@@ -5,7 +5,9 @@
  *   P = k_n alpha + c_n (v.e),   Q = F_s + c_s s',   F_s' = k_s s',   s' = v.t - R_1 w_1 - R_2 w_2
  *   c = beta k,  or  beta 2 sqrt(M* k)                                                      [CS79 26-28] [R89 4.13]
  *
- * in continuous time, by the eighth-order method of Prince and Dormand at 1e-13. w is the angular velocity. The time
+ * in continuous time, by the eighth-order method of Prince and Dormand at 1e-13. e is the unit normal and t the tangent
+ * of the contact, P and Q are its normal and tangential forces with the dashpots, and F_s is the force of the shear
+ * spring. alpha is the overlap, s the slip, v the relative velocity of the centres, and w an angular velocity. The time
  * step enters only through the end of the run, after all cycles of all stages, so a run differs from this solution by
  * the error of its step.
  *

@@ -1,5 +1,6 @@
 /* Reference: R89's incremental law along the path of a contact test in which overlap (alpha) and tangential
- * displacement (delta) change in turns, in the limit of small steps: its equations solved piece by piece.
+ * displacement (delta) change in turns, in the limit of small steps: its equations solved piece by piece. T* is the
+ * shear force at which unloading began, T** that at which reloading began.
  *
  * With dN = 0, [R89 3.94] becomes dT = 8 G* a theta d(delta). With theta = u^(1/3) and N = (4/3) E* a alpha
  *

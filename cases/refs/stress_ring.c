@@ -1,8 +1,9 @@
 /* Reference: six elastic spheres around a seventh, compressed by a boundary stress.        [R89 4.7, 5.5, sec. 6.4.1]
  *
- * The six are the boundary, with radii R_1 and R_2 in turn (possibly equal), at the distances d_1 and d_2 from the one
- * in the middle, R_0. By symmetry there are three contact forces: middle with 1, middle with 2, and 1 with 2, whose
- * centres are s = (d_1^2 + d_2^2 - d_1 d_2)^(1/2) apart. Equilibrium under the boundary stress p requires
+ * The six are the boundary. Their radii are R_1 and R_2 in turn (possibly equal), and their distances from the sphere
+ * in the middle, of radius R_0, are d_1 and d_2. By symmetry there are three contact forces: middle with 1, middle with
+ * 2, and 1 with 2. The centres of 1 and 2 are s = (d_1^2 + d_2^2 - d_1 d_2)^(1/2) apart. Equilibrium under the boundary
+ * stress p requires
  *
  *   N_01 + 2 N_12 (d_1 - d_2/2)/s = p h d_2 3^(1/2)/2           and the same with 1 and 2 exchanged
  *   N = 4/3 E* R*^(1/2) (R_x + R_y - distance)^(3/2)            or 0 without overlap

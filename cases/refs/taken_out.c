@@ -6,8 +6,8 @@
  *   sum k_n alpha^2/2         the energy of the springs at their contacts, each spring once; alpha, m, is the initial
  *                             overlap
  *
- * A particle at rest between a wall and a removed particle is from then on a mass m on the spring of the wall, which is
- * compressed by alpha:
+ * A particle at rest between a wall and a removed particle becomes a mass m on the spring of the wall. At the removal
+ * this spring is compressed by alpha:
  *
  *   x = x_0 + alpha (1 - cos q t),   v = alpha q sin q t,   q = sqrt(k_n/m),   away from the wall, until q t = pi/2
  *   v = alpha q, constant                                   from then on
