@@ -6,10 +6,11 @@
  *   t = t0 + s (1 - (1 - |d - d0|)^(3/2))               virgin loading                                      [R89 3.25]
  *   t = t0 + 2 s (1 - (1 - |d - d0|/2)^(3/2))           any later branch                              [R89 3.40, 3.50]
  *
- * A branch that returns to where the previous one began is erased with it. mindlin_deresiewicz keeps all branches;
- * randall keeps three and moves back and forth on the third. So does randall_literal, but [R89 4.24] as printed has T*,
- * where the second branch began, in place of T**. Its third branch is, with u the distance of t from T* over mu N and
- * u0 its value at the begin,
+ * A branch that returns to where the previous branch began is erased together with the previous branch.
+ * mindlin_deresiewicz keeps all branches; randall keeps three and moves back and forth on the third. So does
+ * randall_literal, but [R89 4.24] as printed has T*, where the second branch began, in place of T**. With u the
+ * distance of t from T* over mu N, and u0 its value at the beginning of the branch, the third branch of randall_literal
+ * is
  *
  *   (1 + u/2)^(2/3) = (1 + u0/2)^(2/3) - |d - d0|/2     which is stiffer than a contact that sticks everywhere
  *

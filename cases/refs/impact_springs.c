@@ -2,7 +2,7 @@
  *
  * A Hertz contact has the same N, T and energy as a row of independent springs under a parabolic indenter (method of
  * dimensionality reduction, Popov and Hess). The spring at y touches while y^2 < xi. Its normal force is proportional
- * to xi - y^2 and its deflection u to its tangential force; Coulomb's law holds for each spring:
+ * to xi - y^2, and its tangential force is proportional to its deflection u; Coulomb's law holds for each spring:
  *
  *   du = dd,   |u| <= xi - y^2,   u = 0 without contact,        f = (3/2) Int_0^sqrt(xi) u dy
  *

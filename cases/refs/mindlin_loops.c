@@ -7,8 +7,9 @@
  *   c/a             = (1 - T/mu N)^(1/3)                       stick radius in loading from T = 0            [R89 3.24]
  *                   = (1 - |T - T_begin|/2mu N)^(1/3)          on a branch that began by a reversal
  *
- * Each reversal begins a branch of the same shape. A branch that returns to the T at which the previous one began is
- * erased with it: the curve continues as if the loop had not been made. So the state is a stack of branches. The energy
+ * Each reversal begins a branch of the same shape. A branch that returns to the T at which the previous branch began is
+ * erased together with it: the curve continues as if the loop had not been made. So the state is a stack of branches.
+ * The energy
  *
  *   W(t) = (6/5) mu N A [1 - (1 - t)^(5/3) - (5/6) t (1 + (1 - t)^(2/3))]
  *
