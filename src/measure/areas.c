@@ -2,14 +2,15 @@
  *
  * Two circles of radii r and R whose centres are d apart and which intersect have two circular segments in common:
  *   A = r^2 (a - sin a cos a) + R^2 (b - sin b cos b)
- * a is half the angle that the common chord subtends at the centre of r. The formula
- *   tan^2(a/2) = (R^2 - (d - r)^2)/((d + r)^2 - R^2),      and b with r and R exchanged,
- * avoids the cancellation that the cosine of a suffers where the circles hardly intersect. R - r is computed first, for
- * circles that are nearly equal.
+ * a and b are half the angles that the common chord subtends at the centres of the circles of radii r and R. The
+ * formula
+ *   tan^2(a/2) = (R^2 - (d - r)^2)/((d + r)^2 - R^2),      and for b the same with r and R exchanged,
+ * avoids the cancellation that the cosine of a suffers if the circles hardly intersect. R - r is computed first, so
+ * that circles of nearly equal radii lose no digits.
  *
- * A disc and a polygon: the sum over the edges of the area that the disc shares with the triangle of its centre and the
- * edge, negative where the edge runs clockwise. The part of an edge outside the disc contributes a
- * sector, the part inside a triangle.
+ * The common area of a disc and a polygon is a sum over the edges of the polygon. Each term is the area that the disc
+ * shares with the triangle of the disc's centre and the edge, negative if the edge runs clockwise. The part of an edge
+ * outside the disc contributes a sector, and the part inside the disc a triangle.
  *
  *   areas m2, lengths m, angles rad
  *
@@ -18,7 +19,7 @@
 
 double nb_area_of_disc(double radius) { return NB_PI * radius * radius; }
 
-/* Segment of the circle r that the circle R cuts off. */
+/* Area of the segment of the circle of radius r that the circle of radius R cuts off, m2. */
 static double segment(double r, double R, double d) {
   const double difference = R - r, numerator = (R + r - d) * (d + difference),
                denominator = (d - difference) * (d + r + R);
@@ -39,7 +40,8 @@ static double sector(struct nb_vec a, struct nb_vec b, double r) {
   return r * r * atan2(vec_cross(a, b), vec_dot(a, b)) / 2;
 }
 
-/* Area that the disc about the origin shares with the triangle of the origin, a and b. */
+/* Area that the disc of radius r about the origin shares with the triangle of the origin, a and b, m2; negative if the
+ * edge from a to b runs clockwise. */
 static double area_at_edge(struct nb_vec a, struct nb_vec b, double r) {
   const struct nb_vec along = vec_sub(b, a);
   const double square = vec_dot(along, along), middle = vec_dot(a, along);

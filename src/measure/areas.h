@@ -9,9 +9,9 @@
 #include "core/vec.h"
 
 double nb_area_of_disc(double radius);
-/* Common area of two circles; `apart`: distance of their centres, m. */
+/* Common area of two circles, m2; `distance`: distance of their centres, m. */
 double nb_area_of_lens(double radius_a, double radius_b, double distance);
-/* Common area of a disc and a polygon with its corners counterclockwise. */
+/* Common area of a disc and a polygon, m2. The corners of the polygon are given counterclockwise. */
 double nb_area_in_polygon(struct nb_vec centre, double radius, const struct nb_vec corners[], size_t count);
 double nb_area_of_polygon(const struct nb_vec corners[], size_t count);
 

@@ -1,14 +1,15 @@
-/* The work balance and the energy balance of a run: sums since the start, each term computed from its own definition.
+/* The work balance and the energy balance of a run: sums since the start. Each term is computed from its own
+ * definition.
  *
- * work      K_(N-1/2) - K_0 = sum over kicks of the work of all forces, K the kinetic energy. The impulse J = F tau of
- *           the forces and the impulse J_d of mass-proportional damping change a particle's velocity from v- to v+,
- *           and its kinetic energy by (J + J_d).(v- + v+)/2. This holds for any step, including the half kick at the
- *           start (tau = dt/2, v- = v_0); the residual is only rounding.
+ * work      K_(N-1/2) - K_0 = sum over kicks of the work of all forces; K is the kinetic energy, J. The impulse
+ *           J = F tau of the forces F, N, over the duration tau of a kick, s, and the impulse J_d of mass-proportional
+ *           damping change a particle's velocity from v- to v+, and its energy by (J + J_d).(v- + v+)/2. This holds for
+ *           any step, including the half kick at the start (tau = dt/2, v- = v_0); the residual is only rounding.
  *
- * energy    K + U - (K + U)_0 + frictional + damped + removed - walls - gravity - imposed - changed, at t_N. U is a
- *           state function (energy.c). Forces that depend on velocity or are prescribed act at t_N with the velocity
- *           of t_N, over the kick around it; friction acts over the step from t_N to t_(N+1), with the mean of the two
- *           forces:
+ * energy    residual = K + U - (K + U)_0 + frictional + damped + removed - walls - gravity - imposed - changed, at t_N,
+ *           J. U is the stored energy, a state function (energy.c). Forces that depend on velocity, and prescribed
+ *           forces, act at t_N with the velocity at t_N, over the kick around t_N. Friction acts over the step from t_N
+ *           to t_(N+1), with the mean of the forces at both ends:
  *
  *             damped      D_n dn + D_s ds  of dashpots; C v.v tau of mass-proportional damping, C = alpha m; over kicks
  *                                                                                                     [CS79 26-36]
@@ -20,22 +21,24 @@
  *             sliding     the part of `frictional` in steps in which the contact slides as a whole
  *             shear       F_s ds  over steps
  *
- *           The residual is the error of the time integration. A kick lasts until half a step after t_N: a reading at
- *           t_N contains only the half of that kick before t_N.
+ *           The residual is the error of the time integration. A kick lasts until half a step after t_N: a value at t_N
+ *           contains only the half of the kick before t_N.
  *
  * The work of the imposed motion is -sum over particles of (F + m g).c + sum over contacts of f.(L H m):
  *
  *   F   sum of the contact forces on a particle, N         c     its imposed velocity, m/s (affine.h)
- *   f   force on the first particle of a contact, N        L H m extra velocity of a copy of the second in a cell, m/s
+ *   f   force on the first particle of a contact, N        L H m velocity of the second particle's image minus that of
+ *                                                                the second particle, in a cell, m/s (cell.c)
  *
- * K is that of the particles' own velocities v, so the imposed motion supplies the work of the forces along c, on
- * particles held by a boundary as on free ones. In a cell without gravity the sum is that of f.(L l) over contacts, -V
- * sigma_ij L_ij, with sigma compression positive and l from centre to centre. During the kick around t_N the imposed
- * velocity is c_(N-1/2) in the first half and c_(N+1/2) in the second.
+ * K contains only the particles' own velocities v. So the imposed motion supplies the work of the forces along c, both
+ * on free particles and on particles held by a boundary. In a cell without gravity this work is the sum of f.(L l) over
+ * contacts, -V sigma_ij L_ij: V is the volume of the cell, m3, sigma the stress, Pa, compression positive, and l the
+ * vector from centre to centre, m. During the kick around t_N the imposed velocity is c_(N-1/2) in the first half and
+ * c_(N+1/2) in the second half.
  *
- * For a shear law without stored energy the residual contains the shear work in place of U_s and frictional. One thread
- * computes the sums, over particles and contacts in the order of their numbers, with compensation of rounding (Neumaier
- * 1974): the same bits with any number of threads.
+ * For a shear law without stored energy the residual contains the shear work instead of U_s and frictional. One thread
+ * computes the sums over particles and contacts, in the order of their numbers and with compensation of rounding
+ * (Neumaier 1974), so they have the same bits with any number of threads.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -45,7 +48,7 @@
 #include "core/affine.h"
 #include "core/motion.h"
 
-/* ---- set up ---- */
+/* ---- creation ---- */
 
 /* First law of the scene without stored energy; NULL: none. */
 static const struct nb_law *law_without_energy(const struct nb_model *model, bool normal) {
@@ -57,7 +60,7 @@ static const struct nb_law *law_without_energy(const struct nb_model *model, boo
   return NULL;
 }
 
-/* Error if a requested energy is not defined for a law of the scene. */
+/* NB_BAD_USE if a requested energy is not defined for a law of the scene. */
 static enum nb_status check_stored_energy(const struct nb_model *model, struct nb_error *error) {
   const unsigned requested = model->plan.requested;
   const struct nb_law *normal = law_without_energy(model, true), *shear = law_without_energy(model, false);
@@ -87,7 +90,7 @@ static bool allocate(struct nb_model *model) {
   return b->particles && b->walls && b->values && (model->terms || !energy);
 }
 
-/* Wall velocities over the step that ends at t_N. */
+/* Records the velocities of the walls over the step that ends at t_N. */
 static void record_walls(const struct nb_model *model) {
   for (size_t w = 0; w < model->walls.count; w++)
     model->balance->walls[w].speed = (struct nb_velocities){model->walls.velocity[w], model->walls.spin[w]};
@@ -122,12 +125,12 @@ void nb_balance_free(struct nb_model *model) {
   model->balance = NULL, model->terms = NULL;
 }
 
-/* ---- a kick: the forces at t_N act over the time around it ---- */
+/* ---- a kick: the forces at t_N act from half a step before to half a step after t_N ---- */
 
 struct kick {
   double first_half, second_half; /* parts before and after t_N that count, s */
-  double time, fraction;          /* of the whole kick, s; counted fraction of it */
-  double fraction_before;         /* fraction of it that has the damping of the previous stage */
+  double time, fraction;          /* duration of the whole kick, s; fraction of the kick that counts */
+  double fraction_before;         /* fraction of the kick that has the damping of the previous stage */
 };
 
 static struct kick whole_kick(const struct nb_model *model) {
@@ -135,12 +138,12 @@ static struct kick whole_kick(const struct nb_model *model) {
   return (struct kick){first_half, second_half, first_half + second_half, 1, nb_kick_fraction_before(model)};
 }
 
-/* The half of the kick before t_N; whatever stage follows does not matter. */
+/* The half of the kick before t_N. It does not depend on the next stage. */
 static struct kick half_kick(const struct nb_model *model) {
   return (struct kick){model->previous_step / 2, 0, model->previous_step, 0.5, 1};
 }
 
-/* Imposed displacements over a kick. */
+/* Computes the imposed displacements over a kick. */
 static void set_imposed_displacements(const struct nb_model *model, struct kick kick) {
   struct nb_balance *b = model->balance;
   const struct nb_cell *cell = model->cell;
@@ -154,12 +157,12 @@ static void set_imposed_displacements(const struct nb_model *model, struct kick 
                    tensor_scale(kick.second_half, tensor_product(model->affine->rate[NB_AFFINE_CELL], cell->h)));
 }
 
-/* Extra displacement of the copy of the second particle in contact c, m. */
+/* Displacement of the second particle's image in contact c minus that of the second particle, over a kick, m. */
 static struct nb_vec copy_displacement(const struct nb_model *model, size_t c) {
   return model->cell ? tensor_times(model->balance->copy_displacement, model->contacts.image[c]) : vec(0, 0);
 }
 
-/* Positions and velocities at t_N. */
+/* Records positions and velocities at t_N. */
 static void record_state(const struct nb_model *model, struct kick kick) {
   struct nb_balance *b = model->balance;
   for (size_t i = 0; i < model->particles.count; i++) {
@@ -172,12 +175,13 @@ static void record_state(const struct nb_model *model, struct kick kick) {
   set_imposed_displacements(model, kick);
 }
 
-/* Imposed velocity that accumulates in a particle's own velocity (affine.h), m/s. */
+/* The imposed velocity that is added to a particle's own velocity (`accumulated`, affine.h), m/s. */
 static struct nb_vec accumulated(const struct nb_model *model, size_t i) {
   return model->affine ? nb_affine_accumulated(model->affine, i, model->balance->particles[i].position) : vec(0, 0);
 }
 
-/* Energy that mass-proportional damping takes from a particle in a kick: its impulse times the mean velocity. */
+/* Energy that mass-proportional damping takes from a particle in a kick, J: the impulse of the damping times the mean
+ * velocity of the particle. */
 static double damping_loss(const struct nb_model *model, size_t i, struct nb_velocities before,
                            struct nb_velocities mean, struct nb_force force, struct kick kick) {
   const struct nb_vec velocity = vec_sub(vec_scale(2, mean.velocity), before.velocity);
@@ -191,7 +195,7 @@ static double damping_loss(const struct nb_model *model, size_t i, struct nb_vel
   return vec_dot(linear, mean.velocity) + angular * mean.spin;
 }
 
-/* Energy that accumulated motion and a boundary stress give a particle in a kick. */
+/* Energy that accumulated affine motion and a boundary stress give to a particle in a kick, J. */
 static double imposed_work(const struct nb_model *model, size_t i, struct nb_vec mean, double time) {
   struct nb_vec impulse = vec_scale(model->particles.mass[i], accumulated(model, i));
   if (model->particles.boundary_force)
@@ -221,7 +225,7 @@ static void add_particles(struct nb_sum terms[], const struct nb_model *model, s
   }
 }
 
-/* Work of all forces on free particles, at the mean of the velocities before and after the kick. */
+/* Adds the work of all forces on free particles. The velocity is the mean of those before and after the kick. */
 static void add_work(struct nb_sum *work, const struct nb_model *model, struct kick kick) {
   const struct nb_particles *particles = &model->particles;
   for (size_t k = 0; k < particles->count; k++) {
@@ -250,7 +254,7 @@ static struct nb_vec wall_displacement(const struct nb_model *model, struct kick
   return vec_add(vec_scale(kick.first_half, before), vec_scale(kick.second_half, after));
 }
 
-/* Work of dashpots and walls. */
+/* Adds the work of dashpots and walls. */
 static void add_contacts(struct nb_sum terms[], const struct nb_model *model, struct kick kick) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_balance *b = model->balance;
@@ -286,7 +290,7 @@ static void add_contacts(struct nb_sum terms[], const struct nb_model *model, st
   }
 }
 
-/* Work of the imposed motion. */
+/* Adds the work of the imposed motion. */
 static void add_imposed(struct nb_sum terms[], const struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   for (size_t k = 0; k < particles->count && model->affine; k++) {
@@ -325,7 +329,7 @@ void nb_balance_add_half_kick(struct nb_sum terms[], const struct nb_model *mode
   add_terms(terms, model, kick);
 }
 
-/* ---- readings ---- */
+/* ---- values ---- */
 
 double nb_balance_term(const struct nb_model *model, enum nb_term term) {
   struct nb_sum now[NB_TERMS];

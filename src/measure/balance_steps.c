@@ -1,27 +1,31 @@
 /* Terms of the energy balance that belong to steps and stages: friction, springs that change under load or appear
  * loaded, and velocities that jump.
  *
- *   shear       (F_s' + F_s)/2 ds                             from t_N to t_(N+1), primes at its end
- *   frictional  (F_s' + F_s)/2 (ds - (F_s' - F_s)/k_s)        where it slides: ds minus the elastic displacement
- *               the dissipation that the law returns         of a law with micro-slip
+ *   F_s, F_s'   shear force at t_N and at t_(N+1), N;  ds  tangential increment in this step, m;  k_s  stiffness, N/m
+ *   U_n, U_s    energy stored in the normal and in the shear spring, J (energy.c)
+ *
+ *   shear       (F_s' + F_s)/2 ds
+ *   frictional  (F_s' + F_s)/2 (ds - (F_s' - F_s)/k_s)        if the contact slides: ds minus the elastic displacement
+ *               the dissipation that the law returns         for a law with micro-slip
  *   sliding     the part of frictional in steps at whose end the contact slides as a whole
  *
- * A contact that opens loses the energy of its shear spring: F_s' = 0. This counts as frictional, not as sliding. Where
- * a contact sticks the bracket is 0 except for rounding, and nothing is added.
+ * A contact that opens loses the energy of its shear spring: F_s' = 0. This energy counts as frictional, not as
+ * sliding. If a contact sticks, the bracket is 0 except for rounding, and nothing is added.
  *
  * When a stage changes k_n or k_s, the energy of loaded springs changes by U_n(new) - U_n(old) at the same overlap and
- * U_s(new) - U_s(old) at the same force. The force of the step is the mean of an old and a new one, so the change of
- * the normal energy is the mean of the changes at the two ends. The shear spring is new for the whole step. A new
- * normal law counts likewise: U_n of the new law minus U_n of the old one. A new shear law begins without displacement:
- * U_s is lost at t_N, and so is the work F_s ds/2 of the old force in the first half of the step.
+ * by U_s(new) - U_s(old) at the same force. The normal force of the step is the mean of an old and a new force, so the
+ * change of the normal energy is the mean of the changes at the two ends of the step. The shear spring has the new
+ * stiffness during the whole step. A new normal law changes the energy in the same way: by U_n of the new law minus U_n
+ * of the old one. A new shear law begins without displacement: U_s is lost at t_N, and so is the work F_s ds/2 of the
+ * old force in the first half of the step.
  *
- * Two particles of a boundary that is released may overlap although they were not listed. At t_N they overlap by alpha
- * without a force; at t_(N+1) the force is F_n(alpha'). The force of the step is the mean of 0 and that, so the energy
- * supplied is the mean of the spring energies at the two ends:
+ * When a boundary is released, two of its particles may overlap although they were not listed. At t_N they overlap by
+ * alpha, m, without a force; at t_(N+1) the overlap is alpha' and the force F_n(alpha'). The force of the step is the
+ * mean of 0 and F_n(alpha'), so the energy supplied is the mean of the spring energies at the two ends:
  *
  *   energy.changed += (U_n(alpha) + U_n(alpha'))/2
  *
- * Their shear springs begin unloaded and count as work from the first step on.
+ * The shear springs of these pairs begin unloaded, so their work counts from the first step on.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -33,7 +37,7 @@ static double field(const struct nb_model *model, enum nb_field which, size_t c)
   return model->contacts.kept[which] ? model->contacts.kept[which][c] : 0;
 }
 
-/* Work of the old law's force in the first half of the step; the new law does not store it. */
+/* Adds the work of the old law's force in the first half of the step, which the new law does not store. */
 static void end_old_law(struct nb_model *model, double old_force, double ds) {
   const bool stored = model->balance->laws.shear->stored != NULL;
   nb_sum_add(&model->terms[NB_TERM_SHEAR], old_force * ds / 2);
@@ -60,7 +64,7 @@ static void add_shear_work(struct nb_model *model, size_t c) {
     nb_sum_add(&model->terms[NB_TERM_UNSTORED], mean * ds);
   else if (law->dissipative)
     dissipated = field(model, NB_DISSIPATED, c);
-  else if (!(stiffness > 0)) /* opened */
+  else if (!(stiffness > 0)) /* the contact has opened */
     dissipated = mean * (ds + old_force / old_stiffness);
   else if (sliding)
     dissipated = mean * (ds - (new_force - old_force) / stiffness);
@@ -92,7 +96,7 @@ static bool equal_properties(struct nb_pair a, struct nb_pair b) {
   return all;
 }
 
-/* Change of U_n by the stage at the present overlaps, J. */
+/* Change of U_n of all contacts by the stage, at the current overlaps, J. */
 static double normal_energy_change(const struct nb_model *model) {
   struct nb_sum sum = {0};
   for (size_t c = 0; c < model->contacts.count; c++) {
@@ -110,8 +114,8 @@ static double normal_energy_change(const struct nb_model *model) {
   return sum.sum + sum.rest;
 }
 
-/* U_s of all contacts, J. A larger stiffness makes it smaller; a stage that removes friction or changes the law makes
- * it 0. */
+/* U_s of all contacts after a change by the stage, J. A larger stiffness makes U_s smaller; U_s is 0 if the stage
+ * removes friction or changes the law. */
 static double shear_energy(const struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
   struct nb_sum sum = {0};
@@ -182,7 +186,7 @@ enum nb_status nb_balance_new_overlaps(struct nb_model *model, struct nb_error *
   return NB_OK;
 }
 
-/* After the forces of the step. */
+/* Called after the forces of the step: adds the energies of the pairs that overlapped when they were listed. */
 static void end_new_overlaps(struct nb_model *model) {
   struct nb_balance *b = model->balance;
   for (size_t k = 0; k < b->overlap_count; k++) {
@@ -210,7 +214,8 @@ void nb_balance_after_forces(struct nb_model *model) {
 
 /* ---- velocities that jump ---- */
 
-/* Kinetic energy that appears or vanishes without a force does not count as work: the readings do not change. */
+/* Kinetic energy that appears or vanishes without a force does not count as work, so it leaves both residuals
+ * unchanged. */
 void nb_balance_exclude(struct nb_model *model, bool before) {
   struct nb_balance *b = model->balance;
   const double sign = before ? -1 : 1;
@@ -225,7 +230,7 @@ void nb_balance_exclude(struct nb_model *model, bool before) {
     nb_sum_add(&model->terms[t], -sign * first_half[t].sum);
 }
 
-/* The kinetic energy counts as supplied from outside. */
+/* The change of the kinetic energy counts as energy supplied from outside. */
 void nb_balance_jump(struct nb_model *model, enum nb_term term, bool before) {
   nb_balance_exclude(model, before);
   if (model->terms)

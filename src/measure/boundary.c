@@ -6,8 +6,9 @@
  *
  *   s_ij = sum F_i X_j / (A h)
  *
- * While the particles inside are in equilibrium, it equals the stress from all contacts, -sum f_i l_j / (A h). Here f
- * is the force on the first particle of a contact, and l the vector from its centre to that of the second.
+ * While the particles inside are in equilibrium, this equals the stress from all contacts, -sum f_i l_j / (A h). f is
+ * the force on the first particle of a contact, N, and l the vector from the centre of the first particle to that of
+ * the second, m.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "boundary.h"

@@ -9,15 +9,17 @@
 static inline bool nb_boundary_exists(const struct nb_model *model) {
   return model->boundary && model->boundary->ring.exists;
 }
-/* From the boundary's centre to its k-th particle, counterclockwise, k modulo the number of particles, m. */
+/* The vector from the boundary's centre to its particle number k, m. The particles are counted counterclockwise, k
+ * modulo their number. */
 static inline struct nb_vec nb_boundary_position(const struct nb_model *model, size_t k) {
   const struct nb_ring *ring = &model->boundary->ring;
   return vec_sub(model->particles.position[ring->member[k % ring->count]], model->affine->centre);
 }
-double nb_boundary_area(const struct nb_model *model); /* of the polygon through the centres, m2 */
+double nb_boundary_area(const struct nb_model *model); /* area of the polygon through the particles' centres, m2 */
 /* Mean distance of the particles' centres from the boundary's centre, m. */
 double nb_boundary_radius(const struct nb_model *model);
-double nb_boundary_roughness(const struct nb_model *model);        /* their standard deviation over the mean, 1 */
-struct nb_tensor nb_boundary_stress(const struct nb_model *model); /* from the forces on its particles, Pa */
+/* Standard deviation of these distances over their mean, 1. */
+double nb_boundary_roughness(const struct nb_model *model);
+struct nb_tensor nb_boundary_stress(const struct nb_model *model); /* from the forces on the boundary's particles, Pa */
 
 #endif

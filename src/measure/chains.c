@@ -1,20 +1,21 @@
 /* Force chains of a region: their number, length and straightness.       (R89, section 6.4.3)
  *
- * After Peters, Muthuswamy, Wibowo and Tordesillas (2005, Phys. Rev. E 72, 041307), from the stress of each particle:
- *   sigma^p_ij = -(1/V_p) sum over its contacts f_i l_j                as in stress.c
- *   strong      its major principal stress is above the mean of all particles inside
- *   link        a contact of two strong particles within 45 degrees of the major axes of both
+ * The definitions of Peters, Muthuswamy, Wibowo and Tordesillas (2005, Phys. Rev. E 72, 041307) use the stress of each
+ * particle:
+ *   sigma^p_ij = -(1/V_p) sum over its contacts f_i l_j, Pa            as in stress.c
+ *   strong      a particle whose major principal stress is above the mean of all particles inside
+ *   link        a contact of two strong particles, within 45 degrees of the major axes of both
  *   chain       three or more particles connected by links
  *
- *   bend        angle between two successive links, on opposite sides of the particle that they share; 0 is straight.
- *               At a branch every pair of links counts
+ *   bend        angle between two successive links, on opposite sides of the particle that they share, rad; 0: a
+ *               straight chain. At a branch every pair of links counts
  *   length      number of particles of a chain
  *   fraction    number of particles in chains over the number of free particles inside
  *
- * Only free particles inside count. With d the angle from the major axis, d < 45 degrees is equivalent to cos 2d > 0,
- * which needs neither the axis nor the angle. Two links are on opposite sides of the particle if the angle between them
- * is obtuse. A particle with isotropic stress has no links. If all particles have the same stress, rounding decides
- * which are above the mean.
+ * Only free particles inside count. Let d be the angle of a contact from the major axis. The condition d < 45 degrees
+ * is equivalent to cos 2d > 0, which can be computed without the axis and the angle. Two links are on opposite sides of
+ * the particle if the angle between them is obtuse. A particle with isotropic stress has no links. If all particles
+ * have the same stress, rounding decides which of them are above the mean.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -24,8 +25,8 @@
 struct nb_chain_particle {
   struct nb_tensor stress; /* Pa */
   bool strong;
-  int root;      /* slot of the particle that stands for the chain (union-find) */
-  int particles; /* of the chain, where root is the particle's own slot */
+  int root;      /* slot of the particle that represents the chain (union-find) */
+  int particles; /* number of particles of the chain; valid in the particle that represents it */
 };
 
 bool nb_chains_create(struct nb_model *model) {
@@ -33,7 +34,7 @@ bool nb_chains_create(struct nb_model *model) {
   return model->regions->chain_particles != NULL;
 }
 
-/* Returns the number of free particles inside. */
+/* Finds the strong particles. Returns the number of free particles inside. */
 static double find_strong(const struct nb_model *model, const struct nb_region_state *region) {
   struct nb_chain_particle *chain_particles = model->regions->chain_particles;
   const struct nb_particles *particles = &model->particles;

@@ -1,16 +1,18 @@
-/* Collision prediction: which pairs collide at the present velocities, and the duration by Hertz's law
- * (hertz_impact.h).
+/* Collision prediction: finds the pairs that would collide at their current velocities, and the durations of these
+ * collisions by Hertz's law (hertz_impact.h).
  *
- * Two particles with d = y - x between their centres and the approach velocity w = v_x - v_y touch if w.d > 0 and their
- * straight paths pass closer than s = R_x + R_y. Then the approach velocity along the line of centres is
+ * Two particles with the vector d = y - x between their centres, m, and the relative velocity w = v_x - v_y, m/s,
+ * collide if w.d > 0 and their straight paths pass closer than s = R_x + R_y, m. The approach velocity along the line
+ * of centres is then
  *
  *   v = sqrt(w^2 - (w x d)^2/s^2)
  *
- * A wall is hit along its normal, or at an end like a particle without radius. A pair that touches already approaches
- * at v = w.d/|d|.
+ * A particle hits a wall along the wall's normal, or hits its end like a particle without radius. A pair that already
+ * touches approaches at v = w.d/|d|.
  *
- * Walls move as in the first stage. The prediction neglects gravity, the rotation of walls on their way and particles
- * in between. It tries every moving particle with every other one once, so a gas of a million particles takes long.
+ * Walls move as in the first stage. The prediction neglects gravity, the rotation of walls before the collision, and
+ * particles in between. It tests every moving particle with every other particle once, so a gas of a million particles
+ * takes long.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -20,12 +22,12 @@
 
 struct approach {
   double speed; /* approach velocity along the line of centres, m/s; 0: no collision */
-  double time;  /* until touch, s */
+  double time;  /* time until first touch, s */
 };
 
 static struct approach no_collision(void) { return (struct approach){0, INFINITY}; }
 
-/* `apart`: d, m; `relative`: w, m/s. */
+/* The collision of two circles; `apart`: d, m; `relative`: w, m/s. */
 static struct approach circles_approach(struct nb_vec apart, struct nb_vec relative, double radius_sum) {
   const double distance = vec_length(apart), along = vec_dot(relative, apart);
   if (!(along > 0))
@@ -40,7 +42,7 @@ static struct approach circles_approach(struct nb_vec apart, struct nb_vec relat
   return (struct approach){speed, (along / size - speed * radius_sum / size) / size};
 }
 
-/* Velocities of a wall in the first stage, also before the stage has begun. */
+/* Velocities of a wall in the first stage, even before this stage has begun. */
 static struct nb_velocities wall_state(const struct nb_model *model, int wall) {
   struct nb_velocities state = {model->walls.velocity[wall], model->walls.spin[wall]};
   const struct nb_stage *first = &model->scene->stages[0];
@@ -59,7 +61,7 @@ static struct approach wall_approach(const struct nb_model *model, struct nb_vec
   const struct nb_vec nearest = nb_wall_nearest(walls, w, position);
   const struct nb_vec arm = vec_sub(nearest, walls->pivot[w]);
   const struct nb_vec relative = vec_sub(velocity, vec_add(state.velocity, vec_scale(state.spin, vec(-arm.y, arm.x))));
-  /* The particle hits the face if its centre projects onto the wall at touch. */
+  /* The particle hits the face if, at first touch, the foot of the perpendicular from its centre is on the wall. */
   const double side = vec_cross(along, from), height = fabs(side),
                speed = -copysign(1, side) * vec_cross(along, relative);
   const double time = height > radius ? (height - radius) / speed : 0, foot = s + vec_dot(relative, along) * time;
@@ -131,7 +133,7 @@ struct nb_collision nb_collision_shortest(const struct nb_model *model) {
     return shortest;
   for (size_t i = 0; i < n; i++)
     velocity[i] = nb_velocity_total(model, i);
-  for (size_t k = 0; k < n; k++) { /* in the order of numbers: of equal durations the first one counts */
+  for (size_t k = 0; k < n; k++) { /* in the order of numbers: of equal durations the first one is kept */
     const size_t i = (size_t)model->particles.slot[k];
     if (moving(velocity[i]))
       try_particles(&shortest, model, velocity, i);

@@ -1,16 +1,17 @@
 /* Changes since the beginning of a stage, for snapshots with `from`.                       [R89 sec. 4.2, figure 6.35]
  *
- *   displacement, rotation   of a particle: present position and angle minus those at the beginning of the stage
- *   slip                     of a contact: sum of |ds| over the steps at whose end it slides, since the stage began and
- *                            since the contact closed; the step in which sliding begins includes the elastic
- *                            displacement
+ *   displacement, rotation   of a particle: current position, m, and angle, rad, minus those when the stage began
+ *   slip                     of a contact: sum of |ds| over the steps at whose end the contact slides, since the stage
+ *                            began and since the contact closed, m; the step in which sliding begins includes the
+ *                            elastic displacement
  *   lattice                  the space lattice that is equivalent to the assembly: lines between the centres of
- *                            particles in contact, or from a centre to the nearest point of a wall, at the present
- *                            positions. kind: 0 for contacts that exist at both times, 1 for new ones, -1 for lost ones
+ *                            particles in contact, or from a centre to the nearest point of a wall, at the current
+ *                            positions. kind: 0 for a contact that exists at both times, 1 for a new contact, -1 for a
+ *                            lost one
  *
  * A contact that opens and closes again in between is not lost; its slip counts from the last closing. The slip of a
- * contact is kept beside the history of its laws, one number for each such stage, and survives searches with it. A
- * scene without `snapshot from` has no such data.
+ * contact is kept beside the history of its laws, one number for each such stage, and a search keeps both. A scene
+ * without `snapshot from` has no such data.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "configuration.h"
@@ -129,7 +130,7 @@ void nb_configuration_add_slip(struct nb_model *model) {
     }
 }
 
-/* ---- readings ---- */
+/* ---- values ---- */
 
 static const struct reference *reference_of(const struct nb_model *model, int stage) {
   return &model->configuration->list[index_of(model->configuration, stage)];
@@ -162,7 +163,7 @@ struct nb_vec nb_pair_branch(const struct nb_model *model, struct nb_neighbour_p
   return vec_add(apart, tensor_times(model->cell->h, nb_wrap_image(&wrap, apart)));
 }
 
-/* Both lists are in the order of contacts: the walk merges them. */
+/* Both lists are in the order of contacts, so the walk can merge them. */
 bool nb_configuration_next(struct nb_configuration_walk *walk, struct nb_neighbour_pair *pair, int *kind) {
   const struct nb_contacts *contacts = &walk->model->contacts;
   while (walk->now < contacts->count && !nb_touches(contacts, walk->now))

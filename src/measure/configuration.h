@@ -7,31 +7,33 @@
 #include "core/contacts.h"
 #include "snapshot.h"
 
-/* Leaves model->configuration NULL without such snapshots; false: no memory. */
+/* Creates model->configuration, or leaves it NULL if the scene has no such snapshots. False: out of memory. */
 bool nb_configuration_create(struct nb_model *model);
 void nb_configuration_free(struct nb_configuration *configuration);
 size_t nb_configuration_count(const struct nb_configuration *configuration); /* number of such stages; 0 for NULL */
 void nb_configuration_store(struct nb_store *store, struct nb_model *model);
-bool nb_configuration_begin(struct nb_model *model, int stage); /* a stage begins; false: no memory */
-void nb_configuration_add_slip(struct nb_model *model);         /* of the last step; after the forces */
+bool nb_configuration_begin(struct nb_model *model, int stage); /* called when a stage begins; false: out of memory */
+void nb_configuration_add_slip(struct nb_model *model); /* adds the slip of the last step; called after the forces */
 
-/* Since the beginning of a stage that some snapshot names after `from`. */
+/* Displacement, rotation and slip since the beginning of a stage that some snapshot names after `from`. */
 struct nb_vec nb_configuration_displacement(const struct nb_model *model, int stage, size_t slot); /* m */
 double nb_configuration_rotation(const struct nb_model *model, int stage, size_t slot); /* rad, counterclockwise */
 double nb_configuration_slip(const struct nb_model *model, int stage, size_t contact);  /* m */
-/* The table `lattice`; false: no memory. */
+/* Makes the table `lattice`. False: out of memory. */
 bool nb_configuration_lattice(struct nb_table *table, const struct nb_model *model, int stage, int from);
 
-/* Walk over contacts that touch now or touched at the reference, in order. kind: 0 both, 1 now only, -1 then only. */
+/* A walk over the contacts that touch now or touched when the reference stage began, in the order of contacts. kind: 0:
+ * at both times; 1: only now; -1: only then. */
 struct nb_configuration_walk {
   const struct nb_model *model;
   const struct nb_neighbour_pairs *reference;
   size_t now, past; /* indices in the contacts and in `reference` */
 };
 bool nb_configuration_next(struct nb_configuration_walk *walk, struct nb_neighbour_pair *pair, int *kind);
-/* The pairs that touch now; false: no memory. */
+/* Lists the pairs that touch now. False: out of memory. */
 bool nb_touching_pairs(struct nb_neighbour_pairs *touching, const struct nb_model *model);
-/* From the first centre to the second one, in a cell to its nearest copy, or to the nearest point of the wall; m. */
+/* The vector from the centre of the first particle to that of the second, or of its nearest image in a cell, or to the
+ * nearest point of the wall, m. */
 struct nb_vec nb_pair_branch(const struct nb_model *model, struct nb_neighbour_pair pair);
 
 #endif

@@ -1,22 +1,23 @@
 /* Coordination number of a region.
  *
- *   coordination               2M/N     contact ends on the particles inside, over these particles
+ *   coordination               2M/N     number of contact ends on particles inside, over the number of these particles
  *   coordination.mechanical             the same without rattlers and their contacts
  *   constraint_ratio           constraints over degrees of freedom of the free particles   [Cundall and Strack 1983]
  *
- * The constraint ratio counts the free particles inside that are no rattlers, and their contacts, each once. A particle
- * has two degrees of freedom, or three if any of these contacts has friction. A contact is one constraint, or two if it
- * has friction and does not slide. Below 1 the particles are a mechanism; at 1 statics alone determines the forces.
+ * The constraint ratio counts the free particles inside that are not rattlers, and each of their contacts once. A
+ * particle has two degrees of freedom, or three if any of these contacts has friction. A contact is one constraint, or
+ * two if it has friction and does not slide. If the ratio is below 1, the particles are a mechanism; if it is 1,
+ * statics alone determines the forces.
  *
  * A rattler has fewer than two contacts, not counting contacts with other rattlers. Rattlers are found by removing
- * particles with fewer than two contacts, inside the region or not, until none is left. Fixed particles are no
- * rattlers. A particle with two contacts that are not opposite counts as loaded, although without friction the two
- * forces cannot balance.
+ * particles with fewer than two contacts, inside the region or not, until none is left. A fixed particle is not a
+ * rattler. A particle with two contacts that are not opposite is not a rattler either, although without friction the
+ * two forces cannot balance.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "region.h"
 
-/* Slot of the particle at the other end; -1: a wall. */
+/* Slot of the other particle of the contact; -1: a wall. */
 static int partner(const struct nb_model *model, size_t contact, size_t slot) {
   const struct nb_contacts *contacts = &model->contacts;
   if (model->material_pairs[contacts->material_pair[contact]].wall)
@@ -30,7 +31,8 @@ static bool is_rattler(const struct nb_model *model, size_t slot) {
   return is_free(model, slot) && model->regions->touching[slot] < 2;
 }
 
-/* Sets `touching` to the number of contacts with walls and particles that are no rattlers; -1 for a rattler. */
+/* For each particle, sets `touching` to the number of its contacts with walls and with particles that are not rattlers;
+ * -1: the particle is a rattler. */
 static void find_rattlers(const struct nb_model *model) {
   int *touching = model->regions->touching, *queue = model->regions->queue;
   size_t queued = 0;
@@ -61,7 +63,8 @@ struct constraints {
   bool friction;
 };
 
-/* The end of a load-carrying contact at a free particle inside. A contact of two such particles has two ends there. */
+/* Adds one end of a load-carrying contact, at a free particle inside. `both`: the other end is at such a particle
+ * too. */
 static void add_constraint(struct constraints *it, const struct nb_model *model, size_t contact, bool both) {
   const bool friction = model->material_pairs[model->contacts.material_pair[contact]].shear;
   const bool sticks = friction && !(model->contacts.kept[NB_SLIDING][contact] > 0);
@@ -96,7 +99,7 @@ void nb_measure_coordination(const struct nb_model *model, struct nb_region_stat
   *it = (struct nb_coordination){0};
   find_rattlers(model);
   const int *touching = model->regions->touching;
-  double loaded = 0; /* number of particles that are no rattlers */
+  double loaded = 0; /* number of particles that are not rattlers */
   for (size_t k = 0, i; nb_region_next(model, region, &k, &i);) {
     it->particles++;
     it->rattlers += touching[i] < 0, loaded += touching[i] >= 0;

@@ -1,26 +1,28 @@
 /* Distributions of contacts and contact forces over the directions.                  [Rothenburg and Bathurst 1989]
  *
- * In the direction theta of the contact normal they are, to second order,
+ * With the direction theta of the contact normal, rad, the distributions are, to second order,
  *
  *   E(theta)    = 1/(2 pi) (1 + a cos 2(theta - theta_a))       density of contacts
  *   N(theta)    = N_0 (1 + a_n cos 2(theta - theta_n))          mean normal force, N
  *   T(theta)    = N_0 a_t sin 2(theta - theta_t)                mean shear force along t = (n2, -n1), N
  *
- * The sum of the contact forces over the volume is then a stress with
+ * The stress that follows from these distributions has
  *
  *   sin Phi = 1/2 |a + a_n + a_t| / (1 + 1/2 a.a_n)
  *
- * where each coefficient is a vector of length a and direction 2 theta_a in Mohr's plane. The relation neglects higher
- * harmonics, and any correlation of the forces with the length of the branch.
+ * where each coefficient is a vector in Mohr's plane: a has the length a and the direction 2 theta_a, and a_n and a_t
+ * have 2 theta_n and 2 theta_t. The relation neglects higher harmonics, and any correlation of the forces with the
+ * length of the branch.
  *
- * Coefficients are Fourier integrals, computed as sums over the M contact ends on particles inside. N and T are means
- * over the directions, not over the ends, so each end counts with the weight w = 1/(1 + a cos 2(theta - theta_a)):
+ * The coefficients are Fourier integrals, computed as sums over the M contact ends on particles inside. N and T are
+ * means over the directions, not over the ends, so each end counts with the weight w = 1/(1 + a cos 2(theta -
+ * theta_a)):
  *
  *   a = 2/M sum c,   N_0 = 1/M sum w N,   a_n = 2/(M N_0) sum w N c,   a_t = 2/(M N_0) sum w T s
  *   c = (cos 2 theta, sin 2 theta),   s = (sin 2 theta, -cos 2 theta)
  *
- * With a >= 1 a density would be negative; w has no meaning then and a_n and a_t are not a number. They are 0 without
- * contacts.
+ * If a >= 1, the density of contacts would be negative in some directions, so w has no meaning and a_n and a_t are NaN.
+ * All coefficients are 0 without contacts.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "region.h"

@@ -1,7 +1,7 @@
 /* Energy and momentum of particles and contacts at t_N.
  *
- *   K = sum (m v^2 + I w^2)/2                   v, w at t_N, the mean of the two half steps [CS79 31]
- *   U = sum (U_n + U_s)                         the laws' state functions: F_n^2/2k_n and F_s^2/2k_s for springs
+ *   K = sum (m v^2 + I w^2)/2                   v, m/s, and w, rad/s, at t_N, the mean of the two half steps [CS79 31]
+ *   U = sum (U_n + U_s)                         the laws' state functions, J: F_n^2/2k_n and F_s^2/2k_s for springs
  *   p = sum m v,   L = sum (m (x cross v) + I w)      about the origin
  *
  * The velocities exclude the imposed motion (affine.c). The sums run over free particles, in the order of their
@@ -14,7 +14,8 @@ static double kinetic_of(const struct nb_particles *particles, size_t i, struct 
   return (particles->mass[i] * vec_dot(v.velocity, v.velocity) + particles->inertia[i] * (v.spin * v.spin)) / 2;
 }
 
-/* for (size_t k = 0, i; next_free(particles, &k, &i);): slot i of each free particle, in the order of numbers. */
+/* Loops over the free particles in the order of their numbers: for (size_t k = 0, i; next_free(particles, &k, &i);)
+ * sets i to the slot of each. */
 static bool next_free(const struct nb_particles *particles, size_t *k, size_t *slot) {
   while (*k < particles->count) {
     *slot = (size_t)particles->slot[(*k)++];
@@ -109,5 +110,5 @@ double nb_unbalanced_max(const struct nb_model *model) {
     const double size = vec_length(model->contacts.force[c]);
     contact = size > contact ? size : contact;
   }
-  return sum > 0 ? sum / contact : 0; /* infinite while forces act and no contact bears any */
+  return sum > 0 ? sum / contact : 0; /* infinite if forces act but all contact forces are 0 */
 }

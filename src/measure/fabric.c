@@ -3,23 +3,24 @@
  *   Phi_ij = <n_i n_j>,   Phi_ijkl = <n_i n_j n_k n_l>          mean over the contacts        [R89 4.47, 4.48]
  *   F_ij = F_kk Phi_ij,   F_kk = 2M R/V                                                       [R89 4.45, 4.46]
  *
- *   n     contact normal, 1                           M  number of contacts: 2M of their ends are on particles inside
+ *   n     contact normal, 1                           M  half the number of contact ends on particles inside
  *   R     mean radius of the particles inside, m      V  area times thickness, m3
  *
- * The mean is over the contact ends on particles inside: a contact of two of them counts twice, one with a wall or with
- * a particle outside once. In an assembly without walls that is R89's mean over contacts. Weighted by the normal force,
- * Phi is sum F_n n_i n_j over sum F_n; weighted by the shear force, sum |F_s| n_i n_j over sum |F_s|. Phi of sliding
- * contacts is the mean over those with |F_s| at 0.99 of its limit or above, as sliding.near of loads.c. The trace is 1
- * in all four cases.
+ * The mean is over the contact ends on particles inside: a contact of two particles inside counts twice, a contact with
+ * a wall or with a particle outside once. In an assembly without walls this is R89's mean over contacts. Weighted by
+ * the normal force, Phi is sum F_n n_i n_j over sum F_n; weighted by the shear force, sum |F_s| n_i n_j over sum |F_s|.
+ * Phi of sliding contacts is the mean over contacts with |F_s| at 0.99 of its limit or above, as sliding.near of
+ * loads.c. The trace is 1 in all four cases.
  *
  * k contacts evenly spaced round a particle give Phi_ij = delta_ij/2 for k >= 3, and Phi_xxxx = 3/8 and Phi_xxyy = 1/8
  * for k = 3 and k >= 5.
  *
- * Phi of lost and of new contacts [R89 figure 6.35] is the mean over their ends:
+ * Phi of lost and of new contacts [R89 figure 6.35] is the mean over their ends. The reference time is the beginning of
+ * the region's `from` stage, or of the run:
  *
- *   lost   touched when the region's `from` stage began, or the run, and does not now
- *   new    touches now and did not then; a contact that opened and closed again in between is neither
- *   n      unit vector between the present centres, or to the nearest point of the wall
+ *   lost   a contact that touched at the reference time and does not touch now
+ *   new    a contact that touches now and did not touch then; one that opened and closed again in between is neither
+ *   n      unit vector between the current centres, or to the nearest point of the wall
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "configuration.h"
@@ -87,7 +88,7 @@ static double ends_inside(const struct nb_model *model, const struct nb_region_s
 }
 
 static void count(struct nb_changed_contacts *it, double ends, struct nb_vec line) {
-  const double square = vec_dot(line, line); /* 0: a centre on a wall */
+  const double square = vec_dot(line, line); /* 0 if a centre is on a wall */
   it->count += ends > 0, it->ends += ends;
   it->phi = tensor_add(it->phi, tensor_scale(square > 0 ? ends / square : 0, tensor_outer(line, line)));
 }

@@ -4,13 +4,15 @@
  *   dSF = |SF|_new - |SF|_old                                          [R89 4.38, 4.39]
  *   FRACC = dt/(2 (M dx/|dSF|)^(1/2))                                  [R89 4.37, 4.40]
  *
- * SF is the sum of the contact forces on a particle of the mass M, N; v the velocity over the step between the two
- * forces, m/s. FRACC is the largest value of all free particles in the last cycle. R89 does not treat dSF < 0 and dx =
- * 0: here the absolute value of dSF is used, and particles with dx = 0 do not count.
+ *   SF   sum of the contact forces on a particle, N        M   mass of the particle, kg        dt  step, s
+ *   v    velocity over the step between the two force calculations, m/s
  *
- * Range    dSF is a difference of magnitudes: it misses forces that rotate or change sign, and the oscillation that
- *          grows first when a step is too long changes its sign every cycle. A particle that hardly moves while its
- *          neighbours do has an unbounded K. So FRACC is not a stability bound; see cases/5-numerics/fracc.md and
+ * FRACC is the largest value of all free particles in the last cycle. R89 does not treat dSF < 0 and dx = 0: this file
+ * uses the absolute value of dSF and leaves out particles with dx = 0.
+ *
+ * Range    FRACC is not a stability bound. dSF is a difference of magnitudes, so it misses forces that rotate or change
+ *          their sign. But the oscillation that grows first when a step is too long changes its sign in every cycle. A
+ *          particle that hardly moves while its neighbours do has an unbounded K. See cases/5-numerics/fracc.md and
  *          stable_step.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */

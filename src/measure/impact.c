@@ -1,12 +1,14 @@
 /* Measures of an impact, in Maw's dimensionless numbers.                         [R89 5.9, 5.11, 5.12, 5.15]
  *
- *   psi = V_T/(mu kappa V_N)       V_T present tangential velocity of the contact, V_N normal velocity at first touch;
- *                                  psi1 is psi at first touch, psi2 is psi at the end
- *   kappa = E* / (4 G*)              compliance ratio: (2 - nu)/(2 (1 - nu)) of like materials; k_n/k_s of linear springs
- *   N_max = (5/4) M V_N^2/alpha_m;  alpha_m and T_c (there t) as in hertz_impact.h
+ *   psi = V_T/(mu kappa V_N)       V_T current tangential velocity of the contact, m/s; V_N normal velocity at first
+ *                                  touch, m/s; mu friction, 1; psi1 is psi at first touch, psi2 is psi at the end
+ *   kappa = E* / (4 G*)            compliance ratio, 1: (2 - nu)/(2 (1 - nu)) of like materials; k_n/k_s of springs
+ *   N_max = (5/4) M V_N^2/alpha_m  largest normal force, N; hertz_impact.h gives alpha_m, m, and the duration T_c, s
+ *                                  (there t)
  *   linear springs:  T_c = pi sqrt(M/k_n),   N_max = V_N sqrt(M k_n)
  *
- * M is the reduced mass. The state at first touch follows from the scene; a run stores only the time of first touch.
+ * M is the reduced mass, kg. The state at first touch follows from the scene; a run stores only the time of first
+ * touch.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "impact.h"
@@ -14,7 +16,7 @@
 #include "core/names.h"
 #include "laws/laws_now.h"
 
-/* N_max, T_c and kappa of the impact without dissipation. */
+/* Computes N_max, T_c and kappa of the impact without dissipation. */
 static void elastic(struct nb_impact_state *incidence, struct nb_pair pair) {
   const double v = incidence->normal_v, m = incidence->mass;
   if (pair.young > 0) {
@@ -64,16 +66,16 @@ struct nb_impact_state nb_impact_incidence(const struct nb_scene *scene) {
   return incidence;
 }
 
-/* ---- now ---- */
+/* ---- the current state ---- */
 
 struct progress {
   struct nb_impact_state incidence;
   double direction;              /* sign of V_T at incidence: 1 or -1 */
-  double elapsed;                /* since first touch, s */
-  struct nb_vec displacement, v; /* since first touch, m, and present velocity, m/s, relative to the other partner */
-  double rolled, surface;        /* sum of R theta since first touch, m, and of R w, m/s */
+  double elapsed;                /* time since first touch, s */
+  struct nb_vec displacement, v; /* relative to the other partner: displacement since first touch, m; velocity, m/s */
+  double rolled, surface;        /* sum of R theta since first touch, m; sum of R w, m/s */
   double normal_f, shear_f;      /* F_n, F_s, N */
-  double rotational_energy;      /* J */
+  double rotational_energy;      /* kinetic energy of the rotation, J */
 };
 
 static double field(const struct nb_model *model, long contact, enum nb_field which) {
@@ -121,7 +123,8 @@ static double psi(const struct nb_impact_state *s, double v) { return v / (s->fr
 static double along(const struct progress *it) {
   return it->direction * (vec_dot(it->v, it->incidence.tangent) + it->surface);
 }
-/* After the contact has opened, the gap over the speed of separation is the time since then. */
+/* The duration of the contact so far, s. After the contact has opened, the time since it opened is the gap divided by
+ * the speed of separation. */
 static double duration_now(const struct progress *it) {
   const double gap = vec_dot(it->displacement, it->incidence.normal), v = vec_dot(it->v, it->incidence.normal);
   return it->elapsed - (gap > 0 && v > 0 ? gap / v : 0);

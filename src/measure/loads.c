@@ -2,17 +2,18 @@
  *
  *   normal, shear      F_n and |F_s| of the laws, without dashpots, N
  *   contact_stress     F_n/(pi a^2), Pa        contact_shear   |F_s|/(pi a^2), Pa          [R89 sec. 4.6]
- *   contact_ratio      a over the smaller radius, 1                                        [R89 sec. 4.6]
+ *   contact_ratio      a over the radius of the smaller particle, 1                        [R89 sec. 4.6]
  *   obliquity          |F_s|/(mu F_n + c), 1; 1 if a contact slides                        [R89 figure 6.18]
  *   sliding            fraction of the contacts whose law reports F_s at its limit         [CS79 19]
- *   sliding.near       fraction of those with |F_s| at 0.99 of the limit mu F_n + c or above
- *   unbalanced.mean    mean magnitude of the force sum on a free particle, weight and boundary stress included, over
- *                      mean F_n
+ *   sliding.near       fraction of the contacts with |F_s| at 0.99 of the limit mu F_n + c or above
+ *   unbalanced.mean    mean magnitude of the sum of the forces on a free particle, including its weight and the force
+ *                      of a boundary stress, over the mean of F_n
  *
- *   a   radius of the contact circle, m; laws without one, such as `linear`, have no contact stress (0)
+ *   a      radius of the contact circle, m; for laws without one, such as `linear`, the contact stresses are 0
+ *   mu, c  friction, 1, and cohesion, N, of the contact
  *
- * The two definitions of sliding differ much, because any unloading in shear takes a contact away from its limit. A
- * contact without friction has no limit and does not slide.
+ * The two fractions of sliding contacts differ much, because any unloading in shear reduces the shear force below its
+ * limit. A contact without friction has no limit and does not slide.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "region.h"
@@ -76,8 +77,8 @@ void nb_measure_loads(const struct nb_model *model, struct nb_region_state *regi
   loads->unbalanced_mean = loads->unbalanced_force > 0 ? loads->unbalanced_force / loads->normal.mean : 0;
 }
 
-/* A shear force at this fraction of its limit or above counts as near it: a convention, which the help of the
- * quantities states. With 1 only contacts that have not been unloaded at all would count. */
+/* A shear force of at least this fraction of its limit counts as near the limit. This is a convention, which the help
+ * of the quantities states. With a fraction of 1, only contacts that have not been unloaded at all would count. */
 static const double near_limit = 0.99;
 
 struct nb_contact_load nb_contact_load(const struct nb_model *model, size_t contact) {

@@ -1,29 +1,30 @@
 /* Bounds of the moduli of a region.                                  [Bathurst and Rothenburg 1988; Agnolin and Roux 2007]
  *
- * If all particles moved with one uniform strain eps, the centres of two particles in contact, at the distance l, would
- * approach each other by l n.eps.n, and the particles would slide on each other by l t.eps.n. The energy of all contact
- * springs in the volume V is
+ * Suppose that all particles move with one uniform strain eps. The centres of two particles in contact, at the distance
+ * l, m, then approach each other by l n.eps.n, and the particles slide on each other by l t.eps.n. The energy of all
+ * contact springs per volume V is
  *
  *   W = 1/(2V) sum (k_n (l n.eps.n)^2 + k_s (l t.eps.n)^2)
  *
- * so with W = K/2 (eps_1 + eps_2)^2 for an isotropic strain and W = G/2 (eps_1 - eps_2)^2 for the shear eps_1 = -eps_2
- * along x and y
+ * With W = K/2 (eps_1 + eps_2)^2 for an isotropic strain, and W = G/2 (eps_1 - eps_2)^2 for the shear eps_1 = -eps_2
+ * along x and y, the moduli are
  *
  *   bulk         K = 1/(4V) sum l^2 k_n
  *   shear        G = 1/(4V) sum l^2 (k_n cos^2 2 theta + k_s sin^2 2 theta)
  *
- * Equilibrium has the least energy of all motions with the same displacements of the boundary, so these are upper
- * bounds. If all contact forces grew in the same proportion, they would stay in equilibrium. Of all forces in
- * equilibrium with the same stress, the true ones have the least energy of the springs. So with the mean stress p
+ * Of all motions with the same displacements of the boundary, the motion to equilibrium has the least energy, so these
+ * moduli are upper bounds. Contact forces that all grow in the same proportion stay in equilibrium. Of all forces in
+ * equilibrium with the same stress, the true ones have the least energy of the springs. So, with the mean stress p, Pa,
  *
  *   bulk.lower   K = p^2 V / sum (N^2/k_n + T^2/k_s)
  *
  * is a lower bound. All bounds hold for contacts that neither open nor close nor slide.
  *
- *   k_n, k_s   present tangent stiffnesses of the contact, without dashpots, N/m; without friction there is no k_s
+ *   k_n, k_s   current tangent stiffnesses of the contact, without dashpots, N/m; k_s is 0 without friction
  *   N, T       normal and shear force, dashpots included, N
- *   theta      direction of the contact normal n; t is normal to it
- *   V          area times thickness, m3; a contact of two particles inside counts once, others with the part of l inside
+ *   theta      direction of the contact normal n, rad; t is the unit vector at right angles to n
+ *   V          area of the region times thickness, m3; a contact of two particles inside counts once, another contact
+ *              with the part of l inside the region
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "region.h"

@@ -1,16 +1,18 @@
-/* The Rayleigh step: time in which a surface wave travels half round a sphere.                     [R89 4.29-4.34]
+/* The Rayleigh step: the time in which a surface wave travels half round a sphere.                 [R89 4.29-4.34]
  *
  *   t_R = pi R (rho/G)^(1/2) / alpha                                   [R89 4.33]
  *
- *   R      radius, m: of the sphere with the shortest t_R, or the mean of all, with the means of rho, G and nu
+ *   t_R    Rayleigh step, s
+ *   R      radius of the sphere with the shortest t_R, or the mean of all radii with the means of rho, G and nu, m
  *   rho    density, kg/m3
  *   G      shear modulus E/(2 (1 + nu)), Pa, from Young's modulus E and Poisson's ratio nu
- *   alpha  speed of Rayleigh waves over that of shear waves, c_2 = (G/rho)^(1/2); the root of
+ *   alpha  speed of Rayleigh waves over the speed of shear waves, c_2 = (G/rho)^(1/2), m/s; the root of
  *
  *            (2 - alpha^2)^2 = 4 (1 - alpha^2)^(1/2) (1 - q alpha^2)^(1/2),   q = c_2^2/c_1^2 = (1 - 2 nu)/(2 (1 - nu))
  *
- *          between 0.87 (nu = 0: 0.874032) and 0.96 (nu = 0.5: 0.955313). [R89 4.32] is its square, which has other
- *          roots, too. R89 uses the line 0.1631 nu + 0.876605 [R89 4.34], 0.22 % too small to 0.30 % too large.
+ *          between 0.87 (nu = 0: 0.874032) and 0.96 (nu = 0.5: 0.955313), where c_1 is the speed of compression waves,
+ *          m/s. [R89 4.32] is the square of this equation, which has further roots. R89 uses the straight line
+ *          0.1631 nu + 0.876605 [R89 4.34], which is between 0.22 % too small and 0.30 % too large.
  *
  * Range      t_R does not depend on contacts. Divided by the duration of a collision, t_R is proportional to v^(1/5),
  *            where v is the approach velocity, m/s (hertz_impact.h). Fixed particles and rigid materials are left out.
@@ -34,7 +36,7 @@ double nb_rayleigh_root(double poisson) {
 
 double nb_rayleigh_fit(double poisson) { return 0.1631 * poisson + 0.876605; }
 
-/* A sphere, or the mean of all. */
+/* The properties of a sphere, or the means of all spheres. */
 struct sphere {
   double radius, density, shear, poisson;
 };

@@ -1,17 +1,18 @@
 /* Regions: particles inside, area, thickness, porosity, and contact ends.
  *
- * A particle is inside if its centre is. The thickness, normal to the plane, is the mean over all particles of the
- * scene: a sphere counts with its diameter [R89 sec. 4.4], a disc with 1 m.
+ * A particle is inside if its centre is inside. The thickness, normal to the plane, is the mean over all particles of
+ * the scene: a sphere counts with its diameter [R89 sec. 4.4], a disc with 1 m.
  *
- *   areal       n = 1 - sum A_p/A                   A_p  exact area of a particle's outline inside; A of the region, m2
+ *   areal       n = 1 - sum A_p/A                   A_p  exact area of a particle inside, m2; A  area of the region, m2
  *   volume      n = 1 - sum V_p (A_p/pi R^2)/(A s)  V_p  4/3 pi R^3 or pi R^2 times 1 m, m3; s  thickness, m
  *   void_ratio  e = n/(1 - n), of the areal porosity
  *
- * The overlap of two particles counts for both, so large overlaps make the porosity smaller than the uncovered fraction
- * of the plane. A sphere at the region's edge counts with the fraction of its outline that is inside.
+ * The area of an overlap counts for both particles, so with large overlaps the porosity is smaller than the uncovered
+ * fraction of the plane. The volume of a sphere at the region's edge counts with the fraction of its area that is
+ * inside.
  *
- * `inside F` is the circle about the boundary's centre with F times the boundary's present mean radius. `all` is the
- * periodic cell, or the bounding box of all particles, with its sides along the page's axes before `transform` rotates
+ * `inside F` is the circle about the boundary's centre with F times the boundary's current mean radius. `all` is the
+ * periodic cell, or the bounding box of all particles, whose sides are along the page's axes before `transform` rotates
  * the scene.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -105,7 +106,7 @@ struct nb_region_state *nb_region_state(const struct nb_model *model, int region
     now->centre = vec(definition->x, definition->y), now->radius = definition->radius;
     now->area = nb_area_of_disc(definition->radius);
     break;
-  case NB_REGION_INSIDE: /* empty without a boundary */
+  case NB_REGION_INSIDE: /* the region is empty without a boundary */
     if (nb_boundary_exists(model))
       now->centre = model->affine->centre, now->radius = definition->radius * nb_boundary_radius(model);
     else
@@ -157,7 +158,7 @@ bool nb_region_next(const struct nb_model *model, const struct nb_region_state *
   return false;
 }
 
-/* Area of a particle's outline inside the region, m2. */
+/* The area of a particle that is inside the region, m2. */
 static double area_inside(const struct nb_model *model, const struct nb_region_state *region, size_t slot) {
   const double radius = model->particles.surface[slot].radius;
   const struct nb_vec x = nb_region_position(model, region, slot);

@@ -2,9 +2,9 @@
  *
  *   region.c        particles inside, area, volume and porosity; contact ends
  *   region_quantities.c   the quantities
- *   areas.c         area of an outline inside
+ *   areas.c         area of a particle inside a circle or a polygon
  *   stress.c        stress, by particles and by contacts, and its parts
- *   fabric.c        directions of contacts, also of lost and new ones
+ *   fabric.c        directions of all contacts, and of lost and new contacts
  *   directions.c    distributions of contacts and forces over the directions
  *   moduli.c        moduli for a uniform strain
  *   coordination.c  coordination number, rattlers
@@ -24,11 +24,11 @@
 
 enum nb_stress_part { NB_STRESS_NORMAL, NB_STRESS_SHEAR, NB_STRESS_FABRIC, NB_STRESS_VARIATION, NB_STRESS_PARTS_COUNT };
 struct nb_stress {
-  struct nb_tensor total, contacts; /* by particles; by contacts, Pa */
-  double sinphi, residual;          /* of the total, 1; Pa */
+  struct nb_tensor total, contacts; /* stress by particles, Pa; stress by contacts, Pa */
+  double sinphi, residual;          /* sin Phi of the total, 1; residual of stress.c, Pa */
   struct {
-    struct nb_tensor stress; /* by particles, Pa */
-    double fraction;         /* of the total deviator */
+    struct nb_tensor stress; /* part of the stress by particles, Pa */
+    double fraction;         /* fraction of the total deviator, 1 */
   } part[NB_STRESS_PARTS_COUNT];
 };
 struct nb_anisotropy {
@@ -46,19 +46,19 @@ struct nb_directions {
   double sinphi;                  /* sin Phi that follows from them */
 };
 struct nb_moduli {
-  double bulk, shear, bulk_lower; /* Pa: two upper bounds, a lower one */
+  double bulk, shear, bulk_lower; /* two upper bounds and a lower one, Pa (moduli.c) */
 };
 struct nb_changed_contacts {
-  double count, ends;   /* contacts; their ends on particles inside */
-  struct nb_tensor phi; /* of trace 1; 0 without contacts */
+  double count, ends;   /* number of contacts; number of their ends on particles inside */
+  struct nb_tensor phi; /* Phi_ij, of trace 1; 0 without contacts */
 };
 struct nb_porosity {
   double areal, volume, void_ratio;
 };
 struct nb_coordination {
-  double particles, contacts; /* inside; their contacts, each once */
-  double mean, mechanical;    /* coordination numbers, all particles; without rattlers */
-  double rattlers;            /* number of them */
+  double particles, contacts; /* number of particles inside; number of their contacts, each counted once */
+  double mean, mechanical;    /* coordination number of all particles inside; without rattlers */
+  double rattlers;            /* number of rattlers */
 };
 struct nb_statistics {
   double mean, max, min, std; /* 0 without values; std: standard deviation */
@@ -69,7 +69,7 @@ struct nb_loads {
   struct nb_statistics ratio;               /* a over the smaller radius */
   struct nb_statistics obliquity;           /* |F_s|/(mu F_n + c) */
   double sliding, near_sliding;             /* fractions of the contacts */
-  double unbalanced_force, unbalanced_mean; /* mean magnitude on a free particle, N; over mean F_n */
+  double unbalanced_force, unbalanced_mean; /* mean magnitude of the force on a free particle, N; over mean F_n, 1 */
 };
 struct nb_strain {
   struct nb_tensor strain;
@@ -79,10 +79,10 @@ struct nb_speeds {
   double mean, max, imposed, ratio; /* m/s, m/s, m/s, 1 */
 };
 struct nb_chains {
-  double count, length, fraction; /* chains; particles of one; fraction of the free particles in chains */
+  double count, length, fraction; /* number of chains; mean length; fraction of the free particles in chains */
   double bend;                    /* mean angle between successive links, rad */
 };
-/* Each measure has a function nb_measure_NAME, called by nb_region_measured alone. */
+/* Each measure has a function nb_measure_NAME, which only nb_region_measured calls. */
 #define NB_MEASURE_ROWS(ROW)                                                                                           \
   ROW(NB_STRESS, stress)                                                                                               \
   ROW(NB_STRESS_PARTS, stress_parts)                                                                                   \
@@ -100,14 +100,14 @@ struct nb_chains {
 #define NB_MEASURE_NUMBER(number, name) number,
 enum nb_measure { NB_MEASURE_ROWS(NB_MEASURE_NUMBER) NB_MEASURES };
 
-/* A region in the present cycle. */
+/* A region in the current cycle. */
 struct nb_region_state {
   const struct nb_region *definition;
   struct nb_vec centre;
-  double radius;              /* of a circle, m; 0: a box, or no boundary */
+  double radius;              /* radius of a circle, m; 0: a box, or `inside` without a boundary */
   struct nb_vec corners[4];   /* counterclockwise, m */
-  double area, thickness;     /* m2, m */
-  unsigned long placed_cycle; /* the cycle of this geometry, plus 1; 0: none */
+  double area, thickness;     /* m2; m */
+  unsigned long placed_cycle; /* number of the cycle of this geometry, plus 1; 0: not computed yet */
   unsigned long measured[NB_MEASURES];
   struct nb_stress stress;
   struct nb_fabric fabric;
@@ -122,43 +122,47 @@ struct nb_region_state {
   struct nb_chains chains;
   struct nb_changed_contacts lost, gained;
   struct nb_neighbour_pairs reference_pairs; /* pairs that touched when the reference stage began */
-  struct nb_vec *reference_position;         /* by particle number - 1, m; NAN: outside; NULL: not needed */
+  struct nb_vec *reference_position;         /* index: particle number - 1; m; NAN: was outside; NULL: not needed */
 };
 struct nb_regions {
-  struct nb_region_state *list;              /* of the scene */
+  struct nb_region_state *list;              /* one for each region of the scene */
   int *touching, *queue;                     /* workspace of coordination.c, per slot */
   struct nb_chain_particle *chain_particles; /* workspace of chains.c, per slot; NULL: not needed */
 };
 
-/* strain.c: sets the reference positions of regions whose strain begins with this stage; -1: of all, at the start. */
+/* strain.c: sets the reference positions of the regions whose strain begins with this stage; stage -1: of all regions,
+ * at the start of the run. */
 enum nb_status nb_strain_begin(struct nb_model *model, int stage, struct nb_error *error);
-/* fabric.c: likewise the reference contacts. */
+/* fabric.c: sets the reference contacts of these regions. */
 enum nb_status nb_changed_contacts_begin(struct nb_model *model, int stage, struct nb_error *error);
 
 enum nb_status nb_regions_create(struct nb_model *model, struct nb_error *error);
-/* When a stage begins, or the run (-1): discards what was measured in this cycle. */
+/* Called when a stage begins, or the run (stage -1): sets the references of the regions and discards what was measured
+ * in this cycle. */
 enum nb_status nb_regions_stage(struct nb_model *model, int stage, struct nb_error *error);
 void nb_regions_free(struct nb_regions *regions, size_t count);
 
 struct nb_region_state *nb_region_state(const struct nb_model *model, int region);
-/* Computes that measure, at most once a cycle. */
+/* Computes the measure `which` of a region, unless it has been computed in this cycle. Returns the region's state. */
 const struct nb_region_state *nb_region_measured(const struct nb_model *model, int region, enum nb_measure which);
-/* Position of a particle; in a periodic cell that of the copy nearest to the region's centre, m. */
+/* Position of a particle, m; in a periodic cell, position of the image nearest to the region's centre. */
 struct nb_vec nb_region_position(const struct nb_model *model, const struct nb_region_state *region, size_t slot);
-/* Whether the centre of a particle is inside. */
+/* True if the centre of a particle is inside. */
 bool nb_region_contains(const struct nb_model *model, const struct nb_region_state *region, size_t slot);
-/* for (size_t k = 0, i; nb_region_next(model, region, &k, &i);): slot i of each particle inside, in the order of
- * numbers. */
+/* Loops over the particles inside, in the order of their numbers: for (size_t k = 0, i; nb_region_next(model, region,
+ * &k, &i);) sets i to the slot of each. */
 bool nb_region_next(const struct nb_model *model, const struct nb_region_state *region, size_t *k, size_t *slot);
-double nb_region_volume(const struct nb_model *model, size_t slot); /* of a particle, m3; a disc is 1 m thick */
+double nb_region_volume(const struct nb_model *model, size_t slot); /* volume of a particle, m3; a disc is 1 m thick */
 
-/* Contact ends: the contacts of each particle inside, in the order of particles, then of partners. */
+/* A contact end: a contact of a particle inside. Loops over the ends run in the order of particles, then of
+ * partners. */
 struct nb_end {
   size_t slot, contact;
-  int partner;     /* slot; -1: a wall */
+  int partner;     /* slot of the other particle; -1: a wall */
   struct nb_vec e; /* unit vector from the particle to its partner */
-  double arm;      /* from its centre to the contact, m */
-  /* With dashpots, N: the force on the particle is -(total_normal e + total_shear t), t = (e2, -e1). */
+  double arm;      /* distance from the particle's centre to the contact, m */
+  /* Total forces, including dashpots, N: the force on the particle is -(total_normal e + total_shear t), t = (e2,
+   * -e1). */
   double total_normal, total_shear;
 };
 static inline struct nb_vec nb_end_force(const struct nb_end *end) { /* from the particle on its partner, N */
@@ -170,14 +174,15 @@ struct nb_ends {
   size_t particle, slot;
   const int *next, *end;
 };
-/* From the centre of a particle to the contact, m: half-way between two outlines, or on the face of a wall. */
+/* Distance from the centre of a particle to the contact, m. The contact is half-way between the two outlines, or on the
+ * face of a wall. */
 static inline double nb_contact_arm(const struct nb_model *model, size_t contact, size_t slot) {
   const bool wall = model->material_pairs[model->contacts.material_pair[contact]].wall;
   const double overlap = model->contacts.kept[NB_OVERLAP][contact];
   return model->particles.surface[slot].radius - (wall ? overlap : overlap / 2);
 }
 struct nb_ends nb_ends_begin(const struct nb_model *model, const struct nb_region_state *region);
-bool nb_ends_next_particle(struct nb_ends *ends); /* goes on to the next particle with listed contacts; false: none */
+bool nb_ends_next_particle(struct nb_ends *ends); /* goes to the next particle with listed contacts; false: no more */
 static inline bool nb_ends_next(struct nb_ends *ends, struct nb_end *end) {
   const struct nb_model *model = ends->model;
   const struct nb_contacts *contacts = &model->contacts;
@@ -212,15 +217,16 @@ enum {
 /* loads.c: forces and stresses of a contact that touches. */
 struct nb_contact_load {
   double normal, shear;         /* F_n, |F_s|, N */
-  double sliding, near_sliding; /* 1 if F_s is at its limit; if it is near the limit */
-  double limit, obliquity;      /* mu F_n + c, N; |F_s| over it; 0 without friction */
-  double radius;                /* a, m; 0 if the law has none, as the next three */
+  double sliding, near_sliding; /* 1 if F_s is at its limit, else 0; 1 if F_s is near its limit, else 0 */
+  double limit, obliquity;      /* mu F_n + c, N; |F_s| over this limit, 1; both 0 without friction */
+  double radius;                /* a, m; a and the next three are 0 if the law has no contact radius */
   double pressure, traction;    /* F_n/(pi a^2), |F_s|/(pi a^2), Pa */
-  double ratio;                 /* a over the smaller radius */
+  double ratio;                 /* a over the radius of the smaller particle, 1 */
 };
 struct nb_contact_load nb_contact_load(const struct nb_model *model, size_t contact);
 
-#define NB_REQUEST_CHAINS (1u << 26)           /* besides those of model.h: chains.c */
+/* Bits of model->plan.requested, besides those of model.h: */
+#define NB_REQUEST_CHAINS (1u << 26)           /* force chains, chains.c */
 #define NB_REQUEST_CHANGED_CONTACTS (1u << 25) /* lost and new contacts, fabric.c */
 bool nb_chains_create(struct nb_model *model); /* false: no memory */
 

@@ -1,4 +1,4 @@
-/* Quantities of a region: each row names its measure and its place in struct nb_region_state.
+/* Quantities of a region. Each row names the measure of a quantity and its place in struct nb_region_state.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>

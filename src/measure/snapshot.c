@@ -1,6 +1,6 @@
 /* Snapshots: tables of all particles, walls and contacts at one time, and of the rings of regions.
  *
- *   rings   porosity of each ring about the region's centre, and of all inside its outer radius [R89 figure 6.5]
+ *   rings   porosity of each ring about the region's centre, and of the circle inside its outer radius [R89 figure 6.5]
  *
  * Each table is a list of columns with name, unit and value.
  *
@@ -34,7 +34,7 @@ bool nb_snapshot_row(struct nb_table *table, const struct nb_model *model, int s
   return row;
 }
 
-/* The last three columns exist only with `from`. */
+/* The columns of particles. The last three exist only with `from`. */
 #define PARTICLE(COLUMN)                                                                                               \
   COLUMN("particle", "1", (double)k + 1)                                                                               \
   COLUMN("x", "m", x.x)                                                                                                \
@@ -80,10 +80,11 @@ static bool walls_table(struct nb_table *table, const struct nb_model *model, in
   return complete;
 }
 
-/* Contacts that touch. For a contact with a wall b is 0 and `wall` is the number of the wall, from 1. x, y is half-way
- * between the two outlines [CS79 figure 1]. ra, rb are the radii (0 for a wall), fx, fy the elastic force on the first
- * particle, angle is the direction of e. radius is the radius of the contact circle, ratio this radius over the smaller
- * particle's. limit is mu F_n + c, obliquity |F_s| over limit. The last column exists only with `from`. */
+/* The columns of contacts that touch. For a contact with a wall, b is 0 and `wall` is the number of the wall, from 1.
+ * x, y is the point half-way between the two outlines [CS79 figure 1]. ra, rb are the radii (0 for a wall), fx, fy the
+ * elastic force on the first particle, and angle is the direction of e. radius is the radius of the contact circle, and
+ * ratio this radius over that of the smaller particle. limit is mu F_n + c, and obliquity is |F_s| over limit. The last
+ * column exists only with `from`. */
 #define CONTACT(COLUMN)                                                                                                \
   COLUMN("a", "1", particles->number[i])                                                                               \
   COLUMN("b", "1", wall ? 0 : particles->number[b])                                                                    \

@@ -6,15 +6,16 @@
 
 #include "core/model.h"
 
-/* All return false if memory runs out. */
+/* Fills the tables of a snapshot with the current state. False: out of memory. */
 bool nb_snapshot_take(struct nb_snapshot *snapshot, const struct nb_model *model, int stage);
 void nb_snapshot_free(struct nb_snapshot *snapshot);
-/* All possible tables of a snapshot, including those that it does not have; NULL after the last. */
+/* The table number `index` among all tables that a snapshot can have; NULL after the last. */
 struct nb_table *nb_snapshot_table_at(struct nb_snapshot *snapshot, size_t index);
-/* The tables that the snapshot has, one by one; false after the last. */
+/* Sets name and table to those of part number `part` among the tables that the snapshot has; false after the last. */
 bool nb_snapshot_part(const struct nb_snapshot *snapshot, int part, const char **name, const struct nb_table **table);
 
-/* A column. The macros make the heads and the rows of a table from a list of columns with name, unit and value. */
+/* A column of a table. The macros make the heads and the rows of a table from a list of columns with name, unit and
+ * value. */
 struct nb_table_column {
   const char *name, *unit;
 };

@@ -2,12 +2,12 @@
  * every NB_STABILITY_CYCLES cycles. It also does so when elastic spheres have stiffened so much that the step may have
  * become too long. stable_step.c defines the guaranteed stable step and L.
  *
- * A contact of elastic spheres stiffens with its overlap. So a check also computes how large each overlap may become
- * before the next check is needed. With
+ * The stiffness of a contact of elastic spheres increases with its overlap. So a check also computes how large each
+ * overlap may become before the next check is needed. With
  *
- *   q = dt^2 k_n + 2 dt c_n        of a contact now
- *   h >= (dt k_s + 2 c_s)/(dt k_n + 2 c_n)        of all contacts at all times
- *   S = sum of q over the n contacts of a particle, touching or not
+ *   q = dt^2 k_n + 2 dt c_n        for a contact now, kg
+ *   h >= (dt k_s + 2 c_s)/(dt k_n + 2 c_n)        for all contacts at all times, 1
+ *   S = sum of q over the n listed contacts of a particle, touching or not, kg
  *
  * the step is stable as long as, for all contacts,
  *
@@ -18,15 +18,15 @@
  *
  *   min over its particles of  (smallest half)/n / max(1/m, h (1/m + R^2/I))
  *
- * and the step remains stable while every contact stays below its limit. NB_STABLE_OVERLAP is the overlap of that q.
- * pass/deep.c compares overlaps with it. The first contact above it triggers a new check, before its force has moved a
- * particle.
+ * and the step remains stable while every contact stays below its limit. NB_STABLE_OVERLAP is the overlap at which q
+ * reaches this limit. pass/deep.c compares the overlaps with it. The first contact above its limit triggers a new
+ * check, before its force has moved a particle.
  *
  * h is k_s/k_n = 4 G* / E* without dashpots; with dashpots of sqrt(M* k) it lies between k_s/k_n and sqrt(k_s/k_n).
  *
  * Range     normal laws whose stiffness increases with the overlap, except Hertz's law by increments, whose stiffness
- *           follows from the force; and shear laws of elastic spheres, or none: the k_s of others is not proportional
- *           to k_n. Other contacts are checked like springs, whose stiffness is constant.
+ *           follows from the force; and shear laws of elastic spheres, or no shear law: k_s of other shear laws is not
+ *           proportional to k_n. Contacts with other laws are checked like linear springs, whose stiffness is constant.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
@@ -52,7 +52,7 @@ void nb_stable_text(char *text, size_t size, const struct nb_model *model, const
     snprintf(text + strlen(text), size - strlen(text), ", as if they touched");
 }
 
-/* ---- overlaps up to which the step stays stable ---- */
+/* ---- the overlaps up to which the step stays stable ---- */
 
 bool nb_stability_overlaps(struct nb_model *model) {
   unsigned long above = 0;
@@ -73,12 +73,13 @@ static double max_stiffness_ratio(const struct nb_model *model) {
   return model->stability->damped ? sqrt(largest) : largest; /* at most 1, because nu >= 0 */
 }
 
-/* The k_n of a q:  dt^2 k + 2 dt (time k + ratio (M k)^(1/2)) = q,  a quadratic equation in k^(1/2). */
+/* The k_n at which a contact has the given q, N/m: the solution of the quadratic equation in k^(1/2)
+ * dt^2 k + 2 dt (time k + ratio (M k)^(1/2)) = q. */
 static double stiffness_of(const struct nb_model *model, size_t c, double q) {
   const double dt = model->step;
   struct nb_dashpot dashpot = nb_dashpot(model, model->material_pairs[model->contacts.material_pair[c]].wall);
   if (model->damping.deep > 0)
-    dashpot.ratio = dashpot.ratio > 2 ? dashpot.ratio : 2; /* it may become deep */
+    dashpot.ratio = dashpot.ratio > 2 ? dashpot.ratio : 2; /* the contact may become deep */
   const double square = dt * dt + 2 * dt * dashpot.time;
   const double line = dashpot.ratio > 0 ? 2 * dt * dashpot.ratio * sqrt(1 / nb_inverse_mass(model, c)) : 0;
   const double root = 2 * q / (line + sqrt(line * line + 4 * square * q));
@@ -87,7 +88,7 @@ static double stiffness_of(const struct nb_model *model, size_t c, double q) {
 
 static double smaller(double a, double b) { return a < b ? a : b; }
 
-/* Slots of the free particles of a contact, one or two; returns their number. */
+/* Sets `slots` to the slots of the free particles of a contact; returns their number, 1 or 2. */
 static int free_particles(const struct nb_model *model, size_t c, int slots[2]) {
   const struct nb_contacts *contacts = &model->contacts;
   const double *inverse_mass = model->particles.inverse_mass;
@@ -99,12 +100,12 @@ static int free_particles(const struct nb_model *model, size_t c, int slots[2]) 
   return n;
 }
 
-/* Tolerated relative excess of a law's stiffness over the required one, because roots are rounded (1e-16). The step
- * varies with the root of the stiffness, so it exceeds the limit by at most half of that. */
+/* Tolerated relative excess of a law's stiffness over the required one, because roots are rounded (1e-16). The stable
+ * step varies with the root of the stiffness, so the step exceeds it by at most half of this fraction. */
 static const double rounding = 1e-6;
 
-/* Overlap at which the normal law has this stiffness, m: by Hertz k_n = 2 E* (R* alpha)^(1/2), less if the law is
- * stiffer. */
+/* Overlap at which the normal law has this stiffness, m. It follows from Hertz's k_n = 2 E* (R* alpha)^(1/2), and is
+ * smaller if the law is stiffer. */
 static double overlap_with_stiffness(const struct nb_model *model, size_t c, double stiffness) {
   const struct nb_material_pair *material_pair = &model->material_pairs[model->contacts.material_pair[c]];
   const struct nb_pair values = nb_contact_constants(model, c, material_pair->next);
@@ -129,11 +130,11 @@ static void set_update_limit(struct nb_model *model) {
     const int n = free_particles(model, c, slots);
     const double normal = nb_element_normal(&element, dt), shear = h * normal + nb_element_rotational(&element, dt);
     const double left = limit - (shear > normal ? shear : normal);
-    const bool apart = !(element.own.kn > 0) && !(left > 0); /* checked again as soon as they touch */
+    const bool apart = !(element.own.kn > 0) && !(left > 0); /* a check follows as soon as the pair touches */
     for (int k = 0; k < n && !apart; k++)
       model->stability->sums[slots[k]].remainder =
           smaller(model->stability->sums[slots[k]].remainder, left > 0 ? left / n : 0);
-    stable_overlap[c] = apart ? -INFINITY : dt * dt * element.own.kn + 2 * dt * element.own.cn; /* q, for now */
+    stable_overlap[c] = apart ? -INFINITY : dt * dt * element.own.kn + 2 * dt * element.own.cn; /* q at first */
   }
   for (size_t v = 0; v < model->blocks.count; v++)
     model->blocks.stable_overlap[v].overlap = INFINITY;
@@ -158,7 +159,7 @@ static void set_update_limit(struct nb_model *model) {
 /* Fraction of the stable step that a message proposes, so that contacts may stiffen by half (1/0.8^2). */
 static const double proposed_fraction = 0.8;
 
-/* A step below the stable one, written in the form of the page's own. */
+/* Writes a step below the stable one to `text`, in the form in which the page gives its step. */
 static void proposed_step(char *text, size_t size, const struct nb_model *model, double stable_overlap) {
   static const char *const of[] = {[NB_STEP_TIME] = " s",
                                    [NB_STEP_SINGLE_CONTACT] = " of single-contact",
@@ -176,7 +177,8 @@ static void proposed_step(char *text, size_t size, const struct nb_model *model,
     snprintf(text, size, "step %.2g%s", value, step->kind || !model->scene->unitless ? of[step->kind] : "");
 }
 
-/* A step from `step F of stable` with F = 1 may exceed the bound by rounding, which must not count as too long. */
+/* Checks the step. With `step 1 of stable` the step may exceed the bound by rounding, which must not count as too
+ * long. */
 static enum nb_status check_step(const struct nb_model *model, const struct nb_stable *stable, struct nb_error *error) {
   const double ratio = model->step / stable->step;
   model->stability->largest = ratio > model->stability->largest ? ratio : model->stability->largest;

@@ -5,25 +5,28 @@
  *
  *   z^2 - (1 + keep) z + keep  +  impulse dt^2 k z  +  impulse dt c (z - 1)  = 0,   k = u'K u/u'M u,  c = u'C u/u'M u
  *
- * M, K and C are the matrices of the masses, of the springs and of the dashpots, which lag by half a step; u' is u
- * transposed. No z leaves the unit circle as long as, for all u,
+ * z is the growth factor per cycle, 1, and u the mode of the vibration. M, K and C are the matrices of the masses, of
+ * the springs and of the dashpots, whose forces lag by half a step; u' is u transposed. No z leaves the unit circle as
+ * long as, for all u,
  *
  *   dt^2 k + 2 dt c <= L,      L = 2 (1 + keep)/impulse = 4 undamped and with [CS79 34-36]
  *
- * and the first one leaves it at z = -1, a motion that changes its sign every cycle. So a dashpot acts like an
- * additional spring 2 c/dt, and CS79's mass-proportional damping, which is centred in time, does not lower the limit.
+ * and the first z leaves the unit circle at z = -1, a motion that changes its sign in every cycle. So a dashpot acts
+ * like an additional spring 2 c/dt. CS79's mass-proportional damping, which is centred in time, does not lower the
+ * limit.
  *
  * Centred dashpots (pass/dashpots.c) use the velocity 3/2 v_(N+1/2) - 1/2 v_(N-1/2). With C = impulse dt c and K =
  * impulse dt^2 k the equation becomes
  *
  *   z^3 - (1 + keep - K - 3/2 C) z^2 + (keep - 2 C) z + C/2 = 0
  *
- * At z = -1 they count twice, dt^2 k + 4 dt c <= L. Below that no z leaves the unit circle (Jury's criterion).
+ * At z = -1 centred dashpots count twice: dt^2 k + 4 dt c <= L. Below this limit no z leaves the unit circle (Jury's
+ * criterion).
  *
  * The mass of each particle may be distributed over its contacts in any way. The largest k of the network is then at
- * most that of its stiffest part, because Rayleigh's quotient is a weighted mean of the quotients of the parts. Masses
- * are distributed in proportion to k_n and moments of inertia in proportion to k_s R^2. Then the parts are single
- * contacts with a closed form: with
+ * most the largest k of its parts, because Rayleigh's quotient is a weighted mean of the quotients of the parts. The
+ * masses are distributed in proportion to k_n, and the moments of inertia in proportion to k_s R^2. The parts are then
+ * single contacts, for which k has a closed form. With
  *
  *   S = sum k_n,  Q = sum k_s R^2  over the contacts of a particle
  *   A = S_i/m_i + S_j/m_j,  with zero terms for a wall or a fixed particle
@@ -33,17 +36,18 @@
  *
  * For other dashpots dt is the root of the same inequality with k + 2 c/dt in place of k, which has no closed form.
  *
- * All listed pairs count, touching or not, so the bound holds until the next search, whichever contacts open or close;
- * pairs that do not touch count as if they just did. When a stage begins, pairs that could meet later count as well:
- * the lightest particles of every two materials, however far apart. Otherwise the step could be too long for the first
- * contact that forms. The bound neglects the rotation of contacts, of the order of overlap over radius, and that
- * sliding contacts are softer.
+ * All listed pairs count, touching or not, so the bound holds until the next search, whichever contacts open or close.
+ * Pairs that do not touch count as if they were just touching. When a stage begins, pairs that could collide later
+ * count as well: the lightest particles of every two materials, however far apart. Otherwise the step could be too long
+ * for the first contact that forms. The bound neglects the rotation of contacts, an effect of the order of overlap over
+ * radius, and the smaller stiffness of sliding contacts.
  *
- * It costs as much as a few cycles, with elastic spheres up to a dozen. stability.c decides when to compute it.
+ * The computation of the bound costs as much as a few cycles; with elastic spheres as much as up to a dozen.
+ * stability.c decides when to compute it.
  *
  * Source     the element bound of finite elements (Irons and Treharne 1971).
- * Range      k_n > 0. A law with variable stiffness counts with the largest one at the present overlap, loading or
- *            unloading (law.h); stability.c finds the overlap up to which that holds.
+ * Range      k_n > 0. A law with variable stiffness counts with the largest stiffness at the current overlap, on
+ *            loading or unloading (law.h); stability.c finds the overlap up to which the step then stays stable.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
@@ -61,7 +65,8 @@ bool nb_stability_create(struct nb_model *model) {
   return true;
 }
 
-/* A stage may have changed properties and laws since the last force calculation. */
+/* Computes the parameters of all material pairs for the next force calculation: a stage may have changed properties and
+ * laws since the last one. */
 static void update_next_properties(const struct nb_model *model) {
   model->stability->damped = nb_damping_contact_line(&model->damping) > 0;
   const struct nb_law *shear = strcmp(model->next_laws.shear->name, "none") == 0 ? NULL : model->next_laws.shear;
@@ -72,7 +77,7 @@ static void update_next_properties(const struct nb_model *model) {
   }
 }
 
-/* Stiffnesses and damping coefficients at an overlap, with the contact's history or none. */
+/* Stiffnesses and damping coefficients at an overlap, with the history of the contact, or without history. */
 static struct nb_coefficients coefficients_at(const struct nb_model *model,
                                               const struct nb_material_pair *material_pair, double overlap,
                                               double inverse_mass, double radius, bool deep, double normal_history[],
@@ -90,7 +95,7 @@ static struct nb_coefficients coefficients_at(const struct nb_model *model,
   if (!deep)
     dashpot = nb_dashpot(model, material_pair->wall);
   const double mass = inverse_mass > 0 ? 1 / inverse_mass : 0;
-  const double times = model->damping.centred ? 2 : 1; /* see above */
+  const double times = model->damping.centred ? 2 : 1; /* centred dashpots count twice */
   k.cn = times * (dashpot.time * k.kn + dashpot.ratio * sqrt(mass * k.kn));
   k.cs = times * (dashpot.time * k.ks + dashpot.ratio * sqrt(mass * k.ks));
   return k;
@@ -102,7 +107,7 @@ double nb_inverse_mass(const struct nb_model *model, size_t c) {
   return inverse[model->contacts.a[c]] + (wall ? 0 : inverse[model->contacts.b[c]]);
 }
 
-/* Smallest positive overlap, with which a pair that does not touch counts, m. */
+/* The smallest positive overlap, m. A pair that does not touch counts with this overlap. */
 static const double smallest_overlap = DBL_MIN;
 
 static struct nb_coefficients coefficients_of(const struct nb_model *model, size_t c) {
@@ -115,7 +120,7 @@ static struct nb_coefficients coefficients_of(const struct nb_model *model, size
     const int doubles = history->doubles > NB_HISTORY ? history->doubles : NB_HISTORY;
     const bool changes = shear ? nb_laws_shear_changes(model) : nb_laws_normal_changes(model);
     if (changes)
-      memset(to, 0, NB_HISTORY * sizeof *to); /* in a longer row 0 in the first double means no history */
+      memset(to, 0, NB_HISTORY * sizeof *to); /* in a longer row, 0 in the first double means: no history */
     else
       memcpy(to, nb_history_read(history, c, buffer), (size_t)doubles * sizeof *to);
   }
@@ -129,7 +134,7 @@ double nb_stability_limit(const struct nb_damping *damping) {
   if (damping->global_kind == NB_GLOBAL_CON1_VELOCITY)
     return 2 * (1 + damping->global);
   if (damping->global_kind == NB_GLOBAL_CON1_ALL)
-    return 2 * (1 + damping->global) / damping->global; /* infinite when nothing moves */
+    return 2 * (1 + damping->global) / damping->global; /* infinite if CON1 = 0: nothing moves */
   return 4;
 }
 
@@ -143,8 +148,8 @@ static double element_shear(const struct nb_element *element, double dt) {
 
 static double larger(double a, double b) { return a > b ? a : b; }
 
-/* Largest dt at which neither the normal nor the shear term exceeds L. Both terms increase with dt; dashpots lower the
- * result. */
+/* The largest dt at which neither the normal nor the shear term exceeds L, s. Both terms increase with dt. Dashpots
+ * reduce the result. */
 static double largest_step(const struct nb_element *element, double limit) {
   const double ratio = element->own.ks / element->own.kn;
   const double square = larger(element->a, element->own.ks > 0 ? ratio * element->a + element->q : 0);
@@ -168,7 +173,7 @@ static void add(struct nb_particle_sums *load, const struct nb_coefficients *k, 
   load->ks += k->ks * square, load->cs += k->cs * square;
 }
 
-/* Adds the terms of one particle of the contact. */
+/* Adds the terms of one particle of the contact to the element. */
 static void add_particle(struct nb_element *element, const struct nb_particle_sums *load, double inverse_mass_,
                          double inverse_inertia) {
   element->a += load->kn * inverse_mass_, element->d += load->cn * inverse_mass_;
@@ -178,7 +183,7 @@ static void add_particle(struct nb_element *element, const struct nb_particle_su
 static void keep_smaller(struct nb_stable *stable, const struct nb_element *element, double limit, int a, int b,
                          const struct nb_material_pair *material_pair) {
   const double step = stable->step;
-  /* Most contacts do not limit the step, which this shows without solving for a root. */
+  /* Most contacts do not limit the step; this test shows it without solving for a root. */
   if (isfinite(step) && larger(nb_element_normal(element, step), element_shear(element, step)) <= limit)
     return;
   *stable = (struct nb_stable){.step = largest_step(element, limit), .a = a, .b = b, .material_pair = material_pair};

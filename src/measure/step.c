@@ -1,19 +1,20 @@
 /* Units of the time step.
  *
  *   single-contact  t_c = 2 sqrt(m/k)                                                  [CS79, Motion]
- *              with the smallest free mass and the largest normal stiffness between materials of the scene: the limit
- *              of one mass on one spring; a particle with several contacts has a smaller limit
- *   stable     the guaranteed stable step with the contacts and the damping at the beginning of the stage, see
+ *              with the smallest mass m of a free particle and the largest normal stiffness k between materials of the
+ *              scene: the limit of one mass on one spring; a particle with several contacts has a smaller limit
+ *   stable     the guaranteed stable step for the contacts and the damping at the beginning of the stage:
  *              stable_step.c
  *   collision  duration of the shortest possible head-on collision of two particles without damping:
  *              linear springs   pi sqrt(M* / k_n), half an oscillation of the reduced mass M* = m_x m_y/(m_x + m_y) on
- *                               the spring, the shortest over the lightest particles of every two materials
- *              elastic spheres  2.943 alpha_m/v (hertz_impact.h), which depends on the speed v: the shortest of the
- *                               collisions predicted at the beginning of the stage that sets the step, see collision.c
- *   rayleigh   travel time of a surface wave half round a sphere, see rayleigh_step.c                   [R89 4.33]
+ *                               the spring; the shortest for the lightest particles of every two materials
+ *              elastic spheres  2.943 alpha_m/v (hertz_impact.h), which depends on the speed v; the shortest of the
+ *                               collisions predicted at the beginning of the stage that sets the step (collision.c)
+ *   rayleigh   time in which a surface wave travels half round a sphere: rayleigh_step.c                [R89 4.33]
  *
- * The stiffness of elastic spheres depends on the overlap and is 0 without one. So they have no single-contact step,
- * and `stable` needs loaded contacts. Later stages keep a step that was set from predicted collisions.
+ * The stiffness of elastic spheres depends on the overlap and is 0 without an overlap. So elastic spheres have no
+ * single-contact step, and `stable` needs loaded contacts. A step that was set from predicted collisions is kept in
+ * later stages.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "step.h"
@@ -49,7 +50,7 @@ double nb_step_collision(const struct nb_model *model) {
   if (nb_step_elastic(model))
     return nb_collision_shortest(model).duration;
   const double *inverse = model->particles.inverse_mass;
-  double square = 0; /* the largest k_n/M */
+  double square = 0; /* the largest k_n/M*, 1/s2 */
   for (size_t p = 0; p < model->material_pair_count; p++) {
     const struct nb_material_pair *material_pair = &model->material_pairs[p];
     int pair[2];
@@ -67,7 +68,7 @@ bool nb_step_elastic(const struct nb_model *model) {
   return model->material_pair_count > 0 && model->next_laws.normal->elastic;
 }
 
-/* Largest overlap of elastic spheres that counts as rounding, over the radius; its stiffness is negligible. */
+/* Largest overlap of elastic spheres, over the radius, that counts as rounding; the stiffness there is negligible. */
 static const double rounding_overlap = 1e-9;
 
 bool nb_step_loaded(const struct nb_model *model) {
@@ -78,7 +79,7 @@ bool nb_step_loaded(const struct nb_model *model) {
   return false;
 }
 
-/* Why such a step cannot be used; NULL: it can. */
+/* The reason why a step of this kind cannot be used; NULL: it can be used. */
 static const char *objection(const struct nb_model *model, enum nb_step_kind kind, double unit) {
   if (kind == NB_STEP_COLLISION && model->cell && nb_step_elastic(model))
     return "collisions of elastic spheres are not predicted in a periodic cell";

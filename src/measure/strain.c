@@ -8,19 +8,19 @@
  *   X'  X minus the mean of all X, m      d  displacement since then, m
  *   a   common displacement, m            G  displacement gradient, 1
  *
- * The particles are those that were inside then and have not been removed, wherever they are now. Strain is small
- * strain relative to that time, e_ij = (G_ij + G_ji)/2, extension positive as in a strain rate; stress is positive in
- * compression. At least three particles that are not collinear are needed.
+ * The sum is over the particles that were inside when the strain began and have not been removed, wherever they are
+ * now. The strain is the small strain relative to that time, e_ij = (G_ij + G_ji)/2, extension positive as in a strain
+ * rate; stress is positive in compression. At least three particles that are not collinear are needed.
  *
- * Speeds are those of the free particles relative to the imposed motion:                        [R89 sec. 6.5.1]
+ * Speeds are the speeds |v| of the free particles relative to the imposed motion:               [R89 sec. 6.5.1]
  *
  *   v = u - c,   c = L (x - x_0)
  *
  *   u   velocity at t_N, m/s      c   imposed velocity at t_N, the mean over both half steps, m/s; 0 if none
  *
  * R89 calls v the perturbation velocity and c the fixed imposed velocity. `speed.ratio` is mean |v| over mean |c|. With
- * `accumulated`, where c is added to the stored velocity in every cycle, v is still u - c, so both interpretations are
- * measured alike.
+ * `accumulated`, c is added to the stored velocity in every cycle, but v is still u - c. So the measure is the same for
+ * both interpretations of R89.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "core/affine.h"
@@ -49,8 +49,8 @@ enum nb_status nb_strain_begin(struct nb_model *model, int stage, struct nb_erro
   return NB_OK;
 }
 
-/* Particles count as collinear if 1 - r^2 is at most this, r the correlation of their x and y. It is well above the
- * rounding error of 1e-15 and far below the value of any packing. */
+/* Particles count as collinear if 1 - r^2 is at most this, where r is the correlation of their x and y. The limit is
+ * well above the rounding error of 1e-15 and far below the value of 1 - r^2 in any packing. */
 static const double collinear = 1e-12;
 
 static struct nb_tensor fit(const struct nb_model *model, const struct nb_vec reference[]) {
@@ -79,7 +79,7 @@ static struct nb_tensor fit(const struct nb_model *model, const struct nb_vec re
     square = tensor_add(square, tensor_outer(place, place));
   }
   const double det = square.xx * square.yy - square.xy * square.yx;
-  if (!(det > collinear * square.xx * square.yy)) /* the strain across the line is not determined */
+  if (!(det > collinear * square.xx * square.yy)) /* the strain at right angles to the line is undefined */
     return tensor(0, 0, 0, 0);
   return tensor_scale(1 / det, tensor(product.xx * square.yy - product.xy * square.yx,
                                       product.xy * square.xx - product.xx * square.xy,
@@ -94,7 +94,7 @@ void nb_measure_strain(const struct nb_model *model, struct nb_region_state *reg
 
 /* ---- speeds ---- */
 
-/* c at t_N, the mean over both half steps, m/s; `stored`: the particle's own velocity contains it. */
+/* c at t_N, the mean over both half steps, m/s. Sets `stored` to true if the particle's own velocity contains c. */
 static struct nb_vec imposed(const struct nb_model *model, size_t i, bool *stored) {
   const struct nb_affine *affine = model->affine;
   *stored = affine && model->previous_step > 0 && affine->separate[affine->source[i]] == 0;

@@ -1,24 +1,27 @@
 /* Stress of a region and its parts; compression is positive.                          [R89 sec. 4.6]
  *
- * By particles: the contact forces give particle p the stress
+ * By particles: particle p, of the volume V_p, has the stress
  *   sigma^p_ij = -(1/V_p) sum over its contacts f_i l_j
- * and the region has the mean over its volume, with zero stress in the voids: the sum over p of V_p sigma^p_ij, over V.
+ * and the stress of the region is the mean over its volume, with zero stress in the voids: the sum over p of
+ * V_p sigma^p_ij, divided by V.
  *
- * By contacts: a contact of two particles inside counts once, with the whole branch from centre to centre; one with a
- * wall or a particle outside with the part of the branch inside. The sum has another order and uses other numbers: the
- * branch is the difference of two positions, the force the vector that moves the particles.
+ * By contacts:
  *   sigma_ij = -(1/V) sum over contacts f_i d_j
+ * A contact of two particles inside counts once, with the whole branch from centre to centre; a contact with a wall or
+ * a particle outside counts with the part of the branch inside. This sum is a check of the first one: it has another
+ * order and uses other numbers. Its branch is the difference of two positions, and its force is the vector that moves
+ * the particles.
  *
  * Parts, each summed separately. The contact force on the particle is -(N e + T t), where e is the contact normal
  * pointing out of the particle, and t = (e2, -e1):
  *   normal_ij  (1/V) sum N l e_i e_j      shear_ij     (1/V) sum T l t_i e_j          normal + shear = stress
  *   fabric_ij  (1/V) <N> sum l e_i e_j    variation_ij (1/V) sum (N - <N>) l e_i e_j  fabric + variation = normal
- * after Cundall and Strack (1983) and Barnes (1985). `fabric` is the stress if all normal forces were equal,
- * `variation` the contribution of their deviation from the mean.
+ * after Cundall and Strack (1983) and Barnes (1985). `fabric` is the stress that equal normal forces would cause, and
+ * `variation` is the contribution of their deviations from the mean.
  *
  *   f      force on the particle at a contact, with dashpots, N
- *   l_i    vector l e_i from its centre to the contact, l its length, m
- *   d      the part of the vector from the contact's first particle to the second that is inside, m
+ *   l_i    vector l e_i from the particle's centre to the contact, m; l its length, m
+ *   d      vector from the centre of the contact's first particle to that of the second, only its part inside, m
  *   V      area of the region times thickness, m3
  *   <N>    mean over the contact ends on particles inside, N
  *
@@ -92,15 +95,16 @@ static double sin_phi(struct nb_tensor stress) {
   return mean != 0 ? tensor_radius(stress) / mean : 0;
 }
 
-/* Both deviators are vectors in Mohr's plane: projection of the part's on the total's. */
+/* The deviators of the part and of the total are vectors in Mohr's plane. Returns the projection of the first on the
+ * second, over the length of the second. */
 static double fraction(struct nb_tensor part, struct nb_tensor whole) {
   const double difference = whole.xx - whole.yy, mixed = whole.xy + whole.yx,
                square = difference * difference + mixed * mixed;
   return square > 0 ? ((part.xx - part.yy) * difference + (part.xy + part.yx) * mixed) / square : 0;
 }
 
-/* Largest component of differences that should be 0: stress by particles minus by contacts, sums of parts minus their
- * total. */
+/* The largest component of three differences that should be 0, Pa: stress by particles minus stress by contacts, and
+ * the sums of parts minus their totals. */
 static double residual(const struct nb_stress *stress) {
   const struct nb_tensor normal = stress->part[NB_STRESS_NORMAL].stress, shear = stress->part[NB_STRESS_SHEAR].stress;
   const struct nb_tensor fabric = stress->part[NB_STRESS_FABRIC].stress;

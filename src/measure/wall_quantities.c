@@ -3,14 +3,14 @@
  *   eccentricity   (sum s F_n/sum F_n)/(L/2)      s    position of a contact along the wall, from its middle, m
  *                                                 F_n  force of the particle on the wall along the wall's normal, N
  *                                                 L    length of the wall, m           e/(L/2) of [CS79 tables 1-3]
- *   obliquity      |F_s|/(mu F_n + c), the largest of its contacts; without dashpots (loads.c)
+ *   obliquity      |F_s|/(mu F_n + c), 1, the largest of the wall's contacts; without dashpots (loads.c)
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "region.h"
 
 struct sums {
   struct nb_vec force; /* N */
-  double moment;       /* about P, N m */
+  double moment;       /* moment of the force about P, N m */
   double normal, arm;  /* sum F_n, N; sum s F_n, N m */
   double obliquity;
 };
