@@ -70,7 +70,7 @@ awk '
         row(part, word)
         if (part != "Expectations") known[word] = 1
       }
-      if (line ~ /In the scene and in stages/ && word != "stage") row("In a stage", word)
+      if (line ~ /Place: the scene;(.*;)? a stage[;.]/ && word != "stage") row("In a stage", word)
       if (part == "Quantities" && line ~ /^Of .*:$/) of = substr(line, 4, length(line) - 4)
       if (part == "Quantities" && of != "" && line ~ /^- `/) {
         word = substr(line, 4, index(substr(line, 4), "`") - 1)

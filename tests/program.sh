@@ -264,7 +264,7 @@ out 'usage: nineball COMMAND'
 run 0 --help scene
 for word in 'lattice' 'stage' 'MONITOR.NAME' 'increases with'; do out "$word"; done
 run 0 --help transform
-out '`mirror x` changes the sign of x'
+out '`x` changes the sign of x'
 run 0 --help expect
 for word in MEASURE amplitude 'reference NAME' within; do out "$word"; done
 run 0 --help kn

@@ -29,11 +29,11 @@ static const struct nb_argument strain_fields[] = {STRAIN, END};
 static const struct nb_argument box_strain_fields[] = {STRAIN_SIDES, END};
 static const struct nb_argument affine_fields[] = {
   STRAIN,
-  FLAG("apart", AT_APART, "apart", "The imposed velocity is not part of the particle's own velocity [R89 4.41]."),
+  FLAG("apart", AT_APART, "apart, unless one of the next two is given", "The imposed velocity is not part of the particle's own velocity [R89 4.41]."),
   FLAG("accumulated", AT_ACCUMULATED, "apart",
-       "As R89's program does: the imposed velocity is added to the particle's own velocity in every cycle and accumulates there."),
+       "The imposed velocity is added to the particle's own velocity in every cycle and accumulates there, as in R89's program."),
   FLAG("accumulated-twice", AT_TWICE, "apart",
-       "As `accumulated`, and the imposed velocity is also added to the relative velocity of two particles in contact, which contains it already, as in R89's program [R89 4.43]."),
+       "As `accumulated`. In addition the imposed velocity is added to the relative velocity of two particles in contact, although this contains it already, as in R89's program [R89 4.43]."),
   END
 };
 /* clang-format on */
@@ -203,32 +203,28 @@ void nb_imposed_motion_check(struct nb_scene_reading *reading) {
 /* clang-format off */
 NB_STATEMENTS(boundary) = {
   {"boundary circle", NB_IN_SCENE | NB_IN_STAGE, circle_fields, NULL, 0, false, apply_circle,
-   "From here on, particles whose centres are on this circle or outside are the boundary of the assembly; at first they are fixed. While the "
-   "boundary is fixed or strained, the circle moves with it, and a particle whose centre crosses the circle joins the boundary [R89 sec. 6.4.1].",
+   "Makes the particles whose centres are on this circle or outside the boundary of the assembly, from this line on; at first they are fixed. While the boundary is fixed or strained, the circle moves with it, and a particle whose centre crosses the circle joins the boundary [R89 sec. 6.4.1].",
    "boundary  circle 40 mm 40 mm  radius 1 m"},
   {"boundary strain", NB_IN_STAGE, strain_fields, NULL, 0, false, apply_boundary,
-   "From this stage on, the centres of the boundary's particles follow a strain rate about the circle's centre exactly. They do not rotate, and there is no force "
-   "between two of them.",
+   "Moves the centres of the boundary's particles with this strain rate about the circle's centre, from this stage on. The boundary's particles do not rotate, and there is no force between two of them.",
    "stage     squeeze\n  boundary strain -1e-6 per cycle -1e-6 per cycle\n  cycles  10"},
   {"boundary stress", NB_IN_STAGE, stress_fields, NULL, 1, false, apply_boundary,
-   "From this stage on, the boundary's particles are free. A force acts on each: this stress times its part of the polygon through their centres.",
+   "Makes the boundary's particles free and applies a stress to them, from this stage on. The force on each is this stress times the part of the polygon through their centres that belongs to the particle.",
    "stage     load\n  boundary stress 1 kPa 1 kPa\n  cycles  10"},
   {"boundary fixed", NB_IN_STAGE, no_fields, NULL, 2, false, apply_boundary,
-   "The boundary's particles are fixed from this stage on.",
+   "Fixes the boundary's particles from this stage on.",
    "stage     rest\n  boundary fixed\n  cycles  10"},
   {"boundary none", NB_IN_STAGE, no_fields, NULL, 3, false, apply_boundary,
-   "There is no boundary from this stage on: its particles are free and keep their velocities.",
+   "Removes the boundary from this stage on: its particles are free and keep their velocities.",
    "stage     loose\n  boundary none\n  cycles  10"},
   {"box strain", NB_IN_STAGE, box_strain_fields, NULL, 0, false, apply_box_strain,
-   "From this stage on, the walls of the box follow a strain rate about its centre exactly, until a stage moves one of them by `wall` or `walls`. "
-   "Their lengths change with the box, so that its corners stay closed.",
+   "Moves the four walls of the box with this strain rate about the centre of the box, from this stage on, until a stage moves one of the walls by `wall` or `walls`. The lengths of the walls change with the box, so that its corners stay closed.",
    "stage     narrow\n  box     strain -1e-6 per cycle 1e-7 per cycle\n  cycles  10"},
   {"affine strain", NB_IN_STAGE, affine_fields, NULL, 0, false, apply_affine,
-   "From this stage on, all free particles inside the boundary follow an affine motion of this strain rate about the boundary's centre; without a boundary, about the origin. "
-   "Forces and damping change their velocities relative to it [R89 4.41, 4.42].",
+   "Imposes an affine motion of this strain rate on all free particles inside the boundary, from this stage on. The centre of the motion is the centre of the boundary; without a boundary, the origin. Forces and damping change the velocities of the particles relative to the imposed motion [R89 4.41, 4.42].",
    "stage     carry\n  affine  strain -1e-6 per cycle 1e-6 per cycle  shear 1e-7 per cycle\n  cycles  10"},
   {"affine none", NB_IN_STAGE, no_fields, NULL, 1, false, apply_affine,
-   "From this stage on, no affine motion is imposed on the particles inside the boundary.",
+   "Ends the imposed affine motion of the particles inside the boundary, from this stage on.",
    "stage     stop\n  affine  none\n  cycles  10"},
   {0},
 };

@@ -245,14 +245,18 @@ void nb_contact_test_laws_check(struct nb_scene_reading *reading) {
 /* clang-format off */
 NB_STATEMENTS(contact_test) = {
   {"contact", NB_IN_CONTACT_TEST, no_fields, "disc|sphere R MATERIAL with disc|sphere R MATERIAL | with wall MATERIAL", 0, false, apply_contact,
-   "The contact that is tested, between two particles or a particle and a wall. At the start they just touch.",
+   "Defines the contact that is tested, between two particles or between a particle and a wall. At the start they just touch.\n"
+   "disc|sphere R MATERIAL: a length above 0, the radius, and the name of a material.\n"
+   "with wall MATERIAL: a wall of this material instead of a second particle.",
    "contact   disc 10 mm steel  with wall steel"},
   {"segment", NB_IN_CONTACT_TEST | NB_IN_SEGMENT, segment_fields, "{overlap|normal to|by X} {slip|shear to|by X} {hold normal|shear} {in N steps} | follow FILE",
    0, true, apply_segment,
-   "Prescribes the overlap or the normal force, and the slip or the shear force. Each changes linearly, `to` a value or `by` a difference; "
-   "default 100 steps. Overlap and slip stay constant unless the segment names them; `hold` "
-   "keeps a force constant instead. `follow` prescribes the points of a file with tab-separated columns `approach/m` and "
-   "`slip/m`, one step each; `start` tells where the program searches for the file.",
+   "Prescribes the overlap or the normal force, and the slip or the shear force. Each changes linearly over the segment. Overlap and slip stay constant unless the segment names them.\n"
+   "overlap|slip to|by X: a length: `to` a value, or `by` a difference.\n"
+   "normal|shear to|by X: a force: `to` a value, or `by` a difference; the normal force is compressive, 0 or more.\n"
+   "hold normal|shear: keeps this force constant, in place of the overlap or the slip.\n"
+   "in N steps: a whole number, 1 or more; without it: 100. Number of steps.\n"
+   "follow FILE: one step to each point of a file with tab-separated columns `approach/m` and `slip/m`; `nineball --help start` says where the program searches for the file.",
    "segment   press  overlap to 10 um  in 5 steps\nsegment   load   shear to 15 N  hold normal\n"
    "segment   back   slip by -2 um  overlap by -1 um  in 1 step"},
   {0},

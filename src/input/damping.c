@@ -119,11 +119,17 @@ NB_STATEMENTS(damping) = {
    "{walls} stiffness TIME|ratio X|r89-fraction X | walls none | critical beyond overlap F | mass RATE | "
    "con1 X as cs79|velocity|all | centred | late | none",
    0, false, apply_damping,
-   "Damping at contacts [CS79 28] [R89 4.3, 4.13] and of all particles [CS79 34] [R89 sec. 6.5.1], one statement for each; "
-   "default none. `ratio` is a fraction of critical damping. `walls` sets the damping of contacts with walls; without it they are damped like all others. `critical beyond overlap`: contacts "
-   "that overlap by more than that fraction of the smaller diameter are damped critically [R89 sec. 6.4.3]. `centred`: dashpots use "
-   "the velocity at the time of the force, and act from first touch to the end of the contact. `late`, the default: they use "
-   "that of half a step before [CS79 26, 27]; --set damping=centred or late overrides both. In a stage: from this stage on.",
+   "Sets the damping at contacts [CS79 28] [R89 4.3, 4.13], or of all particles [CS79 34] [R89 sec. 6.5.1]; one statement for each; default none. In a stage the damping changes from this stage on.\n"
+   "stiffness TIME: a time, 0 or more. Each dashpot has the coefficient c = TIME times the stiffness k of the contact [CS79 28].\n"
+   "ratio X: a number, 0 or more. Damping ratio, the fraction of critical damping: c = 2 X sqrt(M* k), M* the reduced mass [R89 4.13].\n"
+   "r89-fraction X: a number, 0 or more, for linear springs. c = X k t_c/2, t_c the single-contact step [R89 4.3, 4.4].\n"
+   "walls: before one of the three words above, or before `none`: the damping of contacts with walls only; without it: they are damped like all other contacts.\n"
+   "critical beyond overlap F: a fraction above 0, such as 7 %. Contacts that overlap by more than this fraction of the smaller diameter are damped critically [R89 sec. 6.4.3].\n"
+   "mass RATE: a rate, 0 or more. Mass-proportional damping of all particles: a force RATE times mass times velocity against the motion, and likewise a moment against the rotation [CS79 34].\n"
+   "con1 X as cs79|velocity|all: a number from 0 to 1. R89's factor CON1 per cycle; the last word selects what X multiplies: docs/METHOD.md, section Mass-proportional damping.\n"
+   "centred: dashpots use the velocity at the time of the force, and act from first touch to the end of the contact. --set damping=centred overrides the page.\n"
+   "late: the default: dashpots use the velocity of half a step before [CS79 26, 27]. --set damping=late overrides the page.\n"
+   "none: no damping of any kind.",
    "damping   ratio 0.1\ndamping   walls ratio 0.3\ndamping   mass 2 1/s"},
   {0},
 };

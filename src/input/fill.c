@@ -19,16 +19,16 @@ enum { AT_MATERIAL = AT_GRADING + 1, AT_SEED, AT_ATTEMPTS, AT_ELSE, AT_CELL };
 static const struct nb_argument grading_fields[] = {NAME(AT_NAME, "a name for the grading"), END};
 static const struct nb_argument fill_fields[] = {
   SHAPE(AT_SHAPE),
-  CLAUSE("circle", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_CIRCLE, 2, "|another place", "A circle about that centre."),
-  CLAUSE("radius", "R", NB_UNIT_LENGTH, NB_POSITIVE, AT_RADIUS, 1, "another place", "Radius of the circle."),
-  CLAUSE("box", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_BOX, 2, "|another place", "The corner of a box with the smallest x and y; a box to fill has no walls."),
-  CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_TO, 2, "another place", "The opposite corner of the box."),
-  FLAG("cell", AT_CELL, "|another place", "The periodic cell, across its edges: the packing has no wall effect."),
+  CLAUSE("circle", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_CIRCLE, 2, "|`box` or `cell`", "Fills a circle about this centre."),
+  CLAUSE("radius", "R", NB_UNIT_LENGTH, NB_POSITIVE, AT_RADIUS, 1, "`box` or `cell`", "Radius of the circle."),
+  CLAUSE("box", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_BOX, 2, "|`circle` or `cell`", "Fills a box: its corner with the smallest x and y. This box has no walls."),
+  CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_TO, 2, "`circle` or `cell`", "The opposite corner of the box."),
+  FLAG("cell", AT_CELL, "|`circle` or `box`", "Fills the periodic cell, across its edges, so that the packing has no wall effect."),
   WORD("GRADING", AT_GRADING, "the name of a grading, which gives radii and numbers of particles: `grading NAME RADIUS N …`; `radius R` is that of the circle"),
   MATERIAL(AT_MATERIAL),
   COUNT("seed", "N", AT_SEED, NULL, "Seed of the random numbers."),
   COUNT("attempts", "N", AT_ATTEMPTS, NULL, "Largest number of random positions that are tried for each particle, up to 1000000."),
-  CHOICE("else", "stop|skip", AT_ELSE, NULL, "`stop` or `skip`"),
+  CHOICE("else", "stop|skip", AT_ELSE, NULL, "what follows if no position is found for a particle within the attempts. `stop` ends with an error, as the old generator of R89 does. `skip` continues with the next smaller size; the quantity `dropped` of a monitored grading counts the skipped particles"),
   END
 };
 /* clang-format on */
@@ -182,12 +182,12 @@ NB_APPLY(apply_fill) {
 /* clang-format off */
 NB_STATEMENTS(fill) = {
   {"grading", NB_IN_SCENE, grading_fields, "RADIUS N {RADIUS N …}", 0, false, apply_grading,
-   "Radii of the particles that `fill` places, and how many of each.",
+   "Defines the radii of the particles that `fill` places, and how many there are of each.\n"
+   "RADIUS: a length above 0. Radius of a size.\n"
+   "N: a whole number, 1 or more. Number of particles of this size.",
    "grading   mixed  8 mm 2  5 mm 6"},
   {"fill", NB_IN_SCENE, fill_fields, NULL, 0, false, apply_fill,
-   "Discs or spheres of a grading, randomly placed in a circle, a box or the periodic cell, largest first, and numbered in this order (R89, sections 4.4 and 6.4). They lie wholly inside and touch neither each other nor particles "
-   "defined above; walls are ignored. `fill discs cell …` places them across the edges of the cell too, and none touches an image of another one. A seed gives the same packing on every machine. If no position is found for a particle within the attempts, "
-   "`else stop` ends with an error, as the old generator of R89 does. `else skip` continues with the next smaller size; the quantity `dropped` of a monitored grading counts the skipped particles.",
+   "Places the discs or spheres of a grading at random in a circle, a box or the periodic cell (R89, sections 4.4 and 6.4). The largest are placed first, and they are numbered in this order. They lie wholly inside, and touch neither each other nor particles defined above; walls are ignored. With `cell` a particle may lie across the edges of the cell, and none touches an image of another one. A seed gives the same packing on every machine.",
    "fill      spheres circle 200 mm 40 mm radius 30 mm  mixed steel  seed 1  attempts 1000  else skip\n"
    "fill      discs box 250 mm 100 mm to 320 mm 180 mm  mixed glass  seed 4  attempts 1000  else stop"},
   {0},

@@ -37,10 +37,10 @@ NB_APPLY(apply_gravity) {
 /* clang-format off */
 NB_STATEMENTS(gravity) = {
   {"gravity", NB_IN_SCENE | NB_IN_STAGE | NB_IN_RAMP | NB_IN_START, uniform_fields, NULL, 0, false, apply_gravity,
-   "Uniform acceleration of all free particles; default none. In a stage: from this stage on.",
+   "Sets a uniform acceleration of all free particles; default none. In a stage it changes from this stage on.",
    "gravity   0 m/s2 -9.81 m/s2"},
   {"gravity centripetal", NB_IN_STAGE | NB_IN_RAMP, centripetal_fields, NULL, 1, false, apply_gravity,
-   "Acceleration of all free particles towards a point [R89 sec. 6.4.1]; it replaces `gravity`, from this stage on.",
+   "Sets an acceleration of all free particles towards a point, from this stage on [R89 sec. 6.4.1]. It replaces `gravity`.",
    "  gravity centripetal 10 m/s2  about 40 mm 40 mm"},
   {0},
 };

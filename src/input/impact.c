@@ -29,10 +29,9 @@ static const struct nb_argument impact_fields[] = {
   CLAUSE("speed", "V", NB_UNIT_VELOCITY, NB_POSITIVE, AT_SPEED, 1, NULL,
          "Speed of the particle's centre relative to the other particle or the wall."),
   CLAUSE("angle", "A", NB_UNIT_ANGLE, NB_NOT_NEGATIVE, AT_ANGLE, 1, "|from `psi1`",
-         "Angle of incidence, between this velocity and the contact normal, below 90 deg."),
+         "Angle of incidence, between the velocity of the particle's centre and the contact normal, below 90 deg."),
   CLAUSE("psi1", "P", NB_UNIT_NUMBER, NB_NOT_NEGATIVE, AT_PSI1, 1, "|from `angle`",
-         "Dimensionless angle of incidence V_T/(mu kappa V_N) of the contact point, spin included [R89 5.15]: kappa = "
-         "E*/(4 G*), or k_n/k_s of linear springs."),
+         "Dimensionless angle of incidence V_T/(mu kappa V_N) [R89 5.15]. V_T and V_N are the tangential and the normal velocity of the contact point, spin included; kappa = E*/(4 G*), or k_n/k_s of linear springs."),
   CLAUSE("phase", "F", NB_UNIT_NUMBER, NB_FRACTION, AT_PHASE, 1, "0", "Fraction of the first step after which the contact begins."),
   END
 };
@@ -106,8 +105,7 @@ void nb_impact_set(struct nb_scene_reading *reading) {
 /* clang-format off */
 NB_STATEMENTS(impact) = {
   {"impact", NB_IN_SCENE, impact_fields, NULL, 0, false, apply_impact,
-   "Lets the first particle of a monitored contact hit the other one, or the wall. It is moved along the normal until it just touches, on the side where the page has placed it, and gets this velocity; "
-   "its spin stays. Above a horizontal wall its tangential velocity points in x. The quantities of the impact are called `impact.NAME`.",
+   "Lets the first particle of a monitored contact hit the other particle or the wall. The program moves the first particle along the normal until it just touches, on the side where the page has placed it, and sets its velocity; its spin stays. Above a horizontal wall the tangential velocity points in x. The quantities of the impact are called `impact.NAME`.",
    "impact    F  speed 0.4 m/s  angle 20 deg  phase 0.5"},
   {0},
 };

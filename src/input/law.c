@@ -285,12 +285,11 @@ void nb_laws_check(struct nb_scene_reading *reading, bool complete) {
 /* clang-format off */
 NB_STATEMENTS(law) = {
   {"normal", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_STAGE | NB_IN_START, law_fields, "", 0, false, apply_law,
-   "Contact law of the normal force; `nineball laws` lists them; default linear. --set normal=LAW overrides it everywhere. In a stage: from "
-   "this stage on; another law begins with empty contact histories.",
+   "Selects the contact law of the normal force; default `linear`. --set normal=LAW overrides the law everywhere. `nineball laws` lists the laws with their equations. In a stage the law changes from this stage on, and another law begins with empty contact histories.",
    "normal    linear"},
   {"shear", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_STAGE | NB_IN_START, law_fields, "{memory K}", 1, false, apply_law,
-   "Contact law of the shear force; `nineball laws` lists them; default none. --set shear=LAW overrides it everywhere. In a stage: from this "
-   "stage on, as `normal`. `memory`: the number of pieces of a contact's history that are kept, 2 or more, for a law that keeps pieces; default the law's own.",
+   "Selects the contact law of the shear force; default `none`. --set shear=LAW overrides the law everywhere. `nineball laws` lists the laws with their equations. In a stage the law changes from this stage on, and another law begins with empty contact histories.\n"
+   "memory K: a whole number from 2 to 256, for a law that stores its history in pieces; without it: the default of the law. Largest number of pieces of a contact's history.",
    "shear     linear"},
   {0},
 };

@@ -26,8 +26,8 @@ enum {
 #define OF_MATERIAL(name, shown, unit, range, otherwise, rule, help) PAIR_CLAUSE(name, shown, unit, range, otherwise, help)
 #define OF_PAIR(name, shown, unit, range, otherwise, rule, help) PAIR_CLAUSE(name, shown, unit, range, MAKES_##rule, help)
 #define OF_CHANGE(name, shown, unit, range, otherwise, rule, help) PAIR_CLAUSE(name, shown, unit, range, "|as it was", help)
-#define MAKES_series "2ab/(a+b)"
-#define MAKES_smaller "the smaller one"
+#define MAKES_series "2ab/(a+b) of the two values a and b"
+#define MAKES_smaller "the smaller of the two values"
 #define TWO MATERIAL(AT_NAME), MATERIAL(AT_OTHER)
 
 static const struct nb_argument material_fields[] = {
@@ -37,7 +37,7 @@ static const struct nb_argument material_fields[] = {
   NB_PAIR_ROWS(OF_MATERIAL)
   CLAUSE("young", "E", NB_UNIT_PRESSURE, NB_POSITIVE, AT_YOUNG, 1, "none",
          "Young's modulus, for the laws of elastic spheres [R89 4.7]."),
-  CLAUSE("poisson", "NU", NB_UNIT_NUMBER, NB_HALF, AT_POISSON, 1, "0", "Poisson's ratio, 0 to 0.5."),
+  CLAUSE("poisson", "NU", NB_UNIT_NUMBER, NB_HALF, AT_POISSON, 1, "0", "Poisson's ratio."),
   FLAG("rigid", AT_RIGID, "elastic", "Infinite Young's modulus: only the other particle or wall is deformed."),
   END
 };
@@ -147,16 +147,16 @@ NB_APPLY(apply_change) {
 /* clang-format off */
 NB_STATEMENTS(material) = {
   {"material", NB_IN_SCENE | NB_IN_CONTACT_TEST, material_fields, NULL, 0, false, apply_material,
-   "A material of particles and walls. Stiffness, friction and cohesion are those of a contact of two particles of this material. --set soften=S divides `kn`, `ks` and `young` of all materials and pairs by S.",
+   "Defines a material of particles and walls. Stiffness, friction and cohesion are those of a contact between two particles of this material. --set soften=S divides `kn`, `ks` and `young` of all materials and pairs by S.",
    "material  steel  density 7.8 g/cm3  kn 10 MN/m  ks 8 MN/m  friction $grip\nmaterial  glass  density 2.5 g/cm3  kn 5 MN/m   ks 4 MN/m  friction 0.2"},
   {"pair", NB_IN_SCENE | NB_IN_CONTACT_TEST, pair_fields, NULL, 0, false, apply_pair,
-   "Properties of contacts between two materials. Without this statement the stiffness is the harmonic mean of the two stiffnesses, and friction and cohesion are the smaller values of the two.",
+   "Defines properties of contacts between two materials. A property that is not given follows from the two materials: the stiffness is the harmonic mean of their stiffnesses, and friction and cohesion are the smaller of their values.",
    "pair      steel glass  friction 0.1"},
   {"material", NB_IN_STAGE | NB_IN_RAMP | NB_IN_START, material_change_fields, NULL, 0, false, apply_change,
-   "Changes a material from this stage on; properties that are not given keep their values.",
+   "Changes a material from this stage on. Properties that are not given keep their values.",
    "  material glass  friction 0.4"},
   {"pair", NB_IN_STAGE | NB_IN_RAMP | NB_IN_START, pair_change_fields, NULL, 1, false, apply_change,
-   "Changes the contacts of two materials from this stage on; properties that are not given keep their values.",
+   "Changes the contacts of two materials from this stage on. Properties that are not given keep their values.",
    "  pair    steel glass  cohesion 1 N"},
   {0},
 };

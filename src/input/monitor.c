@@ -83,7 +83,12 @@ NB_APPLY(apply_monitor) {
 NB_STATEMENTS(monitor) = {
   {"monitor", NB_IN_SCENE | NB_IN_START, monitor_fields,
    "disc N | disc N with disc M | disc N with wall NAME | wall NAME | grading NAME {radius R}", 0, false, apply_monitor,
-   "Names a particle, a contact, a wall, or a grading or one size of it, so that its quantities can be recorded: `C.normal`. Spheres are `sphere N`.",
+   "Names a particle, a contact, a wall, a grading or one size of a grading, so that its quantities can be recorded: `C.normal`.\n"
+   "disc N: the particle with this number, a disc; `sphere N` for a sphere.\n"
+   "disc N with disc M: the contact of two particles, whether they touch or not; likewise for spheres.\n"
+   "disc N with wall NAME: the contact of a particle with a wall; likewise for spheres.\n"
+   "wall NAME: a wall.\n"
+   "grading NAME: a grading; with `radius R`, a length, the size with this radius.",
    "monitor   A  disc 1\nmonitor   C  disc 1 with sphere 2\nmonitor   F  sphere 9 with wall shelf\nmonitor   S  wall shelf\nmonitor   G  grading mixed\nmonitor   H  grading mixed radius 5 mm"},
   {0},
 };

@@ -166,8 +166,10 @@ static const struct nb_quantity_kind kinds[] = {
     {"normal", PAIR, "N", NB_BIT(NB_NORMAL), pair_normal, "elastic normal force F_n, dashpot not included"},
     {"shear", PAIR, "N", NB_BIT(NB_SHEAR), pair_shear, "elastic shear force F_s, on the first particle along -t"},
     {"sliding", PAIR, "1", NB_BIT(NB_SLIDING), pair_sliding, "1 while F_s is at its limit, else 0"},
-    {"dashpot.normal", PAIR, "N", NB_BIT(NB_NORMAL) | NB_BIT(NB_TOTAL_NORMAL), pair_dashpot_normal, "D_n [CS79 26]"},
-    {"dashpot.shear", PAIR, "N", NB_BIT(NB_SHEAR) | NB_BIT(NB_TOTAL_SHEAR), pair_dashpot_shear, "D_s [CS79 27]"},
+    {"dashpot.normal", PAIR, "N", NB_BIT(NB_NORMAL) | NB_BIT(NB_TOTAL_NORMAL), pair_dashpot_normal,
+     "normal force of the dashpot, D_n [CS79 26]"},
+    {"dashpot.shear", PAIR, "N", NB_BIT(NB_SHEAR) | NB_BIT(NB_TOTAL_SHEAR), pair_dashpot_shear,
+     "shear force of the dashpot, D_s [CS79 27]"},
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 

@@ -17,16 +17,16 @@ static const struct nb_argument particle_fields[] = {
   MATERIAL(AT_MATERIAL),
   VELOCITY(AT_VX, "0 0"),
   CLAUSE("spin", "W", NB_UNIT_SPIN, NB_ANY, AT_SPIN, 1, "0", "Angular velocity, counterclockwise."),
-  FLAG("fixed", AT_FIXED, "free", "It does not move, and its mass counts as infinite."),
+  FLAG("fixed", AT_FIXED, "free", "The particle does not move, and its mass counts as infinite."),
   END
 };
 static const struct nb_argument lattice_fields[] = {
   SHAPE(AT_SHAPE),
-  FLAG("square", AT_SQUARE, "square unless `hexagonal`", "Rows above each other."),
-  FLAG("hexagonal", AT_HEXAGONAL, "square", "Every second row is shifted by half a spacing in x, and the distance of rows is sqrt(3)/2 of the spacing: six neighbours at equal distance."),
-  COUNT(NULL, "NX", AT_NX, NULL, "Number in x."),
+  FLAG("square", AT_SQUARE, "`square`, unless `hexagonal` is given", "The rows are exactly above each other."),
+  FLAG("hexagonal", AT_HEXAGONAL, "`square`", "Every second row is shifted by half a spacing in x, and the distance of rows is sqrt(3)/2 of the spacing: six neighbours at equal distance."),
+  COUNT(NULL, "NX", AT_NX, NULL, "Number of particles in a row, in x."),
   COUNT("by", "NY", AT_NY, NULL, "Number of rows, in y."),
-  CLAUSE("from", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X, 2, "R R", "Centre of the first one, which has the smallest x and y."),
+  CLAUSE("from", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X, 2, "R R", "Centre of the first particle, which has the smallest x and y."),
   RADIUS(AT_RADIUS),
   CLAUSE("spacing", "S", NB_UNIT_LENGTH, NB_POSITIVE, AT_SPACING, 1, "2R", "Distance of the centres; at 2R they touch."),
   MATERIAL(AT_MATERIAL),
@@ -101,13 +101,13 @@ NB_APPLY(apply_lattice) {
 /* clang-format off */
 NB_STATEMENTS(particle) = {
   {"disc", NB_IN_SCENE, particle_fields, NULL, NB_DISC, false, apply_particle,
-   "One disc, a cylinder 1 m thick; it gets the next number.",
+   "Adds one disc, a cylinder 1 m thick. Particles are numbered from 1 in the order of the page.",
    "disc      35.02 mm 60 mm  radius 5 mm  steel  velocity -$speed 0 m/s  spin -3 rad/s"},
   {"sphere", NB_IN_SCENE, particle_fields, NULL, NB_SPHERE, false, apply_particle,
-   "One sphere, which moves in the plane; it gets the next number.",
+   "Adds one sphere, which moves in the plane. Particles are numbered from 1 in the order of the page.",
    "sphere    25 mm 60 mm  radius 5 mm  glass"},
   {"lattice", NB_IN_SCENE, lattice_fields, NULL, 0, false, apply_lattice,
-   "Discs or spheres in a lattice. They are numbered in x along the first row, then along the next one in y.",
+   "Adds discs or spheres on a lattice. They are numbered along the first row in x, then along the next row in y, and so on.",
    "lattice   discs 3 by 2  from 15 mm 15 mm  radius 5 mm  spacing 12 mm  glass\n"
    "lattice   spheres hexagonal 2 by 1  from 15 mm 40 mm  radius 5 mm  steel"},
   {0},

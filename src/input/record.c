@@ -114,15 +114,17 @@ NB_APPLY(apply_snapshot) {
 /* clang-format off */
 NB_STATEMENTS(record) = {
   {"record", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_START, no_fields, "QUANTITY …", 0, false, apply_columns,
-   "The quantities in the columns of the table. Default of a contact test: step, overlap, slip, normal and shear.",
+   "Names the quantities in the columns of the table. Default of a contact test: step, overlap, slip, normal and shear.\n"
+   "QUANTITY …: quantities of the scene, or MONITOR.NAME; section Quantities lists them.",
    "record    time A.x A.vx C.overlap C.normal S.fy energy.kinetic"},
   {"record", NB_IN_STAGE | NB_IN_SEGMENT, no_fields, "every N cycles | none", 0, false, apply_record,
-   "How often the table gets a row; default every 1 cycle.",
+   "Sets how often the table gets a row; default every 1 cycle.\n"
+   "every N cycles: a whole number, 1 or more; in a contact test `every N steps`.\n"
+   "none: the table gets no rows in this stage.",
    "  record  every 10 cycles"},
   {"snapshot", NB_IN_STAGE | NB_IN_SEGMENT, no_fields, "{from STAGE}", 0, false, apply_snapshot,
-   "Saves particles, walls and contacts at the end of the stage. In a contact test it saves the traction over the contact and "
-   "the pieces of its history, so the shear law must keep pieces. With `from` it also saves changes since the beginning of that stage, which is this one or "
-   "an earlier one: displacements and rotations of particles, new and lost contacts, sliding displacements of contacts.",
+   "Saves particles, walls and contacts at the end of the stage. In a contact test it saves the traction over the contact and the pieces of the contact's history, so the shear law must be one that stores pieces.\n"
+   "from STAGE: this stage or an earlier one. The snapshot also has the changes since the beginning of that stage: displacements and rotations of particles, lost and new contacts, sliding displacements of contacts; without it: no changes.",
    "  snapshot from strike"},
   {0},
 };

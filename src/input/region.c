@@ -93,9 +93,13 @@ void nb_regions_check(struct nb_scene_reading *reading) {
 /* clang-format off */
 NB_STATEMENTS(region) = {
   {"region", NB_IN_SCENE | NB_IN_START, region_fields, "circle X Y radius R {rings N} | box X1 Y1 to X2 Y2 | inside F {rings N} | all {from STAGE}", 0, false, apply_region,
-   "Names a region of the plane for averages: `A.stress.mean`. A particle is inside if its centre is. `inside` is a circle about the boundary's centre, whose radius is the fraction F of the boundary's mean radius. "
-   "`all` is the cell, or the smallest box around all particles; `transform` rotates this box. With `rings` a snapshot has the porosity of that many rings of equal width about the centre. "
-   "Strain, and lost and new contacts, are relative to the beginning of the stage that `from` names, else to the start of the run.",
+   "Names a region of the plane for averages: `A.stress.mean`. A particle is inside if its centre is.\n"
+   "circle X Y radius R: lengths. A circle about this centre.\n"
+   "box X1 Y1 to X2 Y2: lengths. A rectangle between two opposite corners; the first corner has the smallest x and y.\n"
+   "inside F: a number from 0 to 1. A circle about the centre of the boundary; its radius is the fraction F of the boundary's mean radius.\n"
+   "all: the periodic cell, or else the smallest rectangle around all particles; `transform` rotates this rectangle.\n"
+   "rings N: a whole number from 1 to 1000, for `circle` and `inside`. A snapshot then has the porosity of N rings of equal width about the centre.\n"
+   "from STAGE: strain, and lost and new contacts, refer to the beginning of this stage; without it: to the start of the run.",
    "region    M  circle 40 mm 40 mm radius 30 mm  rings 6"},
   {0},
 };

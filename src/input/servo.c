@@ -11,14 +11,14 @@ enum { AT_ISOTROPIC, AT_MEAN, AT_XX, AT_YY, AT_XY, AT_ON, AT_THROUGH, AT_AFFINE,
 
 /* clang-format off */
 static const struct nb_argument servo_fields[] = {
-  TARGET("isotropic", AT_ISOTROPIC, "Target of xx and yy; that of xy is 0. Compression is positive."),
-  TARGET("mean", AT_MEAN, "Target of (xx + yy)/2."),
-  TARGET("xx", AT_XX, "Target of this component. One or more of xx, yy and xy."),
+  TARGET("isotropic", AT_ISOTROPIC, "Target of xx and yy; the target of xy is 0 [R89 sec. 4.1]. Through a box xy is not controlled, because its walls do not rotate. Compression is positive."),
+  TARGET("mean", AT_MEAN, "Target of (xx + yy)/2. The servo changes the area only, so that the shape follows the stage's own strain rates."),
+  TARGET("xx", AT_XX, "Target of this component. Give one or more of xx, yy and xy."),
   TARGET("yy", AT_YY, "Target of this component."),
   TARGET("xy", AT_XY, "Target of this component."),
   {"on", "REGION|boundary|cell|box|walls", NB_ARGUMENT_WORD, NB_UNIT_NUMBER, NB_ANY, AT_ON, 1, NULL, PLACE},
-  CHOICE("through", "boundary|cell|box", AT_THROUGH, NULL, "`boundary`, `cell` or `box`"),
-  FLAG("affine", AT_AFFINE, "the boundary alone", "Through the boundary and the affine motion of the particles inside."),
+  CHOICE("through", "boundary|cell|box", AT_THROUGH, NULL, "what the added strain rate moves: the boundary, the cell or the walls of the box"),
+  FLAG("affine", AT_AFFINE, "the boundary alone", "With `through boundary`: the added strain rate is also imposed as an affine motion on the particles inside."),
   CLAUSE("at most", "RATE", NB_UNIT_STRAIN_RATE, NB_POSITIVE, AT_MOST, 1, NULL, "Largest magnitude of the added strain rate."),
   END
 };
@@ -85,9 +85,8 @@ NB_APPLY(apply_servo) {
 /* clang-format off */
 NB_STATEMENTS(servo) = {
   {"servo", NB_IN_STAGE | NB_IN_RAMP, servo_fields, "{every N cycles}", 0, false, apply_servo,
-   "Controls a stress in this stage: that of a region, on the boundary, in the cell, on the box, or the mean traction of its walls. It adds a strain rate to that of the boundary, the cell or the box. "
-   "`isotropic` controls all components [R89 sec. 4.1]; through a box xy is not controlled, because its walls do not rotate. `mean` changes the area only, so that the shape follows the stage's own strain rates. "
-   "Components that are not named are not controlled. The gain is computed from the stiffness of the contacts. The strain rate is updated `every` N cycles, default 10.",
+   "Controls a stress in this stage: the stress of a region, on the boundary, in the cell or on the box, or the mean traction of the box's walls. The servo adds a strain rate to that of the boundary, the cell or the box. Components that are not named are not controlled. The program computes the gain from the stiffness of the contacts.\n"
+   "every N cycles: a whole number, 1 or more; without it: 10. How often the added strain rate is updated.",
    "stage     even\n  servo   isotropic 1 kPa  on boundary  through boundary affine  at most 1e-6 per cycle\n  cycles  10\n"
    "stage     shear\n  servo   mean 1 kPa  on boundary  through boundary  at most 1e-6 per cycle  every 5 cycles\n  cycles  10\n"
    "stage     biaxial\n  servo   yy 2 kPa  on boundary  through boundary  at most 1e-6 per cycle\n  cycles  10\n"

@@ -10,7 +10,7 @@ enum { AT_NAME };
 enum { AT_CYCLES };
 static const struct nb_argument no_fields[] = {END};
 static const struct nb_argument stage_fields[] = {NAME(AT_NAME, "a name for the stage"), END};
-static const struct nb_argument cycles_fields[] = {COUNT(NULL, "N", AT_CYCLES, NULL, "a number of cycles"), END};
+static const struct nb_argument cycles_fields[] = {COUNT(NULL, "N", AT_CYCLES, NULL, "Number of cycles."), END};
 
 struct nb_stage *nb_current_stage(const struct nb_scene *scene) {
   return scene->stage_count ? &scene->stages[scene->stage_count - 1] : NULL;
@@ -196,34 +196,42 @@ NB_APPLY(apply_repeat) {
 /* clang-format off */
 NB_STATEMENTS(stage) = {
   {"stage", NB_IN_SCENE | NB_IN_STAGE | NB_IN_START, stage_fields, NULL, 0, true, apply_stage,
-   "Begins a stage; the statements below belong to it, until the next one.",
+   "Begins a stage. The statements below belong to it, up to the next `stage`.",
    "stage     strike"},
   {"ramp", NB_IN_STAGE, no_fields, "wall … | walls … | material … | pair … | gravity … | servo …", 0, false, apply_ramp,
-   "The values of this statement change linearly over the cycles of the stage, from the present values to the given ones.",
+   "Changes the values of one statement linearly over the cycles of the stage, from the present values to the given ones. The statement follows the word `ramp`.",
    "  ramp    material steel  friction 0.5"},
-  {"cycles", NB_IN_STAGE, cycles_fields, NULL, 0, false, apply_cycles, "How many cycles the stage lasts.",
+  {"cycles", NB_IN_STAGE, cycles_fields, NULL, 0, false, apply_cycles,
+   "Sets how many cycles the stage lasts. Each stage needs either `cycles` or `until`.",
    "  cycles  400"},
   {"until", NB_IN_STAGE, no_fields,
    "QUANTITY above|below VALUE {and QUANTITY above|below VALUE …} {every N cycles} at most N cycles", 0, false, apply_until,
-   "The stage lasts until all conditions hold; if they do not hold after N cycles, the run is aborted. They are checked `every` N cycles, default 1.",
+   "Ends the stage as soon as all conditions hold. If they do not hold after N cycles, the run is aborted.\n"
+   "QUANTITY above|below VALUE: a condition: a quantity, as in `record`, and a number with the unit of the quantity.\n"
+   "every N cycles: a whole number, 1 or more; without it: 1. How often the conditions are checked.\n"
+   "at most N cycles: a whole number, 1 or more. Largest length of the stage.",
    "stage     part\n  until   C.overlap below 1 nm and time above 1 ms  at most 10000 cycles"},
   {"zero velocities", NB_IN_STAGE, no_fields, NULL, 0, false, apply_velocities,
-   "The velocities and spins of all particles are 0 at the beginning of this stage; those of walls stay.",
+   "Sets the velocities and spins of all particles to 0 at the beginning of this stage. Walls keep their velocities.",
    "stage     halt\n  zero    velocities\n  cycles  10"},
   {"reverse velocities", NB_IN_STAGE, no_fields, NULL, 1, false, apply_velocities,
-   "All velocities and spins, also those of walls, change sign at the beginning of this stage: without friction and "
-   "damping the motion is traced back.",
+   "Changes the sign of all velocities and spins, also those of walls, at the beginning of this stage. Without friction and damping the particles then retrace their motion.",
    "stage     back\n  reverse velocities\n  cycles  10"},
   {"rotation off", NB_IN_STAGE, no_fields, NULL, 1, false, apply_rotation,
-   "Particles do not rotate from this stage on; their spins are set to 0.",
+   "Stops the rotation of particles: their spins are set to 0, and moments have no effect from this stage on.",
    "stage     stiff\n  rotation off\n  cycles  10"},
-  {"rotation on", NB_IN_STAGE, no_fields, NULL, 0, false, apply_rotation, "Particles rotate again, from this stage on.",
+  {"rotation on", NB_IN_STAGE, no_fields, NULL, 0, false, apply_rotation,
+   "Lets particles rotate again, from this stage on.",
    "stage     roll\n  rotation on\n  cycles  10"},
   {"repeat", NB_IN_STAGE, no_fields, "from STAGE N times", 0, false, apply_repeat,
-   "Repeats the lines from STAGE down to here N times; the repeated stages are called STAGE-2, STAGE-3 and so on.",
+   "Repeats the lines from the beginning of STAGE down to this line. The repeated stages are called STAGE-2, STAGE-3 and so on.\n"
+   "from STAGE: the name of a stage above.\n"
+   "N times: a whole number, 1 or more. How often the lines run in addition to the first time.",
    "stage     again\n  cycles  10\nrepeat    from again 2 times"},
   {"repeat", NB_IN_SEGMENT, no_fields, "from SEGMENT N times", 0, false, apply_repeat,
-   "Repeats the lines from SEGMENT down to here N times; the repeated segments are called SEGMENT-2, SEGMENT-3 and so on.",
+   "Repeats the lines from the beginning of SEGMENT down to this line. The repeated segments are called SEGMENT-2, SEGMENT-3 and so on.\n"
+   "from SEGMENT: the name of a segment above.\n"
+   "N times: a whole number, 1 or more. How often the lines run in addition to the first time.",
    "repeat    from load 2 times"},
   {0},
 };

@@ -8,7 +8,7 @@
 enum { AT_SKIN };
 static const struct nb_argument no_fields[] = {END};
 static const struct nb_argument skin_fields[] = {
-    VALUE("LENGTH", NB_UNIT_LENGTH, NB_POSITIVE, AT_SKIN, "Distance of two surfaces."), END};
+    VALUE("LENGTH", NB_UNIT_LENGTH, NB_POSITIVE, AT_SKIN, "Largest distance of the surfaces of a listed pair."), END};
 
 /* Reference steps, of which a step may be a fraction. */
 #define STEP_KINDS "stable|collision|single-contact|rayleigh|rayleigh-mean|rayleigh-fit|rayleigh-fit-mean"
@@ -79,18 +79,21 @@ NB_APPLY(apply_skin) {
 /* clang-format off */
 NB_STATEMENTS(step) = {
   {"step", NB_IN_SCENE | NB_IN_STAGE | NB_IN_START, no_fields, "TIME | N per collision | F of collision|stable|single-contact|rayleigh|rayleigh-mean|rayleigh-fit|rayleigh-fit-mean", 0, false, apply_step,
-   "The time step: a time, or a fraction F of one of these times. No default. `stable`: the guaranteed stable step at the beginning of the stage. "
-   "`single-contact`: 2 sqrt(m/k) of the lightest particle and the stiffest contact [CS79, Motion]. "
-   "`collision`: the duration of the shortest collision, of which `N per collision` is the N-th part. For elastic spheres it is Hertz's, at the speeds of the pairs predicted to collide at their current velocities. "
-   "`rayleigh`: the time of a surface wave from pole to pole of the smallest sphere. `rayleigh-mean`: the same for a sphere with the mean properties. "
-   "With `-fit`: by R89's fit of the wave speed [R89 4.33, 4.34]. In a stage: from this stage on. --set step=... overrides it everywhere. --set refine=R divides it by R, multiplies all numbers of cycles by R and divides strains per cycle by R, so that the page stays the same in time.",
+   "Sets the time step: a time, or a fraction F of a reference time. There is no default. In a stage the step changes from this stage on. --set step=… overrides it everywhere. --set refine=R divides the step by R, multiplies all numbers of cycles by R and divides strains per cycle by R, so that the stages last as long as before.\n"
+   "TIME: a time above 0.\n"
+   "N per collision: a number above 0. N steps last as long as the shortest collision.\n"
+   "F of collision: a number above 0, as are all F below. The duration of the shortest collision; for elastic spheres that of Hertz, at the speeds of the pairs predicted to collide at their current velocities.\n"
+   "F of stable: the guaranteed stable step at the beginning of the stage.\n"
+   "F of single-contact: 2 sqrt(m/k) of the lightest particle and the stiffest contact [CS79, Motion].\n"
+   "F of rayleigh: the travel time of a surface wave from pole to pole of a sphere, the shortest of all [R89 4.33].\n"
+   "F of rayleigh-mean: the same for a sphere with the mean properties.\n"
+   "F of rayleigh-fit, F of rayleigh-fit-mean: the same as the last two, with R89's fit of the wave speed [R89 4.34].",
    "step      0.2 of stable"},
   {"allow", NB_IN_SCENE | NB_IN_STAGE | NB_IN_START, no_fields, "unstable", 0, false, apply_allow,
-   "Allows a step longer than the guaranteed stable one. Without this statement such a run is aborted. In a stage it applies to this stage only.",
+   "Allows a step longer than the guaranteed stable one. Without this statement a run with such a step is aborted. In a stage it holds for this stage only.",
    "allow     unstable"},
   {"skin", NB_IN_SCENE | NB_IN_START, skin_fields, NULL, 0, false, apply_skin,
-   "Pairs closer than this are in the neighbour list [R89 TOL], which is rebuilt when a particle or wall "
-   "has moved half of this distance; default a tenth of the mean radius. No result depends on it.",
+   "Sets the skin of the neighbour list: pairs closer than this distance are in the list [R89 TOL]. The list is rebuilt when a particle or wall has moved by half of this distance; default a tenth of the mean radius. No result depends on the skin.",
    "skin      0.5 mm"},
   {0},
 };

@@ -19,7 +19,7 @@ enum mirror { MIRROR_NONE, MIRROR_X, MIRROR_Y };
 
 /* clang-format off */
 static const struct nb_argument transform_fields[] = {
-  CHOICE("mirror", "none|x|y", AT_MIRROR, "none", "`none`, `x` or `y`"),
+  CHOICE("mirror", "none|x|y", AT_MIRROR, "none", "`x` changes the sign of x, `y` that of y"),
   CLAUSE("rotate", "ANGLE", NB_UNIT_ANGLE, NB_ANY, AT_ANGLE, 1, "0", "Counterclockwise; multiples of 90 deg are exact."),
   CLAUSE("translate", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X, 2, "0 0", "Displacement in x and y."),
   END
@@ -166,9 +166,7 @@ bool nb_scene_transform(struct nb_scene *scene, const struct nb_transform *to) {
 /* clang-format off */
 NB_STATEMENTS(transform) = {
   {"transform", NB_IN_SCENE, transform_fields, NULL, 0, false, apply_transform,
-   "Transforms the whole scene, as it is at the end of the page: positions, velocities, walls, and all directions in stages, such as the components that a `servo` controls. "
-   "First it is mirrored, then rotated about the origin, then translated. `mirror x` changes the sign of x, `mirror y` that of y. The physics stays the same. Quantities with a direction, in `record` and `until`, "
-   "are not transformed: they are components in x and y.",
+   "Transforms the whole scene after the last line of the page has been read: positions, velocities, walls, and all directions in stages, such as the components that a `servo` controls. The scene is first mirrored, then rotated about the origin, then translated. The physics stays the same. Quantities with a direction, in `record` and `until`, are not transformed: they are components in x and y.",
    "transform mirror none  rotate 0 deg  translate 0.5 m 0 m"},
   {0},
 };

@@ -18,16 +18,16 @@ static const struct nb_argument wall_fields[] = {
   VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "y of the first end."),
   CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X1, 2, NULL, "Second end."),
   MATERIAL(AT_MATERIAL),
-  CLAUSE("about", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_ABOUT_X, 2, "its middle",
-         "The point P about which the wall rotates, and whose velocity is given [CS79 figure 4]. P need not be on the wall."),
+  CLAUSE("about", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_ABOUT_X, 2, "the middle of the wall",
+         "The point P of the wall [CS79 figure 4]: the wall rotates about P, and `velocity` is the velocity of P. P need not be on the wall."),
   VELOCITY(AT_VX, "0 0"),
   CLAUSE("spin", "W", NB_UNIT_SPIN, NB_ANY, AT_SPIN, 1, "0", "Angular velocity about P, counterclockwise."),
   END
 };
 static const struct nb_argument walls_fields[] = {
-  CLAUSE("inward", "V", NB_UNIT_VELOCITY, NB_ANY, AT_INWARD, 1, "|none",
+  CLAUSE("inward", "V", NB_UNIT_VELOCITY, NB_ANY, AT_INWARD, 1, "|`stop`",
          "Each wall of the box moves along its normal to the inside with this speed."),
-  FLAG("stop", AT_STOP, "|none", "All walls stop."),
+  FLAG("stop", AT_STOP, "|`inward`", "Stops all walls, those outside the box too."),
   END
 };
 static const struct nb_argument wall_motion_fields[] = {
@@ -214,16 +214,17 @@ NB_APPLY(apply_wall_motion) {
 
 /* clang-format off */
 NB_STATEMENTS(wall) = {
-  {"box", NB_IN_SCENE, box_fields, NULL, 0, false, apply_box, "Four walls along the sides of a box: south (smallest y), east (largest x), north and west.",
+  {"box", NB_IN_SCENE, box_fields, NULL, 0, false, apply_box,
+   "Adds four walls along the sides of a box. Their names are south (smallest y), east (largest x), north (largest y) and west (smallest x).",
    "box       0 mm 0 mm to 80 mm 80 mm  steel"},
   {"wall", NB_IN_SCENE, wall_fields, NULL, 0, false, apply_wall,
-   "A straight wall between two ends; particles touch it from both sides.",
+   "Adds a straight wall between two ends. Particles touch it from both sides.",
    "wall      shelf  10 mm 48 mm to 60 mm 48 mm  glass"},
   {"walls", NB_IN_STAGE | NB_IN_RAMP, walls_fields, NULL, 0, false, apply_walls,
-   "`inward`: the walls of the box move inward from this stage on. `stop`: all walls stop.",
+   "Moves the four walls of the box inward, or stops all walls, from this stage on.",
    "  walls   inward 1 mm/s"},
   {"wall", NB_IN_STAGE | NB_IN_RAMP, wall_motion_fields, NULL, 0, false, apply_wall_motion,
-   "Velocity of a wall's point P, spin about P, or both, from this stage on.",
+   "Changes the velocity of a wall's point P, the angular velocity about P, or both, from this stage on.",
    "  wall    shelf  velocity 0 m/s -2 mm/s  spin 0.1 rad/s"},
   {0},
 };

@@ -48,7 +48,7 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
      "mean distance of the boundary particles' centres from the centre of the circle"},
     {"boundary.area", 0, "m2", 0, boundary_area, "area of the polygon through the boundary particles' centres"},
     {"boundary.roughness", 0, "1", 0, boundary_roughness,
-     "standard deviation of the distances whose mean is boundary.radius, over that mean [R89 sec. 6.4.1]"},
+     "standard deviation of the distances whose mean is boundary.radius, over boundary.radius [R89 sec. 6.4.1]"},
     TENSOR(
         "boundary.stress", 0, "Pa", NB_STRESSES, boundary_stress,
         "stress from the contact forces on the boundary's particles, sum of F_i X_j over the polygon's area times the "
@@ -81,7 +81,7 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
            "mean traction of opposite walls of the box, xx that of `east` and `west`; compression positive, dashpots "
            "included"),
     {"walls.ratio", NB_OF_BOX, "1", 0, walls_ratio,
-     "normal force on `east` and `west` over that on `south` and `north`: F_H/F_V of [CS79 tables 1-3]"},
+     "normal force on `east` and `west` over the normal force on `south` and `north`: F_H/F_V of [CS79 tables 1-3]"},
     {"walls.force.residual", NB_OF_BOX, "N", 0, walls_residual,
      "magnitude of the sum of the forces of the four walls; 0 at rest without gravity"},
     {.name = NULL},

@@ -58,7 +58,8 @@ const struct nb_quantity_kind nb_region_kinds[] = {
     FABRIC("fabric.shear", NB_FABRICS, "1", shear.second, "Phi weighted by the magnitude of the shear force"),
     FABRIC("fabric.sliding", NB_FABRICS, "1", sliding.second,
            "Phi of contacts whose shear force is 0.99 of its limit or more"),
-    FABRIC("fabric.sliding.fourth", NB_FOURTH, "1", sliding.xxxx, "the same of fourth order"),
+    FABRIC("fabric.sliding.fourth", NB_FOURTH, "1", sliding.xxxx,
+           "Phi of fourth order of contacts whose shear force is 0.99 of its limit or more"),
 
     DIRECTIONS("anisotropy.contacts", contacts, "coefficient a of the density of contacts over the directions"),
     DIRECTIONS("anisotropy.normal", normal, "coefficient a_n of the mean normal force over the directions"),
@@ -70,11 +71,12 @@ const struct nb_quantity_kind nb_region_kinds[] = {
     MODULUS("modulus.bulk.lower", bulk_lower,
             "bulk modulus if all contact forces increased in the same proportion: a lower bound"),
     MODULUS("modulus.shear", shear,
-            "shear modulus for a shear along x and y, deviator over twice the difference of the strains, likewise"),
+            "shear modulus for a shear along x and y, deviator over twice the difference of the strains: an upper "
+            "bound, as modulus.bulk"),
 
-    OF("area", NB_SCALAR, "m2", 0, NB_POROSITY, area, "of the region"),
+    OF("area", NB_SCALAR, "m2", 0, NB_POROSITY, area, "area of the region"),
     OF("porosity", NB_SCALAR, "1", 0, NB_POROSITY, porosity.areal,
-       "areal porosity: fraction of the area that no particle covers; those cut by the edge count with the part "
+       "areal porosity: fraction of the area that no particle covers; particles cut by the edge count with the part "
        "inside"),
     OF("porosity.volume", NB_SCALAR, "1", 0, NB_POROSITY, porosity.volume,
        "porosity by volume; the volume is the area times the thickness: mean diameter of spheres, 1 m for discs "
@@ -83,7 +85,7 @@ const struct nb_quantity_kind nb_region_kinds[] = {
        "void ratio e = n/(1 - n), n the areal porosity"),
 
     COUNT("particles", particles, "number of particles whose centre is inside"),
-    COUNT("contacts", contacts, "number of contacts of those particles, each counted once"),
+    COUNT("contacts", contacts, "number of contacts of the particles inside, each counted once"),
     COUNT("coordination", mean, "coordination number: mean number of contacts of a particle inside"),
     COUNT("coordination.mechanical", mechanical, "mechanical coordination number: without rattlers and their contacts"),
     COUNT("rattlers", rattlers,
@@ -117,8 +119,8 @@ const struct nb_quantity_kind nb_region_kinds[] = {
     STRAIN("strain.rotation", NB_SCALAR, "rad", rotation, "mean rigid rotation of the region, small, counterclockwise"),
 
     SPEED("speed.mean", "m/s", mean, "mean speed of the free particles inside, relative to the imposed motion"),
-    SPEED("speed.max", "m/s", max, "the largest of these speeds"),
-    SPEED("speed.imposed", "m/s", imposed, "mean speed of the imposed motion of these particles"),
+    SPEED("speed.max", "m/s", max, "largest speed of the free particles inside, relative to the imposed motion"),
+    SPEED("speed.imposed", "m/s", imposed, "mean speed of the imposed motion of the free particles inside"),
     SPEED("speed.ratio", "1", ratio, "speed.mean over speed.imposed [R89 sec. 6.5.1]; 0 without imposed motion"),
 
     CHAIN("chains", "1", count,
@@ -130,8 +132,9 @@ const struct nb_quantity_kind nb_region_kinds[] = {
 
     CHANGED_CONTACTS("contacts.lost", NB_SCALAR, lost.count,
                      "number of contacts lost since the stage that `from` names, else the start"),
-    CHANGED_CONTACTS("contacts.new", NB_SCALAR, gained.count, "number of contacts gained since"),
-    CHANGED_CONTACTS("fabric.lost", NB_FABRICS, lost.phi, "Phi of contacts lost since"),
-    CHANGED_CONTACTS("fabric.new", NB_FABRICS, gained.phi, "Phi of contacts made since"),
+    CHANGED_CONTACTS("contacts.new", NB_SCALAR, gained.count,
+                     "number of contacts gained since the stage that `from` names, else the start"),
+    CHANGED_CONTACTS("fabric.lost", NB_FABRICS, lost.phi, "Phi of the contacts that contacts.lost counts"),
+    CHANGED_CONTACTS("fabric.new", NB_FABRICS, gained.phi, "Phi of the contacts that contacts.new counts"),
     {.name = NULL},
 };

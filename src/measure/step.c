@@ -165,7 +165,7 @@ const struct nb_quantity_kind nb_step_kinds[] = {
      "FRACC, the largest of all particles in the last cycle: not a stability bound [R89 4.40]"},
     {"step.rayleigh", 0, "s", 0, rayleigh,
      "travel time of a Rayleigh wave over half the circumference of a sphere, the shortest of all [R89 4.33]"},
-    {"step.rayleigh-mean", 0, "s", 0, rayleigh_mean, "the same for a sphere with the mean properties"},
+    {"step.rayleigh-mean", 0, "s", 0, rayleigh_mean, "as step.rayleigh, for a sphere with the mean properties"},
     {"step.rayleigh-fit", 0, "s", 0, rayleigh_fit, "as step.rayleigh, with R89's fit of the wave's speed [R89 4.34]"},
     {"step.rayleigh-fit-mean", 0, "s", 0, rayleigh_fit_mean, "R89's step: as step.rayleigh-mean, with the fit"},
     {.name = NULL},

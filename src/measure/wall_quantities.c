@@ -62,7 +62,7 @@ const struct nb_quantity_kind nb_wall_kinds[] = {
     {"spin", WALL, "rad/s", 0, wall_spin, "angular velocity over the last step"},
     {"fx", WALL, "N", 0, wall_fx, "force of the particles on the wall"},
     {"fy", WALL, "N", 0, wall_fy, "force of the particles on the wall"},
-    {"moment", WALL, "N.m", 0, wall_moment, "moment of these forces about P, counterclockwise"},
+    {"moment", WALL, "N.m", 0, wall_moment, "moment of the particles' forces about P, counterclockwise"},
     {"eccentricity", WALL, "1", 0, wall_eccentricity,
      "distance of the resultant normal force from the wall's middle, over half its length; positive towards its second "
      "end: e/(L/2) of [CS79 tables 1-3]"},

@@ -72,7 +72,7 @@ static void paragraph(const struct manual *to, const char *text) {
 
 /* A list item, such as an argument of a statement; unit may be NULL. */
 static void part(const struct manual *to, const char *name, const char *unit, const char *text) {
-  char line[1024];
+  char line[2048];
   snprintf(line, sizeof line, to->markdown ? "- `%s`%s%s: %s" : "%s%s%s: %s", name, unit ? ", " : "", unit ? unit : "",
            text);
   if (to->markdown)
@@ -102,6 +102,17 @@ static void example(const struct manual *to, const char *block, const char *line
 
 /* ---- one statement ---- */
 
+/* Whether the word occurs in a line of syntax: `ratio` in "damping {walls} stiffness TIME|ratio X". */
+static bool has_word(const char *syntax, const char *word) {
+  static const char between[] = " {}[]|";
+  for (size_t length; *syntax; syntax += length + strspn(syntax + length, between)) {
+    length = strcspn(syntax, between);
+    if (length == strlen(word) && strncmp(syntax, word, length) == 0)
+      return true;
+  }
+  return false;
+}
+
 /* Length of the first sentence. A full stop without a space after it, as in an equation's number, does not end it. */
 static int first_sentence(const char *help) {
   const char *end = strstr(help, ". ");
@@ -111,7 +122,8 @@ static int first_sentence(const char *help) {
 
 /* "a length above 0; without it: 2R. Distance of the centres; at 2R they touch." */
 static void argument(const struct manual *to, const struct nb_argument *field) {
-  char name[128], text[512];
+  char name[128], text[1024];
+  const int first = first_sentence(field->help);
   snprintf(name, sizeof name, "%s%s%s", field->word ? field->word : "", field->word && field->value ? " " : "",
            field->value ? field->value : "");
   const bool number = field->kind == NB_ARGUMENT_NUMBER, count = field->kind == NB_ARGUMENT_COUNT;
@@ -119,11 +131,56 @@ static void argument(const struct manual *to, const struct nb_argument *field) {
   if (field->otherwise)
     snprintf(otherwise, sizeof otherwise, "; without it: %s", field->otherwise + (*field->otherwise == '|'));
   if (number || count)
-    snprintf(text, sizeof text, "%s%s%s. %s", number ? nb_unit_kind_name(field->unit) : "a whole number, 1 or more",
-             number ? nb_range_words(field->range) : "", otherwise, field->help);
+    snprintf(text, sizeof text, "%s%s%s%s. %s", number ? nb_unit_kind_name(field->unit) : "a whole number, 1 or more",
+             field->count > 1 ? " each" : "", number ? nb_range_words(field->range) : "", otherwise, field->help);
   else
-    snprintf(text, sizeof text, "%.*s%s.", first_sentence(field->help), field->help, otherwise);
+    snprintf(text, sizeof text, "%.*s%s.%s", first, field->help, otherwise,
+             field->help[first] == '.' ? field->help + first + 1 : "");
   part(to, name, NULL, text);
+}
+
+/* The lines of a help after the first one, "NAME: TEXT", are parts of the statement's tail. `word`: only parts with this word in
+ * their names, or NULL. Returns whether there are any. */
+static bool tail_parts(const struct manual *to, const char *help, const char *word) {
+  bool found = false;
+  for (const char *line = strchr(help, '\n'); line; line = strchr(line, '\n')) {
+    char name[128], text[512];
+    line++;
+    const char *const colon = strstr(line, ": ");
+    snprintf(name, sizeof name, "%.*s", (int)(colon - line), line);
+    snprintf(text, sizeof text, "%.*s", (int)strcspn(colon + 2, "\n"), colon + 2);
+    if (word && !has_word(name, word))
+      continue;
+    part(to, name, NULL, text);
+    found = true;
+  }
+  return found;
+}
+
+/* "Place: the scene; a stage." */
+static void append_place(char *text, size_t size, unsigned where) {
+  static const struct {
+    unsigned all, none; /* the flags that a statement has and does not have */
+    const char *words;
+  } places[] = {
+      {NB_IN_SCENE, 0, "the scene"},
+      {NB_IN_START, 0, "a page with `start`, before its first stage"},
+      {NB_IN_STAGE, 0, "a stage"},
+      {NB_IN_RAMP, 0, "after `ramp`"},
+      {NB_IN_CONTACT_TEST, NB_IN_SEGMENT, "a contact test, before its first segment"},
+      {NB_IN_CONTACT_TEST | NB_IN_SEGMENT, 0, "a contact test"},
+      {NB_IN_SEGMENT, NB_IN_CONTACT_TEST, "a segment of a contact test"},
+  };
+  const char *between = " Place: ", *end = "";
+  for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
+    const size_t used = strlen(text);
+    if ((where & places[k].all) != places[k].all || where & places[k].none)
+      continue;
+    snprintf(text + used, size - used, "%s%s", between, places[k].words);
+    between = "; ", end = ".";
+  }
+  const size_t used = strlen(text);
+  snprintf(text + used, size - used, "%s", end);
 }
 
 /* Examples of scenes and expectations together make docs/LANGUAGE.md a page that can be run; other examples are blocks
@@ -137,18 +194,16 @@ static const char *block_of(const struct nb_keyword *keyword) {
 }
 
 static void statement(const struct manual *to, const struct nb_keyword *keyword) {
-  char syntax[512], help[1024];
+  char syntax[512], help[2048];
   nb_keyword_syntax(syntax, sizeof syntax, keyword);
-  const bool both = keyword->where & NB_IN_SCENE && keyword->where & NB_IN_STAGE;
-  const bool shared =
-      keyword->where & (NB_IN_SCENE | NB_IN_STAGE) && keyword->where & (NB_IN_CONTACT_TEST | NB_IN_SEGMENT);
-  snprintf(help, sizeof help, "%s%s%s%s", keyword->help, both ? " In the scene and in stages." : "",
-           keyword->where & NB_IN_RAMP ? " Also after `ramp`." : "", shared ? " Also in a contact test." : "");
+  snprintf(help, sizeof help, "%.*s", (int)strcspn(keyword->help, "\n"), keyword->help);
+  append_place(help, sizeof help, keyword->where);
   item(to, keyword->word, syntax, help);
   if (!to->whole)
     return;
   for (const struct nb_argument *field = keyword->arguments; field->count; field++)
     argument(to, field);
+  tail_parts(to, keyword->help, NULL);
   if (keyword->example)
     example(to, block_of(keyword), keyword->example);
   end(to);
@@ -166,7 +221,8 @@ static void expectation(const struct manual *to, const struct nb_expectation_row
 
 static void measures(const struct manual *to) {
   paragraph(to, "A MEASURE is `QUANTITY {REDUCER} {in STAGE}`: a quantity that the scene records, and how the rows of "
-                "a stage become one number. Without `in STAGE` it is the last stage that has rows. REDUCER:");
+                "a stage become one number. Without `in STAGE` the rows are those of the last stage that has rows. "
+                "REDUCER is one of:");
   for (const struct nb_reducer_row *row = nb_reducer_rows(); row->word; row++)
     part(to, row->word, NULL, row->help);
   end(to);
@@ -185,24 +241,25 @@ static void expectations(const struct manual *to) {
 
 static void figures(const struct manual *to) {
   static const char *const given[][2] = {
-      {"$table",
-       "the recorded rows of the run; a column is `column('C.normal/N')`, by its head. `reference C.normal/N` is "
-       "the reference, at "
-       "every row, of a quantity that is compared with a curve. With a sweep `$table_1`, `$table_2`, …, one "
-       "for each run, also when `--set` leaves one value"},
-      {"$values",
-       "one row for each run: the swept values, then every measure of the expect blocks, computed and reference"},
+      {"$table", "the recorded rows of the run. `column('C.normal/N')` selects a column by its head. The column "
+                 "`reference C.normal/N` "
+                 "has the reference at every row, for a quantity that an expectation compares with `versus`. With a "
+                 "sweep there is "
+                 "one table for each run, `$table_1`, `$table_2`, …, also when `--set` leaves only one value"},
+      {"$values", "one row for each run: the swept values, then the computed value and the reference of every measure "
+                  "of the expect blocks"},
       {"runs", "the number of runs; `run[i]` are the swept values of run i: \"v=0.12, n=40\""},
       {"C_normal_max",
        "a variable for each measure of the expect blocks, here `C.normal max`: any character but a letter or a digit "
        "becomes `_`. With a sweep `C_normal_max_1`, …"},
-      {"reference_C_normal_max", "a variable for each value that the reference returns, likewise. A name of more than "
-                                 "49 characters, which gnuplot would cut, has none"},
+      {"reference_C_normal_max",
+       "a variable for each value that the reference returns, with its name formed in the same way. "
+       "There is none if the name would have more than 49 characters, because gnuplot would cut it"},
       {"$STAGE_particles",
-       "a snapshot of a stage; also `$STAGE_walls`, `$STAGE_contacts`, of a boundary `$STAGE_boundary`, of regions "
-       "`$STAGE_rings`, of `snapshot from` `$STAGE_lattice`, of a contact test `$SEGMENT_traction` and "
-       "`$SEGMENT_pieces`. With a sweep "
-       "`$STAGE_particles_1`, …"},
+       "the particles of a snapshot; also `$STAGE_walls` and `$STAGE_contacts`, with a boundary `$STAGE_boundary`, "
+       "with rings "
+       "of a region `$STAGE_rings`, with `snapshot from` `$STAGE_lattice`. A contact test has `$SEGMENT_traction` and "
+       "`$SEGMENT_pieces` instead. With a sweep `$STAGE_particles_1`, …"},
       {"plots", "the folder of the recipes: `load plots.'force-chains.gp'`"},
       {"terminal",
        "SVG, then PNG, of 840 by 560 points; the program sets it and the output file. `eval canvas(1100, 760)` "
@@ -210,8 +267,9 @@ static void figures(const struct manual *to) {
   };
   section(to, "Figures");
   paragraph(to, "The blocks `gnuplot` of a page are a gnuplot script, which `nineball figure` and `report` run. Before "
-                "it come the "
-                "style, plots/style.gp (colours as line types 1 to 6, tab-separated data with a head row), and these:");
+                "the script gnuplot reads the "
+                "style, plots/style.gp (colours as line types 1 to 6, tab-separated data with a head row). These names "
+                "are defined:");
   for (size_t k = 0; k < sizeof given / sizeof *given; k++)
     part(to, given[k][0], NULL, given[k][1]);
   if (to->whole)
@@ -240,8 +298,9 @@ static void quantities(const struct manual *to) {
   const char *owners[OWNERS_MAX]; /* those that are printed */
   size_t count = 0;
   section(to, "Quantities");
-  paragraph(to, "Quantities for `record`, `until` and expectations: the name alone for the whole scene, `MONITOR.NAME` "
-                "for what `monitor` has named.");
+  paragraph(to, "These quantities are for `record`, `until` and expectations. A quantity of the whole scene is written "
+                "by its name alone, "
+                "a quantity of a monitored particle, contact, wall, grading or region as `MONITOR.NAME`.");
   for (size_t k = 0; nb_quantity_row(&row, k); k++) {
     size_t o = 0;
     while (o < count && strcmp(owners[o], row.of) != 0)
@@ -298,23 +357,31 @@ static void values(const struct manual *to) {
 static void grammar(const struct manual *to) {
   char text[1024];
   section(to, "Words");
-  paragraph(to,
-            "A page is a Markdown file. The program reads its fenced blocks `scene` or `contact-test`, `expect` and "
-            "`gnuplot`; all else is prose. Several blocks of a kind are read as one, in their order. A statement "
-            "is one line of words with spaces between; `#` begins a comment.");
-  paragraph(to,
-            "Below, CAPITALS stand for a value, `{...}` is optional, and `a|b` is one of the two. Clauses (a word and "
-            "its values) may be in any order. `$NAME` is the value that `let` or `sweep` gives to NAME above.");
+  paragraph(
+      to, "A page is a Markdown file. The program reads its fenced blocks `scene` or `contact-test`, `expect` and "
+          "`gnuplot`; all else is prose. Several blocks of one kind are read as one block, in their order. A statement "
+          "is one line of words with spaces between them; `#` begins a comment.");
+  paragraph(
+      to,
+      "Each section shows the syntax of a statement, what it does, where it may stand, its arguments and an example. "
+      "In the syntax CAPITALS stand for a value, `{...}` is optional, and of `a|b` one is given. Clauses (a word "
+      "and its values) may be in any order. In the list of arguments `without it` gives the default; an argument "
+      "without default is required. `$NAME` is the value that `let` or `sweep` gives to NAME above.");
   snprintf(
       text, sizeof text,
       "A name is a letter (a to z, A to Z), then letters, digits, `_` and `-`; fewer than %d characters. "
       "A number is decimal: `-1.5e3`. A "
       "page may have %d MB, lines of %d bytes and %d words, %d runs, %d particles, %d materials, and %d of each other "
       "thing that has a name. All mistakes of a page are reported at once, each with its line, what was expected and, "
-      "if a known word is similar, what was probably meant.",
+      "if a known word is similar, the word that was probably meant.",
       NB_NAME_SIZE, NB_PAGE_MAX >> 20, NB_LINE_MAX, NB_TOKENS_MAX - 1, NB_RUNS_MAX, NB_PARTICLES_MAX, NB_MATERIALS_MAX,
       NB_NAMED_MAX);
   paragraph(to, text);
+  paragraph(
+      to,
+      "`Place` says where a statement may stand. The scene is the part of the page before the first `stage`. In a "
+      "page with `start` it is short, because most of it comes from the other page. A stage is everything below a line "
+      "`stage NAME`, up to the next `stage`; a segment of a contact test likewise.");
 }
 
 /* The four ways to impose a strain. */
@@ -323,18 +390,21 @@ static void strains(const struct manual *to) {
       {"cell strain",
        "moves the periodic cell and, with it, all particles. For a sample without walls or edges: compression and "
        "shear at uniform strain. Needs `cell`."},
-      {"box strain",
-       "moves the four walls of a box, without shear; they push the particles. For a biaxial test between walls, as "
-       "in the laboratory. Needs `box`."},
+      {"box strain", "moves the four walls of a box, without shear; the walls push the particles. For a biaxial test "
+                     "between walls, as "
+                     "in the laboratory. Needs `box`."},
       {"boundary strain",
        "moves the outermost particles of an assembly; contacts carry the motion inwards. For the round assemblies "
        "of the thesis. Needs `boundary circle`."},
       {"affine strain",
        "moves the free particles inside, in addition to their own motion. Together with `boundary strain` at "
-       "the same rate, so that the assembly deforms as a whole at once. Needs nothing; not with a cell."},
+       "the same rate, so that the assembly deforms as a whole at once. Needs no other statement; not possible with a "
+       "cell."},
   };
   section(to, "Which strain");
-  paragraph(to, "Four statements of a stage impose a strain rate. What each moves, and its use:");
+  paragraph(
+      to,
+      "Four statements of a stage impose a strain rate. The list says what each of them moves, and when to use it:");
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
     part(to, rows[k][0], NULL, rows[k][1]);
   end(to);
@@ -351,12 +421,15 @@ static void statements(const struct manual *to, const struct nb_family *table, u
 void nb_manual(FILE *out, bool markdown) {
   const struct manual to = {out, markdown, markdown, NULL};
   if (markdown)
-    fputs("# The language of pages\n\n"
-          "All words of pages. The program makes this document from the tables that it reads pages by; `make language` "
-          "renews it. The document is a page itself: its examples, one after the other, are a scene, and `nineball "
-          "explain docs/LANGUAGE.md` shows what it would run. On the terminal: `nineball --help scene`, and `nineball "
-          "--help disc` for one word. [GLOSSARY.md](GLOSSARY.md) explains the terms of the field.\n\n",
-          out);
+    fputs(
+        "# The language of pages\n\n"
+        "This document lists all words of pages. The program writes it from the tables with which it reads pages; "
+        "`make language` renews it. The document is itself a page: its examples, one after the other, are a scene, and "
+        "`nineball explain docs/LANGUAGE.md` shows what this scene would run. On the terminal `nineball --help scene` "
+        "prints the same, and `nineball --help disc` describes one word. [GLOSSARY.md](GLOSSARY.md) explains the terms "
+        "of "
+        "the field.\n\n",
+        out);
   grammar(&to);
   section(&to, "The scene");
   statements(&to, nb_keywords(), NB_IN_SCENE, 0);
@@ -367,7 +440,8 @@ void nb_manual(FILE *out, bool markdown) {
   paragraph(
       &to,
       "A page with a block `contact-test` instead of `scene` tests one contact: it prescribes approach and slip, or "
-      "forces. There is no motion and no time. To an expectation its segments are stages: `shear max in load`.");
+      "forces. There is no motion and no time. In an expectation the name of a segment stands in place of a stage: "
+      "`shear max in load`.");
   statements(&to, nb_keywords(), NB_IN_CONTACT_TEST | NB_IN_SEGMENT, NB_IN_SCENE | NB_IN_STAGE);
   expectations(&to);
   figures(&to);
@@ -376,17 +450,6 @@ void nb_manual(FILE *out, bool markdown) {
 }
 
 /* ---- one word ---- */
-
-/* Whether the word occurs in a line of syntax: `ratio` in "damping {walls} stiffness TIME|ratio X". */
-static bool has_word(const char *syntax, const char *word) {
-  static const char between[] = " {}[]|";
-  for (size_t length; *syntax; syntax += length + strspn(syntax + length, between)) {
-    length = strcspn(syntax, between);
-    if (length == strlen(word) && strncmp(syntax, word, length) == 0)
-      return true;
-  }
-  return false;
-}
 
 /* The first argument whose words have this one; else the last, with count 0. */
 static const struct nb_argument *clause_of(const struct nb_keyword *row, const char *word) {
@@ -403,8 +466,11 @@ static void statement_part(const struct manual *to, const struct nb_keyword *row
   if (!is_new(to, (const char *)row + (field->count ? 1 + (field - row->arguments) : 0)))
     return;
   wrapped(to->out, 2, 4, syntax);
-  if (!field->count)
-    wrapped(to->out, 6, 6, row->help);
+  if (!field->count && !tail_parts(to, row->help, word)) {
+    char help[2048];
+    snprintf(help, sizeof help, "%.*s", (int)strcspn(row->help, "\n"), row->help);
+    wrapped(to->out, 6, 6, help);
+  }
   for (; field->count; field++)
     if (field->word && has_word(field->word, word))
       argument(to, field);
