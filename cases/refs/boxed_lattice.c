@@ -7,8 +7,8 @@
  *   W, H  width and height of the box, m      s  its stress, compression positive, Pa (discs are 1 m thick)
  *   R     radius of the discs, m              k_n  normal stiffness, N/m
  *
- * These are two equations for W, H and the two stresses. Each stage gives two more; it starts from the end of the
- * previous one:
+ * These are two equations for W, H and the two stresses. Each stage gives two more equations. A stage starts from the
+ * end of the previous stage:
  *
  *   servo xx S              s_xx = S; likewise yy
  *   box strain              W <- W (1 + L_xx dt)^N in N cycles at the strain rate L, unless the servo controls s_xx;

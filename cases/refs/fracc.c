@@ -1,4 +1,5 @@
-/* Reference: R89's FRACC of one disc that oscillates between two walls in contact with it, or circles between four.
+/* Reference: R89's FRACC of one disc that oscillates between two walls that it touches, or moves on a circle between
+ * four walls.
  *
  * r = (x, y) is the position of the disc from the middle, r_n after n cycles. With w^2 = 2 k_n/m and h = w dt/2 the
  * cycle is  r_(n+1) = 2 r_n - r_(n-1) - 4 h^2 r_n  in x and y separately, with x_1 = x_0 (1 - 2 h^2) from rest and

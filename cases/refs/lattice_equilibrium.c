@@ -5,8 +5,9 @@
  *
  * With sliding, a contact has F_s = +-F_n tan phi instead of k_s s. The friction law has no length scale, so slow
  * proportional loading from zero keeps all ratios of forces constant: a contact slides from the first instant or never.
- * The sliding contacts are found by iteration: contacts beyond the friction limit become sliding until there are no
- * more. In the result all sliding must have the direction of its shear force, otherwise there is no solution.
+ * The sliding contacts are found by iteration: contacts beyond the friction limit become sliding until no contact is
+ * beyond the limit. In the result all sliding must have the direction of its shear force, otherwise there is no
+ * solution.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "lattice.h"

@@ -10,9 +10,9 @@
  *
  *     q_n = (b dt / omega^2) (n - sin(n phase) / sin(phase)),   sin(phase / 2) = omega dt / 2:
  *
- * the same straight line and a wave of a slightly higher frequency. A program that follows the cycle agrees with it to
- * rounding, except for the small rotation of its contacts. Every change of the velocities of the walls starts such a
- * term, and the terms add.
+ * This is the same straight line and an oscillation of a slightly higher frequency. A program that follows the cycle
+ * agrees with this solution to rounding, except for the small rotation of its contacts. Every change of the velocities
+ * of the walls adds such a solution.
  *
  * For nine equal discs between four walls that approach with equal speeds only two of the 27 modes move, by symmetry:
  * corner discs by d_c and middle discs of a side by d_m along each axis, without rotation. When each wall has moved by

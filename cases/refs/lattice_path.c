@@ -9,14 +9,14 @@
  *   open contact             no force; n + dn <= 0
  *
  * so the displacements du follow from a linear system. The states of the contacts are found by iteration from the
- * previous ones. A contact beyond the friction limit begins to slide in the direction of its shear force. One that
- * would slide against its shear force sticks. One that would pull opens. An open one that would overlap closes and
- * sticks, with no shear force. If the iteration does not end in an increment, there is no solution. The error is of the
- * order of one increment.
+ * previous ones. A contact beyond the friction limit begins to slide in the direction of its shear force. A contact
+ * that would slide against its shear force sticks. A contact in tension opens. An open contact that would overlap
+ * closes and sticks, with no shear force. If the iteration does not end in an increment, there is no solution. The
+ * error is of the order of one increment.
  *
  * Where nothing resists a rotation, or all contacts of a disc slide, these equations do not determine du. So a weak
- * spring, whose stiffness is the fraction `weak` of the largest one, ties each particle to its place. It changes the
- * forces by no more than that fraction.
+ * spring, whose stiffness is the fraction `weak` of the largest one, ties each particle to its place. This spring
+ * changes the forces by no more than that fraction.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "lattice_path.h"

@@ -7,8 +7,8 @@
  *   sigma_ij = (1/A) sum over pairs +-d of N |d| n_i n_j             Phi_ij = <n_i n_j>,   Phi_ijkl = <n_i n_j n_k n_l>
  *   F_kk = z R/A                 coordination = z, twice the pairs      porosity = 1 - pi R^2/A (overlaps count twice)
  *
- * a_1 is the vector from particle 1 to particle 2, a_2 that from particle 1 to the nearest one off that line. The
- * values hold for any box of whole cells, wherever it begins and whatever discs it cuts.
+ * a_1 is the vector from particle 1 to particle 2, a_2 the vector from particle 1 to the nearest particle off this
+ * line. The values hold for any box of whole cells, wherever the box begins and whichever discs its edge cuts.
  *
  * Returns, for B that monitors such a box, at 0 cycles:
  *   B.stress.xx, xy, yy, mean, sinphi; B.fabric.xx, xy, yy, kk; B.fabric.fourth.xxxx, xxyy, yyyy

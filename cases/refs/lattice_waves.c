@@ -7,7 +7,7 @@
  *   along e    k_n (u_j - u_i).e
  *   along n    k_s ((u_j - u_i).n - R (theta_i + theta_j)) - (F/s) (u_j - u_i).n
  *
- * The last term is there because F turns with the line of centres. Opposite directions e give equal terms, so the sums
+ * The last term arises because F turns with the line of centres. Opposite directions e give equal terms, so the sums
  * run over one direction of each opposite pair, with the factor 2. With phi = s q.e the dynamical matrix is
  *
  *   K_uu = sum 2 (1 - cos phi) (k_n e e^T + (k_s - F/s) n n^T)

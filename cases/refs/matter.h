@@ -1,5 +1,6 @@
 /* Mass and moment of inertia of particles and constants of a contact, computed from the numbers of the page. The
- * simulator has functions of its own, and references never call those, so that an error in either of the two is found.
+ * references never call the functions of the simulator for these numbers, so that an error in either of the two is
+ * found.
  *
  *   disc     a cylinder 1 m long    m = rho pi R^2,          I = m R^2/2        any textbook of mechanics
  *   sphere                          m = rho (4/3) pi R^3,    I = 2 m R^2/5
