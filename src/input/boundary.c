@@ -139,7 +139,7 @@ static void report(struct nb_scene_reading *reading, int line, const char *hint,
   nb_line_mistake(&reading->reader, (size_t)line, hint, "%s", what);
 }
 
-/* Walls that follow the strain of a box have no motion of their own. */
+/* Reports a motion of a wall that follows the strain of a box: such walls have no motion of their own. */
 void nb_box_check(struct nb_scene_reading *reading) {
   const struct nb_scene *scene = reading->scene;
   const int first = nb_box_first_wall(scene);
@@ -163,7 +163,8 @@ void nb_box_check(struct nb_scene_reading *reading) {
   }
 }
 
-/* A cell imposes an affine motion on all its particles, so the scene has no other one. */
+/* Reports other affine motions in a scene with a cell, because the cell imposes an affine motion on all its
+ * particles. */
 static void check_cell(struct nb_scene_reading *reading) {
   const struct nb_scene *scene = reading->scene;
   int line = scene->circle.line;
@@ -185,7 +186,8 @@ static int imposed_motion_line(const struct nb_stage *stage) {
   return stage->box_line ? stage->box_line : stage->servo.box ? stage->servo.line : 0;
 }
 
-/* Imposed motion uses the positions at the beginning of a step, so its displacements are not reversible. */
+/* Reports `reverse velocities` together with an imposed motion. An imposed motion uses the positions at the beginning
+ * of a step, so its displacements are not reversible. */
 void nb_imposed_motion_check(struct nb_scene_reading *reading) {
   const struct nb_scene *scene = reading->scene;
   check_cell(reading);

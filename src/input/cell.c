@@ -72,7 +72,7 @@ NB_APPLY(apply_wave) {
   }
 }
 
-/* Reports a mistake of the whole cell, at its line. */
+/* Reports a mistake of the whole cell, at the line of the statement `cell`. */
 static void report(struct nb_scene_reading *reading, const char *hint, const char *what) {
   nb_line_mistake(&reading->reader, (size_t)reading->scene->cell.line, hint, "%s", what);
 }

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A field of a line: `length` bytes; its column counts characters from 1. */
+/* A field of a line: `length` bytes; `column` is its column in characters, from 1. */
 struct field {
   const char *at;
   size_t length;
@@ -17,8 +17,8 @@ struct table {
   struct nb_page file;
   bool unitless, spaces; /* `units none`; spaces, not tabs, separate the fields */
   struct {
-    int index; /* of the field in a line; -1: there is none */
-    int shift; /* power of ten of its unit */
+    int index; /* index of the field in a line; -1: the file has no such column */
+    int shift; /* power of ten of the unit */
   } columns[NB_COLUMNS_MAX];
   struct nb_mistakes *mistakes;
 };
@@ -43,7 +43,8 @@ static struct field line_begin(const struct table *table, size_t line) {
   return (struct field){table->file.lines[line - 1], 0, 1};
 }
 
-/* Finds field `index`, from 0. False if the line has fewer; then the field is empty, at the end of the line. */
+/* Finds field number `index`, from 0. False if the line has fewer fields; then the field is empty, at the end of the
+ * line. */
 static bool find_field(struct field *field, const struct table *table, size_t line, int index) {
   *field = line_begin(table, line);
   for (int k = 0; next_field(field, table->spaces, k == 0); k++)
@@ -61,7 +62,8 @@ static void report(const struct table *table, size_t line, struct field field, c
                expected, shown, field.at);
 }
 
-/* Whether a field of the head line is that column: `slip/um`. */
+/* True if a field of the head line, such as `slip/um`, is the column `name`. Sets `shift` to the power of ten of its
+ * unit. */
 static bool is_column(const struct field *field, const char *name, bool unitless, int *shift) {
   char text[NB_NAME_SIZE];
   const size_t length = name ? strlen(name) : 0;

@@ -10,14 +10,14 @@
 
 enum { NB_COLUMNS_MAX = 3 };
 
-/* Finds the file that the token names; `path` has NB_PATH_SIZE bytes. False if the token is NULL, or, with a message,
- * if the file cannot be opened. The hint of the message is `hint`, or the folders that are searched if `hint` is
- * NULL. */
+/* Finds the file that the token names and writes its path to `path`, which has NB_PATH_SIZE bytes. False if the token
+ * is NULL, or, with a message, if the file cannot be opened. The hint of the message is `hint`; if `hint` is NULL, the
+ * list of the folders that were searched. */
 bool nb_file_named(struct nb_reader *reader, const struct nb_token *token, const char *hint, char *path);
 
 struct nb_wanted_column {
   const char *name, *alternative; /* "approach"; another accepted name, or NULL */
-  bool positive;                  /* above 0 */
+  bool positive;                  /* all values must be above 0 */
 };
 
 /* Reads `count` columns row by row, in m. The caller frees *lengths in any case. False after a mistake, which has been

@@ -24,7 +24,7 @@ static int take_material(const struct nb_scene *scene, struct nb_reader *reader)
   return nb_material_of(scene, reader, nb_take_token(reader, "the name of a material"));
 }
 
-/* `sphere R MATERIAL`: a particle that touches the plane x = 0; the first one lies at x < 0. */
+/* Takes `sphere R MATERIAL`: a particle that touches the plane x = 0; the first particle lies at x < 0. */
 static void take_particle(struct nb_scene *scene, struct nb_reader *reader) {
   const bool sphere = nb_token_skip(reader, "sphere");
   if (!sphere && !nb_token_skip(reader, "disc"))
@@ -92,7 +92,7 @@ static bool take_target(struct nb_reader *reader, struct nb_target *target, bool
 }
 
 enum word { OVERLAP, NORMAL, SLIP, SHEAR, HOLD, IN, FOLLOW, WORDS };
-enum part { PART_NORMAL, PART_SHEAR, PART_STEPS, PARTS }; /* of a segment, each at most once */
+enum part { PART_NORMAL, PART_SHEAR, PART_STEPS, PARTS }; /* the parts of a segment, each at most once */
 
 static enum word take_segment_word(struct nb_reader *reader) {
   static const char *const words[] = {"overlap", "normal", "slip", "shear", "hold", "in", "follow"};
@@ -154,14 +154,14 @@ static bool take_segment(struct nb_reader *reader, struct nb_stage *stage) {
          nb_expected(reader, NULL, "`overlap`, `normal`, `slip`, `shear`, `hold` or `follow FILE`");
 }
 
-/* A line with a mistake begins a segment, too, because the lines below belong to it. */
+/* A line with a mistake also begins a segment, because the lines below belong to this segment. */
 NB_APPLY(apply_segment) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
   const struct nb_token *name = record->value[AT_NAME].token;
   struct nb_stage one = {.record_interval = 1, .cycles = STEPS_DEFAULT, .line = (int)reader->line};
   one.segment.normal.relative = one.segment.shear.relative = true;
-  if (!scene->contact_test) /* a mistake, which is reported elsewhere */
+  if (!scene->contact_test) /* a page without `contact`, which is reported elsewhere */
     return;
   reading->here = NB_IN_SEGMENT;
   if (name)
@@ -186,7 +186,7 @@ const struct nb_quantity_kind nb_contact_test_kinds[] = {
 
 /* ---- checks at the end of the page ---- */
 
-/* `--set follow=FILE`: one segment with the points of the file replaces those of the page. */
+/* Applies `--set follow=FILE`: one segment with the points of the file replaces the segments of the page. */
 static void replace_segments(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
   struct nb_stage one = {.name = "follow", .record_interval = 1, .check_interval = 1, .snapshot_from = -1};

@@ -6,7 +6,7 @@
 static const struct nb_argument no_fields[] = {END};
 
 static const struct damping_word {
-  enum nb_contact_damping contact_kind; /* or, of all particles: */
+  enum nb_contact_damping contact_kind; /* a damping of contacts; or, for all particles: */
   enum nb_global_damping global_kind;
   enum nb_unit_kind unit;
   enum nb_range range;
@@ -22,7 +22,7 @@ enum { WALLS = 3, CRITICAL, GLOBAL, CON1, CENTRED, LATE, NONE }; /* indices of t
 
 /* What one statement sets. */
 struct given {
-  bool all, walls; /* all contacts; only those with walls */
+  bool all, walls; /* it sets the damping of all contacts; only of contacts with walls */
   bool global, deep, timing;
   bool centred;
   struct damping_word of;
@@ -62,7 +62,7 @@ static void take_damping(struct nb_reader *reader, struct given *given) {
     given->of.global_kind = take_con1(reader);
 }
 
-/* --set damping=centred or late overrides what the page says of the time. */
+/* `--set damping=centred` or `damping=late` overrides the time of the velocity that the page gives. */
 static void override_timing(const struct nb_scene_reading *reading, struct nb_reader *reader, struct given *given) {
   if (reader != &reading->setting)
     given->timing = given->timing && nb_setting_find(reading, "damping") == 0;
@@ -71,8 +71,9 @@ static void override_timing(const struct nb_scene_reading *reading, struct nb_re
                    "`centred` or `late`");
 }
 
-/* Five things have one statement each: all contacts, contacts with walls, deep contacts, all particles, and the time
- * of the velocity that dashpots use. `none` sets all five. In a stage a statement replaces the inherited one. */
+/* A page gives five settings, with one statement each: the damping of all contacts, of contacts with walls, of deep
+ * contacts and of all particles, and the time of the velocity that dashpots use. `none` sets all five. In a stage a
+ * statement replaces the inherited setting. */
 NB_APPLY(apply_damping) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;

@@ -8,8 +8,8 @@
  *
  * A unit is one word after a space: `2 N/m` is a stiffness, `2 N / m` is a force divided by the value named m. A number
  * and a name side by side are not a product. A literal is rounded once, together with the power of ten of its unit:
- * `0.3 mm` is the double nearest to 0.0003. All else is computed in double precision, in the written order. Powers and
- * functions are those of the C library.
+ * `0.3 mm` is the double nearest to 0.0003. All other operations are computed in double precision, in the written
+ * order. Powers and functions are computed by the C library.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <ctype.h>
@@ -33,7 +33,7 @@ struct quantity {
 };
 
 struct parser {
-  struct nb_reader *reader; /* bad after the first mistake; then parsing ends */
+  struct nb_reader *reader; /* reader->bad is true after the first mistake; then parsing ends */
   const char *line, *at, *end;
   int depth;
 };
@@ -87,7 +87,7 @@ static bool skip(struct parser *p, char sign) {
   return is;
 }
 
-/* Copies letters, digits and those signs at the current position; returns their number of bytes. */
+/* Copies the letters, digits and `signs` at the current position to `text`; returns their number of bytes. */
 static size_t read_word(const struct parser *p, const char *signs, char text[WORD_SIZE]) {
   size_t n = 0;
   while (p->at + n < p->end && (isalnum((unsigned char)p->at[n]) || p->at[n] & 0x80 || strchr(signs, p->at[n])))
@@ -132,7 +132,8 @@ static struct quantity expected(struct parser *p, const char *what) {
   return mistake(p, p->at, length ? length : 1, typed ? typed : otherwise, "expected %s, found `%s`", what, text);
 }
 
-/* A value and its dimension, in sixtieths, after a check that both can be represented; messages are at `from`. */
+/* Returns a value and its dimension, m, kg, s in sixtieths, after a check that both can be represented. Messages point
+ * at `from`. */
 static struct quantity checked_value(struct parser *p, const char *from, size_t length, double value, double m,
                                      double kg, double s) {
   const double of[] = {m, kg, s};
@@ -187,7 +188,7 @@ static void wrong_unit(struct parser *p, size_t length, const char *text, bool i
   mistake(p, p->at, length, typed ? typed : hint, "expected a unit or an operator, found `%s`", text);
 }
 
-/* The unit after a literal or a parenthesis, which may be missing; any other word is a mistake. */
+/* Reads the unit after a literal or a parenthesis. The unit may be missing; any other word is a mistake. */
 static struct nb_unit unit_after(struct parser *p) {
   struct nb_unit unit;
   char text[WORD_SIZE];
@@ -219,7 +220,7 @@ static struct quantity literal(struct parser *p) {
   return (struct quantity){value, unit.dimension};
 }
 
-/* The expression after `(`, up to `)`. */
+/* Reads the expression after `(`, up to `)`. */
 static struct quantity parenthesis(struct parser *p) {
   const struct quantity it = sum(p);
   return skip(p, ')') ? it : expected(p, "an operator or `)`");
@@ -247,7 +248,7 @@ static struct quantity call(struct parser *p, const struct function *f, const ch
                        fraction * a.of.kg, fraction * a.of.s);
 }
 
-/* A function, pi, or a value named by `let` or `sweep`. */
+/* Reads a function, pi, or a value named by `let` or `sweep`. */
 static struct quantity named_value(struct parser *p) {
   char name[WORD_SIZE], hint[NB_HINT_SIZE];
   struct nb_unit unit;
@@ -376,7 +377,7 @@ enum nb_reading nb_literal(struct nb_binding *value, const char *number, const c
   return reading;
 }
 
-/* Reads an expression that is one literal: `-5`, `0.3 mm`; false if it is not. */
+/* Reads an expression that is one literal: `-5`, `0.3 mm`; false if it is another expression. */
 static bool read_plain_literal(const struct parser *p, struct nb_binding *value) {
   char number[NB_NAME_SIZE], unit[WORD_SIZE];
   const size_t minus = *p->at == '-' || *p->at == '+', length = minus + nb_number_length(p->at + minus);

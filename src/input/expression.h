@@ -6,18 +6,19 @@
 
 #include "reader.h"
 
-/* The value of an expression, which is part of a line of the page; false with a message. A lone literal keeps its
- * text. */
+/* Computes the value of the expression from `at` to `end`, a part of a line of the page; false with a message. A value
+ * that is one literal keeps its text. */
 bool nb_expression(struct nb_reader *reader, const char *line, const char *at, const char *end,
                    struct nb_binding *value);
-/* The same for a number and its unit, which may be NULL. The text of a computed number is written again. */
+/* Computes the value of a number and its unit, which may be NULL. If the number was computed, its text is written
+ * again. */
 enum nb_reading nb_literal(struct nb_binding *value, const char *number, const char *unit, bool computed);
 /* Writes the text of a value: the shortest decimal number that reads back to the same bits, with the SI unit of its
  * dimension. */
 void nb_binding_write(struct nb_binding *value);
-/* Whether two values of a sweep are the same number or the same word. */
+/* True if two values of a sweep are the same number or the same word. */
 bool nb_binding_same(const struct nb_binding *a, const struct nb_binding *b);
-/* Whether a name is a function or pi. */
+/* True if a name is a function or pi. */
 bool nb_name_reserved(const char *name);
 extern const char nb_function_names[]; /* for the manual: "sqrt, sin, …" */
 

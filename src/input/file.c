@@ -61,7 +61,7 @@ enum { DEPTH_MAX = 8 }; /* levels of folders below `cases` that are searched */
 struct search {
   const char *name;
   char path[NB_PATH_SIZE];     /* the folder that is searched */
-  char found[2][NB_PATH_SIZE]; /* the first two in alphabetical order, because the order of readdir is arbitrary */
+  char found[2][NB_PATH_SIZE]; /* the first two files in alphabetical order; the order of readdir is arbitrary */
   size_t count;
   bool no_memory;
 };
@@ -80,7 +80,8 @@ static void add_found(struct search *search) {
   search->count++;
 }
 
-/* Searches a folder, then its folders. It follows no links, so that it ends; it skips folders that cannot be read. */
+/* Searches a folder, then the folders in it. The search follows no links, so that it ends, and skips folders that
+ * cannot be read. */
 static void search_folder(struct search *search, int depth) {
   const size_t length = strlen(search->path), room = sizeof search->path - length;
   char *end = search->path + length;
@@ -99,7 +100,7 @@ static void search_folder(struct search *search, int depth) {
     closedir(folder);
 }
 
-/* Truncates a path after its last folder `cases`; false if it has none. */
+/* Truncates a path after its last folder `cases`; false if it has no such folder. */
 static bool truncate_after_cases(char *path) {
   static const char name[] = "cases";
   const size_t length = sizeof name - 1;
@@ -112,8 +113,8 @@ static bool truncate_after_cases(char *path) {
   return end;
 }
 
-/* The nearest folder `cases` above a page, by the given path, else by the real path of its folder; false if there is
- * none. */
+/* Sets `cases` to the nearest folder `cases` above a page, in the given path or else in the real path of the page's
+ * folder. False: there is none. */
 static bool find_cases(char *cases, const char *page) {
   const char *slash = strrchr(page, '/');
   snprintf(cases, NB_PATH_SIZE, "%.*s", slash ? (int)(slash - page) : 1, slash ? page : ".");

@@ -57,7 +57,7 @@ int nb_take_grading(const struct nb_scene *scene, struct nb_reader *reader, int 
   return index;
 }
 
-/* RADIUS N: inserts a size; sizes are sorted, largest first. */
+/* Takes `RADIUS N` and inserts this size; the sizes are sorted, largest first. */
 static void take_size(struct nb_grading *it, struct nb_reader *reader) {
   const struct nb_token *at = nb_token_peek(reader);
   struct nb_size size = {0};
@@ -98,7 +98,7 @@ static double area(const struct nb_fill *fill) {
   return fill->circle ? NB_PI * fill->radius * fill->radius : (fill->x1 - fill->x) * (fill->y1 - fill->y);
 }
 
-/* Number of particles of that radius that the statement has placed. */
+/* Number of particles of this radius that the statement has placed. */
 static size_t placed_count(const struct nb_scene *scene, const struct nb_fill *fill, double radius) {
   size_t count = 0;
   for (size_t k = fill->first; k < scene->particle_count; k++)

@@ -1,5 +1,5 @@
-/* "Did you mean": the known word nearest to a misspelt one, and words of other programs and textbooks with those of the
- * page language, for hints and for `nineball --help WORD`.
+/* "Did you mean": finds the known word nearest to a misspelt one, and the words of the page language for words of other
+ * programs and textbooks. Hints and `nineball --help WORD` use both.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <ctype.h>
@@ -18,7 +18,7 @@ bool nb_item(const char **list, char item[NB_NAME_SIZE]) {
 
 const struct nb_synonym *nb_synonym(const char *word) {
   /* clang-format off */
-  static const struct nb_synonym synonyms[] = { /* each word once, `_` also for `-` */
+  static const struct nb_synonym synonyms[] = { /* each word once; `_` stands for `-` too */
     {"ball balls disk disks particle particles grain grains body bodies clump", "disc, sphere"}, {"grid mesh regular", "lattice"},
     {"generate create create_atoms insert", "fill, lattice, disc, sphere"}, {"distribute pour random cloud makeCloud", "fill"},
     {"psd gradation size distribution bimodal", "grading"},
@@ -148,7 +148,7 @@ struct nb_guess nb_guess_begin(const char *word) {
   return (struct nb_guess){.word = word, .synonym = nb_synonym(word), .distance = 2 * NB_NAME_SIZE};
 }
 
-/* Marks the suggested words that begin with the known one; false: there are none. */
+/* Marks the suggested keywords that begin with the known word; false: there are none. */
 static bool mark(struct nb_guess *guess, const char *known) {
   const char *list = guess->synonym ? guess->synonym->ours : "";
   char item[NB_NAME_SIZE];
@@ -160,8 +160,8 @@ static bool mark(struct nb_guess *guess, const char *known) {
   return found;
 }
 
-/* Whether the known word begins or ends with the other one, up to a dot: `energy.kinetic` with `energy` and `kinetic`,
- * and `M.normal.max` with `normal`. */
+/* True if a part of the known word between dots is `word`: `energy` and `kinetic` in `energy.kinetic`, `normal` in
+ * `M.normal.max`. */
 static bool is_related(const char *known, const char *word, size_t length) {
   const char *const first = strchr(known, '.');
   if (length < 3 || !first)
@@ -184,8 +184,8 @@ void nb_guess_offer(struct nb_guess *guess, const char *known) {
   strcpy(guess->best, known);
 }
 
-/* Whether the best word is near enough: at most one typing error in words of 3 to 5 letters, two of 6 to 9, three in
- * longer ones; none in words of one or two letters. */
+/* True if the best keyword is near enough: no typing error in words of one or two letters, at most one in words of 3 to
+ * 5 letters, two in words of 6 to 9 letters, three in longer words. */
 bool nb_guess_found(const struct nb_guess *guess) {
   size_t length = strlen(guess->word);
   int allowed = length < 3 ? 0 : length < 6 ? 1 : length < 10 ? 2 : 3;
@@ -197,7 +197,7 @@ const char *nb_guess_hint(const struct nb_guess *guess, char *text) {
     return NULL;
   char list[NB_HINT_SIZE / 2];
   snprintf(list, sizeof list, "`%s`", guess->best);
-  if (guess->related_count > 1 && guess->distance > 0) /* then the best is one of them */
+  if (guess->related_count > 1 && guess->distance > 0) /* then `best` is one of the related keywords */
     snprintf(list, sizeof list, "%s%s", guess->related, guess->related_count > NB_RELATED_MAX ? ", …" : "");
   if (guess->marked)
     list_ours(list, guess->synonym, guess->marked);

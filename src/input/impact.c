@@ -4,12 +4,12 @@
  *   psi1 = V_T/(mu kappa V_N),   V_N = V cos(theta),   V_T = V sin(theta) + S          [R89 5.15]
  *
  *   v, V     velocity of the particle's centre relative to the other particle or the wall, and its magnitude, m/s
- *   theta    angle of incidence
+ *   theta    angle of incidence, rad
  *   n, t     unit normal towards the particle; n rotated clockwise through 90 deg
- *   V_N, V_T normal and tangential relative velocity of the contact point
+ *   V_N, V_T normal and tangential relative velocity of the contact point, m/s
  *   S        sum of R w over the particles of the contact, m/s: R radius, w angular velocity
- *   mu       friction coefficient
- *   kappa    compliance ratio, E* / (4 G*); of linear springs k_n/k_s
+ *   mu       friction coefficient, 1
+ *   kappa    compliance ratio, E* / (4 G*), 1; k_n/k_s for linear springs
  *
  * With m = psi1 mu kappa the angle is theta = atan(m) - asin(S / (V sqrt(1 + m^2))).
  *

@@ -36,7 +36,7 @@ static const struct {
     {"mu"},
     {"k"}};
 
-/* What follows the name of a law: nothing, or `memory K`. */
+/* Takes `memory K` after the name of a law, if the line has it. */
 static void take_options(struct nb_reader *reader, const struct nb_law *law, bool shear, unsigned long *pieces) {
   const struct nb_token *next = nb_token_peek(reader);
   if (next && NB_FIND(properties, sizeof properties / sizeof *properties, next->text) >= 0)
@@ -84,7 +84,8 @@ static void report(struct nb_scene_reading *reading, int line, const char *hint,
   nb_line_mistake(&reading->reader, (size_t)line, hint, what, name);
 }
 
-/* A law and where it is in force, for messages: "`normal hertz`", "`normal hertz` in stage `more`". */
+/* Writes a law and the stage in which it is active, for messages: "`normal hertz`", "`normal hertz` in stage
+ * `more`". */
 static const char *law_text(char text[NB_HINT_SIZE], const struct nb_law *law, const struct nb_stage *stage) {
   snprintf(text, NB_HINT_SIZE, "`%s %s`%s%s%s", law->kind, law->name, stage ? " in stage `" : "",
            stage ? stage->name : "", stage ? "`" : "");
@@ -99,7 +100,7 @@ static void check_material(struct nb_scene_reading *reading, int index, const ch
   given[index] = true;
 }
 
-/* Of two materials that may touch, one must not be rigid. */
+/* Reports two materials that may touch and are both rigid. */
 static void check_rigid(struct nb_scene_reading *reading, const int *on_particle, const int *on_wall) {
   const struct nb_scene *scene = reading->scene;
   for (size_t i = 0; i < scene->material_count; i++) {
@@ -161,7 +162,7 @@ static void refuse_fraction(struct nb_scene_reading *reading, int line, const ch
          "expected no `damping r89-fraction` for %s", normal);
 }
 
-/* Refuses damping that the normal law does not allow. stage NULL: before the first one. */
+/* Reports damping that the normal law does not allow. stage NULL: before the first stage. */
 static void check_damping(struct nb_scene_reading *reading, const struct nb_damping *damping,
                           const struct nb_law *normal, const struct nb_stage *stage) {
   char text[NB_HINT_SIZE];
@@ -174,7 +175,7 @@ static void check_damping(struct nb_scene_reading *reading, const struct nb_damp
     refuse_fraction(reading, damping->walls_line, law_text(text, normal, stage));
 }
 
-/* Checks the laws that are in force from `line` on; 0: set by --set. stage NULL: before the first one. */
+/* Checks the laws that are active from `line` on; line 0: set by --set. stage NULL: before the first stage. */
 static void check_laws(struct nb_scene_reading *reading, const struct nb_active_laws *laws, bool other_normal, int line,
                        const struct nb_stage *stage) {
   char text[NB_HINT_SIZE];
@@ -208,7 +209,7 @@ static void find_friction(unsigned char pairs[NB_MATERIALS_MAX][NB_MATERIALS_MAX
     }
 }
 
-/* Whether a particle of material a may touch a particle or a wall of material b. */
+/* True if a particle of material a may touch a particle or a wall of material b. */
 static bool may_touch(const struct nb_scene *scene, int a, int b) {
   size_t of_a = 0, of_b = 0;
   for (size_t k = 0; k < scene->particle_count; k++)
@@ -227,7 +228,8 @@ static int line_of_pair(const struct nb_scene *scene, int a, int b) {
   return scene->materials[a].line;
 }
 
-/* A warning, not an error: a page may leave out the shear law on purpose. */
+/* Warns of friction without a shear law. This is not an error, because a page may leave out the shear law on
+ * purpose. */
 static void warn_unused_friction(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
   unsigned char pairs[NB_MATERIALS_MAX][NB_MATERIALS_MAX] = {{0}};
@@ -275,7 +277,7 @@ void nb_laws_check(struct nb_scene_reading *reading, bool complete) {
     if (old.normal != now.normal || old.shear != now.shear)
       check_laws(reading, &now, old.normal != now.normal,
                  stage->laws.shear_line ? stage->laws.shear_line : stage->laws.normal_line, stage);
-    if (old.normal != now.normal || !nb_damping_equal(before, &stage->damping)) /* reports each once */
+    if (old.normal != now.normal || !nb_damping_equal(before, &stage->damping)) /* each mistake is reported once */
       check_damping(reading, &stage->damping, now.normal, stage);
   }
   if (!scene->contact_test)

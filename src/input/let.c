@@ -79,8 +79,8 @@ size_t nb_setting_find(const struct nb_scene_reading *reading, const char *name)
   return 0;
 }
 
-/* Whether a --set gives the value of that name; then *value has it. An invalid one is reported, and the statement is
- * bad. */
+/* True if a --set gives a value to the name; *value is then this value. An invalid value is reported, and the statement
+ * becomes bad. */
 static bool set_value(struct nb_scene_reading *reading, struct nb_reader *reader, const char *name, bool number,
                       struct nb_binding *value) {
   struct nb_reader *setting = &reading->setting;
@@ -99,7 +99,7 @@ static bool set_value(struct nb_scene_reading *reading, struct nb_reader *reader
   return true;
 }
 
-/* `= EXPRESSION`, or a word. */
+/* Reads `let NAME = EXPRESSION` or `let NAME WORD`. */
 NB_APPLY(apply_let) {
   struct nb_scene_reading *reading = subject;
   const struct nb_token *name = record->value[AT_NAME].token, *token;
@@ -126,10 +126,10 @@ NB_APPLY(apply_let) {
     bind(reading, reader, name, value);
 }
 
-/* a b, at most NB_RUNS_MAX + 1. */
+/* The product a b, but at most NB_RUNS_MAX + 1. */
 static size_t capped_product(size_t a, size_t b) { return a * b > NB_RUNS_MAX ? NB_RUNS_MAX + 1 : a * b; }
 
-/* The row of this sweep for the current run; the first pass stores the number of rows and uses the first one. */
+/* The row of this sweep for the current run. In the first pass, stores the number of rows and returns the first row. */
 static size_t row_of_run(struct nb_scene_reading *reading, struct nb_reader *reader, size_t rows) {
   size_t sweep = reading->sweep++, above = 1, below = 1;
   if (reading->survey) {
@@ -153,7 +153,8 @@ size_t nb_run_count(const struct nb_scene_reading *reading) {
   return runs;
 }
 
-/* A column has either words or numbers of one dimension: a word among numbers is a mistyped unit. */
+/* True if a value has the type of the first one in its column. A column has either words or numbers of one dimension; a
+ * word among numbers is a mistyped unit. */
 static bool same_type(struct nb_reader *reader, const struct nb_binding *first, const struct nb_binding *value,
                       const struct nb_token *token) {
   char hint[NB_HINT_SIZE], words[2 * NB_NAME_SIZE];
@@ -176,7 +177,7 @@ static bool same_type(struct nb_reader *reader, const struct nb_binding *first, 
                         "a number or a unit, because the value before it is a number");
 }
 
-/* No two rows may be equal: a sample would count the run twice. */
+/* Reports two equal rows, because a sample would count the run twice. */
 static bool rows_differ(struct nb_reader *reader, const struct nb_binding *values,
                         const struct nb_token *const tokens[], size_t count, size_t columns) {
   for (size_t row = columns; row < count; row += columns)
@@ -232,8 +233,8 @@ static size_t take_rows(struct nb_reader *reader, struct nb_binding *values, siz
   return 0;
 }
 
-/* A name that --set gives a value selects the rows with this value; if no row has it, it replaces the value in all
- * rows. Returns the number of selected rows, which are moved to the front. */
+/* A value that --set gives to a name selects the rows with this value. If no row has the value, it replaces the values
+ * of the name in all rows. Returns the number of selected rows, which are moved to the front. */
 static size_t select_rows(struct nb_binding *values, size_t rows, size_t columns, const bool is_set[],
                           const struct nb_binding *set) {
   for (size_t i = 0; i < columns; i++) {
@@ -281,7 +282,7 @@ NB_APPLY(apply_sweep) {
   }
 }
 
-/* `laws all|none`, or a name and other values for it. */
+/* Reads `trade laws all|none`, or a name and other values for it. */
 NB_APPLY(apply_trade) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
@@ -328,7 +329,7 @@ static const struct {
 } settable[] = {{"normal"}, {"shear"}, {"step"}, {"damping"}, {"trade"}, {"refine"}, {"soften"}, {"follow"}};
 enum { OVERRIDDEN = 5, SETTABLE = sizeof settable / sizeof *settable };
 
-/* refine=R, soften=S */
+/* Reads refine=R or soften=S. */
 static void read_divisor(struct nb_reader *setting, size_t line, double *divisor) {
   if (!nb_line_read(setting, line))
     return;
@@ -338,12 +339,12 @@ static void read_divisor(struct nb_reader *setting, size_t line, double *divisor
     nb_expected(setting, NULL, "the end of the setting");
 }
 
-/* Whether the setting on this line is the last one of its name, and the units of its value are known. */
+/* True if the setting on this line is the last one of its name, and the units of its value are known. */
 static bool is_read_now(const struct nb_scene_reading *reading, size_t line, const char *name) {
   return line == nb_setting_find(reading, name) && !(reading->before_start && strcmp(name, "step") == 0);
 }
 
-/* NAME=VALUE in a line of the settings. */
+/* Reads NAME=VALUE in a line of the settings. */
 static void read_setting(struct nb_scene_reading *reading, size_t line) {
   const struct nb_scene *scene = reading->scene;
   struct nb_mistakes *mistakes = reading->setting.mistakes;
@@ -361,7 +362,7 @@ static void read_setting(struct nb_scene_reading *reading, size_t line) {
     nb_mistake(mistakes, &reading->settings, line, 1, (int)length, NULL, "expected NAME=VALUE, found `%.80s`", text);
   } else if (NB_FIND(scene->bindings, scene->binding_count, name) >= 0 ||
              nb_name_suppressed(reading->reader.mistakes, name)) {
-    return; /* its `let` or `sweep` reads it */
+    return; /* the `let` or `sweep` of this name reads the setting */
   } else if (NB_FIND(settable, OVERRIDDEN, name) >= 0) {
     if (is_read_now(reading, line, name) && nb_line_read(&reading->setting, line))
       nb_statement_read(&reading->setting, nb_keywords(), reading->here, reading);

@@ -1,5 +1,5 @@
-/* The tokens of a line: words separated by white space, up to a `#`, each with its column, and $NAME replaced by its
- * value. Messages at tokens, and hints for syntax of other languages.
+/* The tokens of a line: words separated by white space, up to a `#`, each with its column. A $NAME is replaced by its
+ * value. The file also has the messages at tokens, and hints for syntax of other languages.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <ctype.h>
@@ -46,7 +46,7 @@ static bool append_text(struct nb_reader *reader, const char *text, size_t lengt
 
 /* Begins a token; false if there are too many. */
 static bool begin_token(struct nb_reader *reader, struct nb_token token) {
-  reader->used += reader->count > 0; /* after the terminating zero of the last token */
+  reader->used += reader->count > 0; /* the text begins after the terminating zero of the last token */
   if (reader->count == NB_TOKENS_MAX - 1)
     return false;
   token.text = reader->store + reader->used;
@@ -54,7 +54,7 @@ static bool begin_token(struct nb_reader *reader, struct nb_token token) {
   return append_text(reader, "", 0);
 }
 
-/* The value of $NAME; NULL, with a message, if it has none. */
+/* The value of $NAME; NULL, with a message, if NAME has no value. */
 static const struct nb_binding *binding_of(struct nb_reader *reader, const struct nb_token *token, const char *name) {
   char hint[NB_HINT_SIZE];
   const int index = NB_FIND(reader->bindings, reader->binding_count, name);
@@ -82,11 +82,11 @@ static bool append_value(struct nb_reader *reader, const struct nb_binding *valu
          (!unit || (begin_token(reader, second) && append_text(reader, unit + 1, strlen(unit + 1))));
 }
 
-/* A token with a $NAME: `$v`, `-$v`, `v=$v`. */
+/* Appends a token with a $NAME: `$v`, `-$v`, `v=$v`. */
 static bool append_variable(struct nb_reader *reader, const char *word, size_t before, size_t length) {
   const struct nb_token *token = &reader->tokens[reader->count - 1];
   const char *const name = word + before + 1, *const end = word + length, *end_of_name = name;
-  char text[NB_NAME_SIZE + 1], hint[NB_HINT_SIZE]; /* a longer name is truncated to one that cannot exist */
+  char text[NB_NAME_SIZE + 1], hint[NB_HINT_SIZE]; /* a longer name is truncated to a name that cannot exist */
   while (end_of_name < end && name_letter(*end_of_name))
     end_of_name++;
   snprintf(text, sizeof text, "%.*s", (int)(end_of_name - name), name);
@@ -104,7 +104,7 @@ static bool append_variable(struct nb_reader *reader, const char *word, size_t b
   return append_value(reader, value, word, before, end_of_name, (size_t)(end - end_of_name));
 }
 
-/* A token with an expression in parentheses: `(2*v)`, `v=(2*v)`. */
+/* Appends a token with an expression in parentheses: `(2*v)`, `v=(2*v)`. */
 static bool append_expression(struct nb_reader *reader, const char *line, const char *word, size_t before,
                               size_t length) {
   struct nb_binding value;
@@ -136,7 +136,7 @@ static void join_per_cycle(struct nb_reader *reader) {
   reader->count--;
 }
 
-/* Length of a word, which ends at a space outside parentheses; or of the rest of the line. */
+/* Length of a word, which ends at a space outside parentheses. `rest`: the length of the rest of the line. */
 static size_t word_length(const char *at, const char *equals, bool rest) {
   size_t n = 0;
   for (int depth = 0; at[n] && at[n] != '#' && (rest || depth > 0 || (!is_space(at[n]) && at + n != equals)); n++)
@@ -154,12 +154,12 @@ static void find_no_break_space(struct nb_reader *reader, const char *line, cons
     }
 }
 
-/* Whether the line begins with `let NAME =`; then the rest of the line is one expression. */
+/* True if the line begins with `let NAME =`; then the rest of the line is one expression. */
 static bool is_let(const struct nb_reader *reader) {
   return strcmp(reader->tokens[0].text, "let") == 0 && strcmp(reader->tokens[2].text, "=") == 0;
 }
 
-/* Adds the next token; `text`: inside brackets nothing is replaced. False if there is no space for it. */
+/* Adds the next token. `text`: the token is inside brackets, where nothing is replaced. False if there is no space. */
 static bool add_token(struct nb_reader *reader, const char *line, const char *word, size_t length, bool text) {
   size_t before = 0;
   while (before < length && !strchr("$(", word[before]))
@@ -279,7 +279,7 @@ bool nb_line_mistake(struct nb_reader *reader, size_t line, const char *hint, co
 
 /* ---- hints for syntax of other languages ---- */
 
-/* `50mm`: a number and its unit without a space; `1,5`: a decimal comma. */
+/* Writes the hint for `50mm`, a number and its unit without a space, or for `1,5`, a decimal comma. */
 static bool number_hint(char *hint, const char *text) {
   struct nb_unit read;
   const size_t n = strspn(text, "+-.0123456789"), point = text[n] == ',',
@@ -294,7 +294,7 @@ static bool number_hint(char *hint, const char *text) {
   return true;
 }
 
-/* Arithmetic outside parentheses: `2*3`, `*`; as a value also `pi/6`. */
+/* True for arithmetic outside parentheses: `2*3`, `*`, and for a value also `pi/6`. */
 static bool has_operator(const struct nb_reader *reader, const char *text) {
   const bool number = strchr("-+.0123456789()$", text[0]);
   struct nb_unit unit;
@@ -303,14 +303,14 @@ static bool has_operator(const struct nb_reader *reader, const char *text) {
          (number || reader->keyword) && nb_number_read(&value, text, 0) == NB_NO_NUMBER && !nb_unit_read(&unit, text);
 }
 
-/* Shows the word in parentheses, unless it is one sign or has the value of a $NAME in its place. */
+/* Writes a hint with the word in parentheses, unless the word is one sign, or the value of a $NAME has replaced it. */
 static void operator_hint(const struct nb_reader *reader, char *hint, const char *text) {
   const struct nb_token *const token = nb_token_peek(reader);
   snprintf(hint, NB_HINT_SIZE, "put operators into parentheses: `(%.80s)`",
            text[1] && !(token && token->name) ? text : "2 * 3");
 }
 
-/* `kn=10`, `//`, and arithmetic. */
+/* Writes the hint for `kn=10`, `//` and arithmetic. */
 static bool sign_hint(const struct nb_reader *reader, char *hint, const char *text) {
   const char *const verb = reader->count ? reader->tokens[0].text : "";
   const bool let = strcmp(verb, "let") == 0 || strcmp(verb, "start") == 0;

@@ -103,7 +103,7 @@ NB_APPLY(apply_pair) {
 
 /* ---- in a stage ---- */
 
-/* Whether two changes set the same property. */
+/* True if two changes set the same property. */
 static bool overlap(const struct nb_change *a, const struct nb_change *b) {
   bool both = false;
 #define ROW(name, ...) both = both || (!isnan(a->name) && !isnan(b->name));
@@ -124,7 +124,7 @@ static const struct nb_change *changed_already(const struct nb_stage *stage, con
   return NULL;
 }
 
-/* `material` and, as variant 1, `pair`. */
+/* variant 0: `material`, 1: `pair` */
 NB_APPLY(apply_change) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   struct nb_stage *stage = nb_current_stage(scene);

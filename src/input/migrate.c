@@ -1,4 +1,5 @@
-/* Rewrites a page of version 0.3: every line of its blocks, by the table of old words. Prose and line ends stay.
+/* Rewrites a page of version 0.3. Every line of its blocks is rewritten by the table of old words; prose and line ends
+ * stay.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -18,7 +19,7 @@ static int block_of(const char *info) {
 
 void nb_migrate(struct nb_text *text, char *page, const char *path, FILE *warnings) {
   size_t number = 1;
-  size_t open = 0; /* length of the fence of the block that the line is in; 0: none */
+  size_t open = 0; /* length of the fence of the open block; 0: the line is outside blocks */
   char sign = 0, s, *end;
   int block = -1;
   for (char *line = page; *line; line = end + (*end != '\0')) {

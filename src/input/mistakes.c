@@ -15,7 +15,7 @@
 
 enum { MISTAKES_MAX = 1000 };
 
-/* Where a message begins in the text, and its line and column in the page. */
+/* The position of a message in the text, and its line and column in the page. */
 struct position {
   size_t start;
   size_t line;
@@ -26,7 +26,7 @@ struct name {
 };
 
 struct nb_mistakes_inside {
-  struct position *positions; /* of each message */
+  struct position *positions; /* one for each message */
   struct name *suppressed;    /* names about which messages are suppressed */
   size_t suppressed_count;
 };
@@ -53,14 +53,14 @@ static int bytes_of(const char *c, int n) {
   while (n > 0 && c[bytes]) {
     bytes++;
     while ((c[bytes] & 0xC0) == 0x80)
-      bytes++; /* of the same character */
+      bytes++; /* further bytes of the same character */
     n--;
   }
   return bytes;
 }
 
-/* Adds the line, and a caret below `column`. Tabs are copied so that the two stay aligned. Of a long line only the part
- * around the caret is shown. */
+/* Adds the line of the page, and a caret below `column`. Tabs are copied, so that line and caret stay aligned. Only the
+ * part of a long line around the caret is shown. */
 static void add_line(struct nb_text *text, const char *line, size_t number, int column, int length) {
   enum { WIDEST = 110 };
   int first = column > WIDEST - 30 ? column - 60 : 1;
@@ -82,7 +82,8 @@ static void add_line(struct nb_text *text, const char *line, size_t number, int 
   nb_text_add(text, "\n");
 }
 
-/* Where to insert a message: after those of other pages, and after those of this page for earlier lines and columns. */
+/* The position at which to insert a message: after the messages of other pages, and after those of this page for
+ * earlier lines and columns. */
 static size_t position_of(const struct nb_mistakes *mistakes, const char *path, size_t line, int column) {
   size_t at = mistakes->count, length = strlen(path);
   for (; at > 0; at--) {

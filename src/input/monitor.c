@@ -8,7 +8,7 @@
 enum { AT_NAME };
 static const struct nb_argument monitor_fields[] = {NAME(AT_NAME, "a name for what is monitored"), END};
 
-/* `disc N`: index of the particle; -1 with a message. */
+/* Takes the number N of `disc N`. Returns the index of the particle; -1 with a message. */
 static int take_numbered(const struct nb_scene_reading *reading, struct nb_reader *reader, const char *what) {
   const struct nb_scene *scene = reading->scene;
   const struct nb_token *word = nb_token_peek(reader);
@@ -43,7 +43,7 @@ bool nb_monitor_add(struct nb_scene *scene, struct nb_reader *reader, const stru
   return NB_APPEND(reader, scene->monitors, scene->monitor_count, one);
 }
 
-/* The word between a particle and what touches it: `disc 5 with wall south`. */
+/* Takes the word between the two objects of a contact: `disc 5 with wall south`. */
 static bool take_with(struct nb_reader *reader) {
   const bool forgotten = nb_token_is(reader, "disc") || nb_token_is(reader, "sphere") || nb_token_is(reader, "wall");
   return forgotten ? nb_expected(reader, "write `with` between the two that touch: `disc 1 with wall south`", "`with`")
@@ -71,7 +71,7 @@ NB_APPLY(apply_monitor) {
                          "expected two different particles, found the same one twice");
     }
   }
-  if (nb_token_peek(reader)) /* nb_statement_read reports it */
+  if (nb_token_peek(reader)) /* nb_statement_read reports the token */
     return;
   if (one.a < 0)
     nb_fail_silently(reader);

@@ -1,7 +1,8 @@
 /* Quantities by their names, one row each, for `record`, `until` and expectations.
  *
- * `MONITOR.PART` is a quantity of a monitored object, a plain name one of the whole scene. Velocities are those at the
- * time of positions and forces, the mean of two half steps [CS79 31]; those of the last half step end in `.half`.
+ * `MONITOR.PART` is a quantity of a monitored object; a name without a monitor is a quantity of the whole scene.
+ * Velocities are those at the time of positions and forces, the mean of two half steps [CS79 31]. Names of velocities
+ * at the last half step end in `.half`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdio.h>
@@ -16,7 +17,7 @@
 
 /* ---- rows in other files ---- */
 
-/* the last row of each has no name */
+/* The last row of each array has no name. */
 extern const struct nb_quantity_kind nb_step_kinds[];    /* step.c */
 extern const struct nb_quantity_kind nb_loading_kinds[]; /* loading_quantities.c */
 extern const struct nb_quantity_kind nb_impact_kinds[];  /* impact.c */
@@ -173,7 +174,7 @@ static const struct nb_quantity_kind kinds[] = {
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
-/* Row k, first of this file, then of the others; NULL after the last one. */
+/* Row k: first the rows of this file, then those of the other files; NULL after the last one. */
 static const struct nb_quantity_kind *kind_at(size_t k) {
   static const struct nb_quantity_kind *const others[] = {nb_step_kinds,        nb_wall_kinds,   nb_loading_kinds,
                                                           nb_fill_kinds,        nb_impact_kinds, nb_region_kinds,
@@ -188,7 +189,7 @@ static const struct nb_quantity_kind *kind_at(size_t k) {
   return NULL;
 }
 
-/* Whether it is a quantity of monitor w; -1: of the whole scene. */
+/* True if monitor w has the quantity; w = -1: the whole scene has it. */
 static bool applies(const struct nb_quantity_kind *kind, const struct nb_scene *scene, int w) {
   if (scene->contact_test)
     return kind->monitors == NB_OF_CONTACT_TEST;
@@ -205,12 +206,12 @@ static bool nth_suffix(const struct nb_quantity_kind *kind, size_t s, const stru
   return *suffix || (kind->family == NB_SCALAR && s == 0);
 }
 
-/* NAME, or NAME.SUFFIX. */
+/* Writes the name of a quantity: NAME, or NAME.SUFFIX. */
 static void name_of(char *text, size_t size, const struct nb_quantity_kind *kind, const struct nb_suffix *suffix) {
   snprintf(text, size, "%s%s%s", kind->name, suffix ? "." : "", suffix ? suffix->name : "");
 }
 
-/* Whether a name is one of that row, and its suffix. */
+/* True if a name is one of the names of a row; *suffix is then its suffix. */
 static bool matches(const struct nb_quantity_kind *kind, const char *name, const struct nb_suffix **suffix) {
   const size_t length = strlen(kind->name);
   if (strncmp(kind->name, name, length) != 0)
@@ -229,7 +230,7 @@ bool nb_is_quantity(const char *name) {
   return kind_at(k);
 }
 
-/* Finds a quantity of monitor w by the name after the dot; -1: of the whole scene. */
+/* Finds a quantity of monitor w by the name after the dot; w = -1: a quantity of the whole scene. */
 static bool find_quantity(struct nb_quantity *quantity, const struct nb_scene *scene, int w, const char *name) {
   const struct nb_suffix *suffix;
   for (size_t k = 0; kind_at(k); k++)
@@ -240,7 +241,7 @@ static bool find_quantity(struct nb_quantity *quantity, const struct nb_scene *s
   return false;
 }
 
-/* Offers the names of all quantities of monitor w; -1: of the whole scene. */
+/* Offers the names of all quantities of monitor w; w = -1: of the whole scene. */
 static void offer_names(struct nb_guess *guess, const struct nb_scene *scene, int w) {
   char name[NB_NAME_SIZE], whole[3 * NB_NAME_SIZE];
   const struct nb_suffix *suffix;
@@ -286,9 +287,9 @@ bool nb_quantity_is_residual(struct nb_quantity quantity) {
 
 /* Owners of quantities: a statement that defines one, and the beginning of the names of its quantities. */
 static const struct owner {
-  unsigned monitors; /* bit set */
+  unsigned monitors; /* set of monitor kinds, as in struct nb_quantity_kind */
   const char *of, *statement, *name;
-  const char *of_spheres; /* the statement in a scene of spheres; NULL: the same */
+  const char *of_spheres; /* the statement in a scene of spheres; NULL: the same as for discs */
 } owners[] = {
     {PARTICLE, "a particle", "monitor A disc 1", "A.", "monitor A sphere 1"},
     {WALL, "a wall", "monitor S wall NAME", "S.", NULL},
@@ -325,7 +326,7 @@ bool nb_quantity_row(struct nb_quantity_row *it, size_t k) {
   return false;
 }
 
-/* "`c` is a contact; its quantities are overlap, normal, …", up to the length of a hint. */
+/* Writes "`c` is a contact; its quantities are overlap, normal, …", up to the length of a hint. */
 static const char *list_quantities(char *hint, const struct nb_scene *scene, int w) {
   size_t used = 0, k = 0;
   for (; kind_at(k) && used < NB_HINT_SIZE - 2 * NB_NAME_SIZE; k++) {
@@ -340,8 +341,8 @@ static const char *list_quantities(char *hint, const struct nb_scene *scene, int
   return hint;
 }
 
-/* "`normal.max` is a quantity of a region: `region M all`, then `M.normal.max`". NULL: no owner
- * has a quantity of this name. */
+/* Writes "`normal.max` is a quantity of a region: `region M all`, then `M.normal.max`". NULL: no owner has a quantity
+ * of this name. */
 static const char *owner_hint(char *hint, const struct nb_scene *scene, const char *text) {
   const bool spheres = scene->particle_count && scene->particles[0].shape == NB_SPHERE;
   const struct nb_suffix *suffix;
@@ -365,7 +366,7 @@ static const char *owner_hint(char *hint, const struct nb_scene *scene, const ch
   return used ? hint : NULL;
 }
 
-/* Appends the quantities that a word means for that kind of monitor: for `velocity` "`A.vx` `A.vy`". */
+/* Appends the quantities of a kind of monitor that a word may mean: for `velocity` "`A.vx` `A.vy`". */
 static void list_meant(char *list, size_t size, unsigned kind, char monitor, const char *word) {
   const struct nb_synonym *const synonym = nb_synonym(word);
   const char *items = synonym ? synonym->ours : "";
@@ -378,7 +379,7 @@ static void list_meant(char *list, size_t size, unsigned kind, char monitor, con
   while (nb_item(&items, item));
 }
 
-/* Whether a word means a particle: `disc`, `sphere`, `ball`. */
+/* True if a word means a particle: `disc`, `sphere`, `ball`. */
 static bool means_particle(const char *word) {
   const struct nb_synonym *const synonym = nb_synonym(word);
   return strcmp(word, "disc") == 0 || strcmp(word, "sphere") == 0 || (synonym && strstr(synonym->ours, "disc, sphere"));
@@ -418,7 +419,8 @@ const char *nb_phrase_hint(char *hint, const struct nb_scene *scene, const struc
   return kind ? hint : NULL;
 }
 
-/* The hint for a quantity of an owner whose name is the text, follows its first dot, or is another word for it. */
+/* The hint for a text that is the name of an owner's quantity, has such a name after its first dot, or is another word
+ * for such a name. */
 static const char *owned_hint(char *hint, const struct nb_scene *scene, const char *text) {
   const struct nb_synonym *const synonym = nb_synonym(text);
   const char *items = synonym ? synonym->ours : "", *const rest = strchr(text, '.');
@@ -430,7 +432,7 @@ static const char *owned_hint(char *hint, const struct nb_scene *scene, const ch
   return found;
 }
 
-/* Whether it is a quantity of a cell, a box or an impact, which the scene does not have. */
+/* True if the text is a quantity of a cell, a box or an impact, and the scene has no such object. */
 static bool lacks_owner(const struct nb_scene *scene, const char *text) {
   const unsigned owners_without_name = NB_OF_CELL | NB_OF_BOX | NB_OF_IMPACT;
   const struct nb_suffix *suffix;
@@ -440,8 +442,8 @@ static bool lacks_owner(const struct nb_scene *scene, const char *text) {
   return kind_at(k) && !scene->contact_test;
 }
 
-/* "did you mean `M.coordination`?" for `M.cn`, whose second part is a word of other programs; else a list of the
- * quantities of the owner. */
+/* Writes "did you mean `M.coordination`?" for `M.cn`, whose second part is a word of other programs; otherwise a list
+ * of the quantities of the owner. */
 static const char *owned_by_hint(char *hint, const struct nb_scene *scene, const char *text, int owner) {
   const char *const dot = text + strcspn(text, ".");
   const struct nb_synonym *const synonym = *dot ? nb_synonym(dot + 1) : NULL;

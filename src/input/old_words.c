@@ -1,5 +1,5 @@
 /* Words of the page language of version 0.3 and their replacements, for `nineball migrate`, for hints, and for `--help
- * OLDWORD`. Old words are listed nowhere else.
+ * OLDWORD`. This file has the only list of old words.
  *
  * To rename something, add a row. A row of statements or expectations is matched from the first word of the line:
  *
@@ -7,14 +7,15 @@
  *   CAPITALS        any one word except `=`; NUMBER: a number. In the new form the same CAPITALS stand for this word
  *   …               any number of words, also none. In the new form it stands for these words
  *
- * So {NB_OLD_STATEMENT, "step F of safe", "step F of stable"} renames one word of one statement, {NB_OLD_STATEMENT,
- * "fill … tries", "fill … attempts"} a clause in any place; words after the matched ones stay. Rows are applied from
- * the top, each until it no longer matches or its new form does. New forms must match no row, which a test checks.
+ * So {NB_OLD_STATEMENT, "step F of safe", "step F of stable"} renames one word of one statement, and {NB_OLD_STATEMENT,
+ * "fill … tries", "fill … attempts"} renames a clause in any place. The words after the matched ones stay. Rows are
+ * applied from the top; each is repeated until the line no longer matches the old form, or matches the new form. No row
+ * may match a new form; a test checks this.
  *
- * A row of quantities is one part or several of a name between dots: {NB_OLD_QUANTITY, "deviation", "std"} turns
- * `A.stress.deviation` into `A.stress.std`. With a dot before it (".unbalance") the name must have an owner.
- * In figures the column "A.stress.deviation/Pa", the variable A_stress_deviation and the data block $load_bodies are
- * rewritten, too. A row of kind NB_OLD_PLAIN is the whole name of a quantity without an owner.
+ * A row of quantities renames one or several parts of a name between dots: {NB_OLD_QUANTITY, "deviation", "std"} turns
+ * `A.stress.deviation` into `A.stress.std`. If the old part begins with a dot (".unbalance"), the name must have an
+ * owner. In figures the column "A.stress.deviation/Pa", the variable A_stress_deviation and the data block $load_bodies
+ * are rewritten, too. A row of kind NB_OLD_PLAIN renames the whole name of a quantity without an owner.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "old_words.h"
@@ -108,8 +109,8 @@ enum { WORDS_MAX = 2 * NB_TOKENS_MAX, ROUNDS_MAX = NB_TOKENS_MAX };
 struct word {
   const char *at;
   size_t length;
-  const char *spaces; /* before it on the line; NULL: it is a new one */
-  size_t gap, column; /* number of these spaces; its column in the line */
+  const char *spaces; /* the spaces before the word on the line; NULL: the word is new */
+  size_t gap, column; /* number of these spaces; column of the word in the line */
 };
 struct line {
   struct word words[WORDS_MAX];
@@ -117,7 +118,7 @@ struct line {
   struct word rest; /* a comment, or the source of an expectation */
 };
 
-/* False: too many words. */
+/* Splits a line into words. False: too many words. */
 static bool split(struct line *line, const char *text, enum nb_old_block block) {
   *line = (struct line){.count = 0};
   for (size_t at = 0;;) {
@@ -148,7 +149,8 @@ static bool may_be_any(const struct word *word, const char *pattern) {
   return number ? nb_number_length(word->at + strspn(word->at, "+-")) > 0 : word->length != 1 || *word->at != '=';
 }
 
-/* Matches a pattern with the line from word `first` on; at[k] is the index of the pattern's k-th word in the line. */
+/* True if a pattern matches the line from word `first` on; at[k] is then the index in the line of the pattern's k-th
+ * word. */
 static bool match(const char *pattern, const struct line *line, size_t first, size_t *at) {
   const size_t length = pattern_word(&pattern);
   *at = first;
@@ -166,7 +168,7 @@ static bool match(const char *pattern, const struct line *line, size_t first, si
   return same && match(behind, line, first + 1, at + 1);
 }
 
-/* Index of a word in the pattern; the pattern's number of words if it is not there. */
+/* Index of a word in the pattern; the number of words of the pattern if it does not contain the word. */
 static size_t index_of(const char *pattern, const char *word, size_t length) {
   size_t k = 0;
   for (size_t n; (n = pattern_word(&pattern)); pattern += n, k++)
@@ -202,7 +204,7 @@ static bool rewrite(struct line *line, const struct nb_old_word *row, const size
 
 /* ---- names of quantities ---- */
 
-/* Whether the row matches whole parts of a name from byte `at` on; in a variable of gnuplot `_` replaces the dot. */
+/* True if the row matches whole parts of a name from byte `at` on; in a variable of gnuplot `_` replaces the dot. */
 static bool is_part(const struct nb_old_word *row, const char *name, size_t at, size_t length, char dot) {
   if (row->kind != NB_OLD_QUANTITY && !(row->kind == NB_OLD_PLAIN && at == 0))
     return false;
@@ -239,7 +241,7 @@ static bool is_word(const struct word *word, const char *text) {
   return word->length == strlen(text) && strncmp(word->at, text, word->length) == 0;
 }
 
-/* Whether the w-th word of a line may be the name of a quantity. */
+/* True if word w of a line may be the name of a quantity. */
 static bool may_be_quantity(const struct line *line, size_t w, enum nb_old_block block) {
   if (block == NB_OLD_EXPECTATIONS)
     return w == 0 || !is_word(&line->words[w - 1], "in");
@@ -248,14 +250,14 @@ static bool may_be_quantity(const struct line *line, size_t w, enum nb_old_block
 
 /* ---- figures ---- */
 
-/* Whether a quoted name is that of a column, with a unit: `C.normal/N`, `C.normal max in load/N`. */
+/* True if a quoted name is the name of a column with a unit: `C.normal/N`, `C.normal max in load/N`. */
 static bool has_unit(const char *behind) {
   const size_t n = strcspn(behind, "'\"/");
   return behind[n] == '/' && (n == 0 || (*behind == ' ' && behind[n - 1] != ' '));
 }
 
-/* The row of the word before a column of a figure, `known C.normal/N`, or before a variable, known_C_normal; NULL:
- * none. */
+/* The row for the word before a column of a figure, `known C.normal/N`, or before a variable, known_C_normal; NULL:
+ * no row. */
 static const struct nb_old_word *figure_row(const char *run, size_t length, bool quoted) {
   const struct nb_old_word *row = nb_old_words();
   for (; row->old; row++) {
@@ -268,7 +270,7 @@ static const struct nb_old_word *figure_row(const char *run, size_t length, bool
   return NULL;
 }
 
-/* The row of a snapshot's column or of a recipe's variable; NULL: none. */
+/* The row for a column of a snapshot, or for a variable of a recipe; NULL: no row. */
 static const struct nb_old_word *column_row(const char *run, size_t length) {
   const struct nb_old_word *row = nb_old_words();
   while (row->old && !(row->kind == NB_OLD_COLUMN && strlen(row->old) == length && strncmp(run, row->old, length) == 0))
@@ -276,7 +278,8 @@ static const struct nb_old_word *column_row(const char *run, size_t length) {
   return row->old ? row : NULL;
 }
 
-/* Adds a run of letters, rewritten if it is a quoted column with a unit, or a variable such as known_C_normal. */
+/* Adds a run of letters. The run is rewritten if it is a quoted column with a unit, or a variable such as
+ * known_C_normal. */
 static void add_run(struct nb_text *text, const char *run, size_t length, bool quoted) {
   const struct nb_old_word *column = quoted && run[length] != '/' ? NULL : column_row(run, length);
   if (column) {
@@ -323,7 +326,8 @@ static const struct nb_old_word *rewrite_line(struct line *line, enum nb_old_kin
   return first;
 }
 
-/* Adds the spaces before a word. More than `few` of them are adjusted to keep its column, if possible. */
+/* Adds the spaces before a word. If there are more than `few`, their number is changed to keep the column of the word,
+ * if possible. */
 static void add_blanks(struct nb_text *text, size_t start, const struct word *word, size_t few) {
   const size_t now = text->length - start;
   size_t gap = word->gap;
@@ -367,7 +371,7 @@ static const struct nb_old_word *add_words(struct nb_text *text, const char *tex
   return row;
 }
 
-/* The row of an opening fence, and the position of its word; NULL: it has no old word. */
+/* The row for the word of an opening fence; *at is the position of this word. NULL: the fence has no old word. */
 static const struct nb_old_word *fence_row(const char *line, size_t *at) {
   *at = strspn(line, " `~");
   const struct nb_old_word *row = nb_old_words();
@@ -433,7 +437,7 @@ static bool has_word(const char *pattern, const char *word, size_t length) {
   return index_of(pattern, word, length) < index_of(pattern, "", 1);
 }
 
-/* A row of statements in which the word is an old one; NULL: none. */
+/* A row of statements that has the word in its old form and not in its new one; NULL: no row. */
 static const struct nb_old_word *row_of_word(const char *word, size_t length) {
   const struct nb_old_word *row = nb_old_words();
   while (row->old && (row->kind != NB_OLD_STATEMENT || is_any(word) || !has_word(row->old, word, length) ||

@@ -9,10 +9,10 @@
 
 /* What a row renames. */
 enum nb_old_kind {
-  NB_OLD_STATEMENT, /* of a scene, a stage or a contact test: words of the line, from its first one on */
-  NB_OLD_EXPECT,    /* the same in an expectation */
+  NB_OLD_STATEMENT, /* words of a line of a scene, a stage or a contact test, from the first word on */
+  NB_OLD_EXPECT,    /* words of an expectation, from the first word on */
   NB_OLD_QUANTITY,  /* parts of a quantity's name after its owner: in `record`, `until`, expectations and figures */
-  NB_OLD_PLAIN,     /* the same for a quantity without an owner: at the beginning of the name */
+  NB_OLD_PLAIN,     /* the whole name of a quantity without an owner: in the same places */
   NB_OLD_COLUMN,    /* a whole name in a figure: a column of a snapshot, or a variable that a plot recipe reads */
   NB_OLD_FIGURE,    /* a word before such a name in a figure: `known C.normal/N`, `known_C_normal` */
   NB_OLD_FENCE      /* the kind of a block */
@@ -25,22 +25,23 @@ struct nb_old_word {
 };
 const struct nb_old_word *nb_old_words(void); /* the last row has no words */
 
-/* Adds a rewritten line to the text. Spacing and comments are kept, and columns where possible; a line without old
- * words is not changed. */
+/* The kind of a line. nb_old_line adds a rewritten line to the text. It keeps spacing and comments, and columns if
+ * possible; it does not change a line without old words. */
 enum nb_old_block { NB_OLD_STATEMENTS, NB_OLD_EXPECTATIONS, NB_OLD_GNUPLOT, NB_OLD_OPENING, NB_OLD_PROSE };
 void nb_old_line(struct nb_text *text, const char *line, enum nb_old_block block);
-/* The hint for the old word in a line of a page, written to a text of NB_HINT_SIZE; NULL: it has none. The same for the
- * first line of a block. */
+/* Writes the hint for the old word in a line of a page, which may be the first line of a block, to a text of
+ * NB_HINT_SIZE. NULL: the line has no old word. */
 const char *nb_old_hint(char *hint, const struct nb_page *page, size_t line);
 const char *nb_old_fence(char *hint, const char *line);
-const char *nb_old_name(char *hint, const char *name); /* the same for the name of a quantity */
-/* Prints the replacement of an old word; false: it is none. */
+const char *nb_old_name(char *hint,
+                        const char *name); /* the hint for the old name of a quantity; NULL: not an old one */
+/* Prints the replacement of an old word; false: the word is not an old one. */
 bool nb_old_help(FILE *out, const char *word);
 
-/* Prints a warning for each value of a `let` or `sweep` that no row can rewrite: a $NAME, and an old word. */
+/* Prints a warning for each old word that no row can rewrite, because it is a value of a `let` or `sweep`. */
 void nb_old_warn(FILE *out, const char *path, size_t number, const char *line, enum nb_old_block block);
 
-/* migrate.c: adds the rewritten page; changes the page while it runs. */
+/* migrate.c: adds the rewritten page to the text. The function changes the characters of `page` while it runs. */
 void nb_migrate(struct nb_text *text, char *page, const char *path, FILE *warnings);
 
 #endif

@@ -1,7 +1,7 @@
 /* `packing`: particles from a file.
  *
  * The file is a saved state (docs/STATE.md), of which only the particles are used, or a list of columns `x/m`, `y/m`
- * and `radius/m`. Numbers are taken to the last bit.
+ * and `radius/m`. The numbers are read to the last bit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -12,7 +12,7 @@
 #include "state_file.h"
 #include "statement.h"
 
-enum { AT_FILE, AT_OF }; /* AT_OF: material of discs; the next slot: of spheres */
+enum { AT_FILE, AT_OF }; /* AT_OF: material of discs; the slot after AT_OF: material of spheres */
 #define ALL_OF(shapes, shape)                                                                                          \
   {                                                                                                                    \
     shapes, "MATERIAL", NB_ARGUMENT_WORD, NB_UNIT_NUMBER, NB_ANY, AT_OF + shape, 1, "as in the file",                  \
@@ -30,7 +30,7 @@ static bool is_state(const char *path) {
   return is;
 }
 
-/* Index of the page's material of this name; -1 with a message. A free particle needs a density. */
+/* Index of the page's material with this name; -1 with a message. A material of free particles needs a density. */
 static int material_named(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *file,
                           const char *name, bool fixed) {
   const int m = NB_FIND(scene->materials, scene->material_count, name);
@@ -42,8 +42,8 @@ static int material_named(const struct nb_scene *scene, struct nb_reader *reader
   return m;
 }
 
-/* Adds the particles of a saved state except removed ones. `all`, if not NULL, gives shape and material of each, and
- * makes it free. */
+/* Adds the particles of a saved state, except removed ones. If `all` is not NULL, it gives the shape and the material
+ * of each particle, and all particles become free. */
 static void from_state(struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *file, const char *path,
                        const struct nb_particle *all) {
   struct nb_saved saved;
@@ -94,7 +94,7 @@ static void from_list(struct nb_scene *scene, struct nb_reader *reader, const st
   free(lengths);
 }
 
-/* The hash of a page's states covers the particles of the file, not its name. */
+/* Adds the particles of the file to the hash of the page's states. The hash does not contain the name of the file. */
 static void hash_particles(struct nb_scene_reading *reading, size_t first) {
   for (size_t k = first; k < reading->scene->particle_count; k++) {
     const struct nb_particle *particle = &reading->scene->particles[k];

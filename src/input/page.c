@@ -1,8 +1,9 @@
 /* A page: a Markdown file and its fenced blocks.
  *
  * A fence is a line of three or more backticks or tildes, indented by at most three spaces. The block ends at a line
- * with at least as many of the same sign; without one the page is invalid (CommonMark 0.30, section 4.5, would close it
- * at the end of the file). The first word after the opening fence is the kind. Blocks of other kinds are prose.
+ * with at least as many of the same sign. Without such a line the page is invalid; CommonMark 0.30, section 4.5, would
+ * end the block at the end of the file. The first word after the opening fence is the kind of the block. Blocks of
+ * unknown kinds are prose.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _POSIX_C_SOURCE 200809L
@@ -117,8 +118,8 @@ static int kind_of_info(const struct nb_page *page, size_t line, const char *inf
   return -1;
 }
 
-/* The length of the fence of an expect block that is not read: in a quote, in a list, or indented by more than three
- * spaces. */
+/* The length of the fence of an expect block that is not read, because it is in a quote, in a list, or indented by more
+ * than three spaces; 0: the line is not such a fence. */
 static size_t hidden_fence(const char *line, char *sign) {
   const char *info;
   const size_t n = nb_fence(line + strspn(line, " \t>*+-"), sign, &info);
@@ -127,7 +128,7 @@ static size_t hidden_fence(const char *line, char *sign) {
 
 /* The block of the current line. */
 struct open_block {
-  size_t length, line; /* of its fence; length 0: no block is open */
+  size_t length, line; /* length and line of its fence; length 0: no block is open */
   char sign;
   int kind;
 };
@@ -182,7 +183,7 @@ static void find_blocks(struct nb_page *page, struct nb_mistakes *mistakes) {
              page->lines[block.line - 1] + column - 1);
     nb_mistake(mistakes, page, block.line, column, (int)block.length, hint,
                "expected the end of the block that begins here, found the end of the page");
-    /* where the block should end is unknown */
+    /* the intended end of the block is unknown */
     memset(page->kind_of + block.line, 0, page->line_count - block.line);
   }
 }
@@ -190,7 +191,7 @@ static void find_blocks(struct nb_page *page, struct nb_mistakes *mistakes) {
 size_t nb_page_fence(const struct nb_page *page, enum nb_block_kind kind) {
   for (size_t i = 1; i < page->line_count; i++)
     if (page->kind_of[i] == 1 + kind && page->kind_of[i - 1] == 0)
-      return i; /* the line before lines[i], counted from 1 */
+      return i; /* the number, counted from 1, of the line before lines[i] */
   return 0;
 }
 
@@ -246,7 +247,7 @@ enum nb_status nb_page_read_bytes(struct nb_page *page, const char *path, const 
   return end(page, mistakes, before);
 }
 
-/* The hint for `cases/order` if there is cases/order.md; else NULL. */
+/* Writes the hint for a path such as `cases/order` if the file cases/order.md exists; otherwise returns NULL. */
 static const char *md_hint(char *hint, const char *path) {
   snprintf(hint, NB_HINT_SIZE, "%.*s.md", NB_HINT_SIZE / 2, path);
   if (access(path, F_OK) == 0 || access(hint, F_OK) != 0)

@@ -1,7 +1,7 @@
-/* The reader of pages: a line is split into tokens, each with its column, and a row of a table of keywords says which
- * tokens its statement takes; others are mistakes, reported with a caret. A statement stops at its first mistake, and
- * reading continues with the next one. An unknown name is reported once, and not at all if the statement that should
- * define it has a mistake.
+/* The reader of pages. A line is split into tokens, each with its column. A row of a table of keywords says which
+ * tokens its statement takes; other tokens are mistakes, which are reported with a caret. The reading of a statement
+ * ends at its first mistake, and continues with the next statement. An unknown name is reported once, and not at all if
+ * the statement that should define it has a mistake.
  *
  *   mistakes.c     messages, suppressed names       value.c      values from tokens
  *   line.c         tokens                           statement.c  a statement from tokens, by a row of a table
@@ -20,38 +20,39 @@
 enum {
   NB_LINE_MAX = 4096,          /* bytes in a line */
   NB_TOKENS_MAX = 256,         /* tokens in a line */
-  NB_RUNS_MAX = 10000,         /* of a page */
-  NB_PARTICLES_MAX = 10000000, /* of a scene */
-  NB_NAMED_MAX = 2000,         /* walls, stages and others with names, each: the search by name is linear */
+  NB_RUNS_MAX = 10000,         /* runs of a page */
+  NB_PARTICLES_MAX = 10000000, /* particles of a scene */
+  NB_NAMED_MAX = 2000,         /* named objects of each kind, such as walls: the search by name is linear */
   NB_MATERIALS_MAX = 200,      /* the program stores all pairs of materials */
   NB_SLOTS = 24,               /* values of a statement */
-  NB_COUNT_MAX = 1000000000,   /* cycles and others that are counted: 1e9 cycles of 1 us take a day */
+  NB_COUNT_MAX = 1000000000,   /* largest whole number: 1e9 cycles take a day if each takes 0.1 ms */
   NB_PAGE_MAX = 4 << 20        /* bytes in a page */
 };
 
 /* ---- mistakes.c ---- */
 
-/* Reports a mistake, sorted by line among those of the page. line and column count from 1, length characters; line 0:
- * the whole page. hint may be NULL. A page without kind_of consists of --set texts and shows no line number. At most a
- * thousand are reported. */
+/* Reports a mistake, sorted by line among those of the page. `line` and `column` are counted from 1, `length` in
+ * characters; line 0: the whole page. `hint` may be NULL. A page without kind_of consists of --set texts; its messages
+ * show no line number. At most a thousand mistakes are reported. */
 void nb_mistake(struct nb_mistakes *mistakes, const struct nb_page *page, size_t line, int column, int length,
                 const char *hint, const char *format, ...) __attribute__((format(printf, 7, 8)));
 
-void nb_mistake_memory(struct nb_mistakes *mistakes); /* memory ran out */
-/* The status of the mistakes made since there were `before`. */
+void nb_mistake_memory(struct nb_mistakes *mistakes); /* records that memory ran out */
+/* The status that follows from the mistakes found since mistakes->total was `before`. */
 enum nb_status nb_mistakes_status(const struct nb_mistakes *mistakes, size_t before);
 
-/* Suppresses messages about a name that a mistake leaves undefined, or that is reported already. nb_name_suppressed:
- * whether messages about a name, or about its part before the dot, are suppressed. */
+/* nb_suppress_name suppresses messages about a name that a mistake leaves undefined, or that has been reported.
+ * nb_name_suppressed is true if messages about a name, or about its part before the dot, are suppressed. */
 void nb_suppress_name(struct nb_mistakes *mistakes, const char *name);
 #define NB_ANYTHING "*" /* all names */
 bool nb_name_suppressed(const struct nb_mistakes *mistakes, const char *name);
-void nb_suppress_no_name(struct nb_mistakes *mistakes); /* before a page is read again */
+void nb_suppress_no_name(struct nb_mistakes *mistakes); /* allows all messages again, before a page is read again */
 
 /* Index of the structure with that name in an array of structures that begin with their name; -1: none. */
 int nb_find(const void *things, size_t count, size_t size, const char *name);
 #define NB_FIND(things, count, name) nb_find(things, count, sizeof *(things), name)
-/* The hint "did you mean" with the nearest of their names, written to a text of NB_HINT_SIZE; or NULL. */
+/* Writes the hint "did you mean" with the nearest name of such structures to a text of NB_HINT_SIZE; NULL: no name is
+ * near. */
 const char *nb_nearest(char *hint, const char *word, const void *things, size_t count, size_t size);
 #define NB_NEAREST(hint, word, things, count) nb_nearest(hint, word, things, count, sizeof *(things))
 
@@ -59,25 +60,25 @@ const char *nb_nearest(char *hint, const char *word, const void *things, size_t 
 
 struct nb_token {
   const char *text;
-  int column, length; /* in characters of the line, of $NAME if it is the value of one */
-  const char *name;   /* NAME if it is the value of $NAME; else NULL */
-  bool computed;      /* by an expression: text is the shortest decimal number that reads back to the value */
+  int column, length; /* position in the line, in characters; of `$NAME` if the token is a value of a $NAME */
+  const char *name;   /* NAME if the token is the value of $NAME; else NULL */
+  bool computed;      /* by an expression; text is then the shortest decimal number that reads back to the value */
 };
 
 /* The value of $NAME in this run, from `let NAME = EXPRESSION`, `let NAME WORD` or `sweep NAME VALUES`. */
 struct nb_binding {
   char name[NB_NAME_SIZE];
   char text[NB_NAME_SIZE]; /* a word; or a number and its unit, as written or, if computed, in SI */
-  double value;            /* SI; NaN: a word */
+  double value;            /* SI; NaN if it is a word */
   struct nb_dimension dimension;
-  bool computed; /* by an expression: it is accepted as an angle or an angular velocity, too */
-  bool swept;    /* it has several values: a column of the tables */
-  int sweep;     /* index of its `sweep` in the page, even if --set has left one value; -1: a `let` */
+  bool computed; /* by an expression; the value is then accepted as an angle or an angular velocity, too */
+  bool swept;    /* the name has several values and is a column of the tables */
+  int sweep;     /* index of its `sweep` in the page, even if --set has left one value; -1: the name is from a `let` */
 };
 
 struct nb_keyword;
-/* The state of the reader: set page, mistakes, unitless and the bindings, zero the rest. It owns nothing; it has about
- * 60 kB. */
+/* The state of the reader. The caller sets page, mistakes, unitless and the bindings, and the other members to 0. The
+ * reader owns nothing; its size is about 60 kB. */
 struct nb_reader {
   const struct nb_page *page;
   struct nb_mistakes *mistakes;
@@ -86,74 +87,76 @@ struct nb_reader {
   const struct nb_binding *bindings; /* the values of $NAME */
   size_t binding_count;
 
-  size_t line; /* of the statement, from 1 */
+  size_t line; /* line of the statement, from 1 */
   struct nb_token tokens[NB_TOKENS_MAX];
   size_t count, next;                /* number of tokens; index of the next one to read */
-  bool bad;                          /* the statement has a mistake: no other one is reported, and reading it ends */
-  const char *otherwise;             /* the hint for a mistake that has no other one; NULL: none */
-  const struct nb_keyword *keyword;  /* its row while the fields of the row are read, else NULL */
+  bool bad;                          /* the statement has a mistake: no other mistake is reported, and reading ends */
+  const char *otherwise;             /* the hint for a mistake without a hint of its own; NULL: none */
+  const struct nb_keyword *keyword;  /* the row of the statement while its fields are read, else NULL */
   const struct nb_keyword *row;      /* the row of the whole line, or NULL */
-  const struct nb_keyword *namesake; /* a row of the same words for another place, or NULL */
+  const struct nb_keyword *namesake; /* a row with the same words for another place, or NULL */
   unsigned here;                     /* the place of the statement, one of NB_IN_… */
   unsigned given;                    /* bit set of the fields that have been read */
-  size_t used;                       /* of the store, up to the zero of the last token */
+  size_t used;                       /* bytes of the store in use, without the zero of the last token */
   char store[NB_LINE_MAX + NB_TOKENS_MAX * (2 * NB_NAME_SIZE + 2)]; /* the texts of the tokens */
 };
 
-/* A token with the column and length of these bytes of a line, for a message. */
+/* A token with the column and the length of `length` bytes at `at` in a line, for a message. */
 struct nb_token nb_token_at(const char *line, const char *at, size_t length);
-/* Begins a line: no tokens and no mistake. */
+/* Begins a line: the reader has no tokens and no mistake. */
 void nb_line_begin(struct nb_reader *reader, size_t line);
-/* Splits a line of the page into tokens; after `let NAME =` the rest is one. False if it has none; line 0 has none. */
+/* Splits a line of the page into tokens; after `let NAME =` the rest of the line is one token. False if the line has no
+ * tokens; line 0 has none. */
 bool nb_line_read(struct nb_reader *reader, size_t line);
-const struct nb_token *nb_token_peek(const struct nb_reader *reader); /* NULL at the end of the line */
-bool nb_token_is(const struct nb_reader *reader, const char *word);   /* whether the next token is that word */
-bool nb_token_skip(struct nb_reader *reader, const char *word);       /* takes it if so */
+const struct nb_token *nb_token_peek(const struct nb_reader *reader); /* the next token; NULL at the end of the line */
+bool nb_token_is(const struct nb_reader *reader, const char *word);   /* true if the next token is this word */
+bool nb_token_skip(struct nb_reader *reader, const char *word);       /* takes the next token if it is this word */
 bool nb_is_name(const char *text); /* a letter, then letters, digits, _ and -; shorter than NB_NAME_SIZE */
 
 /* The functions that report a mistake of a statement return false, so that callers can return their result. Only the
- * first mistake of a statement is reported; each moves to the end of the line. */
+ * first mistake of a statement is reported; each function moves to the end of the line. */
 
-/* At a token; NULL: after the last one. */
+/* Reports a mistake at a token; NULL: after the last token. */
 bool nb_token_mistake(struct nb_reader *reader, const struct nb_token *token, const char *hint, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
-/* At the first word of a line that was read before; line 0: of the whole page. */
+/* Reports a mistake at the first word of a line that was read before; line 0: a mistake of the whole page. */
 bool nb_line_mistake(struct nb_reader *reader, size_t line, const char *hint, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
-/* "expected WHAT, found `token`", at the next token. */
+/* Reports "expected WHAT, found `token`" at the next token. */
 bool nb_expected(struct nb_reader *reader, const char *hint, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-/* The hint for syntax of another language or a word processor, or NULL; hint is a text of NB_HINT_SIZE. */
+/* Writes the hint for syntax of another language or a word processor to `hint`, a text of NB_HINT_SIZE; NULL: none. */
 const char *nb_syntax_hint(const struct nb_reader *reader, char *hint, const char *text);
-/* nb_expected at a token that was read before. */
+/* Does the same as nb_expected, at a token that was read before. */
 bool nb_expected_at(struct nb_reader *reader, const struct nb_token *token, const char *hint, const char *what);
-/* nb_expected_at for an unknown name: once for each name, and not if it is suppressed. */
+/* Does the same as nb_expected_at for an unknown name: once for each name, and not if the name is suppressed. */
 bool nb_unknown_name(struct nb_reader *reader, const struct nb_token *token, const char *hint, const char *what);
 /* Marks the statement as bad without a message, because the mistake follows from another one. */
 bool nb_fail_silently(struct nb_reader *reader);
-/* nb_mistake_memory; marks the statement as bad. */
+/* Records that memory ran out, and marks the statement as bad. */
 bool nb_no_memory(struct nb_reader *reader);
 
 /* ---- value.c ---- */
 
-/* Each function takes one value from the line; if it cannot, it reports what it expected and returns false. */
+/* Each function takes one value from the line. If the line has no such value, the function reports what it expected and
+ * returns false. */
 
 enum nb_range { NB_ANY, NB_POSITIVE, NB_NOT_NEGATIVE, NB_FRACTION, NB_HALF }; /* all, > 0, >= 0, 0 to 1, 0 to 0.5 */
 
 /* " above 0", ", 0 or more", " from 0 to 1", … */
 const char *nb_range_words(enum nb_range range);
 bool nb_take_number(struct nb_reader *reader, enum nb_unit_kind kind, enum nb_range range, double *value); /* SI */
-/* In a unit of the same dimension as "N", "kg.m/s". */
+/* Takes a number in a unit of the same dimension as `si_unit`, such as "N" or "kg.m/s". */
 bool nb_take_in_unit(struct nb_reader *reader, const char *si_unit, double *value);
 bool nb_take_count(struct nb_reader *reader, unsigned long low, unsigned long high, unsigned long *value);
 bool nb_take_count_of(struct nb_reader *reader, const char *one, unsigned long *value); /* `1 cycle`, `5 cycles` */
-bool nb_take_word(struct nb_reader *reader, const char *word);                          /* that word */
+bool nb_take_word(struct nb_reader *reader, const char *word);                          /* takes this word */
 int nb_take_choice(struct nb_reader *reader, const char *words); /* index of one of "none|x|y", from 0; or -1 */
-/* Any token; a new name. NULL with a message, which says `what`. */
+/* The first function takes any token, the second one a new name. NULL with a message, which says `what`. */
 const struct nb_token *nb_take_token(struct nb_reader *reader, const char *what);
 const struct nb_token *nb_take_name(struct nb_reader *reader, const char *what);
-/* Index of the structure that a token names, as nb_find; -1 with a message, whose hint is the nearest name, else
- * `otherwise`. */
+/* Index of the structure that a token names, found by nb_find; -1 with a message. The hint of the message is the
+ * nearest name, or `otherwise` if no name is near. */
 int nb_named(struct nb_reader *reader, const struct nb_token *token, const void *things, size_t count, size_t size,
              const char *what, const char *otherwise);
 #define NB_NAMED(reader, token, things, count, what, otherwise)                                                        \
@@ -166,21 +169,21 @@ enum {
   NB_IN_SCENE = 1,
   NB_IN_STAGE = 2,
   NB_IN_EXPECT = 4,
-  NB_IN_RAMP = 8, /* after the word `ramp` */
+  NB_IN_RAMP = 8, /* in a line after the word `ramp` */
   NB_IN_CONTACT_TEST = 16,
   NB_IN_SEGMENT = 32,
   NB_IN_CELL = 64,     /* with one of the first two: not in a scene with walls, such as the manual's page */
   NB_IN_START = 128,   /* after `start`, before the first stage */
-  NB_OWN_EXAMPLE = 256 /* its example is a page of its own, for the manual */
+  NB_OWN_EXAMPLE = 256 /* for the manual: the example of the row is a page of its own */
 };
 
 enum nb_argument_kind {
-  NB_ARGUMENT_NUMBER, /* of `unit` and within `range` */
+  NB_ARGUMENT_NUMBER, /* a number of the kind `unit` within `range` */
   NB_ARGUMENT_COUNT,  /* a whole number, 1 or more */
   NB_ARGUMENT_NAME,   /* a new name */
   NB_ARGUMENT_WORD,   /* a name that is defined above */
-  NB_ARGUMENT_CHOICE, /* one of the words of its value, "none|x|y"; the number is its index */
-  NB_ARGUMENT_FLAG    /* the word of the clause alone */
+  NB_ARGUMENT_CHOICE, /* one of the words of `value`, "none|x|y"; its number is the index of the word */
+  NB_ARGUMENT_FLAG    /* only the word of the clause, without a value */
 };
 
 struct nb_argument {
@@ -189,13 +192,13 @@ struct nb_argument {
   enum nb_argument_kind kind;
   enum nb_unit_kind unit;
   enum nb_range range;
-  int slot, count;       /* the first slot of its values in the record, and their number */
+  int slot, count;       /* first slot of the values in the record; number of values */
   const char *otherwise; /* default, for the manual; NULL: required; "|…": one of several such arguments is required */
-  const char *help;      /* for names and words also the text of messages: "the name of a material" */
+  const char *help;      /* for names and words, messages use this text too: "the name of a material" */
 };
 
 struct nb_value {
-  const struct nb_token *token; /* NULL: it is not given */
+  const struct nb_token *token; /* NULL: the value is not given */
   double number;                /* SI; 0 if not given */
 };
 struct nb_record {
@@ -204,19 +207,21 @@ struct nb_record {
 };
 
 struct nb_keyword {
-  const char *word; /* its first word or words; NULL: for lines that begin with no other row's */
+  const char
+      *word; /* first word or words of the statement; NULL: for lines that begin with the words of no other row */
   unsigned where;
   const struct nb_argument *arguments; /* the last one has count 0 */
   const char *tail; /* syntax, for the manual, of the tokens that apply reads from reader->next on; or NULL */
   int variant;      /* distinguishes rows with the same apply */
   bool always;      /* apply is called after a mistake, too, because the lines below belong to this statement */
-  /* Called with all values read and checked. subject: an argument of nb_statement_read. */
+  /* Called when all values have been read and checked. subject: the argument of nb_statement_read. */
   void (*apply)(struct nb_reader *reader, const struct nb_record *record, void *subject);
   const char *help;
   const char *example; /* lines of a page; those of all rows, in this order, are the page in docs/LANGUAGE.md */
 };
 
-/* A table of keywords is an array of families of rows. The last row of each has no apply, the last family no rows. */
+/* A table of keywords is an array of families of rows. The last row of each family has no apply; the last family has no
+ * rows. */
 struct nb_family {
   const struct nb_keyword *rows;
 };
@@ -225,16 +230,16 @@ const struct nb_keyword *nb_keyword_row(const struct nb_family *table, size_t k)
 
 /* Reads the statement in reader->tokens by its row in a table; `here`: one of NB_IN_…. */
 void nb_statement_read(struct nb_reader *reader, const struct nb_family *table, unsigned here, void *subject);
-/* "for example `EXAMPLE`": the line of the statement's example that has most words of this line; NULL: it has no
- * example. */
+/* Writes "for example `EXAMPLE`", with the line of the statement's example that has most words of this line. NULL: the
+ * statement has no example. */
 const char *nb_example_hint(char *hint, const struct nb_reader *reader);
-/* The hint for words such as `velocity of sphere 1`: the monitor and its quantities. NULL: no particle or wall is
- * named. */
+/* Writes the hint for words such as `velocity of sphere 1`: the monitor and its quantities. NULL: the words name no
+ * particle or wall. */
 const char *nb_phrase_hint(char *hint, const struct nb_scene *scene, const struct nb_token *tokens, size_t count);
 bool nb_begins_clause(const struct nb_argument *field, const char *word); /* such as `at` of `at most` */
-/* Copies the first word into NB_NAME_SIZE bytes; whether there are more. */
+/* Copies the first word into NB_NAME_SIZE bytes. True: there are more words. */
 bool nb_first_word(char *first, const char *words);
-/* "disc X Y radius R MATERIAL {velocity VX VY} {spin W} {fixed}" */
+/* Writes the syntax of a statement: "disc X Y radius R MATERIAL {velocity VX VY} {spin W} {fixed}". */
 void nb_keyword_syntax(char *text, size_t size, const struct nb_keyword *keyword);
 /* The statements of scene and contact-test blocks, for reading, --help and the manual. */
 const struct nb_family *nb_keywords(void);
@@ -249,16 +254,16 @@ enum nb_block_kind {
   NB_BLOCK_KINDS,
   NB_BLOCK_HIDDEN = NB_BLOCK_KINDS /* an ignored expect block: in a quote, in a list or indented by four spaces */
 };
-/* The length of the page's name; *name: where it begins in the path. */
+/* Sets *name to the beginning of the page's name in the path. Returns the length of the name. */
 size_t nb_page_name(const char *path, const char **name);
 
 /* The kind of block that a word names; -1: none. */
 int nb_page_kind(const char *word, size_t length);
-/* The length of a fence, its sign and its info string; 0: the line is not a fence. */
+/* Returns the length of a fence, and sets its sign and its info string; 0: the line is not a fence. */
 size_t nb_fence(const char *line, char *sign, const char **info);
-/* Line of the opening fence of the first such block; 0: none. */
+/* Line of the opening fence of the first block of this kind; 0: the page has none. */
 size_t nb_page_fence(const struct nb_page *page, enum nb_block_kind kind);
-/* Reads a page of at most so many bytes. */
+/* Reads a page of at most `most` bytes. */
 enum nb_status nb_page_read_limited(struct nb_page *page, const char *path, size_t most, struct nb_mistakes *mistakes);
 /* Reads a page from memory; messages show the path. */
 enum nb_status nb_page_read_bytes(struct nb_page *page, const char *path, const char *bytes, size_t size,
@@ -266,8 +271,8 @@ enum nb_status nb_page_read_bytes(struct nb_page *page, const char *path, const 
 
 /* ---- refine.c ---- */
 
-/* Whether a number of cycles that `--set refine=R` has multiplied is whole, apart from rounding of R; *whole: the
- * nearest one. */
+/* True if a number of cycles that `--set refine=R` has multiplied is whole, except for the rounding of R. *whole: the
+ * nearest whole number. */
 bool nb_refined_is_whole(double product, double *whole);
 
 /* ---- file.c ---- */
@@ -277,14 +282,15 @@ enum {
   NB_PATH_SIZE = 4096
 };
 
-/* Finds the file that a page names: in the folder of the page; else, unless the name begins with `/` or has `..`, in
- * the nearest folder `cases` above the page and all folders below that. If there is none, `path` is in the folder of
- * the page, and opening it fails. False with a message if several folders have it. `path` has NB_PATH_SIZE bytes. */
+/* Finds the file that a page names, and writes its path to `path`, which has NB_PATH_SIZE bytes. The search begins in
+ * the folder of the page. Unless the name begins with `/` or has `..`, it continues in the nearest folder `cases` above
+ * the page, and in all folders below that one. If there is no such file, `path` is in the folder of the page, and
+ * opening it fails. False with a message if several folders have such a file. */
 bool nb_file_find(struct nb_reader *reader, const struct nb_token *token, const char *ending, char *path);
 /* Opens a regular file for reading; NULL with an error, "cannot be read: …", without the path. Pipes and devices are
  * refused because they may never end. */
 FILE *nb_file_open(const char *path, struct nb_error *error);
-/* Reads a regular file of at most so many bytes and adds a terminating zero; the caller frees it. NULL with an
+/* Reads a regular file of at most `most` bytes and adds a terminating zero. The caller frees the text. NULL with an
  * error. */
 char *nb_file_read(const char *path, size_t most, size_t *size, struct nb_error *error);
 

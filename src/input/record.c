@@ -41,7 +41,7 @@ bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *qua
   return false;
 }
 
-/* `record QUANTITY …` in the scene: the names are looked up when all monitors are known. */
+/* Reads `record QUANTITY …` in the scene. The quantities are found later, when all monitors are known. */
 NB_APPLY(apply_columns) {
   struct nb_scene_reading *reading = subject;
   (void)record;
@@ -65,7 +65,7 @@ NB_APPLY(apply_columns) {
   } while (nb_token_peek(reader));
 }
 
-/* In a stage: `record every N cycles` or `record none`. */
+/* Reads `record every N cycles` or `record none` in a stage. */
 NB_APPLY(apply_record) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
@@ -95,7 +95,7 @@ bool nb_stage_before_start(const struct nb_scene *scene, struct nb_reader *reade
   return before;
 }
 
-/* `snapshot {from STAGE}`: STAGE is this stage or an earlier one of this page. */
+/* Reads `snapshot {from STAGE}`. STAGE is this stage or an earlier one of this page. */
 NB_APPLY(apply_snapshot) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   struct nb_stage *stage = nb_current_stage(scene);

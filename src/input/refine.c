@@ -1,21 +1,22 @@
-/* The page with a shorter step, or with softer contacts.
+/* Changes a scene to one with a shorter step, or with softer contacts.
  *
  * `--set refine=R`: the page with its time step divided by R, otherwise the same in time.
  *
  *   step                        divided by R, whatever its unit
  *   cycles N, in N steps        N R
  *   at most N cycles            N R, rounded up
- *   every N cycles              of record, until and servo: N R, rounded, at least 1; `every 1 cycle` stays
+ *   every N cycles              in record, until and servo: N R, rounded, at least 1; `every 1 cycle` stays
  *   until cycle above N         N R
  *   at N cycles                 in an expectation: N R (report/expect.c)
- *   strains per cycle           divided by R, also the largest rate of a servo
+ *   strains per cycle           divided by R; so is the largest rate of a servo
  *   damping con1 X as cs79      X becomes 1 - (1 - X)/R, so that alpha_g = 2 (1 - X)/dt stays [CS79 34-36]
- *   damping con1 X as velocity  and as all: X becomes X^(1/R), so that free motion decays at the same rate in time
+ *   damping con1 X as velocity, and as all:  X becomes X^(1/R), so that free motion decays at the same rate in time
  *
- * Of a page that starts from another one, only its own stages are refined.
+ * If a page starts from another one, only its own stages are refined.
  *
- * `--set soften=S` divides kn, ks and young of all materials and pairs by S, also where a stage changes them. A damping
- * ratio stays; the time of `damping stiffness` stays, too, so the ratio becomes smaller by S^(1/2).
+ * `--set soften=S` divides kn, ks and young of all materials and pairs by S, and the values to which stages change
+ * them. A damping ratio does not change. The time of `damping stiffness` does not change either, so its damping ratio
+ * is divided by S^(1/2).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -24,15 +25,15 @@
 #include "core/names.h"
 #include "statement.h"
 
-static const double rounding = 1e-9; /* relative, of R as it is written */
+static const double rounding = 1e-9; /* relative rounding of R in the way it is written */
 
 bool nb_refined_is_whole(double product, double *whole) {
   *whole = nearbyint(product);
   return fabs(product - *whole) <= rounding * *whole;
 }
 
-/* Sets a count to `product`, its product with R; `what`: the plural noun of what is counted. False with a message if
- * it is too large or not a whole number. */
+/* Sets a count to `product`, the count times R; `what`: the plural noun of what is counted. False with a message if the
+ * product is too large or not a whole number. */
 static bool multiply(struct nb_scene_reading *reading, const struct nb_stage *stage, const char *what, double product,
                      unsigned long *count) {
   const double refine = reading->scene->refine;

@@ -49,7 +49,7 @@ static bool take_region(struct nb_reader *reader, struct nb_region *it) {
   return true;
 }
 
-/* {rings N} {from STAGE} */
+/* Takes the clauses {rings N} {from STAGE}. */
 static void take_clauses(struct nb_reader *reader, struct nb_region *it) {
   unsigned long rings = 0;
   if (nb_token_is(reader, "rings") && it->kind != NB_REGION_CIRCLE && it->kind != NB_REGION_INSIDE)
@@ -71,8 +71,8 @@ NB_APPLY(apply_region) {
     NB_APPEND(reader, scene->regions, scene->region_count, one);
 }
 
-/* Finds the stage that `from` names, when all stages are known. It must be a stage of this page, not of the page that
- * it starts from. */
+/* Finds the stage that `from` names, when all stages are known. It must be a stage of this page, not of the page from
+ * which this page starts. */
 void nb_regions_check(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
   struct nb_reader *reader = &reading->reader;

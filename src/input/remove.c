@@ -7,7 +7,7 @@
 
 static const struct nb_argument no_fields[] = {END};
 
-/* The line that already removes a particle of that range; *which is the particle; 0: none. */
+/* The line that already removes a particle of the range; *which is that particle. 0: there is no such line. */
 static int removed_already(const struct nb_scene *scene, struct nb_removal removal, size_t *which) {
   for (size_t s = 0; s < scene->stage_count; s++)
     for (size_t k = 0; k < scene->stages[s].removal_count; k++) {
@@ -19,7 +19,8 @@ static int removed_already(const struct nb_scene *scene, struct nb_removal remov
   return 0;
 }
 
-/* The first particle of that range with another shape; after its end: none. */
+/* The first particle of the range with another shape than `shape`; a value after the end of the range: there is
+ * none. */
 static size_t first_other_shape(const struct nb_scene *scene, struct nb_removal removal, enum nb_shape shape) {
   size_t k = removal.from;
   while (k <= removal.to && scene->particles[k].shape == shape)
@@ -27,7 +28,7 @@ static size_t first_other_shape(const struct nb_scene *scene, struct nb_removal 
   return k;
 }
 
-/* Takes one of four words, and the numbers of the first and the last particle. */
+/* Takes `disc`, `discs`, `sphere` or `spheres`, and the numbers of the first and the last particle. */
 static struct nb_removal take_range(const struct nb_scene_reading *reading, struct nb_reader *reader,
                                     enum nb_shape *shape) {
   static const char *const words[] = {"disc", "discs", "sphere", "spheres"};

@@ -59,7 +59,8 @@ void nb_scene_mistake(struct nb_scene_reading *reading, const char *statement, c
 
 /* ---- the passes ---- */
 
-/* Whether a statement defines values: these are read in both passes, and not again when lines are repeated. */
+/* True if a statement defines values. Such statements are read in both passes, and not again when lines are
+ * repeated. */
 static bool defines_value(const char *verb) {
   return strcmp(verb, "units") == 0 || strcmp(verb, "let") == 0 || strcmp(verb, "sweep") == 0;
 }
@@ -87,7 +88,7 @@ static void read_line(struct nb_scene_reading *reading, size_t line) {
   struct nb_stage *stage = nb_current_stage(reading->scene);
   if (stage && !reading->survey && !reading->start_failed)
     stage->hash = reading->hash;
-  if (stage && reader->bad) /* the bad statement may be the one that ends the stage */
+  if (stage && reader->bad) /* the bad statement may be the one that gives the end of the stage */
     nb_suppress_name(reader->mistakes, stage->name);
 }
 
@@ -106,7 +107,7 @@ static void read_lines(struct nb_scene_reading *reading) {
   }
 }
 
-/* First pass: the lengths of the sweeps, and all names. */
+/* The first pass, which finds the lengths of the sweeps and all names. */
 static void survey(struct nb_scene_reading *reading, struct nb_mistakes *mistakes) {
   struct nb_mistakes discarded = {0};
   reading->survey = true;
@@ -154,7 +155,7 @@ static void find_columns(struct nb_scene_reading *reading) {
   }
 }
 
-/* Whether the stage has no end; a repeated stage is reported once. */
+/* True if the stage has no end that should be reported. A repeated stage is reported once. */
 static bool lacks_end(const struct nb_scene *scene, const struct nb_mistakes *mistakes, size_t stage) {
   size_t first = 0;
   while (scene->stages[first].line != scene->stages[stage].line)
@@ -230,7 +231,7 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
     nb_contact_test_laws_check(reading);
 }
 
-/* Reads one run; *runs is the number of runs. */
+/* Reads the scene of one run; sets *runs to the number of runs. */
 static enum nb_status read_run(struct nb_scene *scene, const struct nb_page *page, size_t run, nb_settings settings,
                                struct nb_mistakes *mistakes, const struct nb_scene_reading *parent, size_t *runs) {
   size_t before = mistakes->total;

@@ -1,9 +1,9 @@
-/* A scene while it is read, for the files of statements.
+/* A scene while it is read. The files of statements include this header.
  *
- * Each file has a statement or a family of them: the rows of their arguments, the functions that apply them, and at its
- * end the table NB_STATEMENTS (statement.h) with their words, help and examples. STATEMENTS in build-aux/lists.mk lists
- * these files, in the order of the manual. scene.c has the common parts: the two passes over a page, and the checks at
- * its end.
+ * Each of these files has one statement or a family of statements: the rows of their arguments, the functions that
+ * apply them, and at the end of the file the table NB_STATEMENTS (statement.h) with their words, help and examples.
+ * STATEMENTS in build-aux/lists.mk lists these files, in the order of the manual. scene.c has the common parts: the two
+ * passes over a page, and the checks at its end.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_SCENE_H
@@ -13,28 +13,28 @@
 
 /* ---- a scene while it is read ---- */
 
-/* A column requested by `record`, until all monitors are known. */
+/* A column that `record` requests, kept until all monitors are known. */
 struct nb_requested {
   char name[2 * NB_NAME_SIZE];
   size_t line;
   int column, length;
 };
 
-/* `transform`: first mirrored, then rotated, then translated. */
+/* `transform`: the scene is first mirrored, then rotated, then translated. */
 struct nb_transform {
   double flip_x, flip_y; /* 1, or -1: mirrored */
   double cosine, sine;   /* of the angle of rotation, counterclockwise */
-  double x, y;           /* m */
+  double x, y;           /* translation, m */
   int line;
 };
 
 struct nb_scene_reading {
   struct nb_scene *scene;
-  struct nb_reader reader;  /* of the page */
-  struct nb_reader setting; /* of the --set texts, which are stored as the lines of a page */
+  struct nb_reader reader;  /* reads the page */
+  struct nb_reader setting; /* reads the --set texts, which are stored as the lines of a page */
   struct nb_page settings;
   bool before_start;         /* the page has a `start`, which has not been read */
-  bool law_set[2], step_set; /* by --set: the statements of the page are checked, but not used */
+  bool law_set[2], step_set; /* set by --set: the statements of the page are checked, but not used */
 
   bool survey; /* first pass: only units, let and sweep; the second one reports mistakes */
   size_t run;
@@ -43,10 +43,11 @@ struct nb_scene_reading {
 
   unsigned here; /* NB_IN_SCENE; after `start` NB_IN_START; from the first `stage` on NB_IN_STAGE */
   const struct nb_scene_reading *parent; /* the page that starts from this one, or NULL */
-  size_t first_line;                     /* line of the first statement but `units`, `let` and `sweep` */
+  size_t first_line;                     /* line of the first statement other than `units`, `let` and `sweep` */
   bool start_failed;                     /* `start` has a mistake: the rest of the page is not read */
-  bool before_first_stage; /* after `start`: the last stage of the scene is the unnamed first one of this page */
-  unsigned long long hash; /* of the statements read so far */
+  bool
+      before_first_stage; /* after `start`: the last stage of the scene is the first stage of this page, without name */
+  unsigned long long hash; /* hash of the statements read so far */
   int units_line;
   struct nb_transform transform;
   struct nb_requested *requested; /* owned */
@@ -58,15 +59,18 @@ struct nb_scene_reading {
     size_t until;        /* line of the last `repeat` */
   } repeat;
   const char *follow; /* `--set follow=FILE`: the name of the file, or NULL */
-  int contact_line;   /* of a contact test */
+  int contact_line;   /* line of the statement `contact` of a contact test; 0: none */
 };
 
-/* The stage of the current line; NULL: before the first one. */
+/* The stage of the current line; NULL: before the first stage. */
 struct nb_stage *nb_current_stage(const struct nb_scene *scene);
 
-/* ---- mistakes common to several statements: each returns true if the statement is bad, now or before ---- */
+/* ---- mistakes common to several statements ----
+ * Each function reports its mistake, and returns true if the statement is bad, because of this mistake or an earlier
+ * one. */
 
-bool nb_given_twice(struct nb_reader *reader, int line); /* line: of the first one; 0: there is none */
+/* The statement is given twice. line: the line of the first one; 0: there is none. */
+bool nb_given_twice(struct nb_reader *reader, int line);
 bool nb_too_many(struct nb_reader *reader, size_t count, int most, const char *what); /* count has reached most */
 bool nb_too_many_particles(struct nb_reader *reader, const struct nb_scene *scene, size_t more);
 bool nb_exists(struct nb_reader *reader, const struct nb_token *name, const char *what, int line); /* 0: no */
@@ -74,11 +78,11 @@ bool nb_exists(struct nb_reader *reader, const struct nb_token *name, const char
 bool nb_corners_swapped(struct nb_reader *reader, double x, double y, double x1, double y1);
 /* A statement that defines particles has a mistake, so numbers of particles cannot be checked. */
 bool nb_particles_incomplete(const struct nb_scene_reading *reading);
-/* The scene has no cell; no box of walls; the current stage has no boundary. */
+/* These functions report: the scene has no cell; it has no box of walls; the current stage has no boundary. */
 bool nb_lacks_cell(const struct nb_scene *scene, struct nb_reader *reader);
 bool nb_lacks_box(const struct nb_scene *scene, struct nb_reader *reader);
 bool nb_lacks_boundary(const struct nb_scene *scene, struct nb_reader *reader);
-/* The token names a stage of the page that this page starts from. */
+/* The token names a stage of the page from which this page starts. */
 bool nb_stage_before_start(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *name);
 /* A statement of a stage is below a `repeat`, where it would belong to the last repeated stage only. */
 bool nb_misplaced_after_repeat(struct nb_scene_reading *reading);
@@ -90,12 +94,11 @@ void nb_scene_mistake(struct nb_scene_reading *reading, const char *statement, c
 /* Index of the material or wall that the token names; -1 with a message if there is none. */
 int nb_material_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token);
 int nb_wall_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token);
-/* Takes NAME {radius R} after `grading`: index of the grading, or -1 with a message; *size: index of the size, or
- * -1. */
+/* Takes NAME {radius R} after `grading`. Returns the index of the grading, or -1 with a message; *size: the index of
+ * the size, or -1 if the statement names no size. */
 int nb_take_grading(const struct nb_scene *scene, struct nb_reader *reader, int *size);
-/* Takes the name of a quantity, with its position; finds the quantity of that name: false with a message if there is
- * none. */
-/* How to define what a statement lacks; after `cell strain` and the like also where the strains are compared. */
+/* The hint how to define what a statement lacks; after `cell strain` and the like also where the strains are
+ * compared. */
 #define NB_DEFINE(reader, how)                                                                                         \
   ((reader)->count > 1 && strcmp((reader)->tokens[1].text, "strain") == 0 ? how                                        \
        "; `nineball --help strain` compares the four strains"                                                          \
@@ -104,39 +107,41 @@ bool nb_take_requested(struct nb_scene_reading *reading, struct nb_reader *reade
 bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *quantity,
                        const struct nb_requested *requested);
 enum { NB_AT_XX, NB_AT_YY, NB_AT_XY, NB_AT_C12, NB_AT_C21, NB_AT_AFTER_STRAIN }; /* slots */
-/* EXX EYY, and `shear EXY` or `c12 C` and `c21 C`, either all per cycle or none. */
+/* The strain rate EXX EYY, with `shear EXY` or with `c12 C` and `c21 C`. Either all components are per cycle or
+ * none. */
 struct nb_strain_rate nb_strain_rate_of(struct nb_reader *reader, const struct nb_value value[]);
-/* Whether the unit of a value is `per cycle`. */
+/* True if the unit of a value is `per cycle`. */
 bool nb_value_per_cycle(const struct nb_reader *reader, const struct nb_value *value);
-/* A particle at (0, 0) for a statement that adds `count` of them; checks the count, and that the material of a free
- * particle has a density. */
+/* A particle at (0, 0) for a statement that adds `count` such particles. Reports a count that is too large, and a
+ * material without density for a free particle. */
 struct nb_particle nb_particle_of(struct nb_reader *reader, const struct nb_scene *scene, enum nb_shape shape,
                                   const struct nb_token *material, bool fixed, size_t count);
 /* Adds a monitor; false with a message if the name exists or there are too many. */
 bool nb_monitor_add(struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *name,
                     struct nb_monitor monitor);
-/* Sets the name of a stage or a segment; of repeated ones NAME-2, NAME-3, … */
+/* Sets the name of a stage or a segment: NAME, or NAME-2, NAME-3, … for the repeated ones. */
 void nb_stage_name(struct nb_stage *stage, const struct nb_scene_reading *reading, const struct nb_token *name);
 
 /* ---- settings and runs ---- */
 
-/* Line among the settings of the last --set of that name; 0: none. */
+/* The line, among the settings, of the last --set of this name; 0: none. */
 size_t nb_setting_find(const struct nb_scene_reading *reading, const char *name);
-/* Applies --set of laws and the step, and reports those of unknown names. On a page with `start` the second function
- * does so for the step, when the units of the other page are known. */
+/* nb_settings_read applies the settings of the laws and the step, and reports settings of unknown names. On a page with
+ * `start` the second function applies the setting of the step, when the units of the other page are known. */
 void nb_settings_read(struct nb_scene_reading *reading);
 void nb_setting_read_step(struct nb_scene_reading *reading);
-/* Number of runs by the sweeps so far. */
+/* Number of runs that the sweeps read so far give. */
 size_t nb_run_count(const struct nb_scene_reading *reading);
-/* The hash of everything that a state depends on: of the settings; then nb_hash_line adds each statement. */
+/* The hash of everything on which a state depends. It begins with the settings; nb_hash_line then adds each
+ * statement. */
 unsigned long long nb_hash_settings(nb_settings settings);
 void nb_hash_line(struct nb_scene_reading *reading);
 
-/* ---- checks at the end of a page ---- */
+/* ---- checks at the end of a page: each reports a scene that does not satisfy the condition ---- */
 
-/* Requirements of the laws for materials and particles. */
+/* Materials and particles satisfy the requirements of the laws. */
 void nb_laws_check(struct nb_scene_reading *reading, bool complete);
-/* Regions name stages of this page only; stores the index of each. */
+/* Regions name only stages of this page; the function stores the index of each. */
 void nb_regions_check(struct nb_scene_reading *reading);
 /* A cell is wide enough, and has no walls. */
 void nb_cell_check(struct nb_scene_reading *reading);
@@ -146,11 +151,11 @@ void nb_ramps_check(struct nb_scene_reading *reading);
 void nb_box_check(struct nb_scene_reading *reading);
 /* Imposed motion is not reversed; a cell has no boundary. */
 void nb_imposed_motion_check(struct nb_scene_reading *reading);
-/* A contact test has a contact and a segment; applies `--set follow=FILE`. */
+/* A contact test has a contact and a segment. The function also applies `--set follow=FILE`. */
 void nb_contact_test_check(struct nb_scene_reading *reading);
-/* Requirements of the quantities of a contact test for the laws. */
+/* The laws satisfy the requirements of the quantities of a contact test. */
 void nb_contact_test_laws_check(struct nb_scene_reading *reading);
-/* Applies `--set refine=R` to steps, cycles and what is given per cycle (refine.c). */
+/* Applies `--set refine=R` to steps, numbers of cycles and strains per cycle (refine.c). */
 void nb_refine(struct nb_scene_reading *reading);
 /* Applies `--set soften=S`. */
 void nb_soften(struct nb_scene_reading *reading);
@@ -159,13 +164,14 @@ void nb_impact_set(struct nb_scene_reading *reading);
 /* Applies `transform` to the whole scene, after all stages have been read. False: a coordinate is not finite. */
 bool nb_scene_transform(struct nb_scene *scene, const struct nb_transform *transform);
 
-/* ---- a page that another one starts from ---- */
+/* ---- a page from which another one starts ---- */
 
-/* Reads the scene of another page for `start`; *runs: number of its runs. */
+/* Reads the scene of another page for `start`; sets *runs to the number of its runs. */
 enum nb_status nb_scene_read_nested(struct nb_scene *scene, const struct nb_page *page, nb_settings settings,
                                     struct nb_mistakes *mistakes, const struct nb_scene_reading *parent, size_t *runs);
 void nb_start_free(struct nb_start *start);
-void nb_stages_free(struct nb_scene *scene, size_t from);     /* from that stage on */
-void nb_scene_truncate(struct nb_scene *scene, size_t stage); /* after that stage; removes its output, too */
+void nb_stages_free(struct nb_scene *scene, size_t from); /* frees the stages from index `from` on */
+/* Removes the stages after the one with index `stage`, and the output of the scene. */
+void nb_scene_truncate(struct nb_scene *scene, size_t stage);
 
 #endif

@@ -24,7 +24,7 @@ static const struct nb_argument servo_fields[] = {
 };
 /* clang-format on */
 
-/* Finds the components of the measured stress. */
+/* Finds the quantities of the measured stress components. */
 static void find_stress(struct nb_scene_reading *reading, struct nb_reader *reader, const struct nb_token *place,
                         struct nb_servo *servo) {
   static const char *const parts[] = {"xx", "xy", "yx", "yy"};
@@ -36,7 +36,7 @@ static void find_stress(struct nb_scene_reading *reading, struct nb_reader *read
   }
 }
 
-/* Takes one of `isotropic`, `mean` and components. */
+/* Takes the target: `isotropic`, `mean`, or components of the stress. */
 static void take_target(struct nb_reader *reader, const struct nb_value *value, struct nb_servo *servo) {
   const bool isotropic = value[AT_ISOTROPIC].token,
              components = value[AT_XX].token || value[AT_YY].token || value[AT_XY].token;

@@ -1,5 +1,5 @@
 /* Stages: `stage`, `cycles`, `until`, `ramp`, `zero velocities`, `reverse velocities`, `rotation`; and `repeat from
- * NAME N times`, which reads their lines again.
+ * NAME N times`, which reads the lines of stages again.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -24,8 +24,8 @@ void nb_stage_name(struct nb_stage *stage, const struct nb_scene_reading *readin
   snprintf(stage->name, sizeof stage->name, "%.*s%s", (int)(length < most ? length : most), name->text, number);
 }
 
-/* A stage begins with the step and damping of the previous one, the first one with those of the scene. A line with a
- * mistake begins a stage, too, because the lines below belong to it. */
+/* A stage begins with the step and the damping of the previous stage; the first stage begins with those of the scene. A
+ * line with a mistake also begins a stage, because the lines below belong to this stage. */
 NB_APPLY(apply_stage) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
@@ -64,7 +64,7 @@ NB_APPLY(apply_cycles) {
     stage->cycles = (unsigned long)record->value[AT_CYCLES].number;
 }
 
-/* QUANTITY above|below VALUE */
+/* Takes a condition: QUANTITY above|below VALUE. */
 static bool take_condition(struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_condition *condition) {
   struct nb_requested requested;
   condition->line = (int)reader->line;
@@ -98,7 +98,7 @@ NB_APPLY(apply_until) {
 
 /* ---- changes, gradual and sudden ---- */
 
-/* The tokens after `ramp` are a statement; then all changes of this line are marked as ramps. */
+/* Reads the tokens after `ramp` as a statement, and marks all changes of this line as ramps. */
 NB_APPLY(apply_ramp) {
   struct nb_stage *it = nb_current_stage(((struct nb_scene_reading *)subject)->scene);
   const int line = (int)reader->line;

@@ -1,8 +1,8 @@
 /* `start PAGE stage NAME`: continues the scene of another page from the end of one of its stages.
  *
- * The scene has the other page's materials, particles, walls, laws and stages, so that references see all of them;
- * their line is that of `start`. Regions, monitors and columns are those of this page alone. Statements before its
- * first stage belong to this stage.
+ * The scene has the other page's materials, particles, walls, laws and stages, so that reference solutions can read all
+ * of them; their line is the line of `start`. Regions, monitors and columns are only those of this page. Statements
+ * before the first stage of this page belong to that stage.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _XOPEN_SOURCE 700
@@ -21,7 +21,7 @@ static const struct nb_argument start_fields[] = {WORD("PAGE", AT_PAGE, "the nam
                                                    "The run begins at the end of that stage of the other page."},
                                                   END};
 
-enum { CHAIN_MAX = 50 }; /* pages that start one from another; reading and running them is recursive */
+enum { CHAIN_MAX = 50 }; /* longest chain of pages that start from each other; they are read and run recursively */
 
 /* ---- copies of the other scene ---- */
 
@@ -55,7 +55,7 @@ static void copy_stage(struct nb_stage *to, const struct nb_stage *from, int lin
   LINES(changes, change_count);
   LINES(removals, removal_count);
   for (size_t k = 0; k < to->condition_count; k++)
-    to->conditions[k].line = line, to->conditions[k].quantity.monitor = -1; /* its monitors are not copied */
+    to->conditions[k].line = line, to->conditions[k].quantity.monitor = -1; /* monitors are not copied */
   int *const lines[] = {
       &to->gravity.line,         &to->damping.contact_line, &to->damping.walls_line, &to->damping.deep_line,
       &to->damping.centred_line, &to->damping.global_line,  &to->circle.line,        &to->boundary.line,
@@ -64,10 +64,10 @@ static void copy_stage(struct nb_stage *to, const struct nb_stage *from, int lin
   for (size_t k = 0; k < sizeof lines / sizeof *lines; k++)
     *lines[k] = replaced_line(*lines[k], line);
   to->line = to->step.line = line, to->step.set = false;
-  to->servo = (struct nb_servo){.box = from->servo.box}; /* its quantities are those of the other page */
+  to->servo = (struct nb_servo){.box = from->servo.box}; /* the servo reads quantities of the other page */
 }
 
-/* False: no memory. */
+/* Copies a scene; `line` is the line of all copies. False: out of memory. */
 static bool copy_scene(struct nb_scene *to, const struct nb_scene *from, int line) {
   bool whole = true, *made = &whole;
   COPY(to, from, materials, material_count);
@@ -92,7 +92,8 @@ static bool copy_scene(struct nb_scene *to, const struct nb_scene *from, int lin
   LINES(pair_rules, pair_rule_count);
   LINES(particles, particle_count);
   LINES(walls, wall_count);
-  const bool normal_set = to->normal[0], shear_set = to->shear[0]; /* by --set, which applies to this page's stages */
+  const bool normal_set = to->normal[0],
+             shear_set = to->shear[0]; /* set by --set, which applies to the stages of this page */
   struct nb_laws set = {.pieces = to->pieces};
   snprintf(set.normal, sizeof set.normal, "%s", normal_set ? to->normal : "");
   snprintf(set.shear, sizeof set.shear, "%s", shear_set ? to->shear : "");
@@ -105,7 +106,7 @@ static bool copy_scene(struct nb_scene *to, const struct nb_scene *from, int lin
   to->circle = from->circle, to->circle.line = replaced_line(to->circle.line, line);
   to->origin_x = from->origin_x, to->origin_y = from->origin_y;
   const struct nb_stage *last = &to->stages[to->stage_count - 1];
-  struct nb_stage *first_stage = &to->stages[to->stage_count]; /* gets its name from the first `stage` */
+  struct nb_stage *first_stage = &to->stages[to->stage_count]; /* the first `stage` gives its name */
   *first_stage = (struct nb_stage){.record_interval = 1,
                                    .check_interval = 1,
                                    .snapshot_from = -1,
@@ -125,7 +126,8 @@ static bool same_file(const char *a, const char *b) {
   return stat(a, &one) == 0 && stat(b, &other) == 0 && one.st_dev == other.st_dev && one.st_ino == other.st_ino;
 }
 
-/* Number of pages that start, directly or not, from this path; -1 if the path is one of them, which would never end. */
+/* Number of pages that start from this path, directly or through other pages; -1 if the path is one of these pages, so
+ * that reading would never end. */
 static int nesting_depth(const struct nb_scene_reading *reading, const char *path) {
   int count = 0;
   for (const struct nb_scene_reading *parent = reading; parent; parent = parent->parent, count++)
@@ -134,7 +136,7 @@ static int nesting_depth(const struct nb_scene_reading *reading, const char *pat
   return count;
 }
 
-/* Takes `NAME=VALUE …` after `with`; more `with` are allowed. */
+/* Takes `NAME=VALUE …` after `with`. The word `with` may be repeated. */
 static bool take_settings(struct nb_reader *reader, struct nb_start *start) {
   while (nb_token_skip(reader, "with"), nb_token_peek(reader)) {
     const struct nb_token *token = nb_take_token(reader, "NAME=VALUE");
@@ -239,7 +241,7 @@ NB_APPLY(apply_start) {
   struct nb_scene *scene = reading->scene;
   struct nb_start *start = &scene->start;
   const struct nb_token *word = record->value[AT_PAGE].token, *name = record->value[AT_STAGE].token;
-  reading->start_failed = true; /* until it has succeeded */
+  reading->start_failed = true; /* set to false at the end, when `start` has succeeded */
   if (scene->start.line || reading->first_line != reader->line) {
     nb_token_mistake(reader, &reader->tokens[0], NULL,
                      "expected one `start`, above all statements except `units`, `let` and `sweep`");
@@ -277,10 +279,10 @@ void nb_start_free(struct nb_start *start) {
   free(start->scene), free(start->page), free(start->settings);
 }
 
-/* ---- hash of everything that a state depends on ---- */
+/* ---- hash of everything on which a state depends ---- */
 
-/* Begins with the program, and settings that override statements; settings of values are in the statements that use
- * them. */
+/* Begins with the program and the settings that override statements. Settings of values need no place of their own:
+ * their values are in the statements that use them. */
 unsigned long long nb_hash_settings(nb_settings settings) {
   static const char *const statements[] = {"normal=", "shear=", "step=", "damping=", "refine=", "soften="};
   unsigned long long hash = nb_hash(NB_HASH_BEGIN, NB_VERSION, sizeof NB_VERSION);
@@ -291,12 +293,13 @@ unsigned long long nb_hash_settings(nb_settings settings) {
   return hash;
 }
 
-/* Adds a statement with all values in place, unless it is about output only. */
+/* Adds a statement, in which values have replaced names, unless the statement concerns only output. */
 void nb_hash_line(struct nb_scene_reading *reading) {
   const struct nb_reader *reader = &reading->reader;
   const char *verb = reader->tokens[0].text;
   reading->first_line = reading->first_line ? reading->first_line : reader->line;
-  static const char *const without[] = {"record", "snapshot", "trade", "start"}; /* `start` adds that of the page */
+  static const char *const without[] = {"record", "snapshot", "trade",
+                                        "start"}; /* `start` adds the hash of the other page */
   for (size_t k = 0; k < sizeof without / sizeof *without; k++)
     if (strcmp(verb, without[k]) == 0)
       return;

@@ -1,10 +1,10 @@
 /* Writes and reads a saved state. Each record is a line: a word and its fields, separated by one space. The last line
- * is the checksum of all others. Numbers are written by %a, which reads back to the same bits.
+ * is the checksum of all other lines. Numbers are written by %a and read back to the same bits.
  *
- * One function per kind of record both writes and reads its fields in order: it writes them if there is an output text,
- * else it reads and checks them. A file that is truncated or changed is refused. Every other deviation from
- * docs/STATE.md is an error with file, line, column and what was expected. A new record needs a row in the table below,
- * and one in docs/STATE.md.
+ * One function per kind of record both writes and reads the fields of a record in order. It writes them if there is an
+ * output text; otherwise it reads and checks them. A file that is truncated or changed is refused. Every other
+ * deviation from docs/STATE.md is an error with file, line, column and what was expected. A new record needs a row in
+ * the table below, and one in docs/STATE.md.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "state_file.h"
@@ -17,7 +17,7 @@
 #include "reader.h"
 #include "text.h"
 
-/* Error of the length of a unit vector: rounding errors accumulate while a wall rotates. */
+/* Tolerated error of the length of a unit vector: rounding errors accumulate while a wall rotates. */
 static const double unit_error = 1e-9;
 
 enum { CONTACTS_MAX = 1 << 30 };
@@ -28,9 +28,9 @@ struct stream {
   size_t k;            /* index of the record among those of its kind, while writing */
   /* While reading: */
   const char *path;
-  const char *line, *end; /* current record, and one past its last character */
-  const char *at, *taken; /* next character; the last field, for messages */
-  size_t number;          /* of the line */
+  const char *line, *end; /* beginning and end of the current record */
+  const char *at, *taken; /* next character; beginning of the last field, for messages */
+  size_t number;          /* number of the line */
   unsigned seen, sources; /* sets of records, and of sources of imposed motion, that have been read */
   struct nb_error *error;
   bool fields, bad; /* the names of a contact's fields have been read; there was an error */
@@ -61,7 +61,7 @@ enum nb_status nb_saved_setting(struct nb_saved *saved, const char *text, struct
 static void __attribute__((format(printf, 2, 3))) expected(struct stream *stream, const char *format, ...) {
   char what[160];
   va_list list;
-  if (stream->bad || stream->out) /* run/state.c reads what it has written */
+  if (stream->bad || stream->out) /* while writing there are no errors: run/state.c reads the text again */
     return;
   stream->bad = true;
   va_start(list, format);
@@ -79,7 +79,7 @@ static void __attribute__((format(printf, 2, 3))) expected(struct stream *stream
 
 static bool ended(const struct stream *stream) { return stream->at >= stream->end; }
 
-/* Takes the next field; if there is none, it is empty and an error is set. */
+/* Takes the next field. If there is none, `field` is empty and an error is set. */
 static void take_field(struct stream *stream, char field[NB_STATE_FIELD], const char *what) {
   field[0] = 0;
   stream->taken = stream->at;
@@ -97,7 +97,7 @@ static void take_field(struct stream *stream, char field[NB_STATE_FIELD], const 
 
 /* After an error each of the following functions leaves a valid value. */
 
-enum range { FINITE, FROM_0, ABOVE_0, FROM_0_OR_UNDEFINED }; /* the last one: also infinite, or undefined (`-`, NAN) */
+enum range { FINITE, FROM_0, ABOVE_0, FROM_0_OR_UNDEFINED }; /* the last one allows infinity and undefined (`-`, NAN) */
 
 static void number(struct stream *stream, double *value, enum range range) {
   char field[NB_STATE_FIELD], *end = field;
@@ -131,7 +131,7 @@ static void tensor_of(struct stream *stream, struct nb_tensor *value) {
   four_numbers(stream, &value->xx, &value->xy, &value->yx, &value->yy);
 }
 
-/* This function and the ones below write `now`, or return the value that they read. */
+/* This function and the functions below write `now`, or return the value that they read. */
 static unsigned long whole_number(struct stream *stream, unsigned long now, unsigned long low, unsigned long high) {
   char field[NB_STATE_FIELD], *end;
   if (stream->out)
@@ -143,7 +143,7 @@ static unsigned long whole_number(struct stream *stream, unsigned long now, unsi
   return stream->bad ? low : value;
 }
 
-/* Index of one of these words. */
+/* A list of words, for a field that is one of them. */
 #define WORDS(...) ((const char *const[]){__VA_ARGS__, NULL})
 static int one_of(struct stream *stream, int now, const char *const words[]) {
   char field[NB_STATE_FIELD], list[NB_STATE_FIELD] = "";
@@ -474,7 +474,7 @@ static bool history_valid(const struct nb_saved *saved, const struct nb_law *law
   return law->valid ? law->valid(saved->history + it.at, it.count, saved->pieces) : it.count == law->history;
 }
 
-/* Reads the history that a law keeps of the contact above. */
+/* Reads the contact history of a law, for the contact of the record above. */
 static void read_history(struct stream *stream, bool shear) {
   struct nb_saved *saved = stream->saved;
   struct nb_saved_contact *above = saved->contact_count ? &saved->contacts[saved->contact_count - 1] : NULL;
@@ -529,10 +529,11 @@ static void store(struct stream *stream) {
       any_number(stream, value);
 }
 
-/* ---- the whole ---- */
+/* ---- the whole file ---- */
 
-/* Word, function, how often the record must stand in a file, and how many are written. A record of something that the
- * scene does not have is not written, nor is a default. The history that a law keeps is written with its contact. */
+/* Each row has the word of a record, its function, how often the record must occur in a file, and how many are written.
+ * A record of an object that the scene does not have is not written, nor is a default value. The history of a law is
+ * written with its contact. */
 #define RECORDS(X)                                                                                                     \
   X("program", program, ONCE, 1)                                                                                       \
   X("page", page, ONCE, 1)                                                                                             \
@@ -575,7 +576,7 @@ static const struct {
 enum { COUNT = sizeof records / sizeof *records };
 
 static const char head[] = "nineball state 1\n";
-static const size_t any_version = sizeof "nineball state " - 1; /* length */
+static const size_t any_version = sizeof "nineball state " - 1; /* length of the first words of all versions */
 
 bool nb_saved_is(FILE *file) {
   char begin[sizeof head];
@@ -622,7 +623,7 @@ static void read_record(struct stream *stream) {
     expected(stream, "the end of the line");
 }
 
-/* Whether the state has the cell or the boundary that imposes the motion of a particle. */
+/* True if the state has the cell or the boundary that imposes the motion of a particle. */
 static bool has_source(const struct nb_saved *saved, size_t particle) {
   const enum nb_affine_source by = saved->imposed[particle].by;
   return by == NB_AFFINE_CELL ? saved->cell.is : by != NB_AFFINE_BOUNDARY || saved->particles[particle].member;
@@ -668,7 +669,7 @@ enum nb_status nb_saved_read_text(struct nb_saved *saved, const char *path, cons
   if (text[last - 1] != '\n' || memcmp(text + last, end, NB_STATE_END) != 0)
     return damaged(path, text, size, last,
                    "expected the checksum of the lines above, found another one: the file has been changed", error);
-  const char *zero = memchr(text, 0, size); /* would end a name */
+  const char *zero = memchr(text, 0, size); /* a zero byte would end a name */
   if (zero)
     return damaged(path, text, size, (size_t)(zero - text), "expected text, found a byte that is 0", error);
 

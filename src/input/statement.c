@@ -1,6 +1,6 @@
-/* Reads one statement by its row in a table of keywords: the row with most words that the statement begins with. If
- * there is none, a message suggests one. Positional arguments are read in the order of the row, clauses in any order.
- * Then the row's apply is called, which may read more tokens if the row has a tail.
+/* Reads one statement by its row in a table of keywords. If the statement begins with the words of several rows, the
+ * row with most words is taken; if there is no row, a message suggests one. Positional arguments are read in the order
+ * of the row, clauses in any order. Then the row's apply is called, which may read more tokens if the row has a tail.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -10,7 +10,7 @@
 
 /* ---- the row of a statement ---- */
 
-/* How many words of a row match the next tokens, from the first on; *all: number of its words. */
+/* Number of words of a row that match the next tokens, from the first word on; *all: number of words of the row. */
 static size_t matching_words(const struct nb_reader *reader, const char *words, size_t *all) {
   size_t there = 0;
   *all = 0;
@@ -53,7 +53,7 @@ static bool number_next(const struct nb_reader *reader) {
 
 enum { CONTACT_TEST = NB_IN_CONTACT_TEST | NB_IN_SEGMENT };
 
-/* Says where a row belongs that may not stand here; a place in the same kind of block, if possible. */
+/* Says where a row belongs that is not allowed here: if possible, a place in the same kind of block. */
 static const char *where_words(unsigned where, unsigned here) {
   if (here & CONTACT_TEST && !(where & CONTACT_TEST))
     return "in a block of kind `scene`";
@@ -71,7 +71,8 @@ static size_t matching_here(const struct nb_reader *reader, const struct nb_keyw
   return row->where & here && row->word ? matching_words(reader, row->word, &all) : 0;
 }
 
-/* The row with most words that match the next tokens, and *most of them; NULL: no first word matches. */
+/* The row with most words that match the next tokens; *most: number of these words. NULL: the first word matches no
+ * row. */
 static const struct nb_keyword *best_match(const struct nb_reader *reader, const struct nb_family *table, unsigned here,
                                            size_t *most) {
   const struct nb_keyword *meant = NULL, *row;
@@ -84,14 +85,14 @@ static const struct nb_keyword *best_match(const struct nb_reader *reader, const
   return meant;
 }
 
-/* Copies the word after `count` words. */
+/* Copies the word of `words` that follows the first `count` words. */
 static void word_after(char *word, const char *words, size_t count) {
   for (; count; count--)
     words += strcspn(words, " "), words += strspn(words, " ");
   nb_first_word(word, words);
 }
 
-/* Appends a quoted word to a list, unless it is there already. */
+/* Appends a quoted word to a list, unless the list already has the word. */
 static void list_word(char *list, size_t size, const char *between, const char *word) {
   char quoted[NB_NAME_SIZE + 2];
   const size_t used = strlen(list);
@@ -100,7 +101,7 @@ static void list_word(char *list, size_t size, const char *between, const char *
     snprintf(list + used, size - used, "%s%s", used ? between : "", quoted);
 }
 
-/* "the statement is `box X Y to X Y MATERIAL`; MATERIAL is the name of a material"; name may be NULL. */
+/* Writes "the statement is `box X Y to X Y MATERIAL`; MATERIAL is the name of a material"; `name` may be NULL. */
 static void syntax_hint(char *hint, const struct nb_keyword *keyword, const struct nb_argument *name) {
   char syntax[NB_HINT_SIZE / 2];
   nb_keyword_syntax(syntax, sizeof syntax, keyword);
@@ -125,12 +126,13 @@ const char *nb_example_hint(char *hint, const struct nb_reader *reader) {
     lines += own;
   }
   snprintf(hint, NB_HINT_SIZE, "for example `%.*s`", (int)strcspn(best, "\n"), best);
-  return most > (lines > 1) ? hint : NULL; /* of several lines one that has more than the first word */
+  return most > (lines > 1) ? hint
+                            : NULL; /* if the example has several lines, one that has more words than the first */
 }
 
-/* Reports a line whose first words match some rows and whose next word matches none: `fill sphres`. Returns one of
- * these rows. Returns NULL if `whole`, a row of another place, is meant: it matches more words, or no row of this place
- * is near and the line ends or a number follows (not a word, as in `cell shear`). */
+/* Reports a line whose first words match some rows and whose next word matches none of them: `fill sphres`. Returns one
+ * of these rows. Returns NULL if the line probably means `whole`, a row of another place: if `whole` matches more
+ * words, or if no row of this place is near and the line ends or a number follows (not a word, as in `cell shear`). */
 static const struct nb_keyword *wrong_word(struct nb_reader *reader, const struct nb_family *table, unsigned here,
                                            const struct nb_keyword *whole) {
   char list[256] = "", hint[NB_HINT_SIZE], word[NB_NAME_SIZE];
@@ -176,7 +178,7 @@ static const char *place_of(unsigned here) {
   }
 }
 
-/* The hint for a word that is a clause of statements of this place; NULL: it is none. */
+/* The hint for a word that is a clause of statements of this place; NULL: the word is no clause. */
 static const char *clause_hint(char *hint, const struct nb_family *table, unsigned here, const char *word) {
   const struct nb_keyword *row;
   char list[NB_HINT_SIZE / 2] = "";
@@ -188,7 +190,8 @@ static const char *clause_hint(char *hint, const struct nb_family *table, unsign
   return *list ? hint : NULL;
 }
 
-/* The hint for a word that begins another statement, in a place where it is no clause: `disc … rotation off`; NULL. */
+/* The hint for a word that begins another statement, in a line of which it is no clause: `disc … rotation off`; NULL:
+ * the word begins no statement. */
 static const char *other_statement(char *hint, const struct nb_reader *reader, const char *word) {
   const struct nb_keyword *found = NULL, *row;
   char first[NB_NAME_SIZE], syntax[NB_HINT_SIZE / 2];
@@ -205,14 +208,14 @@ static const char *other_statement(char *hint, const struct nb_reader *reader, c
   return hint;
 }
 
-/* The hint for a quantity in place of a statement: `time 1 s`; NULL: it is none. */
+/* The hint for a quantity in place of a statement: `time 1 s`; NULL: the word is no quantity. */
 static const char *quantity_hint(char *hint, unsigned here, const char *word) {
   snprintf(hint, NB_HINT_SIZE,
            "`%s` is a quantity: `record %s`, and in a stage `until %s above VALUE at most N cycles`", word, word, word);
   return here & (NB_IN_SCENE | NB_IN_STAGE) && nb_is_quantity(word) ? hint : NULL;
 }
 
-/* Reports a first word that no row begins with. Returns the row that was probably meant, or NULL. */
+/* Reports a first word with which no row begins. Returns the row that was probably meant, or NULL. */
 static const struct nb_keyword *unknown_verb(struct nb_reader *reader, const struct nb_family *table, unsigned here) {
   char words[NB_HINT_SIZE - 64] = "", hint[NB_HINT_SIZE], better[NB_HINT_SIZE], word[NB_NAME_SIZE];
   const char *const text = nb_token_peek(reader)->text;
@@ -306,7 +309,7 @@ static bool given(const struct nb_reader *reader, const struct nb_argument *fiel
   return reader->given >> (field - reader->keyword->arguments) & 1;
 }
 
-/* The clause whose words are next, and the number of *words; NULL: none. */
+/* The clause whose words are next; *words: their number. NULL: no clause begins here. */
 static const struct nb_argument *next_clause(const struct nb_reader *reader, size_t *words) {
   for (const struct nb_argument *field = reader->keyword->arguments; field->count; field++)
     if (field->word && matching_words(reader, field->word, words) == *words)
@@ -329,10 +332,10 @@ static struct nb_guess guess_clause(const struct nb_reader *reader, const char *
   return guess;
 }
 
-/* Whether one of several such clauses is required: their default begins with `|`. */
+/* True if one of several such clauses is required: their default begins with `|`. */
 static bool is_alternative(const struct nb_argument *field) { return field->otherwise && field->otherwise[0] == '|'; }
 
-/* Whether a required field is missing. */
+/* True if the field is required and missing. */
 static bool is_missing(const struct nb_reader *reader, const struct nb_argument *field) {
   bool other = false;
   for (const struct nb_argument *it = reader->keyword->arguments; it->count; it++)
@@ -340,7 +343,7 @@ static bool is_missing(const struct nb_reader *reader, const struct nb_argument 
   return !given(reader, field) && (!field->otherwise || (is_alternative(field) && !other));
 }
 
-/* Whether a required field, or a required clause, is missing. */
+/* True if some required field is missing; `clause`: some required clause. */
 static bool is_incomplete(const struct nb_reader *reader, bool clause) {
   const struct nb_argument *field = reader->keyword->arguments;
   while (field->count && !(is_missing(reader, field) && (field->word || !clause)))
@@ -348,8 +351,8 @@ static bool is_incomplete(const struct nb_reader *reader, bool clause) {
   return field->count > 0;
 }
 
-/* `raduis 5`: a word and a number where one word is expected are a mistyped clause; `1 m`: a clause without its
- * word. */
+/* True if the next tokens are a mistyped clause: a word and a number where one word is expected, `raduis 5`, or the
+ * value of a clause without the word of the clause, `1 m`. */
 static bool mistyped_clause(const struct nb_reader *reader, const struct nb_argument *positional) {
   const struct nb_token *token = nb_token_peek(reader);
   double number;
@@ -375,9 +378,9 @@ static size_t given_count(const struct nb_reader *reader) {
   return count;
 }
 
-/* The hint for a statement of another place with the same words, such as `wall` in the scene and in a stage; NULL:
- * there is none. It is given if this line has too many positional arguments and the other statement has more. It is
- * also given if this line has too few and the other statement has exactly as many. */
+/* The hint for a statement of another place with the same words, such as `wall` in the scene and in a stage; NULL: no
+ * hint. The hint is given in two cases: this line has too many positional arguments and the other statement takes more;
+ * or this line has too few and the other statement takes exactly as many as it has. */
 static const char *namesake_hint(const struct nb_reader *reader, char *hint, const struct nb_argument *missing) {
   const size_t count = reader->namesake ? positional_count(reader->namesake) : 0;
   const bool fits = nb_token_peek(reader) ? count > positional_count(reader->keyword)
@@ -411,15 +414,15 @@ static const struct nb_argument *list_missing(const struct nb_reader *reader, ch
   return first;
 }
 
-/* What a positional argument is: "a length", "the name of a material". */
+/* The words for a positional argument: "a length", "the name of a material". */
 static const char *value_words(const struct nb_argument *field) {
   return field->kind == NB_ARGUMENT_NUMBER  ? nb_unit_kind_name(field->unit)
          : field->kind == NB_ARGUMENT_COUNT ? "a whole number"
                                             : field->help;
 }
 
-/* The hint for a word that is not expected, or for what is missing; *hint is the syntax of the statement if this is
- * false. */
+/* Writes the hint for an unexpected word or a missing field. False: there is no such hint, and *hint is the syntax of
+ * the statement. */
 static bool fields_hint(const struct nb_reader *reader, char *hint, const struct nb_token *token,
                         const struct nb_argument *missing) {
   char example[NB_HINT_SIZE];
@@ -432,7 +435,7 @@ static bool fields_hint(const struct nb_reader *reader, char *hint, const struct
          (token && reader->given && other_statement(hint, reader, token->text)) || namesake_hint(reader, hint, missing);
 }
 
-/* Lists the clauses that may follow: "`to`, `velocity` or `spin`", and the end of the line if it may. */
+/* Lists the clauses that may follow, "`to`, `velocity` or `spin`"; `end`: also the end of the line. */
 static void list_clauses(const struct nb_reader *reader, char *list, size_t size, bool end) {
   *list = '\0';
   for (const struct nb_argument *field = reader->keyword->arguments; field->count; field++)
@@ -448,7 +451,7 @@ static void list_clauses(const struct nb_reader *reader, char *list, size_t size
   }
 }
 
-/* Reports all missing fields at the end of the line; or a word that is not a clause, with the possible ones. */
+/* Reports all missing fields at the end of the line; or a word that is not a clause, with the possible clauses. */
 static void expected_fields(struct nb_reader *reader) {
   const struct nb_token *token = nb_token_peek(reader);
   char list[512] = "", hint[NB_HINT_SIZE];
@@ -492,8 +495,8 @@ static void read_fields(struct nb_reader *reader, struct nb_record *record) {
 
 /* ---- statements ---- */
 
-/* The row with most words that all match, of this place or of another one; of two, the one of this kind of block. A row
- * of this place without words matches every line. */
+/* The row whose words all match and which has most words, of this place or of another place. Of two such rows the one
+ * of this kind of block is returned. A row of this place without words matches every line. */
 static const struct nb_keyword *whole_match(const struct nb_reader *reader, const struct nb_family *table,
                                             unsigned here, bool elsewhere, size_t *most) {
   const struct nb_keyword *found = NULL, *row;
@@ -510,8 +513,8 @@ static const struct nb_keyword *whole_match(const struct nb_reader *reader, cons
   return found;
 }
 
-/* The row of a statement, with reader->next after its words; or, with a message, the one that was probably meant, or
- * NULL. */
+/* The row of a statement; reader->next is then after its words. If no row matches, reports this and returns the row
+ * that was probably meant, or NULL. */
 static const struct nb_keyword *find_row(struct nb_reader *reader, const struct nb_family *table, unsigned here) {
   size_t words, other = 0;
   const struct nb_keyword *found = whole_match(reader, table, here, false, &words);
@@ -523,8 +526,8 @@ static const struct nb_keyword *find_row(struct nb_reader *reader, const struct 
   return found ? found : wrong_row(reader, table, here, whole);
 }
 
-/* Suppresses messages about what a bad statement leaves undefined: its first word stands for its effect, and the names
- * that it defines. */
+/* Suppresses messages that would follow from a bad statement: messages about its first word, and about the names that
+ * it defines. */
 static void suppress_names(struct nb_reader *reader, const struct nb_keyword *keyword) {
   const bool sweep = strcmp(reader->tokens[0].text, "sweep") == 0;
   const bool names = !keyword || keyword->arguments->kind == NB_ARGUMENT_NAME;

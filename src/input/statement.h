@@ -1,4 +1,4 @@
-/* Macros for the tables of a statement: its arguments and its words. For the files of STATEMENTS only.
+/* Macros for the tables of a statement: its arguments and its words. Only the files of STATEMENTS include this header.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_STATEMENT_H
@@ -6,7 +6,7 @@
 
 #include "scene.h"
 
-/* Rows of arguments; `at` is a slot of the record. Required ones have no default. */
+/* Rows of arguments; `at` is a slot of the record. Required arguments have no default. */
 /* clang-format off */
 #define NAME(at, what) {NULL, "NAME", NB_ARGUMENT_NAME, NB_UNIT_NUMBER, NB_ANY, at, 1, NULL, what}
 #define WORD(shown, at, what) {NULL, shown, NB_ARGUMENT_WORD, NB_UNIT_NUMBER, NB_ANY, at, 1, NULL, what}

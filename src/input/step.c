@@ -10,13 +10,13 @@ static const struct nb_argument no_fields[] = {END};
 static const struct nb_argument skin_fields[] = {
     VALUE("LENGTH", NB_UNIT_LENGTH, NB_POSITIVE, AT_SKIN, "Largest distance of the surfaces of a listed pair."), END};
 
-/* Reference steps, of which a step may be a fraction. */
+/* The reference steps; `step F of NAME` is a fraction of one of them. */
 #define STEP_KINDS "stable|collision|single-contact|rayleigh|rayleigh-mean|rayleigh-fit|rayleigh-fit-mean"
 static const enum nb_step_kind kinds[] = {NB_STEP_STABLE,           NB_STEP_COLLISION,     NB_STEP_SINGLE_CONTACT,
                                           NB_STEP_RAYLEIGH,         NB_STEP_RAYLEIGH_MEAN, NB_STEP_RAYLEIGH_FIT,
                                           NB_STEP_RAYLEIGH_FIT_MEAN};
 
-/* Whether one of the words follows the number, `0.2` or `20 %`. */
+/* True if one of the words follows a number such as `0.2` or `20 %`. */
 static bool follows(const struct nb_reader *reader, const char *words) {
   size_t behind = reader->next + 1;
   behind += behind < reader->count && strcmp(reader->tokens[behind].text, "%") == 0;
@@ -27,7 +27,7 @@ static bool follows(const struct nb_reader *reader, const char *words) {
   return strlen(text) == length && strncmp(words, text, length) == 0;
 }
 
-/* TIME, F of something, or N per collision. */
+/* Reads `step TIME`, `step F of NAME` or `step N per collision`. */
 NB_APPLY(apply_step) {
   struct nb_scene_reading *reading = subject;
   struct nb_stage *stage = nb_current_stage(reading->scene);
@@ -43,7 +43,7 @@ NB_APPLY(apply_step) {
   } else if (per && nb_take_word(reader, "per") && nb_take_word(reader, "collision")) {
     step.kind = NB_STEP_COLLISION, step.value = 1 / step.value;
   }
-  if (reader->bad || nb_token_peek(reader)) /* nb_statement_read reports it */
+  if (reader->bad || nb_token_peek(reader)) /* nb_statement_read reports the token */
     return;
   /* the line of an inherited step is above the stage, or below it if the stage is repeated */
   if (!setting && here->line > (stage ? stage->line : 0) && here->line < (int)reader->line &&

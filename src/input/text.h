@@ -1,4 +1,4 @@
-/* A text that grows. If memory runs out, it is empty and `failed`, and later additions have no effect.
+/* A text that grows. If memory runs out, the text becomes empty and `failed`, and later additions have no effect.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_TEXT_H

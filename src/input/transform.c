@@ -1,12 +1,13 @@
-/* `transform`: the whole scene mirrored, rotated and translated.
+/* `transform`: mirrors, rotates and translates the whole scene.
  *
  *   x' = S + Q M x        v' = Q M v        w' = w det M
  *
  *   x position, m     v velocity, m/s     w angular velocity (spin), rad/s
  *   M changes the sign of x or of y     Q rotates by the angle, counterclockwise     S translation, m
  *
- * Vectors are not translated, and mirroring changes the sign of a spin. Rotations by multiples of 90 deg are exact: Q
- * consists of 0, 1 and -1, and a run has the same bits except for signs and exchange of x and y.
+ * Velocities are not translated, and mirroring changes the sign of an angular velocity. Rotations by multiples of 90
+ * deg are exact: Q consists of 0, 1 and -1. A run of the rotated scene then has the same bits, except for signs and the
+ * exchange of x and y.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -73,8 +74,8 @@ static bool transform_point(const struct nb_transform *to, double *x, double *y)
   return isfinite(*x) && isfinite(*y);
 }
 
-/* L' = Q M L (Q M)^T: first the columns, then the rows. A component that is not finite after the columns is not finite
- * after the rows either, so only the rows are tested. */
+/* Transforms a strain rate, L' = Q M L (Q M)^T: first the columns, then the rows. A component that is not finite after
+ * the columns is not finite after the rows either, so only the rows are tested. */
 static bool transform_rate(const struct nb_transform *to, struct nb_strain_rate *rate) {
   rotate(to, &rate->xx, &rate->yx), rotate(to, &rate->xy, &rate->yy);
   const bool finite = rotate(to, &rate->xx, &rate->xy);
@@ -96,7 +97,7 @@ static bool transform_boundary(const struct nb_transform *to, struct nb_stage *s
   return finite;
 }
 
-/* The axes of the controlled components rotate; the target stresses stay. */
+/* Rotates the axes of the controlled components; the target stresses stay. */
 static bool transform_servo(const struct nb_transform *to, struct nb_servo *servo) {
   return rotate(to, &servo->axis_x[0], &servo->axis_x[1]) && rotate(to, &servo->axis_y[0], &servo->axis_y[1]);
 }
@@ -105,7 +106,7 @@ static bool transform_gravity(const struct nb_transform *to, struct nb_gravity *
   return rotate(to, &gravity->x, &gravity->y) && transform_point(to, &gravity->about_x, &gravity->about_y);
 }
 
-/* Mirroring changes the sign of a rotation. */
+/* Transforms an angular velocity: mirroring changes its sign. */
 static void transform_spin(const struct nb_transform *to, double *spin) {
   *spin = to->flip_x * to->flip_y * *spin + 0.0;
 }

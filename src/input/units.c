@@ -3,8 +3,8 @@
  *   unit     `1` or factor, then `.` factor (times) or `/` factor (over), from left to right: `kg/m3`, `1/s`, `kg.m/s`
  *   factor   {prefix} base unit {power from 1 to 9}
  *
- * All units but the degree are powers of ten of the SI unit. This power is added to the exponent of the decimal number
- * before its conversion, so `0.3 mm` is the double nearest to 0.0003, not 0.3 * 0.001.
+ * All units except the degree are powers of ten of the SI unit. This power is added to the exponent of the decimal
+ * number before the number is converted, so `0.3 mm` is the double nearest to 0.0003, not 0.3 * 0.001.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef _POSIX_C_SOURCE
@@ -22,7 +22,7 @@
 
 /* ---- names ---- */
 
-enum { SIXTIETHS = 60 }; /* in a power of 1: see struct nb_dimension */
+enum { SIXTIETHS = 60 }; /* number of sixtieths in a power of 1: see struct nb_dimension */
 
 static const struct {
   const char *name;
@@ -89,7 +89,7 @@ double nb_unit_to_si(double value, const struct nb_unit *unit) {
 
 /* ---- dimensions and kinds ---- */
 
-/* The first of several kinds with the same dimension gives it its name. */
+/* Kinds of numbers. The first of several kinds with the same dimension gives the dimension its name. */
 static const struct {
   const char *name, *units;
 } kinds[NB_UNIT_KINDS] = {
@@ -202,7 +202,7 @@ bool nb_unit_kind_of(enum nb_unit_kind *kind, const char *si) {
 void nb_unit_offer(struct nb_guess *guess, const char *list) {
   char name[NB_NAME_SIZE];
   while (nb_item(&list, name))
-    if (strcmp(name, "1") != 0) /* only in heads of tables */
+    if (strcmp(name, "1") != 0) /* the unit `1` is only in heads of tables */
       nb_guess_offer(guess, name);
 }
 
@@ -237,7 +237,7 @@ enum nb_reading nb_number_read(double *value, const char *text, int shift) {
   const bool nonzero = strcspn(text, "123456789") < mantissa;
   long exponent = text[mantissa] ? strtol(text + mantissa + 1, NULL, 10) : 0;
   if (exponent > 100000)
-    exponent = 100000; /* beyond any double, and no overflow of a long */
+    exponent = 100000; /* beyond any double, but no overflow of a long */
   if (exponent < -100000)
     exponent = -100000;
   snprintf(shifted, sizeof shifted, "%.*se%ld", (int)mantissa, text, exponent + shift);

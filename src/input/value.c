@@ -23,7 +23,7 @@ static bool within(double value, enum nb_range range) {
          (range == NB_FRACTION && value >= 0 && value <= 1) || (range == NB_HALF && value >= 0 && value <= 0.5);
 }
 
-/* An expected number: its unit, and its name and units for messages. */
+/* An expected number: its unit; its name and possible units, for messages. */
 struct wanted {
   struct nb_unit unit;
   const char *name, *units;
@@ -43,7 +43,7 @@ static bool is_dimensionless(const struct wanted *it) {
   return !it->unit.angle && nb_dimension_same(it->unit.dimension, (struct nb_dimension){0});
 }
 
-/* "a length and its unit (m, mm, um, nm, cm, km)" */
+/* Writes what is expected: "a length and its unit (m, mm, um, nm, cm, km)". */
 static void expected_text(char *text, size_t size, const struct nb_reader *reader, const struct wanted *it) {
   if (is_dimensionless(it))
     snprintf(text, size, "a number (without a unit, or with %% or ppm)");
@@ -57,7 +57,7 @@ static void expected_text(char *text, size_t size, const struct nb_reader *reade
 static bool number_mistake(struct nb_reader *reader, const struct nb_token *number, const struct nb_token *unit,
                            const char *hint, const char *what) {
   struct nb_token both = *number;
-  if (nb_name_suppressed(reader->mistakes, "units")) /* then the system of units is unknown */
+  if (nb_name_suppressed(reader->mistakes, "units")) /* `units` is bad, so the system of units is unknown */
     return nb_fail_silently(reader);
   if (unit && unit->column > number->column)
     both.length = unit->column + unit->length - number->column;
@@ -85,7 +85,7 @@ static bool is_clause(const struct nb_reader *reader, const struct nb_token *tok
   return false;
 }
 
-/* Whether the words after a number are positional arguments of the row, such as the material of a disc, and not a
+/* True if the words after a number are positional arguments of the row, such as the material of a disc, and not a
  * unit. */
 static bool are_words_of_row(const struct nb_reader *reader) {
   const struct nb_argument *const fields = reader->keyword ? reader->keyword->arguments : NULL;
@@ -103,7 +103,7 @@ static const char *without_comma(char bare[NB_NAME_SIZE], const char *text) {
   return bare;
 }
 
-/* Whether a token is a unit, or equals one of the units in messages except for upper and lower case. */
+/* True if a token is a unit, or equals one of the units in messages except for upper and lower case. */
 static bool resembles_unit(const char *text) {
   struct nb_unit unit;
   char bare[NB_NAME_SIZE];
@@ -113,7 +113,7 @@ static bool resembles_unit(const char *text) {
   return nb_unit_read(&unit, text) || (nb_guess_found(&guess) && guess.distance == 0);
 }
 
-/* Whether the token after a number is probably meant as its unit. */
+/* True if the token after a number is probably meant as the unit of the number. */
 static bool meant_as_unit(const struct nb_reader *reader, const struct wanted *it) {
   const struct nb_token *token = token_after(reader, 1);
   if (!token || is_number(token) || is_clause(reader, token))
@@ -133,7 +133,7 @@ static bool names_angle(const struct wanted *it, const char *text) {
   return is_dimensionless(it) && nb_unit_read(&unit, text) && unit.angle;
 }
 
-/* ", for example `gravity 0 m/s2 -9.81 m/s2`", the statement's example; on a page without any unit so far also
+/* Adds the statement's example, ", for example `gravity 0 m/s2 -9.81 m/s2`"; if the page has had no unit so far, also
  * ", or begin the scene with `units none`". */
 static void add_advice(char *text, const struct nb_reader *reader, bool example) {
   char as[NB_HINT_SIZE];
@@ -143,7 +143,8 @@ static void add_advice(char *text, const struct nb_reader *reader, bool example)
     nb_append(text, NB_HINT_SIZE / 2, ", or begin the scene with `units none`");
 }
 
-/* The hint with two common units; for a number without a unit that no clause begins also the statement's example. */
+/* Writes the hint with two common units. For a number that has no unit and follows no word of a clause, the hint also
+ * has the statement's example. */
 static const char *common_units_hint(char *hint, const struct nb_reader *reader, const char *n, const struct wanted *it,
                                      bool has_unit) {
   const struct nb_token *const number = nb_token_peek(reader), *const next = has_unit ? NULL : token_after(reader, 1);
@@ -161,7 +162,7 @@ static const char *common_units_hint(char *hint, const struct nb_reader *reader,
   return hint;
 }
 
-/* The hint for a comma behind the right unit: `5 mm,`; false: there is none. */
+/* Writes the hint for a comma behind the right unit, `5 mm,`; false: there is no such comma. */
 static bool comma_hint(char *hint, const char *n, const char *unit, const struct wanted *it) {
   char bare[NB_NAME_SIZE];
   struct nb_unit read;
@@ -170,7 +171,7 @@ static bool comma_hint(char *hint, const char *n, const char *unit, const struct
   return comma && nb_unit_read(&read, bare) && nb_dimension_same(read.dimension, it->unit.dimension);
 }
 
-/* The hint for an angle in degrees where numbers have no units. */
+/* Writes the hint for an angle in degrees on a page without units; false: the number is no such angle. */
 static bool radian_hint(char *hint, const char *n, const char *unit, const struct wanted *it) {
   snprintf(hint, NB_HINT_SIZE, "without units an angle is in rad: write `(%.40s*pi/180)`", n);
   return it->unit.angle && strcmp(unit, "deg") == 0;
@@ -181,7 +182,7 @@ static bool special_hint(char *hint, const struct nb_reader *reader, const char 
   return comma_hint(hint, n, unit, it) || (reader->unitless && radian_hint(hint, n, unit, it));
 }
 
-/* The hint for a number without a unit, or with the wrong one. */
+/* Writes the hint for a number without a unit, or with the wrong unit. */
 static const char *unit_hint(char *hint, const struct nb_reader *reader, const struct nb_token *number,
                              const struct nb_token *unit, const struct wanted *it) {
   char bare[NB_NAME_SIZE];
@@ -207,7 +208,8 @@ static const char *unit_hint(char *hint, const struct nb_reader *reader, const s
   return hint;
 }
 
-/* Whether the token after the number is a unit of the right dimension. A computed value may be an angle or not. */
+/* True if the token after the number is a unit of the right dimension. A computed value fits both as an angle and as a
+ * number. */
 static bool unit_fits(struct nb_unit *unit, const struct nb_reader *reader, const struct wanted *it) {
   const struct nb_token *token = token_after(reader, 1);
   *unit = (struct nb_unit){.factor = 1};

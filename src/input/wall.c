@@ -40,7 +40,7 @@ static const struct nb_argument wall_motion_fields[] = {
 
 int nb_wall_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token) {
   const bool known = token && NB_FIND(scene->walls, scene->wall_count, token->text) >= 0;
-  if (!known && nb_name_suppressed(reader->mistakes, "box")) /* which would define four walls */
+  if (!known && nb_name_suppressed(reader->mistakes, "box")) /* a bad `box`, which would define four walls */
     nb_fail_silently(reader);
   return NB_NAMED(
       reader, token, scene->walls, scene->wall_count, "the name of a wall",
@@ -62,7 +62,7 @@ bool nb_lacks_box(const struct nb_scene *scene, struct nb_reader *reader) {
 
 /* ---- in the scene ---- */
 
-/* Adds a wall from one end to the other; messages are at `place`. */
+/* Adds a wall from one end to the other; messages point at `place`. */
 static void add_wall(struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *place, const char *name,
                      struct nb_wall wall, double x1, double y1) {
   const int same = NB_FIND(scene->walls, scene->wall_count, name);
@@ -73,7 +73,7 @@ static void add_wall(struct nb_scene *scene, struct nb_reader *reader, const str
                      "there is a wall `%s` already, on line %d", name, scene->walls[same].line);
   if (!isfinite(length))
     nb_token_mistake(reader, place, NULL, "expected a wall of finite length, this one is too long");
-  if (!isnormal(length)) /* else its direction would not have length 1 */
+  if (!isnormal(length)) /* the vector e would not have the length 1 */
     nb_token_mistake(reader, place, NULL, "expected a wall with two ends, the ends of this one are the same point");
   if (reader->bad || nb_too_many(reader, scene->wall_count, NB_NAMED_MAX, "walls"))
     return;
@@ -88,7 +88,8 @@ static void add_wall(struct nb_scene *scene, struct nb_reader *reader, const str
   NB_APPEND(reader, scene->walls, scene->wall_count, wall);
 }
 
-/* Moves P from the middle of the wall to x, y; within rounding of the wall's line it counts as on the line. */
+/* Moves P from the middle of the wall to x, y. A point that is on the wall's line within rounding counts as on the
+ * line. */
 static void move_pivot(struct nb_wall *wall, double x, double y) {
   const double dx = wall->x - x, dy = wall->y - y, along = dx * wall->ex + dy * wall->ey;
   const double left = dy * wall->ex - dx * wall->ey;
@@ -124,7 +125,8 @@ bool nb_corners_swapped(struct nb_reader *reader, double x, double y, double x1,
   return reader->bad;
 }
 
-/* Counterclockwise from the corner with the smallest x and y, so that the inside is to the left of e. */
+/* Adds the four walls counterclockwise from the corner with the smallest x and y, so that the inside is to the left of
+ * e. */
 NB_APPLY(apply_box) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   const struct nb_value *value = record->value;
@@ -141,7 +143,7 @@ NB_APPLY(apply_box) {
 
 /* ---- in a stage ---- */
 
-/* The current motion of a wall in the page; `reverse velocities` has changed the sign of earlier ones. */
+/* The motion of a wall at this place of the page; `reverse velocities` changes the sign of earlier motions. */
 static struct nb_wall_motion current_motion(const struct nb_scene *scene, size_t index) {
   const struct nb_wall *it = &scene->walls[index];
   struct nb_wall_motion motion = {.wall = (int)index, .vx = it->vx, .vy = it->vy, .spin = it->spin};
@@ -156,7 +158,8 @@ static struct nb_wall_motion current_motion(const struct nb_scene *scene, size_t
   return motion;
 }
 
-/* A second motion of the same wall in a stage replaces the first, so that `wall` may follow `walls inward`. */
+/* Adds the motion of a wall. In a stage a second motion of the same wall replaces the first, so that `wall` may follow
+ * `walls inward`. */
 static void move_wall(struct nb_scene *scene, struct nb_reader *reader, struct nb_wall_motion motion) {
   struct nb_stage *stage = nb_current_stage(scene);
   motion.line = (int)reader->line, motion.ramp = false;
