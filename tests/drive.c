@@ -113,6 +113,34 @@ static void dashpots_see_the_strain(void) {
   }
 }
 
+/* A circle that has shrunk to a fifth takes in a disc in the first cycle that begins with its centre on the circle or
+ * outside, wherever on its way the last search was. So it lists what is closer than the skin at its present size. */
+static void a_circle_that_has_shrunk_takes_in_a_disc(void) {
+  enum { SHRINKS = 160, RESTS = 200 };
+  for (int s = 0; s < 10; s++) {
+    const double skin = 0.5 + 0.05 * s;
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              "units none\nmaterial m density 2 kn 100\nstep 0.125\nskin %g\ndisc 30 0 radius 1 m\n"
+              "disc 0 -6 radius 1 m velocity 0 0.3\nrecord boundary.particles\nboundary circle 0 0 radius 20\n"
+              "stage s\nboundary strain -0.08 -0.08\ncycles %d\nstage t\nboundary fixed\ncycles %d\n",
+              skin, SHRINKS, RESTS);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    double y = -6, radius = 20;
+    int n = 0; /* whole cycles after which the disc has reached the circle */
+    for (; fabs(y) < radius; n++)
+      y += 0.3 * dt, radius *= n < SHRINKS ? 1 - 0.08 * dt : 1;
+    CU_ASSERT_FATAL(n > SHRINKS && n < SHRINKS + RESTS);
+    CU_ASSERT_EQUAL(result.table.values[n], 1);
+    CU_ASSERT_EQUAL(result.table.values[n + 1], 2);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
 /* The ellipse reaches discs at rest, and nothing moves, so no search lists the candidates again: the boundary itself
  * must notice that it has moved. Half the height of the ellipse is 20 (1 - 0.01 dt)^n after n cycles. */
 static void discs_at_rest_join_the_boundary(void) {
@@ -371,6 +399,7 @@ static void forces_of_a_boundary_stress(void) {
 void suite_drive(void) {
   CU_pSuite suite = CU_add_suite("drive", NULL, NULL);
   CU_add_test(suite, "discs at rest join the boundary", discs_at_rest_join_the_boundary);
+  CU_add_test(suite, "a circle that has shrunk takes in a disc", a_circle_that_has_shrunk_takes_in_a_disc);
   CU_add_test(suite, "a boundary with any order of numbers", any_order_of_numbers);
   CU_add_test(suite, "the boundary follows exactly", the_boundary_follows_exactly);
   CU_add_test(suite, "per cycle", per_cycle);

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../src/core/affine.h"
 #include "../src/core/model.h"
 #include "run/plan.h"
 #include "suites.h"
@@ -47,6 +48,31 @@ static const char *const dampings[] = {"",
                                        "damping con1 0.98 as cs79\n",
                                        "damping con1 0.98 as velocity\n",
                                        "damping con1 0.97 as all\n"};
+
+/* A servo whose target ramps begins from the stress that the region has without the removed particles: F of the two
+ * discs that stay, over the box around these two. All is measured once more, also what the last row has recorded. */
+static void a_servo_begins_without_the_removed(void) {
+  static const char text[] =
+      "units none\nmaterial m density 3 kn 1000\ndisc 0 0 radius 1 m fixed\ndisc 1.9 0 radius 1 m\n"
+      "disc 3.7 0 radius 1 m\nbox -20 -20 to 20 20 m\nregion M all\nrecord M.stress.xx M.area\nstep 1e-6\n"
+      "stage a\ncycles 1\nstage b\nremove disc 3\nramp servo xx 5 yy 5 on M through box at most 1\ncycles 10\n";
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  words_add(&page, text);
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  written_cycles(model, 1);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "M.area"), 5.7 * 2, 1e-6);
+  CU_ASSERT(written_now(model, "M.stress.xx") > 0);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[1], &error), NB_OK);
+  CU_ASSERT_DOUBLE_EQUAL(model->affine->servo_state.stress[0], 1000 * 0.1 * 1.9 / (3.9 * 2), 1e-6);
+  CU_ASSERT_DOUBLE_EQUAL(model->affine->servo_state.stress[1], 0, 1e-6);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "M.area"), 3.9 * 2, 1e-6);
+  nb_model_free(model);
+  written_free(&it);
+}
 
 /* Values before the stage and just after it has begun: only those of removed particles change. */
 static void at_the_moment(void) {
@@ -302,6 +328,7 @@ static void removal_with_other_changes(void) {
 void suite_removal(void) {
   CU_pSuite suite = CU_add_suite("removal", NULL, NULL);
   CU_add_test(suite, "values at the moment of removal", at_the_moment);
+  CU_add_test(suite, "a servo begins without the removed particles", a_servo_begins_without_the_removed);
   CU_add_test(suite, "removal at time 0", removed_at_time_0);
   CU_add_test(suite, "different radii", different_radii);
   CU_add_test(suite, "regions without removed particles", regions_without_removed_particles);

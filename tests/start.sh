@@ -113,6 +113,18 @@ result $? 'pages that start from one with an impact run again from its state'
 rm "$states"/*.state
 run again "$pages/saved-stage.md"
 
+# A state of the page with another text has another hash, also under the name that is looked for.
+right=$(basename "$states"/nine-discs-load-*.state)
+rm "$states/$right"
+sed 's/^walls .*inward.*/&\nallow unstable/' cases/3-nine-discs/nine-discs.md >"$pages/nine-discs.md"
+run other "$pages/saved-stage.md"
+cp cases/3-nine-discs/nine-discs.md "$pages"
+other=$(basename "$states"/nine-discs-load-*.state)
+mv "$states/$other" "$states/$right"
+run renamed "$pages/saved-stage.md"
+test $? -eq 2 && test "$other" != "$right" && grep -q "$right:4:6: expected the hash that is in the name of the file: the file was renamed" "$work/said"
+result $? 'a state with the name of another one is refused'
+
 # The process that holds the lock may hang.
 rm "$states"/*.state
 : >"$states/$("$nineball" explain "$pages/saved-stage.md" --states "$states" | sed -n 's/.*\(nine-discs-load-[0-9a-f]*.state\).*/\1/p').lock"
