@@ -40,11 +40,11 @@ enum nb_status nb_guard_positions(const struct nb_model *model, struct nb_error 
     const struct nb_vec x = model->particles.position[model->particles.slot[k]];
     const char *s = nb_unit(model->scene, " s");
     if (!(x.x - x.x == 0 && x.y - x.y == 0)) /* infinity minus itself is NaN too */
-      return nb_error_set(
-          error, NB_BROKEN,
-          "particle %zu (line %d): its position is NaN or infinite after cycle %lu, at time %g%s; the step "
-          "is %g%s, the single-contact step is %g%s: try a smaller step",
-          k + 1, line_of(model, (int)k + 1), model->cycle, model->time, s, model->step, s, model->critical, s);
+      return nb_error_set(error, NB_BROKEN,
+                          "particle %zu (line %d): its position is NaN or infinite after cycle %lu, at time %g%s; the "
+                          "step is %g%s, the single-contact step is %g%s: try a smaller step",
+                          k + 1, line_of(model, (int)k + 1), model->cycle, model->time, s, model->step, s,
+                          model->critical, s);
   }
   return NB_OK;
 }
@@ -55,12 +55,11 @@ static enum nb_status check_displacement(const struct nb_model *model, int i, st
   if (!(displacement > radius) || nb_removed(model, (size_t)i))
     return NB_OK;
   const char *m = nb_unit(model->scene, " m"), *s = nb_unit(model->scene, " s");
-  return nb_error_set(
-      error, NB_BROKEN,
-      "particle %d (line %d): in cycle %lu, at time %g%s, it moved by %g%s in one step of %g%s. The limit is "
-      "its radius, %g%s: beyond that it may pass through others. Try a smaller step",
-      number, line_of(model, number), model->cycle, model->time, s, displacement, m, model->previous_step, s, radius,
-      m);
+  return nb_error_set(error, NB_BROKEN,
+                      "particle %d (line %d): in cycle %lu, at time %g%s, it moved by %g%s in one step of %g%s. The "
+                      "limit is its radius, %g%s: beyond that it may pass through others. Try a smaller step",
+                      number, line_of(model, number), model->cycle, model->time, s, displacement, m,
+                      model->previous_step, s, radius, m);
 }
 
 static enum nb_status check_rotation(const struct nb_model *model, size_t w, struct nb_error *error) {
@@ -68,13 +67,12 @@ static enum nb_status check_rotation(const struct nb_model *model, size_t w, str
   if (!nb_rotates_too_far(model, w, angle))
     return NB_OK;
   const char *m = nb_unit(model->scene, " m"), *s = nb_unit(model->scene, " s");
-  return nb_error_set(
-      error, NB_BROKEN,
-      "wall `%s` (line %d): in cycle %lu, at time %g%s, it turned by %g rad in one step of %g%s and may have "
-      "passed through a particle. The limit is set by the smallest radius, %g%s: the arc of the wall's "
-      "far end may be no farther from its chord than this. Try a smaller step",
-      model->scene->walls[w].name, model->scene->walls[w].line, model->cycle, model->time, s, angle,
-      model->previous_step, s, model->search.smallest_radius, m);
+  return nb_error_set(error, NB_BROKEN,
+                      "wall `%s` (line %d): in cycle %lu, at time %g%s, it turned by %g rad in one step of %g%s and "
+                      "may have passed through a particle. The limit is set by the smallest radius, %g%s: the arc of "
+                      "the wall's far end may be no farther from its chord than this. Try a smaller step",
+                      model->scene->walls[w].name, model->scene->walls[w].line, model->cycle, model->time, s, angle,
+                      model->previous_step, s, model->search.smallest_radius, m);
 }
 
 enum nb_status nb_guard_motion(const struct nb_model *model, struct nb_error *error) {
@@ -103,12 +101,12 @@ enum nb_status nb_guard_pair(const struct nb_model *model, struct nb_close_pair 
     error->line = line_of(model, b);
     return NB_BAD_USE;
   }
-  return nb_error_set(
-      error, NB_BROKEN,
-      "particle %d (line %d) and particle %d (line %d): at cycle %lu, time %g%s, they overlap by %g%s. The "
-      "limit is the smaller radius, %g%s: beyond that they pass through each other. Try a smaller "
-      "step, a stiffer contact, or a smaller load",
-      a, line_of(model, a), b, line_of(model, b), model->cycle, model->time, s, pair.overlap, m, radius, m);
+  return nb_error_set(error, NB_BROKEN,
+                      "particle %d (line %d) and particle %d (line %d): at cycle %lu, time %g%s, they overlap by %g%s. "
+                      "The limit is the smaller radius, %g%s: beyond that they pass through each other. Try a smaller "
+                      "step, a stiffer contact, or a smaller load",
+                      a, line_of(model, a), b, line_of(model, b), model->cycle, model->time, s, pair.overlap, m, radius,
+                      m);
 }
 
 static enum nb_status check_pairs(const struct nb_model *model, struct nb_error *error) {

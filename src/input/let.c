@@ -379,8 +379,7 @@ static void read_setting(struct nb_scene_reading *reading, size_t line) {
     nb_mistake(mistakes, &reading->settings, line, 1, (int)length,
                near ? near : NB_NEAREST(hint, name, settable, SETTABLE),
                "expected a name that the page defines by `let` or `sweep`, or `normal`, `shear`, `step`, `refine` or "
-               "`soften`, "
-               "found `%.*s`",
+               "`soften`, found `%.*s`",
                (int)(length < 80 ? length : 80), text);
   }
 }

@@ -117,8 +117,8 @@ static const struct nb_quantity_kind kinds[] = {
     {"time", 0, "s", NB_REQUEST_CLOCK, time_, "time since the start"},
     {"contacts", 0, "1", NB_BIT(NB_OVERLAP), touching_count, "number of contacts with an overlap"},
     {"contacts.deep", 0, "1", 0, deep_count,
-     "contacts of elastic spheres that overlap by more than 7 % of the smaller diameter, summed over all cycles "
-     "[R89 sec. 6.4.3]"},
+     "contacts of elastic spheres that overlap by more than 7 % of the smaller diameter, summed over all cycles [R89 "
+     "sec. 6.4.3]"},
     {"unbalanced.max", 0, "1", 0, unbalanced_max,
      "largest unbalanced force on a particle over largest contact force, dF/F of [CS79 table 1]; infinite without "
      "contacts, 0 where no force acts"},
@@ -143,8 +143,8 @@ static const struct nb_quantity_kind kinds[] = {
     {"energy.removed", 0, "J", NB_OF_BALANCE, removed_energy,
      "kinetic energy of particles that stages have removed or a boundary holds, and elastic energy of their contacts"},
     {"energy.residual", 0, "J", NB_OF_BALANCE, energy_residual,
-     "kinetic, stored, frictional, damped and removed energy, less the initial and the supplied energy: "
-     "the error of time integration"},
+     "kinetic, stored, frictional, damped and removed energy, less the initial and the supplied energy: the error of "
+     "time integration"},
     {"work.residual", 0, "J", NB_REQUEST_WORK, work_residual,
      "kinetic energy at the half step, less its initial value and the work of all forces: rounding"},
     {"momentum.x", 0, "kg.m/s", 0, momentum_x, "momentum of all free particles"},

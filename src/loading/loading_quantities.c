@@ -49,10 +49,9 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
     {"boundary.area", 0, "m2", 0, boundary_area, "area of the polygon through the boundary particles' centres"},
     {"boundary.roughness", 0, "1", 0, boundary_roughness,
      "standard deviation of the distances whose mean is boundary.radius, over boundary.radius [R89 sec. 6.4.1]"},
-    TENSOR(
-        "boundary.stress", 0, "Pa", NB_STRESSES, boundary_stress,
-        "stress from the contact forces on the boundary's particles, sum of F_i X_j over the polygon's area times the "
-        "thickness, compression positive"),
+    TENSOR("boundary.stress", 0, "Pa", NB_STRESSES, boundary_stress,
+           "stress from the contact forces on the boundary's particles, sum of F_i X_j over the polygon's area times "
+           "the thickness, compression positive"),
     {"boundary.stress.residual", 0, "Pa", 0, boundary_residual,
      "largest difference between boundary.stress and the stress from all contacts over the same volume; 0 while the "
      "particles inside are in equilibrium"},

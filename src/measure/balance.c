@@ -67,10 +67,10 @@ static enum nb_status check_stored_energy(const struct nb_model *model, struct n
   normal = normal ? normal : nb_laws_unstored(model->scene, true);
   shear = shear ? shear : nb_laws_unstored(model->scene, false);
   if (requested & NB_REQUEST_STORED && (normal || shear))
-    return nb_error_set(error, NB_BAD_USE,
-                        "`%s %s` has no stored energy: record `energy.shear`, not `energy.stored` and "
-                        "`energy.frictional`",
-                        normal ? "normal" : "shear", normal ? normal->name : shear->name);
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "`%s %s` has no stored energy: record `energy.shear`, not `energy.stored` and `energy.frictional`",
+        normal ? "normal" : "shear", normal ? normal->name : shear->name);
   if (requested & NB_REQUEST_ENERGY && normal)
     return nb_error_set(error, NB_BAD_USE, "`normal %s` has no stored energy, so energies do not balance",
                         normal->name);

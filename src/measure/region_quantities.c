@@ -79,8 +79,8 @@ const struct nb_quantity_kind nb_region_kinds[] = {
        "areal porosity: fraction of the area that no particle covers; particles cut by the edge count with the part "
        "inside"),
     OF("porosity.volume", NB_SCALAR, "1", 0, NB_POROSITY, porosity.volume,
-       "porosity by volume; the volume is the area times the thickness: mean diameter of spheres, 1 m for discs "
-       "[R89 sec. 4.4]"),
+       "porosity by volume; the volume is the area times the thickness: mean diameter of spheres, 1 m for discs [R89 "
+       "sec. 4.4]"),
     OF("void_ratio", NB_SCALAR, "1", 0, NB_POROSITY, porosity.void_ratio,
        "void ratio e = n/(1 - n), n the areal porosity"),
 

@@ -134,11 +134,10 @@ enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, s
   model->step = step->value * unit;
   model->stability->step_line = line;
   if (!(model->step > 0) || !isfinite(model->step)) {
-    nb_error_set(
-        error, NB_BAD_USE,
-        "%sthe step is computed as %g%s: a fraction needs a free particle and a contact with stiffness. Give its "
-        "material `kn`, or write `step TIME`",
-        source, model->step, nb_unit(model->scene, " s"));
+    nb_error_set(error, NB_BAD_USE,
+                 "%sthe step is computed as %g%s: a fraction needs a free particle and a contact with stiffness. Give "
+                 "its material `kn`, or write `step TIME`",
+                 source, model->step, nb_unit(model->scene, " s"));
     error->line = line;
     return NB_BAD_USE;
   }

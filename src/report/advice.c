@@ -219,8 +219,7 @@ static void print_left_out(const struct nb_advice *advice) {
   print_count(out.refused, "cannot", "cannot", "be run with this page\n");
   if (nb_advice_softness_is_useless(advice))
     puts("  softer contacts save nothing in this impact: the step is a fraction of the collision, and both last longer "
-         "by "
-         "the same factor");
+         "by the same factor");
   print_count(out.farther, "gives", "give", "too different values; ");
   if (out.nearest) {
     name_variant(name, sizeof name, advice, out.nearest);
@@ -277,8 +276,8 @@ static void write_rows(FILE *out, const struct nb_advice *advice, int which) {
   }
 }
 
-static const char head[] = "normal\tshear\trefine\tmean-step\tupdates\tseconds\tclaim/tolerance\tclaim\terror-of-step\t"
-                           "result\tworst-run\tvalues\trecorded\n";
+static const char head[] = "normal\tshear\trefine\tmean-step\tupdates\tseconds\tclaim/"
+                           "tolerance\tclaim\terror-of-step\tresult\tworst-run\tvalues\trecorded\n";
 
 static bool has_settings(const struct nb_advice *advice, size_t variant) {
   for (size_t k = 0; k < advice->setting_count; k++)

@@ -100,11 +100,11 @@ static double anchor_ratio(struct nb_advice *advice, int level, size_t *worst) {
 static enum nb_status refuse(const struct nb_advice *advice, double ratio, size_t worst, struct nb_error *error) {
   const char *label = advice->page.runs[worst].label, *in_run = label[0] ? ", in run " : "";
   if (is_mean(advice))
-    return nb_error_set(error, NB_FAILED,
-                        "`%s`: the mean over %zu realizations is not known well enough: the mean with half the step "
-                        "differs from it by up to %.2g times the tolerance%s%s. Choose more --realizations, at most "
-                        "%d, or a larger tolerance",
-                        advice->text, advice->trials, ratio, in_run, label, NB_TRIALS);
+    return nb_error_set(
+        error, NB_FAILED,
+        "`%s`: the mean over %zu realizations is not known well enough: the mean with half the step differs from it by "
+        "up to %.2g times the tolerance%s%s. Choose more --realizations, at most %d, or a larger tolerance",
+        advice->text, advice->trials, ratio, in_run, label, NB_TRIALS);
   char reason[2 * NB_NAME_SIZE];
   if (isnan(ratio))
     snprintf(reason, sizeof reason, "it is 0, and a percentage of 0 allows no error");
@@ -113,8 +113,7 @@ static enum nb_status refuse(const struct nb_advice *advice, double ratio, size_
              exp2(advice->anchor - 1), ratio);
   return nb_error_set(error, NB_FAILED,
                       "`%s`: the value is not known well enough: %s%s%s. Choose a larger tolerance, an absolute one if "
-                      "the value is near 0, or "
-                      "a larger --budget",
+                      "the value is near 0, or a larger --budget",
                       advice->text, reason, in_run, label);
 }
 
@@ -418,12 +417,12 @@ static enum nb_status find_quantity(struct nb_advice *advice, struct nb_error *e
 static enum nb_status check_page(const struct nb_advice *advice, struct nb_error *error) {
   const struct nb_scene *scene = &advice->page.runs[0].scene;
   if (scene->particle_count > PARTICLES_MAX && !is_mean(advice))
-    return nb_error_set(error, NB_BAD_USE,
-                        "expected a page of at most %d particles, found %zu: the motion of many particles is chaotic, "
-                        "so the results of one run have no limit for a step towards zero. A mean over realizations "
-                        "has one: `--over NAME`, where the page has `let NAME` or `sweep NAME` for the seed of its "
-                        "random packing",
-                        PARTICLES_MAX, scene->particle_count);
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "expected a page of at most %d particles, found %zu: the motion of many particles is chaotic, so the results "
+        "of one run have no limit for a step towards zero. A mean over realizations has one: `--over NAME`, where the "
+        "page has `let NAME` or `sweep NAME` for the seed of its random packing",
+        PARTICLES_MAX, scene->particle_count);
   if (NB_FIND(scene->bindings, scene->binding_count, "refine") >= 0)
     return nb_error_set(error, NB_BAD_USE, "the page has a value `refine`, which hides --set refine=R: rename it");
   return NB_OK;

@@ -98,9 +98,9 @@ static bool add_paths(struct search_all *all, const char *path, int depth) {
 
 /* ---- the table ---- */
 
-static const char head[] = "page\thash\tcondition\tover\tkind\tquantity\ttolerance\tresult\tsetting\tcost\tupdates\tsec"
-                           "onds\terror\tunit\tnext\t"
-                           "next error/tolerance\torder\tnormal\tshear\tlaws enough\tlaws not enough\tsearch seconds\n";
+static const char head[] =
+    "page\thash\tcondition\tover\tkind\tquantity\ttolerance\tresult\tsetting\tcost\tupdates\tseconds\terror\tunit\tnext"
+    "\tnext error/tolerance\torder\tnormal\tshear\tlaws enough\tlaws not enough\tsearch seconds\n";
 
 static enum nb_status open_table(struct search_all *all, struct nb_error *error) {
   char path[4096], version[64];

@@ -415,8 +415,8 @@ static void explain_step(FILE *out, const struct nb_model *model) {
   const double smallest = nb_step_rayleigh(model, false, false), mean = nb_step_rayleigh(model, false, true);
   if (smallest < INFINITY)
     fprintf(out,
-            "  rayleigh, the travel time of a surface wave round half a sphere: smallest %g%s, mean %g%s; "
-            "the step is %g and %g of it\n",
+            "  rayleigh, the travel time of a surface wave round half a sphere: smallest %g%s, mean %g%s; the step is "
+            "%g and %g of it\n",
             smallest, s, mean, s, model->step / smallest, model->step / mean);
   explain_accuracy(out, collision / model->step);
 }

@@ -116,9 +116,9 @@ void nb_html_checks(FILE *out, const struct nb_outcome *outcome) {
   if (!outcome->check_count)
     return;
   fprintf(out,
-          "<details%s><summary>Results: %zu checks, %zu failed, %zu noted, %zu skipped</summary>\n<table><thead><tr>"
-          "<th></th><th>expectation</th><th>computed</th><th>reference</th><th>error</th><th>tolerance</th></tr>"
-          "</thead><tbody>\n",
+          "<details%s><summary>Results: %zu checks, %zu failed, %zu noted, %zu "
+          "skipped</summary>\n<table><thead><tr><th></th><th>expectation</th><th>computed</th><th>reference</"
+          "th><th>error</th><th>tolerance</th></tr></thead><tbody>\n",
           outcome->check_count <= FOLD_LIMIT || mark_count[NB_FAIL] ? " open" : "",
           mark_count[NB_PASS] + mark_count[NB_FAIL], mark_count[NB_FAIL], mark_count[NB_NOTE], mark_count[NB_SKIP]);
   for (size_t k = 0; k < outcome->check_count; k++)

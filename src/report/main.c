@@ -55,18 +55,16 @@ static const struct option_row {
      "output folder (default: NAME.out; report: report; advise --all: trades); for `state` a FILE (NAME-STAGE.state)"},
     {"set", "NAME=VALUE", 0, SETTING, 0, ALL,
      "replaces the value of the page's `let` or `sweep` NAME. NAME may also be normal, shear, step or damping; refine, "
-     "a "
-     "number that divides the step and multiplies the cycles; soften, one that divides the stiffnesses; follow, a FILE "
-     "with the points of a contact test"},
+     "a number that divides the step and multiplies the cycles; soften, one that divides the stiffnesses; follow, a "
+     "FILE with the points of a contact test"},
     {"stage", "NAME", 0, TEXT, AT(stage), "state", "the stage at whose end the state is taken (default: the last one)"},
     {"states", "FOLDER", 0, TEXT, AT(options.states), ALL,
      "folder of the saved states from which pages start (default: $NINEBALL_STATES, or states)"},
     {"all", NULL, 0, FLAG, AT(all), "advise",
      "advise on each page, also on those below a FOLDER (default: cases): --quantity and --within may be lists "
-     "separated by `;`, by default up to three quantities that the page expects, at the middle run of a sweep, and "
-     "10 %; 1 %; 0.1 %. The output folder (default: trades) gets the table trades.tsv, to which a later call adds, and "
-     "a figure of each "
-     "page. Exit status 1: a search ended without advice"},
+     "separated by `;`, by default up to three quantities that the page expects, at the middle run of a sweep, and 10 "
+     "%; 1 %; 0.1 %. The output folder (default: trades) gets the table trades.tsv, to which a later call adds, and a "
+     "figure of each page. Exit status 1: a search ended without advice"},
     {"quantity", "MEASURE", 0, TEXT, AT(quantity), "advise",
      "quantity whose error counts, as in an expect block (default: that of the first expectation)"},
     {"within", "TOLERANCE", 0, TEXT, AT(within), "advise",
@@ -177,8 +175,7 @@ static void print_help(FILE *out) {
   fputc('\n', out);
   for (int k = 0; k < OPTIONS; k++)
     print_option(out, k);
-  fputs("\nexit status: 0 passed, 1 a check failed, 2 bad use or a mistake in a page, 3 run aborted, 4 out of "
-        "memory\n",
+  fputs("\nexit status: 0 passed, 1 a check failed, 2 bad use or a mistake in a page, 3 run aborted, 4 out of memory\n",
         out);
 }
 

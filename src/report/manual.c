@@ -220,9 +220,10 @@ static void expectation(const struct manual *to, const struct nb_expectation_row
 /* ---- lists ---- */
 
 static void measures(const struct manual *to) {
-  paragraph(to, "A MEASURE is `QUANTITY {REDUCER} {in STAGE}`: a quantity that the scene records, and how the rows of "
-                "a stage become one number. Without `in STAGE` the rows are those of the last stage that has rows. "
-                "REDUCER is one of:");
+  paragraph(
+      to,
+      "A MEASURE is `QUANTITY {REDUCER} {in STAGE}`: a quantity that the scene records, and how the rows of a stage "
+      "become one number. Without `in STAGE` the rows are those of the last stage that has rows. REDUCER is one of:");
   for (const struct nb_reducer_row *row = nb_reducer_rows(); row->word; row++)
     part(to, row->word, NULL, row->help);
   end(to);
@@ -241,35 +242,30 @@ static void expectations(const struct manual *to) {
 
 static void figures(const struct manual *to) {
   static const char *const given[][2] = {
-      {"$table", "the recorded rows of the run. `column('C.normal/N')` selects a column by its head. The column "
-                 "`reference C.normal/N` "
-                 "has the reference at every row, for a quantity that an expectation compares with `versus`. With a "
-                 "sweep there is "
-                 "one table for each run, `$table_1`, `$table_2`, …, also when `--set` leaves only one value"},
+      {"$table",
+       "the recorded rows of the run. `column('C.normal/N')` selects a column by its head. The column `reference "
+       "C.normal/N` has the reference at every row, for a quantity that an expectation compares with `versus`. With a "
+       "sweep there is one table for each run, `$table_1`, `$table_2`, …, also when `--set` leaves only one value"},
       {"$values", "one row for each run: the swept values, then the computed value and the reference of every measure "
                   "of the expect blocks"},
       {"runs", "the number of runs; `run[i]` are the swept values of run i: \"v=0.12, n=40\""},
-      {"C_normal_max",
-       "a variable for each measure of the expect blocks, here `C.normal max`: any character but a letter or a digit "
-       "becomes `_`. With a sweep `C_normal_max_1`, …"},
+      {"C_normal_max", "a variable for each measure of the expect blocks, here `C.normal max`: any character but a "
+                       "letter or a digit becomes `_`. With a sweep `C_normal_max_1`, …"},
       {"reference_C_normal_max",
-       "a variable for each value that the reference returns, with its name formed in the same way. "
-       "There is none if the name would have more than 49 characters, because gnuplot would cut it"},
+       "a variable for each value that the reference returns, with its name formed in the same way. There is none if "
+       "the name would have more than 49 characters, because gnuplot would cut it"},
       {"$STAGE_particles",
        "the particles of a snapshot; also `$STAGE_walls` and `$STAGE_contacts`, with a boundary `$STAGE_boundary`, "
-       "with rings "
-       "of a region `$STAGE_rings`, with `snapshot from` `$STAGE_lattice`. A contact test has `$SEGMENT_traction` and "
-       "`$SEGMENT_pieces` instead. With a sweep `$STAGE_particles_1`, …"},
+       "with rings of a region `$STAGE_rings`, with `snapshot from` `$STAGE_lattice`. A contact test has "
+       "`$SEGMENT_traction` and `$SEGMENT_pieces` instead. With a sweep `$STAGE_particles_1`, …"},
       {"plots", "the folder of the recipes: `load plots.'force-chains.gp'`"},
-      {"terminal",
-       "SVG, then PNG, of 840 by 560 points; the program sets it and the output file. `eval canvas(1100, 760)` "
-       "sets another size"},
+      {"terminal", "SVG, then PNG, of 840 by 560 points; the program sets it and the output file. `eval canvas(1100, "
+                   "760)` sets another size"},
   };
   section(to, "Figures");
   paragraph(to, "The blocks `gnuplot` of a page are a gnuplot script, which `nineball figure` and `report` run. Before "
-                "the script gnuplot reads the "
-                "style, plots/style.gp (colours as line types 1 to 6, tab-separated data with a head row). These names "
-                "are defined:");
+                "the script gnuplot reads the style, plots/style.gp (colours as line types 1 to 6, tab-separated data "
+                "with a head row). These names are defined:");
   for (size_t k = 0; k < sizeof given / sizeof *given; k++)
     part(to, given[k][0], NULL, given[k][1]);
   if (to->whole)
@@ -298,9 +294,9 @@ static void quantities(const struct manual *to) {
   const char *owners[OWNERS_MAX]; /* those that are printed */
   size_t count = 0;
   section(to, "Quantities");
-  paragraph(to, "These quantities are for `record`, `until` and expectations. A quantity of the whole scene is written "
-                "by its name alone, "
-                "a quantity of a monitored particle, contact, wall, grading or region as `MONITOR.NAME`.");
+  paragraph(to,
+            "These quantities are for `record`, `until` and expectations. A quantity of the whole scene is written by "
+            "its name alone, a quantity of a monitored particle, contact, wall, grading or region as `MONITOR.NAME`.");
   for (size_t k = 0; nb_quantity_row(&row, k); k++) {
     size_t o = 0;
     while (o < count && strcmp(owners[o], row.of) != 0)
@@ -316,37 +312,29 @@ static void values(const struct manual *to) {
   char text[1024];
   section(to, "Numbers, units and expressions");
   paragraph(to, "A value in a statement is a number with its sign, `$NAME` or `-$NAME`, or an expression in "
-                "parentheses; one unit may follow "
-                "each. Operators and functions stand in parentheses: `radius (R/2)`, `cycles (2*n)`, `velocity "
-                "(v*cos(angle)) m/s 0 m/s`.");
-  paragraph(to, "A unit is one word after a space. It is made of m, s, g, N, Pa, J, rad and deg, with a prefix n, u or "
-                "µ, m, c, k, M, G (deg has "
-                "none) and powers from 1 to 9. These are joined by `.` (times) and `/` (over): `0.3 mm`, `2.7 g/cm3`, "
-                "`4 N.m`, `5 "
-                "1/s`. `%` and `ppm` are "
-                "factors, rad is 1 and deg is pi/180. `0.3 mm` is the double nearest to 0.0003: all units but deg are "
-                "powers of ten of the SI unit. "
-                "With `units none` all numbers are written without a unit; `%` and `ppm` may still follow them, and "
-                "angles are radians.");
-  snprintf(text, sizeof text,
-           "Expressions are in parentheses, after `let NAME =` and in `--set NAME=`. In them NAME without `$` is the "
-           "value that `let` or `sweep` gives to it. There is `pi`, and there are the functions %s. Operators, highest "
-           "precedence "
-           "first: "
-           "a unit; `^`, from right "
-           "to left; a sign, so that -2^2 is -4; `*` and `/`; `+` and `-`. A number and a name side by side are no "
-           "product: `2 N` is two "
-           "newtons, and `2*N` is twice what the name N stands for.",
-           nb_function_names);
-  paragraph(to, text);
+                "parentheses; one unit may follow each. Operators and functions stand in parentheses: `radius (R/2)`, "
+                "`cycles (2*n)`, `velocity (v*cos(angle)) m/s 0 m/s`.");
   paragraph(to,
-            "Dimensions are checked: both sides of `+` and `-` must have the same one, and so must the arguments of "
-            "hypot, atan2, min and max. "
-            "Exponents and the arguments of other functions are numbers, except those of sqrt and abs. Where an angle "
-            "or an angular velocity is wanted, a literal "
-            "has its unit, `30 deg` or `2 rad/s`; an expression may as well be a number, or one in 1/s. "
-            "Expressions are computed in double, operation by operation "
-            "as they are written, functions and powers by the C library. A value that is not finite is a mistake.");
+            "A unit is one word after a space. It is made of m, s, g, N, Pa, J, rad and deg, with a prefix n, u or µ, "
+            "m, c, k, M, G (deg has none) and powers from 1 to 9. These are joined by `.` (times) and `/` (over): `0.3 "
+            "mm`, `2.7 g/cm3`, `4 N.m`, `5 1/s`. `%` and `ppm` are factors, rad is 1 and deg is pi/180. `0.3 mm` is "
+            "the double nearest to 0.0003: all units but deg are powers of ten of the SI unit. With `units none` all "
+            "numbers are written without a unit; `%` and `ppm` may still follow them, and angles are radians.");
+  snprintf(
+      text, sizeof text,
+      "Expressions are in parentheses, after `let NAME =` and in `--set NAME=`. In them NAME without `$` is the value "
+      "that `let` or `sweep` gives to it. There is `pi`, and there are the functions %s. Operators, highest precedence "
+      "first: a unit; `^`, from right to left; a sign, so that -2^2 is -4; `*` and `/`; `+` and `-`. A number and a "
+      "name side by side are no product: `2 N` is two newtons, and `2*N` is twice what the name N stands for.",
+      nb_function_names);
+  paragraph(to, text);
+  paragraph(
+      to,
+      "Dimensions are checked: both sides of `+` and `-` must have the same one, and so must the arguments of hypot, "
+      "atan2, min and max. Exponents and the arguments of other functions are numbers, except those of sqrt and abs. "
+      "Where an angle or an angular velocity is wanted, a literal has its unit, `30 deg` or `2 rad/s`; an expression "
+      "may as well be a number, or one in 1/s. Expressions are computed in double, operation by operation as they are "
+      "written, functions and powers by the C library. A value that is not finite is a mistake.");
   paragraph(to, "Units that are usual for each kind of number:");
   for (int kind = 0; kind < NB_UNIT_KINDS; kind++)
     part(to, nb_unit_kind_name((enum nb_unit_kind)kind), NULL,
@@ -357,49 +345,39 @@ static void values(const struct manual *to) {
 static void grammar(const struct manual *to) {
   char text[1024];
   section(to, "Words");
+  paragraph(to, "A page is a Markdown file. The program reads its fenced blocks `scene` or `contact-test`, `expect` "
+                "and `gnuplot`; all else is prose. Several blocks of one kind are read as one block, in their order. A "
+                "statement is one line of words with spaces between them; `#` begins a comment.");
   paragraph(
-      to, "A page is a Markdown file. The program reads its fenced blocks `scene` or `contact-test`, `expect` and "
-          "`gnuplot`; all else is prose. Several blocks of one kind are read as one block, in their order. A statement "
-          "is one line of words with spaces between them; `#` begins a comment.");
-  paragraph(
-      to,
-      "Each section shows the syntax of a statement, what it does, where it may stand, its arguments and an example. "
-      "In the syntax CAPITALS stand for a value, `{...}` is optional, and of `a|b` one is given. Clauses (a word "
-      "and its values) may be in any order. In the list of arguments `without it` gives the default; an argument "
-      "without default is required. `$NAME` is the value that `let` or `sweep` gives to NAME above.");
-  snprintf(
-      text, sizeof text,
-      "A name is a letter (a to z, A to Z), then letters, digits, `_` and `-`; fewer than %d characters. "
-      "A number is decimal: `-1.5e3`. A "
-      "page may have %d MB, lines of %d bytes and %d words, %d runs, %d particles, %d materials, and %d of each other "
-      "thing that has a name. All mistakes of a page are reported at once, each with its line, what was expected and, "
-      "if a known word is similar, the word that was probably meant.",
-      NB_NAME_SIZE, NB_PAGE_MAX >> 20, NB_LINE_MAX, NB_TOKENS_MAX - 1, NB_RUNS_MAX, NB_PARTICLES_MAX, NB_MATERIALS_MAX,
-      NB_NAMED_MAX);
+      to, "Each section shows the syntax of a statement, what it does, where it may stand, its arguments and an "
+          "example. In the syntax CAPITALS stand for a value, `{...}` is optional, and of `a|b` one is given. Clauses "
+          "(a word and its values) may be in any order. In the list of arguments `without it` gives the default; an "
+          "argument without default is required. `$NAME` is the value that `let` or `sweep` gives to NAME above.");
+  snprintf(text, sizeof text,
+           "A name is a letter (a to z, A to Z), then letters, digits, `_` and `-`; fewer than %d characters. A number "
+           "is decimal: `-1.5e3`. A page may have %d MB, lines of %d bytes and %d words, %d runs, %d particles, %d "
+           "materials, and %d of each other thing that has a name. All mistakes of a page are reported at once, each "
+           "with its line, what was expected and, if a known word is similar, the word that was probably meant.",
+           NB_NAME_SIZE, NB_PAGE_MAX >> 20, NB_LINE_MAX, NB_TOKENS_MAX - 1, NB_RUNS_MAX, NB_PARTICLES_MAX,
+           NB_MATERIALS_MAX, NB_NAMED_MAX);
   paragraph(to, text);
-  paragraph(
-      to,
-      "`Place` says where a statement may stand. The scene is the part of the page before the first `stage`. In a "
-      "page with `start` it is short, because most of it comes from the other page. A stage is everything below a line "
-      "`stage NAME`, up to the next `stage`; a segment of a contact test likewise.");
+  paragraph(to, "`Place` says where a statement may stand. The scene is the part of the page before the first `stage`. "
+                "In a page with `start` it is short, because most of it comes from the other page. A stage is "
+                "everything below a line `stage NAME`, up to the next `stage`; a segment of a contact test likewise.");
 }
 
 /* The four ways to impose a strain. */
 static void strains(const struct manual *to) {
   static const char *const rows[][2] = {
-      {"cell strain",
-       "moves the periodic cell and, with it, all particles. For a sample without walls or edges: compression and "
-       "shear at uniform strain. Needs `cell`."},
+      {"cell strain", "moves the periodic cell and, with it, all particles. For a sample without walls or edges: "
+                      "compression and shear at uniform strain. Needs `cell`."},
       {"box strain", "moves the four walls of a box, without shear; the walls push the particles. For a biaxial test "
-                     "between walls, as "
-                     "in the laboratory. Needs `box`."},
-      {"boundary strain",
-       "moves the outermost particles of an assembly; contacts carry the motion inwards. For the round assemblies "
-       "of the thesis. Needs `boundary circle`."},
+                     "between walls, as in the laboratory. Needs `box`."},
+      {"boundary strain", "moves the outermost particles of an assembly; contacts carry the motion inwards. For the "
+                          "round assemblies of the thesis. Needs `boundary circle`."},
       {"affine strain",
-       "moves the free particles inside, in addition to their own motion. Together with `boundary strain` at "
-       "the same rate, so that the assembly deforms as a whole at once. Needs no other statement; not possible with a "
-       "cell."},
+       "moves the free particles inside, in addition to their own motion. Together with `boundary strain` at the same "
+       "rate, so that the assembly deforms as a whole at once. Needs no other statement; not possible with a cell."},
   };
   section(to, "Which strain");
   paragraph(
@@ -421,15 +399,13 @@ static void statements(const struct manual *to, const struct nb_family *table, u
 void nb_manual(FILE *out, bool markdown) {
   const struct manual to = {out, markdown, markdown, NULL};
   if (markdown)
-    fputs(
-        "# The language of pages\n\n"
-        "This document lists all words of pages. The program writes it from the tables with which it reads pages; "
-        "`make language` renews it. The document is itself a page: its examples, one after the other, are a scene, and "
-        "`nineball explain docs/LANGUAGE.md` shows what this scene would run. On the terminal `nineball --help scene` "
-        "prints the same, and `nineball --help disc` describes one word. [GLOSSARY.md](GLOSSARY.md) explains the terms "
-        "of "
-        "the field.\n\n",
-        out);
+    fputs("# The language of pages\n\n"
+          "This document lists all words of pages. The program writes it from the tables with which it reads pages; "
+          "`make language` renews it. The document is itself a page: its examples, one after the other, are a scene, "
+          "and `nineball explain docs/LANGUAGE.md` shows what this scene would run. On the terminal `nineball --help "
+          "scene` prints the same, and `nineball --help disc` describes one word. [GLOSSARY.md](GLOSSARY.md) explains "
+          "the terms of the field.\n\n",
+          out);
   grammar(&to);
   section(&to, "The scene");
   statements(&to, nb_keywords(), NB_IN_SCENE, 0);
@@ -437,11 +413,9 @@ void nb_manual(FILE *out, bool markdown) {
   statements(&to, nb_keywords(), NB_IN_STAGE, NB_IN_SCENE);
   strains(&to);
   section(&to, "Contact test");
-  paragraph(
-      &to,
-      "A page with a block `contact-test` instead of `scene` tests one contact: it prescribes approach and slip, or "
-      "forces. There is no motion and no time. In an expectation the name of a segment stands in place of a stage: "
-      "`shear max in load`.");
+  paragraph(&to, "A page with a block `contact-test` instead of `scene` tests one contact: it prescribes approach and "
+                 "slip, or forces. There is no motion and no time. In an expectation the name of a segment stands in "
+                 "place of a stage: `shear max in load`.");
   statements(&to, nb_keywords(), NB_IN_CONTACT_TEST | NB_IN_SEGMENT, NB_IN_SCENE | NB_IN_STAGE);
   expectations(&to);
   figures(&to);

@@ -268,8 +268,8 @@ static void write_row(FILE *out, const struct nb_report_page *page) {
 }
 
 static void write_list(FILE *out, const struct nb_report *report) {
-  fputs("<h2 id=\"pages-of-the-report\">All pages</h2>\n<p><label>Search names, titles and results: "
-        "<input type=\"search\"></label></p>\n<p id=\"none\" hidden>No page has all of these words.</p>\n"
+  fputs("<h2 id=\"pages-of-the-report\">All pages</h2>\n<p><label>Search names, titles and results: <input "
+        "type=\"search\"></label></p>\n<p id=\"none\" hidden>No page has all of these words.</p>\n"
         "<table id=\"pages\"><thead><tr><th>page</th><th>title</th><th>checks</th><th>time</th></tr></thead><tbody>\n",
         out);
   for (size_t k = 0; k < report->count; k++) {

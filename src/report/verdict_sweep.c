@@ -246,12 +246,11 @@ static void check_position(const struct group *group) {
     below += computed < e->number ? 1 : computed == e->number ? 0.5 : 0;
   }
   const bool inside = sample.smallest <= e->number && e->number <= sample.largest;
-  nb_check_result(
-      group->check, inside,
-      "expected %.6g%s, %s the range of %.0f runs over %s: %.4g to %.4g, mean %.4g, standard deviation %.2g; "
-      "percentile %.0f",
-      e->number, unit, inside ? "within" : "outside", sample.count, e->sample, sample.smallest, sample.largest,
-      sample.mean, standard_deviation(&sample), 100 * below / sample.count);
+  nb_check_result(group->check, inside,
+                  "expected %.6g%s, %s the range of %.0f runs over %s: %.4g to %.4g, mean %.4g, standard deviation "
+                  "%.2g; percentile %.0f",
+                  e->number, unit, inside ? "within" : "outside", sample.count, e->sample, sample.smallest,
+                  sample.largest, sample.mean, standard_deviation(&sample), 100 * below / sample.count);
   group->check->mark = NB_NOTE;
 }
 

@@ -252,11 +252,10 @@ static enum nb_status check_page(const struct nb_saved *saved, const struct nb_s
   char where[2 * NB_NAME_SIZE] = "in what it records";
   if (stage)
     snprintf(where, sizeof where, "in stage `%s` (line %d) or above it", stage->name, stage->line);
-  return nb_error_set(
-      error, NB_BAD_USE,
-      "the page has changed since %.200s was saved, %s: restore its text, or run it from the beginning, "
-      "without --resume",
-      path, where);
+  return nb_error_set(error, NB_BAD_USE,
+                      "the page has changed since %.200s was saved, %s: restore its text, or run it from the "
+                      "beginning, without --resume",
+                      path, where);
 }
 
 enum nb_status nb_checkpoint_read(struct nb_saved *saved, const struct nb_checkpoint *checkpoint,

@@ -141,11 +141,10 @@ static enum nb_status lock_wait(struct nb_lock *lock, const struct nb_progress *
       if (errno != EWOULDBLOCK)
         return nb_error_system(error, "cannot lock %s", lock->path);
     }
-    return nb_error_set(
-        error, NB_BAD_USE,
-        "process %s has held %.200s for %g s: see what it does by `ps -p %s`; if it is stopped, `kill -CONT %s` lets "
-        "it go on and `kill -KILL %s` ends it; NINEBALL_WAIT=SECONDS waits longer",
-        holder, lock->path, limit, holder, holder, holder);
+    return nb_error_set(error, NB_BAD_USE,
+                        "process %s has held %.200s for %g s: see what it does by `ps -p %s`; if it is stopped, `kill "
+                        "-CONT %s` lets it go on and `kill -KILL %s` ends it; NINEBALL_WAIT=SECONDS waits longer",
+                        holder, lock->path, limit, holder, holder, holder);
   }
   return nb_error_system(error, "cannot lock %s", lock->path);
 }

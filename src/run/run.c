@@ -110,11 +110,10 @@ static void note_no_contact(const struct run *run, const struct nb_stage *stage)
     const char *const name = stage->conditions[k].quantity.kind->name;
     if (strncmp(name, "unbalanced.", strlen("unbalanced.")) != 0 || has_contact_force(model))
       continue;
-    snprintf(
-        text, sizeof text,
-        "stage `%s` ended in cycle %lu without a contact force, where `%s` is 0; add a condition such as `and contacts "
-        "above 0`",
-        stage->name, model->stage_cycle, name);
+    snprintf(text, sizeof text,
+             "stage `%s` ended in cycle %lu without a contact force, where `%s` is 0; add a condition such as `and "
+             "contacts above 0`",
+             stage->name, model->stage_cycle, name);
     progress->note(progress->data, text);
     return;
   }

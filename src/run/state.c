@@ -248,8 +248,7 @@ enum nb_status nb_saved_fits(const struct nb_saved *saved, const struct nb_scene
   if (named && saved->rule_count <= rules && k == scene->particle_count && k == saved->particle_count)
     return NB_OK;
   return nb_error_set(error, NB_BAD_USE,
-                      "%.200s: expected the state of %zu particles, %zu walls and %zu materials%s, "
-                      "found another one",
+                      "%.200s: expected the state of %zu particles, %zu walls and %zu materials%s, found another one",
                       path, scene->particle_count, scene->wall_count, scene->material_count,
                       named ? " like those of the page" : " with the names of the page");
 }
