@@ -27,13 +27,8 @@ extern const struct nb_quantity_kind nb_region_kinds[];  /* region_quantities.c 
 
 /* ---- the whole scene ---- */
 
-#define OF_SCENE(function, expression)                                                                                 \
-  static double function(const struct nb_model *model, const struct nb_monitor *monitor) {                             \
-    (void)monitor;                                                                                                     \
-    return expression;                                                                                                 \
-  }
-OF_SCENE(cycle, (double)model->cycle)
-OF_SCENE(time_, model->time)
+NB_QUANTITY(cycle, (double)model->cycle)
+NB_QUANTITY(time_, model->time)
 
 static double touching_count(const struct nb_model *model, const struct nb_monitor *monitor) {
   (void)monitor;
@@ -42,24 +37,24 @@ static double touching_count(const struct nb_model *model, const struct nb_monit
     count += model->contacts.kept[NB_OVERLAP][c] > 0;
   return count;
 }
-OF_SCENE(unbalanced_max, nb_unbalanced_max(model))
-OF_SCENE(deep_count, (double)nb_deep_count(model))
-OF_SCENE(kinetic_energy, nb_energy_kinetic(model))
-OF_SCENE(stored_energy, nb_energy_stored(model))
-OF_SCENE(frictional_dissipation, nb_balance_term(model, NB_TERM_FRICTIONAL))
-OF_SCENE(sliding_dissipation, nb_balance_term(model, NB_TERM_SLIDING))
-OF_SCENE(shear_work, nb_balance_term(model, NB_TERM_SHEAR))
-OF_SCENE(damping_dissipation, nb_balance_term(model, NB_TERM_DAMPED))
-OF_SCENE(wall_work, nb_balance_term(model, NB_TERM_WALLS))
-OF_SCENE(gravity_work, nb_balance_term(model, NB_TERM_GRAVITY))
-OF_SCENE(stage_work, nb_balance_term(model, NB_TERM_CHANGED))
-OF_SCENE(imposed_work, nb_balance_term(model, NB_TERM_IMPOSED))
-OF_SCENE(removed_energy, nb_balance_term(model, NB_TERM_REMOVED))
-OF_SCENE(energy_residual, nb_balance_energy_residual(model))
-OF_SCENE(work_residual, nb_balance_work_residual(model))
-OF_SCENE(momentum_x, nb_momentum(model).x)
-OF_SCENE(momentum_y, nb_momentum(model).y)
-OF_SCENE(momentum_angular, nb_momentum_angular(model))
+NB_QUANTITY(unbalanced_max, nb_unbalanced_max(model))
+NB_QUANTITY(deep_count, (double)nb_deep_count(model))
+NB_QUANTITY(kinetic_energy, nb_energy_kinetic(model))
+NB_QUANTITY(stored_energy, nb_energy_stored(model))
+NB_QUANTITY(frictional_dissipation, nb_balance_term(model, NB_TERM_FRICTIONAL))
+NB_QUANTITY(sliding_dissipation, nb_balance_term(model, NB_TERM_SLIDING))
+NB_QUANTITY(shear_work, nb_balance_term(model, NB_TERM_SHEAR))
+NB_QUANTITY(damping_dissipation, nb_balance_term(model, NB_TERM_DAMPED))
+NB_QUANTITY(wall_work, nb_balance_term(model, NB_TERM_WALLS))
+NB_QUANTITY(gravity_work, nb_balance_term(model, NB_TERM_GRAVITY))
+NB_QUANTITY(stage_work, nb_balance_term(model, NB_TERM_CHANGED))
+NB_QUANTITY(imposed_work, nb_balance_term(model, NB_TERM_IMPOSED))
+NB_QUANTITY(removed_energy, nb_balance_term(model, NB_TERM_REMOVED))
+NB_QUANTITY(energy_residual, nb_balance_energy_residual(model))
+NB_QUANTITY(work_residual, nb_balance_work_residual(model))
+NB_QUANTITY(momentum_x, nb_momentum(model).x)
+NB_QUANTITY(momentum_y, nb_momentum(model).y)
+NB_QUANTITY(momentum_angular, nb_momentum_angular(model))
 
 /* ---- a particle ---- */
 
@@ -94,16 +89,14 @@ static double field(const struct nb_model *model, const struct nb_monitor *monit
   const long c = nb_contacts_find(model, a, b, wall);
   return c < 0 || !model->contacts.kept[which] ? 0 : model->contacts.kept[which][c];
 }
-#define OF_PAIR(function, expression)                                                                                  \
-  static double function(const struct nb_model *model, const struct nb_monitor *monitor) { return expression; }
-OF_PAIR(pair_overlap, field(model, monitor, NB_OVERLAP))
-OF_PAIR(pair_normal, field(model, monitor, NB_NORMAL))
-OF_PAIR(pair_shear, field(model, monitor, NB_SHEAR))
-OF_PAIR(pair_sliding, field(model, monitor, NB_SLIDING))
-OF_PAIR(pair_dashpot_normal,
-        model->plan.dashpots ? field(model, monitor, NB_TOTAL_NORMAL) - field(model, monitor, NB_NORMAL) : 0)
-OF_PAIR(pair_dashpot_shear,
-        model->plan.dashpots ? field(model, monitor, NB_TOTAL_SHEAR) - field(model, monitor, NB_SHEAR) : 0)
+NB_QUANTITY(pair_overlap, field(model, monitor, NB_OVERLAP))
+NB_QUANTITY(pair_normal, field(model, monitor, NB_NORMAL))
+NB_QUANTITY(pair_shear, field(model, monitor, NB_SHEAR))
+NB_QUANTITY(pair_sliding, field(model, monitor, NB_SLIDING))
+NB_QUANTITY(pair_dashpot_normal,
+            model->plan.dashpots ? field(model, monitor, NB_TOTAL_NORMAL) - field(model, monitor, NB_NORMAL) : 0)
+NB_QUANTITY(pair_dashpot_shear,
+            model->plan.dashpots ? field(model, monitor, NB_TOTAL_SHEAR) - field(model, monitor, NB_SHEAR) : 0)
 
 enum {
   PARTICLE = 1 << NB_MONITOR_PARTICLE,

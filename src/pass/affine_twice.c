@@ -39,14 +39,8 @@ static inline NB_FORM void add_again(const struct nb_model *model, const struct 
   }
 }
 
-static inline NB_FORM void normal_again(const struct nb_model *model, const struct nb_block *block) {
-  add_again(model, block, false);
-}
-static inline NB_FORM void both_again(const struct nb_model *model, const struct nb_block *block) {
-  add_again(model, block, true);
-}
-NB_FORMS(normal_again)
-NB_FORMS(both_again)
+NB_PASS_FORM(normal_again, add_again(model, block, false))
+NB_PASS_FORM(both_again, add_again(model, block, true))
 
 const struct nb_pass nb_pass_affine_twice[] = {
     {"affine motion again, normal increment", NB_FORMS_LIST(normal_again)},

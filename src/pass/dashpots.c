@@ -225,17 +225,12 @@ static inline NB_FORM void add_dashpots(const struct nb_model *model, const stru
     defer(model, block, &changes);
 }
 
-#define FORM(name, form, centred)                                                                                      \
-  static inline NB_FORM void name(const struct nb_model *model, const struct nb_block *block) {                        \
-    add_dashpots(model, block, form, centred);                                                                         \
-  }                                                                                                                    \
-  NB_FORMS(name)
-FORM(stiffness_proportional, NB_DASHPOTS_TIME, false)
-FORM(ratio_of_critical, NB_DASHPOTS_RATIO, false)
-FORM(critical_if_deep, NB_DASHPOTS_DEEP, false)
-FORM(centred_stiffness_proportional, NB_DASHPOTS_TIME, true)
-FORM(centred_ratio_of_critical, NB_DASHPOTS_RATIO, true)
-FORM(centred_critical_if_deep, NB_DASHPOTS_DEEP, true)
+NB_PASS_FORM(stiffness_proportional, add_dashpots(model, block, NB_DASHPOTS_TIME, false))
+NB_PASS_FORM(ratio_of_critical, add_dashpots(model, block, NB_DASHPOTS_RATIO, false))
+NB_PASS_FORM(critical_if_deep, add_dashpots(model, block, NB_DASHPOTS_DEEP, false))
+NB_PASS_FORM(centred_stiffness_proportional, add_dashpots(model, block, NB_DASHPOTS_TIME, true))
+NB_PASS_FORM(centred_ratio_of_critical, add_dashpots(model, block, NB_DASHPOTS_RATIO, true))
+NB_PASS_FORM(centred_critical_if_deep, add_dashpots(model, block, NB_DASHPOTS_DEEP, true))
 
 const struct nb_pass nb_pass_dashpots[2][4] = {
     {{"no dashpots", {NULL}},

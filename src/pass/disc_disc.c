@@ -15,18 +15,9 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "disc_disc.h"
 
-static inline NB_FORM void overlap_only(const struct nb_model *model, const struct nb_block *block) {
-  nb_disc_disc(model, block, NB_APPROACH_OVERLAP, false);
-}
-static inline NB_FORM void with_normal_increment(const struct nb_model *model, const struct nb_block *block) {
-  nb_disc_disc(model, block, NB_APPROACH_NORMAL, false);
-}
-static inline NB_FORM void with_tangential_increment(const struct nb_model *model, const struct nb_block *block) {
-  nb_disc_disc(model, block, NB_APPROACH_TANGENTIAL, false);
-}
-NB_FORMS(overlap_only)
-NB_FORMS(with_normal_increment)
-NB_FORMS(with_tangential_increment)
+NB_PASS_FORM(overlap_only, nb_disc_disc(model, block, NB_APPROACH_OVERLAP, false))
+NB_PASS_FORM(with_normal_increment, nb_disc_disc(model, block, NB_APPROACH_NORMAL, false))
+NB_PASS_FORM(with_tangential_increment, nb_disc_disc(model, block, NB_APPROACH_TANGENTIAL, false))
 
 const struct nb_pass nb_pass_disc_disc[] = {
     {"disc-disc, overlap", NB_FORMS_LIST(overlap_only)},

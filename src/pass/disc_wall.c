@@ -42,18 +42,9 @@ static inline NB_FORM void disc_wall(const struct nb_model *model, const struct 
     nb_tangential_since_touch(block);
 }
 
-static inline NB_FORM void overlap_only(const struct nb_model *model, const struct nb_block *block) {
-  disc_wall(model, block, NB_APPROACH_OVERLAP);
-}
-static inline NB_FORM void with_normal_increment(const struct nb_model *model, const struct nb_block *block) {
-  disc_wall(model, block, NB_APPROACH_NORMAL);
-}
-static inline NB_FORM void with_tangential_increment(const struct nb_model *model, const struct nb_block *block) {
-  disc_wall(model, block, NB_APPROACH_TANGENTIAL);
-}
-NB_FORMS(overlap_only)
-NB_FORMS(with_normal_increment)
-NB_FORMS(with_tangential_increment)
+NB_PASS_FORM(overlap_only, disc_wall(model, block, NB_APPROACH_OVERLAP))
+NB_PASS_FORM(with_normal_increment, disc_wall(model, block, NB_APPROACH_NORMAL))
+NB_PASS_FORM(with_tangential_increment, disc_wall(model, block, NB_APPROACH_TANGENTIAL))
 
 const struct nb_pass nb_pass_disc_wall[] = {
     {"disc-wall, overlap", NB_FORMS_LIST(overlap_only)},

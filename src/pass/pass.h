@@ -6,6 +6,11 @@
 
 #include "core/model.h"
 
+/* A form of a pass: NAME(model, block) makes the call. It is compiled for all instruction sets. */
+#define NB_PASS_FORM(name, call)                                                                                       \
+  static inline NB_FORM void name(const struct nb_model *model, const struct nb_block *block) { call; }                \
+  NB_FORMS(name)
+
 /* What a geometry pass computes: the overlap; overlap and dn; overlap, dn and ds. */
 enum nb_approach { NB_APPROACH_OVERLAP, NB_APPROACH_NORMAL, NB_APPROACH_TANGENTIAL };
 /* What the dashpots of the stage depend on: nothing; k; k and sqrt(M* k); both, and whether the contact is deep. */
