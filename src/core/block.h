@@ -25,6 +25,7 @@ struct nb_pair {
   double radius; /* R* = 1/(1/R_x + 1/R_y), R_y infinite for a wall, m; set for each contact, 0 here */
   double pieces; /* most pieces of contact history that the shear law keeps; 0: none */
 };
+static inline bool nb_has_friction(struct nb_pair pair) { return pair.friction > 0 || pair.cohesion > 0; }
 
 enum nb_field {
   NB_OVERLAP,              /* alpha >= 0, m */
@@ -53,6 +54,12 @@ enum nb_field {
 
 /* A set of fields. */
 #define NB_BIT(field) (1u << (field))
+static inline size_t nb_bit_count(unsigned set) {
+  size_t count = 0;
+  for (; set; set &= set - 1)
+    count++;
+  return count;
+}
 
 /* The contact history of a law. A law with up to four doubles per contact has an array for each of them, so that the
  * law's loop vectorises. A law with more doubles has a row of them for each contact. The first double of a row is 0

@@ -60,6 +60,10 @@ void nb_append(char *text, size_t size, const char *format, ...) {
   va_end(list);
 }
 
+void nb_append_item(char *list, size_t size, const char *word, bool last) {
+  nb_append(list, size, "%s`%s`", !*list ? "" : last ? " or " : ", ", word);
+}
+
 void nb_append_word(char *text, size_t size, const char *word) {
   static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,%@";
   if (word[0] && !word[strspn(word, plain)]) {

@@ -5,6 +5,7 @@
 #define NB_CLEAN_H
 
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 
 /* Replaces every byte that is not part of a printable UTF-8 character by `?`. Returns the column of the first such
@@ -16,6 +17,8 @@ int nb_clean(char *text, size_t length, unsigned *byte);
 void nb_append_word(char *text, size_t size, const char *word);
 /* Appends to the text as printf would, up to its size. */
 void nb_append(char *text, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
+/* Appends a word in backticks to a list, "`a`, `b` or `c`", of which it may be the last one. */
+void nb_append_item(char *list, size_t size, const char *word, bool last);
 void nb_append_list(char *text, size_t size, const char *format, va_list list) __attribute__((format(printf, 3, 0)));
 
 #endif

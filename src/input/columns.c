@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/clean.h"
+
 /* A field of a line: `length` bytes; `column` is its column in characters, from 1. */
 struct field {
   const char *at;
@@ -95,12 +97,7 @@ static bool read_head(struct table *table, size_t line, const struct nb_wanted_c
           is_column(&field, wanted[c].alternative, table->unitless, &table->columns[c].shift))
         table->columns[c].index = k;
     whole = whole && table->columns[c].index >= 0;
-    const size_t used = strlen(names);
-    snprintf(names + used, sizeof names - used, "%s`%s/%s`",
-             c == 0          ? ""
-             : c + 1 < count ? ", "
-                             : " and ",
-             wanted[c].name, unit);
+    nb_append(names, sizeof names, "%s`%s/%s`", !c ? "" : c + 1 < count ? ", " : " and ", wanted[c].name, unit);
   }
   if (whole)
     return true;

@@ -54,7 +54,6 @@ static void take_wall(struct nb_scene *scene, struct nb_reader *reader) {
 NB_APPLY(apply_contact) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
-  (void)record;
   if (nb_given_twice(reader, reading->contact_line))
     return;
   reading->contact_line = (int)reader->line;

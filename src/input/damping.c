@@ -81,7 +81,6 @@ NB_APPLY(apply_damping) {
   struct nb_damping *damping = stage ? &stage->damping : &scene->damping;
   const int line = (int)reader->line, stage_line = stage ? stage->line : 0;
   struct given given = {0};
-  (void)record;
   take_damping(reader, &given);
   override_timing(reading, reader, &given);
   const struct {

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/clean.h"
 #include "core/vec.h"
 #include "packing/packing.h"
 #include "statement.h"
@@ -112,9 +113,9 @@ static void report_no_space(struct nb_reader *reader, const struct nb_scene *sce
   char list[1024] = "";
   for (size_t s = 0; s < it->size_count; s++) {
     const struct nb_size *size = &it->sizes[s];
-    const size_t used = strlen(list), n = placed_count(scene, fill, size->radius);
-    snprintf(list + used, sizeof list - used, "%s%zu of %zu with radius %g%s", s ? ", " : "", n, size->count,
-             size->radius, reader->unitless ? "" : " m");
+    const size_t n = placed_count(scene, fill, size->radius);
+    nb_append(list, sizeof list, "%s%zu of %zu with radius %g%s", s ? ", " : "", n, size->count, size->radius,
+              reader->unitless ? "" : " m");
     if (n < size->count)
       break;
   }

@@ -5,6 +5,7 @@
 #include <ctype.h>
 #include <string.h>
 
+#include "core/clean.h"
 #include "reader.h"
 
 /* ---- words of other programs ---- */
@@ -77,14 +78,10 @@ const struct nb_synonym *nb_synonym(const char *word) {
 /* Lists the marked words of the page language: "`fill`, `disc` or `sphere`". */
 static void list_ours(char list[NB_HINT_SIZE / 2], const struct nb_synonym *synonym, unsigned marked) {
   char item[NB_NAME_SIZE];
-  size_t used = 0;
+  list[0] = '\0';
   for (const char *at = synonym->ours; nb_item(&at, item); marked >>= 1)
     if (marked & 1)
-      used += (size_t)snprintf(list + used, NB_HINT_SIZE / 2 - used, "%s`%s`",
-                               !used               ? ""
-                               : marked > 1 && *at ? ", "
-                                                   : " or ",
-                               item);
+      nb_append_item(list, NB_HINT_SIZE / 2, item, !(marked > 1 && *at));
 }
 
 const char *nb_synonym_hint(char *hint, const char *word) {
@@ -174,10 +171,8 @@ static bool is_related(const char *known, const char *word, size_t length) {
 void nb_guess_offer(struct nb_guess *guess, const char *known) {
   const bool marked = mark(guess, known), related = !marked && is_related(known, guess->word, strlen(guess->word));
   const int d = marked ? 0 : related ? 1 : distance(guess->word, known);
-  if (related && guess->related_count++ < NB_RELATED_MAX) {
-    const size_t used = strlen(guess->related);
-    snprintf(guess->related + used, sizeof guess->related - used, "%s`%s`", used ? ", " : "", known);
-  }
+  if (related && guess->related_count++ < NB_RELATED_MAX)
+    nb_append_item(guess->related, sizeof guess->related, known, false);
   if (d >= guess->distance || strlen(known) >= sizeof guess->best)
     return;
   guess->distance = d;

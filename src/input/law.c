@@ -243,8 +243,7 @@ static void warn_unused_friction(struct nb_scene_reading *reading) {
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     laws = nb_laws_of(stage, laws);
-    for (size_t k = 0; k < stage->change_count; k++)
-      nb_properties_change(&now, &stage->changes[k], nb_properties_before(&now, &stage->changes[k]), 1);
+    nb_properties_end_stage(&now, stage);
     find_friction(pairs, scene, &now, laws.shear);
   }
   nb_properties_free(&now);

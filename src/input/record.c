@@ -44,7 +44,6 @@ bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *qua
 /* Reads `record QUANTITY …` in the scene. The quantities are found later, when all monitors are known. */
 NB_APPLY(apply_columns) {
   struct nb_scene_reading *reading = subject;
-  (void)record;
   do {
     struct nb_requested one;
     if (nb_token_is(reader, "every") || nb_token_is(reader, "none"))
@@ -70,7 +69,6 @@ NB_APPLY(apply_record) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
   unsigned long every = 0;
-  (void)record;
   if (nb_token_skip(reader, "every"))
     nb_take_count_of(reader, scene->contact_test ? "step" : "cycle", &every);
   else if (!nb_token_skip(reader, "none"))
@@ -99,7 +97,6 @@ bool nb_stage_before_start(const struct nb_scene *scene, struct nb_reader *reade
 NB_APPLY(apply_snapshot) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   struct nb_stage *stage = nb_current_stage(scene);
-  (void)record;
   stage->snapshot = true;
   if (scene->contact_test || !nb_token_skip(reader, "from"))
     return;

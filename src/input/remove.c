@@ -58,7 +58,6 @@ NB_APPLY(apply_remove) {
   struct nb_stage *stage = nb_current_stage(scene);
   enum nb_shape shape;
   size_t which, all = 0;
-  (void)record;
   const struct nb_removal removal = take_range(reading, reader, &shape);
   for (size_t s = 0; s < scene->stage_count; s++)
     all += scene->stages[s].removal_count;

@@ -80,7 +80,6 @@ static bool take_condition(struct nb_scene_reading *reading, struct nb_reader *r
 NB_APPLY(apply_until) {
   struct nb_scene_reading *reading = subject;
   struct nb_stage *stage = nb_current_stage(reading->scene);
-  (void)record;
   if (ends_twice(stage, reader))
     return;
   do {
@@ -102,7 +101,6 @@ NB_APPLY(apply_until) {
 NB_APPLY(apply_ramp) {
   struct nb_stage *it = nb_current_stage(((struct nb_scene_reading *)subject)->scene);
   const int line = (int)reader->line;
-  (void)record;
   if (!nb_take_token(reader, "what changes gradually: `wall`, `walls`, `material`, `pair`, `gravity` or `servo`"))
     return;
   memmove(reader->tokens, reader->tokens + 1, --reader->count * sizeof *reader->tokens);
@@ -178,7 +176,6 @@ NB_APPLY(apply_repeat) {
   const size_t before = scene->start.stages;
   const char *what = scene->contact_test ? "the name of a segment" : "the name of a stage";
   unsigned long times;
-  (void)record;
   const struct nb_token *token = nb_take_word(reader, "from") ? nb_take_token(reader, what) : NULL;
   if (!token || nb_stage_before_start(scene, reader, token))
     return;

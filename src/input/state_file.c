@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/clean.h"
 #include "laws/law.h"
 #include "reader.h"
 #include "text.h"
@@ -150,11 +151,7 @@ static int one_of(struct stream *stream, int now, const char *const words[]) {
   if (stream->out)
     return nb_text_add(stream->out, " %s", words[now]), now;
   for (int w = 0; words[w]; w++)
-    snprintf(list + strlen(list), sizeof list - strlen(list), "%s`%s`",
-             !w             ? ""
-             : words[w + 1] ? ", "
-                            : " or ",
-             words[w]);
+    nb_append_item(list, sizeof list, words[w], !words[w + 1]);
   take_field(stream, field, list);
   for (int w = 0; words[w]; w++)
     if (strcmp(field, words[w]) == 0)

@@ -5,6 +5,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
 
+#include "core/clean.h"
 #include "core/names.h"
 #include "reader.h"
 
@@ -95,10 +96,9 @@ static void word_after(char *word, const char *words, size_t count) {
 /* Appends a quoted word to a list, unless the list already has the word. */
 static void list_word(char *list, size_t size, const char *between, const char *word) {
   char quoted[NB_NAME_SIZE + 2];
-  const size_t used = strlen(list);
   snprintf(quoted, sizeof quoted, "`%s`", word);
   if (!strstr(list, quoted))
-    snprintf(list + used, size - used, "%s%s", used ? between : "", quoted);
+    nb_append(list, size, "%s%s", *list ? between : "", quoted);
 }
 
 /* Writes "the statement is `box X Y to X Y MATERIAL`; MATERIAL is the name of a material"; `name` may be NULL. */
@@ -398,17 +398,16 @@ static const struct nb_argument *list_missing(const struct nb_reader *reader, ch
   const struct nb_argument *first = NULL, *before = NULL;
   for (const struct nb_argument *field = reader->keyword->arguments; field->count; field++) {
     const bool either = before && is_alternative(before) && is_alternative(field);
-    const size_t used = strlen(list);
     if (!is_missing(reader, field))
       continue;
     first = first ? first : field;
     if (!field->word)
       continue;
-    snprintf(list + used, size - used, "%s`%s%s%s`",
-             !before  ? ""
-             : either ? " or "
-                      : ", and ",
-             field->word, field->value ? " " : "", field->value ? field->value : "");
+    nb_append(list, size, "%s`%s%s%s`",
+              !before  ? ""
+              : either ? " or "
+                       : ", and ",
+              field->word, field->value ? " " : "", field->value ? field->value : "");
     before = field;
   }
   return first;
@@ -446,8 +445,7 @@ static void list_clauses(const struct nb_reader *reader, char *list, size_t size
     snprintf(word, sizeof word, "%s", last + 1);
     snprintf(last, size - (size_t)(last - list), " or%s", word);
   } else if (end) {
-    const size_t used = strlen(list);
-    snprintf(list + used, size - used, "%sthe end of the line", used ? " or " : "");
+    nb_append(list, size, "%sthe end of the line", *list ? " or " : "");
   }
 }
 
@@ -559,10 +557,8 @@ void nb_keyword_syntax(char *text, size_t size, const struct nb_keyword *keyword
   for (const struct nb_argument *field = keyword->arguments; field->count; field++) {
     const char *word = field->word ? field->word : "", *value = field->value ? field->value : "";
     const char *between = *word && *value ? " " : "", *open = field->otherwise ? "{" : "", *close = *open ? "}" : "";
-    const size_t used = strlen(text);
-    snprintf(text + used, size - used, "%s%s%s%s%s%s", used ? " " : "", open, word, between, value, close);
+    nb_append(text, size, "%s%s%s%s%s%s", *text ? " " : "", open, word, between, value, close);
   }
-  const size_t used = strlen(text);
   if (keyword->tail && *keyword->tail)
-    snprintf(text + used, size - used, "%s%s", used ? " " : "", keyword->tail);
+    nb_append(text, size, "%s%s", *text ? " " : "", keyword->tail);
 }

@@ -39,8 +39,10 @@
   CLAUSE("c21", "C", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_C21, 1, "0", "Velocity in y per unit of x.")
 /* clang-format on */
 
-/* A function that applies a statement; subject is the struct nb_scene_reading. */
-#define NB_APPLY(name) static void name(struct nb_reader *reader, const struct nb_record *record, void *subject)
+/* A function that applies a statement; subject is the struct nb_scene_reading. A statement without arguments does not
+ * use its record. */
+#define NB_APPLY(name)                                                                                                 \
+  static void name(struct nb_reader *reader, const struct nb_record *record __attribute__((unused)), void *subject)
 /* The statements of a file, by the file's name; the last row is {0}. */
 #define NB_STATEMENTS(file) const struct nb_keyword nb_statements_##file[]
 

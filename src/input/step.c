@@ -35,7 +35,6 @@ NB_APPLY(apply_step) {
   const bool fraction = follows(reader, "of|critical|" STEP_KINDS), per = follows(reader, "per"),
              setting = reader == &reading->setting;
   struct nb_step step = {.kind = NB_STEP_TIME, .line = setting ? 0 : (int)reader->line, .set = setting};
-  (void)record;
   nb_take_number(reader, fraction || per ? NB_UNIT_NUMBER : NB_UNIT_TIME, NB_POSITIVE, &step.value);
   if (fraction && nb_take_word(reader, "of")) {
     const int kind = nb_take_choice(reader, STEP_KINDS);
@@ -60,7 +59,6 @@ NB_APPLY(apply_step) {
 NB_APPLY(apply_allow) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   struct nb_stage *stage = nb_current_stage(scene);
-  (void)record;
   if (!nb_take_word(reader, "unstable"))
     return;
   if (stage && ((struct nb_scene_reading *)subject)->here == NB_IN_STAGE)

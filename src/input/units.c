@@ -11,6 +11,7 @@
 #define _POSIX_C_SOURCE 200809L /* newlocale, uselocale */
 #endif
 #include "units.h"
+#include "core/clean.h"
 #include "core/vec.h"
 
 #include <ctype.h>
@@ -167,12 +168,11 @@ void nb_dimension_unit(char *text, size_t size, struct nb_dimension dimension) {
   for (int pass = 0; pass < 2 && kind < 0; pass++) /* positive powers, then negative ones */
     for (int k = 0; k < 3; k++) {
       const double power = (pass ? -1.0 : 1.0) * powers[k] / SIXTIETHS;
-      const size_t used = strlen(text);
       if (power <= 0)
         continue;
-      snprintf(text + used, size - used, "%s%s", pass ? (used ? "/" : "1/") : used ? "." : "", names[k]);
+      nb_append(text, size, "%s%s", pass ? (*text ? "/" : "1/") : *text ? "." : "", names[k]);
       if (power != 1)
-        snprintf(text + strlen(text), size - strlen(text), power == floor(power) ? "%g" : "^%g", power);
+        nb_append(text, size, power == floor(power) ? "%g" : "^%g", power);
     }
 }
 

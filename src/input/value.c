@@ -299,13 +299,13 @@ int nb_take_choice(struct nb_reader *reader, const char *words) {
   struct nb_guess guess = nb_guess_begin(token ? token->text : "");
   int index = 0;
   for (const char *at = words; *at; index++) {
-    const size_t length = strcspn(at, "|"), used = strlen(list);
+    const size_t length = strcspn(at, "|");
     snprintf(word, sizeof word, "%.*s", (int)length, at);
     if (nb_token_skip(reader, word))
       return index;
     nb_guess_offer(&guess, word);
     at += length + (at[length] != '\0');
-    snprintf(list + used, sizeof list - used, "%s`%s`", !used ? "" : *at ? ", " : " or ", word);
+    nb_append_item(list, sizeof list, word, !*at);
   }
   nb_expected(reader, token ? nb_guess_hint(&guess, hint) : NULL, "%s", list);
   return -1;

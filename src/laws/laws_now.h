@@ -32,5 +32,7 @@ struct nb_pair nb_properties_before(const struct nb_properties *now, const struc
  * interpolation. */
 void nb_properties_change(struct nb_properties *now, const struct nb_change *change, struct nb_pair from,
                           double fraction);
+void nb_properties_end_stage(struct nb_properties *now, const struct nb_stage *stage); /* makes all its changes */
+void nb_properties_apply(struct nb_model *model); /* gives each material pair its current values */
 
 #endif

@@ -116,3 +116,15 @@ void nb_properties_change(struct nb_properties *now, const struct nb_change *to,
   NB_PAIR_ROWS(ROW)
 #undef ROW
 }
+
+void nb_properties_end_stage(struct nb_properties *now, const struct nb_stage *stage) {
+  for (size_t k = 0; k < stage->change_count; k++)
+    nb_properties_change(now, &stage->changes[k], nb_properties_before(now, &stage->changes[k]), 1);
+}
+
+void nb_properties_apply(struct nb_model *model) {
+  for (size_t p = 0; p < model->material_pair_count; p++) {
+    struct nb_material_pair *pair = &model->material_pairs[p];
+    pair->values = nb_properties_pair(&model->properties, pair->a, pair->b);
+  }
+}

@@ -109,10 +109,7 @@ enum nb_status nb_balance_create(struct nb_model *model, struct nb_error *error)
   if (!model->terms)
     return NB_OK;
   b->initial_energy = nb_energy_kinetic(model) + nb_energy_stored(model);
-  struct nb_sum first_half[NB_TERMS] = {{0}}; /* the last step of a saved state is not part of this run */
-  nb_balance_add_half_kick(first_half, model);
-  for (int t = 0; t < NB_TERMS; t++)
-    nb_sum_add(&model->terms[t], -first_half[t].sum);
+  nb_balance_add_half(model, -1); /* the last step of a saved state is not part of this run */
   return NB_OK;
 }
 
@@ -321,7 +318,7 @@ void nb_balance_after_motion(struct nb_model *model) {
   record_walls(model);
 }
 
-void nb_balance_add_half_kick(struct nb_sum terms[], const struct nb_model *model) {
+static void add_half_kick(struct nb_sum terms[], const struct nb_model *model) {
   const struct kick kick = half_kick(model);
   if (!(kick.first_half > 0))
     return;
@@ -329,12 +326,19 @@ void nb_balance_add_half_kick(struct nb_sum terms[], const struct nb_model *mode
   add_terms(terms, model, kick);
 }
 
+void nb_balance_add_half(struct nb_model *model, double sign) {
+  struct nb_sum first_half[NB_TERMS] = {{0}};
+  add_half_kick(first_half, model);
+  for (int t = 0; t < NB_TERMS; t++)
+    nb_sum_add(&model->terms[t], sign * first_half[t].sum);
+}
+
 /* ---- values ---- */
 
 double nb_balance_term(const struct nb_model *model, enum nb_term term) {
   struct nb_sum now[NB_TERMS];
   memcpy(now, model->terms, sizeof now);
-  nb_balance_add_half_kick(now, model);
+  add_half_kick(now, model);
   return now[term].sum + now[term].rest;
 }
 
@@ -351,7 +355,7 @@ double nb_balance_energy_residual(const struct nb_model *model) {
       [NB_TERM_UNSTORED] = 1, [NB_TERM_CHANGED] = -1, [NB_TERM_REMOVED] = 1,  [NB_TERM_IMPOSED] = -1};
   struct nb_sum now[NB_TERMS], sum = {0};
   memcpy(now, model->terms, sizeof now);
-  nb_balance_add_half_kick(now, model);
+  add_half_kick(now, model);
   nb_sum_add(&sum, nb_energy_kinetic(model));
   nb_sum_add(&sum, nb_energy_stored(model));
   nb_sum_add(&sum, -model->balance->initial_energy);

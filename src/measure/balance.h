@@ -27,7 +27,7 @@ struct nb_balance {
   struct nb_sum work;                     /* J */
 };
 
-/* Adds the terms of the half before t_N of the kick around t_N. */
-void nb_balance_add_half_kick(struct nb_sum terms[], const struct nb_model *model);
+/* Adds the half before t_N of the kick around t_N to all terms, times the sign. */
+void nb_balance_add_half(struct nb_model *model, double sign);
 
 #endif

@@ -222,12 +222,8 @@ void nb_balance_exclude(struct nb_model *model, bool before) {
   if (!b)
     return;
   b->initial_kinetic += sign * nb_energy_kinetic_half(model);
-  if (!model->terms)
-    return;
-  struct nb_sum first_half[NB_TERMS] = {{0}};
-  nb_balance_add_half_kick(first_half, model);
-  for (int t = 0; t < NB_TERMS; t++)
-    nb_sum_add(&model->terms[t], -sign * first_half[t].sum);
+  if (model->terms)
+    nb_balance_add_half(model, -sign);
 }
 
 /* The change of the kinetic energy counts as energy supplied from outside. */

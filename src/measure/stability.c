@@ -33,6 +33,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/clean.h"
 #include "step.h"
 
 void nb_stable_text(char *text, size_t size, const struct nb_model *model, const struct nb_stable *stable) {
@@ -49,7 +50,7 @@ void nb_stable_text(char *text, size_t size, const struct nb_model *model, const
   else
     snprintf(text, size, "%s of particles %d and %d", motion, number[stable->a], number[stable->b]);
   if (stable->apart && stable->a >= 0)
-    snprintf(text + strlen(text), size - strlen(text), ", as if they touched");
+    nb_append(text, size, ", as if they touched");
 }
 
 /* ---- the overlaps up to which the step stays stable ---- */

@@ -73,7 +73,7 @@ static void update_next_properties(const struct nb_model *model) {
   for (size_t p = 0; p < model->material_pair_count; p++) {
     struct nb_material_pair *material_pair = &model->material_pairs[p];
     material_pair->next = nb_properties_pair(&model->properties, material_pair->a, material_pair->b);
-    material_pair->next_shear = material_pair->next.friction > 0 || material_pair->next.cohesion > 0 ? shear : NULL;
+    material_pair->next_shear = nb_has_friction(material_pair->next) ? shear : NULL;
   }
 }
 

@@ -352,6 +352,16 @@ const struct nb_expectation_row *nb_expectation_rows(void) { return rows; }
 
 /* ---- the statements ---- */
 
+/* A reader of expectations; the caller frees it. NULL: no memory, which is a mistake. */
+static struct nb_reader *reader_of(const struct nb_page *page, const struct nb_scene *scene,
+                                   struct nb_mistakes *mistakes) {
+  struct nb_reader *reader = calloc(1, sizeof *reader);
+  if (!reader)
+    return nb_mistake_memory(mistakes), NULL;
+  reader->page = page, reader->mistakes = mistakes, reader->unitless = scene->unitless;
+  return reader;
+}
+
 struct reading {
   struct nb_expectations *expectations;
   const struct nb_scene *scene;
@@ -368,7 +378,7 @@ static bool take_kind(struct nb_reader *reader, const struct reading *reading, s
       expectation->kind = row->kind;
       return row->take(reader, reading->scene, expectation);
     }
-    nb_append(words, sizeof words, "%s`%s`", !words[0] ? "" : row[1].word ? ", " : " or ", row->word);
+    nb_append_item(words, sizeof words, row->word, !row[1].word);
     nb_guess_offer(&guess, row->word);
   }
   bool again = false; /* a second reducer: `C.normal max min` */
@@ -456,12 +466,9 @@ enum nb_status nb_expectations_read(struct nb_expectations *expectations, const 
   const size_t before = mistakes->total;
   *expectations = (struct nb_expectations){0};
   struct reading reading = {expectations, scene};
-  struct nb_reader *reader = calloc(1, sizeof *reader);
-  if (!reader) {
-    nb_mistake_memory(mistakes);
+  struct nb_reader *reader = reader_of(page, scene, mistakes);
+  if (!reader)
     return NB_NO_MEMORY;
-  }
-  reader->page = page, reader->mistakes = mistakes, reader->unitless = scene->unitless;
   reader->bindings = scene->bindings, reader->binding_count = scene->binding_count, reader->has_units = true;
   bool reference_required = true; /* not after a wrong line of two words, which is most probably `reference NAME` */
   for (size_t line = 1; line <= page->line_count && !scene->path_replaced; line++)
@@ -485,13 +492,10 @@ enum nb_status nb_expectation_read(struct nb_expectation *expectation, const cha
   const size_t before = mistakes->total;
   char *lines[] = {(char *)text};
   const struct nb_page page = {.path = (char *)name, .lines = lines, .line_count = 1};
-  struct nb_reader *reader = calloc(1, sizeof *reader);
+  struct nb_reader *reader = reader_of(&page, scene, mistakes);
   *expectation = (struct nb_expectation){0};
-  if (!reader) {
-    nb_mistake_memory(mistakes);
+  if (!reader)
     return NB_NO_MEMORY;
-  }
-  reader->page = &page, reader->mistakes = mistakes, reader->unitless = scene->unitless;
   if (nb_line_read(reader, 1) && take_measure(reader, scene, &expectation->measure) &&
       take_tolerance_of(reader, scene, expectation->measure.unit, expectation->measure.is_residual,
                         &expectation->tolerance) &&

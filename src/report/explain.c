@@ -132,13 +132,6 @@ static void explain_particles(FILE *out, const struct nb_scene *scene) {
 
 /* ---- the plan ---- */
 
-static size_t bit_count(unsigned set) {
-  size_t count = 0;
-  for (; set; set &= set - 1)
-    count++;
-  return count;
-}
-
 /* Whether such a contact can form: a material of only one particle has no contact with itself. */
 static bool can_touch(const struct nb_scene *scene, const struct nb_material_pair *material_pair) {
   size_t particles = 0;
@@ -146,8 +139,6 @@ static bool can_touch(const struct nb_scene *scene, const struct nb_material_pai
     particles += scene->particles[k].material == material_pair->a;
   return material_pair->wall || material_pair->a != material_pair->b || particles > 1;
 }
-
-static bool has_friction(struct nb_pair pair) { return pair.friction > 0 || pair.cohesion > 0; }
 
 /* The values that a change of a stage sets for the pair, if it sets any. */
 static void explain_change(FILE *out, const struct nb_stage *stage, const struct nb_change *change,
@@ -165,7 +156,8 @@ static void explain_change(FILE *out, const struct nb_stage *stage, const struct
     fprintf(out, "%s " #name " %g", between, after.name), between = ",";
   NB_PAIR_ROWS(ROW)
 #undef ROW
-  fputs(has_friction(before) && !has_friction(after) ? "; no shear force without friction and cohesion\n" : "\n", out);
+  fputs(nb_has_friction(before) && !nb_has_friction(after) ? "; no shear force without friction and cohesion\n" : "\n",
+        out);
 }
 
 /* The values of the pair that stages change, in the order of the run; false: out of memory. */
@@ -228,7 +220,7 @@ static size_t bytes_per_particle(const struct nb_model *model) {
 
 static size_t bytes_per_contact(const struct nb_model *model, size_t history) {
   const struct nb_contacts *contacts = &model->contacts;
-  return sizeof(double) * (2 + bit_count(model->plan.kept) + history + (size_t)contacts->slip_sum.doubles) +
+  return sizeof(double) * (2 + nb_bit_count(model->plan.kept) + history + (size_t)contacts->slip_sum.doubles) +
          (contacts->image ? sizeof *contacts->image : 0) + (contacts->suppressed ? sizeof(int) : 0) + 5 * sizeof(int);
 }
 
@@ -237,7 +229,7 @@ static void explain_memory(FILE *out, const struct nb_model *model) {
   const size_t history = (size_t)(model->contacts.normal_history.doubles + model->contacts.shear_history.doubles);
   fprintf(out, "memory\n  %zu bytes a particle%s, %zu a contact (%zu kept fields, %zu history variables of laws)\n",
           bytes_per_particle(model), model->particles.spin ? "" : " (without rotation)",
-          bytes_per_contact(model, history), bit_count(model->plan.kept) + 2, history);
+          bytes_per_contact(model, history), nb_bit_count(model->plan.kept) + 2, history);
   fprintf(out, "  %zu blocks of up to %d contacts, loops for %s, %d thread%s\n", model->blocks.count, NB_BLOCK_SIZE,
           isa_names[model->machine.isa], model->machine.threads_used, model->machine.threads_used == 1 ? "" : "s");
 }
@@ -523,17 +515,11 @@ static struct nb_model *model_before_start(const struct nb_scene *scene, const s
   struct nb_model *model = nb_model_resume(scene, options, NULL, error);
   for (size_t s = 0; s < scene->start.stages && model; s++) {
     model->next_laws = nb_laws_of(&scene->stages[s], model->next_laws);
-    for (size_t k = 0; k < scene->stages[s].change_count; k++) {
-      const struct nb_change *change = &scene->stages[s].changes[k];
-      nb_properties_change(&model->properties, change, nb_properties_before(&model->properties, change), 1);
-    }
-  }
-  for (size_t p = 0; model && p < model->material_pair_count; p++) {
-    struct nb_material_pair *pair = &model->material_pairs[p];
-    pair->values = nb_properties_pair(&model->properties, pair->a, pair->b);
+    nb_properties_end_stage(&model->properties, &scene->stages[s]);
   }
   if (!model)
     return NULL;
+  nb_properties_apply(model);
   nb_laws_change(model);
   model->critical = nb_step_single_contact(model);
   if (!nb_plan(model, error) && !nb_neighbours_search(model, error))

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "advise.h"
+#include "core/block.h"
 #include "core/clock.h"
 
 enum { SETTINGS_EXTRA = NB_TRADES + 7, SETTING_SIZE = 3 * NB_NAME_SIZE };
@@ -138,13 +139,6 @@ static bool check_trial(struct nb_advice *advice, struct nb_variant *variant, st
   return take_references(advice, point, variant, outcome);
 }
 
-static unsigned count_bits(unsigned set) {
-  unsigned count = 0;
-  for (; set; set &= set - 1)
-    count++;
-  return count;
-}
-
 /* Stores the quantity of each run, and the cost of the setting. */
 static bool take_values(struct nb_advice *advice, struct nb_point *point, struct trial *trial) {
   struct nb_outcome *outcome = &trial->outcome;
@@ -170,7 +164,7 @@ static bool take_values(struct nb_advice *advice, struct nb_point *point, struct
   point->seconds = point->done ? fmin(point->seconds, seconds) : seconds;
   point->recorded = recorded, point->stability[trial->index] = stability;
   point->done |= 1U << trial->index;
-  point->updates += (updates - point->updates) / count_bits(point->done);
+  point->updates += (updates - point->updates) / (double)nb_bit_count(point->done);
   return true;
 }
 

@@ -39,10 +39,6 @@ static enum nb_dashpot_kind dashpot_kind(const struct nb_damping *damping) {
 
 static bool affine_twice(const struct nb_model *model) { return model->affine && model->affine->twice; }
 
-static bool has_friction(const struct nb_material_pair *material_pair) {
-  return material_pair->values.friction > 0 || material_pair->values.cohesion > 0;
-}
-
 /* Whether both stiffnesses grow with the overlap alone, as those of elastic spheres do. */
 static bool stiffens(const struct nb_law *normal, const struct nb_law *shear) {
   return normal->elastic && !normal->incremental && (shear->elastic || strcmp(shear->name, "none") == 0);
@@ -72,7 +68,7 @@ static void add_affine_twice(struct nb_model *model, struct nb_material_pair *ma
 static void plan_material_pair(struct nb_model *model, struct nb_material_pair *material_pair) {
   const struct nb_law *normal = model->laws.normal, *shear = model->laws.shear;
   material_pair->normal = normal;
-  material_pair->shear = has_friction(material_pair) && strcmp(shear->name, "none") != 0 ? shear : NULL;
+  material_pair->shear = nb_has_friction(material_pair->values) && strcmp(shear->name, "none") != 0 ? shear : NULL;
   material_pair->pass_count = 0;
   if (stiffens(normal, shear))
     model->plan.kept |= NB_BIT(NB_STABLE_OVERLAP);
@@ -146,7 +142,7 @@ enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
 bool nb_plan_is_current(const struct nb_model *model) {
   const bool none = strcmp(model->laws.shear->name, "none") == 0;
   for (size_t p = 0; p < model->material_pair_count; p++)
-    if (!none && has_friction(&model->material_pairs[p]) != (model->material_pairs[p].shear != NULL))
+    if (!none && nb_has_friction(model->material_pairs[p].values) != (model->material_pairs[p].shear != NULL))
       return false;
   return model->plan.dashpots == dashpot_kind(&model->damping) && model->plan.centred == model->damping.centred &&
          model->plan.affine_twice == affine_twice(model);

@@ -6,6 +6,7 @@
 
 #include "checkpoint.h"
 #include "contact_test.h"
+#include "core/clean.h"
 #include "core/clock.h"
 #include "core/names.h"
 #include "laws/laws_now.h"
@@ -63,10 +64,9 @@ static enum nb_status conditions_not_met(const struct nb_stage *stage, const str
   char text[256] = "";
   for (size_t k = 0; k < stage->condition_count; k++) {
     const struct nb_condition *condition = &stage->conditions[k];
-    const size_t length = strlen(text);
-    snprintf(text + length, sizeof text - length, "%s%s is %g and should be %s %g", k ? ", " : "", condition->name,
-             nb_quantity_value(condition->quantity, model), condition->relation == NB_BELOW ? "below" : "above",
-             condition->value);
+    nb_append(text, sizeof text, "%s%s is %g and should be %s %g", k ? ", " : "", condition->name,
+              nb_quantity_value(condition->quantity, model), condition->relation == NB_BELOW ? "below" : "above",
+              condition->value);
   }
   return nb_error_set(error, NB_BROKEN, "stage `%s` (line %d) did not end within %lu cycles: %s", stage->name,
                       stage->line, stage->cycles, text);

@@ -269,9 +269,7 @@ static bool change_properties(struct nb_model *model, double fraction) {
   const bool laws = nb_laws_normal_changes(model) || nb_laws_shear_changes(model);
   if (model->stage->change_count > 0 || laws) {
     interpolate_properties(model, fraction);
-    for (size_t p = 0; p < model->material_pair_count; p++)
-      model->material_pairs[p].values =
-          nb_properties_pair(&model->properties, model->material_pairs[p].a, model->material_pairs[p].b);
+    nb_properties_apply(model);
     nb_laws_change(model);
   }
   return laws || ((model->stage_cycle == 1 || model->stage->change_count > 0) && !nb_plan_is_current(model));

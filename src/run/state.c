@@ -296,9 +296,7 @@ void nb_saved_restore(struct nb_model *model, const struct nb_saved *saved) {
   for (size_t r = 0; r < saved->rule_count; r++) /* not memcpy: without rules the array is NULL */
     model->properties.rules[r] = saved->rules[r];
   model->properties.rule_count = saved->rule_count;
-  for (size_t p = 0; p < model->material_pair_count; p++)
-    model->material_pairs[p].values =
-        nb_properties_pair(&model->properties, model->material_pairs[p].a, model->material_pairs[p].b);
+  nb_properties_apply(model);
   model->gravity = saved->gravity;
   model->cycle = saved->cycle, model->stage_cycle = saved->stage_cycle;
   model->time = saved->time, model->impact_time = saved->impact.contact_time;
