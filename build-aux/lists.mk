@@ -480,6 +480,8 @@ CORE = \
   src/core/wall_vertices.c \
   src/core/machine.c \
   src/core/materials.c \
+  src/core/mesh.c \
+  src/core/mesh.h \
   src/core/history.c \
   src/core/model.h \
   src/core/motion.c \

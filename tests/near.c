@@ -137,6 +137,42 @@ static void touching_pairs_are_listed(void) {
   written_free(&it);
 }
 
+/* Discs of similar size: alone they are sorted by box (core/mesh.h),
+ * with one more disc far away they are not. Both find all pairs, and measure the same number of distances. */
+static void similar_sizes(void) {
+  enum { ALIKE = 400 };
+  static const double places[][2] = {{0, 0}, {-1e6, 3e5}};
+  for (int p = 0; p < 2; p++)
+    for (int shuffle = 0; shuffle < 2; shuffle++) {
+      size_t contacts[2];
+      unsigned long long candidates[2];
+      for (int far = 0; far < 2; far++) {
+        struct words page = {0};
+        struct chance chance = chance_begin(5);
+        struct placed placed = {.fraction = 0.5};
+        struct written it;
+        words_add(&page, "units none\nmaterial a density 1 kn 1\nmaterial b density 2 kn 3\nstep 1e-6\nskin 0.2\n"
+                         "wall w -9 -9 to 9 -9 a\n");
+        for (int k = 0; k < ALIKE; k++) {
+          placed_find(&placed, &chance, 0, 40, chance_scale(&chance, 0.7, 1));
+          words_add(&page, "disc %.17g %.17g radius %.17g %s%s\n", places[p][0] + placed.disc[k][0],
+                    places[p][1] + placed.disc[k][1], placed.disc[k][2], k % 3 ? "a" : "b", k % 9 ? "" : " fixed");
+        }
+        if (far)
+          words_add(&page, "disc 4e9 0 radius 0.8 a fixed\n");
+        words_add(&page, "record cycle\nstage s\ncycles 1\n");
+        written_scene(&it, &page);
+        struct nb_model *model = written_model(&it, &(struct nb_options){.threads = 1, .shuffle = shuffle});
+        contacts[far] = model->contacts.count, candidates[far] = model->search.candidates;
+        CU_ASSERT_EQUAL(compare(model, model->search.skin), contacts[far]);
+        nb_model_free(model);
+        written_free(&it);
+      }
+      CU_ASSERT(contacts[0] > ALIKE / 2 && contacts[0] == contacts[1]);
+      CU_ASSERT(candidates[0] > contacts[0] && candidates[0] == candidates[1]);
+    }
+}
+
 /* Five large discs among small ones, radii from 30 to 0.01: all pairs are found, and few are measured. With boxes as
  * wide as the largest disc every small one would be measured against hundreds. */
 static void different_sizes(void) {
@@ -340,6 +376,7 @@ void suite_near(void) {
   CU_add_test(suite, "restored pairs exist", restored_pairs_exist);
   CU_add_test(suite, "contacts are found by their partners", contacts_are_found_by_their_partners);
   CU_add_test(suite, "pairs that touch are listed", touching_pairs_are_listed);
+  CU_add_test(suite, "similar sizes, with and without a distant disc", similar_sizes);
   CU_add_test(suite, "a few large discs among many small ones", different_sizes);
   CU_add_test(suite, "no search without need", no_search_without_need);
   CU_add_test(suite, "the skin changes no bit", the_skin_changes_no_bit);

@@ -127,6 +127,8 @@ struct nb_history nb_history_create(struct nb_owner *owner, int doubles, size_t 
 struct nb_history nb_history_from(const struct nb_history *history, size_t first);
 /* Copies the history of one contact. */
 void nb_history_copy(struct nb_history *to, size_t there, const struct nb_history *from, size_t here);
+/* Copies the histories of the contacts that stay: from[c] is the old index of contact c, -1 if it is new. */
+void nb_history_keep(struct nb_history *now, const struct nb_history *old, const int from[], size_t contacts);
 void nb_history_forget(struct nb_history *history, size_t contact);
 /* The history of a contact as one array, which the law can read: a row in place, or a copy in `buffer`. */
 const double *nb_history_read(const struct nb_history *history, size_t contact, double buffer[NB_HISTORY]);

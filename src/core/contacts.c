@@ -1,7 +1,6 @@
 /* The list of contacts, built anew after each search, and the contacts of each particle.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include <limits.h>
 #include <stdlib.h>
 
 #include "hertz_impact.h"
@@ -28,57 +27,56 @@ void nb_pairs_store(struct nb_store *store, const char *name, struct nb_neighbou
     store->failed = store->failed || !pair_exists(pairs->list[p], model);
 }
 
-int nb_partner_rank(const struct nb_model *model, struct nb_neighbour_pair pair) {
-  return model->material_pairs[pair.material_pair].wall ? INT_MAX / 2 + pair.b : model->particles.number[pair.b];
+static void keep_doubles(double now[], const double old[], const int from[], size_t count) {
+  for (size_t c = 0; c < count && now && old; c++)
+    now[c] = from[c] >= 0 ? old[from[c]] : now[c];
 }
 
-int nb_contacts_order(const struct nb_model *model, struct nb_neighbour_pair p, struct nb_neighbour_pair q) {
-  const int *number = model->particles.number;
-  const int difference[] = {p.material_pair - q.material_pair, number[p.a] - number[q.a],
-                            nb_partner_rank(model, p) - nb_partner_rank(model, q)};
-  return difference[0] ? difference[0] : difference[1] ? difference[1] : difference[2];
-}
-
-/* Copies the fields whose values of the last step the energy balance still needs, from contact o to contact c. */
-static void copy_energy_fields(struct nb_contacts *now, size_t c, const struct nb_contacts *old, size_t o) {
+/* Copies the fields whose values of the last step the energy balance still needs. */
+static void keep_energy_fields(struct nb_contacts *now, const struct nb_contacts *old, const int from[]) {
   static const enum nb_field fields[] = {NB_OVERLAP, NB_SHEAR_BEFORE, NB_SHEAR_STIFFNESS_BEFORE};
   for (size_t f = 0; f < sizeof fields / sizeof *fields; f++)
-    if (now->kept[fields[f]] && old->kept[fields[f]])
-      now->kept[fields[f]][c] = old->kept[fields[f]][o];
+    keep_doubles(now->kept[fields[f]], old->kept[fields[f]], from, now->count);
 }
 
-/* Copies all fields except M*, from contact o to contact c. M* changes when a particle becomes part of a boundary,
- * because its mass is then infinite. */
-static void copy_all_fields(struct nb_contacts *now, size_t c, const struct nb_contacts *old, size_t o) {
-  now->force[c] = old->force[o];
+/* Copies all fields except M*, which changes when a particle becomes part of a boundary, because its mass is then
+ * infinite. */
+static void keep_all_fields(struct nb_contacts *now, const struct nb_contacts *old, const int from[]) {
+  for (size_t c = 0; c < now->count; c++)
+    if (from[c] >= 0)
+      now->force[c] = old->force[from[c]];
   for (int f = 0; f < NB_FIELDS; f++)
-    if (now->kept[f] && f != NB_MASS)
-      now->kept[f][c] = old->kept[f][o];
+    if (f != NB_MASS)
+      keep_doubles(now->kept[f], old->kept[f], from, now->count);
 }
 
-/* The old and the new list have the same order, so one pass through both finds the pairs that stay. */
-static void copy_histories(const struct nb_model *model, const struct nb_contacts *old, struct nb_contacts *now) {
+/* Finds the old index of each contact that stays, and -1 of a new one. Both lists have the same order, so one pass
+ * through both is enough. */
+static void find_old(int from[], const struct nb_model *model, const struct nb_contacts *old,
+                     const struct nb_contacts *now) {
   size_t o = 0;
   for (size_t c = 0; c < now->count; c++) {
     const struct nb_neighbour_pair here = {now->a[c], now->b[c], now->material_pair[c]};
-    for (; o < old->count; o++) {
+    int order = -1;
+    for (; o < old->count && order < 0; o += order <= 0) {
       const struct nb_neighbour_pair there = {old->a[o], old->b[o], old->material_pair[o]};
-      const int order = nb_contacts_order(model, there, here);
-      if (order > 0)
-        break;
-      if (order < 0)
-        continue;
-      if (now->suppressed && old->suppressed)
-        now->suppressed[c] = old->suppressed[o];
-      if (model->search.keep_forces)
-        copy_all_fields(now, c, old, o);
-      else if (model->plan.requested & NB_REQUEST_ENERGY)
-        copy_energy_fields(now, c, old, o);
-      nb_history_copy(&now->normal_history, c, &old->normal_history, o);
-      nb_history_copy(&now->shear_history, c, &old->shear_history, o);
-      nb_history_copy(&now->slip_sum, c, &old->slip_sum, o);
+      order = nb_contacts_order(model, there, here);
     }
+    from[c] = order == 0 ? (int)o - 1 : -1;
   }
+}
+
+static void copy_histories(const struct nb_model *model, const struct nb_contacts *old, struct nb_contacts *now,
+                           const int from[]) {
+  for (size_t c = 0; c < now->count && now->suppressed && old->suppressed; c++)
+    now->suppressed[c] = from[c] >= 0 ? old->suppressed[from[c]] : now->suppressed[c];
+  if (model->search.keep_forces)
+    keep_all_fields(now, old, from);
+  else if (model->plan.requested & NB_REQUEST_ENERGY)
+    keep_energy_fields(now, old, from);
+  nb_history_keep(&now->normal_history, &old->normal_history, from, now->count);
+  nb_history_keep(&now->shear_history, &old->shear_history, from, now->count);
+  nb_history_keep(&now->slip_sum, &old->slip_sum, from, now->count);
 }
 
 /* Sets M* and R* of contact c. Fixed particles and walls have infinite mass, and walls an infinite radius. M* is finite
@@ -184,20 +182,17 @@ static bool contacts_create(struct nb_contacts *contacts, const struct nb_model 
 
 bool nb_contacts_renew(struct nb_model *model, const struct nb_neighbour_pairs *pairs) {
   struct nb_contacts now;
-  const bool made = contacts_create(&now, model, pairs);
-  if (made)
-    copy_histories(model, &model->contacts, &now);
+  int *from = nb_array(pairs->count, sizeof *from);
+  const bool made = contacts_create(&now, model, pairs) && from;
+  if (made) {
+    find_old(from, model, &model->contacts, &now);
+    copy_histories(model, &model->contacts, &now, from);
+  }
+  free(from);
   nb_owner_free(made ? &model->contacts.owner : &now.owner);
   if (made)
     model->contacts = now;
   return made;
-}
-
-struct nb_vec nb_contacts_branch(const struct nb_model *model, size_t contact) {
-  const struct nb_contacts *contacts = &model->contacts;
-  const struct nb_vec *x = model->particles.position;
-  const struct nb_vec branch = vec_sub(x[contacts->b[contact]], x[contacts->a[contact]]);
-  return model->cell ? vec_add(branch, tensor_times(model->cell->h, contacts->image[contact])) : branch;
 }
 
 struct nb_tensor nb_contacts_virial(const struct nb_model *model) {
@@ -205,12 +200,6 @@ struct nb_tensor nb_contacts_virial(const struct nb_model *model) {
   for (size_t c = 0; c < model->contacts.wall_from; c++)
     sum = tensor_sub(sum, tensor_outer(model->contacts.force[c], nb_contacts_branch(model, c)));
   return sum;
-}
-
-struct nb_pair nb_contact_constants(const struct nb_model *model, size_t contact, struct nb_pair values) {
-  if (model->contacts.kept[NB_REDUCED])
-    values.radius = model->contacts.kept[NB_REDUCED][contact];
-  return values;
 }
 
 long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall) {
@@ -224,13 +213,4 @@ long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall) {
       return c;
   }
   return -1;
-}
-
-double nb_overlap(const struct nb_model *model, size_t c) {
-  const bool wall = model->material_pairs[model->contacts.material_pair[c]].wall;
-  const struct nb_particles *particles = &model->particles;
-  const int i = model->contacts.a[c], j = model->contacts.b[c];
-  if (!wall)
-    return particles->surface[i].radius + particles->surface[j].radius - vec_length(nb_contacts_branch(model, c));
-  return particles->surface[i].radius - vec_length(nb_wall_separation(&model->walls, j, particles->position[i]));
 }

@@ -46,15 +46,10 @@ struct nb_neighbour_pair {
 };
 struct nb_neighbour_pairs {
   struct nb_neighbour_pair *list; /* owned by the caller of the search */
-  size_t count;
+  size_t count, room;             /* used, allocated */
 };
 void nb_pairs_store(struct nb_store *store, const char *name, struct nb_neighbour_pairs *pairs,
                     const struct nb_model *model);
-/* Sort key of b among the partners of a: its number, walls last. */
-int nb_partner_rank(const struct nb_model *model, struct nb_neighbour_pair pair);
-/* Compares p and q by material pair, then by the number of a, then by the number of b. Returns < 0, 0 or > 0, like
- * strcmp. */
-int nb_contacts_order(const struct nb_model *model, struct nb_neighbour_pair p, struct nb_neighbour_pair q);
 /* Replaces the list by a new one, sorted by the number of a, then by partners; pairs that stay keep their history.
  * False: out of memory, nothing changed. */
 bool nb_contacts_renew(struct nb_model *model, const struct nb_neighbour_pairs *pairs);
@@ -72,12 +67,7 @@ static inline int nb_coordination_number(const struct nb_contacts *contacts, siz
 
 /* Index of the contact of two slots, or of slot a with wall b; -1: the pair is not listed. */
 long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall);
-/* Branch vector between two particles: from the first centre to the second, or to its image, m. */
-struct nb_vec nb_contacts_branch(const struct nb_model *model, size_t contact);
 /* -sum f_i l_j over contacts between particles, N m: f force on the first particle, N; l branch vector, m. */
 struct nb_tensor nb_contacts_virial(const struct nb_model *model);
-double nb_overlap(const struct nb_model *model, size_t contact); /* at the current positions, m; below 0: a gap */
-/* The parameters that a contact's laws read: those of its material pair, and its own R*. */
-struct nb_pair nb_contact_constants(const struct nb_model *model, size_t contact, struct nb_pair values);
 
 #endif

@@ -34,6 +34,17 @@ void nb_history_copy(struct nb_history *to, size_t there, const struct nb_histor
       to->field[m][there] = from->field[m][here];
 }
 
+void nb_history_keep(struct nb_history *now, const struct nb_history *old, const int from[], size_t contacts) {
+  const size_t doubles = (size_t)(now->doubles < old->doubles ? now->doubles : old->doubles);
+  for (size_t c = 0; c < contacts && now->rows && old->rows; c++)
+    if (from[c] >= 0)
+      memcpy(now->rows + c * (size_t)now->doubles, old->rows + (size_t)from[c] * (size_t)old->doubles,
+             doubles * sizeof(double));
+  for (int m = 0; m < NB_HISTORY; m++)
+    for (size_t c = 0; c < contacts && now->field[m] && old->field[m]; c++)
+      now->field[m][c] = from[c] >= 0 ? old->field[m][from[c]] : now->field[m][c];
+}
+
 void nb_history_forget(struct nb_history *history, size_t contact) {
   for (int m = 0; m < NB_HISTORY; m++)
     if (history->field[m])

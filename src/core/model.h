@@ -9,6 +9,8 @@
 #ifndef NB_MODEL_H
 #define NB_MODEL_H
 
+#include <limits.h>
+
 #include "array.h"
 #include "block.h"
 #include "cell.h"
@@ -349,5 +351,49 @@ unsigned long long nb_deep_count(const struct nb_model *model);
 
 /* cycle.c: the force calculation at the current positions */
 void nb_forces(struct nb_model *model);
+
+/* ---- contacts ---- */
+
+/* Sort key of b among the partners of a: its number, walls last. */
+static inline int nb_partner_rank(const struct nb_model *model, struct nb_neighbour_pair pair) {
+  return model->material_pairs[pair.material_pair].wall ? INT_MAX / 2 + pair.b : model->particles.number[pair.b];
+}
+
+/* Compares p and q by material pair, then by the number of a, then by the number of b. Returns < 0, 0 or > 0, like
+ * strcmp. */
+static inline int nb_contacts_order(const struct nb_model *model, struct nb_neighbour_pair p,
+                                    struct nb_neighbour_pair q) {
+  const int *number = model->particles.number;
+  if (p.material_pair != q.material_pair)
+    return p.material_pair - q.material_pair;
+  return p.a != q.a   ? number[p.a] - number[q.a]
+         : p.b == q.b ? 0
+                      : nb_partner_rank(model, p) - nb_partner_rank(model, q);
+}
+
+/* Branch vector between two particles: from the first centre to the second, or to its image, m. */
+static inline struct nb_vec nb_contacts_branch(const struct nb_model *model, size_t contact) {
+  const struct nb_contacts *contacts = &model->contacts;
+  const struct nb_vec *x = model->particles.position;
+  const struct nb_vec branch = vec_sub(x[contacts->b[contact]], x[contacts->a[contact]]);
+  return model->cell ? vec_add(branch, tensor_times(model->cell->h, contacts->image[contact])) : branch;
+}
+
+/* At the current positions, m; below 0: a gap. */
+static inline double nb_overlap(const struct nb_model *model, size_t contact) {
+  const bool wall = model->material_pairs[model->contacts.material_pair[contact]].wall;
+  const struct nb_particles *particles = &model->particles;
+  const int i = model->contacts.a[contact], j = model->contacts.b[contact];
+  if (!wall)
+    return particles->surface[i].radius + particles->surface[j].radius - vec_length(nb_contacts_branch(model, contact));
+  return particles->surface[i].radius - vec_length(nb_wall_separation(&model->walls, j, particles->position[i]));
+}
+
+/* The parameters that a contact's laws read: those of its material pair, and its own R*. */
+static inline struct nb_pair nb_contact_constants(const struct nb_model *model, size_t contact, struct nb_pair values) {
+  if (model->contacts.kept[NB_REDUCED])
+    values.radius = model->contacts.kept[NB_REDUCED][contact];
+  return values;
+}
 
 #endif

@@ -7,7 +7,8 @@
  *
  * Particles are in a grid of boxes with levels by size (grid.h), each on the finest level whose boxes are at least as
  * wide as its diameter plus the skin. For each particle the nine boxes around it are searched, on its own level and on
- * those of larger particles. Scenes of a few particles need no grid.
+ * those of larger particles. Scenes of a few particles need no grid. Particles of similar size that fill their
+ * surroundings are sorted by box instead (mesh.h), which finds the same pairs faster.
  *
  * In a periodic cell (cell.c) each particle is represented by its image in the cell. The search starts also from those
  * of its images that are near the cell, which finds every pair once.
@@ -17,11 +18,13 @@
 #include <string.h>
 
 #include "grid.h"
+#include "mesh.h"
 #include "model.h"
 
 enum { GRID_MIN_PARTICLES = 16 }; /* up to this number there is no grid, and all pairs are tested */
 
 struct search {
+  struct nb_mesh mesh; /* without items: the grid is used */
   struct nb_grid grid;
   struct nb_wrap wrap;    /* the periodic cell with the shortest sides */
   struct nb_vec *wrapped; /* position of the image of each slot in this cell, m; NULL without a cell */
@@ -45,8 +48,13 @@ static bool search_begin(struct search *search, const struct nb_model *model) {
   double largest = 0;
   for (size_t i = 0; i < particles->count; i++)
     largest = particles->surface[i].radius > largest ? particles->surface[i].radius : largest;
-  if (!nb_grid_create(&search->grid, particles->count, 2 * largest + model->search.skin) ||
-      (model->cell && !wrap_positions(search, model)))
+  const double width = 2 * largest + model->search.skin;
+  const bool alike = 2 * model->search.smallest_radius + model->search.skin > width / 2;
+  if (alike && !model->cell && !nb_mesh_create(&search->mesh, model, width))
+    return false;
+  if (search->mesh.count)
+    return true;
+  if (!nb_grid_create(&search->grid, particles->count, width) || (model->cell && !wrap_positions(search, model)))
     return false;
   for (int i = 0; i < (int)particles->count; i++)
     nb_grid_add(&search->grid, i, wrapped_position(search, model, i),
@@ -54,11 +62,20 @@ static bool search_begin(struct search *search, const struct nb_model *model) {
   return true;
 }
 
+/* Makes room for so many more pairs than there are. */
+static bool pairs_reserve(struct nb_neighbour_pairs *pairs, size_t more) {
+  struct nb_neighbour_pair *list =
+      more < SIZE_MAX / sizeof *list - pairs->count ? realloc(pairs->list, (pairs->count + more) * sizeof *list) : NULL;
+  if (list)
+    pairs->list = list, pairs->room = pairs->count + more;
+  return list != NULL;
+}
+
 static bool pairs_add(struct nb_neighbour_pairs *pairs, int a, int b, int material_pair) {
-  struct nb_neighbour_pair *pair = NB_ARRAY_APPEND(pairs->list, pairs->count);
-  if (pair)
-    *pair = (struct nb_neighbour_pair){a, b, material_pair};
-  return pair != NULL;
+  if (pairs->count == pairs->room && !pairs_reserve(pairs, pairs->count))
+    return false;
+  pairs->list[pairs->count++] = (struct nb_neighbour_pair){a, b, material_pair};
+  return true;
 }
 
 static int material_pair_of(const struct nb_model *model, int material_a, int material_b, bool wall) {
@@ -80,16 +97,12 @@ static void note_too_deep(struct nb_model *model, struct nb_close_pair pair) {
     *first = pair;
 }
 
-/* Lists particles i and j, whose centres are `apart` from each other, if the gap is smaller than the skin. The particle
- * with the smaller number comes first. A pair whose overlap exceeds the limit ends the run. The search then lists no
- * further pairs, because pairs of many coincident particles would fill the memory. */
-static bool neighbour_pair(struct nb_neighbour_pairs *pairs, struct nb_model *model, int i, int j,
-                           struct nb_vec apart) {
+/* Lists particles i and j, whose gap is smaller than the skin. The particle with the smaller number comes first. A pair
+ * whose overlap exceeds the limit ends the run. The search then lists no further pairs, because pairs of many coincident
+ * particles would fill the memory. */
+static bool near_pair(struct nb_neighbour_pairs *pairs, struct nb_model *model, int i, int j, double distance) {
   const struct nb_particles *particles = &model->particles;
-  model->search.candidates++;
-  const double distance = vec_length(apart), one = particles->surface[i].radius, other = particles->surface[j].radius;
-  if (!(distance < one + other + model->search.skin))
-    return true;
+  const double one = particles->surface[i].radius, other = particles->surface[j].radius;
   if (!(particles->inverse_mass[i] > 0 || particles->inverse_mass[j] > 0))
     return true; /* both are fixed */
   if (nb_removed(model, (size_t)i) || nb_removed(model, (size_t)j))
@@ -100,6 +113,16 @@ static bool neighbour_pair(struct nb_neighbour_pairs *pairs, struct nb_model *mo
     note_too_deep(model, (struct nb_close_pair){a, b, one + other - distance});
   return model->search.too_deep.overlap > 0 ||
          pairs_add(pairs, a, b, material_pair_of(model, particles->material[a], particles->material[b], false));
+}
+
+/* Lists particles i and j, whose centres are `apart` from each other, if the gap is smaller than the skin. */
+static bool neighbour_pair(struct nb_neighbour_pairs *pairs, struct nb_model *model, int i, int j,
+                           struct nb_vec apart) {
+  const struct nb_particles *particles = &model->particles;
+  model->search.candidates++;
+  const double distance = vec_length(apart);
+  return !(distance < particles->surface[i].radius + particles->surface[j].radius + model->search.skin) ||
+         near_pair(pairs, model, i, j, distance);
 }
 
 /* A particle, and the position from which to search: that of the particle or of one of its images. */
@@ -156,6 +179,41 @@ static bool neighbour_copies(struct nb_neighbour_pairs *pairs, struct nb_model *
   return true;
 }
 
+/* Tests item p of the mesh against those in [from, to). First all distances, so that no branch depends on them. */
+static bool neighbours_among(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct nb_mesh *mesh,
+                             const struct nb_mesh_item *it, int from, int to) {
+  enum { BATCH = 64 };
+  const double skin = model->search.skin;
+  int slot[BATCH];
+  double distance[BATCH];
+  model->search.candidates += (unsigned long long)(to - from);
+  for (; from < to; from += BATCH) {
+    const int n = to - from < BATCH ? to - from : BATCH;
+    int near = 0;
+    for (int k = 0; k < n; k++) {
+      const struct nb_mesh_item *other = &mesh->item[from + k];
+      slot[near] = other->slot, distance[near] = vec_length(vec_sub(other->x, it->x));
+      near += distance[near] < it->radius + other->radius + skin;
+    }
+    for (int k = 0; k < near; k++)
+      if (!near_pair(pairs, model, it->slot, slot[k], distance[k]))
+        return false;
+  }
+  return true;
+}
+
+/* Each particle against the later ones of its box, and those of half the boxes around it: each pair once. */
+static bool neighbours_in_mesh(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct nb_mesh *mesh) {
+  for (size_t p = 0; p < mesh->count; p++) {
+    const struct nb_mesh_item *it = &mesh->item[p];
+    const int *start = mesh->start + it->box, *above = start + mesh->row;
+    if (!neighbours_among(pairs, model, mesh, it, (int)p + 1, start[2]) ||
+        !neighbours_among(pairs, model, mesh, it, above[-1], above[2]))
+      return false;
+  }
+  return true;
+}
+
 static bool neighbour_walls(struct nb_neighbour_pairs *pairs, struct nb_model *model, int i) {
   const struct nb_walls *walls = &model->walls;
   const struct nb_particles *particles = &model->particles;
@@ -171,24 +229,41 @@ static bool neighbour_walls(struct nb_neighbour_pairs *pairs, struct nb_model *m
   return true;
 }
 
+/* The pairs of a particle: with walls, and unless the mesh has them, with other particles. */
+static bool neighbours_of(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct search *search,
+                          int i) {
+  const bool found = search->mesh.count ? true
+                     : model->cell
+                         ? neighbour_copies(pairs, model, search, i)
+                         : neighbours_around(pairs, model, search, (struct origin){i, model->particles.position[i]});
+  return found && neighbour_walls(pairs, model, i);
+}
+
+/* All pairs of a few particles. */
+static bool all_pairs(struct nb_neighbour_pairs *found, struct nb_model *model) {
+  const int *slot = model->particles.slot, n = (int)model->particles.count;
+  const struct nb_vec *x = model->particles.position;
+  bool ok = true;
+  for (int k = 0; k < n && ok; k++) {
+    for (int l = k + 1; l < n && ok; l++)
+      ok = neighbour_pair(found, model, slot[k], slot[l], vec_sub(x[slot[l]], x[slot[k]]));
+    ok = ok && neighbour_walls(found, model, slot[k]);
+  }
+  return ok;
+}
+
 /* Finds every pair closer than the skin once, unsorted; false: out of memory. */
 static bool find_pairs(struct nb_neighbour_pairs *found, struct nb_model *model) {
-  const struct nb_particles *particles = &model->particles;
-  const struct nb_vec *x = particles->position;
-  const int n = (int)particles->count;
-  const bool all = n <= GRID_MIN_PARTICLES && !model->cell;
+  const int n = (int)model->particles.count;
+  if (!pairs_reserve(found, model->contacts.count + (size_t)n / 8 + 16))
+    return false;
+  if (n <= GRID_MIN_PARTICLES && !model->cell)
+    return all_pairs(found, model);
   struct search search = {0};
-  bool ok = all || search_begin(&search, model);
-  for (int k = 0; k < n && ok; k++) {
-    const int i = particles->slot[k];
-    if (model->cell)
-      ok = neighbour_copies(found, model, &search, i);
-    else if (!all)
-      ok = neighbours_around(found, model, &search, (struct origin){i, x[i]});
-    for (int l = k + 1; l < n && all && ok; l++)
-      ok = neighbour_pair(found, model, i, particles->slot[l], vec_sub(x[particles->slot[l]], x[i]));
-    ok = ok && neighbour_walls(found, model, i);
-  }
+  bool ok = search_begin(&search, model) && (!search.mesh.count || neighbours_in_mesh(found, model, &search.mesh));
+  for (int k = 0; k < n && ok; k++)
+    ok = neighbours_of(found, model, &search, model->particles.slot[k]);
+  nb_mesh_free(&search.mesh);
   nb_grid_free(&search.grid);
   free(search.wrapped);
   return ok;

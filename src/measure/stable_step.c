@@ -69,6 +69,8 @@ bool nb_stability_create(struct nb_model *model) {
  * laws since the last one. */
 static void update_next_properties(const struct nb_model *model) {
   model->stability->damped = nb_damping_contact_line(&model->damping) > 0;
+  for (int wall = 0; wall < 2; wall++)
+    model->stability->dashpots[wall] = nb_dashpot(model, wall);
   const struct nb_law *shear = strcmp(model->next_laws.shear->name, "none") == 0 ? NULL : model->next_laws.shear;
   for (size_t p = 0; p < model->material_pair_count; p++) {
     struct nb_material_pair *material_pair = &model->material_pairs[p];
@@ -91,9 +93,8 @@ static struct nb_coefficients coefficients_at(const struct nb_model *model,
     k.ks = material_pair->next_shear->shear(values, normal, 0, shear_history).stiffness;
   if (!model->stability->damped)
     return k;
-  struct nb_dashpot dashpot = {.ratio = 2};
-  if (!deep)
-    dashpot = nb_dashpot(model, material_pair->wall);
+  const struct nb_dashpot dashpot =
+      deep ? (struct nb_dashpot){.ratio = 2} : model->stability->dashpots[material_pair->wall];
   const double mass = inverse_mass > 0 ? 1 / inverse_mass : 0;
   const double times = model->damping.centred ? 2 : 1; /* centred dashpots count twice */
   k.cn = times * (dashpot.time * k.kn + dashpot.ratio * sqrt(mass * k.kn));
@@ -110,24 +111,25 @@ double nb_inverse_mass(const struct nb_model *model, size_t c) {
 /* The smallest positive overlap, m. A pair that does not touch counts with this overlap. */
 static const double smallest_overlap = DBL_MIN;
 
+/* Copies the history of a contact, because laws write into it. If the law changes, the copy is empty: its first double
+ * is 0. */
+static void copy_history(double to[NB_HISTORY_MAX], const struct nb_history *history, size_t c, bool changes) {
+  for (int m = 0; m < NB_HISTORY; m++)
+    to[m] = !changes && history->field[m] ? history->field[m][c] : 0;
+  if (!changes && history->rows)
+    memcpy(to, history->rows + c * (size_t)history->doubles, (size_t)history->doubles * sizeof *to);
+}
+
 static struct nb_coefficients coefficients_of(const struct nb_model *model, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_material_pair *material_pair = &model->material_pairs[contacts->material_pair[c]];
-  double copies[2][NB_HISTORY_MAX];
-  for (int shear = 0; shear < 2; shear++) { /* copies, because laws write into their history */
-    const struct nb_history *history = shear ? &contacts->shear_history : &contacts->normal_history;
-    double buffer[NB_HISTORY], *to = copies[shear];
-    const int doubles = history->doubles > NB_HISTORY ? history->doubles : NB_HISTORY;
-    const bool changes = shear ? nb_laws_shear_changes(model) : nb_laws_normal_changes(model);
-    if (changes)
-      memset(to, 0, NB_HISTORY * sizeof *to); /* in a longer row, 0 in the first double means: no history */
-    else
-      memcpy(to, nb_history_read(history, c, buffer), (size_t)doubles * sizeof *to);
-  }
+  double normal[NB_HISTORY_MAX], shear[NB_HISTORY_MAX];
+  copy_history(normal, &contacts->normal_history, c, nb_laws_normal_changes(model));
+  copy_history(shear, &contacts->shear_history, c, nb_laws_shear_changes(model));
   const double overlap = nb_overlap(model, c), least = model->next_laws.normal->elastic ? 0 : smallest_overlap;
   return coefficients_at(model, material_pair, overlap > least ? overlap : least, nb_inverse_mass(model, c),
                          nb_contact_constants(model, c, material_pair->next).radius,
-                         model->damping.deep > 0 && nb_is_deep(model, c), copies[0], copies[1]);
+                         model->damping.deep > 0 && nb_is_deep(model, c), normal, shear);
 }
 
 double nb_stability_limit(const struct nb_damping *damping) {

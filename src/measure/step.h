@@ -12,7 +12,8 @@ struct nb_stability {
   int step_line;                 /* line of the statement that has set the step; -1: none yet */
   double stable_step;            /* guaranteed stable step at the beginning of the current stage, s */
   bool allow_unstable;           /* no check in this stage */
-  bool damped;                   /* contacts have dashpots at the next force calculation */
+  bool damped;                   /* contacts have dashpots at the next force calculation, */
+  struct nb_dashpot dashpots[2]; /* these, without and with a wall */
   unsigned long checks;          /* number of checks so far */
   double largest;                /* largest ratio of the step to the guaranteed stable step in these checks, 1 */
   struct nb_particle_sums *sums; /* workspace of stable_step.c, per slot */

@@ -1,0 +1,76 @@
+/* All boxes of one width as an array: creation.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "mesh.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "model.h"
+
+/* Coordinates of boxes, in box widths, are integers that a double represents exactly. */
+struct extent {
+  double left, right, bottom, top;
+};
+
+static struct extent extent_of(const struct nb_model *model, double width) {
+  const struct nb_vec *x = model->particles.position;
+  struct extent it = {INFINITY, -INFINITY, INFINITY, -INFINITY};
+  for (size_t i = 0; i < model->particles.count; i++) {
+    it.left = x[i].x < it.left ? x[i].x : it.left, it.right = x[i].x > it.right ? x[i].x : it.right;
+    it.bottom = x[i].y < it.bottom ? x[i].y : it.bottom, it.top = x[i].y > it.top ? x[i].y : it.top;
+  }
+  return (struct extent){floor(it.left / width), floor(it.right / width), floor(it.bottom / width),
+                         floor(it.top / width)};
+}
+
+/* Most boxes for each particle: empty ones cost time too. */
+static const double most_boxes = 4;
+/* Coordinates beyond this many box widths are rounded to multiples of a box: grid.h. */
+static const double farthest = 0x1p50;
+
+static bool fits(struct extent it, size_t items) {
+  return it.left > -farthest && it.bottom > -farthest && it.right < farthest && it.top < farthest &&
+         (it.right - it.left + 3) * (it.top - it.bottom + 3) <= most_boxes * (double)items;
+}
+
+/* Sorts by box: counts the items of each, sums up, and places them. */
+static void sort_items(struct nb_mesh *mesh, const struct nb_model *model, double width, struct extent extent,
+                       int box[]) {
+  const struct nb_particles *particles = &model->particles;
+  for (size_t i = 0; i < mesh->count; i++) {
+    const struct nb_vec x = particles->position[i];
+    box[i] = ((int)(floor(x.y / width) - extent.bottom) + 1) * mesh->row + (int)(floor(x.x / width) - extent.left) + 1;
+    mesh->start[box[i]]++;
+  }
+  for (int b = 0, sum = 0, boxes = mesh->row * ((int)(extent.top - extent.bottom) + 3); b <= boxes; b++) {
+    const int here = mesh->start[b];
+    mesh->start[b] = sum, sum += here;
+  }
+  for (size_t i = 0; i < mesh->count; i++)
+    mesh->item[mesh->start[box[i]]++] =
+        (struct nb_mesh_item){particles->position[i], particles->surface[i].radius, (int)i, box[i]};
+  for (int b = mesh->row * ((int)(extent.top - extent.bottom) + 3); b > 0; b--)
+    mesh->start[b] = mesh->start[b - 1];
+  mesh->start[0] = 0;
+}
+
+bool nb_mesh_create(struct nb_mesh *mesh, const struct nb_model *model, double width) {
+  const struct extent extent = extent_of(model, width);
+  *mesh = (struct nb_mesh){0};
+  if (!fits(extent, model->particles.count))
+    return true;
+  mesh->count = model->particles.count;
+  mesh->row = (int)(extent.right - extent.left) + 3;
+  const size_t boxes = (size_t)mesh->row * ((size_t)(extent.top - extent.bottom) + 3);
+  mesh->start = nb_array(boxes + 1, sizeof *mesh->start);
+  mesh->item = nb_array(mesh->count, sizeof *mesh->item);
+  int *box = nb_array(mesh->count, sizeof *box);
+  const bool made = mesh->start && mesh->item && box;
+  if (made)
+    sort_items(mesh, model, width, extent, box);
+  free(box);
+  return made;
+}
+
+void nb_mesh_free(struct nb_mesh *mesh) { free(mesh->start), free(mesh->item); }
