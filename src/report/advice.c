@@ -11,7 +11,7 @@
 #include "core/clean.h"
 #include "core/clock.h"
 
-/* ` --set NAME=VALUE`, quoted for the shell. */
+/* Appends ` --set NAME=VALUE`, quoted for the shell. */
 static void append_setting(char *text, size_t size, const char *name, const char *value) {
   char setting[1024];
   snprintf(setting, sizeof setting, "%s=%s", name, value);
@@ -19,7 +19,8 @@ static void append_setting(char *text, size_t size, const char *name, const char
   nb_append_word(text, size, setting);
 }
 
-/* The values that a variant takes from the statements `trade`: "rate=3, E=7 GPa", or `--set rate=3 --set E='7 GPa'`. */
+/* Appends the values that a variant takes from the statements `trade`: "rate=3, E=7 GPa", or
+ * `--set rate=3 --set E='7 GPa'`. */
 static void append_values(char *text, size_t size, const struct nb_advice *advice, const struct nb_variant *variant,
                           bool options) {
   const struct nb_scene *scene = &advice->page.runs[0].scene;
@@ -51,7 +52,7 @@ void nb_advice_options(char *text, size_t size, const struct nb_advice *advice, 
   nb_append(text, size, "%s--set refine=%.10g", text[0] ? " " : "", refine_of(advice, setting->level));
 }
 
-/* Prints the options of this call that the suggested command needs, too: --set NAME=VALUE except `trade` and
+/* Prints the options of this call that the suggested command also needs: --set NAME=VALUE except `trade` and
  * `refine`. */
 static void print_own_options(const struct nb_advice *advice) {
   for (size_t k = 0; advice->query->settings[k]; k++) {
@@ -82,7 +83,7 @@ static void error_text(char text[NB_NAME_SIZE], const struct nb_advice *advice, 
 
 static const char *word(const char *law, const char *own) { return law[0] ? law : own; }
 
-/* "normal hertz, shear mindlin, rate=3" */
+/* Writes the name of a variant: "normal hertz, shear mindlin, rate=3". */
 static void name_variant(char *text, size_t size, const struct nb_advice *advice, const struct nb_variant *variant) {
   const struct nb_scene *scene = &advice->page.runs[0].scene;
   snprintf(text, size, "normal %s, shear %s", word(variant->normal, scene->normal), word(variant->shear, scene->shear));
@@ -95,7 +96,8 @@ static void name_variant(char *text, size_t size, const struct nb_advice *advice
 
 static const char *label_of(const struct nb_advice *advice, size_t run) { return advice->page.runs[run].label; }
 
-/* "0.0076, in run psi1=1; by the step alone 0.0062"; "0.0076; difference of the means 0.0012" */
+/* Prints the estimated error: "0.0076, in run psi1=1; by the step alone 0.0062", or "0.0076; difference of the means
+ * 0.0012". */
 static void print_error_of(const struct nb_advice *advice, const struct nb_setting *setting) {
   char claim[NB_NAME_SIZE], step[NB_NAME_SIZE];
   const char *label = label_of(advice, setting->worst);
@@ -105,7 +107,7 @@ static void print_error_of(const struct nb_advice *advice, const struct nb_setti
          advice->query->over ? "difference of the means" : "by the step alone", step);
 }
 
-/* The step and the laws in words. */
+/* Prints the step and the laws in words. */
 static void print_setting(const struct nb_advice *advice, const struct nb_setting *setting) {
   const struct nb_scene *scene = &advice->page.runs[0].scene;
   const double step = nb_point_at(advice, setting)->step;
@@ -130,7 +132,7 @@ static void print_cost(const struct nb_advice *advice, const struct nb_point *po
 }
 
 enum { REPEATS = 5 };
-static const double longest_timing = 5; /* s */
+static const double longest_timing = 5; /* largest time for the measurement of times, s */
 
 static void print_machine(void) {
   FILE *file = fopen("/proc/cpuinfo", "r");
@@ -143,7 +145,7 @@ static void print_machine(void) {
   printf("on %s\n", name);
 }
 
-/* The setting and the page as it is are run in turn. */
+/* Measures the time of the chosen setting and of the page as it is. The two are run alternately. */
 static void time_choice(struct nb_advice *advice, const struct nb_setting *chosen) {
   double times[2][REPEATS];
   const double one = nb_point_at(advice, chosen)->seconds, own = advice->variants[0].points[-NB_LEVEL_LOW].seconds;
@@ -204,14 +206,14 @@ static void print_conditions(const struct nb_advice *advice, const struct nb_set
     puts("  this holds for this page alone; with other values another setting may be the cheapest");
 }
 
-/* "  2 other variants give …", or nothing for none. */
+/* Prints "  2 other variants give …", or nothing if the count is 0. */
 static void print_count(size_t count, const char *one, const char *several, const char *rest) {
   if (count)
     printf("  %zu other variant%s %s %s", count, count > 1 ? "s" : "", count > 1 ? several : one, rest);
 }
 
-/* Prints how many variants were left out, because they change nothing or are too far from the anchor; of the latter the
- * nearest one. */
+/* Prints how many variants were left out because they change nothing, and how many because they are too far from the
+ * anchor, with the nearest of these. */
 static void print_left_out(const struct nb_advice *advice) {
   const struct nb_left_out out = nb_advice_left_out(advice);
   char name[512];
@@ -252,7 +254,8 @@ static void print_advice(struct nb_advice *advice) {
 
 /* ---- table and figure ---- */
 
-/* Writes a row for each setting: of all variants, of the variant with index `which`, or of the chosen setting alone. */
+/* Rows are written for the settings of all variants, of the variant with index `which`, or only for the chosen
+ * setting. */
 enum { ALL_VARIANTS = -1, CHOSEN = -2 };
 static void write_rows(FILE *out, const struct nb_advice *advice, int which) {
   const struct nb_scene *scene = &advice->page.runs[0].scene;
@@ -337,7 +340,7 @@ enum nb_status nb_advice_draw(const struct nb_advice *advice, const char *folder
   return nb_script_draw(&script, folder, trust, error);
 }
 
-/* FOLDER/advice.tsv, advice.gp, advice.svg and advice.png. */
+/* Writes FOLDER/advice.tsv, advice.gp, advice.svg and advice.png. */
 static enum nb_status save_advice(const struct nb_advice *advice, const char *folder, bool trust,
                                   struct nb_error *error) {
   struct nb_save file;

@@ -1,23 +1,25 @@
 /* Advice: the cheapest setting whose error in one quantity is within a tolerance, found by running the page.
  *
- * Errors are relative to the limit of the page for a step towards zero, with its own laws and values; the anchor of
- * estimate.c approximates it. The reference of the page is not used, because for a candidate with other laws it would
- * return another solution. A setting is a variant, which is the page with other laws, softer contacts, centred dashpots
- * or other values of the names that it trades, and a level: the variant with --set refine=2^level. Each setting is run
- * in several trials (trials.c).
+ * Errors are relative to the limit of the page's result for a step towards zero, with the page's own laws and values;
+ * the anchor of estimate.c approximates this limit. The reference solution of the page is not used, because for a
+ * candidate with other laws it would return another solution. A setting consists of a variant and a level. A variant is
+ * the page with other laws, softer contacts, centred dashpots or other values of the names that the page trades. At a
+ * level the variant is run with --set refine=2^level. Each setting is run in several trials (trials.c).
  *
- * The estimated error of a setting needs the results at its level, at the two finer ones, and an anchor that is at
- * least two levels finer. Levels are tried from the coarsest one on; the first one within the tolerance is the cheapest
- * of its variant. A variant is left out if the page or its reference refuses it, or if it gives the values of another
- * one. It is also left out if its values, at the level that was found for the page as it is, differ from the anchor by
- * more than twice the tolerance.
+ * The estimated error of a setting needs the results at its level, at the next two finer levels, and an anchor that is
+ * at least two levels finer. Levels are tried from the coarsest one on; the first level within the tolerance is the
+ * cheapest of its variant. A variant is left out if the page or its reference solution refuses it, or if it gives the
+ * values of another variant. It is also left out if its values, at the level that was found for the page as it is,
+ * differ from the anchor by more than twice the tolerance.
  *
- * With realizations only their mean is estimated. Its anchor is the page with half its step, and no step is shorter
- * than that of the page. The guaranteed stable step differs between realizations, so a setting is left out if another
- * realization may stop: with the largest ratios s_k of the step to the stable one, their mean s and standard deviation
- * d,
+ * With realizations only the error of their mean is estimated. The anchor is then the page with half its step, and no
+ * step is shorter than that of the page. The guaranteed stable step differs between realizations, so a setting is left
+ * out if another realization may stop. This is the case if
  *
- *   s + t d (1 + 1/m)^(1/2) > 1              t: quantile of Student's distribution for one realization in a thousand
+ *   s + t d (1 + 1/m)^(1/2) > 1
+ *
+ * where s is the mean and d the standard deviation, over the m realizations, of the largest ratio of the step to the
+ * stable step, and t the quantile of Student's distribution for one realization in a thousand.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "advise.h"
@@ -34,13 +36,13 @@
 
 enum { PARTICLES_MAX = 50 };
 static const double anchor_share = 0.5;   /* largest uncertainty of the anchor, as a fraction of the tolerance */
-static const double variant_distance = 2; /* over the tolerance: a variant farther from the anchor is left out */
-static const double confidence = 0.95;    /* of a mean over realizations */
-static const double runnable = 0.998;     /* two-sided: one further realization in a thousand stops */
+static const double variant_distance = 2; /* a variant farther from the anchor, over the tolerance, is left out */
+static const double confidence = 0.95;    /* confidence level of a mean over realizations */
+static const double runnable = 0.998;     /* two-sided level: one further realization in a thousand stops */
 static const double softer[] = {10, 100, 1000};
 static const double equal_share = 0.1; /* numbers of updates that differ by less are nearly equal */
 
-/* Runs `count` trials, evenly spaced. */
+/* Runs `count` of the trials, evenly spaced. */
 static bool run_trials(struct nb_advice *advice, struct nb_variant *variant, int level, size_t count) {
   return level <= NB_LEVEL_HIGH && nb_trials_run(advice, variant, level, 0, advice->trials / count, count);
 }
@@ -80,8 +82,8 @@ static struct nb_anchor anchor_of(const struct nb_advice *advice, int level, siz
   return anchor;
 }
 
-/* Sets the tolerance of each run from the anchor; returns the largest uncertainty over tolerance, and the run where it
- * is. */
+/* Sets the tolerance of each run from the anchor. Returns the largest ratio of uncertainty to tolerance; *worst: the
+ * run with this ratio. */
 static double anchor_ratio(struct nb_advice *advice, int level, size_t *worst) {
   double largest = 0;
   for (size_t r = 0; r < advice->runs; r++) {
@@ -96,7 +98,7 @@ static double anchor_ratio(struct nb_advice *advice, int level, size_t *worst) {
   return largest;
 }
 
-/* The value is known only to within `ratio` times the tolerance. */
+/* Refuses the query, because the value is known only to within `ratio` times the tolerance. */
 static enum nb_status refuse(const struct nb_advice *advice, double ratio, size_t worst, struct nb_error *error) {
   const char *label = advice->page.runs[worst].label, *in_run = label[0] ? ", in run " : "";
   if (is_mean(advice))
@@ -133,8 +135,8 @@ static enum nb_status find_anchor(struct nb_advice *advice, struct nb_error *err
                                            : "the budget is too small; choose a larger --budget");
 }
 
-/* Whether realizations other than those of the search will not stop by the stability check, too. The page as it is
- * needs no such margin. */
+/* True if the stability check will not stop realizations other than those of the search either. The page as it is needs
+ * no such margin. */
 static bool keeps_margin(const struct nb_advice *advice, const struct nb_variant *variant, int level) {
   struct nb_point *point = (struct nb_point *)&variant->points[level - NB_LEVEL_LOW];
   const double m = (double)advice->trials, mean = nb_estimate_average(point->stability, advice->trials);
@@ -149,7 +151,7 @@ static bool keeps_margin(const struct nb_advice *advice, const struct nb_variant
   return false;
 }
 
-/* Runs the trials that the estimated error of a setting needs. False: it has none. */
+/* Runs the trials that the estimated error of a setting needs. False: the error cannot be estimated. */
 static bool run_setting(struct nb_advice *advice, struct nb_variant *variant, int level) {
   if (is_mean(advice))
     return run_trials(advice, variant, level, advice->trials) && keeps_margin(advice, variant, level);
@@ -169,7 +171,7 @@ static double claim_of(double *step, const struct nb_advice *advice, const struc
                            anchor_of(advice, level + 2 > advice->anchor ? level + 2 : advice->anchor, run));
 }
 
-/* Adds the setting and its estimated error to the list; false: it has none. */
+/* Adds the setting and its estimated error to the list. False: the error cannot be estimated. */
 static bool add_claim(struct nb_advice *advice, size_t index, int level) {
   struct nb_setting setting = {.variant = index, .level = level};
   if (!run_setting(advice, &advice->variants[index], level))
@@ -198,9 +200,9 @@ bool nb_setting_cheaper(const struct nb_advice *advice, const struct nb_setting 
   return one->soften != other->soften ? one->soften < other->soften : one->history < other->history;
 }
 
-/* Tries the levels of a variant from the coarsest one on, up to the first one within the tolerance. It also stops
- * when the next level, which usually has twice the updates, would have more updates than the chosen setting. If it
- * would have nearly as many, it is tried, because its laws may store less. */
+/* Tries the levels of a variant from the coarsest one on, up to the first level within the tolerance. The search also
+ * stops when the next level, which usually has twice the updates, would have more updates than the chosen setting. A
+ * level with nearly as many updates is tried, because its laws may store less. */
 static void search_levels(struct nb_advice *advice, size_t index, int highest) {
   struct nb_variant *variant = &advice->variants[index];
   const size_t before = advice->setting_count;
@@ -222,7 +224,7 @@ static void search_levels(struct nb_advice *advice, size_t index, int highest) {
 }
 
 /* The first variant before this one that gives the same values, to the last bit and in each run, because the scene does
- * not use what distinguishes them. NULL: none. */
+ * not use the property in which the two differ. NULL: there is none. */
 static const struct nb_variant *equal_variant(const struct nb_advice *advice, const struct nb_variant *variant,
                                               int level) {
   const struct nb_point *point = &variant->points[level - NB_LEVEL_LOW];
@@ -237,9 +239,9 @@ static const struct nb_variant *equal_variant(const struct nb_advice *advice, co
   return NULL;
 }
 
-/* Whether the variant is near enough to the anchor to be tried, with the longest step from this level on with which it
- * can be run. Means over realizations show it only after all trials, and quantities such as a number of contacts can be
- * equal by chance in one of them. Softer contacts that change nothing allow a longer step. */
+/* True if the variant is near enough to the anchor to be tried. It is run with the longest step, from this level on,
+ * with which it can be run. Means over realizations are known only after all trials, because a quantity such as a
+ * number of contacts can be equal by chance in one trial. Softer contacts that change nothing allow a longer step. */
 static bool is_near(struct nb_advice *advice, struct nb_variant *variant, int level, int highest) {
   while (!nb_trials_run(advice, variant, level, 0, 1, 1) && level < highest && !advice->exhausted)
     level++;
@@ -290,10 +292,10 @@ static bool trades_laws(const struct nb_advice *advice) {
   if (scene->trade_laws != NB_TRADE_LAWS_DEFAULT)
     return scene->trade_laws == NB_TRADE_LAWS_ALL;
   return !is_mean(advice) && NB_FIND(scene->bindings, scene->binding_count, "normal") < 0 &&
-         NB_FIND(scene->bindings, scene->binding_count, "shear") < 0; /* a page that sweeps its laws */
+         NB_FIND(scene->bindings, scene->binding_count, "shear") < 0; /* not a page that sweeps its laws */
 }
 
-/* A new variant, a copy of one of the list. NULL: there are too many. */
+/* Adds a variant, a copy of variant number `of`. NULL: there are too many. */
 static struct nb_variant *copy_variant(struct nb_advice *advice, size_t of) {
   if (advice->variant_count == NB_VARIANTS_MAX)
     return NULL;
@@ -302,7 +304,7 @@ static struct nb_variant *copy_variant(struct nb_advice *advice, size_t of) {
   return variant;
 }
 
-/* The page with all other pairs of laws. False: there are too many. */
+/* Adds the page with each other pair of laws. False: there are too many. */
 static bool list_laws(struct nb_advice *advice) {
   const struct nb_scene *scene = &advice->page.runs[0].scene;
   for (const struct nb_law *const *normal = nb_laws(); *normal; normal++)
@@ -319,7 +321,7 @@ static bool list_laws(struct nb_advice *advice) {
   return true;
 }
 
-/* Doubles that the laws of a variant store per contact. */
+/* Number of doubles that the laws of a variant store per contact. */
 static int history_of(const struct nb_scene *scene, const struct nb_variant *variant) {
   const bool own = !variant->normal[0];
   const struct nb_law *normal = nb_law_find("normal", own ? scene->normal : variant->normal);
@@ -328,7 +330,7 @@ static int history_of(const struct nb_scene *scene, const struct nb_variant *var
   return nb_law_history(normal, pair) + nb_law_history(shear, pair);
 }
 
-/* All variants so far with each value of a `trade`. False: there are too many. */
+/* Adds all variants so far with each value of a `trade`. False: there are too many. */
 static bool list_values(struct nb_advice *advice, size_t trade) {
   const size_t before = advice->variant_count;
   for (size_t value = 1; value <= advice->page.runs[0].scene.trades[trade].count; value++)
@@ -341,7 +343,7 @@ static bool list_values(struct nb_advice *advice, size_t trade) {
   return true;
 }
 
-/* Whether the page has dashpots and does not say which velocity they use. */
+/* True if the page has dashpots and does not say which velocity they use. */
 static bool has_late_dashpots(const struct nb_advice *advice) {
   bool dashpots = false, timing = false;
   for (size_t r = 0; r < advice->runs; r++)
@@ -365,7 +367,7 @@ static bool trades_softness(const struct nb_advice *advice) {
   return !scene->contact_test && scene->start.stages == 0 && !nb_advice_softness_is_useless(advice);
 }
 
-/* The page with softer contacts, and with centred dashpots. */
+/* Adds the page with softer contacts, and with centred dashpots. */
 static void list_own_laws(struct nb_advice *advice) {
   for (size_t k = 0; k < sizeof softer / sizeof *softer && trades_softness(advice); k++)
     copy_variant(advice, 0)->soften = softer[k];
@@ -373,8 +375,8 @@ static void list_own_laws(struct nb_advice *advice) {
     copy_variant(advice, 0)->centred = true;
 }
 
-/* The page as it is, with softer contacts, with centred dashpots, with all other pairs of laws, and each of these with
- * all combinations of traded values. */
+/* Lists the variants: the page as it is, with softer contacts, with centred dashpots, with each other pair of laws; and
+ * each of these with all combinations of traded values. */
 static enum nb_status list_variants(struct nb_advice *advice, struct nb_error *error) {
   const size_t trades = advice->page.runs[0].scene.trade_count;
   advice->variant_count = 1;
@@ -391,7 +393,7 @@ static enum nb_status list_variants(struct nb_advice *advice, struct nb_error *e
                       NB_TRADES, NB_VARIANTS_MAX);
 }
 
-/* The quantity of the caller, or that of the page's first expectation of one value. */
+/* Finds the quantity: the caller's, or the one of the page's first expectation of one value. */
 static enum nb_status find_quantity(struct nb_advice *advice, struct nb_error *error) {
   const struct nb_page_run *run = &advice->page.runs[0];
   const char *quantity = advice->query->quantity;
@@ -430,7 +432,8 @@ static enum nb_status check_page(const struct nb_advice *advice, struct nb_error
 
 static unsigned long common_divisor(unsigned long a, unsigned long b) { return b ? common_divisor(b, a % b) : a; }
 
-/* All numbers of cycles that the page gives, as lengths of stages and in expectations. */
+/* Finds the greatest common divisor of all numbers of cycles that the page gives, as lengths of stages and in
+ * expectations. */
 static void find_divisor(struct nb_advice *advice) {
   for (size_t r = 0; r < advice->runs; r++) {
     const struct nb_page_run *run = &advice->page.runs[r];

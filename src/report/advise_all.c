@@ -1,12 +1,13 @@
 /* `nineball advise --all`: the cheapest settings of many pages. Writes a table with one row for each search, and a
  * figure for each page.
  *
- * It searches up to three quantities that a page expects, in the middle run of the sweeps. With --quantity it searches
- * those, in all runs. It tries the tolerances in their order and stops at the first one without advice. If a value is
- * near 0, or too uncertain for a relative tolerance, it takes the absolute tolerance of the page.
+ * The command searches for settings for up to three quantities that a page expects, in the middle run of the sweeps;
+ * with --quantity for these quantities, in all runs. It tries the tolerances in their order and stops at the first
+ * tolerance without advice. If a value is near 0, or too uncertain for a relative tolerance, the absolute tolerance of
+ * the page is used.
  *
- * Every row is written when its search ends, and a later call adds to the table what it does not have yet. So a call
- * that was interrupted can be repeated.
+ * Every row is written when its search ends, and a later call adds the missing rows to the table. So a call that was
+ * interrupted can be repeated.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _DEFAULT_SOURCE
@@ -32,7 +33,7 @@ static const double exact = 1e-9; /* smaller errors are rounding */
 
 struct search_all {
   const struct nb_call *call;
-  double budget, began; /* s */
+  double budget, began; /* budget of a search, s; time at which the command began, s */
   size_t realizations;
   char **paths; /* owned */
   size_t path_count;
@@ -75,7 +76,7 @@ static bool is_page(const char *path) {
   return is;
 }
 
-/* A file, or all pages below a folder in alphabetical order. */
+/* Adds a file, or all pages below a folder in alphabetical order. */
 static bool add_paths(struct search_all *all, const char *path, int depth) {
   struct stat status;
   struct dirent **list;
@@ -110,7 +111,8 @@ static enum nb_status open_table(struct search_all *all, struct nb_error *error)
                                               : nb_row_table_open(&all->table, path, version, head, error);
 }
 
-/* Tabs and line ends separate columns and rows. */
+/* Writes the first line of a text, with spaces instead of tabs, because tabs and line ends separate columns and
+ * rows. */
 static void put_text(FILE *out, const char *text, const char *end) {
   for (const char *c = text[0] ? text : "-"; *c && *c != '\n'; c++)
     fputc(*c == '\t' ? ' ' : *c, out);
@@ -118,7 +120,7 @@ static void put_text(FILE *out, const char *text, const char *end) {
 }
 
 /* The order of convergence: the slope of the estimated error against the step, over the three finest steps of the
- * page's own laws and values. NaN: there are fewer. */
+ * page's own laws and values. NaN: there are fewer than three steps. */
 static double order_of(const struct nb_advice *advice) {
   double error[3] = {0};
   int level[3] = {0};
@@ -132,7 +134,7 @@ static double order_of(const struct nb_advice *advice) {
   return count < 3 ? NAN : log2(error[0] / error[2]) / (level[2] - level[0]);
 }
 
-/* Whether a law is enough: 1 yes, 0 no, -1 unknown. `variant` is the page with this law alone. */
+/* Whether a law is accurate enough: 1 yes, 0 no, -1 unknown. `variant` is the page with only this change. */
 static int is_enough(const struct nb_advice *advice, size_t variant) {
   const struct nb_variant *law = &advice->variants[variant];
   int enough = law->equal && strstr(law->reason, "the page") ? 1 : law->distance > 0 ? 0 : -1;
@@ -142,7 +144,7 @@ static int is_enough(const struct nb_advice *advice, size_t variant) {
   return enough;
 }
 
-/* The other shear laws, with the normal law of the page, that are enough (1) or not (0). */
+/* Writes the other shear laws that, with the normal law of the page, are accurate enough (1) or not (0). */
 static void put_laws(FILE *out, const struct nb_advice *advice, int enough) {
   char text[TEXT_SIZE] = "";
   for (size_t k = 1; k < advice->variant_count; k++) {
@@ -156,7 +158,7 @@ static void put_laws(FILE *out, const struct nb_advice *advice, int enough) {
   put_text(out, text, "\t");
 }
 
-/* The columns from `setting` on. Without advice the setting is the reason. */
+/* Writes the columns from `setting` on. Without advice the column `setting` has the reason. */
 static void put_result(FILE *out, const struct nb_advice *advice, const char *reason) {
   const struct nb_setting *chosen = advice->chosen < 0 ? NULL : &advice->settings[advice->chosen];
   const struct nb_setting *cheaper = chosen ? nb_advice_cheaper(advice, chosen) : NULL;
@@ -262,7 +264,7 @@ static bool next_text(char *text, size_t size, const char **list) {
   return length > 0;
 }
 
-/* False: memory ran out. */
+/* Searches with each tolerance. False: memory ran out. */
 static bool search_tolerances(struct search_all *all, const struct nb_page *page, const struct wanted *wanted,
                               bool first) {
   const char *list = all->call->within ? all->call->within : default_tolerances;
@@ -277,8 +279,8 @@ static bool search_tolerances(struct search_all *all, const struct nb_page *page
 
 /* ---- the quantities of a page ---- */
 
-/* The kind of a measure, which decides how its error depends on the step. It is a quantity of an impact, an extreme
- * value, a mean, or a value at a given time, at the end of a stage of N cycles, or at an end by a condition. */
+/* The kind of a measure, which decides how its error depends on the step: a quantity of an impact, an extreme value, a
+ * mean, or a value at a given time, at the end of a stage of N cycles, or at the end of a stage with conditions. */
 static const char *kind_of(const struct nb_measure *measure, const struct nb_scene *scene) {
   static const char *const kinds[] = {
       [NB_MAX] = "extreme",    [NB_MIN] = "extreme",   [NB_AMPLITUDE] = "extreme", [NB_MEAN] = "mean",
@@ -304,7 +306,7 @@ static bool is_searched(const struct nb_expectation *e) {
          strncmp(e->measure.label, "time", 4) != 0 && strncmp(e->measure.label, "step", 4) != 0;
 }
 
-/* Whether an expectation before this one has the same quantity, of any monitor, and a reducer of the same kind. */
+/* True if an earlier expectation has the same quantity, of any monitor, and a reducer of the same kind. */
 static bool is_repeated(const struct nb_expectations *list, size_t index, const struct nb_scene *scene) {
   const struct nb_measure *this = &list->list[index].measure;
   size_t length, other_length;
@@ -319,7 +321,7 @@ static bool is_repeated(const struct nb_expectations *list, size_t index, const 
   return false;
 }
 
-/* The settings of the caller and those that choose a run, unless it is NULL. */
+/* Sets wanted->settings to those of the caller and, if `run` is not NULL, those that choose this run. */
 static bool choose_run(struct wanted *wanted, const struct search_all *all, const struct nb_page_run *run) {
   const char **given = all->call->settings;
   size_t count = 0;
@@ -354,7 +356,7 @@ static void free_run(struct wanted *wanted, const struct search_all *all) {
   free(wanted->settings);
 }
 
-/* Quantities that the page expects. */
+/* Searches for quantities that the page expects. */
 static void search_expected(struct search_all *all, const struct nb_outcome *page, struct wanted *wanted) {
   const struct nb_page_run *run = &page->runs[(page->run_count - 1) / 2];
   size_t count = 0;
@@ -395,7 +397,7 @@ static void search_page(struct search_all *all, const char *path) {
 
 /* ---- the command ---- */
 
-/* "12 of 129, nine-discs: 9 searches, 8 with advice; about 4 min left" */
+/* Prints "12 of 129, nine-discs: 9 searches, 8 with advice; about 4 min left". */
 static void print_progress(const struct search_all *all, size_t done, size_t searched, size_t answered) {
   const double left = (nb_clock() - all->began) * (double)(all->path_count - done) / (double)done;
   const char *name;

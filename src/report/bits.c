@@ -1,10 +1,10 @@
 /* The leading bits that two values of an expected quantity have in common.
  *
- * A value x and the one rounded to nearest have floor(-log2(|x - x_nearest| / scale)) bits in common, 53 if they are
- * equal. The scale is |x_nearest|, or the quantity of which the tolerance is a fraction. With an absolute tolerance,
- * and for a curve, it is the largest value of the quantity in the run, since a force that returns to 0 has no leading
- * bits. Residuals have no bits, nor has a quantity that stays within its absolute tolerance: they consist of rounding
- * errors.
+ * A value x and the value x_nearest of a run rounded to nearest have floor(-log2(|x - x_nearest| / scale)) bits in
+ * common, 53 if they are equal. The scale is |x_nearest|, or the quantity of which the tolerance is a fraction. With an
+ * absolute tolerance, and for a curve, the scale is the largest value of the quantity in the run, because a force that
+ * returns to 0 has no leading bits. Residuals, and quantities that stay within their absolute tolerance, have no bits,
+ * because they consist of rounding errors.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "bits.h"
@@ -34,8 +34,8 @@ bool nb_expected_has_bits(const struct nb_page_run *nearest, size_t index) {
                                      largest(&nearest->result.table, e->measure.column) > e->tolerance.value);
 }
 
-/* A curve: the fewest bits of the rows of its stage. The runs have equal numbers of rows, unless `until` ends a stage
- * earlier. */
+/* The bits of a curve: the fewest bits of the rows of its stage. The runs have equal numbers of rows, unless `until`
+ * ends a stage earlier. */
 static int curve_bits(const struct nb_measure *measure, const struct nb_table *table, const struct nb_table *nearest) {
   size_t first, end, from, to;
   nb_measure_rows(measure, table, &first, &end);

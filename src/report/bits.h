@@ -1,4 +1,4 @@
-/* How many bits of an expected quantity do not depend on rounding.
+/* The number of bits of an expected quantity that do not depend on rounding.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_BITS_H
@@ -8,12 +8,14 @@
 
 enum { NB_ALL_BITS = 53 };
 
-/* Leading bits that a value has in common with the one rounded to nearest, relative to the scale: 0 to 53. */
+/* Number of leading bits, relative to the scale, that a value and the value rounded to nearest have in common: 0 to
+ * 53. */
 int nb_common_bits(double value, double nearest, double scale);
-/* Whether the quantity has digits: not if it is a residual, or within its absolute tolerance during the whole run. */
+/* True if the quantity of an expectation has digits. A residual has none, nor has a quantity that is within its
+ * absolute tolerance during the whole run. */
 bool nb_expected_has_bits(const struct nb_page_run *nearest, size_t index);
-/* The bits that expectation number `index` has in common in two runs, the second one rounded to nearest: for a curve
- * the fewest of its rows. 53 if it has no digits, 0 if it is not defined. */
+/* The number of bits that the values of expectation number `index` have in common in two runs, of which the second is
+ * rounded to nearest; for a curve, the fewest of its rows. 53 if the quantity has no digits, 0 if it is undefined. */
 int nb_expected_bits(const struct nb_page_run *run, const struct nb_page_run *nearest, size_t index);
 
 #endif

@@ -20,10 +20,10 @@
 /* ---- run, check, figure ---- */
 
 #ifndef NB_RESULTS_KEPT
-#define NB_RESULTS_KEPT (32 << 20) /* bytes of the results of a sweep that stay in memory; the tests have 0 */
+#define NB_RESULTS_KEPT (32 << 20) /* bytes of the results of a sweep that stay in memory; 0 in the tests */
 #endif
 
-/* What a command does with the outcome of a page: a set. */
+/* What a command does with the outcome of a page: a set of flags. */
 enum { VERDICT = 1, REQUIRE_CHECKS = 2, TABLES = 4, FIGURE = 8 };
 
 bool nb_is_stopped(const struct nb_call *call) {
@@ -44,7 +44,7 @@ void nb_run_page(struct nb_outcome *outcome, const struct nb_call *call, const c
   nb_print_progress_end(&line);
 }
 
-/* The folder of the output files of a page: that of the call, or NAME.out. */
+/* The folder of the output files of a page: the folder that the call gives, or NAME.out. */
 static const char *output_folder(char *name, size_t size, const struct nb_call *call, const char *path) {
   const char *page;
   const size_t length = nb_page_name(path, &page);
@@ -52,7 +52,7 @@ static const char *output_folder(char *name, size_t size, const struct nb_call *
   return call->folder ? call->folder : name;
 }
 
-/* Two pages of the same name would overwrite each other's files. */
+/* NB_BAD_USE if two pages of the call have the same name: they would overwrite each other's files. */
 static enum nb_status check_folders(const struct nb_call *call) {
   for (size_t k = 0; k < call->page_count; k++)
     for (size_t j = 0; j < k; j++) {
@@ -192,7 +192,7 @@ enum nb_status nb_command_explain(const struct nb_call *call) {
 
 /* ---- state ---- */
 
-/* Index of the stage at whose end the state is taken, by default the last one; -1 with a message. */
+/* Index of the stage at whose end the state is taken, by default the last stage; -1 with a message. */
 static int stage_of(const struct nb_call *call, const struct nb_outcome *outcome) {
   const struct nb_scene *scene = &outcome->runs[0].scene;
   char hint[NB_HINT_SIZE];
@@ -233,7 +233,7 @@ static enum nb_status write_state(struct nb_scene *scene, size_t stage, const ch
   return status;
 }
 
-/* A state file replaces only another state file, not a page or a table of that name. */
+/* True if a state may be written to the path: there is no such file, or it is a state file, not a page or a table. */
 static bool is_replaceable(const char *path) {
   struct stat status;
   if (lstat(path, &status) != 0)

@@ -13,18 +13,18 @@ struct nb_call {
   char **pages;
   size_t page_count;
   const char *folder;    /* output folder, or file; NULL: the default */
-  const char *stage;     /* at whose end a state is taken; NULL: the last one */
+  const char *stage;     /* the stage at whose end a state is taken; NULL: the last stage */
   const char **settings; /* NULL-terminated */
   const char **unrun;    /* pages that a report shows without running them; NULL-terminated */
   struct nb_options options;
   bool tap;
   bool in_place;
-  bool all;                                      /* `advise` many pages */
+  bool all;                                      /* `advise --all`: many pages */
   bool trust;                                    /* draw even if gnuplot cannot be confined */
-  bool help, version;                            /* print it and do nothing else */
-  const char *quantity, *within, *budget, *over; /* of `advise` */
+  bool help, version;                            /* print help or version and do nothing else */
+  const char *quantity, *within, *budget, *over; /* options of `advise` */
   int realizations;
-  const char *rounding; /* of `check`: "all" or "parts"; NULL: to nearest only */
+  const char *rounding; /* option of `check`: "all" or "parts"; NULL: to nearest only */
   unsigned given;       /* set of options, by their index in the table */
 };
 
@@ -42,14 +42,14 @@ enum nb_status nb_command_advise_all(const struct nb_call *call, double budget, 
 enum nb_status nb_command_laws(const struct nb_call *call);
 enum nb_status nb_command_list(const struct nb_call *call);
 
-/* Without a folder of output files the outcome serves the verdict alone. */
+/* Runs a page. Without a folder of output files the outcome keeps only what the verdict needs. */
 void nb_run_page(struct nb_outcome *outcome, const struct nb_call *call, const char *path, const char *folder);
-bool nb_is_stopped(const struct nb_call *call); /* by a signal */
-/* Whether there is anything to write; aborted runs may have rows. */
+bool nb_is_stopped(const struct nb_call *call); /* a signal has stopped the program */
+/* True if there are rows to write. Aborted runs may have rows, too. */
 bool nb_outcome_has_rows(const struct nb_outcome *outcome);
-/* A page without a single check must not pass. */
+/* True if no expectation of the page was checked. Such a page must not pass. */
 bool nb_outcome_is_unchecked(const struct nb_outcome *outcome);
-/* When all has been written. */
+/* Deletes the checkpoints of the outcome's runs. Called when all output has been written. */
 void nb_remove_checkpoints(struct nb_outcome *outcome, enum nb_status status, const struct nb_call *call);
 
 /* ---- rounding.c ---- */
@@ -58,24 +58,26 @@ enum nb_status nb_rounding_check(const struct nb_call *call); /* `check --roundi
 
 /* ---- manual.c ---- */
 
-/* The manual of the page language: as Markdown with arguments and examples, for a terminal with one sentence for each
- * word. */
+/* Prints the manual of the page language: as Markdown, with arguments and examples; or for a terminal, with one
+ * sentence for each word. */
 void nb_manual(FILE *out, bool markdown);
-/* All about a word of pages, of version 0.3 or of another program, or about several words. False: there is none; then
- * `hint` (NB_HINT_SIZE bytes) holds the nearest one, or is empty. */
+/* Prints the help for a word of pages, of version 0.3 or of another program, or for several words. False: there is no
+ * help; `hint` (NB_HINT_SIZE bytes) then has the nearest word, or is empty. */
 bool nb_manual_word(FILE *out, const char *text, char *hint);
 
 /* ---- print.c: verdicts and progress on the terminal ---- */
 
-/* One warning a line: "PAGE:7: warning: …", each after the prefix `before`. */
+/* Prints one warning per line: "PAGE:7: warning: …", each after the prefix `before`. */
 void nb_print_warnings(FILE *out, const char *before, const char *path, const struct nb_warnings *warnings);
-/* Repeats on stdout the warnings that stderr has had, unless both are the same terminal, file or pipe. */
+/* Repeats on stdout the warnings that were printed to stderr, unless both are the same terminal, file or pipe. */
 void nb_repeat_warnings(const char *before, const char *path, const struct nb_warnings *warnings);
 void nb_print_verdict(const struct nb_outcome *outcome);
 void nb_print_tap(const struct nb_outcome *outcome, const char *path);
-enum nb_status nb_print_plain_error(const struct nb_error *error); /* of no page, to stderr; returns its status */
-void nb_print_errors(const struct nb_outcome *outcome, const char *path); /* mistakes, or what broke, to stderr */
-void nb_print_error(const struct nb_error *error, const struct nb_page *page, const char *path); /* likewise one */
+/* These print to stderr: an error that belongs to no page, and return its status; the mistakes or the error of an
+ * outcome; one error of a page. */
+enum nb_status nb_print_plain_error(const struct nb_error *error);
+void nb_print_errors(const struct nb_outcome *outcome, const char *path);
+void nb_print_error(const struct nb_error *error, const struct nb_page *page, const char *path);
 struct nb_progress_line {
   const char *page;
   double shown; /* time of the run when the line was last written, s; 0: never */
@@ -95,33 +97,33 @@ void nb_print_escaped(FILE *out, const char *text, const struct nb_escape *list)
 /* Begins the output file FOLDER/NAME. */
 enum nb_status nb_save_begin_in(struct nb_save *file, struct nb_error *error, const char *folder, const char *format,
                                 ...) __attribute__((format(printf, 4, 5)));
-/* As nb_save_end, unless a result of the outcome could not be read; then the file is discarded. */
+/* Ends the file as nb_save_end does, unless a result of the outcome could not be read; then the file is discarded. */
 enum nb_status nb_outcome_save_end(const struct nb_outcome *outcome, struct nb_save *file, struct nb_error *error);
 /* Writes into the folder: table.tsv, values.tsv, verdict.tsv; for each snapshot STAGE-particles.tsv, -walls.tsv,
  * -contacts.tsv, and of a contact test SEGMENT-traction.tsv, -pieces.tsv. */
 enum nb_status nb_tables_save(const struct nb_outcome *outcome, const char *folder, struct nb_error *error);
-/* A head row and the rows of one run, with reference curves beside the computed quantities. */
+/* Writes a head row and the rows of one run, with reference curves beside the computed quantities. */
 void nb_table_write_run(FILE *out, const struct nb_page_run *run);
-/* One row for each run: swept values, then every measure of the expect blocks, computed and reference. */
+/* Writes one row for each run: the swept values, then every measure of the expect blocks, computed and reference. */
 void nb_values_write(FILE *out, const struct nb_outcome *outcome);
 void nb_table_write(FILE *out, const struct nb_table *table);
-/* The first lines of every file, after `# `: program, page, settings, the hash of page and settings, and whether the
- * file is incomplete. */
+/* Writes the first lines of every file, after `# `: program, page, settings, the hash of page and settings, and whether
+ * the file is incomplete. */
 void nb_preamble_write(FILE *out, const struct nb_outcome *outcome);
 
 /* ---- figure.c ---- */
 
-/* Finds the folder of style and recipes, never one of the page: beside the program in the build tree, else where both
- * were installed; it ends in a slash. Empty with an error if not found. */
+/* Writes to `plots` the folder of style and recipes, with a slash at the end. The folder is beside the program,
+ * as in the build tree, or where both were installed; never a folder of the page. Empty with an error if not found. */
 void nb_plots_find(char *plots, size_t size, struct nb_error *error);
-bool nb_page_has_figure(const struct nb_page *page); /* whether it has a `gnuplot` block */
-/* Writes NAME.gp into the folder, and by gnuplot NAME.svg and NAME.png. If the page has no figure it does nothing, and
- * *drawn is false. Only `figure` and `report` draw, because gnuplot runs code of the page: confined (sandbox.h), or
- * unconfined if the page is trusted and the system cannot confine it. */
+bool nb_page_has_figure(const struct nb_page *page); /* the page has a `gnuplot` block */
+/* Writes NAME.gp into the folder, and lets gnuplot draw NAME.svg and NAME.png. If the page has no figure, *drawn is
+ * false and nothing is written. Only `figure` and `report` draw, because gnuplot runs code of the page. gnuplot is
+ * confined (sandbox.h), or unconfined if the page is trusted and the system cannot confine it. */
 enum nb_status nb_figure_draw(const struct nb_outcome *outcome, const char *folder, bool trust, bool *drawn,
                               struct nb_error *error);
 
-/* Writes FOLDER/NAME.gp, with the style of figures and what `write` adds, and draws it likewise. */
+/* Writes FOLDER/NAME.gp, with the style of figures and the lines that `write` adds, and draws it in the same way. */
 struct nb_script {
   const char *name;
   const struct nb_outcome *outcome; /* for the first lines of the file */

@@ -13,10 +13,12 @@
 #include "report.h"
 #include "tool.h"
 
-/* Its default text for an abstract; pages have none. */
+/* True for a message that can be ignored: pandoc misses its translations of the word "Abstract", which pages do not
+ * use. */
 static bool is_expected(const char *message) { return strstr(message, "ranslations") || strstr(message, "Abstract"); }
 
-/* Copies the messages of pandoc to stderr, such as a formula that cannot be typeset. The last one remains in `last`. */
+/* Copies the messages of pandoc to stderr, such as one about a formula that cannot be typeset. `last` receives the last
+ * message. */
 static void copy_messages(FILE *messages, const char *path, char *last, size_t size) {
   char line[1024];
   last[0] = 0;

@@ -1,10 +1,10 @@
-/* What a run is expected to cost.
+/* The expected cost of a run.
  *
- * The number of cycles of a stage is fixed by `cycles`, or by conditions on the clock alone, such as `until time above
- * 2 ms`: these are tested here as in the run, but without cycles. Any other condition gives bounds. The cost of a cycle
- * is measured by a trial: a run whose stages end after a few milliseconds each. It tests conditions and records rows as
- * the run does, but later stages begin from an early state. Its rows and snapshots are written and checked, which
- * measures the cost of tables and verdict.
+ * The number of cycles of a stage is fixed by `cycles`, or by conditions that read only the clock, such as `until time
+ * above 2 ms`: such conditions are tested as in the run, but without cycles. Any other condition gives only bounds of
+ * the number. The cost of a cycle is measured by a trial: a run whose stages end after a few milliseconds each. A trial
+ * tests conditions and records rows as the run does, but its later stages begin from an early state. Its rows and
+ * snapshots are written and checked, which measures the cost of tables and verdict.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _DEFAULT_SOURCE
@@ -32,15 +32,15 @@ double nb_cost_clock(void) {
 
 /* The clock when a stage begins: earliest and latest. */
 struct clock {
-  double cycle[2], time[2]; /* s */
+  double cycle[2], time[2]; /* number of the cycle; time, s */
 };
 
 static bool is_clock(const struct nb_condition *condition) {
   return condition->relation == NB_ABOVE && condition->quantity.kind->fields & NB_REQUEST_CLOCK;
 }
 
-/* The first cycle of the stage in which its conditions on the clock are tested and hold; if there is none, its largest
- * number of cycles + 1. */
+/* The first cycle of the stage in which its conditions on the clock are tested and hold; if there is no such cycle, the
+ * largest number of cycles of the stage + 1. */
 static unsigned long first_cycle(struct nb_model *model, const struct nb_stage *stage, const struct clock *begin,
                                  int which, double step) {
   const unsigned long most = stage->cycles, every = stage->check_interval, tests = (most - 1) / every + 1;
@@ -60,7 +60,7 @@ static unsigned long first_cycle(struct nb_model *model, const struct nb_stage *
   return from < tests ? from * every : from == tests ? most : most + 1;
 }
 
-/* Whether the step is what it will be when the stage begins: it does not depend on the state of the particles, or the
+/* True if the step of the stage is known now, because it does not depend on the state of the particles, or because the
  * stage is the first one. */
 static bool step_is_known(const struct nb_scene *scene, size_t index) {
   const enum nb_step_kind kind = scene->stages[index].step.kind;
@@ -124,8 +124,8 @@ static double write_file(const struct nb_table *table) {
 
 double nb_cost_file(void) { return write_file(NULL); }
 
-/* Seconds to write one row of the table and to check it against the expectations; *snapshots: to write all
- * snapshots. */
+/* Time to write one row of the table and to check it against the expectations, s; *snapshots: time to write all
+ * snapshots, s. */
 static double time_tables(struct nb_page_run *trial, double *snapshots) {
   struct nb_outcome outcome = {.page = *trial->scene.page, .runs = trial, .run_count = 1};
   FILE *out = fopen("/dev/null", "w");
@@ -148,8 +148,8 @@ static void add(struct nb_bounds *sum, struct nb_bounds range, double factor) {
   sum->from += range.from * factor, sum->to += range.to * factor;
 }
 
-/* Sums over the stages, and the forces at their beginnings, which belong to no cycle. A stage that the trial did not
- * reach costs as much per cycle as the one before. */
+/* Adds the costs of the stages, and of the forces at their beginnings, which belong to no cycle. A stage that the trial
+ * did not reach is assumed to cost as much per cycle as the previous one. */
 static void add_stages(struct nb_cost *cost, const struct nb_scene *scene, const struct nb_result *trial,
                        double row_seconds) {
   struct nb_stage_cost one = {0};
@@ -249,8 +249,8 @@ void nb_cost_add(struct nb_cost *sum, const struct nb_cost *cost) {
 
 /* ---- after the runs ---- */
 
-/* Adds what the runs are expected to cost, without references: bounds of the cycles with the steps that they have had,
- * or all by trials. False: unknown. */
+/* Adds the expected costs of the runs, without reference solutions. `bounds`: only the bounds of the cycles, with the
+ * steps of the runs; otherwise all costs, by trials. False: the cost is unknown. */
 static bool expect_all(struct nb_cost *sum, const struct nb_outcome *outcome, bool bounds,
                        const struct nb_options *options) {
   struct nb_error error;
@@ -291,7 +291,8 @@ void nb_cost_print_actual(FILE *out, const struct nb_outcome *outcome, double se
   nb_cost_print(out, &actual, scene->contact_test ? " steps" : " cycles");
   const double rest = fmax(0, seconds - actual.measured.to);
   const bool is_long =
-      seconds - rest > 20 * trial_seconds * (double)outcome->run_count; /* the trials take little of it */
+      seconds - rest >
+      20 * trial_seconds * (double)outcome->run_count; /* the trials take only a small part of the time */
   if (!scene->contact_test && (until || is_long) && expect_all(&expected, outcome, until, options)) {
     if (expected.cycles.to > expected.cycles.from)
       fputs("; expected ", out), print_bounds(out, expected.cycles, 15, " cycles");

@@ -4,23 +4,24 @@
  *
  *   d_1 = Q(n) - Q(2n),   d_2 = Q(2n) - Q(4n),   p = log2(|d_1|/|d_2|), limited to the range 0.5 to 2
  *   G = |d_1| 2^p/(2^p - 1)                  error of Q(n) by Richardson's extrapolation
- *   G = 3 max(|d_1|, |d_2|)                  where |d_2| >= |d_1|, because no order is visible
+ *   G = 3 max(|d_1|, |d_2|)                  if |d_2| >= |d_1|, because no order is visible
  *
- * Numbers of cycles may allow no step of half the length, but one of the length 1/r with 1 < r < 2. Then the difference
- * d of the two results counts as d ln 2/ln r, as if Q changed in proportion to the logarithm of the step.
+ * The numbers of cycles of a page may allow no step of half the length, but only a step of the length 1/r with 1 < r <
+ * 2. Then the difference d of the two results counts as d ln 2/ln r, as if Q changed in proportion to the logarithm of
+ * the step.
  *
  * The moment of first touch within a step changes Q(n). So Q(n) is computed for several such moments, the phases, and
- * the largest G counts. The anchor is a result with the laws of the page and a smaller step:
+ * the largest G is used. The anchor is a result with the laws of the page and a smaller step:
  *
  *   Q_A                                      mean over the phases of the anchor
- *   U = 3 |Q_A - Q_A'| + spread              its uncertainty. Q_A': the same with twice the step; spread: largest minus
+ *   U = 3 |Q_A - Q_A'| + spread              uncertainty of Q_A. Q_A': Q_A with twice the step; spread: largest minus
  *                                            smallest value over the phases of the anchor
  *   max(G, 1.25 max |Q(n) - Q_A| + U)        the estimated error; the inner maximum is over the phases
  *
  * The factors 3 and 1.25 are calibrated (make accuracy), not derived.
  *
- * An assembly is chaotic: only the mean over m realizations has a limit. Realization k is the same random assembly in
- * both runs, D_k = Q_k(n) - Q_k(anchor), with the mean D and the standard deviation s:
+ * An assembly is chaotic: only the mean over m realizations has a limit. Realization k begins with the same random
+ * assembly in both runs. D is the mean and s the standard deviation of D_k = Q_k(n) - Q_k(anchor):
  *
  *   |D| + t s/m^(1/2)                        the estimated error of the mean; t: quantile of Student's distribution
  *

@@ -22,7 +22,7 @@ double nb_estimate_step(double n, double n2, double n4, struct nb_ratios ratios)
 struct nb_anchor {
   double value, uncertainty;
 };
-/* From Q at the phases of the anchor, and at those of twice its step. */
+/* Computes the anchor from Q at the phases with the anchor's step, and from Q at the phases with twice this step. */
 struct nb_anchor nb_estimate_anchor(const double at_anchor[], const double at_double_step[], size_t phases);
 
 /* The estimated error of a setting, from Q(n), Q(2n) and Q(4n), each at `phases` phases, and from the anchor. *step

@@ -4,7 +4,7 @@
  *   report MEASURE
  *   MEASURE EXPECTATION
  *
- * Each kind of expectation is a row of a table, from which `nineball --help` and the manual are made, too.
+ * Each kind of expectation is a row of a table. `nineball --help` and the manual are made from the same table.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "expect.h"
@@ -35,7 +35,8 @@ static const struct nb_reducer_row reducers[] = {
 
 const struct nb_reducer_row *nb_reducer_rows(void) { return reducers; }
 
-/* The hint for a reducer that does not follow its quantity: `max C.normal`, `C.normal.max`. NULL: the token is none. */
+/* The hint for a reducer that does not follow its quantity: `max C.normal`, `C.normal.max`. NULL: the token has no
+ * reducer. */
 static const char *reducer_hint(char *hint, const struct nb_reader *reader, const struct nb_scene *scene,
                                 const struct nb_token *token) {
   const struct nb_token *const next = nb_token_peek(reader);
@@ -79,7 +80,7 @@ static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, 
   return nb_token_mistake(reader, token, hint, "expected a quantity that the scene records, found `%s`", token->text);
 }
 
-/* Optional `in STAGE`. */
+/* Takes the optional words `in STAGE`. */
 static bool take_stage(struct nb_reader *reader, const struct nb_scene *scene, struct nb_measure *measure) {
   char hint[NB_HINT_SIZE];
   measure->stage = -1;
@@ -101,7 +102,7 @@ static bool take_stage(struct nb_reader *reader, const struct nb_scene *scene, s
   return true;
 }
 
-/* After `at`: a number of cycles, in a contact test of steps, or a time. */
+/* Takes the value after `at`: a number of cycles, in a contact test of steps, or a time. */
 static bool take_time(struct nb_reader *reader, const struct nb_scene *scene, struct nb_measure *measure) {
   const char *const words[] = {scene->contact_test ? "steps" : "cycles", scene->contact_test ? "step" : "cycle"};
   const struct nb_token *number = nb_token_peek(reader);
@@ -141,7 +142,7 @@ static bool take_measure(struct nb_reader *reader, const struct nb_scene *scene,
   snprintf(measure->label, sizeof measure->label, "%s", token->text);
   while (row->word && !nb_token_skip(reader, row->word))
     row++;
-  measure->reducer = row->reducer; /* NB_LAST at the end */
+  measure->reducer = row->reducer; /* NB_LAST if no word matches */
   if (measure->reducer != NB_LAST)
     nb_append(measure->label, sizeof measure->label, " %s", row->word);
   measure->unit = measure->reducer == NB_FREQUENCY ? "1/s" : nb_quantity_unit(quantity);
@@ -151,7 +152,7 @@ static bool take_measure(struct nb_reader *reader, const struct nb_scene *scene,
   return take_stage(reader, scene, measure);
 }
 
-/* A measure to compare with one of that unit, so of the same dimension; with `units none` any. */
+/* Takes a measure to compare with one in `unit`: it must have the same dimension, unless the page has `units none`. */
 static bool take_measure_like(struct nb_reader *reader, const struct nb_scene *scene, const char *unit,
                               struct nb_measure *measure) {
   const struct nb_token *token = nb_token_peek(reader);
@@ -170,7 +171,8 @@ static bool take_measure_like(struct nb_reader *reader, const struct nb_scene *s
 
 /* ---- tolerances ---- */
 
-/* `0.1 %`, `0.5 % of peak`, `1e-9 of energy.kinetic max`; the last two only if `scene` is not NULL. */
+/* Takes a fraction: `0.1 %`, `0.5 % of peak`, `1e-9 of energy.kinetic max`; the last two only if `scene` is not
+ * NULL. */
 static bool take_fraction(struct nb_reader *reader, const struct nb_scene *scene, const char *unit,
                           struct nb_tolerance *tolerance) {
   tolerance->kind = NB_RELATIVE;
@@ -183,12 +185,12 @@ static bool take_fraction(struct nb_reader *reader, const struct nb_scene *scene
                                        : take_measure_like(reader, scene, unit, &tolerance->of);
 }
 
-/* Whether the word follows the next token. */
+/* True if the word follows the next token. */
 static bool is_before(const struct nb_reader *reader, const char *word) {
   return reader->next + 1 < reader->count && strcmp(reader->tokens[reader->next + 1].text, word) == 0;
 }
 
-/* `within` and a fraction, or a number in the unit of the measure: `within 2 nm`, `within 1e-12`. */
+/* Takes `within` and a fraction, or `within` and a number in the unit of the measure: `within 2 nm`, `within 1e-12`. */
 static bool take_tolerance(struct nb_reader *reader, const struct nb_scene *scene, const char *unit,
                            struct nb_tolerance *tolerance) {
   if (!nb_take_word(reader, "within"))
@@ -205,7 +207,7 @@ static bool take_tolerance(struct nb_reader *reader, const struct nb_scene *scen
                                                    "expected a tolerance of 0 or more, found `%s`", tolerance->text);
 }
 
-/* A percentage of a reference that is 0 would allow no error, so it is a mistake. */
+/* Takes a tolerance. `zero`: the reference is 0; a percentage is then a mistake, because it would allow no error. */
 static bool take_tolerance_of(struct nb_reader *reader, const struct nb_scene *scene, const char *unit, bool zero,
                               struct nb_tolerance *tolerance) {
   const size_t at = reader->next + 1;
@@ -232,12 +234,12 @@ static bool take_sweep_name(struct nb_reader *reader, const struct nb_scene *sce
   return scene->bindings[k].sweep >= 0 || nb_expected_at(reader, token, "it is a `let`, which has one value", what);
 }
 
-/* Optional `over NAME`: the sweep whose runs are a sample. */
+/* Takes the optional words `over NAME`: the sweep whose runs are a sample. */
 static bool take_sample(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
   return !nb_token_skip(reader, "over") || take_sweep_name(reader, scene, expectation->sample);
 }
 
-/* `[CS79 figure 6]`, several tokens. */
+/* Takes a source such as `[CS79 figure 6]`, which may be several tokens. */
 static bool take_source(struct nb_reader *reader, struct nb_expectation *expectation) {
   static const char where[] = "say where the number comes from, for example `[CS79 figure 6]`";
   const struct nb_token *token = nb_token_peek(reader);
@@ -367,7 +369,7 @@ struct reading {
   const struct nb_scene *scene;
 };
 
-/* Reads the expectation by its word of the table. The hint for an unknown word also suggests reducers and `in`. */
+/* Reads the expectation by the row of its word. The hint for an unknown word also suggests reducers and `in`. */
 static bool take_kind(struct nb_reader *reader, const struct reading *reading, struct nb_expectation *expectation) {
   char hint[NB_HINT_SIZE], words[256] = "";
   const struct nb_token *token = nb_token_peek(reader);
@@ -395,7 +397,7 @@ static bool take_kind(struct nb_reader *reader, const struct reading *reading, s
                      "%s", words);
 }
 
-/* `report MEASURE`: into the tables, without a check. */
+/* Reads `report MEASURE`: the measure is written to the tables, without a check. */
 static void apply_report(struct nb_reader *reader, const struct nb_record *record, void *subject) {
   const struct reading *reading = subject;
   struct nb_expectation expectation = {.kind = NB_REPORTED, .line = (int)reader->line};
@@ -470,7 +472,8 @@ enum nb_status nb_expectations_read(struct nb_expectations *expectations, const 
   if (!reader)
     return NB_NO_MEMORY;
   reader->bindings = scene->bindings, reader->binding_count = scene->binding_count, reader->has_units = true;
-  bool reference_required = true; /* not after a wrong line of two words, which is most probably `reference NAME` */
+  bool reference_required =
+      true; /* false after a wrong line of two words, which is probably a mistyped `reference NAME` */
   for (size_t line = 1; line <= page->line_count && !scene->path_replaced; line++)
     if (page->kind_of[line - 1] == 1 + NB_BLOCK_EXPECT && nb_line_read(reader, line)) {
       nb_statement_read(reader, nb_expect_keywords(), NB_IN_EXPECT, &reading);

@@ -8,7 +8,7 @@
 
 struct nb_reference;
 
-/* How the rows of a stage become one number. */
+/* The ways in which the rows of a stage become one number. */
 enum nb_reducer { NB_LAST, NB_MAX, NB_MIN, NB_MEAN, NB_AMPLITUDE, NB_FREQUENCY, NB_AT_CYCLE, NB_AT_TIME };
 
 enum { NB_STAGE_ALL = -2 };
@@ -17,31 +17,31 @@ enum { NB_STAGE_ALL = -2 };
 struct nb_measure {
   char label[4 * NB_NAME_SIZE]; /* quantity, reducer, stage; references use the same labels */
   size_t bare_length;           /* length of the label without ` in STAGE` */
-  size_t column;                /* of the table */
+  size_t column;                /* index of the column of the table */
   const char *unit;             /* NULL: unknown, because of a mistake in the scene */
   enum nb_reducer reducer;
-  double at;        /* cycle or s */
-  int stage;        /* -1: the last one that has rows; NB_STAGE_ALL: `in all` */
-  bool is_residual; /* a residual: it is 0 by definition, without a reference */
+  double at;        /* for NB_AT_CYCLE the number of the cycle, for NB_AT_TIME the time, s */
+  int stage;        /* index; -1: the last stage that has rows; NB_STAGE_ALL: `in all` */
+  bool is_residual; /* the quantity is a residual: 0 by definition, without a reference */
 };
 
 enum nb_tolerance_kind { NB_ABSOLUTE, NB_RELATIVE, NB_OF_PEAK, NB_OF_MEASURE };
 struct nb_tolerance {
   enum nb_tolerance_kind kind;
   double value;         /* SI, or a fraction */
-  struct nb_measure of; /* NB_OF_MEASURE: a fraction of this, in the same run */
+  struct nb_measure of; /* NB_OF_MEASURE: the tolerance is a fraction of this measure, in the same run */
   char text[NB_NAME_SIZE];
 };
 
 enum nb_expectation_kind {
   NB_WITHIN,   /* agrees with the reference */
-  NB_VERSUS,   /* the same for a curve, at every row */
+  NB_VERSUS,   /* a curve agrees with the reference at every row */
   NB_EXPECTED, /* agrees with a number of the page */
   NB_LESS,     /* less than another measure of the same run */
   NB_GREATER,
-  NB_INCREASES, /* from each value of a sweep to the next larger one */
+  NB_INCREASES, /* increases from each value of a sweep to the next larger one */
   NB_DECREASES,
-  NB_CONSTANT, /* for all values of a sweep */
+  NB_CONSTANT, /* is the same for all values of a sweep */
   NB_ORDER,    /* the error is proportional to this power of the swept value */
   NB_REPORTED  /* nothing is expected */
 };
@@ -49,7 +49,7 @@ enum nb_expectation_kind {
 struct nb_expectation {
   enum nb_expectation_kind kind;
   struct nb_measure measure;
-  /* NB_LESS, NB_GREATER: to compare with. NB_EXPECTED with `has_scale`: the number is a fraction of it. */
+  /* NB_LESS, NB_GREATER: the measure to compare with. NB_EXPECTED with `has_scale`: `number` is a fraction of it. */
   struct nb_measure other;
   bool has_scale;
   struct nb_tolerance tolerance;
@@ -58,7 +58,7 @@ struct nb_expectation {
   /* NB_VERSUS: the independent variable, `time`; NB_INCREASES to NB_ORDER: the swept name */
   char against[2 * NB_NAME_SIZE];
   char sample[2 * NB_NAME_SIZE]; /* the sweep whose runs are realizations of the case; empty: none */
-  size_t column;                 /* of the independent variable */
+  size_t column;                 /* index of the column of the independent variable */
   int line;
 };
 
@@ -69,7 +69,7 @@ struct nb_expectations {
   size_t count;
 };
 
-/* The words for reducers; the list ends in a row without a word. */
+/* A row of the words for reducers; the list ends in a row without a word. */
 struct nb_reducer_row {
   const char *word;
   enum nb_reducer reducer;
@@ -77,12 +77,12 @@ struct nb_reducer_row {
 };
 const struct nb_reducer_row *nb_reducer_rows(void);
 
-/* The kinds of expectations; the list ends in a row without a word. */
+/* A row of the kinds of expectations; the list ends in a row without a word. */
 struct nb_reader;
 struct nb_expectation_row {
-  const char *word; /* after the measure */
+  const char *word; /* the word after the measure */
   enum nb_expectation_kind kind;
-  const char *syntax; /* of the whole statement, for the manual */
+  const char *syntax; /* syntax of the whole statement, for the manual */
   /* Reads the rest of the line after the word; expectation->measure is set. */
   bool (*take)(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation);
   const char *help;
@@ -93,11 +93,11 @@ struct nb_family;
 /* The statements of expect blocks: `reference NAME`, `report MEASURE`, and expectations. */
 const struct nb_family *nb_expect_keywords(void);
 
-/* Reads the expect blocks of the page for one run; empty if there are mistakes. The scene may have mistakes: names that
- * they leave undefined are not reported again. */
+/* Reads the expect blocks of the page for one run. After a mistake `expectations` is empty. The scene may have
+ * mistakes: names that these leave undefined are not reported again. */
 enum nb_status nb_expectations_read(struct nb_expectations *expectations, const struct nb_page *page,
                                     const struct nb_scene *scene, struct nb_mistakes *mistakes);
-/* Reads "MEASURE within TOLERANCE" from a text that is no line of a page; messages call it `name`. */
+/* Reads "MEASURE within TOLERANCE" from a text that is not a line of a page; messages call the text `name`. */
 enum nb_status nb_expectation_read(struct nb_expectation *expectation, const char *name, const char *text,
                                    const struct nb_scene *scene, struct nb_mistakes *mistakes);
 void nb_expectations_free(struct nb_expectations *expectations);

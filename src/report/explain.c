@@ -24,7 +24,7 @@
 
 /* ---- statements of the page, with the values of this run ---- */
 
-/* Reads a line of the page; false: it is not a statement. */
+/* Reads a line of the page; false: the line is not a statement. */
 static bool read_statement(struct nb_reader *reader, const struct nb_scene *scene, size_t line) {
   const unsigned char *kind = scene->page->kind_of;
   struct nb_mistakes none = {0}; /* the page has been read without mistakes */
@@ -73,7 +73,7 @@ static void explain_statements(FILE *out, const struct nb_scene *scene, size_t s
 
 /* ---- the beginning of the scene ---- */
 
-/* The state from which the page starts, and those from which that page starts. */
+/* Prints the state from which the page starts, and the states from which the page of that state starts. */
 static void explain_start(FILE *out, const struct nb_scene *scene, const struct nb_options *options) {
   static const char *const words[] = {[NB_STATE_PRESENT] = "present",
                                       [NB_STATE_OUTDATED] = "out of date, will be computed again",
@@ -95,7 +95,7 @@ static void explain_start(FILE *out, const struct nb_scene *scene, const struct 
   }
 }
 
-/* How many particles of each size of a grading were placed. */
+/* Prints how many particles of each size of a grading were placed. */
 static void explain_fill(FILE *out, const struct nb_scene *scene, const struct nb_fill *fill) {
   const struct nb_grading *grading = &scene->gradings[fill->grading];
   fprintf(out, "  %s %s, seed %lu: %zu of %zu particles placed in %llu attempts, particles %zu to %zu (line %d)\n",
@@ -116,7 +116,7 @@ static void explain_fill(FILE *out, const struct nb_scene *scene, const struct n
   }
 }
 
-/* Number of particles, random fillings and packings. */
+/* Prints the number of particles, the random fillings and the packings. */
 static void explain_particles(FILE *out, const struct nb_scene *scene) {
   fprintf(out, "particles\n  %zu particles, %zu walls\n", scene->particle_count, scene->wall_count);
   if (scene->fill_count > 0)
@@ -132,7 +132,7 @@ static void explain_particles(FILE *out, const struct nb_scene *scene) {
 
 /* ---- the plan ---- */
 
-/* Whether such a contact can form: a material of only one particle has no contact with itself. */
+/* True if a contact of the material pair can form. A material of only one particle has no contact with itself. */
 static bool can_touch(const struct nb_scene *scene, const struct nb_material_pair *material_pair) {
   size_t particles = 0;
   for (size_t k = 0; k < scene->particle_count; k++)
@@ -140,7 +140,7 @@ static bool can_touch(const struct nb_scene *scene, const struct nb_material_pai
   return material_pair->wall || material_pair->a != material_pair->b || particles > 1;
 }
 
-/* The values that a change of a stage sets for the pair, if it sets any. */
+/* Prints the values that a change of a stage sets for the pair, if it sets any. */
 static void explain_change(FILE *out, const struct nb_stage *stage, const struct nb_change *change,
                            struct nb_pair before, struct nb_pair after) {
   const char *between = "";
@@ -160,7 +160,7 @@ static void explain_change(FILE *out, const struct nb_stage *stage, const struct
         out);
 }
 
-/* The values of the pair that stages change, in the order of the run; false: out of memory. */
+/* Prints the values of the pair that stages change, in the order of the run. False: out of memory. */
 static bool explain_changes(FILE *out, const struct nb_scene *scene, const struct nb_material_pair *material_pair) {
   struct nb_properties now = {0};
   if (!nb_properties_create(&now, scene))
@@ -204,8 +204,8 @@ static bool explain_material_pair(FILE *out, const struct nb_model *model,
   return true;
 }
 
-/* What a cycle reads and writes of a particle; without the measures of regions and the workspace of the stability
- * check. */
+/* Number of bytes of a particle that a cycle reads and writes, without the measures of regions and the workspace of the
+ * stability check. */
 static size_t bytes_per_particle(const struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   return sizeof(double) * (particles->spin ? 14 : 12) + 5 * sizeof(int) +
@@ -234,7 +234,7 @@ static void explain_memory(FILE *out, const struct nb_model *model) {
           isa_names[model->machine.isa], model->machine.threads_used, model->machine.threads_used == 1 ? "" : "s");
 }
 
-/* The hooks of the cycle at the start of the run. */
+/* Prints the hooks of the cycle at the start of the run. */
 static void explain_hooks(FILE *out, const struct nb_model *model) {
   static const char *const when[NB_WHENS] = {[NB_BEFORE_MOTION] = "before the motion",
                                              [NB_AFTER_MOTION] = "after the motion",
@@ -247,7 +247,7 @@ static void explain_hooks(FILE *out, const struct nb_model *model) {
       fprintf(out, "  %-18s %s\n", when[w], model->hooks[w].list[h].name);
 }
 
-/* What the scene does not use, and the memory that this saves. */
+/* Prints the features that the scene does not use, and the memory that this saves. */
 static void explain_absent(FILE *out, const struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
   bool changes = false, servo = false, damped = false;
@@ -262,7 +262,7 @@ static void explain_absent(FILE *out, const struct nb_model *model) {
   const struct {
     bool present;
     const char *name, *of;
-    size_t bytes; /* 0: none, or not known without it */
+    size_t bytes; /* 0: the feature needs no memory, or the number is not known without the feature */
   } parts[] = {{model->particles.spin, "rotation", "particle", 2 * sizeof(double)},
                {model->plan.has_friction || changes, "shear forces", "contact", sizeof(double) * shear},
                {damped, "dashpots", "", 0},
@@ -360,12 +360,12 @@ static void explain_collision(FILE *out, const struct nb_model *model, const cha
   fprintf(out, " at %g%s\n", collision.speed, nb_unit(model->scene, " m/s"));
 }
 
-/* The error of quantities of the cases with as many steps per collision: docs/ACCURACY.md. */
+/* Prints the error of quantities of the cases with this number of steps per collision: docs/ACCURACY.md. */
 static void explain_accuracy(FILE *out, double steps) {
   static const struct {
-    double steps; /* per collision, at least; less than twice as many */
+    double steps; /* steps per collision: this number or more, up to twice as many */
     unsigned count;
-    double half, most; /* relative errors: of half of the quantities, of 90 % */
+    double half, most; /* largest relative error of half of the quantities, and of 90 % of them */
   } rows[] = {
 #include "accuracy_rows.h"
   };
@@ -415,7 +415,7 @@ static void explain_step(FILE *out, const struct nb_model *model) {
 
 /* ---- stages ---- */
 
-/* The gain of a servo: B and T at the beginning, if there are contacts. */
+/* Prints the gain of a servo: B and T of servo.c at the beginning, if there are contacts. */
 static void explain_gain(FILE *out, const struct nb_model *model, const struct nb_servo *servo) {
   const struct nb_scene *scene = model->scene;
   double b, t;
@@ -508,8 +508,8 @@ static enum nb_status explain_contact_test(FILE *out, const struct nb_scene *sce
 
 /* ---- nb_explain ---- */
 
-/* A model of a page whose state does not exist: particles at time 0 of the other page, laws and properties as its
- * stages leave them. */
+/* A model of a page whose state does not exist: with the particles of the other page at time 0, and with the laws and
+ * the properties at the end of the other page's stages. */
 static struct nb_model *model_before_start(const struct nb_scene *scene, const struct nb_options *options,
                                            struct nb_error *error) {
   struct nb_model *model = nb_model_resume(scene, options, NULL, error);
@@ -528,7 +528,7 @@ static struct nb_model *model_before_start(const struct nb_scene *scene, const s
   return NULL;
 }
 
-/* The plan of a page whose state does not exist, as far as it follows from the scene. */
+/* Prints the plan of a page whose state does not exist, as far as it follows from the scene. */
 static enum nb_status explain_before_start(FILE *out, const struct nb_scene *scene, const struct nb_options *options,
                                            struct nb_cost *cost, struct nb_error *error) {
   const struct nb_start *start = &scene->start;
@@ -566,7 +566,8 @@ static enum nb_status explain_scene(FILE *out, const struct nb_scene *scene, con
   if (!model)
     return error->status;
   struct nb_error unknown;
-  nb_step_set(model, &scene->stages[scene->start.stages].step, &unknown); /* that of a state is the step before */
+  nb_step_set(model, &scene->stages[scene->start.stages].step,
+              &unknown); /* with a state, the step would be that of the previous stage */
   explain_start(out, scene, options);
   explain_particles(out, scene);
   enum nb_status status = explain_plan(out, model) ? NB_OK : nb_error_memory(error);

@@ -15,9 +15,9 @@
 #include "input/reader.h"
 #include "measure/snapshot.h"
 
-enum { STYLE_MAX = 1 << 20 }; /* bytes */
+enum { STYLE_MAX = 1 << 20 }; /* largest size of style.gp, bytes */
 
-/* Constant, so that no text of a page is among the arguments of gnuplot. */
+/* The commands for gnuplot. They are constant, so that no text of a page is among the arguments of gnuplot. */
 #define SETTINGS(terminal) "terminal = \"" terminal "\"; set terminal " terminal " size 840,560"
 
 bool nb_page_has_figure(const struct nb_page *page) {
@@ -27,13 +27,13 @@ bool nb_page_has_figure(const struct nb_page *page) {
   return false;
 }
 
-/* A valid name of gnuplot: C.normal at 40 cycles -> C_normal_at_40_cycles. */
+/* Writes a label as a valid name of gnuplot: C_normal_at_40_cycles for `C.normal at 40 cycles`. */
 static void write_name(FILE *out, const char *label) {
   for (const char *c = label; *c; c++)
     fputc(isalnum((unsigned char)*c) ? *c : '_', out);
 }
 
-enum { VARIABLE_MAX = 49 }; /* characters; gnuplot truncates longer names, which could then be equal */
+enum { VARIABLE_MAX = 49 }; /* gnuplot truncates names of more characters, so that two of them could become equal */
 
 static void write_value(FILE *out, const char *prefix, const char *label, const char *number, double value) {
   if (strlen(prefix) + strlen(label) + strlen(number) > VARIABLE_MAX)
@@ -62,8 +62,8 @@ static bool has_sweep(const struct nb_scene *scene) {
   return k < scene->binding_count;
 }
 
-/* Values and tables of a run have its number behind their names if the page has a sweep, also when --set leaves one
- * value of it: the figure needs no change then. */
+/* Writes the values and tables of a run. If the page has a sweep, their names end in the number of the run, even if
+ * --set leaves one value of the sweep, so that the figure needs no change. */
 static void write_run(FILE *out, const struct nb_outcome *outcome, size_t r) {
   const struct nb_page_run *run = &outcome->runs[r];
   char number[32] = "";
@@ -109,7 +109,7 @@ void nb_plots_find(char *plots, size_t size, struct nb_error *error) {
                  "the style of figures, plots/style.gp, is neither beside the program nor in %s/plots", NB_DATADIR);
 }
 
-/* In single quotes gnuplot interprets nothing; a quote is doubled. */
+/* Writes a text in single quotes, in which gnuplot interprets nothing; a quote in the text is doubled. */
 static void write_quoted(FILE *out, const char *name, const char *text) {
   static const struct nb_escape quote[] = {{'\'', "''"}, {0, NULL}};
   fprintf(out, "%s = '", name);
@@ -117,7 +117,7 @@ static void write_quoted(FILE *out, const char *name, const char *text) {
   fputs("'\n", out);
 }
 
-/* The values of all runs, and the gnuplot blocks of the page. */
+/* Writes the values of all runs, and the gnuplot blocks of the page. */
 static void write_page_figure(FILE *out, const struct nb_outcome *outcome, const void *data) {
   const struct nb_page *page = &outcome->page;
   (void)data;

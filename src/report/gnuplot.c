@@ -8,7 +8,7 @@
 #include "tool.h"
 
 /* Copies the messages of gnuplot to stderr if verbose. `reason` receives the error message: the last line that is not
- * blank. A missing column is only a warning for gnuplot, but the figure then lacks a curve: `reason` receives that
+ * blank. For gnuplot a missing column is only a warning, but the figure then lacks a curve; so `reason` receives this
  * warning, and the function returns true. */
 static bool copy_messages(FILE *messages, bool verbose, char *reason, size_t size) {
   char line[1024];

@@ -8,7 +8,7 @@
 #include "core/clean.h"
 #include "report.h"
 
-enum { FOLD_LIMIT = 20 }; /* checks; longer lists are folded unless one failed */
+enum { FOLD_LIMIT = 20 }; /* a list of more checks is folded, unless one of them failed */
 
 void nb_html_text(FILE *out, const char *before, const char *text, const char *after) {
   static const struct nb_escape list[] = {{'<', "&lt;"},   {'>', "&gt;"},   {'&', "&amp;"},
@@ -23,8 +23,8 @@ void nb_html_address(char *address, size_t size, const char *name) {
     nb_append(address, size, isalnum((unsigned char)*c) || strchr("-_./", *c) ? "%c" : "%%%02X", (unsigned char)*c);
 }
 
-/* Scripts and figures come from the report alone. Browsers differ in what 'self' means for a file, so `file:` is there
- * too. */
+/* The page may load scripts and figures only from the report. The policy has both 'self' and `file:`, because browsers
+ * differ in the meaning of 'self' for a file. */
 void nb_html_begin(FILE *out, const char *title, const char *top, const char *script) {
   fputs("<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
@@ -58,7 +58,7 @@ const char *nb_html_verdict(char *text, size_t size, const struct nb_report_page
 
 /* ---- checks ---- */
 
-enum { WIDE = 140, HIGH = 50, MARGIN = 5 }; /* of the picture of a trend, in units of its view box */
+enum { WIDE = 140, HIGH = 50, MARGIN = 5 }; /* sizes of the picture of a trend, in units of its view box */
 
 /* Fraction of the way from the smallest to the largest value, logarithmic if they differ by more than `decades`. */
 static double position(double value, double smallest, double largest, double decades) {
@@ -67,7 +67,7 @@ static double position(double value, double smallest, double largest, double dec
   return largest > smallest ? (value - smallest) / (largest - smallest) : 0.5;
 }
 
-/* The computed values against the swept ones: a picture, with the numbers as its description. */
+/* Writes a picture of the computed values against the swept values, with the numbers as its description. */
 static void write_points(FILE *out, const struct nb_check *check) {
   double least[2] = {INFINITY, INFINITY}, most[2] = {-INFINITY, -INFINITY};
   for (size_t k = 0; k < 2 * check->point_count; k++) {
@@ -90,7 +90,8 @@ static void write_points(FILE *out, const struct nb_check *check) {
 
 static void write_check(FILE *out, const struct nb_check *check) {
   const char *word = nb_mark_word(check->mark);
-  fprintf(out, "<tr><td class=\"%s\">%s", check->mark == NB_FAIL ? "fail" : word, word); /* note, skip: no style */
+  fprintf(out, "<tr><td class=\"%s\">%s", check->mark == NB_FAIL ? "fail" : word,
+          word); /* `note` and `skip` have no style */
   nb_html_text(out, "</td><td>", check->label, "");
   const struct nb_part *last = &check->parts[NB_PART_TOLERANCE];
   if (last->length && check->message[last->at + last->length])

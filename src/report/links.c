@@ -1,4 +1,4 @@
-/* Where the links of a page lead in the report: to another page, or to a copy of a file.
+/* The targets of a page's links in the report: another page, or a copy of a file.
  *
  * A page may come from a stranger, and a report may be published. So a file is copied only if it is in the folder of
  * the page or below, unless the pages are trusted; and only if it is a small picture or text.
@@ -15,7 +15,7 @@
 #include "input/reader.h"
 #include "report.h"
 
-enum { LIST_BYTES = 100000, FILE_BYTES = 300000 }; /* of all links of a page; of a file that is copied */
+enum { LIST_BYTES = 100000, FILE_BYTES = 300000 }; /* largest size of all links of a page; of a file that is copied */
 
 static bool has_ending(const char *name, const char *endings) {
   const char *dot = strrchr(name, '.');
@@ -26,7 +26,8 @@ static bool has_ending(const char *name, const char *endings) {
   return false;
 }
 
-/* The last two parts of the path, joined by `-`; the browser shows a text as such only if its name ends in .txt. */
+/* The name of a copied file: the last two parts of its path, joined by `-`. A text gets the ending .txt, because a
+ * browser shows a file as text only with this ending. */
 static char *file_name(const struct nb_report *report, const char *real, bool picture) {
   const size_t size = strlen(real) + 32;
   char *name = malloc(size);
@@ -54,7 +55,8 @@ static bool save_file(const struct nb_report *report, const char *name, const ch
   return !nb_save_end(&save, &error);
 }
 
-/* Copies a file to the report once; its name there, or NULL if it is not a small picture or text. */
+/* Copies a file to the report, unless it has been copied. Returns its name there; NULL: it is not a small picture or
+ * text. */
 static const char *copy_file(struct nb_report *report, const char *real) {
   const bool picture = has_ending(real, "svg, png, jpg, jpeg, gif, webp");
   struct nb_error error;
@@ -76,7 +78,7 @@ static const char *copy_file(struct nb_report *report, const char *real) {
   return own ? own->name : NULL;
 }
 
-/* Whether the file is in the folder of the page or below. */
+/* True if the file is in the folder of the page or below. */
 static bool is_below(const char *real, const char *page) {
   const size_t length = (size_t)(strrchr(page, '/') - page) + 1;
   return strncmp(real, page, length) == 0;

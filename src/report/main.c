@@ -44,11 +44,11 @@ enum { COMMANDS = sizeof commands / sizeof *commands };
 
 #define AT(member) offsetof(struct nb_call, member)
 static const struct option_row {
-  const char *name, *value;                                 /* name of the value in the help; NULL: none */
+  const char *name, *value;                                 /* name; name of its value in the help, NULL: no value */
   int letter;                                               /* short form; 0: none */
   enum { TEXT, NUMBER, SECONDS, FLAG, SETTING, PAGE } kind; /* the value of SECONDS may be missing */
   size_t at;                                                /* offset in struct nb_call */
-  const char *commands;                                     /* that take it; NULL: it is used alone */
+  const char *commands;                                     /* commands that take it; NULL: it is used alone */
   const char *help;
 } options[] = {
     {"output", "FOLDER", 'o', TEXT, AT(folder), "run, figure, report, advise, state",
@@ -107,7 +107,7 @@ static void note_signal(int number) { stop_signal = number; }
 /* The first signal stops the run after its cycle; the second one ends the process. */
 static void catch_signals(struct nb_call *call) {
   struct sigaction action = {.sa_handler = note_signal, .sa_flags = (int)SA_RESETHAND};
-  signal(SIGPIPE, SIG_IGN); /* output files are written, also if nobody reads the verdict */
+  signal(SIGPIPE, SIG_IGN); /* output files are written even if nobody reads the verdict */
   if (call->options.checkpoint.resume && !(call->options.checkpoint.seconds > 0))
     call->options.checkpoint.seconds = checkpoint_seconds;
   if (!(call->options.checkpoint.seconds > 0))
@@ -117,7 +117,7 @@ static void catch_signals(struct nb_call *call) {
   sigaction(SIGTERM, &action, NULL);
 }
 
-/* How to continue, and the exit status of a process that a signal has ended. */
+/* Prints how to continue, and returns the exit status of a process that a signal has ended. */
 static int stopped(const struct nb_call *call, char **words) {
   fputs("to continue:", stderr);
   for (; *words; words++) {
@@ -151,7 +151,7 @@ static enum nb_status out_of_memory(void) {
 static void print_command(FILE *out, int k) {
   char term[64];
   snprintf(term, sizeof term, "%s %s", commands[k].name, commands[k].arguments);
-  int width = 28; /* columns; plus the extra bytes of UTF-8 characters */
+  int width = 28; /* columns of the text, plus the extra bytes of its UTF-8 characters */
   for (const char *c = term; *c; c++)
     width += (*c & 0xC0) == 0x80;
   fprintf(out, "  %-*s %s\n", width, term, commands[k].help);
@@ -179,7 +179,7 @@ static void print_help(FILE *out) {
         out);
 }
 
-/* Whether the word is in the comma-separated list. */
+/* True if the word is in the comma-separated list. */
 static bool list_contains(const char *list, const char *word) {
   const size_t length = strlen(word);
   for (; *list; list += strcspn(list, " "), list += strspn(list, " "))
@@ -195,7 +195,7 @@ static int find_command(const char *word) {
   return -1;
 }
 
-/* The option of that name, or that takes the word: `--set refine=R`. False: none. */
+/* Prints the option with this name, or the option that takes the word: `--set refine=R`. False: there is none. */
 static bool print_options(const char *word) {
   char taken[NB_HINT_SIZE];
   bool found = false;
@@ -206,7 +206,8 @@ static bool print_options(const char *word) {
   return found;
 }
 
-/* `nineball --help WORD …`: a command with its options; a word of pages; an option, or a word that one takes. */
+/* Prints the help of `nineball --help WORD …`: a command with its options; a word of pages; an option, or a word that
+ * an option takes. */
 static enum nb_status print_word_help(const char *word) {
   char suggestion[NB_HINT_SIZE];
   const int command = find_command(word);
@@ -237,7 +238,7 @@ static bool parse_number(int *number, const char *text) {
   return !*end && end != text && value >= 1 && value <= 256;
 }
 
-/* To a list that ends in NULL and is long enough. */
+/* Appends a word to a list that ends in NULL and is long enough. */
 static void append(const char **list, const char *word) {
   while (*list)
     list++;
@@ -345,7 +346,8 @@ static enum nb_status execute(struct nb_call *call, int count, char **words) {
   return run_command(call, word);
 }
 
-/* Names and values are printed: they must not contain control characters of a terminal. */
+/* NB_BAD_USE if a word of the command line has control characters, because names and values are printed to a
+ * terminal. */
 static enum nb_status check_text(const char *word) {
   char *shown = word ? strdup(word) : NULL;
   unsigned byte;

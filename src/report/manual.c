@@ -15,9 +15,9 @@
 /* Output file and format. */
 struct manual {
   FILE *out;
-  bool markdown;      /* else for a terminal */
-  bool whole;         /* with the arguments of every statement, and examples */
-  const void **shown; /* the rows that are printed already, up to a NULL; only for the help on words */
+  bool markdown;      /* true: Markdown; false: text for a terminal */
+  bool whole;         /* prints the arguments of every statement, and examples */
+  const void **shown; /* the rows that have been printed, up to a NULL; only for the help on words */
 };
 
 static bool is_new(const struct manual *to, const void *row) {
@@ -31,8 +31,8 @@ static bool is_new(const struct manual *to, const void *row) {
 
 /* ---- formatting ---- */
 
-/* Prints the text in lines of at most 100 characters; the first line begins at the column `first`, the others at
- * `other`. */
+/* Prints the text in lines of at most 100 characters; the first line begins at column `first`, the other lines at
+ * column `other`. */
 static void wrapped(FILE *out, int first, int other, const char *text) {
   enum { WIDEST = 100 };
   int column = first;
@@ -70,7 +70,7 @@ static void paragraph(const struct manual *to, const char *text) {
   end(to);
 }
 
-/* A list item, such as an argument of a statement; unit may be NULL. */
+/* Prints a list item, such as an argument of a statement; `unit` may be NULL. */
 static void part(const struct manual *to, const char *name, const char *unit, const char *text) {
   char line[2048];
   snprintf(line, sizeof line, to->markdown ? "- `%s`%s%s: %s" : "%s%s%s: %s", name, unit ? ", " : "", unit ? unit : "",
@@ -90,7 +90,7 @@ static void item(const struct manual *to, const char *word, const char *syntax, 
   wrapped(to->out, 6, 6, help);
 }
 
-/* An example: lines of a block of that kind; the last one has no newline. */
+/* Prints an example: lines of a block of the kind `block`. The last line has no newline. */
 static void example(const struct manual *to, const char *block, const char *lines) {
   if (to->markdown) {
     fprintf(to->out, "\n```%s\n%s\n```\n", block, lines);
@@ -102,7 +102,7 @@ static void example(const struct manual *to, const char *block, const char *line
 
 /* ---- one statement ---- */
 
-/* Whether the word occurs in a line of syntax: `ratio` in "damping {walls} stiffness TIME|ratio X". */
+/* True if the word occurs in a line of syntax: `ratio` in "damping {walls} stiffness TIME|ratio X". */
 static bool has_word(const char *syntax, const char *word) {
   static const char between[] = " {}[]|";
   for (size_t length; *syntax; syntax += length + strspn(syntax + length, between)) {
@@ -113,14 +113,15 @@ static bool has_word(const char *syntax, const char *word) {
   return false;
 }
 
-/* Length of the first sentence. A full stop without a space after it, as in an equation's number, does not end it. */
+/* Length of the first sentence. A full stop without a space after it, as in the number of an equation, does not end a
+ * sentence. */
 static int first_sentence(const char *help) {
   const char *end = strstr(help, ". ");
   const size_t all = strlen(help);
   return (int)(end ? (size_t)(end - help) : all - (all > 0 && help[all - 1] == '.'));
 }
 
-/* "a length above 0; without it: 2R. Distance of the centres; at 2R they touch." */
+/* Prints an argument: "a length above 0; without it: 2R. Distance of the centres; at 2R they touch." */
 static void argument(const struct manual *to, const struct nb_argument *field) {
   char name[128], text[1024];
   const int first = first_sentence(field->help);
@@ -139,8 +140,8 @@ static void argument(const struct manual *to, const struct nb_argument *field) {
   part(to, name, NULL, text);
 }
 
-/* The lines of a help after the first one, "NAME: TEXT", are parts of the statement's tail. `word`: only parts with this word in
- * their names, or NULL. Returns whether there are any. */
+/* The lines of a help after the first one, "NAME: TEXT", are parts of the statement's tail. `word`: only parts with
+ * this word in their names, or NULL. Returns whether there are any. */
 static bool tail_parts(const struct manual *to, const char *help, const char *word) {
   bool found = false;
   for (const char *line = strchr(help, '\n'); line; line = strchr(line, '\n')) {
@@ -160,7 +161,7 @@ static bool tail_parts(const struct manual *to, const char *help, const char *wo
 /* "Place: the scene; a stage." */
 static void append_place(char *text, size_t size, unsigned where) {
   static const struct {
-    unsigned all, none; /* the flags that a statement has and does not have */
+    unsigned all, none; /* flags that the statement must have, and flags that it must not have */
     const char *words;
   } places[] = {
       {NB_IN_SCENE, 0, "the scene"},
@@ -183,8 +184,8 @@ static void append_place(char *text, size_t size, unsigned where) {
   snprintf(text + used, size - used, "%s", end);
 }
 
-/* Examples of scenes and expectations together make docs/LANGUAGE.md a page that can be run; other examples are blocks
- * of text. */
+/* The kind of block for the example of a statement. The examples of scenes and expectations together make
+ * docs/LANGUAGE.md a page that can be run; other examples are blocks of text. */
 static const char *block_of(const struct nb_keyword *keyword) {
   return keyword->where == NB_IN_EXPECT                 ? "expect"
          : keyword->where & NB_IN_CELL                  ? "text of a scene with a cell"
@@ -276,7 +277,7 @@ static void figures(const struct manual *to) {
   end(to);
 }
 
-/* The quantities of one owner, from row k on. */
+/* Prints the quantities of one owner, from row k on. */
 static void quantities_of(const struct manual *to, const char *owner, size_t k) {
   struct nb_quantity_row row;
   char text[64];
@@ -291,7 +292,7 @@ static void quantities_of(const struct manual *to, const char *owner, size_t k) 
 static void quantities(const struct manual *to) {
   enum { OWNERS_MAX = 16 };
   struct nb_quantity_row row;
-  const char *owners[OWNERS_MAX]; /* those that are printed */
+  const char *owners[OWNERS_MAX]; /* owners that have been printed */
   size_t count = 0;
   section(to, "Quantities");
   paragraph(to,
@@ -366,7 +367,7 @@ static void grammar(const struct manual *to) {
                 "everything below a line `stage NAME`, up to the next `stage`; a segment of a contact test likewise.");
 }
 
-/* The four ways to impose a strain. */
+/* Prints the four ways to impose a strain. */
 static void strains(const struct manual *to) {
   static const char *const rows[][2] = {
       {"cell strain", "moves the periodic cell and, with it, all particles. For a sample without walls or edges: "
@@ -388,7 +389,7 @@ static void strains(const struct manual *to) {
   end(to);
 }
 
-/* Statements that are allowed in `here` and not in `there`. */
+/* Prints the statements that are allowed in `here` and not in `there`. */
 static void statements(const struct manual *to, const struct nb_family *table, unsigned here, unsigned there) {
   const struct nb_keyword *keyword;
   for (size_t k = 0; (keyword = nb_keyword_row(table, k)); k++)
@@ -425,7 +426,7 @@ void nb_manual(FILE *out, bool markdown) {
 
 /* ---- one word ---- */
 
-/* The first argument whose words have this one; else the last, with count 0. */
+/* The first argument that has this word; if there is none, the last row, with count 0. */
 static const struct nb_argument *clause_of(const struct nb_keyword *row, const char *word) {
   const struct nb_argument *field = row->arguments;
   while (field->count && !(field->word && has_word(field->word, word)))
@@ -433,7 +434,7 @@ static const struct nb_argument *clause_of(const struct nb_keyword *row, const c
   return field;
 }
 
-/* The syntax, and the arguments that the word begins; if there is none, the help. */
+/* Prints the syntax, and the arguments that begin with the word; if there are none, the help. */
 static void statement_part(const struct manual *to, const struct nb_keyword *row, const char *syntax,
                            const char *word) {
   const struct nb_argument *field = clause_of(row, word);
@@ -450,8 +451,8 @@ static void statement_part(const struct manual *to, const struct nb_keyword *row
       argument(to, field);
 }
 
-/* Statements that begin with the word. For statements with the word in their syntax: the syntax and the argument, or
- * the help. */
+/* Prints the statements that begin with the word. For statements with the word inside their syntax, prints the syntax
+ * and the argument, or the help. False: there are none. */
 static bool find_statement(const struct manual *to, const char *word, struct nb_guess *guess) {
   const struct nb_family *const tables[] = {nb_keywords(), nb_expect_keywords()};
   const struct nb_keyword *row;
@@ -474,7 +475,7 @@ static bool find_statement(const struct manual *to, const char *word, struct nb_
   return found;
 }
 
-/* Expectations and reducers with the word in their syntax. */
+/* Prints expectations and reducers with the word in their syntax. False: there are none. */
 static bool find_expectation(const struct manual *to, const char *word, struct nb_guess *guess) {
   const struct manual brief = {to->out, false, false, to->shown};
   bool found = false;
@@ -491,15 +492,16 @@ static bool find_expectation(const struct manual *to, const char *word, struct n
   return found;
 }
 
-/* How to name the owner of a quantity, unless it is that of the last one. Returns this statement. */
+/* Prints the statement that names the owner of a quantity, unless it is `last`, that of the previous quantity. Returns
+ * the statement. */
 static const char *own_line(const struct manual *to, const struct nb_quantity_row *row, const char *last) {
   if (row->statement && row->statement != last)
     fprintf(to->out, "  `%s`, then `%s%s`\n", row->statement, row->prefix, row->name);
   return row->statement;
 }
 
-/* Quantities whose name is the word (`C.normal`, `normal`) or begins with it (`energy`). If `part_of`, also those whose
- * name ends with it after the first dot (`kinetic`). */
+/* Prints the quantities whose name is the word (`C.normal`, `normal`) or begins with it (`energy`). `part_of`: also
+ * those whose name, after its first dot, is the word (`kinetic`). False: there are none. */
 static bool find_quantity(const struct manual *to, const char *word, struct nb_guess *guess, bool part_of) {
   struct nb_quantity_row row;
   const char *const dot = strchr(word, '.'), *const names[] = {word, dot ? dot + 1 : word};
@@ -524,7 +526,8 @@ static bool find_quantity(const struct manual *to, const char *word, struct nb_g
   return found;
 }
 
-/* A law, a function or constant of expressions, a unit. */
+/* Prints the help on a law, on a function or constant of expressions, or on a unit. False: the word is none of
+ * these. */
 static bool find_name(const struct manual *to, const char *word) {
   struct nb_unit unit;
   char of[2 * NB_NAME_SIZE];
@@ -548,7 +551,7 @@ static bool find_name(const struct manual *to, const char *word) {
   return found || reserved || is_unit || foreign;
 }
 
-/* All meanings of the word in a page. */
+/* Prints all meanings of the word in a page. False: it has none. */
 static bool find(const struct manual *to, const char *word, struct nb_guess *guess) {
   static const struct {
     const char *word;
@@ -566,7 +569,8 @@ static bool find(const struct manual *to, const char *word, struct nb_guess *gue
   return found;
 }
 
-/* The help on one word; of several words first that on the last one, the noun of `contact damping`. */
+/* Prints the help on one word. For several words, the last one comes first, because it is the noun in `contact
+ * damping`. */
 static bool words_help(const struct manual *to, const char *text, struct nb_guess *guess) {
   const struct manual brief = {to->out, false, false, to->shown};
   const struct nb_synonym *const synonym = nb_synonym(text);
@@ -591,7 +595,7 @@ static bool words_help(const struct manual *to, const char *text, struct nb_gues
 }
 
 bool nb_manual_word(FILE *out, const char *text, char *hint) {
-  const void *shown[2048] = {NULL}; /* more than all tables have */
+  const void *shown[2048] = {NULL}; /* more rows than all tables have */
   const struct manual to = {out, false, true, shown};
   struct nb_guess guess = nb_guess_begin(text);
   const bool found = words_help(&to, text, &guess);

@@ -21,7 +21,7 @@ static void add_warnings(struct nb_outcome *outcome, const struct nb_warnings *w
     nb_warnings_add(&outcome->warnings, &warnings->list[k]);
 }
 
-/* The largest number of particles in memory, of all runs of a page together. Further runs are read again when they run,
+/* The largest number of particles of all runs of a page that stay in memory. Further runs are read again when they run,
  * so the memory of a sweep is bounded. */
 enum { PARTICLES_KEPT = 1000000 };
 
@@ -43,7 +43,7 @@ static void read_again(const struct nb_outcome *outcome, struct nb_page_run *run
   nb_mistakes_free(&mistakes);
 }
 
-/* Reads all runs of the page, up to the first one with mistakes, since most mistakes would be in every run. */
+/* Reads all runs of the page, up to the first run with mistakes, because most mistakes would be in every run. */
 static void read_runs(struct nb_outcome *outcome, nb_settings settings, size_t particles_kept) {
   size_t particles = 0;
   const size_t runs = nb_scene_runs(&outcome->page, settings, &outcome->mistakes);
@@ -92,11 +92,11 @@ static void warn_deep(struct nb_outcome *outcome) {
             count, first->result.deep_first, first->label[0] ? ", run " : "", first->label);
 }
 
-/* Callback data of one run; progress is reported for all runs together, of which several may be running. */
+/* Callback data of one run. Progress is reported for all runs together; several of them may be running. */
 struct run_progress {
   struct nb_outcome *outcome;
   const struct nb_progress *progress;
-  double began; /* s */
+  double began; /* time at which the runs began, s */
   size_t run;
 };
 
@@ -136,8 +136,8 @@ static struct nb_options options_of_run(const struct nb_outcome *outcome, const 
   return own;
 }
 
-/* One process at a time saves checkpoints of a page with these settings, from its first run until they are removed.
- * Unless it resumes, there must be none of any run. */
+/* Acquires the lock of the checkpoints, so that only one process saves checkpoints of a page with these settings, from
+ * its first run until they are removed. If the process does not resume, no run may have a checkpoint. */
 static enum nb_status lock(struct nb_outcome *outcome, const struct nb_options *options) {
   const unsigned long long key = options_of_run(outcome, options, outcome->run_count).checkpoint.key;
   if (!options || !(options->checkpoint.seconds > 0) || outcome->run_count == 0)
@@ -151,7 +151,7 @@ static enum nb_status lock(struct nb_outcome *outcome, const struct nb_options *
   return status;
 }
 
-/* One process at a time writes into a folder. */
+/* Acquires the lock of the output folder, so that only one process writes into it. */
 static enum nb_status lock_folder(struct nb_outcome *outcome, const struct nb_options *options) {
   const struct nb_results_kept *results = options ? &options->results : NULL;
   char path[NB_STATE_PATH];
@@ -174,7 +174,7 @@ static void unlock(struct nb_outcome *outcome) {
   outcome->locked = outcome->output_locked = false;
 }
 
-/* Keeps of a result what is needed later. */
+/* Keeps the parts of a result that are needed later. */
 static void keep_result(struct nb_outcome *outcome, struct nb_page_run *run, const struct nb_results_kept *results,
                         const struct nb_progress *progress) {
   struct nb_error error = {NB_OK, ""};
@@ -210,7 +210,7 @@ int nb_job_count(const struct nb_options *options, size_t most) {
   return jobs > 0 ? jobs : 1;
 }
 
-/* The error of the first run that failed; false: none has. */
+/* Copies the error of the first run that failed to the outcome. False: no run has failed. */
 static bool first_error(struct nb_outcome *outcome) {
   for (size_t r = 0; r < outcome->run_count; r++) {
     const struct nb_page_run *run = &outcome->runs[r];
@@ -224,8 +224,8 @@ static bool first_error(struct nb_outcome *outcome) {
   return false;
 }
 
-/* After a failed run no other run is started. Runs before it in the sweep have been started by then, so the run that is
- * reported does not depend on the number of jobs. */
+/* After a failed run no other run is started. All earlier runs of the sweep have been started by then, so the failed
+ * run that is reported does not depend on the number of jobs. */
 enum nb_status nb_outcome_run(struct nb_outcome *outcome, const struct nb_options *options,
                               const struct nb_progress *progress) {
   const size_t runs = outcome->run_count;

@@ -14,21 +14,21 @@ struct nb_page_run {
   struct nb_expectations expectations;
   struct nb_solution solution;
   struct nb_result result;
-  struct nb_spool *spool; /* has what the result has recorded, at the byte `at`; NULL: the result itself has it */
+  struct nb_spool *spool; /* has the recorded tables of the result, from byte `at` on; NULL: the result has them */
   long at;
   char label[256];       /* "v=0.12 n=40", empty without a sweep */
-  bool released;         /* the scene has its particles only while it runs */
-  double done;           /* fraction of the cycles, 0 to 1 */
-  enum nb_status status; /* of the run itself */
-  struct nb_error error; /* its message */
+  bool released;         /* the scene has its particles only during the run */
+  double done;           /* completed fraction of the cycles, 0 to 1 */
+  enum nb_status status; /* status of the run, without the verdict */
+  struct nb_error error; /* message, if the run failed */
 };
 
 /* The result of an expectation. Only the first two count as checks. */
 enum nb_mark {
   NB_FAIL,
   NB_PASS,
-  NB_NOTE, /* a value, or the position of a number in a sample: cannot fail */
-  NB_SKIP, /* not checked; the message says why */
+  NB_NOTE, /* a value, or the percentile of a number in a sample, which cannot fail */
+  NB_SKIP, /* not checked; the message gives the reason */
   NB_MARKS
 };
 
@@ -41,8 +41,8 @@ struct nb_check {
   char message[512]; /* "computed 1.002 N, reference 1.003 N, error 0.05 %, tolerance 0.1 %" */
   struct nb_part {
     unsigned short at, length;
-  } parts[NB_PARTS]; /* parts of the message, for a table; length 0: not in it */
-  double *points;    /* of a trend: pairs of a swept value, or its number, and the computed value; owned */
+  } parts[NB_PARTS]; /* parts of the message, for a table; length 0: the message has no such part */
+  double *points;    /* for a trend: pairs of a swept value, or its number, and the computed value; owned */
   size_t point_count;
   enum nb_mark mark;
   int line;
@@ -50,36 +50,36 @@ struct nb_check {
 
 struct nb_outcome {
   struct nb_page page;
-  nb_settings settings;        /* of the caller */
-  struct nb_mistakes mistakes; /* in the page, if status is NB_BAD_USE */
-  struct nb_page_run *runs;    /* owned, as is everything below */
+  nb_settings settings;        /* settings of the caller */
+  struct nb_mistakes mistakes; /* mistakes in the page, if status is NB_BAD_USE */
+  struct nb_page_run *runs;    /* owned, like everything below */
   size_t run_count;
   struct nb_check *checks;
   size_t check_count, mark_count[NB_MARKS]; /* all checks; checks of each mark */
-  struct nb_warnings warnings;              /* of all runs, each once */
-  enum nb_status status;                    /* the worst one */
+  struct nb_warnings warnings;              /* warnings of all runs, each once */
+  enum nb_status status;                    /* the worst status of all runs and checks */
   struct nb_error error;                    /* the message, if status is NB_BAD_USE without mistakes, or NB_BROKEN */
-  struct nb_lock lock;                      /* of the checkpoints, until they are removed */
+  struct nb_lock lock;                      /* lock of the checkpoints, until they are removed */
   bool locked;
-  struct nb_lock output; /* of the folder of output files */
+  struct nb_lock output; /* lock of the folder of output files */
   bool output_locked;
   struct nb_spool {
-    FILE *file;              /* NULL: none was needed */
-    long end;                /* bytes in it */
-    size_t kept;             /* bytes of results in memory */
-    struct nb_result loaded; /* table of the run that was read last, and its snapshots */
+    FILE *file;              /* NULL: no file was needed */
+    long end;                /* number of bytes in the file */
+    size_t kept;             /* number of bytes of results in memory */
+    struct nb_result loaded; /* table and snapshots of the run that was read last */
     const struct nb_page_run *loaded_run;
     bool has_snapshots;
-    struct nb_error error; /* of reading; status NB_OK: none */
+    struct nb_error error; /* error while reading; status NB_OK: none */
   } spool;
-  bool noted; /* that results stay in memory */
+  bool noted; /* the user has been told that results stay in memory */
 };
 
 /* Reads the page, runs it, options->jobs runs at a time, and checks its expectations. After an error the outcome has
- * what was computed before; free it in any case. */
+ * the results that were computed before. The caller frees the outcome in any case. */
 enum nb_status nb_outcome_make(struct nb_outcome *outcome, const char *path, nb_settings settings,
                                const struct nb_options *options, const struct nb_progress *progress);
-/* Only reads the page: scenes and expectations of all runs. */
+/* Only reads the page: the scenes and the expectations of all runs. */
 enum nb_status nb_outcome_read(struct nb_outcome *outcome, const char *path, nb_settings settings);
 /* Runs what has been read, without a verdict. */
 enum nb_status nb_outcome_run(struct nb_outcome *outcome, const struct nb_options *options,
@@ -92,29 +92,33 @@ void nb_outcome_free_runs(struct nb_outcome *outcome); /* keeps page, checks, wa
 
 /* ---- spool.c: results of runs that are not in memory ---- */
 
-/* Writes what the run has recorded to the file of the spool, unless less than options->results.bytes are in memory.
- * After an error the result stays in memory. */
+/* Writes the tables that the run has recorded to the file of the spool, unless the results in memory have fewer than
+ * options->results.bytes. After an error the result stays in memory. */
 enum nb_status nb_spool_put(struct nb_spool *spool, struct nb_page_run *run, const struct nb_results_kept *limit,
                             struct nb_error *error);
-/* The table of a run, and the result with its snapshots; valid until that of another run is asked for. Of both only the
- * recorded tables may be used. If the file cannot be read they are empty, and the spool has the error. */
+/* The first function returns the table of a run, the second one the result with its snapshots. They are valid until one
+ * of these functions is called for another run. Only the recorded tables of the result may be used. If the file cannot
+ * be read, the tables are empty and the spool has the error. */
 const struct nb_table *nb_run_table(const struct nb_page_run *run);
 const struct nb_result *nb_run_result(const struct nb_page_run *run);
-enum nb_status nb_spool_status(const struct nb_spool *spool, struct nb_error *error); /* of reading, so far */
+/* The status of all readings so far. */
+enum nb_status nb_spool_status(const struct nb_spool *spool, struct nb_error *error);
 void nb_spool_free(struct nb_spool *spool);
 
 /* ---- reducers.c: from the rows of a table to one number ---- */
 
-/* The value of the measure. False with an error if the table has no rows for it, or if a value is not finite. */
+/* Computes the value of the measure. False with an error if the table has no rows for the measure, or if a value is not
+ * finite. */
 bool nb_measure_value(double *value, const struct nb_measure *measure, const struct nb_table *table,
                       struct nb_error *error);
-/* The rows of the measure's stage, or of the last stage that has rows: first, and one past the last. */
+/* Finds the rows of the measure's stage, or of the last stage that has rows: *from is the first one, *to is one past
+ * the last one. */
 void nb_measure_rows(const struct nb_measure *measure, const struct nb_table *table, size_t *from, size_t *to);
-/* The value that the reference returns for the measure's label, with the stage or without; NULL: none. */
+/* The value that the reference solution has for the measure's label, with or without the stage; NULL: it has none. */
 const double *nb_measure_solution(const struct nb_measure *measure, const struct nb_solution *solution);
 
-/* The swept values of the run, "v=0.12, n=40", without those of the sweeps that the expectation spans; it may be
- * NULL. */
+/* Writes the swept values of the run, "v=0.12, n=40", without the values of the sweeps over which the expectation
+ * compares runs; `expectation` may be NULL. */
 void nb_sweep_label(char *text, size_t size, const struct nb_page_run *run, const struct nb_expectation *expectation);
 
 /* ---- verdict.c ---- */

@@ -9,7 +9,7 @@
 
 #include "commands.h"
 
-/* Expectations that were not checked, with line and reason. */
+/* Prints the expectations that were not checked, with line and reason. */
 static void print_skipped(const struct nb_outcome *outcome) {
   const size_t skipped = outcome->mark_count[NB_SKIP];
   if (skipped)
@@ -31,7 +31,7 @@ void nb_print_warnings(FILE *out, const char *before, const char *path, const st
   }
 }
 
-/* Whether standard output and standard error are the same terminal, file or pipe. */
+/* True if standard output and standard error are the same terminal, file or pipe. */
 static bool is_one_stream(void) {
   struct stat out, err;
   return fstat(STDOUT_FILENO, &out) == 0 && fstat(STDERR_FILENO, &err) == 0 && out.st_dev == err.st_dev &&
@@ -74,7 +74,7 @@ void nb_print_escaped(FILE *out, const char *text, const struct nb_escape *list)
   }
 }
 
-/* A `#` would begin a directive of TAP. */
+/* Prints a text without `#`, which would begin a directive of TAP. */
 static void tap_text(const char *words) {
   static const struct nb_escape list[] = {{'#', " "}, {0, NULL}};
   nb_print_escaped(stdout, words, list);
@@ -115,7 +115,7 @@ enum nb_status nb_print_plain_error(const struct nb_error *error) {
 
 void nb_print_error(const struct nb_error *error, const struct nb_page *page, const char *path) {
   fputs(path, stderr);
-  if (error->line > 0 && (size_t)error->line <= page->line_count) /* column: where its statement begins */
+  if (error->line > 0 && (size_t)error->line <= page->line_count) /* the column is that of the statement's first word */
     fprintf(stderr, ":%d:%zu", error->line, strspn(page->lines[error->line - 1], " \t") + 1);
   fprintf(stderr, ": %s: %s\n", error->status == NB_BROKEN ? "run aborted" : "error", error->text);
 }

@@ -1,5 +1,5 @@
-/* The command `report`: runs pages, draws their figures, and writes a static site about them. It needs no server. A
- * page is written as soon as it has run, the index at the end.
+/* The command `report`: runs pages, draws their figures, and writes a static site about them. The site needs no server.
+ * Each page is written as soon as it has run; the index is written at the end.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _XOPEN_SOURCE 700
@@ -17,7 +17,8 @@
 #include "input/reader.h"
 #include "sandbox.h"
 
-/* Bytes: the largest table or script, and the largest drawing, that a report keeps; the largest report.css. */
+/* The largest sizes, in bytes, of a table or script that a report keeps, of a drawing that it keeps, and of
+ * report.css. */
 enum { TABLE_BYTES = 100000, DRAWING_BYTES = 300000, STYLE_BYTES = 100000 };
 
 /* ---- the pages of a report ---- */
@@ -27,7 +28,7 @@ static bool is_readme(const char *path) {
   return nb_page_name(path, &name) == strlen("README") && strncmp(name, "README", strlen("README")) == 0;
 }
 
-/* The name of a page is that of its file, and that of the folder for a README in a folder. */
+/* Sets the name of a page: the name of its file, or for a README in a folder the name of the folder. */
 static void name_page(struct nb_report_page *page) {
   const char *name;
   size_t length = nb_page_name(page->path, &name);
@@ -41,7 +42,7 @@ static void name_page(struct nb_report_page *page) {
   snprintf(page->name, sizeof page->name, "%.*s", (int)length, name);
 }
 
-/* Whether the page has no block of the page language, so there is nothing to run. */
+/* True if the page has no block of the page language, so that there is nothing to run. */
 static bool is_document(const struct nb_page *page) {
   size_t k = 0;
   while (k < page->line_count && page->kind_of[k] == 0)
@@ -66,7 +67,7 @@ static void survey(struct nb_report_page *page) {
   nb_mistakes_free(&mistakes);
 }
 
-/* Two pages of the same name would overwrite each other's files. */
+/* False if two pages have the same name: they would overwrite each other's files. */
 static bool has_unique_names(const struct nb_report *report) {
   for (size_t k = 0; k < report->count; k++)
     for (size_t j = 0; j < k; j++)
@@ -80,7 +81,7 @@ static bool has_unique_names(const struct nb_report *report) {
 
 /* ---- large files ---- */
 
-/* Removes a file that the program has written if it is large; says its name. */
+/* Removes a file that the program has written if the file is large, and writes its name to `names`. */
 static void drop_if_large(struct nb_report_page *page, FILE *names, const char *folder, const char *name) {
   char path[8192];
   struct stat status;
@@ -100,8 +101,7 @@ static bool is_output(const struct nb_report_page *page, const char *name) {
                                               (strcmp(dot, ".gp") == 0 || strcmp(dot, ".svg") == 0)));
 }
 
-/* Tables, scripts and drawings with many points are removed, so that the report stays small; a figure is then the
- * PNG. */
+/* Removes large tables, scripts and drawings, so that the report stays small. The figure is then the PNG. */
 static void drop_large_files(struct nb_report_page *page, const char *folder) {
   size_t size;
   FILE *names = open_memstream(&page->dropped, &size);
@@ -133,7 +133,7 @@ static void write_navigation(FILE *out, const struct nb_report *report, size_t k
   fputs("</nav>\n", out);
 }
 
-/* The verdict, what went wrong, and the warnings, before the text. */
+/* Writes the verdict, the error message and the warnings, which come before the text. */
 static void write_state(FILE *out, const struct nb_report_page *page) {
   char verdict[NB_NAME_SIZE * 2];
   fprintf(out, "<p class=\"%s\">", nb_html_verdict(verdict, sizeof verdict, page));
@@ -162,7 +162,7 @@ static void write_file(FILE *out, const struct nb_report *report, const struct n
   nb_html_text(out, "", name, "</a>\n");
 }
 
-/* Cost, tables, figure and source, after the text. */
+/* Writes cost, tables, figure and source, which come after the text. */
 static void write_files(FILE *out, const struct nb_report *report, const struct nb_report_page *page) {
   static const char *const kinds[] = {".md", ".png", ".gp"};
   if (page->cost[0])
@@ -184,7 +184,7 @@ static void write_files(FILE *out, const struct nb_report *report, const struct 
   }
 }
 
-/* The Markdown file beside the page, for the link to the source. */
+/* Writes the Markdown file beside the page, for the link to the source. */
 static enum nb_status save_source(const struct nb_report_page *page, const char *folder, struct nb_error *error) {
   struct nb_save file;
   if (nb_save_begin_in(&file, error, folder, "%s.md", page->name))
@@ -231,7 +231,7 @@ static bool same_folder(const char *one, const char *other) {
   return length == folder_length(other) && strncmp(one, other, length) == 0;
 }
 
-/* The heading of the pages of a folder: the title of its README, or its name. */
+/* Writes the heading of the pages of a folder: the title of its README, or the name of the folder. */
 static void write_folder(FILE *out, const struct nb_report *report, size_t first) {
   const char *path = report->pages[first].path;
   const size_t length = folder_length(path);
@@ -285,7 +285,7 @@ static bool is_wrong(const struct nb_report_page *page) {
   return strcmp(nb_html_verdict(verdict, sizeof verdict, page), "fail") == 0;
 }
 
-/* The numbers of pages, checks and failures, and what failed. */
+/* Writes the numbers of pages, checks and failures, and the checks that failed. */
 static void write_summary(FILE *out, const struct nb_report *report) {
   size_t run = 0, checks = 0, failed = 0, wrong = 0;
   for (size_t k = 0; k < report->count; k++) {
@@ -352,7 +352,7 @@ static void put_message(struct nb_report_page *page) {
   snprintf(page->message, sizeof page->message, "%s%.447s", place, text);
 }
 
-/* One line of text from what the function writes for a terminal. */
+/* Stores the line about the cost that nb_cost_print_actual writes. */
 static void put_cost(struct nb_report_page *page, double seconds, const struct nb_options *options) {
   FILE *line = fmemopen(page->cost, sizeof page->cost, "w");
   if (!line)
@@ -368,7 +368,7 @@ static void add_message(struct nb_report_page *page, const struct nb_error *erro
   nb_append(page->message, sizeof page->message, "%s%s", page->message[0] ? "; " : "", error->text);
 }
 
-/* Runs one page; its tables and its figure. */
+/* Runs one page, writes its tables, and draws its figure. */
 static enum nb_status run(const struct nb_call *call, struct nb_report *report, struct nb_report_page *page) {
   struct nb_outcome *outcome = &page->outcome;
   struct nb_error error = {NB_OK, ""};
@@ -410,7 +410,7 @@ static void print_line(const struct nb_report_page *page) {
   fflush(stdout);
 }
 
-/* Which page is next, and the time left if the other pages take as long, on average, as those so far. */
+/* Prints the page that is next, and the time left if the other pages take, on average, as long as the pages so far. */
 static void print_progress(const struct nb_report *report, size_t k, double elapsed) {
   if (!isatty(STDERR_FILENO))
     return;

@@ -1,6 +1,6 @@
 /* The report: a static site with the text, figure and checks of each page.
  *
- *   index.html          what failed, the text of the first document, search, all pages
+ *   index.html          failed checks, the text of the first document, search, all pages
  *   NAME/index.html     a page: text, figure, checks, cost, files
  *   files/              figures and text files to which the pages link
  *
@@ -20,8 +20,8 @@ struct nb_report_page {
   char *dropped;                                                  /* names of large files that were removed; owned */
   struct nb_outcome outcome;                                      /* without its runs */
   bool document;                                                  /* it has no block of the page language */
-  bool unrun;                                                     /* shown without its results */
-  bool saved, drawn;                                              /* tables, a figure */
+  bool unrun;                                                     /* the page is shown without its results */
+  bool saved, drawn;                                              /* it has tables; it has a figure */
   double seconds;
 };
 
@@ -31,7 +31,7 @@ struct nb_report {
   size_t count;
   bool trust; /* copy any file to which a page links, not only those below the folder of the page */
   struct nb_report_file {
-    char *real, *name; /* owned; its name in the folder `files` */
+    char *real, *name; /* its real path; its name in the folder `files`; both owned */
   } * files;
   size_t file_count;
 };
@@ -42,21 +42,22 @@ struct nb_report {
 void nb_html_text(FILE *out, const char *before, const char *text, const char *after);
 /* Appends a file name as a part of a URL, percent-encoded (RFC 3986). */
 void nb_html_address(char *address, size_t size, const char *name);
-/* Everything up to the body. `top` leads to the folder of the report: "" or "../". */
+/* Writes everything up to the body. `top` is the path to the folder of the report: "" or "../". */
 void nb_html_begin(FILE *out, const char *title, const char *top, const char *script);
-/* Writes "12 checks passed", or what is wrong; returns the class pass, fail or none. Empty for a document. */
+/* Writes "12 checks passed", or the failure; returns the class pass, fail or none. The text is empty for a document. */
 const char *nb_html_verdict(char *text, size_t size, const struct nb_report_page *page);
 void nb_html_checks(FILE *out, const struct nb_outcome *outcome);
 
 /* ---- links.c ---- */
 
-/* Lines TARGET<tab>ADDRESS<tab>CLASS<tab>VERDICT for the links of a page that lead to another page of the report, or to
- * a file, which is copied. With verdicts on those pages if `verdicts`. The caller frees it; NULL: out of memory. */
+/* Returns lines TARGET<tab>ADDRESS<tab>CLASS<tab>VERDICT for the links of a page to other pages of the report and to
+ * files, which are copied. `verdicts`: with the verdicts on these pages. The caller frees the text; NULL: out of
+ * memory. */
 char *nb_report_links(struct nb_report *report, const struct nb_report_page *page, const char *top, bool verdicts);
 
 /* ---- convert.c ---- */
 
-/* Writes the text of the page as HTML, with `checks` in its place. */
+/* Writes the text of the page as HTML, with the text `checks` in the place of the expect block. */
 enum nb_status nb_report_convert(FILE *out, struct nb_report *report, const struct nb_report_page *page,
                                  const char *top, bool verdicts, struct nb_error *error);
 

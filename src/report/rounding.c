@@ -1,7 +1,7 @@
-/* `check PAGE --rounding all`: how many bits of the expected quantities do not depend on the rounding mode.
+/* `check PAGE --rounding all`: the number of bits of the expected quantities that do not depend on the rounding mode.
  *
- * The page runs under the four rounding modes of IEEE 754. A mode holds in the cycles, or in the steps of a contact
- * test. Reader, references, recorded values and verdict are always rounded to nearest.
+ * The page runs with the four rounding modes of IEEE 754. A mode applies to the cycles, or to the steps of a contact
+ * test. The reader, reference solutions, recorded values and the verdict always round to nearest.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -13,7 +13,7 @@
 
 static const char *const mode_words[NB_ROUNDINGS] = {"nearest", "up", "down", "zero"};
 
-/* The bits of an expectation, the fewest over some modes and all runs. */
+/* The fewest bits of an expectation, over some modes and all runs. */
 struct least {
   int bits;
   size_t run, index;
@@ -42,7 +42,7 @@ static enum nb_status make(struct nb_outcome *outcome, const struct nb_call *cal
   return outcome->status;
 }
 
-/* The statement of the page, without indentation and comment. */
+/* Prints the statement of the page, without indentation and comment. */
 static void print_statement(const struct nb_outcome *outcome, const struct nb_expectation *e) {
   const char *statement = outcome->page.lines[e->line - 1];
   statement += strspn(statement, " \t>");
@@ -52,7 +52,8 @@ static void print_statement(const struct nb_outcome *outcome, const struct nb_ex
   printf("%.*s", (int)length, statement);
 }
 
-/* Prints the bits of each expectation, and in which run it has the fewest. Returns the least of all. */
+/* Prints the bits of each expectation, and the run in which it has the fewest. Returns the fewest of all
+ * expectations. */
 static struct least print_bits(const struct nb_outcome *nearest, const struct least *all, size_t count) {
   struct least least = {NB_ALL_BITS, 0, 0};
   puts("  bits that do not depend on the rounding mode, of 53:");
@@ -68,7 +69,8 @@ static struct least print_bits(const struct nb_outcome *nearest, const struct le
   return least;
 }
 
-/* Repeats the run with one part of the cycle rounded up, then down, and prints the bits of its least quantity. */
+/* Repeats the run with one part of the cycle rounded up, then down, and prints the bits of the expectation that has the
+ * fewest. */
 static void try_part(const struct nb_call *call, const struct nb_page_run *nearest, size_t index, const char *part) {
   struct nb_options options = call->options;
   int bits = NB_ALL_BITS;
@@ -85,7 +87,7 @@ static void try_part(const struct nb_call *call, const struct nb_page_run *neare
 
 enum { MOST_PARTS = 64 }; /* a model has about twenty */
 
-/* Adds a part that is not in the list yet; both list and part live as long as the model. */
+/* Adds a part that is not in the list yet. The list and its parts are valid as long as the model exists. */
 static void add_part(const char **parts, size_t *count, const char *part) {
   size_t k = 0;
   while (k < *count && strcmp(parts[k], part) != 0)

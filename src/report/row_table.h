@@ -1,5 +1,5 @@
-/* A table of rows in a file. A later call adds the missing rows. Its first line names the version
- * that wrote it, its second line the columns.
+/* A table of rows in a file. A later call adds the missing rows. The first line of the file names the version that
+ * wrote it, the second line names the columns.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_ROW_TABLE_H
@@ -8,15 +8,15 @@
 #include "core/error.h"
 
 struct nb_row_table {
-  FILE *file;   /* where rows are added */
+  FILE *file;   /* the file to which rows are added */
   char *before; /* the rows of earlier calls; NULL: none; owned */
 };
 
-/* Opens the table or makes it. Complete rows stay; a last row without its end is cut off. The caller closes it, also
+/* Opens the table or makes it. Complete rows stay; an incomplete last row is removed. The caller closes the table, also
  * after an error. */
 enum nb_status nb_row_table_open(struct nb_row_table *table, const char *path, const char *version, const char *head,
                                  struct nb_error *error);
-/* What follows `key` in the row that begins with it; NULL: there is no such row. */
+/* The text after `key` in the row that begins with `key`; NULL: there is no such row. */
 const char *nb_row_table_find(const struct nb_row_table *table, const char *key);
 bool nb_row_table_close(struct nb_row_table *table); /* false: it could not be written */
 

@@ -122,7 +122,7 @@ static bool allow(int rules, const char *path, uint64_t access) {
   return allowed;
 }
 
-/* False with the reason if the kernel does not support it. */
+/* Prepares the rules of Landlock. False with the reason if the kernel does not support it. */
 static bool prepare_landlock(struct nb_confined *confined, const char **reason) {
   struct ruleset forbidden = {0};
   const long version = syscall(SYS_landlock_create_ruleset, NULL, 0, ASK_VERSION);
@@ -151,7 +151,7 @@ static bool prepare_landlock(struct nb_confined *confined, const char **reason) 
 
 /* ---- the program, confined ---- */
 
-/* Sets a resource limit, never above the present one. */
+/* Sets a resource limit, never above the current one. */
 static void limit(int what, rlim_t maximum) {
   struct rlimit limits;
   if (getrlimit(what, &limits) == 0 && limits.rlim_max < maximum) /* RLIM_INFINITY is the largest value */
@@ -170,7 +170,7 @@ _Noreturn static void exec_confined(const struct nb_confined *confined) {
   limit(RLIMIT_CORE, 0);
   alarm(300); /* s of wall time, because a script may sleep */
   if (chdir(confined->folder) == 0 &&
-      (bwrap || prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0) && /* bwrap does so itself, later */
+      (bwrap || prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0) && /* bwrap calls this itself, later */
       (!landlock || syscall(SYS_landlock_restrict_self, confined->rules, 0) == 0)) {
     for (int file = 3; file < 1024; file++)
       close(file);

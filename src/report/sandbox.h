@@ -10,15 +10,15 @@ enum { NB_CONFINE_PATH = 4096, NB_CONFINE_WORDS = 96 };
 
 enum nb_confinement { NB_CONFINE_LANDLOCK, NB_CONFINE_BWRAP, NB_CONFINE_NONE };
 
-/* The program, and what it may read besides the libraries and fonts of the system. It may not write files: its output
- * goes to standard output. */
+/* The program, and the files that it may read besides the libraries and fonts of the system. The program may not write
+ * files; its output goes to standard output. */
 struct nb_confined {
   char program[NB_CONFINE_PATH];       /* real path */
   char loader[NB_CONFINE_PATH];        /* its ELF loader; empty: none */
   const char *folder, *file, *library; /* it starts in `folder`, and may read `file` there and the folder `library` */
-  char *const *arguments;              /* without the name, NULL-terminated */
+  char *const *arguments;              /* arguments without the name of the program, NULL-terminated */
   enum nb_confinement method;
-  int rules;                         /* of Landlock: file descriptor; -1: none */
+  int rules;                         /* file descriptor of the rules of Landlock; -1: none */
   char wrap[NB_CONFINE_PATH];        /* path of bwrap */
   char *command[NB_CONFINE_WORDS];   /* the complete command; the strings are not owned */
   char text[2][2 * NB_CONFINE_PATH]; /* strings of the command */
@@ -26,13 +26,13 @@ struct nb_confined {
 
 /* Finds the program on PATH; returns its real path in `path`. */
 bool nb_program_find(char *path, size_t size, const char *name);
-/* Chooses the method and prepares it: Landlock, else bwrap, else none if the page is trusted, else an error. The caller
- * sets `program`, `folder`, `file`, `library` and `arguments`. NINEBALL_CONFINE=landlock|bwrap|none restricts the
- * choice. End it with nb_confine_end. */
+/* Chooses the method and prepares it: Landlock, or else bwrap. If neither works, a trusted page is not confined, and
+ * any other page is an error. The caller sets `program`, `folder`, `file`, `library` and `arguments`, and calls
+ * nb_confine_end at the end. NINEBALL_CONFINE=landlock|bwrap|none restricts the choice. */
 enum nb_status nb_confine_begin(struct nb_confined *confined, bool trust, struct nb_error *error);
 void nb_confine_end(struct nb_confined *confined);
-/* Runs it with these files as standard output and error. Returns the status of waitpid, or -1 if it could not be
- * started. */
+/* Runs the program with these files as standard output and standard error. Returns the status of waitpid, or -1 if the
+ * program could not be started. */
 int nb_confine_run(const struct nb_confined *confined, int out, int errors);
 
 #endif

@@ -1,5 +1,5 @@
-/* The results of the runs of a sweep. Those beyond a limit are written to a temporary file as the runs end, and read
- * again, one run at a time, by the verdict and the output files. So the memory of a sweep does not grow with its
+/* The results of the runs of a sweep. Results beyond a limit of memory are written to a temporary file when a run ends.
+ * The verdict and the output files read them again, one run at a time. So the memory of a sweep does not grow with its
  * results.
  *
  * The file has no name, so it ends with the process. The table of a run comes before its snapshots, because most
@@ -18,7 +18,7 @@
 #include "measure/snapshot.h"
 #include "outcome.h"
 
-/* ---- one list of what a result has recorded, which is counted, written and read ---- */
+/* ---- one list of the recorded data of a result, by which the bytes are counted, written and read ---- */
 
 struct transfer {
   FILE *file; /* NULL: the bytes are counted only */
@@ -63,7 +63,7 @@ static void transfer_snapshots(struct transfer *it, struct nb_result *result) {
     it->failed = it->no_memory = !result->snapshots;
   }
   if (it->reading && it->failed)
-    result->snapshot_count = 0; /* there are none to free */
+    result->snapshot_count = 0; /* there are no snapshots to free */
   for (size_t k = 0; k < result->snapshot_count && !it->failed; k++) {
     struct nb_snapshot *one = &result->snapshots[k];
     transfer_bytes(it, &one->stage, sizeof one->stage);
@@ -118,7 +118,8 @@ enum nb_status nb_spool_put(struct nb_spool *spool, struct nb_page_run *run, con
   return NB_OK;
 }
 
-/* The result of the run, read again unless it was the last one; without its snapshots unless they are wanted. */
+/* The result of a run. It is read from the file unless it was the last one that was read. `snapshots`: with its
+ * snapshots. */
 static const struct nb_result *load(const struct nb_page_run *run, bool snapshots) {
   struct nb_spool *spool = run->spool;
   if (!spool)

@@ -1,5 +1,5 @@
-/* Tables as tab-separated text: preamble lines that begin with `#`, one head row `name/unit`, numbers as %.17g, from
- * which the same double is read back.
+/* Tables as tab-separated text: preamble lines that begin with `#`, one head row `name/unit`, and rows of numbers. The
+ * numbers are written by %.17g, so that the same double is read back.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -27,8 +27,8 @@ void nb_preamble_write(FILE *out, const struct nb_outcome *outcome) {
     fprintf(out, "# incomplete: %s\n", outcome->error.text);
 }
 
-/* The swept values: "0.12 m/s" becomes 0.12 in the column v/(m/s). A sweep that --set reduces to one value keeps its
- * column, since figures use it. */
+/* Writes the swept values, or their names: "0.12 m/s" becomes 0.12 in the column v/(m/s). A sweep that --set reduces to
+ * one value keeps its column, because figures use it. */
 static void write_swept_values(FILE *out, const struct nb_page_run *run, bool names) {
   for (size_t k = 0; k < run->scene.binding_count; k++) {
     const struct nb_binding *binding = &run->scene.bindings[k];
@@ -44,7 +44,7 @@ static void write_swept_values(FILE *out, const struct nb_page_run *run, bool na
 static void write_head(FILE *out, const struct nb_page_run *run) {
   const struct nb_table *table = nb_run_table(run);
   if (!table->names)
-    return; /* a run that was not started because another one failed */
+    return; /* the run was not started because another one failed */
   fputs("stage", out);
   for (size_t c = 0; c < table->column_count; c++)
     fprintf(out, "\t%s/%s", table->names[c], unit_word(table->units[c], run->scene.unitless));
@@ -105,7 +105,7 @@ static void write_all_runs(FILE *out, const struct nb_outcome *outcome) {
 
 /* ---- values ---- */
 
-/* Whether the measure is the first one with its label: each measure has one column. */
+/* True if the measure is the first one with its label. Only this one gets a column. */
 static bool first_of_its_name(const struct nb_expectations *expectations, size_t index) {
   for (size_t k = 0; k < index; k++)
     if (strcmp(expectations->list[k].measure.label, expectations->list[index].measure.label) == 0)

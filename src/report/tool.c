@@ -1,4 +1,4 @@
-/* Runs gnuplot and pandoc, confined: with the rights of sandbox.c only.
+/* Runs gnuplot and pandoc, confined to the rights that sandbox.c grants.
  *
  * No text of a page is part of a command: a file name is an argument of its own and begins with `./`, because gnuplot
  * would run `<NAME` as a shell command.
@@ -24,7 +24,8 @@ bool nb_tool_message(FILE *messages, char *line, int size) {
   return true;
 }
 
-/* As nb_confine_run returns it; bwrap reports a signal as an exit status above 128. */
+/* Checks how the program ended; `end` is the status that nb_confine_run returned. bwrap reports a signal as an exit
+ * status above 128. */
 static enum nb_status check_end(const struct nb_tool *tool, int end, int *code, struct nb_error *error) {
   *code = WIFEXITED(end) ? WEXITSTATUS(end) : 1;
   const int fatal = WIFSIGNALED(end) ? WTERMSIG(end) : *code > 128 ? *code - 128 : 0;

@@ -9,15 +9,15 @@
 /* A program that reads `file` in `folder` and the files of `library`, and writes to its standard output. */
 struct nb_tool {
   const char *name, *package; /* "gnuplot", of the Debian package gnuplot-nox */
-  const char *folder, *file;  /* the file without its folder */
+  const char *folder, *file;  /* folder of the file; name of the file without its folder */
   const char *library;
-  char *const *arguments; /* without the name, NULL-terminated */
-  int out;                /* file descriptor */
+  char *const *arguments; /* arguments without the name of the program, NULL-terminated */
+  int out;                /* file descriptor for the program's output */
   bool trust;             /* run it even if it cannot be confined */
 };
-/* Runs it. Its messages are in the temporary file *messages, rewound, which the caller closes unless it is NULL.
- * *code is its exit status. The status is NB_BAD_USE if the program is missing, cannot be confined, or is stopped by a
- * signal. */
+/* Runs the program. *messages is a temporary file, rewound, with the program's messages; the caller closes it unless it
+ * is NULL. *code is the exit status of the program. Returns NB_BAD_USE if the program is missing, cannot be confined,
+ * or is stopped by a signal. */
 enum nb_status nb_tool_run(const struct nb_tool *tool, FILE **messages, int *code, struct nb_error *error);
 /* Reads a message into `line` without the line end and without control characters; false: the end. */
 bool nb_tool_message(FILE *messages, char *line, int size);

@@ -1,9 +1,9 @@
 /* Trials: runs of a page for `nineball advise`, each with the laws, values and step of a candidate, and with one of
  * several phases or realizations.
  *
- * A phase is a moment of first touch within a step. `impact` sets it; a page whose stages all end by `until` is run
- * with slightly different steps instead. Any other page has one phase. `--over NAME` runs the page with NAME = 1, 2, …,
- * such as the seed of a random packing; each value is a realization.
+ * A phase is a moment of first touch within a step. `impact` sets this moment. A page whose stages all end by `until`
+ * is run with slightly different steps instead. Any other page has one phase. `--over NAME` runs the page with NAME =
+ * 1, 2, …, such as the seed of a random packing; each value is a realization.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -16,7 +16,7 @@
 
 enum { SETTINGS_EXTRA = NB_TRADES + 7, SETTING_SIZE = 3 * NB_NAME_SIZE };
 static const double phase_spread =
-    0.08; /* of a page without `impact`: largest relative difference of the steps of two phases */
+    0.08; /* largest relative difference of the steps of two phases, for a page without `impact` */
 
 bool nb_advice_no_memory(struct nb_advice *advice) {
   advice->no_memory = advice->exhausted = true;
@@ -36,7 +36,8 @@ static bool acts_per_cycle(const struct nb_stage *stage) {
          stage->affine.strain.per_cycle || stage->cell.per_cycle || stage->box.per_cycle || stage->servo.per_cycle;
 }
 
-/* Slightly different steps are possible only if no duration, strain or damping depends on a number of cycles. */
+/* Number of phases of a page. Slightly different steps are possible only if no duration, strain or damping depends on a
+ * number of cycles. */
 size_t nb_phase_count(const struct nb_scene *scene) {
   if (scene->impact.line)
     return NB_PHASES;
@@ -46,7 +47,7 @@ size_t nb_phase_count(const struct nb_scene *scene) {
   return NB_PHASES;
 }
 
-/* `phase`: a fraction of a step, 0 to 1. */
+/* Sets the phase of a scene, a fraction of a step, 0 to 1. */
 static void set_phase(struct nb_scene *scene, double phase) {
   if (scene->impact.line) {
     scene->impact.phase = fmod(scene->impact.phase + phase, 1);
@@ -59,7 +60,7 @@ static void set_phase(struct nb_scene *scene, double phase) {
 
 /* ---- one trial ---- */
 
-/* What a thread needs for one run of the page; owned. */
+/* The data of a thread for one run of the page; all of them owned. */
 struct trial {
   size_t index;
   const char **settings;
@@ -108,8 +109,8 @@ static bool read_trial(struct trial *trial, const struct nb_advice *advice, cons
   return true;
 }
 
-/* Whether the reference of the page covers the laws; otherwise `nineball run` would refuse the setting. The runs of the
- * search use no reference. */
+/* Finds out whether the reference solution of the page covers the laws; otherwise `nineball run` would refuse the
+ * setting. The runs of the search use no reference solution. */
 static bool take_references(struct nb_advice *advice, struct nb_point *point, struct nb_variant *variant,
                             struct nb_outcome *outcome) {
   for (size_t r = 0; r < outcome->run_count; r++) {
@@ -127,7 +128,7 @@ static bool take_references(struct nb_advice *advice, struct nb_point *point, st
   return true;
 }
 
-/* Whether the trial can be run; else the point has the reason. */
+/* True if the trial can be run; otherwise point->reason has the reason. */
 static bool check_trial(struct nb_advice *advice, struct nb_variant *variant, struct nb_point *point,
                         struct nb_outcome *outcome) {
   if (outcome->status == NB_NO_MEMORY)
@@ -176,8 +177,8 @@ static void free_trial(struct trial *trial) {
 
 /* ---- several trials at once ---- */
 
-/* Whether trials that run at once would end within the budget, if they take as long as those before, or twice as long
- * as those of the next coarser level. */
+/* True if trials that run at once would end within the budget. They are assumed to take as long as earlier trials of
+ * the level, or twice as long as the trials of the next coarser level. */
 static bool is_affordable(struct nb_advice *advice, const struct nb_point *point, int level) {
   const double now = nb_clock() - advice->began;
   const double expected = point->done || level == NB_LEVEL_LOW ? point->seconds : 2 * point[-1].seconds;
@@ -188,7 +189,7 @@ static bool is_affordable(struct nb_advice *advice, const struct nb_point *point
   return !advice->exhausted;
 }
 
-/* Runs these trials, which have not been run, in parallel. */
+/* Runs the trials of a batch in parallel; none of them has been run. */
 static bool run_batch(struct nb_advice *advice, struct nb_variant *variant, int level, struct trial *batch, int count) {
   struct nb_point *point = &variant->points[level - NB_LEVEL_LOW];
   bool good = true;

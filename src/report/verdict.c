@@ -55,7 +55,7 @@ double nb_error_ratio(const struct nb_tolerance *tolerance, double computed, dou
   return error > 0 ? error / allowed : 0;
 }
 
-/* Digits to print, so that two significant digits of the difference of a and b are visible; from 6 to 17. */
+/* Number of digits, from 6 to 17, that show two significant digits of the difference of a and b. */
 static int digit_count(double a, double b) {
   const double error = fabs(a - b) / fmax(fabs(a), fabs(b));
   const int needed = error > 0 ? 2 - (int)floor(log10(error)) : 0;
@@ -64,7 +64,7 @@ static int digit_count(double a, double b) {
 
 void nb_check_error(struct nb_check *check, const char *what, double error, double scale,
                     const struct nb_tolerance *tolerance, const char *unit) {
-  const bool relative = tolerance->kind != NB_ABSOLUTE; /* in per cent, unless that would be mostly zeros */
+  const bool relative = tolerance->kind != NB_ABSOLUTE; /* printed in per cent, unless most digits would be zeros */
   const bool percent = relative && !(tolerance->value > 0 && (tolerance->value < 1e-7 || tolerance->value > 1e7));
   const double of = relative ? fabs(scale) : 1, factor = percent ? 100 : 1;
   const char *in = percent ? " %" : relative ? "" : unit;
@@ -77,8 +77,8 @@ void nb_check_error(struct nb_check *check, const char *what, double error, doub
   append_part(check, NB_PART_TOLERANCE, "%.3g%s%s", factor * tolerance->value, in, fraction);
 }
 
-/* Compares two numbers. The message has both, the error and the tolerance, or why there is no error. `unit` begins with
- * a space. */
+/* Compares two numbers. The message has both numbers, the error and the tolerance, or the reason why there is no error.
+ * `unit` begins with a space. */
 static void compare(struct nb_check *check, const struct nb_tolerance *tolerance, double computed, double reference,
                     double scale, const char *unit, const char *from) {
   const bool relative = tolerance->kind != NB_ABSOLUTE;
@@ -100,8 +100,8 @@ static void compare(struct nb_check *check, const struct nb_tolerance *tolerance
   }
 }
 
-/* The value of which the tolerance is a fraction: the measure that it names, or `own`; false with a message if it is
- * undefined. */
+/* Finds the value of which the tolerance is a fraction: the value of the measure that the tolerance names, or `own`.
+ * False with a message if the value is undefined. */
 static bool find_scale(double *scale, double own, struct nb_check *check, const struct nb_page_run *run,
                        const struct nb_tolerance *tolerance) {
   struct nb_error error;
@@ -134,7 +134,7 @@ const double *nb_check_solution(const struct nb_page_run *run, const struct nb_m
   return solution || !measure->is_residual ? solution : &zero;
 }
 
-/* The unit after a number: with a space, or empty. */
+/* Writes the unit after a number, with a space before it; empty for a dimensionless number. */
 static const char *unit_suffix(char *text, const struct nb_page_run *run, const char *unit) {
   const bool unitless = run->scene.unitless || strcmp(unit, "1") == 0;
   snprintf(text, NB_NAME_SIZE, "%s%s", unitless ? "" : " ", unitless ? "" : unit);

@@ -1,4 +1,4 @@
-/* What the verdict on one run (verdict.c) and the verdict on a sweep (verdict_sweep.c) share.
+/* Functions that the verdict on one run (verdict.c) and the verdict on a sweep (verdict_sweep.c) share.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_VERDICT_H
@@ -6,29 +6,31 @@
 
 #include "outcome.h"
 
-/* Sets mark and message. */
+/* Sets mark and message of a check. */
 void nb_check_result(struct nb_check *check, bool passed, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 /* |computed - reference| over the tolerance: at most 1 if the check passes. A relative tolerance is a fraction of
  * `scale`. Infinite if a number is not finite. */
 double nb_error_ratio(const struct nb_tolerance *tolerance, double computed, double reference, double scale);
-/* The unit of the measure after a space, or nothing; `text` has NB_NAME_SIZE bytes. */
+/* Writes a space and the unit of the measure to `text`, of NB_NAME_SIZE bytes; empty if the measure is
+ * dimensionless. */
 const char *nb_check_unit(char *text, const struct nb_page_run *run, const struct nb_expectation *expectation);
-/* Appends the error, called `what`, and the tolerance: with the unit, or as fractions of the scale, in per cent unless
- * tiny. */
+/* Appends the error, called `what`, and the tolerance to the message: with the unit, or as fractions of the scale, in
+ * per cent unless they are tiny. */
 void nb_check_error(struct nb_check *check, const char *what, double error, double scale,
                     const struct nb_tolerance *tolerance, const char *unit);
-/* The computed value of the measure, or its ratio to the measure that the expectation names; false with a message if
- * undefined. */
+/* Finds the computed value of the measure, or its ratio to the measure that the expectation names. False with a message
+ * if the value is undefined. */
 bool nb_check_computed(double *value, struct nb_check *check, const struct nb_page_run *run,
                        const struct nb_expectation *expectation);
-/* The value of the reference, or 0 for a residual; NULL: none. */
+/* The value of the reference solution, or 0 for a residual; NULL: there is none. */
 const double *nb_check_solution(const struct nb_page_run *run, const struct nb_measure *measure);
 
 /* ---- verdict_sweep.c ---- */
 
 bool nb_is_over_sweep(const struct nb_expectation *expectation);
-/* Runs that differ only in the sweeps of the expectation are a group, which is checked once, at its first run. */
+/* True if the run is the first one of its group. Runs that differ only in the sweeps of the expectation are a group,
+ * which is checked once, at its first run. */
 bool nb_sweep_is_first(const struct nb_outcome *outcome, size_t run, const struct nb_expectation *expectation);
 /* The name of a sweep that has only one value in the group, so that nothing can be compared; NULL: none. */
 const char *nb_sweep_single_value(const struct nb_outcome *outcome, size_t first,

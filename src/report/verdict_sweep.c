@@ -1,10 +1,10 @@
 /* Expectations about several runs of a sweep.
  *
  *   increases, decreases with N      from each value of N to the next larger one; words keep their order in the sweep
- *   constant with N within           largest minus smallest value; a percentage is of the mean
+ *   constant with N within           largest minus smallest value; a percentage refers to the mean
  *   order P in N within              P is the slope of the least-squares line of log(error) against log(N)
  *
- * Over S, a sweep whose runs are realizations of one case, such as assemblies with different seeds:
+ * `over S` names a sweep S whose runs are realizations of one case, such as assemblies with different seeds:
  *
  *   expected X over S                percentile of X: fraction of the runs below X, plus half of those equal to X
  *   increases, decreases             d is the difference from one value of N to the next, for each run of S: the 95 %
@@ -34,7 +34,7 @@ bool nb_is_over_sweep(const struct nb_expectation *e) { return is_trend(e->kind)
 
 static const char *trend_name(const struct nb_expectation *e) { return is_trend(e->kind) ? e->against : ""; }
 
-/* Always found: expectations can name only sweeps. */
+/* The value of a name in a run. There always is one, because expectations can name only sweeps. */
 static const struct nb_binding *binding_of(const struct nb_page_run *run, const char *name) {
   size_t k = 0;
   while (k + 1 < run->scene.binding_count && strcmp(run->scene.bindings[k].name, name) != 0)
@@ -42,13 +42,13 @@ static const struct nb_binding *binding_of(const struct nb_page_run *run, const 
   return &run->scene.bindings[k];
 }
 
-/* Whether two runs differ only in these names and in names of the same sweeps. An empty name is none. */
+/* True if two runs differ only in these two names, and in names of the same sweeps. A name may be empty. */
 static bool same_except(const struct nb_page_run *a, const struct nb_page_run *b, const char *name, const char *other) {
   const int sweep = name[0] ? binding_of(a, name)->sweep : -1;
   const int second = other[0] ? binding_of(a, other)->sweep : -1;
   for (size_t k = 0; k < a->scene.binding_count; k++) {
     const struct nb_binding *binding = &a->scene.bindings[k];
-    /* not a `let`, which depends on sweeps */
+    /* a `let` does not count, because its value depends on sweeps */
     const bool fixed = binding->sweep >= 0 && binding->sweep != sweep && binding->sweep != second;
     if (fixed && strcmp(binding->text, b->scene.bindings[k].text) != 0)
       return false;
@@ -93,12 +93,12 @@ void nb_sweep_label(char *text, size_t size, const struct nb_page_run *run, cons
 struct group {
   struct nb_check *check;
   const struct nb_outcome *outcome;
-  size_t first, index; /* index of the first run, and of the expectation in it */
+  size_t first, index; /* index of the first run; index of the expectation in this run */
   const struct nb_expectation *e;
-  bool has_words; /* as values of the sweep */
+  bool has_words; /* the values of the sweep are words */
 };
 
-/* Whether run r differs from run `as` only in these names. */
+/* True if run r differs from run `as` only in these names. */
 static bool matches(const struct group *group, size_t r, size_t as, const char *name, const char *other) {
   return same_except(&group->outcome->runs[as], &group->outcome->runs[r], name, other);
 }
@@ -108,14 +108,14 @@ static const char *swept_text(const struct group *group, size_t r) {
   return binding_of(&group->outcome->runs[r], group->e->against)->text;
 }
 
-/* Whether run a comes before run b: by value, or in the order of the sweep if values are words. */
+/* True if run a comes before run b: by value, or in the order of the sweep if the values are words. */
 static bool is_before(const struct group *group, size_t a, size_t b) {
   const double x = binding_of(&group->outcome->runs[a], group->e->against)->value;
   const double y = binding_of(&group->outcome->runs[b], group->e->against)->value;
   return group->has_words || x == y ? a < b : x < y;
 }
 
-/* The run that follows run r in this order, or the first one for r = run_count; run_count after the last. */
+/* The run that follows run r in this order. For r = run_count, the first run; after the last run, run_count. */
 static size_t next_run(const struct group *group, size_t r) {
   const size_t runs = group->outcome->run_count;
   size_t next = runs;
@@ -126,7 +126,7 @@ static size_t next_run(const struct group *group, size_t r) {
   return next;
 }
 
-/* The value of the measure in run r; false with a message if undefined. */
+/* Finds the value of the measure in run r; false with a message if it is undefined. */
 static bool compute_value(double *value, const struct group *group, size_t r) {
   const struct nb_page_run *run = &group->outcome->runs[r];
   return nb_check_computed(value, group->check, run, &run->expectations.list[group->index]);
@@ -149,7 +149,7 @@ static double standard_deviation(const struct sample *sample) { return sqrt(samp
 
 /* ---- trends ---- */
 
-/* For the picture in the report; without memory it has fewer points. */
+/* Adds a point to the picture in the report. If memory runs out, the picture has fewer points. */
 static void add_point(const struct group *group, size_t r, double value) {
   struct nb_check *check = group->check;
   const double swept = binding_of(&group->outcome->runs[r], group->e->against)->value;
@@ -262,8 +262,8 @@ static size_t paired_run(const struct group *group, size_t r, size_t as) {
   return other;
 }
 
-/* Whether the paired differences between runs with the value of `from` and those with the value of `to` meet the
- * expectation; appends them to the message. *is_defined: false if a value is undefined. */
+/* True if the paired differences between runs with the value of `from` and runs with the value of `to` meet the
+ * expectation. Appends the differences to the message. *is_defined is false if a value is undefined. */
 static bool check_difference(const struct group *group, size_t from, size_t to, bool *is_defined) {
   const struct nb_expectation *e = group->e;
   struct sample d = {.count = 0}, level = {.count = 0};
@@ -300,7 +300,7 @@ static void check_differences(const struct group *group) {
       if (!is_defined)
         return;
       if (group->e->kind != NB_CONSTANT)
-        break; /* only from each value to the next */
+        break; /* only differences from each value to the next */
     }
   }
   group->check->mark = passed ? NB_PASS : NB_FAIL;

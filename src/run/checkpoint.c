@@ -1,10 +1,10 @@
 /* Checkpoints of a run. Each is a saved state (state.c) with further records: the list of contacts, sums, references,
- * the ramps of the stage, and all that was recorded. So a run that continues from it has the same results as one that
- * was not interrupted, to the last bit, with the same number of searches.
+ * the ramps of the stage, and everything that was recorded. So a run that continues from a checkpoint has the same
+ * results as an uninterrupted run, to the last bit, and the same number of searches.
  *
- * The last two checkpoints are kept, in the folder of saved states. The name has the page and a number that belongs to
- * the settings and to the run of a sweep. The file has a hash of the statements, so a checkpoint of another text of the
- * page is refused.
+ * The last two checkpoints are kept in the folder of saved states. The file name has the name of the page and a number
+ * that identifies the settings and the run of a sweep. The file has a hash of the statements, so a checkpoint of
+ * another text of the page is refused.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _POSIX_C_SOURCE 200809L
@@ -24,14 +24,14 @@
 #include "output_file.h"
 #include "plan.h"
 
-/* Time between two checkpoints, as a multiple of the time that saving one takes. So saving takes at most a tenth of the
- * run; at the ends of short stages it takes at most a fiftieth. The last number is the assumed time for saving the
- * first checkpoint, s. */
+/* The first two numbers are the smallest time between two checkpoints, as a multiple of the time for saving one: in a
+ * stage, where saving takes at most a tenth of the run, and at the end of a stage, where it takes at most a fiftieth.
+ * The last number is the assumed time for saving the first checkpoint, s. */
 static const double spacing = 10, stage_spacing = 50, first_cost = 2e-3;
 
-/* ---- what the model keeps ---- */
+/* ---- the variables of the model ---- */
 
-/* The other fields are in the state, or the next forces compute them. */
+/* Stores fields of contacts. The other fields are in the state, or the next force calculation computes them. */
 static void store_contacts(struct nb_store *store, struct nb_contacts *contacts) {
   const size_t n = contacts->count;
   struct nb_history *slip_sum = &contacts->slip_sum;
@@ -131,7 +131,7 @@ static void store_pairs(struct nb_store *store, const struct nb_model *model) {
 }
 
 void nb_model_store(struct nb_store *store, struct nb_model *model) {
-  if (!store->restoring) /* restored by nb_neighbours_restore */
+  if (!store->restoring) /* nb_neighbours_restore restores them */
     store_pairs(store, model);
   store_contacts(store, &model->contacts);
   store_search(store, model);
@@ -161,7 +161,7 @@ void nb_model_store(struct nb_store *store, struct nb_model *model) {
 
 /* ---- files ---- */
 
-/* Of the statements of the page, and of what the run records. */
+/* The hash of the statements of the page and of the columns that the run records. */
 static unsigned long long hash_of(const struct nb_scene *scene) {
   unsigned long long hash = scene->stages[scene->stage_count - 1].hash;
   for (size_t c = 0; c < scene->column_count; c++)

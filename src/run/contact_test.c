@@ -3,9 +3,10 @@
  * A step calls the laws as the loop over a block does (laws/law_batch.h): an open contact has no history, and the
  * tangential increment counts only for the fraction of the step in which the contact is closed.
  *
- * A segment goes in steps from the present value of each component, normal and tangential, linearly to its target. A
- * target can be a displacement or a force. For a force, the displacement is found by trial steps on copies of the
- * contact history: first the normal force, which does not depend on the tangential displacement, then the shear force.
+ * A segment has two components, normal and tangential. In the steps of the segment each component goes linearly from
+ * its current value to its target, which is a displacement or a force. For a force, the displacement is found by trial
+ * steps on copies of the contact history: first for the normal force, which does not depend on the tangential
+ * displacement, then for the shear force.
  *
  * The force of a law never decreases as the approach or the tangential displacement grows, so bisection down to
  * adjacent doubles finds the displacement. The force is then exact to rounding.
@@ -53,7 +54,8 @@ void nb_contact_test_free(struct nb_contact_test *contact_test) {
   contact_test->now = contact_test->trial = (struct nb_contact_test_state){0};
 }
 
-/* A history longer than NB_HISTORY doubles is empty when its first double is 0; a shorter one when all are. */
+/* Makes a history empty. A history longer than NB_HISTORY doubles is empty when its first double is 0; a shorter
+ * history is empty when all its doubles are 0. */
 static void clear_history(double *history, int doubles) {
   memset(history, 0, (doubles > NB_HISTORY ? 1 : (size_t)doubles) * sizeof *history);
 }
@@ -105,7 +107,7 @@ static double smaller_radius(const struct nb_scene *scene) {
   return a < b ? a : b;
 }
 
-/* Which displacement is unknown, and the value of the other one. */
+/* The unknown displacement, normal or tangential, and the value of the known one. */
 struct unknown {
   bool shear;
   double approach, slip;
@@ -120,7 +122,8 @@ static double force_at(struct nb_contact_test *contact_test, const struct unknow
   return unknown->shear ? contact_test->trial.s.force : contact_test->trial.n.force;
 }
 
-/* Bisects the interval from `before`, where the force has not reached `target`, to `after`, where it has. */
+/* Bisects the interval from `before`, where the force has not reached `target`, to `after`, where the force has reached
+ * it. */
 static double bisect(struct nb_contact_test *contact_test, const struct unknown *unknown, double before, double after,
                      double target, double sign) {
   for (;;) {
@@ -134,9 +137,9 @@ static double bisect(struct nb_contact_test *contact_test, const struct unknown 
   }
 }
 
-/* Finds the displacement nearest to `from` at which the force reaches `target`. Returns false if it never does;
- * *reached is then the force at the largest displacement tried. A force that misses the target by rounding only counts
- * as reached. */
+/* Finds the displacement nearest to `from` at which the force reaches `target`. Returns false if the force never
+ * reaches the target; *reached is then the force at the largest displacement tried. A force that misses the target only
+ * by rounding counts as reached. */
 static bool find_displacement(double *place, double *reached, struct nb_contact_test *contact_test,
                               const struct unknown *unknown, double from, double target) {
   static const double rounding = 1e-13;
@@ -164,7 +167,7 @@ static bool find_displacement(double *place, double *reached, struct nb_contact_
 /* Start and end of a segment. */
 struct segment {
   const struct nb_stage *stage;
-  double normal_from, normal_to; /* m or N, as the targets are */
+  double normal_from, normal_to; /* m or N, depending on the target */
   double shear_from, shear_to;
 };
 

@@ -12,7 +12,7 @@
 
 /* A contact after a step, with its contact history. */
 struct nb_contact_test_state {
-  double approach; /* m; a gap if negative */
+  double approach; /* overlap, m; a gap if negative */
   double slip;     /* tangential displacement since the start, m */
   struct nb_normal n;
   struct nb_shear s;
@@ -26,11 +26,11 @@ struct nb_contact_test {
   const struct nb_law *normal, *shear;
   int normal_doubles, shear_doubles;       /* lengths of the histories */
   struct nb_contact_test_state now, trial; /* trial: a step that is not yet accepted */
-  double work_normal, work_shear;          /* by the mean force of each step, J */
-  double dissipated;                       /* by the shear law, if it reports it, J */
-  unsigned long step;                      /* steps done */
-  struct nb_rounding rounding;             /* of the steps */
-  const volatile sig_atomic_t *stop;       /* not 0: ends the test after this step; NULL: never */
+  double work_normal, work_shear;          /* work of the mean force of each step, J */
+  double dissipated;                       /* energy that the shear law has reported as lost, J */
+  unsigned long step;                      /* number of steps done */
+  struct nb_rounding rounding;             /* rounding mode of the steps */
+  const volatile sig_atomic_t *stop;       /* the test ends after a step in which *stop is not 0; NULL: never */
 };
 
 enum nb_status nb_contact_test_create(struct nb_contact_test *contact_test, const struct nb_scene *scene,

@@ -1,6 +1,6 @@
 /* Quantities and snapshots of a contact test.
  *
- * The traction over the contact circle follows from the memory diagram D(x) of a law that keeps it in pieces
+ * The traction over the contact circle follows from the memory diagram D(x) of a law that stores D in pieces
  * (docs/CONTACT.md, equation v).
  *
  *   p(r; x)  Hertz's pressure at the radius r and the overlap x, (2 E* / (pi R*)) sqrt(R* x - r^2) inside the circle,
@@ -20,7 +20,7 @@
 
 /* The memory diagram of the shear law: D is D[i] between the overlaps x[i-1], or 0 if i is 0, and x[i]. */
 struct history {
-  int count;                                 /* 0: the law keeps no pieces, or the contact is open */
+  int count;                                 /* number of pieces; 0: the law has no pieces, or the contact is open */
   double x[NB_PIECES_MAX], D[NB_PIECES_MAX]; /* m, 1 */
 };
 
@@ -38,7 +38,7 @@ static bool has_slipped(double D, double sense) { return D * sense > 1 - 1e-9; }
 
 static double stick_radius(const struct nb_contact_test *contact_test) {
   const struct history history = history_of(contact_test);
-  int edge = history.count; /* inwards from the edge, while the rings have slipped in one direction */
+  int edge = history.count; /* moves inwards from the edge, while the rings have slipped in one direction */
   const double sense = edge && history.D[edge - 1] < 0 ? -1 : 1;
   while (edge > 0 && has_slipped(history.D[edge - 1], sense))
     edge--;
@@ -61,8 +61,8 @@ static double traction_at(const struct nb_contact_test *contact_test, const stru
   return q;
 }
 
-/* The integral of q dA with dA = pi d(r^2), piece by piece by Simpson's rule in w. The substitution r^2 = to - (to -
- * from) w^2 makes the square root at the outer edge of a piece linear in w. */
+/* The integral of q dA with dA = pi d(r^2), N. Each piece is integrated by Simpson's rule in w. The substitution
+ * r^2 = to - (to - from) w^2 makes the square root at the outer edge of a piece linear in w. */
 static double traction(const struct nb_contact_test *contact_test) {
   enum { HALVES = 100 };
   const struct history history = history_of(contact_test);
@@ -112,7 +112,8 @@ double nb_contact_test_value(struct nb_quantity quantity, const struct nb_contac
 
 /* ---- snapshots ---- */
 
-/* Pressure, traction and friction limit against r, from the centre of the contact circle to its edge. */
+/* Makes the table of pressure, traction and friction limit against r, from the centre of the contact circle to its
+ * edge. */
 static bool tabulate_traction(struct nb_table *table, const struct nb_contact_test *contact_test,
                               const struct history *history, int stage) {
   enum { POINTS = 400 };
@@ -131,7 +132,8 @@ static bool tabulate_traction(struct nb_table *table, const struct nb_contact_te
   return true;
 }
 
-/* Two rows for each piece, at its inner and its outer edge, so that a line through the rows plots D(x). */
+/* Makes the table of D. It has two rows for each piece, at its inner and its outer edge, so that a line through the
+ * rows plots D(x). */
 static bool tabulate_pieces(struct nb_table *table, const struct nb_contact_test *contact_test,
                             const struct history *history, int stage) {
   static const struct nb_table_column columns[] = {{"x", "m"}, {"r", "m"}, {"D", "1"}};

@@ -1,5 +1,5 @@
-/* The hooks of a cycle: what a scene does besides motion, search and force calculation. A scene lists only the hooks it
- * needs.
+/* The hooks of a cycle: the actions of a scene besides motion, search and force calculation. The list of a scene has
+ * only the hooks that the scene needs.
  *
  * The hooks run in the order of the table. The order matters: the energy balance reads the forces before and after the
  * motion, the boundary gets its velocities before the particles move, and a stage changes properties before the search.
@@ -32,7 +32,7 @@ HOOK(record_first_deep, nb_deep_record_first(model))
 HOOK(update_fracc, nb_fracc_after_forces(model))
 HOOK(add_slip, nb_configuration_add_slip(model))
 
-/* If the affine motion of the step does not include all particles, the boundary particles get it separately. */
+/* If the affine motion of the step does not include all particles, sets the velocities of the boundary separately. */
 static enum nb_status move_affinely(struct nb_model *model, struct nb_error *error) {
   (void)error;
   if (!nb_affine_step(model) && model->boundary)
@@ -50,7 +50,7 @@ static enum nb_status make_changes(struct nb_model *model, struct nb_error *erro
   return status;
 }
 
-/* After each search, and every NB_STABILITY_CYCLES cycles. */
+/* Checks the stability of the step after each search, and every NB_STABILITY_CYCLES cycles. */
 static enum nb_status check_stability(struct nb_model *model, struct nb_error *error) {
   if (model->search.last_cycle != model->cycle && model->cycle % NB_STABILITY_CYCLES != 0)
     return NB_OK;
@@ -64,7 +64,7 @@ static enum nb_status check_stiffening(struct nb_model *model, struct nb_error *
   return nb_stability_overlaps(model) ? NB_OK : nb_stability_check(model, error);
 }
 
-/* Whether the scene needs a hook in its present stage. */
+/* Defines a function that is true if the scene needs a hook in its current stage. */
 #define NEEDED(name, condition)                                                                                        \
   static bool name(const struct nb_model *model) { return condition; }
 NEEDED(ramps_walls, nb_stage_ramps_walls(model))
@@ -103,7 +103,7 @@ static const struct {
     {NB_AFTER_FORCES, "energy balance", has_balance, balance_after_forces},
 };
 
-/* Without shear forces no particle begins to rotate. */
+/* True if some particle rotates or may begin to rotate. Without shear forces no particle begins to rotate. */
 static bool rotates(const struct nb_model *model) {
   bool any = model->rotates && model->plan.has_friction;
   for (size_t i = 0; i < model->particles.count && model->particles.spin && !any; i++)

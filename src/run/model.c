@@ -24,7 +24,8 @@ static size_t slot_of(size_t index, size_t count, bool shuffle) {
   return index % 2 == 0 ? index / 2 : count - 1 - index / 2;
 }
 
-/* Whether a particle rotates at some time: from the start, or by friction unless `rotation off` holds in all stages. */
+/* True if some particle rotates at some time: from the start, or because of friction unless `rotation off` is active in
+ * all stages. */
 static bool has_spin(const struct nb_scene *scene) {
   bool spin = false, rotates = scene->stages[0].rotation != NB_ROTATION_OFF;
   for (size_t k = 0; k < scene->particle_count; k++)
@@ -104,8 +105,8 @@ static void make_walls(struct nb_walls *w, const struct nb_scene *scene, struct 
   w->spin = numbers(owner, n), w->angle = numbers(owner, n);
 }
 
-/* One material pair for any two materials of particles, and for each material of particles with each one of
- * walls. */
+/* Makes one material pair for any two materials of particles, and for each material of particles with each material of
+ * walls. False: out of memory. */
 static bool make_material_pairs(struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
   const size_t n = scene->material_count;
@@ -130,9 +131,9 @@ static bool make_material_pairs(struct nb_model *model) {
   return allocated;
 }
 
-/* The skin of the neighbour list, m: as the page says, else a tenth of the mean radius, so that searches are rare and
- * most listed pairs touch. Infinite if all particles are fixed, or if there is only one particle and no wall:
- * then no search is needed. */
+/* The skin of the neighbour list, m: the value of the page, or else a tenth of the mean radius. With a tenth, searches
+ * are rare and most listed pairs touch. The skin is infinite if all particles are fixed, or if there is only one
+ * particle and no wall, because then no search is needed. */
 static double skin_of(const struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   double sum = 0;
@@ -161,7 +162,7 @@ static bool make_parts(struct nb_model *model, const struct nb_scene *scene, boo
   return nb_cell_create(model) && nb_configuration_create(model);
 }
 
-/* Values before the first stage. */
+/* Sets the values before the first stage. */
 static void set_initial_values(struct nb_model *model, const struct nb_scene *scene, const struct nb_options *options) {
   model->critical = nb_step_single_contact(model);
   model->damping = scene->stages[0].damping;
@@ -196,7 +197,7 @@ static void begin_impact(struct nb_model *model) {
       vec_add(model->particles.position[i], vec_scale(-model->impact_time, incidence.velocity));
 }
 
-/* The forces at time 0: computed, or from the saved state. */
+/* Sets the forces at the start: computes them, or takes them from the saved state. */
 static enum nb_status initial_forces(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
   if (saved)
     return nb_saved_restore_contacts(model, saved, error);

@@ -19,8 +19,8 @@ static void release(struct nb_save *save) {
   *save = (struct nb_save){0};
 }
 
-/* A process that writes a temporary file holds a lock on it (flock), which ends with the process. So a file that can be
- * locked is a leftover. */
+/* True if a temporary file is a leftover. A process that writes a temporary file holds a lock on it (flock), which ends
+ * with the process. So a file that can be locked is a leftover. */
 static bool is_leftover(int folder, const char *name) {
   const int file = openat(folder, name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   const bool leftover = file >= 0 && flock(file, LOCK_EX | LOCK_NB) == 0;
@@ -48,8 +48,9 @@ static void remove_leftovers(const char *path) {
   free(where);
 }
 
-/* Creates a temporary file; never opens an existing one or follows a link. The file is ours if its name still leads to
- * it after it is locked: another process may have removed it as a leftover in between. */
+/* Creates and locks a temporary file. The function never opens an existing file and follows no link. After the lock it
+ * tests that the name still leads to the file, because another process may have removed the file as a leftover before
+ * it was locked. */
 static int create(char *temporary, size_t size, const char *path) {
   const unsigned long process = (unsigned long)getpid();
   for (unsigned long number = process; number < process + 1000; number++) {
@@ -88,7 +89,7 @@ enum nb_status nb_save_begin(struct nb_save *save, const char *path, struct nb_e
 
 enum nb_status nb_save_replace_begin(struct nb_save *save, const char *path, struct nb_error *error) {
   struct stat old;
-  char *target = realpath(path, NULL); /* so that links stay */
+  char *target = realpath(path, NULL); /* the file to which a link leads is replaced, so that links stay */
   const bool writable = target && access(target, W_OK) == 0 && stat(target, &old) == 0;
   enum nb_status status =
       writable ? nb_save_begin(save, target, error) : nb_error_system(error, "cannot write %s", path);
@@ -109,7 +110,7 @@ void nb_save_cancel(struct nb_save *save) {
 enum nb_status nb_save_end(struct nb_save *save, struct nb_error *error) {
   const bool failed = ferror(save->file);
   errno = EIO;
-  if (failed) /* earlier: another write shows the reason */
+  if (failed) /* an earlier write failed: another write shows the reason */
     clearerr(save->file), fputc('\n', save->file);
   if (fflush(save->file) == 0 && !failed && fsync(fileno(save->file)) == 0 && rename(save->temporary, save->path) == 0)
     return fclose(save->file), release(save), NB_OK;
@@ -124,7 +125,7 @@ enum nb_status nb_folder_create(const char *path, struct nb_error *error) {
     return nb_error_memory(error);
   for (char *slash = strchr(part + strspn(part, "/"), '/'); slash; slash = strchr(slash + 1, '/')) {
     *slash = 0;
-    mkdir(part, 0777); /* it may exist; a failure shows at the last folder below */
+    mkdir(part, 0777); /* the folder may exist; a failure shows at the last folder below */
     *slash = '/';
   }
   struct stat status;

@@ -1,7 +1,7 @@
 /* The plan: the passes that the contacts of each material pair need in a stage, and no others.
  *
- * The forces at the beginning of a stage are those of the stage before. A stage that needs another plan makes it in its
- * first cycle, between the motion and the forces (stage.c).
+ * The forces at the beginning of a stage are those of the previous stage. A stage that needs another plan makes it in
+ * its first cycle, between the motion and the force calculation (stage.c).
  *
  * A frictionless contact has no tangential increment and no shear force. A contact without dashpots has no normal
  * increment, unless its law needs it. A field that nothing reads later is not kept. `nineball explain` prints the plan.
@@ -39,12 +39,12 @@ static enum nb_dashpot_kind dashpot_kind(const struct nb_damping *damping) {
 
 static bool affine_twice(const struct nb_model *model) { return model->affine && model->affine->twice; }
 
-/* Whether both stiffnesses grow with the overlap alone, as those of elastic spheres do. */
+/* True if both stiffnesses depend only on the overlap and grow with it, as in laws of elastic spheres. */
 static bool stiffens(const struct nb_law *normal, const struct nb_law *shear) {
   return normal->elastic && !normal->incremental && (shear->elastic || strcmp(shear->name, "none") == 0);
 }
 
-/* What the passes of the material pair read. */
+/* What the geometry pass must compute for the other passes of the material pair. */
 static enum nb_approach needed_approach(const struct nb_model *model, const struct nb_material_pair *material_pair) {
   const bool dn = model->plan.dashpots || (material_pair->normal->needs & NB_BIT(NB_NORMAL_INCREMENT));
   return material_pair->shear ? NB_APPROACH_TANGENTIAL : dn ? NB_APPROACH_NORMAL : NB_APPROACH_OVERLAP;
@@ -57,7 +57,7 @@ static const struct nb_pass *geometry_pass(const struct nb_model *model, const s
                              : &nb_pass_disc_disc[approach];
 }
 
-/* The second addition of an affine motion, where a pass reads the increments. */
+/* Adds the pass for the second addition of an affine motion, if another pass reads the increments. */
 static void add_affine_twice(struct nb_model *model, struct nb_material_pair *material_pair) {
   const enum nb_approach approach = needed_approach(model, material_pair);
   const struct nb_pass *again = &nb_pass_affine_twice[approach == NB_APPROACH_TANGENTIAL];
@@ -93,13 +93,13 @@ static void plan_material_pair(struct nb_model *model, struct nb_material_pair *
   add_pass(material_pair, resolve->run[isa], 0, "", resolve->name);
 }
 
-/* `kept` without the fields that nothing reads and those that equal others. */
+/* The set `kept` without fields that nothing reads, and without fields that equal other fields. */
 static unsigned needed_fields(unsigned kept, bool dissipative, const struct nb_plan *plan) {
   if (!plan->has_friction)
     kept &= ~(NB_BIT(NB_SHEAR_BEFORE) | NB_BIT(NB_SHEAR_STIFFNESS_BEFORE));
   if (!dissipative)
     kept &= ~NB_BIT(NB_DISSIPATED);
-  if (!plan->dashpots && kept & NB_BIT(NB_TOTAL_NORMAL)) /* without dashpots both fields are equal: one is enough */
+  if (!plan->dashpots && kept & NB_BIT(NB_TOTAL_NORMAL)) /* without dashpots the two fields are equal: one is enough */
     kept = (kept & ~NB_BIT(NB_TOTAL_NORMAL)) | NB_BIT(NB_NORMAL);
   if (!plan->dashpots && kept & NB_BIT(NB_TOTAL_SHEAR))
     kept = (kept & ~NB_BIT(NB_TOTAL_SHEAR)) | NB_BIT(NB_SHEAR);

@@ -10,7 +10,7 @@
 enum nb_status nb_plan(struct nb_model *model, struct nb_error *error);
 bool nb_plan_is_current(const struct nb_model *model); /* false: the stage has other dashpots or friction */
 
-/* hooks.c: call again after any change that hooks depend on */
+/* hooks.c: selects the hooks; must be called again after any change on which hooks depend */
 void nb_hooks_plan(struct nb_model *model);
 
 /* stage.c */
@@ -18,15 +18,17 @@ bool nb_changes_create(struct nb_model *model); /* false: out of memory */
 void nb_changes_store(struct nb_store *store, struct nb_model *model);
 enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error);
 bool nb_stage_ramps_walls(const struct nb_model *model);
-bool nb_stage_changes(const struct nb_model *model); /* properties, laws or gravity, in a later cycle of the stage */
-void nb_stage_set_wall_velocities(struct nb_model *model); /* before the motion: over the next step */
-/* After the motion: properties, laws and gravity at the present time. */
+/* True if properties, laws or gravity change in a later cycle of the stage. */
+bool nb_stage_changes(const struct nb_model *model);
+/* Sets the velocities of walls over the next step. Called before the motion. */
+void nb_stage_set_wall_velocities(struct nb_model *model);
+/* Sets properties, laws and gravity at the current time. Called after the motion. */
 enum nb_status nb_stage_change(struct nb_model *model, struct nb_error *error);
 
 /* model.c */
 struct nb_saved;
-/* As nb_model_create, but with particles, walls and contacts from a saved state, which is that at the end of stage
- * scene->start.stages - 1. `saved` may be NULL. */
+/* Creates a model as nb_model_create does, but with particles, walls and contacts from a saved state at the end of
+ * stage scene->start.stages - 1. If `saved` is NULL, the model begins at time 0. */
 struct nb_model *nb_model_resume(const struct nb_scene *scene, const struct nb_options *options, struct nb_saved *saved,
                                  struct nb_error *error);
 

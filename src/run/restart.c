@@ -1,9 +1,9 @@
 /* The folder of saved states.
  *
- * The name of a state file has the page, the stage, and a hash of everything that the state depends on. This is the
- * version of the program, the page up to the end of the stage with the values of its variables, and the state from
- * which that page starts. So a file with the expected name is valid. A state of an older text of the page has another
- * name; it is deleted when the new one is written.
+ * The name of a state file has the page, the stage, and a hash of everything on which the state depends: the version of
+ * the program, the page up to the end of the stage with the values of its variables, and the state from which that page
+ * starts. So a file with the expected name is valid. A state of an older text of the page has another name; its file is
+ * deleted when the new one is written.
  *
  * A process that computes a state holds a lock (flock) on a file beside it; the system releases the lock when the
  * process ends. Other threads and processes that need the same state wait for the lock, then read the state.
@@ -52,12 +52,12 @@ enum nb_status nb_start_path(char *path, size_t size, const struct nb_scene *sce
 
 /* ---- outdated states ---- */
 
-/* "nine-discs-load-", with which the names of all states of this stage begin. */
+/* Writes "nine-discs-load-", with which the names of all states of this stage begin. Returns its length. */
 static int name_prefix(char *prefix, size_t size, const struct nb_scene *scene) {
   return snprintf(prefix, size, "%s-%s-", scene->start.page->name, last_stage(scene)->name);
 }
 
-/* Whether the state in this file was computed with the same values of the variables. */
+/* True if the state in this file was computed with the same values of the variables. */
 static bool same_values(const char *path, const struct nb_start *start) {
   struct nb_saved saved;
   struct nb_error error;
@@ -68,7 +68,7 @@ static bool same_values(const char *path, const struct nb_start *start) {
   return same;
 }
 
-/* Whether the folder has states of that stage from an older text of the page; deletes them if `delete`. */
+/* True if the folder has states of the stage from an older text of the page. `delete`: deletes them. */
 static bool find_outdated(const struct nb_scene *scene, const struct nb_options *options, bool delete) {
   char prefix[3 * NB_NAME_SIZE], path[PATH_SIZE], current[PATH_SIZE];
   struct nb_error error;
@@ -90,7 +90,7 @@ static bool find_outdated(const struct nb_scene *scene, const struct nb_options 
       continue;
     found = true;
     if (delete)
-      remove(path); /* processes that read it keep it open */
+      remove(path); /* a process that reads the file has it open and can read on */
   }
   closedir(folder);
   return found;
@@ -163,7 +163,7 @@ static enum nb_status lock_acquire(struct nb_lock *lock, const char *path, const
       close(lock->file);
       return status;
     }
-    /* If the process that held the lock has removed the file, this lock is on a file without a name and has no
+    /* If the process that held the lock has removed the file, the new lock is on a file without a name and has no
      * effect. */
     if (fstat(lock->file, &current) == 0 && stat(lock->path, &there) == 0 && current.st_ino == there.st_ino &&
         current.st_dev == there.st_dev)

@@ -1,4 +1,4 @@
-/* The saved state that a page starts from: read from the folder of states, or computed first.
+/* The saved state from which a page starts: it is read from the folder of states, or computed first.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_RESTART_H
@@ -12,9 +12,11 @@ enum { NB_STATE_PATH = 4096 };
 struct nb_lock {
   char path[NB_STATE_PATH + 8];
   int file;
-  const char *use, *option; /* what the process that holds the file does; the option for another folder, NULL: waits */
+  /* What the process that holds the file does, for messages; the option that selects another folder, NULL: the process
+   * waits. */
+  const char *use, *option;
 };
-/* Without waiting: NB_BAD_USE if another process holds it. */
+/* Acquires the lock without waiting. NB_BAD_USE if another process holds it. */
 enum nb_status nb_lock_own(struct nb_lock *lock, const char *path, const char *use, const char *option,
                            struct nb_error *error);
 void nb_lock_release(struct nb_lock *lock);
@@ -26,21 +28,21 @@ enum nb_state_presence { NB_STATE_PRESENT, NB_STATE_OUTDATED, NB_STATE_MISSING }
 /* The path of the state file, "states/nine-discs-load-0123456789abcdef.state", whether the file exists or not. */
 enum nb_status nb_start_path(char *path, size_t size, const struct nb_scene *scene, const struct nb_options *options,
                              struct nb_error *error);
-/* Outdated: there is only a state of an older text of the page. */
+/* Whether the state exists. Outdated: there is only a state of an older text of the page. */
 enum nb_state_presence nb_start_presence(const struct nb_scene *scene, const struct nb_options *options);
-/* Reads the state. If it does not exist: computes and writes it first, or an error if `make` is false. */
+/* Reads the state. If the state does not exist, computes and writes it first; if `make` is false, this is an error. */
 enum nb_status nb_start_obtain(struct nb_saved *saved, const struct nb_scene *scene, const struct nb_options *options,
                                const struct nb_progress *progress, bool make, struct nb_error *error);
-/* A model of a scene that starts from a state; an error if that state does not exist. */
+/* Creates a model of a scene that starts from a state; NULL with an error if this state does not exist. */
 struct nb_model *nb_start_model(const struct nb_scene *scene, const struct nb_options *options, struct nb_error *error);
 
-/* Whether that state exists, or the scene starts from none. */
+/* True if this state exists, or if the scene does not start from a state. */
 bool nb_start_is_ready(const struct nb_scene *scene, const struct nb_options *options);
 
 /* run.c: runs the scene and returns the state at the end of its last stage */
 enum nb_status nb_run_to(struct nb_saved *saved, const struct nb_scene *scene, const struct nb_options *options,
                          const struct nb_progress *progress, struct nb_error *error);
-/* run.c: whether the condition holds now */
+/* run.c: true if the condition holds now */
 bool nb_condition_met(const struct nb_condition *condition, const struct nb_model *model);
 
 #endif

@@ -1,4 +1,4 @@
-/* What runs (run.c, contact_test.c) record and report: result.c.
+/* The results that runs record, and reports of progress (result.c). run.c and contact_test.c use them.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_RESULT_H
@@ -6,11 +6,12 @@
 
 #include "core/model.h"
 
-/* Begins an empty table with the columns of the scene, and adds rows to it. Both return false when out of memory. */
+/* The first function makes an empty table with the columns of the scene, the second one adds a row. Both return false
+ * when out of memory. */
 bool nb_result_begin(struct nb_result *result, const struct nb_scene *scene);
 bool nb_result_add_row(struct nb_table *table, const struct nb_model *model, int stage);
-/* Contact fields that columns, conditions, servos and snapshots of the scene read, and the NB_REQUEST_ bits (model.h)
- * of what else they need. */
+/* The set of contact fields that columns, conditions, servos and snapshots of the scene read, and the NB_REQUEST_ bits
+ * (model.h) of other data that they need. */
 unsigned nb_fields_requested(const struct nb_scene *scene);
 
 /* Reports the progress of a run, at most ten times a second. `progress` may be NULL. A trial, which has stage_seconds,
@@ -18,7 +19,7 @@ unsigned nb_fields_requested(const struct nb_scene *scene);
 struct nb_reporter {
   const struct nb_progress *progress;
   double began, last_call; /* s */
-  double stage_began;      /* by nb_processor_clock */
+  double stage_began;      /* value of nb_processor_clock when the stage began, s */
 };
 struct nb_reporter nb_reporter_begin(const struct nb_progress *progress);
 bool nb_reporter_update(struct nb_reporter *reporter, const char *stage, double fraction);

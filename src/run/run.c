@@ -20,21 +20,20 @@ struct run {
   const struct nb_scene *scene;
   struct nb_model *model;
   struct nb_reporter reporter;
-  unsigned long first_cycle; /* number of cycles done before this run */
-  unsigned long
-      until_report;      /* cycles until the clock is read again; that costs as much as a cycle of a few contacts */
-  unsigned long planned; /* largest number of cycles of all stages */
+  unsigned long first_cycle;  /* number of cycles done before this run */
+  unsigned long until_report; /* cycles until the clock is read; a reading costs as much as a cycle of a few contacts */
+  unsigned long planned;      /* largest number of cycles of all stages */
   struct nb_checkpoint checkpoint;
   unsigned long stop_at;      /* tests: cycle after which the run stops; 0: none */
-  unsigned long long updates; /* before the stage */
-  bool stage_ended;           /* the checkpoint is that at the end of its stage */
+  unsigned long long updates; /* contact updates before the stage */
+  bool stage_ended;           /* the checkpoint was saved at the end of its stage */
 };
 
 static bool is_trial(const struct run *run) {
   return run->reporter.progress && run->reporter.progress->stage_seconds > 0;
 }
 
-/* False: the stage of a trial has used up its time. */
+/* Reports progress. False: the stage of a trial has used up its time. */
 static bool report_progress(struct run *run, const struct nb_stage *stage) {
   if (run->until_report-- > 0)
     return true;
@@ -49,7 +48,8 @@ bool nb_condition_met(const struct nb_condition *condition, const struct nb_mode
   return condition->relation == NB_BELOW ? value < condition->value : value > condition->value;
 }
 
-/* Conditions are evaluated every check_interval cycles and at the last cycle of the stage. */
+/* True if all conditions of the stage hold. They are evaluated every check_interval cycles and at the last cycle of the
+ * stage. */
 static bool conditions_met(const struct nb_stage *stage, const struct nb_model *model) {
   if (model->stage_cycle % stage->check_interval != 0 && model->stage_cycle < stage->cycles)
     return false;
@@ -72,7 +72,7 @@ static enum nb_status conditions_not_met(const struct nb_stage *stage, const str
                       stage->line, stage->cycles, text);
 }
 
-/* Notes a change of law, since contacts lose the history of the old law. */
+/* Notes a change of a law, because the history of the old law is discarded. */
 static void note_laws(const struct run *run, const struct nb_stage *stage) {
   const struct nb_model *model = run->model;
   const struct nb_progress *progress = run->reporter.progress;
@@ -83,7 +83,7 @@ static void note_laws(const struct run *run, const struct nb_stage *stage) {
       continue;
     const struct nb_law *law = shear ? next->shear : next->normal;
     snprintf(old, sizeof old, "%s", (shear ? before->shear : before->normal)->name);
-    if (shear && next->shear == before->shear) { /* only its memory size changes */
+    if (shear && next->shear == before->shear) { /* only the number of pieces of its memory changes */
       snprintf(memory, sizeof memory, " memory %g", next->pieces);
       snprintf(old, sizeof old, "memory %g", before->pieces);
     }
@@ -101,7 +101,8 @@ static bool has_contact_force(const struct nb_model *model) {
   return false;
 }
 
-/* Without contact forces the unbalanced force is 0, so a condition that waits for equilibrium is met at once. */
+/* Notes a stage that ends without a contact force. Without contact forces the unbalanced force is 0, so a condition
+ * that waits for equilibrium is met at once. */
 static void note_no_contact(const struct run *run, const struct nb_stage *stage) {
   const struct nb_model *model = run->model;
   const struct nb_progress *progress = run->reporter.progress;
@@ -121,8 +122,8 @@ static void note_no_contact(const struct run *run, const struct nb_stage *stage)
 
 enum { CONTINUES, ENDED, EXHAUSTED };
 
-/* Runs one cycle and records a row if one is due. *outcome: whether the stage continues; unchanged if the cycle
- * fails. */
+/* Runs one cycle and records a row if one is due. Sets *outcome, which says whether the stage continues, unless the
+ * cycle fails. */
 static enum nb_status run_cycle(struct run *run, int index, int *outcome, struct nb_error *error) {
   const struct nb_stage *stage = &run->scene->stages[index];
   struct nb_model *model = run->model;
@@ -139,7 +140,7 @@ static enum nb_status run_cycle(struct run *run, int index, int *outcome, struct
 
 /* ---- checkpoints ---- */
 
-/* The stages of restored rows are those of the scene. */
+/* Stores a table. The stages of restored rows must be stages of the scene. */
 static void store_table(struct nb_store *store, const struct run *run, struct nb_table *table) {
   nb_store_table(store, table);
   for (size_t k = 0; k < table->row_count && store->restoring; k++)
@@ -153,7 +154,7 @@ static void store_snapshots(struct nb_store *store, struct run *run) {
   for (size_t k = 0; k < count && !store->failed; k++) {
     int stage = k < result->snapshot_count ? result->snapshots[k].stage : 0;
     NB_STORE_INTEGERS(store, "snapshot", &stage, 1);
-    if (store->restoring) { /* one of the present state has the columns; its rows are replaced */
+    if (store->restoring) { /* a snapshot of the current state gives the columns; its rows are replaced */
       struct nb_snapshot *new = NB_ARRAY_APPEND(result->snapshots, result->snapshot_count);
       const bool taken = stage >= 0 && stage < (int)run->scene->stage_count && run->scene->stages[stage].snapshot;
       if (!new || !taken || !nb_snapshot_take(new, run->model, stage)) {
@@ -167,7 +168,7 @@ static void store_snapshots(struct nb_store *store, struct run *run) {
   }
 }
 
-/* All that the run keeps: its model, and what it has recorded. */
+/* Stores everything that the run keeps: its model, and what it has recorded. */
 static void store_run(struct nb_store *store, struct run *run) {
   double seconds = nb_clock() - run->reporter.began, stage_seconds = nb_processor_clock() - run->reporter.stage_began;
   nb_model_store(store, run->model);
@@ -209,8 +210,8 @@ static enum nb_status stop(struct run *run, bool stage_ended, struct nb_error *e
                       run->model->cycle, 100 * fraction, left, run->checkpoint.path);
 }
 
-/* After a cycle, or at the end of a stage: saves a checkpoint if it is due. A checkpoint that cannot be written does
- * not end the run. */
+/* Called after a cycle, or at the end of a stage: saves a checkpoint if one is due. A checkpoint that cannot be written
+ * does not end the run. */
 static enum nb_status check_in(struct run *run, bool stage_ended, struct nb_error *error) {
   const struct nb_model *model = run->model;
   const bool last = stage_ended && model->stage == &run->scene->stages[run->scene->stage_count - 1];
@@ -240,7 +241,7 @@ static enum nb_status begin_stage(struct run *run, const struct nb_stage *stage,
   return status;
 }
 
-/* `resumed`: from a checkpoint inside the stage. */
+/* Runs a stage. `resumed`: the run continues from a checkpoint inside the stage. */
 static enum nb_status run_stage(struct run *run, int index, bool resumed, struct nb_error *error) {
   const struct nb_stage *stage = &run->scene->stages[index];
   enum nb_status status = resumed ? NB_OK : begin_stage(run, stage, error);
@@ -264,7 +265,7 @@ static enum nb_status run_stage(struct run *run, int index, bool resumed, struct
   return status ? status : snapshot_status;
 }
 
-/* Makes the model: from the checkpoint, from the state where the scene starts, or at time 0. */
+/* Makes the model from the checkpoint, from the state from which the scene starts, or at time 0. */
 static enum nb_status make_model(struct run *run, const struct nb_options *options, struct nb_error *error) {
   const struct nb_scene *scene = run->scene;
   struct nb_saved start = {0};
@@ -289,7 +290,7 @@ static enum nb_status make_model(struct run *run, const struct nb_options *optio
   return status;
 }
 
-/* Runs the stages from the beginning of the model on. */
+/* Runs the stages from the one at which the model is. */
 static enum nb_status run_stages(struct run *run, struct nb_error *error) {
   const struct nb_scene *scene = run->scene;
   const size_t first = scene->start.stages;
@@ -305,8 +306,8 @@ static enum nb_status run_stages(struct run *run, struct nb_error *error) {
   return NB_OK;
 }
 
-/* Runs all stages of the scene, or those after the stage of the state from which it starts. The result has what was
- * recorded, even after an error. *end receives the state at the end, unless `end` is NULL. */
+/* Runs all stages of the scene, or the stages after the state from which the scene starts. The result has everything
+ * that was recorded, even after an error. *end receives the state at the end, unless `end` is NULL. */
 static enum nb_status run_scene(struct run *run, const struct nb_options *options, struct nb_saved *end,
                                 struct nb_error *error) {
   const struct nb_scene *scene = run->scene;
@@ -349,9 +350,10 @@ enum nb_status nb_run_to(struct nb_saved *saved, const struct nb_scene *scene, c
   struct nb_result result = {0};
   struct run run = {.result = &result, .scene = scene, .reporter.progress = progress};
   whole.keep_all = true;
-  whole.rounding =
-      (struct nb_rounding){NB_TO_NEAREST, NULL}; /* a saved state does not depend on the mode of its reader */
-  whole.checkpoint.key = scene->stages[scene->stage_count - 1].hash; /* whatever page or run needs the state */
+  whole.rounding = (struct nb_rounding){
+      NB_TO_NEAREST, NULL}; /* a saved state does not depend on the rounding mode of the run that reads it */
+  whole.checkpoint.key =
+      scene->stages[scene->stage_count - 1].hash; /* the same for all pages and runs that need the state */
   const enum nb_status status = run_scene(&run, &whole, saved, error);
   nb_result_free(&result);
   return status;

@@ -1,4 +1,4 @@
-/* What a stage changes: at its beginning, or with `ramp` linearly until its last cycle.
+/* The changes that a stage makes: at its beginning, or with `ramp` linearly until its last cycle.
  *
  * A stage of N cycles goes from t_0 to t_N. A ramp has covered the fraction
  *
@@ -7,10 +7,10 @@
  *   (n - 1/2)/N  for velocities of walls, over the step that ends at t_n: then the displacement of the wall is exact
  *
  * Without a ramp the change is made at t_0. The forces at t_0 have been computed with the old properties and laws; the
- * new ones apply from t_1 on. The kick around t_0 lasts half the old step and half the new one, so it has the mean of
- * old and new gravity, weighted with these times. The same holds for mass-proportional damping (motion.h) and for a
- * stress on a boundary (boundary.c). `zero velocities` is a start from rest: the next kick lasts half a step, and
- * dashpot forces are 0.
+ * new properties and laws apply from t_1 on. The kick around t_0 lasts half the old step and half the new one, so its
+ * gravity is the mean of the old and the new gravity, weighted with these times. The same holds for mass-proportional
+ * damping (motion.h) and for a stress on a boundary (boundary.c). `zero velocities` is a start from rest: the next kick
+ * lasts half a step, and dashpot forces are 0.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "laws/laws_now.h"
@@ -24,8 +24,8 @@
 /* The values at the beginning of a stage, from which ramps start, and what the stage still changes. */
 struct nb_changes {
   bool changing, ramping_walls;     /* properties, laws or gravity change; velocities of walls ramp */
-  struct nb_pair *properties_from;  /* per change */
-  struct nb_velocities *walls_from; /* per wall motion */
+  struct nb_pair *properties_from;  /* properties at the beginning, one for each change */
+  struct nb_velocities *walls_from; /* velocities at the beginning, one for each wall motion */
   struct nb_vec gravity_from;
   struct nb_central central_from;
 };
@@ -62,7 +62,7 @@ static struct nb_vec interpolated(struct nb_vec from, struct nb_vec to, double f
   return vec_add(from, vec_scale(fraction, vec_sub(to, from)));
 }
 
-/* Sets all velocities to zero, also of fixed particles. */
+/* Sets the velocities of all particles to zero, including fixed ones. */
 static void stop_particles(struct nb_model *model) {
   struct nb_particles *particles = &model->particles;
   nb_balance_jump(model, NB_TERM_CHANGED, true);
@@ -80,7 +80,7 @@ static void stop_particles(struct nb_model *model) {
   nb_balance_jump(model, NB_TERM_CHANGED, false);
 }
 
-/* `reverse velocities` for the walls, before the stage sets their velocities. */
+/* Applies `reverse velocities` to the walls, before the stage sets their velocities. */
 static void reverse_walls(struct nb_model *model) {
   for (size_t w = 0; w < model->walls.count; w++) {
     model->walls.velocity[w] = vec_scale(-1, model->walls.velocity[w]);
@@ -88,7 +88,7 @@ static void reverse_walls(struct nb_model *model) {
   }
 }
 
-/* `reverse velocities` for the particles, when the step of the stage is known. */
+/* Applies `reverse velocities` to the particles, when the step of the stage is known. */
 static void reverse_particles(struct nb_model *model) {
   nb_balance_jump(model, NB_TERM_CHANGED, true);
   nb_motion_reverse(model);
@@ -102,7 +102,7 @@ static void set_wall_velocity(struct nb_walls *walls, const struct nb_wall_motio
   walls->spin[to->wall] = to->spin;
 }
 
-/* Sets walls that the previous stage has ramped to exactly the velocities of its statements. */
+/* Sets the walls with ramps in the previous stage to exactly the velocities of its statements. */
 static void finish_wall_ramps(struct nb_model *model) {
   if (!model->stage)
     return;
@@ -140,7 +140,7 @@ void nb_stage_set_wall_velocities(struct nb_model *model) {
 
 /* ---- properties ---- */
 
-/* Sets the properties that the stage changes; those that ramp have covered this fraction. */
+/* Sets the properties that the stage changes. Ramps have covered `fraction` of their change. */
 static void interpolate_properties(struct nb_model *model, double fraction) {
   for (size_t k = 0; k < model->stage->change_count; k++) {
     const struct nb_change *to = &model->stage->changes[k];
@@ -148,7 +148,8 @@ static void interpolate_properties(struct nb_model *model, double fraction) {
   }
 }
 
-/* The single-contact step and the stable step are the smaller ones of the beginning and the end of the stage. */
+/* Begins changes of properties. The single-contact step and the stable step of the stage are the smaller ones of those
+ * at its beginning and at its end. */
 static void begin_property_changes(struct nb_model *model, struct nb_stable *apart) {
   const struct nb_stage *stage = model->stage;
   for (size_t k = 0; k < stage->change_count; k++)
@@ -168,7 +169,7 @@ static void begin_property_changes(struct nb_model *model, struct nb_stable *apa
 
 /* ---- gravity ---- */
 
-/* Sets the gravity of a ramp that has covered this fraction of its way. */
+/* Sets the gravity when its ramp has covered `fraction` of the change. */
 static void interpolate_gravity(struct nb_model *model, double fraction) {
   const struct nb_gravity *to = &model->stage->gravity;
   const struct nb_central *from = &model->changes->central_from;
@@ -180,7 +181,7 @@ static void interpolate_gravity(struct nb_model *model, double fraction) {
     model->central.point = vec(to->about_x, to->about_y);
 }
 
-/* The kick around t_0 lasts previous_step/2 before t_0 and step/2 after it. */
+/* Begins a change of gravity. The kick around t_0 lasts previous_step/2 before t_0 and step/2 after t_0. */
 static void begin_gravity_change(struct nb_model *model) {
   const struct nb_gravity *to = &model->stage->gravity;
   model->changes->gravity_from = model->gravity;
@@ -195,7 +196,7 @@ static void begin_gravity_change(struct nb_model *model) {
 
 /* ---- the stage ---- */
 
-/* Removal of particles, reset of measures, zero and reversed velocities. */
+/* Removes particles, resets measures, and sets velocities to zero or reverses them. */
 static enum nb_status begin_assembly(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
   const int index = (int)(stage - model->scene->stages);
   if (stage->removal_count > 0 && nb_remove(model, stage, error))
@@ -213,7 +214,7 @@ static enum nb_status begin_assembly(struct nb_model *model, const struct nb_sta
   return NB_OK;
 }
 
-/* Gravity, boundary, cell and box, when the step is known. */
+/* Begins the loading of the stage: gravity, boundary, cell and box. Called when the step is known. */
 static enum nb_status begin_loading(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
   begin_gravity_change(model);
   if (model->affine)
@@ -256,7 +257,7 @@ static void clear_shear_history(struct nb_model *model) {
       nb_history_forget(&model->contacts.shear_history, c);
 }
 
-/* The search creates the arrays that the new plan needs and copies the contact histories. */
+/* Makes a new plan. A search then creates the arrays that the plan needs and copies the contact histories. */
 static enum nb_status plan_again(struct nb_model *model, struct nb_error *error) {
   if (nb_plan(model, error))
     return error->status;

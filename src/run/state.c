@@ -5,9 +5,9 @@
  * histories, and begins with the motion. Its results equal those of an uninterrupted run to the bit.
  *
  * The saved strain rates are those of the last step, because the first row of the next stage records them. The strain
- * rates that the page requests hold until a stage requests others; the contribution of a servo ends with its stage. The
- * search positions, and the particles that may cross the boundary before the next search, are not saved: they do not
- * affect results.
+ * rates that the page requests apply until a stage requests others; the contribution of a servo ends with its stage.
+ * The search positions, and the particles that may cross the boundary before the next search, are not saved, because
+ * they do not affect results.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "state.h"
@@ -58,7 +58,7 @@ static void capture_walls(struct nb_saved *saved, const struct nb_model *model) 
   saved->wall_count = model->walls.count;
 }
 
-/* Appends the history of a contact to the saved ones; nothing if it is all 0. */
+/* Appends the history of a contact to the saved histories; appends nothing if all its doubles are 0. */
 static struct nb_saved_history capture_history(struct nb_saved *saved, const struct nb_history *history,
                                                const struct nb_law *law, size_t c) {
   double buffer[NB_HISTORY];
@@ -84,7 +84,7 @@ static void capture_contacts(struct nb_saved *saved, const struct nb_model *mode
                                   .force = contacts->force[c]};
 #define CAPTURE_FIELD(which, name, range) it.field[which] = contacts->kept[which] ? contacts->kept[which][c] : 0;
     NB_SAVED_FIELDS(CAPTURE_FIELD)
-    if (!model->plan.dashpots) /* then the total forces are not kept: they equal those of the laws */
+    if (!model->plan.dashpots) /* without dashpots the total forces are not kept: they equal the forces of the laws */
       it.field[NB_TOTAL_NORMAL] = it.field[NB_NORMAL], it.field[NB_TOTAL_SHEAR] = it.field[NB_SHEAR];
     it.normal = capture_history(saved, &contacts->normal_history, model->laws.normal, c);
     it.shear = capture_history(saved, &contacts->shear_history, model->laws.shear, c);
@@ -153,7 +153,7 @@ static enum nb_status capture_loading(struct nb_saved *saved, const struct nb_mo
   return NB_OK;
 }
 
-/* Whether the page, or one that it starts from, has `impact`. */
+/* True if the page, or a page from which it starts, has `impact`. */
 static bool has_impact(const struct nb_scene *scene) {
   return scene->impact.line > 0 || (scene->start.scene && has_impact(scene->start.scene));
 }
@@ -206,7 +206,7 @@ static bool same_particle(const struct nb_saved_particle *it, const struct nb_pa
          it->material == particle->material;
 }
 
-/* Number of stages up to the one that the state is from. */
+/* Number of stages up to the one at whose end the state was saved. */
 static size_t stages_of(const struct nb_saved *saved, const struct nb_scene *scene) {
   const long found = saved->store.part_count ? NB_FIND(scene->stages, scene->stage_count, saved->stage) : -1;
   return found < 0 ? scene->start.stages : (size_t)found + 1;
@@ -276,7 +276,7 @@ static void restore_walls(struct nb_walls *walls, const struct nb_saved *saved) 
   }
 }
 
-/* The last stage of the state, and its laws. */
+/* Restores the last stage of the state, and its laws. */
 static void restore_stage(struct nb_model *model, size_t stages) {
   const struct nb_scene *scene = model->scene;
   for (size_t s = 0; s < stages; s++)
@@ -378,7 +378,7 @@ static void restore_ring(struct nb_model *model, const struct nb_saved_ring *sav
     nb_boundary_set_forces(model);
 }
 
-/* Whether model and state both have, or lack, a cell, a boundary, affine motion and rotation. */
+/* True if model and state both have, or both lack, each of a cell, a boundary, affine motion and rotation. */
 static bool same_loading(const struct nb_model *model, const struct nb_saved *saved) {
   enum nb_rotation rotation = NB_ROTATION_ON;
   for (const struct nb_stage *stage = model->scene->stages; stage <= model->stage; stage++)
@@ -410,7 +410,7 @@ enum nb_status nb_saved_restore_loading(struct nb_model *model, const struct nb_
 
 /* ---- write ---- */
 
-/* Reads the text back, so that no file is written that cannot be read. */
+/* Reads the text of a state before it is written, so that every file can be read again. */
 static enum nb_status check_text(const char *path, const char *text, size_t size, struct nb_error *error) {
   struct nb_saved again;
   const enum nb_status status = nb_saved_read_text(&again, path, text, size, error);

@@ -7,17 +7,18 @@
 #include "core/model.h"
 #include "input/state_file.h"
 
-/* The model must have been created with options.keep_all. The caller frees *saved, also after an error. */
+/* Copies the state of a model, which must have been created with options.keep_all. The caller frees *saved, also after
+ * an error. */
 enum nb_status nb_saved_capture(struct nb_saved *saved, const struct nb_model *model, struct nb_error *error);
 /* Checks that the state belongs to the scene. NB_BAD_USE if not; the message names the state file, `path`, and the
  * difference. */
 enum nb_status nb_saved_fits(const struct nb_saved *saved, const struct nb_scene *scene, const char *path,
                              struct nb_error *error);
-/* Restores particles, walls, material properties and time; before the model is planned. */
+/* Restores particles, walls, material properties and time. Called before the model is planned. */
 void nb_saved_restore(struct nb_model *model, const struct nb_saved *saved);
-/* Restores cell, boundary and affine motion; after nb_saved_restore. */
+/* Restores cell, boundary and affine motion. Called after nb_saved_restore. */
 enum nb_status nb_saved_restore_loading(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error);
-/* Restores forces and histories of the contacts; after the search has listed them. */
+/* Restores forces and histories of the contacts. Called after the search has listed the contacts. */
 enum nb_status nb_saved_restore_contacts(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error);
 /* Writes the state to a file. Parses the text first, so that every written state can be read again. */
 enum nb_status nb_saved_write(const struct nb_saved *saved, const char *path, struct nb_error *error);
