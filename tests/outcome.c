@@ -163,15 +163,17 @@ static void units(void) {
   struct nb_outcome outcome;
   make(&outcome, "",
        "A.x at 5 ms expected 5.5 mm within 1 mm [t]\ncycle expected 10 within 0 [t]\n"
-       "cycle expected 2 of cycle at 5 cycles within 0 [t]\nA.x at 2 ms below A.x at 5 ms",
+       "cycle expected 2 of cycle at 5 cycles within 0 [t]\nA.x at 2 ms below A.x at 5 ms\n"
+       "A.x at 6 ms expected 3 of A.x at 2 ms within 0.5 [t]",
        NULL);
   CU_ASSERT_EQUAL(outcome.status, NB_OK);
-  CU_ASSERT_EQUAL_FATAL(outcome.check_count, 4);
+  CU_ASSERT_EQUAL_FATAL(outcome.check_count, 5);
   CU_ASSERT_STRING_EQUAL(outcome.checks[0].message,
                          "computed 0.005 m, expected 0.0055 m, error 0.0005 m, tolerance 0.001 m");
   CU_ASSERT_STRING_EQUAL(outcome.checks[1].message, "computed 10, expected 10, error 0, tolerance 0");
   CU_ASSERT_STRING_EQUAL(outcome.checks[2].message, "computed 2, expected 2, error 0, tolerance 0");
   CU_ASSERT_STRING_EQUAL(outcome.checks[3].message, "computed 0.002 m and 0.005 m");
+  CU_ASSERT_STRING_EQUAL(outcome.checks[4].message, "computed 3, expected 3, error 0, tolerance 0.5"); /* a ratio */
   nb_outcome_free(&outcome);
 }
 
@@ -465,24 +467,23 @@ static void interrupt(void *data, const char *stage, double fraction, double sec
 /* A page with checkpoints is interrupted in its second run. Until its outcome is freed, no other outcome runs the page
  * with these settings. Then the page is refused unless it resumes, because the checkpoint of the second run exists.
  * With other settings the page can be run at any time. */
-static void locks_and_checkpoints(void) {
+static void interrupted_with(nb_settings own, nb_settings other) {
   static const char scene[] = "units none\nlet w = 1\nsweep v 1 2\nmaterial m density 1 kn 1\n"
                               "disc 0 0 radius 1 m velocity $v 0\nmonitor A disc 1\nstep 1e-3\nrecord A.x\nstage s\n"
                               "cycles 40000";
   char path[] = "/tmp/nineball-outcome-XXXXXX", states[] = "/tmp/nineball-outcome-XXXXXX";
-  const char *const other[] = {"w=2", NULL};
   struct nb_outcome first, second;
   struct interruption interruption = {0};
   const struct nb_progress progress = {interrupt, NULL, &interruption};
   write_page(path, scene, "A.x expected 80 within 50 [t]");
   struct nb_options options = {.threads = 1, .jobs = 1, .states = mkdtemp(states)};
   options.checkpoint.seconds = 1e9, options.checkpoint.stop = &interruption.stop;
-  CU_ASSERT_EQUAL(nb_outcome_make(&first, path, NULL, &options, &progress), NB_BROKEN);
+  CU_ASSERT_EQUAL(nb_outcome_make(&first, path, own, &options, &progress), NB_BROKEN);
   CU_ASSERT_PTR_NOT_NULL(strstr(first.error.text, "stopped by a signal"));
   CU_ASSERT(first.runs[0].result.cycles == 40000 && first.runs[1].result.cycles < 40000 && first.check_count == 0);
   interruption.stop = 0;
   options.checkpoint.resume = true;
-  CU_ASSERT_EQUAL(nb_outcome_make(&second, path, NULL, &options, NULL), NB_BAD_USE); /* the first one has not ended */
+  CU_ASSERT_EQUAL(nb_outcome_make(&second, path, own, &options, NULL), NB_BAD_USE); /* the first one has not ended */
   CU_ASSERT_PTR_NOT_NULL(strstr(second.error.text, "runs this page with these settings and saves checkpoints"));
   nb_outcome_free(&second);
   CU_ASSERT_EQUAL(nb_outcome_make(&second, path, other, &options, NULL), NB_OK);
@@ -490,21 +491,42 @@ static void locks_and_checkpoints(void) {
   nb_outcome_free(&second);
   nb_outcome_free(&first);
   options.checkpoint.resume = false;
-  CU_ASSERT_EQUAL(nb_outcome_make(&second, path, NULL, &options, NULL), NB_BAD_USE);
+  CU_ASSERT_EQUAL(nb_outcome_make(&second, path, own, &options, NULL), NB_BAD_USE);
   CU_ASSERT_PTR_NOT_NULL(strstr(second.error.text, "this page has been interrupted"));
   CU_ASSERT_EQUAL(second.runs[0].result.cycles, 0); /* it is refused before the first run */
   nb_outcome_free(&second);
   options.checkpoint.resume = true;
-  CU_ASSERT_EQUAL(nb_outcome_make(&second, path, NULL, &options, NULL), NB_OK);
+  CU_ASSERT_EQUAL(nb_outcome_make(&second, path, own, &options, NULL), NB_OK);
   CU_ASSERT(second.check_count == 2 && second.mark_count[NB_PASS] == 2);
   nb_outcome_remove_checkpoints(&second, &options);
   nb_outcome_free(&second);
   options.checkpoint.resume = false; /* nothing is left to resume */
-  CU_ASSERT_EQUAL(nb_outcome_make(&second, path, NULL, &options, NULL), NB_OK);
+  CU_ASSERT_EQUAL(nb_outcome_make(&second, path, own, &options, NULL), NB_OK);
   nb_outcome_remove_checkpoints(&second, &options);
   nb_outcome_free(&second);
   CU_ASSERT_EQUAL(rmdir(states), 0);
   unlink(path);
+}
+
+/* Every setting counts, not the last one alone. */
+static void locks_and_checkpoints(void) {
+  interrupted_with(NULL, (const char *const[]){"w=2", NULL});
+  interrupted_with((const char *const[]){"w=3", "refine=1", NULL}, (const char *const[]){"w=2", "refine=1", NULL});
+}
+
+/* Without --jobs there are as many runs at once as the processors have room for the threads of each, at least one, and
+ * no more than there are runs. */
+static void runs_at_once(void) {
+  const int processors = nb_job_count(&(struct nb_options){.threads = 1}, 1000000);
+  CU_ASSERT(processors >= 1);
+  for (int threads = 0; threads < 9; threads++) {
+    const int room = processors / (threads ? threads : 1);
+    CU_ASSERT_EQUAL(nb_job_count(&(struct nb_options){.threads = threads}, 1000000), room > 1 ? room : 1);
+  }
+  CU_ASSERT_EQUAL(nb_job_count(&(struct nb_options){.threads = 3, .jobs = 5}, 7), 5);
+  CU_ASSERT_EQUAL(nb_job_count(&(struct nb_options){.threads = 1, .jobs = 8}, 7), 7);
+  CU_ASSERT_EQUAL(nb_job_count(&(struct nb_options){.threads = 1}, 1), 1);
+  CU_ASSERT_EQUAL(nb_job_count(NULL, 7), 1);
 }
 
 void suite_outcome(void) {
@@ -521,6 +543,7 @@ void suite_outcome(void) {
   CU_add_test(suite, "a file that is removed during the runs", a_file_that_is_removed);
   CU_add_test(suite, "folders that cannot be made", folders_that_cannot_be_made);
   CU_add_test(suite, "locks and checkpoints of all runs", locks_and_checkpoints);
+  CU_add_test(suite, "runs at once", runs_at_once);
   CU_add_test(suite, "results of runs in a temporary file", results_in_a_file);
   CU_add_test(suite, "deep contacts of all runs together", deep_overlaps_of_all_runs);
 }

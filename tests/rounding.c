@@ -213,6 +213,7 @@ static void bits_of_expectations(void) {
   planted_page(&other, "", list.text), planted_rows(&other, 0, 4, x); /* a stage that ends earlier */
   CU_ASSERT(nb_expected_bits(&other.runs[0], &nearest.runs[0], 0) == 53);
   CU_ASSERT(nb_expected_bits(&other.runs[0], &nearest.runs[0], 1) == 0);
+  CU_ASSERT(nb_expected_bits(&nearest.runs[0], &other.runs[0], 1) == 0); /* or later */
   nb_outcome_free(&other);
   planted_page(&other, "", list.text), planted_rows(&other, 0, 3, x); /* one that records nothing */
   CU_ASSERT(nb_expected_bits(&other.runs[0], &nearest.runs[0], 3) == 53);

@@ -2,15 +2,21 @@
  * aborted.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#define _POSIX_C_SOURCE 200809L
+
 #include <CUnit/CUnit.h>
 #include <math.h>
 #ifdef _OPENMP
 #include <omp.h>
 #endif
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "core/model.h"
 #include "input/scene.h"
+#include "run/restart.h"
+#include "run/state.h"
 #include "suites.h"
 #include "written.h"
 
@@ -197,6 +203,39 @@ static void conditions_checked_every_n_cycles(void) {
   }
 }
 
+/* The hash of a page covers the particles of its packing: each number, the shape, and whether it is fixed. */
+static void packings_change_the_hash(void) {
+  static const char *const discs[] = {"disc 1 2 radius 3 m",   "disc 1 2 radius 3 m fixed", "sphere 1 2 radius 3 m",
+                                      "disc 1.5 2 radius 3 m", "disc 1 2.5 radius 3 m",     "disc 1 2 radius 3.5 m",
+                                      "disc 1 2 radius 3 o"};
+  enum { COUNT = sizeof discs / sizeof *discs };
+  unsigned long long hash[COUNT];
+  char path[] = "/tmp/nineball-run-XXXXXX";
+  const int file = mkstemp(path);
+  CU_ASSERT_FATAL(file >= 0);
+  close(file);
+  for (size_t k = 0; k < COUNT; k++) {
+    static const char materials[] = "units none\nmaterial m density 1 kn 1\nmaterial o density 1 kn 1\nstep 0.1\n";
+    struct words first = {0}, second = {0};
+    struct written it;
+    struct nb_saved saved;
+    struct nb_error error;
+    words_add(&first, "%s%s\nstage s\ncycles 1\n", materials, discs[k]);
+    written_scene(&it, &first);
+    CU_ASSERT_EQUAL_FATAL(nb_run_to(&saved, &it.scene, NULL, NULL, &error), NB_OK);
+    CU_ASSERT_EQUAL(nb_saved_write(&saved, path, &error), NB_OK);
+    nb_saved_free(&saved), written_free(&it);
+    words_add(&second, "%spacking %s\nstage s\ncycles 1\n", materials, path);
+    written_scene(&it, &second);
+    CU_ASSERT_EQUAL(it.scene.particle_count, 1);
+    hash[k] = it.scene.stages[0].hash;
+    for (size_t other = 0; other < k; other++)
+      CU_ASSERT(hash[k] != hash[other]);
+    written_free(&it);
+  }
+  unlink(path);
+}
+
 /* Stages made by `repeat` equal stages that are written out: laws, steps and damping continue from one to the next,
  * and successive stages have different hashes. */
 static void repeated_stages(void) {
@@ -295,5 +334,6 @@ void suite_run(void) {
   CU_add_test(suite, "until ... every N cycles", conditions_checked_every_n_cycles);
   CU_add_test(suite, "repeated stages", repeated_stages);
   CU_add_test(suite, "settings change the hash", settings_change_the_hash);
+  CU_add_test(suite, "packings change the hash", packings_change_the_hash);
   CU_add_test(suite, "threads and instruction set", threads_and_instruction_set);
 }

@@ -200,6 +200,24 @@ stage     on
   cycles    300
 END
 result $? 'a cell'
+in_two unstable <<'END'
+# A step above the stable one, which the first page allows
+```scene
+units     none
+material  m density 1 kn 4
+allow     unstable
+disc      0 0 radius 1 m fixed
+disc      1.9 0 radius 1 m
+monitor   D  disc 2
+record    time D.x
+step      1.2 of stable
+stage     shear
+  cycles  3
+---
+stage     on
+  cycles  300
+END
+result $? 'an unstable step, which the first page allows'
 in_two box <<'END'
 # Spheres between walls that follow a servo, and rest afterwards
 ```scene
