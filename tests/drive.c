@@ -193,6 +193,26 @@ static void any_order_of_numbers(void) {
   }
 }
 
+/* Of the distances 5, 6, 5 and 8 the mean is 6, and the standard deviation is (3/2)^(1/2), which does not depend on the
+ * size of the boundary when it is taken over the mean. */
+static void roughness_is_relative(void) {
+  for (double size = 1; size < 9; size *= 2) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\nmaterial m density 2 kn 100\nstep 0.125\ndisc %g 0 radius 0.1 m\ndisc 0 %g radius 0.1 m\n"
+              "disc -%g 0 radius 0.1 m\ndisc 0 -%g radius 0.1 m\nrecord boundary.roughness boundary.radius\n"
+              "boundary circle 0 0 radius %g\nstage s\nboundary fixed\ncycles 1\n",
+              5 * size, 6 * size, 5 * size, 8 * size, 5 * size);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "boundary.radius"), 6 * size, 1e-14 * size);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "boundary.roughness"), sqrt(1.5) / 6, 1e-15);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 /* A disc that moves outwards belongs to the boundary from the first cycle that begins with its centre on the circle
  * or outside, whatever the skin is; meanwhile the circle shrinks to an ellipse. */
 static void particles_join_the_boundary(void) {
@@ -401,6 +421,7 @@ void suite_drive(void) {
   CU_add_test(suite, "discs at rest join the boundary", discs_at_rest_join_the_boundary);
   CU_add_test(suite, "a circle that has shrunk takes in a disc", a_circle_that_has_shrunk_takes_in_a_disc);
   CU_add_test(suite, "a boundary with any order of numbers", any_order_of_numbers);
+  CU_add_test(suite, "the roughness of a boundary is relative", roughness_is_relative);
   CU_add_test(suite, "the boundary follows exactly", the_boundary_follows_exactly);
   CU_add_test(suite, "per cycle", per_cycle);
   CU_add_test(suite, "damping acts on the own velocity only", damping_acts_on_own_velocity);

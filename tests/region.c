@@ -430,8 +430,40 @@ static void regions_with_rings(void) {
   written_free(&it);
 }
 
+/* Contacts in one direction alone: a = 2, with which a density would be negative. Then a_n and a_t have no meaning. In
+ * the directions of a square a = 0, and without contacts all are 0. */
+static void directions_without_a_density(void) {
+  static const struct {
+    const char *lattice;
+    double a, normal; /* NAN: not a number */
+  } rows[] = {{"2 by 1 m radius 1 spacing 1.9", 2, NAN},
+              {"3 by 1 m radius 1 spacing 1.9", 2, NAN},
+              {"2 by 2 m radius 1 spacing 1.9", 0, 0},
+              {"2 by 2 m radius 1 spacing 2.1", 0, 0}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    static const char *const others[] = {"A.anisotropy.normal", "A.anisotropy.shear", "A.anisotropy.sinphi"};
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 100 ks 100 friction 1\nshear linear\nstep 0.001\nregion A all\n"
+              "lattice discs %s\nrecord A.anisotropy.contacts A.anisotropy.normal A.anisotropy.shear "
+              "A.anisotropy.sinphi\nstage s\ncycles 1\n",
+              rows[k].lattice);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.anisotropy.contacts"), rows[k].a, 1e-15);
+    for (size_t n = 0; n < 3; n++) {
+      const double now = written_now(model, others[n]);
+      CU_ASSERT(isnan(rows[k].normal) ? isnan(now) : fabs(now) < 1e-15);
+    }
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 void suite_region(void) {
   CU_pSuite suite = CU_add_suite("region", NULL, NULL);
+  CU_add_test(suite, "directions without a density", directions_without_a_density);
   CU_add_test(suite, "centres on the edge are inside", centres_on_the_edge);
   CU_add_test(suite, "fractions without the stress", fractions_without_the_stress);
   CU_add_test(suite, "the arm of the particle inside", the_arm_of_the_particle_inside);

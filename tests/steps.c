@@ -118,6 +118,32 @@ static void duration_of_collisions(void) {
        hertz(1. / 3, 0.75, 1, 1), 1e-14);
 }
 
+/* The step of the scene counts the motion that the first stage gives a wall, velocity and spin, but not that of a ramp,
+ * which begins at the wall's own. */
+static void walls_of_the_first_stage(void) {
+  static const struct {
+    const char *motion;
+    double speed; /* of approach, at the first touch */
+  } rows[] = {{"", 0.2},
+              {"wall w velocity 0 0.3\n", 0.5},
+              {"wall w spin 0.1\n", 0.5}, /* 0.1 rad/s at the distance 3 */
+              {"wall w velocity 0 0.4 spin 0.1\n", 0.9},
+              {"ramp wall w velocity 0 0.3 spin 0.1\n", 0.2}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              SPHERES "sphere 3 1.5 radius 1 m velocity 0 -0.2\nwall w -90 0 to 90 0 r\nstep 20 per collision\n"
+                      "record step\nstage a\n%scycles 1\n",
+              rows[k].motion);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    NEAR(written_now(model, "step"), hertz(1, 1, 1, rows[k].speed) / 20, 1e-14);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 /* The limits of a later stage count the velocities that the walls have in it: those that it gives them, and those that
  * they keep from the stage before. */
 static void walls_of_a_later_stage(void) {
@@ -340,6 +366,7 @@ void suite_steps(void) {
   CU_pSuite suite = CU_add_suite("steps", NULL, NULL);
   CU_add_test(suite, "a step relative to a limit", a_step_relative_to_a_limit);
   CU_add_test(suite, "duration of collisions of elastic spheres", duration_of_collisions);
+  CU_add_test(suite, "walls of the first stage", walls_of_the_first_stage);
   CU_add_test(suite, "walls of a later stage", walls_of_a_later_stage);
   CU_add_test(suite, "steps that elastic spheres do not have", steps_that_spheres_do_not_have);
   CU_add_test(suite, "a collision step is kept", a_collision_step_is_kept);

@@ -35,9 +35,8 @@ void nb_measure_moduli(const struct nb_model *model, struct nb_region_state *reg
   double bulk = 0, shear = 0, stress = 0, compliance = 0;
   struct nb_end end;
   for (struct nb_ends ends = nb_ends_begin(model, region); nb_ends_next(&ends, &end);) {
-    const bool has_shear = model->material_pairs[contacts->material_pair[end.contact]].shear;
     const double kn = contacts->kept[NB_STIFFNESS][end.contact];
-    const double ks = has_shear ? contacts->kept[NB_SHEAR_STIFFNESS][end.contact] : 0;
+    const double ks = contacts->kept[NB_SHEAR_STIFFNESS][end.contact]; /* 0 without friction */
     const double l = end.arm + (end.partner < 0 ? 0 : nb_contact_arm(model, end.contact, (size_t)end.partner));
     const double cos2 = end.e.x * end.e.x - end.e.y * end.e.y, sin2 = 2 * end.e.x * end.e.y;
     bulk += end.arm * l * kn;
