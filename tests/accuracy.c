@@ -1,16 +1,16 @@
 /* Calibration of `nineball advise`, run by `make accuracy`: how often the true error of the advice is within the
  * tolerance, and what the advice costs.
  *
- * accuracy FOLDER [-o DOCUMENT ROWS] PAGE… [--means PAGE…]  draws a quantity, a condition and a tolerance for each page
- * several times, asks for advice, and computes
+ * accuracy FOLDER [-o DOCUMENT ROWS] PAGE… [--means PAGE…]  several times for each page, chooses a quantity, a
+ * condition and a tolerance at random (a draw), asks for advice, and computes
  *   - the true error: the largest difference, over all phases and runs, from the limit of the page for a small step;
  *   - the cheapest setting whose true error is within the tolerance, in a grid of all laws, four stiffnesses, centred
  *     dashpots, and steps that differ by factors of 2^(1/2);
- *   - the same for estimators that lack something, the negative controls.
+ *   - the same for estimators from which a part is missing, the negative controls.
  * The results of a page are stored in FOLDER, so a run that was interrupted can be continued. Then it writes
  * docs/ACCURACY.md and the rows of its table of errors to the files that -o names, and prints the criteria that do not
  * hold; the exit status is then 1. Pages after --means are assemblies; their draws are about means over realizations.
- * Draws depend on the name of the page and the number of the draw only.
+ * A draw depends only on the name of the page and the number of the draw.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef _DEFAULT_SOURCE
@@ -29,7 +29,7 @@
 #include "calibration/results.h"
 #include "calibration/runs.h"
 
-/* The clock of all budgets is that of this process: other programs on the machine change no result. */
+/* All budgets use the processor time of this process, so that other programs on the machine change no result. */
 int timespec_get(struct timespec *time, int base) { return clock_gettime(CLOCK_PROCESS_CPUTIME_ID, time) ? 0 : base; }
 
 /* ---- the error of a step ---- */
@@ -58,14 +58,14 @@ static void write_step_errors(FILE *out, struct nb_advice *advice, const struct 
 
 /* ---- one draw ---- */
 
-/* What is asked. */
+/* The question of a draw. */
 struct question {
   char texts[SETTINGS_MAX][3 * NB_NAME_SIZE], within[64], label[256];
   const char *settings[SETTINGS_MAX + 2], *quantity;
   double tolerance;
 };
 
-/* Whether some step is truly within the tolerance, with the laws of the page. */
+/* True if the true error of some step is within the tolerance, with the laws of the page. */
 static bool is_met(struct nb_advice *advice, const struct truth *truth) {
   for (int level = NB_LEVEL_LOW; level <= FINEST; level++)
     if (true_error(advice, truth, &advice->variants[0], level, 1) <= 1)
@@ -73,8 +73,8 @@ static bool is_met(struct nb_advice *advice, const struct truth *truth) {
   return false;
 }
 
-/* The negative controls are not asked where there is no advice. The control that takes the finest step is judged by
- * one phase, because it fails by its cost. */
+/* Computes errors and costs of the advice and of the negative controls. The controls are not asked if there is no
+ * advice. The control that takes the finest step is judged by one phase, because it fails by its cost. */
 static void compare(struct draw *draw, struct nb_advice *advice, struct nb_advise_query *query, struct truth *truth) {
   struct chosen chosen[ESTIMATORS];
   double most = INFINITY;
@@ -107,7 +107,7 @@ static void compare(struct draw *draw, struct nb_advice *advice, struct nb_advis
       break;
     draw->choices[WHOLE].error = true_error(advice, truth, chosen[WHOLE].variant, chosen[WHOLE].level, INFINITY);
     if (truth->change > before)
-      break; /* it is as well known as rounding allows */
+      break; /* the value is known as well as rounding allows */
   }
   for (int e = 0; e < ESTIMATORS; e++) {
     struct choice *choice = &draw->choices[e];
@@ -133,7 +133,7 @@ static size_t fix_condition(const struct nb_page_run *run, struct question *ques
   return count;
 }
 
-/* Measures of the page that have a value other than 0. */
+/* Lists the measures of the page whose value is not 0. */
 static size_t list_quantities(const struct nb_page_run *run, const char *quantities[], size_t most) {
   size_t count = 0;
   for (size_t k = 0; k < run->expectations.count && count < most; k++) {
@@ -154,7 +154,7 @@ static void kind_of(char kind[64], const char *path, const struct nb_scene *scen
     snprintf(kind, 64, "%.*s", slash ? (int)(slash - from) : 1, slash ? from : "-");
 }
 
-/* False: the page has no quantities. */
+/* Draws a question. False: the page has no quantities. */
 static bool draw_question(struct question *question, const struct nb_outcome *page, gsl_rng *random) {
   const char *quantities[256];
   const size_t quantity_count = list_quantities(&page->runs[0], quantities, sizeof quantities / sizeof *quantities);
@@ -175,7 +175,7 @@ static bool draw_question(struct question *question, const struct nb_outcome *pa
   return true;
 }
 
-/* Writes the row of a draw: what was asked, what came of it, and the three numbers of each choice. */
+/* Writes the row of a draw: the question, the result, and the three numbers of each choice. */
 static void write_draw(FILE *out, const struct draw *draw, const struct question *question, const char *result) {
   fprintf(out, "draw\t%s\t%s\t%s\t%d\t%.3f", draw->page, draw->kind, result, draw->met, draw->seconds);
   for (int e = 0; e < ESTIMATORS; e++)

@@ -1,5 +1,5 @@
-/* The search for advice: which runs it makes, and what it computes from their values. The same values are computed here
- * from pages that have the phase, the step and the laws of a candidate as statements.
+/* The search for advice: the runs that it makes, and the results that it computes from their values. These tests
+ * compute the same values from pages that have the phase, the step and the laws of a candidate as statements.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef _DEFAULT_SOURCE
@@ -146,9 +146,9 @@ static void claims_follow_from_the_values(void) {
   finish(&advice, &page);
 }
 
-/* The anchor of a setting is two levels finer at least. The quantity is the step itself, whose limit is 0 and which has
- * an error of first order. With the step x at the anchor of level 3 and a tolerance of 6.2 x the level 1 misses it: 5/4
- * (4 x - x) + 3 x = 6.75 x. Level 2 has the anchor of level 4: 5/4 (2 x - x/2) + 3 x/2 = 3.375 x. */
+/* The anchor of a setting is at least two levels finer. The quantity is the step itself, whose limit is 0 and which has
+ * an error of first order. Let x be the step at the anchor of level 3, and 6.2 x the tolerance. Level 1 exceeds it:
+ * 5/4 (4 x - x) + 3 x = 6.75 x. Level 2 has the anchor of level 4: 5/4 (2 x - x/2) + 3 x/2 = 3.375 x. */
 static void the_anchor_is_two_levels_finer(void) {
   struct nb_advice advice;
   struct nb_error error = {0};
@@ -293,7 +293,7 @@ static void the_cost_is_counted(void) {
   }
   CU_ASSERT(nb_advice_run(&advice, 0, 0, 0));
   CU_ASSERT_DOUBLE_EQUAL(advice.variants[0].points[-NB_LEVEL_LOW].updates, updates,
-                         40); /* the mean of the phases: a few cycles */
+                         40); /* the mean over the phases differs by a few cycles */
   CU_ASSERT_DOUBLE_EQUAL(advice.variants[0].points[-NB_LEVEL_LOW].recorded, recorded, 20);
   finish(&advice, &page);
 }
@@ -360,8 +360,8 @@ static void other_pages_have_one_phase(void) {
   }
 }
 
-/* A trial is expected to take as long as the ones before it, 400 s here, or twice as long as those of the next coarser
- * level. It is not run if it would end after the budget. The hundred seconds before it are spent. */
+/* A trial is expected to take as long as earlier trials of its level, 400 s here, or twice as long as the trials of the
+ * next coarser level. A trial that would end after the budget is not run. A hundred seconds have been spent before. */
 static void a_trial_that_would_end_after_the_budget(void) {
   static const struct {
     bool done; /* trials of the level itself, or of the coarser one */
@@ -576,8 +576,8 @@ static void variants_with_the_own_laws(void) {
 }
 
 /* The stable step of a realization: two discs in contact, whose stiffness depends on the seed. The ratio of the step to
- * it is dt (k_n/2 m)^(1/2), and the shear stiffness is 0. A setting needs the margin of Student's distribution for one
- * realization in a thousand; the page as it is does not. */
+ * the stable step is dt (k_n/2 m)^(1/2), because the shear stiffness is 0. A setting needs the margin of Student's
+ * distribution for one realization in a thousand; the page as it is needs no margin. */
 static void settings_of_a_mean_have_a_margin_of_stability(void) {
   static const double spreads[] = {0.001, 0.01, 0.015, 0.02}, step_of_mean = 0.0713; /* ratios from 0.9 to 0.97 */
   for (size_t k = 0; k < sizeof spreads / sizeof *spreads; k++) {
@@ -647,7 +647,8 @@ static void make_up(struct made_up *it, const double updates[SETTINGS], const in
   }
 }
 
-/* Updates decide if they differ by more than 10 % of the other's, else what the laws store; measured times never do. */
+/* The numbers of updates decide if they differ by more than 10 %; otherwise the number of doubles that the laws store.
+ * Measured times never decide. */
 static void the_cheaper_of_two_settings(void) {
   static const double updates[SETTINGS] = {100, 111, 109, 100, 50, 91};
   static const int history[SETTINGS] = {4, 1, 1, 4, 9, 5};
@@ -662,8 +663,8 @@ static void the_cheaper_of_two_settings(void) {
       CU_ASSERT_EQUAL(nb_setting_cheaper(&it.advice, &it.settings[a], &it.settings[b]), cheaper[a][b]);
 }
 
-/* With nearly as many updates, softer contacts are not cheaper, however little their laws store. With fewer they
- * are. */
+/* With nearly as many updates, softer contacts are not cheaper, however little their laws store. With fewer updates
+ * they are cheaper. */
 static void softer_contacts_must_save_updates(void) {
   static const double updates[SETTINGS] = {100, 95, 80, 100, 100, 100};
   static const int history[SETTINGS] = {4, 1, 4, 1, 9, 9};

@@ -1,5 +1,5 @@
-/* Affine motion imposed by a cell, a boundary and `affine strain`: the same motion, and energy balances of second
- * order in the step.
+/* Affine motion imposed by a cell, by a boundary and by `affine strain`: all give the same motion, and energy residuals
+ * of second order in the step.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -48,8 +48,8 @@ static void cell_and_affine_strain_agree(void) {
   }
 }
 
-/* Reversed for as many cycles N, every component of the strain rate restores the sides of the cell except for 80
- * |L|^2 dt^2 N, which is less than 1e-3. */
+/* If the strain rate is reversed for the same number of cycles N, every component restores the sides of the cell,
+ * except for an error of 80 |L|^2 dt^2 N, which is less than 1e-3. */
 static void a_reversed_strain_restores_the_cell(void) {
   static const char *const names[] = {"cell.xx", "cell.xy", "cell.yx", "cell.yy"};
   static const double first[] = {80, 0, 0, 80};
@@ -64,8 +64,8 @@ static void a_reversed_strain_restores_the_cell(void) {
   }
 }
 
-/* The energy residual, and the imposed energy, of frictionless discs with dashpots under gravity: compressed and
- * sheared, then strained at another rate. */
+/* The energy residual and the imposed energy of frictionless discs with dashpots under gravity. The discs are
+ * compressed and sheared, then strained at another rate. */
 static double residual(int which, double dt, double *driven) {
   static const char *const before[] = {"boundary circle 0 0 radius 4.6\n", "cell -5 -5 to 5 5\n"};
   static const char *const strain[] = {"affine strain -0.1 -0.12 shear 0.02\nboundary strain -0.1 -0.12 shear 0.02\n",
@@ -120,8 +120,8 @@ static void zero_velocities_is_as_at_time_0(void) {
   written_free(&it);
 }
 
-/* Fixed particles stay, or move with the velocity of the page, whatever strain is imposed; a free particle follows
- * the strain. */
+/* Fixed particles stay, or move with the velocity that the page gives them, whatever strain is imposed. A free particle
+ * follows the strain. */
 static void fixed_particles_are_not_strained(void) {
   static const char *const strains[] = {"boundary strain 0.5 0.3", "affine strain 0.5 0.3",
                                         "boundary strain 0.5 0.3\naffine strain 0.2 0.1"};

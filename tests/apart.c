@@ -12,7 +12,7 @@
 
 static double step; /* the first column at the end of the last run */
 
-/* How a run of these statements ends, and after how many cycles. */
+/* The status with which a run of these statements ends, and its number of cycles. */
 static enum nb_status ends(const char *statements, unsigned long *cycles, struct nb_error *error) {
   struct words page = {0};
   struct written it;
@@ -29,8 +29,8 @@ static enum nb_status ends(const char *statements, unsigned long *cycles, struct
   return status;
 }
 
-/* Particles that are far apart may meet later, so the lightest particles of every two materials count: omega^2 = k
- * (1/m + 1/m) = 16 for two discs of radius 1, and 8 (1 + 1/9) for the radii 1 and 3. */
+/* Particles that are far apart may touch later, so the lightest particles of every two materials count: omega^2 =
+ * k (1/m + 1/m) = 16 for two discs of radius 1, and 8 (1 + 1/9) for the radii 1 and 3. */
 static void pairs_that_may_meet(void) {
   static const struct {
     const char *statements;
@@ -76,7 +76,8 @@ static void pairs_that_may_meet(void) {
   CU_ASSERT_DOUBLE_EQUAL(step, 1 / sqrt(80. / 9), 1e-15);
 }
 
-/* The step that the message advises lets the run continue. It has the unit, or the `of …`, of the step in the page. */
+/* With the step that the message advises, the run continues. The advised step has the unit, or the `of …`, of the step
+ * in the page. */
 static void the_advised_step_is_stable(void) {
   static const char springs[] =
       "material m density 0.3 kg/m3 kn 8 N/m\ndisc 0 m 0 m radius 1 m m\ndisc 1.9 m 0 m radius 1 m m\n";

@@ -12,7 +12,7 @@
 static const double pi = 3.14159265358979323846;
 
 /* A disc about the origin, and a second circle or a box. The integrands of_circles and of_box are the length of the
- * chord at height y that lies in both. */
+ * chord at height y that lies in both figures. */
 struct pair {
   double r, R, d;                  /* radii of two circles, the second at the distance d in x */
   double west, east, south, north; /* or a box instead of the second */
@@ -92,7 +92,7 @@ static void boxes(void) {
     for (int k = 0; k < 6; k++)
       points[k] = fmin(fmax(breaks[k], low), high);
     const double wanted = high > low ? integral(of_box, &p, points, 6) : 0;
-    /* the same, translated and rotated */
+    /* the same figures, translated and rotated */
     const double turn = chance_between(&dice, -3, 3), c = cos(turn), s = sin(turn);
     const struct nb_vec centre = vec(chance_between(&dice, -5, 5), 3);
     const double xs[] = {p.west, p.east, p.east, p.west}, ys[] = {p.south, p.south, p.north, p.north};

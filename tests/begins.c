@@ -66,7 +66,8 @@ static void stress_on_a_boundary_begins_at_the_stage(void) {
   second_order(SEVEN, "boundary strain -0.05 0.02", "boundary none\ndamping mass 3", false);
 }
 
-/* Until t_0 the wall moves as in the stage before, also in the last half step; from t_0 on as the new stage says. */
+/* Until t_0, including the last half step, the wall moves as in the previous stage; from t_0 on as the new stage
+ * says. */
 static void walls_change_at_the_stage(void) {
   static const char head[] = "disc 0 0.55 radius 0.6 m\nwall w -9 0 to 9 0 m";
   second_order(head, "wall w velocity 0 0.5", "wall w velocity 0 -0.7", true);
@@ -80,7 +81,7 @@ static void another_law_begins_at_the_stage(void) {
                "", "shear mindlin_deresiewicz memory 9", false);
 }
 
-/* Particles that a boundary takes at t_0 are damped until then as in the stage before. */
+/* Particles that become part of a boundary at t_0 are damped until t_0 as in the previous stage. */
 static void particles_taken_by_a_boundary_were_damped_as_before(void) {
   second_order(FLIES, "damping mass 0.5", "damping mass 9\nboundary circle 0 0 radius 0.1", false);
   second_order(FLIES, "damping mass 9", "damping none\nboundary circle 0 0 radius 0.1", false);

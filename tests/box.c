@@ -61,9 +61,9 @@ static void the_servo_follows_the_recursion(void) {
   nb_result_free(&result);
 }
 
-/* The proportional and the integral part together stay within `at most`: beyond it the integral part begins again. With
- * an error of 0.19 in the stress the proportional part is 0.19/(2 B T) = 0.0024, 0.3 of the limit of 1e-4 per cycle.
- * The integral part is set to 0.6 and to 0.9 of the limit. */
+/* The sum of the proportional and the integral part stays within `at most`: if it would exceed this limit, the integral
+ * part begins again. With an error of 0.19 in the stress the proportional part is 0.19/(2 B T) = 0.0024, which is 0.3
+ * of the limit of 1e-4 per cycle. The integral part is set to 0.6 and to 0.9 of the limit. */
 static void both_parts_of_the_servo_stay_within_the_limit(void) {
   static const double integrals[] = {0.6, 0.9};
   for (int k = 0; k < 2; k++) {
@@ -89,7 +89,7 @@ static void both_parts_of_the_servo_stay_within_the_limit(void) {
     CU_ASSERT(p < -0.25 * most && p > -0.35 * most); /* so that both sides of the limit occur */
     CU_ASSERT(tensor_largest(added) <= most);
     CU_ASSERT_DOUBLE_EQUAL(added.yy, added.xx, 1e-9 * most);
-    CU_ASSERT_EQUAL(integral->xx < -z, k == 0); /* it grows, or begins again with the other sign */
+    CU_ASSERT_EQUAL(integral->xx < -z, k == 0); /* the integral grows, or begins again with the other sign */
     CU_ASSERT_EQUAL(integral->xx > 0, k == 1);
     nb_model_free(model);
     written_free(&it);
@@ -131,8 +131,8 @@ static void corners_stay_closed(void) {
   }
 }
 
-/* The walls follow the strain rate of the box until a stage moves them otherwise, and again when a stage strains the
- * box or a servo controls it. */
+/* The walls follow the strain rate of the box until a stage gives them other velocities. They follow it again when a
+ * stage strains the box or a servo controls it. */
 static void walls_follow_until_they_are_moved(void) {
   static const double wanted[] = {4 * 1.001, 4 * 1.001 * 1.001, 4 * 1.001 * 1.001, 4 * 1.001 * 1.001 - 0.025,
                                   4 * 1.001 * 1.001 - 0.025};
@@ -194,10 +194,10 @@ static void box_stress_counts_the_four_walls(void) {
   }
 }
 
-/* Heavy discs press on the walls of a box of 10 by 8: 100 and 50 on south, at -3 and 2 from its middle along the wall,
- * 20 and 50 on east, at 2 and -2, 80 on north, 10 on west. Then east moves tangentially by 0.004 and drags its discs:
- * 4, of 10 and of 25 that friction allows. The wall `free`, which is given about an end, carries 100 at 2 from its
- * middle; it is no wall of the box. */
+/* Heavy discs press on the walls of a box of 10 by 8. The forces are 100 and 50 on south, at -3 and 2 from its middle
+ * along the wall; 20 and 50 on east, at 2 and -2; 80 on north; 10 on west. Then east moves tangentially by 0.004, which
+ * causes a shear force of 4 on each of its discs; friction would allow 10 and 25. The wall `free` is given about an end
+ * and carries 100 at 2 from its middle; it is no wall of the box. */
 static void forces_on_walls(void) {
   static const struct {
     const char *name;

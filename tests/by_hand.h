@@ -1,7 +1,7 @@
-/* The exact law of two elastic spheres (docs/CONTACT.md), implemented a second time for the tests: with no limit on the
- * number of rings, and no two rings are joined. The rings are listed from inside to outside by the overlap x (m) at
- * which each was added; D is the fraction of its friction limit that a ring carries. Slip removes rings from the
- * outside until the one in which its front lies, so a long path costs little.
+/* The exact law of two elastic spheres (docs/CONTACT.md), implemented a second time for the tests, without a limit on
+ * the number of rings and without merging rings. The rings are listed from inside to outside by the overlap x (m) at
+ * which each was added; D is the traction of a ring as a fraction of its friction limit. Slip removes rings from the
+ * outside up to the ring in which its front lies, so a long path costs little.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_BY_HAND_H
@@ -13,10 +13,10 @@
 /* n = x^(3/2), and Int D dx and Int D dn up to the outer end. */
 struct ring {
   double end, d;  /* overlap at the outer end, m; D */
-  double n, u, t; /* at the outer end: m^(3/2), m, m^(3/2) */
+  double n, u, t; /* values at the outer end, in m^(3/2), m, m^(3/2) */
 };
 
-/* Empty at first; `count` = 0 begins a new contact. Free it with by_hand_free. */
+/* A contact, empty at first; `count` = 0 begins a new contact. Free it with by_hand_free. */
 struct by_hand {
   int count, capacity;
   struct ring *ring;
@@ -48,7 +48,7 @@ static inline void by_hand_add(struct by_hand *it, double end, double d) {
   it->ring[it->count++] = (struct ring){end, d, n, inner.u + d * (end - inner.end), inner.t + d * (n - inner.n)};
 }
 
-/* Removes what is outside the overlap x. */
+/* Removes the rings outside the overlap x. */
 static inline void by_hand_cut(struct by_hand *it, double x) {
   while (it->count > 0 && by_hand_begin(it, it->count - 1) >= x)
     it->count--;
@@ -58,8 +58,8 @@ static inline void by_hand_cut(struct by_hand *it, double x) {
   }
 }
 
-/* Slip in the sense s, until u at the edge x is `target`: the front is at the overlap c with s (target - u(c)) = x - c.
- * Without such a c the contact slides. */
+/* Slips in the sense s until u at the edge x is `target`. The front is at the overlap c with s (target - u(c)) = x - c;
+ * if there is no such c, the contact slides. */
 static inline void by_hand_slip(struct by_hand *it, double x, double target, double s) {
   while (it->count > 0) {
     const struct ring inner = by_hand_ring(it, it->count - 2);

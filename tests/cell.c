@@ -1,5 +1,5 @@
-/* The periodic cell. The contacts found are compared with a search over all copies. Results must not depend on which
- * copy of a particle the page gives, on the skin, or on threads, storage order and instruction set.
+/* The periodic cell. The contacts found are compared with a search over all images. Results must not depend on which
+ * image of a particle the page gives, on the skin, or on threads, storage order and instruction set.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -14,8 +14,8 @@
 
 enum { DISCS = 150 };
 
-/* A gas of different discs with friction in a cell that is strained; `wander` moves every particle to another copy
- * of the cell. */
+/* A gas of different discs with friction in a cell that is strained. `wander` moves every particle to another image of
+ * it. */
 static void gas(struct written *it, const char *strain, const char *more, int wander, unsigned seed) {
   struct words page = {0};
   struct chance chance = chance_begin(seed), copies = chance_begin(99);
@@ -40,7 +40,7 @@ static void gas(struct written *it, const char *strain, const char *more, int wa
   written_scene(it, &page);
 }
 
-/* The gap between i and the nearest of all copies of j within five sides, and how many copies are nearer than
+/* The gap between i and the nearest of all images of j within five sides. *count: number of images with a gap below
  * `within`. */
 static double nearest(const struct nb_model *model, size_t i, size_t j, double within, int *count) {
   const struct nb_wrap wrap = nb_cell_wrap(model->cell);
@@ -57,7 +57,7 @@ static double nearest(const struct nb_model *model, size_t i, size_t j, double w
   return least;
 }
 
-/* The gap of contact c, with the copy that the contact stores. */
+/* The gap of contact c, with the image that the contact stores. */
 static double gap_of(const struct nb_model *model, size_t c) {
   const int i = model->contacts.a[c], j = model->contacts.b[c];
   const struct nb_vec shift = tensor_times(model->cell->h, model->contacts.image[c]);
@@ -65,8 +65,8 @@ static double gap_of(const struct nb_model *model, size_t c) {
   return vec_length(apart) - model->particles.surface[i].radius - model->particles.surface[j].radius;
 }
 
-/* Every pair with a gap less than `within` must be listed once, with the copy at this gap. Returns the number of
- * these pairs. */
+/* Every pair with a gap less than `within` must be listed once, with the image at this gap. Returns the number of these
+ * pairs. */
 static size_t compare(const struct nb_model *model, double within) {
   size_t wanted = 0;
   for (size_t k = 0; k < DISCS; k++)
@@ -137,7 +137,7 @@ static struct nb_model *run(const struct written *it, const struct nb_options *o
   return model;
 }
 
-/* A page may give any copy of a particle: the results agree except for rounding errors, which grow with every
+/* A page may give any image of a particle: the results agree except for rounding errors, which grow with every
  * collision. */
 static void which_copy_is_named_changes_nothing(void) {
   for (int wander = 0; wander < 2; wander++) {
@@ -190,7 +190,7 @@ static void storage_threads_and_instructions_change_no_bit(void) {
   written_free(&it);
 }
 
-/* Without forces particles follow the strain, x = H s with constant s, and have no velocity of their own. */
+/* Without forces the particles follow the strain, x = H s with constant s, and have no velocity of their own. */
 static void a_strain_is_uniform(void) {
   struct written it;
   struct words page = {0};
@@ -218,7 +218,8 @@ static void a_strain_is_uniform(void) {
   written_free(&it);
 }
 
-/* The most upright cell has the same copies, and its sides a and b satisfy |a.b| <= min(a^2, b^2)/2. */
+/* The equivalent cell with the shortest sides has the same images, and its sides a and b satisfy |a.b| <= min(a^2,
+ * b^2)/2. */
 static void sheared_cells_are_set_upright(void) {
   struct chance chance = chance_begin(3);
   for (int k = 0; k < 2000; k++) {
@@ -238,7 +239,7 @@ static void sheared_cells_are_set_upright(void) {
   }
 }
 
-/* `gap` includes copies of particles, and pairs that are not listed but have approached since the search. */
+/* `gap` counts images of particles, and pairs that are not listed but have approached since the search. */
 static void the_gap_is_that_of_the_nearest_two(void) {
   struct words across = {0}, flies = {0};
   struct written it;

@@ -31,8 +31,8 @@ static struct words begin(void) {
   return page;
 }
 
-/* Two rows between walls, one of five discs and one of two spheres, and three discs without contacts: two particles
- * are no chain. */
+/* Two rows between walls, one of five discs and one of two spheres, and three discs without contacts. Two particles are
+ * no chain. */
 static void rows(void) {
   struct words page = begin();
   words_add(&page, "lattice discs 1 by 5 from 0 0 radius 1 spacing 1.99 m\nwall s -1 -0.99 to 5 -0.99 m\n"
@@ -41,8 +41,8 @@ static void rows(void) {
   is(&page, 1, 5, 0.5, 0);
 }
 
-/* A row of four discs and a fifth one that touches its end at 30 degrees to it, too weak to belong to the chain, so the
- * row has no bend. The weak disc has the smallest number, then the largest one. */
+/* A row of four discs. A fifth disc touches the end of the row at 30 degrees to it, but its stress is too small for the
+ * chain, so the chain has no bend. The fifth disc has the smallest number, then the largest one. */
 static void a_weak_neighbour_is_no_link(void) {
   for (int last = 0; last < 2; last++) {
     struct words page = begin();
@@ -104,8 +104,8 @@ static void hexagonal(void) {
   is(&other, 4, 4, 16. / 17, 0);
 }
 
-/* `page`: a particle is pressed against a row from the side, and their contact lies along the major axis of the
- * particle but not of the row; another row carries less than the mean. `leaning`: an inclined row. */
+/* `page`: a particle is pressed against a row from the side. Their contact lies along the major axis of the particle
+ * but not along that of the row. Another row has a stress below the mean. `leaning`: an inclined row. */
 static void along_and_above(void) {
   struct words page = begin(), leaning = begin();
   words_add(&page, "lattice discs 3 by 1 from 0 0 radius 1 spacing 1.99 m\nwall w -0.99 -0.8 to -0.99 0.8 m\n"
@@ -121,8 +121,8 @@ static void along_and_above(void) {
   is(&leaning, 1, 3, 0.75, 0);
 }
 
-/* Of two equal rows, the one whose middle disc rotates has the larger major stress, by the factor (1 + sqrt(1 +
- * (T/N)^2))/2 with T = 3 N. */
+/* Two equal rows; in one of them the middle disc rotates. This row has the larger major stress, by the factor
+ * (1 + sqrt(1 + (T/N)^2))/2 with T = 3 N. */
 static void shear_counts(void) {
   struct words page = {0};
   struct written it;
@@ -144,10 +144,10 @@ static void shear_counts(void) {
   written_free(&it);
 }
 
-/* The stress of a particle is the force per volume, 4/3 pi r^3 for a sphere and pi r^2 times 1 m for a disc. Three
- * spheres with 4/3 r times the overlap of four discs have the same stress. They are the chain if their overlap is
- * larger by a thousandth, and the discs if it is smaller by a thousandth. The overlaps of about 1e-5 shorten the
- * lever arms by much less. */
+/* The stress of a particle is inversely proportional to its volume, 4/3 pi r^3 for a sphere and pi r^2 times 1 m for a
+ * disc. Three spheres with 4/3 r times the overlap of four discs have the same stress as these discs. The spheres are
+ * the chain if their overlap is larger by a thousandth; the discs are the chain if it is smaller by a thousandth. The
+ * overlaps of about 1e-5 shorten the lever arms by much less. */
 static void volumes_count(void) {
   for (int more = -1; more <= 1; more += 2) {
     struct words page = begin();
@@ -183,7 +183,7 @@ static void not_these(void) {
   written_free(&it);
 }
 
-/* A fixed disc in the middle of a row has the stress of the others, and still separates two chains. */
+/* A fixed disc in the middle of a row has the same stress as the other discs, but it separates two chains. */
 static void fixed_between(void) {
   struct words page = begin();
   for (int k = 0; k < 7; k++)

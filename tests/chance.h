@@ -21,7 +21,7 @@ static inline double chance_between(struct chance *chance, double low, double hi
   return low + (high - low) * ((double)(chance->state * 0x2545f4914f6cdd1du >> 11) / 9007199254740992.0);
 }
 
-/* The logarithm is uniformly distributed: for quantities that span orders of magnitude. */
+/* A number in [low, high) whose logarithm is uniformly distributed, for quantities that span orders of magnitude. */
 static inline double chance_scale(struct chance *chance, double low, double high) {
   return exp(chance_between(chance, log(low), log(high)));
 }

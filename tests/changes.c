@@ -1,5 +1,5 @@
-/* What stages change: gravity, materials and pairs, velocities, ramps; and the effect on contact forces and
- * histories.
+/* The changes that stages make to gravity, materials and pairs and velocities, with and without ramps; and the effect
+ * of these changes on contact forces and histories.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -53,7 +53,7 @@ static void a_particle_falls(void) {
   CU_ASSERT_EQUAL(after(falls, "F.y"), 2);  /* a fixed particle keeps its velocity */
   CU_ASSERT_EQUAL(after(falls, "F.vy"), 1);
   const char *damped = FLIGHT "gravity 0 -2\ndamping mass 0.5\nstage a\ncycles 8\n";
-  CU_ASSERT_EQUAL(after(damped, "F.y"), 2); /* damping does not act on it either */
+  CU_ASSERT_EQUAL(after(damped, "F.y"), 2); /* damping does not act on a fixed particle either */
   CU_ASSERT_EQUAL(after(damped, "F.vy"), 1);
 }
 
@@ -104,9 +104,9 @@ static void a_wall_ramps(void) {
       5 + 4 + 3);
 }
 
-/* Each of two stages has 8 cycles of 1/4. In one of them all walls ramp: wall k from rest to the velocity k, which
- * displaces it by k. In the other one only wall 1 ramps. If that stage is the second one, wall 1 ramps from 1 to 0, and
- * the others move on by 2 k. If it is the first one, wall 1 ramps from 0 to 1 and keeps this velocity. */
+/* Each of two stages has 8 cycles of 1/4. In one stage all walls ramp: wall k from rest to the velocity k, which
+ * displaces it by k. In the other stage only wall 1 ramps. If this is the second stage, wall 1 ramps from 1 to 0, and
+ * the other walls move on by 2 k. If it is the first stage, wall 1 ramps from 0 to 1 and keeps this velocity. */
 static void many_walls_ramp(void) {
   enum { WALLS = 40 };
   for (int first = 0; first < 2; first++) {
@@ -235,8 +235,8 @@ static void friction_switches_shear(void) {
   }
 }
 
-/* When the contact opens, both forces are 0 whatever the cohesion c is; at a very small normal force the limit is c.
- * [CS79 19] */
+/* When the contact opens, the normal and the shear force are 0, whatever the cohesion c is. At a very small normal
+ * force the limit of the shear force is c. [CS79 19] */
 static void cohesion_carries_no_tension(void) {
 #define CLAY(velocity)                                                                                                 \
   "material m density 1e30 kn 8 ks 4 friction 0.5 cohesion 3\nshear linear\ndisc 0 0.75 radius 1 m\n"                  \
@@ -253,9 +253,9 @@ static void cohesion_carries_no_tension(void) {
   CU_ASSERT(after(grazing, "C.normal") > 0);
 }
 
-/* A step relative to a limit follows the stiffness; with a ramp the smaller of the limits at both ends holds. For a
- * disc between two walls without shear omega^2 = 2 k/m, so the guaranteed stable step is the single-contact step
- * over sqrt(2). */
+/* A step relative to a limit follows the stiffness. With a ramp the smaller of the limits at both ends is used. For a
+ * disc between two walls without shear omega^2 = 2 k/m, so the guaranteed stable step is the single-contact step over
+ * sqrt(2). */
 static void the_step_follows(void) {
   static const char *const of[] = {"single-contact", "stable"};
   for (int k = 0; k < 2; k++) {
@@ -294,8 +294,8 @@ static void weight_counts_in_the_balance(void) {
   CU_ASSERT_EQUAL(after(text, "unbalanced.max"), INFINITY); /* no contact balances the weight */
 }
 
-/* `reverse velocities` also reverses velocity and spin of walls, and they return to where they were. A velocity or
- * spin that the stage gives to a wall besides, or a later stage, replaces it. */
+/* `reverse velocities` also reverses velocity and spin of walls, so the walls return to their old positions. A velocity
+ * or spin that the same stage or a later one gives to a wall replaces the reversed one. */
 static void velocities_of_walls_reverse(void) {
 #define DOOR                                                                                                           \
   "material m density 1 kn 1\ndisc 0 0 radius 1 m\nwall w 5 -1 to 5 1 m velocity 1 -2 spin 0.5\nmonitor W wall w\n"    \

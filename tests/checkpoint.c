@@ -1,6 +1,5 @@
 /* Every page is interrupted after its first cycle, in the middle and at the end of a stage, and continued from the
- * checkpoint. All that the run returns, and the last checkpoint, must be those of the run without interruption, to the
- * last bit.
+ * checkpoint. The results and the last checkpoint must be those of the run without interruption, to the last bit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _POSIX_C_SOURCE 200809L
@@ -24,7 +23,7 @@ static struct nb_options options_of(unsigned long stop_after, bool resume, int t
                              .checkpoint = {.seconds = 1e9, .resume = resume, .stop_after = stop_after, .key = 1}};
 }
 
-/* The name of the first thing that differs; NULL: nothing. */
+/* The name of the first part of the results that differs; NULL: the results are equal. */
 static const char *difference(const struct nb_scene *scene, const struct nb_result *a, const struct nb_result *b) {
   static char column[1024];
   const struct nb_table *one = &a->table, *two = &b->table;
@@ -52,7 +51,7 @@ static const char *difference(const struct nb_scene *scene, const struct nb_resu
                                                                            : NULL;
 }
 
-/* Runs the scene up to a cycle, from the last checkpoint; 0: to its end. */
+/* Runs the scene from the last checkpoint up to a cycle; 0: to the end. */
 static enum nb_status session(struct nb_result *result, const struct nb_scene *scene, unsigned long from,
                               unsigned long to, int threads, struct nb_error *error) {
   const struct nb_options options = options_of(to ? to - from : 0, from > 0, threads);
@@ -85,8 +84,8 @@ static char *untimed(const struct nb_scene *scene, unsigned long long key) {
   return text;
 }
 
-/* Whether the checkpoint of the run that was interrupted before is that of a run without interruption: all that a model
- * keeps, to the last bit. */
+/* Tests that the checkpoint of the interrupted run equals the checkpoint of a run without interruption: all variables
+ * of the model, to the last bit. */
 static void compare_checkpoints(const struct nb_scene *scene, const char *name) {
   char *whole = untimed(scene, 2), *interrupted = untimed(scene, 1);
   CU_ASSERT(whole && interrupted);
@@ -100,7 +99,7 @@ static void compare_checkpoints(const struct nb_scene *scene, const char *name) 
   free(whole), free(interrupted);
 }
 
-/* Runs the scene up to a cycle without interruption, and compares the checkpoint there with that of the sessions. */
+/* Runs the scene up to a cycle without interruption, and compares its checkpoint with that of the sessions. */
 static void check_last(const struct nb_scene *scene, const char *name, unsigned long cycle) {
   struct nb_error error;
   struct nb_result result;

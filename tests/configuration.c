@@ -53,8 +53,8 @@ static void goes_over(void) {
   written_free(&it);
 }
 
-/* The measures of regions. Disc 1 goes from disc 2 to disc 3, which it touches at 45 degrees; 4 and 5 stay in
- * contact; 6 leaves the wall. The fabric of lost and new contacts uses the present positions. */
+/* The measures of regions. Disc 1 goes from disc 2 to disc 3, which it touches at 45 degrees; discs 4 and 5 stay in
+ * contact; disc 6 leaves the wall. The fabric of lost and new contacts uses the current positions. */
 static void of_regions(void) {
   struct words page = {0};
   struct written it;
@@ -112,8 +112,8 @@ static void since_the_start_or_the_first_stage(void) {
   written_free(&it);
 }
 
-/* A sphere on an incline, from rest with the normal spring in equilibrium. Gravity is p along the incline and n into
- * it, m/s2. While the contact slides, the slip has the acceleration p - 7/2 mu n. */
+/* A sphere on an incline starts from rest, with the normal spring in equilibrium. The components of gravity are p along
+ * the incline and n towards it, m/s2. While the contact slides, the acceleration of the slip is p - 7/2 mu n. */
 static const double p = 3, n = 8, ks = 1e7, step = 2e-5;
 static const int cycles = 25000, many = 5;
 
@@ -178,7 +178,7 @@ static void rolls(void) {
   written_free(&it);
 }
 
-/* A disc that bounces: after the second impact `slid` is the distance of this contact alone. */
+/* A disc that bounces: after the second impact `slid` is the distance of this contact, without the first one. */
 static void comes_back(void) {
   struct words page = {0};
   struct written it;
@@ -221,7 +221,7 @@ static void no_line_to_a_removed_particle(void) {
   }
 }
 
-/* Across the edge of a periodic cell the line goes to the copy that is in contact. */
+/* Across the edge of a periodic cell the line goes to the image that is in contact. */
 static void across_the_edge(void) {
   struct words page = {0};
   struct written it;

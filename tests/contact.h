@@ -1,4 +1,4 @@
-/* One contact with its laws, without particles: shared by the tests of contact laws.
+/* One contact with its laws, without particles. The tests of contact laws share it.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_CONTACT_H
@@ -34,7 +34,7 @@ static inline struct contact contact_of(const struct nb_law *normal, const struc
   return it;
 }
 
-/* One step: to this overlap, and by this tangential increment. */
+/* Makes one step to this overlap, by this tangential increment. */
 static inline void contact_go(struct contact *it, double overlap, double slip) {
   const int remembered = nb_law_history(it->shear, it->pair);
   it->n = it->normal->normal(it->pair, overlap, overlap - it->overlap, it->normal_history);
@@ -52,8 +52,7 @@ static inline void contact_go(struct contact *it, double overlap, double slip) {
     it->shear_history[m] = m > 0 && remembered > NB_HISTORY ? untouched : 0; /* a long history keeps only its count */
 }
 
-/* n equal steps to this overlap and by this slip. Returns the work done on the contact, with the mean force of each
- * step, J. */
+/* Makes n equal steps to this overlap, by this slip in all. Returns the work of the mean force of each step, J. */
 static inline double contact_lead(struct contact *it, double overlap, double slip, int n) {
   const double from = it->overlap;
   double work = 0;

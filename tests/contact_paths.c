@@ -14,8 +14,8 @@
 enum { SHORT = 100000, LONG = 10000000, EXACT = 500000 }; /* steps; EXACT: of the comparison with the list */
 enum { COMPARED = KIND_DECADES };                         /* kinds of path for that comparison */
 
-/* Allowed errors of T over mu N, for each memory. They are measured: about three times the largest error of
- * docs/PATHS.md. With memory to spare only merges remain, of which each changes T by less than 1e-7 mu N. */
+/* Tolerances of T over mu N, for each memory: about three times the largest error measured in docs/PATHS.md. If there
+ * is enough memory, the only errors are those of merges, each of which changes T by less than 1e-7 mu N. */
 static const double allowed[COMPARED + RUNS][MEMORIES] = {
     {0.3, 0.1, 0.01, 1e-5, 1e-7},      {0.1, 0.02, 2e-3, 2e-4, 1e-7},       {0.2, 0.03, 5e-3, 1e-3, 1e-7},
     {0.2, 0.03, 5e-3, 1e-3, 1e-7},     {0.3, 0.02, 1e-4, 1e-6, 1e-7},       {0.2, 0.1, 0.05, 0.02, 1e-7},
@@ -100,7 +100,7 @@ static struct nb_shear half_the_memory(struct nb_pair p, struct nb_normal n, dou
   p.pieces /= 2;
   return call("mindlin_deresiewicz", p, n, ds, m);
 }
-/* Forgets the outermost corner of three or more, when it slips back. */
+/* A wrong law that removes the outermost of three or more corners when the contact slips back. */
 static struct nb_shear drops_a_corner(struct nb_pair p, struct nb_normal n, double ds, double m[]) {
   if (m[0] > 2 && ds < 0) {
     double *last = m + 2 + 5 * ((int)m[0] - 1);
@@ -116,7 +116,7 @@ struct planted {
   const char *what, *law; /* the law that is changed */
   struct nb_shear (*shear)(struct nb_pair, struct nb_normal, double, double[]);
   double (*stored)(struct nb_pair, struct nb_normal, const double[]);
-  const char *promise; /* that is then broken; NULL: the error of T */
+  const char *promise; /* the promise of laws that is then broken; NULL: the error of T becomes too large */
 };
 static const struct planted planted[] = {
     {"a force 1e-12 above the limit", "linear", above_limit, NULL, "the shear force exceeds mu N"},

@@ -33,8 +33,8 @@ static void done(struct nb_result *result, struct written *it) {
   written_free(it);
 }
 
-/* Segments go in straight lines `to` a value or `by` a difference. The last step ends exactly at the target,
- * whatever the sum of the steps before. */
+/* Segments go along straight lines `to` a value or `by` a difference. The last step ends exactly at the target,
+ * whatever the rounding errors of the steps before. */
 static void segments_go_along_straight_lines(void) {
   struct written it;
   struct nb_result result;
@@ -165,7 +165,7 @@ static void a_gap_ends_the_history(void) {
   done(&result, &it);
 }
 
-/* The limit mu N + c of a contact with cohesion is that at which the shear force stays. */
+/* The shear force of a contact with cohesion c stays at the limit mu N + c. */
 static void cohesion_raises_the_limit(void) {
   struct nb_result result;
   struct written it;
@@ -180,7 +180,7 @@ static void cohesion_raises_the_limit(void) {
   done(&result, &it);
 }
 
-/* A wall has no curvature, and a rigid material does not deform: E* and R* by hand. */
+/* A wall has no curvature, and a rigid material does not deform. E* and R* are computed by hand. */
 static void a_wall_is_flat(void) {
   struct words page = {0};
   struct written it;
@@ -196,8 +196,8 @@ static void a_wall_is_flat(void) {
   written_free(&it);
 }
 
-/* Loading at constant N: q = (3 mu N/2 pi a^3) [(a^2 - r^2)^(1/2) - (c^2 - r^2)^(1/2)], the second root within c
- * only [R89 3.23]. The table of the pieces gives D(x). */
+/* Loading at constant N: q = (3 mu N/2 pi a^3) [(a^2 - r^2)^(1/2) - (c^2 - r^2)^(1/2)], with the second root only for
+ * r < c [R89 3.23]. The table of the pieces gives D(x). */
 static void the_traction_is_mindlins(void) {
   struct written it;
   struct nb_result result;

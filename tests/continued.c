@@ -19,7 +19,7 @@ void continued_stages(struct nb_model *model, size_t from, size_t to) {
   }
 }
 
-/* The state as text; to be freed. */
+/* The state as text, which the caller frees. */
 static char *text_of(const struct nb_model *model) {
   struct nb_saved saved;
   struct nb_error error;
@@ -31,7 +31,8 @@ static char *text_of(const struct nb_model *model) {
   return text;
 }
 
-/* Reads the state and continues from stage `from` to the end. Returns the final state as text; to be freed. */
+/* Reads the state and continues from stage `from` to the end. Returns the final state as text, which the caller
+ * frees. */
 static char *interrupted(struct written *it, size_t from, const char *state, const struct nb_options *options) {
   struct nb_saved saved;
   struct nb_error error = {NB_OK, ""};

@@ -24,7 +24,7 @@ struct one {
   double before[ROW], m[ROW];
 };
 
-/* The array before the contact's row holds corners that look valid, like the row of another contact. */
+/* A contact. The array before its row has corners that look valid, like the row of another contact. */
 static struct one one_of(struct nb_pair pair) {
   struct one it = {.pair = pair};
   for (int k = 0; 5 * k + 4 < ROW; k++)
@@ -45,7 +45,7 @@ static double fraction(const struct one *it) { return it->s.force / (it->pair.fr
 
 /* ---- the pieces themselves ---- */
 
-/* A random path, from random rings; the force at each corner is a sum over the rings. */
+/* Makes a random path from random rings. The force at each corner is a sum over the rings. */
 static void path_of(struct corner at[], int count, struct chance *chance, double most) {
   double t = 0;
   at[0] = (struct corner){0};
@@ -74,15 +74,15 @@ static void is_a_path(const struct corner at[], int count) {
   }
 }
 
-/* Twice the area by which u(x) changes when a corner is dropped: its triangle with the neighbours, plus the error
- * that is stored there already. */
+/* Twice the area by which u(x) changes when a corner is dropped: the triangle of the corner and its neighbours, plus
+ * the error that the corner already has. */
 static double area(const struct corner *at) {
   const double all = at[1].x - at[-1].x, line = at[-1].u + (at[0].x - at[-1].x) / all * (at[1].u - at[-1].u);
   return at[-1].e + at[0].e + fabs(at[0].u - line) * all;
 }
 
-/* Of three to nine pieces, that corner is dropped whose triangle, with the error before, changes T least: the least
- * area over x^(1/2). The displacement and T at the end are kept, and only three pieces change. */
+/* Of three to nine pieces, the dropped corner is the one with the least area over x^(1/2): its triangle, with the
+ * earlier error, changes T least. The displacement and T at the end are kept, and only three pieces change. */
 static void a_corner_is_dropped(void) {
   struct chance chance = chance_begin(8);
   int kept = 0, first = 0, last = 0, high = 0;
@@ -206,8 +206,8 @@ static void joined_pieces_count(void) {
   }
 }
 
-/* A closed loop is erased. Back at the point of reversal, whatever the rounding, the force is that of before, and
- * reloading has dissipated as much as unloading. */
+/* A closed loop is erased. When the contact returns to the point of reversal, the force has its earlier value, whatever
+ * the rounding, and reloading has dissipated as much as unloading. */
 static void closed_loops_are_erased(void) {
   struct chance chance = chance_begin(10);
   for (int path = 0; path < 2000; path++) {
@@ -233,8 +233,8 @@ static void closed_loops_are_erased(void) {
   CU_ASSERT_EQUAL(pieces(&it), 2);
 }
 
-/* When friction changes, the path of the pieces, divided by the ratio of the frictions, is followed again from its
- * start. */
+/* When the friction changes, the path of the pieces, divided by the ratio of the new friction to the old one, is
+ * followed again from its start. */
 static void friction_changes(void) {
   static struct by_hand hand;
   struct chance chance = chance_begin(12);

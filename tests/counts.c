@@ -1,4 +1,4 @@
-/* The counts of the calibration of `nineball advise`, on draws whose shares and quantiles are known.
+/* The counts of the calibration of `nineball advise`, for draws whose fractions and quantiles are known.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -22,7 +22,7 @@ static void the_quantile_has_the_nearest_rank(void) {
 
 enum { COUNT = 100, PER_KIND = 20 };
 
-/* Five kinds with twenty draws each. All is within the tolerance, costs are 1, and claims are 2. */
+/* Five kinds with twenty draws each. All errors are within the tolerance, all costs are 1, and all claims are 2. */
 static struct draw *make_draws(void) {
   struct draw *draws = calloc(COUNT, sizeof *draws);
   CU_ASSERT_PTR_NOT_NULL_FATAL(draws);
@@ -64,7 +64,7 @@ static void within_in_95_percent(void) {
   CU_ASSERT_EQUAL(failures(draws), 0);
   whole(&draws[1])->error = 1.001;
   CU_ASSERT_EQUAL(failures(draws), 1U << WITHIN);
-  whole(&draws[1])->error = 1; /* the tolerance itself is within it */
+  whole(&draws[1])->error = 1; /* an error equal to the tolerance is within it */
   CU_ASSERT_EQUAL(failures(draws), 0);
   free(draws);
 }

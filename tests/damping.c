@@ -1,5 +1,5 @@
-/* Contact dashpots: their coefficients, the forces that contain them, and the limits that must not contain them.
- * [CS79 24-28; R89 4.3, 4.13]
+/* Contact dashpots: their coefficients, the forces that include the dashpot forces, and the limits that must not
+ * include them. [CS79 24-28; R89 4.3, 4.13]
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -126,8 +126,8 @@ static void coefficients(void) {
   }
 }
 
-/* `damping centred`: the force at t_N has the velocity of t_(N-1/2) plus half of its last change. At time 0 it is that
- * of the page. The dashpot of an old contact is not weighted. */
+/* `damping centred`: the dashpot force at t_N is that of the velocity at t_(N-1/2) plus half of its last change. At
+ * time 0 the velocity is that of the page. The dashpot force of an old contact is not multiplied by a weight. */
 static void centred(void) {
   struct written it;
   struct nb_model *model = two_discs(&it, "stiffness 0.02\ndamping centred", "disc 2.9 0.5 radius 2 b spin 0.25", 10);
@@ -156,7 +156,7 @@ static void centred(void) {
   written_free(&it);
 }
 
-/* In a motion that changes its sign every cycle the predicted velocity is twice that of half a step before. */
+/* In a motion that changes its sign every cycle the predicted velocity is twice the velocity half a step before. */
 static void stable_step_of_centred_dashpots(void) {
   static const char *const dampings[] = {"ratio 0.2\ndamping centred", "ratio 0.4"};
   double step[2];
@@ -171,7 +171,7 @@ static void stable_step_of_centred_dashpots(void) {
   CU_ASSERT_DOUBLE_EQUAL(step[0], step[1], 1e-12 * step[1]);
 }
 
-/* A run that continues in any cycle of an impact is the same to the bit, also in the one in which the contact has
+/* A run that continues from any cycle of an impact gives the same bits, also from the cycle in which the contact has
  * opened and the dashpot still acts. */
 static void continued_impact(void) {
   struct words page = {0};
@@ -195,8 +195,8 @@ static void continued_impact(void) {
 }
 
 /* First touch is at the end of a step, or at time 0. The dashpot then acts for the same time, whether the overlap is 0
- * or differs from 0 by rounding. A gap that differs by 1e-12 of a step's displacement changes the restitution by no
- * more than that. */
+ * or differs from 0 by rounding. A gap that differs by the fraction 1e-12 of the displacement in a step changes the
+ * restitution by at most the same fraction. */
 static void a_touch_at_the_end_of_a_step(void) {
   static const double offsets[] = {0, 1e-17, 1e-16, 1e-15, 1e-14, -1e-17, -1e-16, -1e-15, -1e-14};
   static const char *const laws[] = {"normal linear", "normal hertz"};
@@ -260,7 +260,7 @@ static void total_normal_force_may_be_tensile(void) {
   CU_ASSERT(written_now(model, "A.fx") > 0);
   written_cycles(model, 99);
   CU_ASSERT_EQUAL(written_now(model, "C.normal"), 0);
-  CU_ASSERT_EQUAL(written_now(model, "C.dashpot.normal"), 0); /* and ends with the contact */
+  CU_ASSERT_EQUAL(written_now(model, "C.dashpot.normal"), 0); /* the dashpot force ends with the contact */
   CU_ASSERT_EQUAL(written_now(model, "A.fx"), 0);
   nb_model_free(model);
   written_free(&it);
@@ -276,7 +276,7 @@ static void sliding(void) {
     if (written_now(model, "C.sliding") == 0)
       continue;
     slid++;
-    CU_ASSERT(fabs(written_now(model, "C.dashpot.normal")) > 1); /* so a limit that contained it would differ */
+    CU_ASSERT(fabs(written_now(model, "C.dashpot.normal")) > 1); /* a limit with the dashpot force would differ */
     CU_ASSERT_DOUBLE_EQUAL(fabs(written_now(model, "C.shear")), 0.01 * written_now(model, "C.normal"), 1e-12);
     CU_ASSERT_EQUAL(written_now(model, "C.dashpot.shear"), 0);
   }
@@ -319,7 +319,7 @@ static void restitution(void) {
   }
 }
 
-/* The plan contains the dashpot pass for the whole run; in a stage without damping it adds nothing. */
+/* In a stage without damping the dashpot forces are 0, although the next stage has dashpots. */
 static void a_stage_without_dashpots(void) {
   struct words page = {0};
   struct written it;

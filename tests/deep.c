@@ -59,7 +59,7 @@ static void elastic_coefficients(void) {
   "2\n"                                                                                                                \
   "step 1e-4\nrecord A.vy.half B.vy.half W.dashpot.normal C.dashpot.normal step.stable\n"
 
-/* c at the wall and between the discs, in the first and in the second stage. */
+/* The coefficients c at the wall and between the discs, in the first and in the second stage. */
 static void walls_separate(void) {
   static const struct {
     const char *scene, *stage;
@@ -92,8 +92,8 @@ static void walls_separate(void) {
   }
 }
 
-/* One disc at a wall: omega^2 = 8, and xi is the ratio of `damping walls`; the ratio of other contacts does not
- * count. */
+/* One disc at a wall: omega^2 = 8, and xi is the ratio of `damping walls`. The ratio of contacts between particles has
+ * no effect. */
 static void stable_step_with_damping_walls(void) {
   struct written it;
   struct nb_model *model =
@@ -194,7 +194,8 @@ static void counts_stay(void) {
   written_free(&it);
 }
 
-/* Deep contacts are damped critically, others as the page says; the guaranteed stable step takes this into account. */
+/* Deep contacts are damped critically, other contacts as the page says. The guaranteed stable step takes both into
+ * account. */
 static void deep_ones_are_damped_critically(void) {
   for (int is_deep = 0; is_deep < 2; is_deep++) {
     struct words page = {0};
@@ -234,9 +235,9 @@ static void marks_end_with_their_stage(void) {
   written_free(&it);
 }
 
-/* A whole impact, computed here by the recursion of the cycle: u <- u - dt/m* (N + c u), with N and c at the present
- * overlap and u at the last half step, x <- x + dt u. The jump of c, and its delay of half a step, are the same in
- * both, so only rounding is left. */
+/* A whole impact, compared with the recursion of the cycle: u <- u - dt/m* (N + c u), with N and c at the current
+ * overlap and u at the last half step, then x <- x + dt u. The jump of c, and its delay of half a step, are the same in
+ * run and recursion, so they differ only by rounding. */
 static void an_impact_follows_the_recursion(void) {
   enum { CYCLES = 400 };
   const double speed = 0.2, dt = 0.02, limit = 0.1, mass = 0.5;
@@ -262,7 +263,7 @@ static void an_impact_follows_the_recursion(void) {
     deepest = fmax(deepest, x), count += x > limit;
     CU_ASSERT_EQUAL(row[3], count);
   }
-  CU_ASSERT(deepest > 1.5 * limit && x < 0 && u < -0.2 * speed); /* in, deep, and out again */
+  CU_ASSERT(deepest > 1.5 * limit && x < 0 && u < -0.2 * speed); /* the contact was deep and has opened */
   nb_result_free(&result);
   written_free(&it);
 }

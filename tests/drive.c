@@ -31,8 +31,8 @@ static double after(const char *statements, const char *name) {
 #define ONE                                                                                                            \
   "disc 13 -6 radius 1 m velocity 7 5 spin 3\nmonitor D disc 1\nrecord D.x D.y D.vx D.vy D.angle boundary.particles\n"
 
-/* x_N - x_0 = (1 + L dt)^N (x - x_0) to rounding, for any velocity gradient L. The initial velocity has no effect,
- * and the particle does not rotate. */
+/* A particle of the boundary moves as x_N - x_0 = (1 + L dt)^N (x - x_0) to rounding, for any velocity gradient L. Its
+ * initial velocity has no effect, and it does not rotate. */
 static void the_boundary_follows_exactly(void) {
   const struct nb_tensor rate = tensor(-0.01, 0.03, 0.005, 0.02);
   const char *page = ONE "boundary circle 3 4 radius 14\nstage s\naffine strain 0.3 0.4\n"
@@ -59,7 +59,7 @@ static void per_cycle(void) {
   CU_ASSERT_DOUBLE_EQUAL(after(page, "D.y"), 4 - 10 * pow(1.02, 5), 1e-14);
 }
 
-/* Under `affine strain` the particle keeps its own velocity v, which alone is damped: x_(N+1) = (1 + L dt) x_N +
+/* Under `affine strain` the particle keeps its own velocity v, and damping acts only on v: x_(N+1) = (1 + L dt) x_N +
  * lambda^(N+1) v dt. */
 static void damping_acts_on_own_velocity(void) {
   const char *page = ONE "damping con1 0.9 as velocity\nstage s\naffine strain -0.02 0.04 shear 0.01\ncycles 50\n";
@@ -70,7 +70,7 @@ static void damping_acts_on_own_velocity(void) {
   }
   CU_ASSERT_DOUBLE_EQUAL(after(page, "D.x"), x.x, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(after(page, "D.y"), x.y, 1e-12);
-  /* `affine none` in the second stage leaves v alone. */
+  /* `affine none` in the second stage does not change v. */
   const char *left = ONE "stage s\naffine strain -0.02 0.04\ncycles 50\nstage t\naffine none\ncycles 1\n";
   CU_ASSERT_DOUBLE_EQUAL(after(left, "D.vx"), 7, 1e-13);
   CU_ASSERT_DOUBLE_EQUAL(after(left, "D.vy"), 5, 1e-13);
@@ -141,8 +141,8 @@ static void a_circle_that_has_shrunk_takes_in_a_disc(void) {
   }
 }
 
-/* The ellipse reaches discs at rest, and nothing moves, so no search lists the candidates again: the boundary itself
- * must notice that it has moved. Half the height of the ellipse is 20 (1 - 0.01 dt)^n after n cycles. */
+/* The ellipse reaches discs at rest. Nothing moves, so no search lists the candidates again; the boundary must list
+ * them itself when the ellipse has moved. Half the height of the ellipse is 20 (1 - 0.01 dt)^n after n cycles. */
 static void discs_at_rest_join_the_boundary(void) {
   static const char *const skins[] = {"", "skin 0.01\n", "skin 0.5\n"};
   for (size_t k = 0; k < 3; k++) {
@@ -171,8 +171,8 @@ static void discs_at_rest_join_the_boundary(void) {
   }
 }
 
-/* Four discs on the axes, two of them opposite each other on the x axis, are in their order round the centre, whatever
- * their numbers are: the area is that of the square. */
+/* Four discs on the axes, two of them opposite each other on the x axis, are listed in their order round the centre,
+ * whatever their numbers are, so the area is that of the square. */
 static void any_order_of_numbers(void) {
   static const double at[4][2] = {{5, 0}, {0, 5}, {-5, 0}, {0, -5}};
   for (int order = 0; order < 256; order++) {
@@ -246,8 +246,9 @@ static void particles_join_the_boundary(void) {
   }
 }
 
-/* A circle that shrinks by the factor 1 - 0.01 dt in each cycle takes in discs at rest, from the first cycle that
- * begins with the disc on it or outside. The step doubles with stage b. The discs lie halfway between two circles. */
+/* The circle shrinks by the factor 1 - 0.01 dt in each cycle. A disc at rest belongs to the boundary from the first
+ * cycle that begins with the disc on the circle or outside. The step doubles with stage b. Each disc lies halfway
+ * between the circles of two successive cycles. */
 static void a_shrinking_circle_takes_in_discs_at_rest(void) {
   enum { CYCLES = 8, CHANGE = 4 };
   struct words page = {0};
@@ -266,7 +267,7 @@ static void a_shrinking_circle_takes_in_discs_at_rest(void) {
             CHANGE, CYCLES - CHANGE);
   written_scene(&it, &page);
   written_run(&result, &it, NULL);
-  for (size_t n = 0; n <= CYCLES; n++) /* the disc that cycle n has passed joins as the next one begins */
+  for (size_t n = 0; n <= CYCLES; n++) /* the disc that the circle passes in cycle n joins at the next cycle */
     CU_ASSERT_EQUAL(written_cell(&result.table, n, "boundary.particles"), n > 0 ? (double)n - 1 : 0);
   nb_result_free(&result);
   written_free(&it);
@@ -341,8 +342,7 @@ static void the_work_balances(void) {
   nb_result_free(&result);
 }
 
-/* The largest component of sum F_i X_j/A over the particles inside, which is what boundary.stress.residual should
- * be. */
+/* The largest component of sum F_i X_j/A over the particles inside. boundary.stress.residual should have this value. */
 static double out_of_balance(const struct nb_model *model) {
   struct nb_tensor sum = tensor(0, 0, 0, 0);
   for (size_t i = 0; i < model->particles.count; i++)

@@ -24,9 +24,9 @@ static void run(struct nb_result *result, const char *statements) {
 }
 
 /* A particle starts from rest at the distance d and moves on parabolas through the point, with the period 4
- * (2d/G)^(1/2). With d = G dt^2 ((N + 1/2)^2 + 1/4)/2 the point lies in the middle of a step. Then the scheme has it
- * at rest at -d after 2N + 1 steps, and at d after as many more, to rounding; this period deviates by the fraction
- * 1/(8 N^2). On its way gravity has done the work m G (d - r). */
+ * (2d/G)^(1/2). With d = G dt^2 ((N + 1/2)^2 + 1/4)/2 the point lies in the middle of a step. In the scheme the
+ * particle is then at rest at -d after 2N + 1 steps, and at d after as many further steps, to rounding; this period
+ * deviates by the fraction 1/(8 N^2). At the distance r gravity has done the work m G (d - r). */
 static void a_particle_oscillates_through_the_point(void) {
   enum { N = 100 };
   const double dt = 0.01, g = 0.5, d = g * dt * dt / 2 * ((N + 0.5) * (N + 0.5) + 0.25), mass = 2 * pi;
@@ -93,7 +93,7 @@ static void all_forces_count(void) {
   written_free(&it);
 }
 
-/* A disc that cannot rotate slides with the deceleration mu g and keeps its angle. Once it can rotate, I dw = R m dv
+/* A disc that cannot rotate slides with the deceleration mu g and keeps its angle. After it can rotate, I dw = R m dv
  * to rounding. */
 static void rotation_off_and_on(void) {
   struct nb_result result;
@@ -128,8 +128,8 @@ static void a_boundary_is_fixed_again(void) {
   nb_result_free(&result);
 }
 
-/* A disc that moves outward joins the boundary that moves inward, in the same cycle whatever the skin is. For this, the
- * list of discs that may join must reach as far as both can move before it is made again. */
+/* A disc that moves outward joins a boundary that moves inward, in the same cycle whatever the skin is. So the list of
+ * candidates must include all discs that can reach the boundary before the list is made again. */
 static void no_disc_passes_a_boundary_that_comes_to_meet_it(void) {
   double joined[4];
   static const double skins[] = {0.02, 0.4, 1, 3};
@@ -170,9 +170,9 @@ static void another_circle(void) {
   nb_result_free(&result);
 }
 
-/* Two particles of a boundary are moved into the overlap a and then released. They repel each other with the energy
- * k a^2/2, which counts as supplied from outside (energy.changed). The energy balance closes except for the error of
- * the step, the fraction (k/m) dt^2. The same under a boundary stress. */
+/* Two particles of a boundary are moved until they overlap by a, and are then released. Their spring has the energy
+ * k a^2/2, which counts as supplied from outside (energy.changed). The energy residual is the error of the step, a
+ * fraction of (k/m) dt^2. The same holds under a boundary stress. */
 static void energy_of_released_springs(void) {
   static const char *const ends[] = {"boundary none\n", "boundary stress 1e-9 1e-9\n"};
   for (size_t k = 0; k < 2; k++) {
@@ -201,8 +201,8 @@ static void energy_of_released_springs(void) {
   }
 }
 
-/* The velocity that `accumulated` has put into v stays there when `affine strain` without it follows: x_(N+1) = x_N
- * + (v + L x_N) dt. */
+/* The velocity that `accumulated` has added to v stays in v when `affine strain` without `accumulated` follows:
+ * x_(N+1) = x_N + (v + L x_N) dt. */
 static void affine_strain_after_accumulated(void) {
   const double dt = 0.125;
   struct nb_result result;
@@ -295,8 +295,8 @@ static void one_strain_after_another(void) {
   }
 }
 
-/* The velocity at the end of a step is the mean of those over the step before and the step after it, whatever imposes a
- * part of them. */
+/* The velocity at the end of a step is the mean of the velocities over the steps before and after this time, whatever
+ * imposes a part of them. */
 static void velocities_are_means_of_half_steps(void) {
   static const struct {
     const char *scene, *stage;

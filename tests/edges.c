@@ -17,8 +17,8 @@ static void run(struct nb_result *result, struct written *it, const char *text) 
   written_run(result, it, NULL);
 }
 
-/* region.c, position_of: in a cell the copies nearest to the middle of the region count, not those nearest to the
- * middle of the cell. The region lies about a corner of the cell, where four discs touch it. */
+/* region.c, position_of: in a cell the images nearest to the middle of the region count, not those nearest to the
+ * middle of the cell. The middle of the region is a corner of the cell, where four discs touch each other. */
 static void a_region_at_the_corner_of_a_cell(void) {
   struct written it;
   struct nb_result result;
@@ -29,9 +29,9 @@ static void a_region_at_the_corner_of_a_cell(void) {
   nb_result_free(&result), written_free(&it);
 }
 
-/* cell.c, nb_cell_check_width: the height must be at least twice the largest diameter plus the skin, 2 (2 + 0.1). It
- * is checked at each search, which straining makes necessary after 5 %. A cell of width 5 may shrink to 4.3, not to
- * 4. */
+/* cell.c, nb_cell_check_width: the height must be at least twice the largest diameter plus the skin, 2 (2 + 0.1). The
+ * height is checked at each search; the strain requires a search after 5 %. A cell of width 5 may shrink to 4.3, but
+ * not to 4. */
 static void a_cell_stays_wide_enough_or_not(void) {
   for (int wide = 0; wide < 2; wide++) {
     struct words words = {0};
@@ -49,8 +49,7 @@ static void a_cell_stays_wide_enough_or_not(void) {
   }
 }
 
-/* cell.c, nb_cell_move: after a strain s a particle may move by half of what s (2 R + skin) leaves of the skin
- * before a search. */
+/* cell.c, nb_cell_move: after a strain s a particle may move by (skin - s (2 R + skin))/2 before a search. */
 static void straining_reduces_the_travel_limit(void) {
   struct words words = {0};
   struct written it;
@@ -81,7 +80,7 @@ static void without_contacts_there_is_no_search(void) {
   written_cycles(model, 9);
   CU_ASSERT_EQUAL(model->cell->travel_limit, INFINITY);
   CU_ASSERT_EQUAL(model->search.last_cycle, 0);
-  CU_ASSERT(model->cell->h.xx > 9.2); /* it is strained nevertheless */
+  CU_ASSERT(model->cell->h.xx > 9.2); /* the cell is strained nevertheless */
   nb_model_free(model), written_free(&it);
 }
 
@@ -115,8 +114,8 @@ static void the_last_step_of_a_segment_is_recorded(void) {
   nb_result_free(&result), written_free(&it);
 }
 
-/* contact_test.c, find_displacement: a force is sought up to an overlap of two radii, here half a radius with R* = 5
- * mm and E* = 0.5 MPa. */
+/* contact_test.c, find_displacement: the search for a force goes up to an overlap of two radii. Here the overlap is
+ * half a radius, with R* = 5 mm and E* = 0.5 MPa. */
 static void a_force_deep_in_the_contact_is_found(void) {
   struct written it;
   struct nb_result result;

@@ -20,8 +20,8 @@ static struct nb_normal increment(double overlap, double dn, double m[]) {
 
 /* ---- R89's increments ---- */
 
-/* Impact of a mass on such a contact; `steps` is the number of steps in the duration of Hertz's impact. Returns the
- * speed after over the speed before. *left: overlap when the force ends, over the largest one. */
+/* The impact of a mass with a normal law; `steps` is the number of steps in the duration of Hertz's impact. Returns the
+ * speed after the impact over the speed before. *left: overlap when the force ends, over the largest overlap. */
 static double rebound(const char *law, int steps, double *left) {
   const double mass = 0.1, speed = 2;
   const double depth = pow(15 * mass * speed * speed / (16 * sqrt(pair.radius) * pair.young), 0.4);
@@ -50,7 +50,7 @@ static void increments_lose_speed(void) {
     double left;
     CU_ASSERT_DOUBLE_EQUAL(rebound("hertz_increment", expected[k].steps, &left), expected[k].kept, expected[k].within);
     if (expected[k].steps <= 40)
-      CU_ASSERT_DOUBLE_EQUAL(left, 0.10, 0.01); /* from the recursion too: 0.109, 0.100, 0.093 */
+      CU_ASSERT_DOUBLE_EQUAL(left, 0.10, 0.01); /* the recursion gives 0.109, 0.100, 0.093 */
   }
 }
 
@@ -101,7 +101,7 @@ struct stuck {
   double m[NB_HISTORY];
 };
 
-/* One step: changes the contact radius to this value, then adds this slip. */
+/* Makes one step: changes the contact radius to this value, then adds this slip. */
 static void stuck_go(struct stuck *it, double radius, double slip) {
   it->radius = radius;
   const double overlap = radius * radius / pair.radius, before = it->force;
@@ -112,9 +112,9 @@ static void stuck_go(struct stuck *it, double radius, double slip) {
   it->force = s.force, it->work += (before + s.force) / 2 * slip;
 }
 
-/* Around a rectangle in (N, slip): N up (contact radius a2), slip, N down (a1), slip back. A shear force that is
- * kept while N falls gains 4 G* (a2 - a1) s^2; one that shrinks with the radius loses as much. In the other sense
- * both lose it. */
+/* Around a rectangle in (N, slip): N up (contact radius a2), slip by s, N down (radius a1), slip back. If the shear
+ * force is kept while N falls, the contact gains the energy 4 G* (a2 - a1) s^2; if the shear force shrinks with the
+ * radius, the contact loses this energy. In the other sense of the rectangle both contacts lose it. */
 static void rectangles(void) {
   const double low = 1e-3, high = 3e-3, slip = 2e-6, size = 4 * pair.shear * (high - low) * slip * slip;
   for (int scaled = 0; scaled < 2; scaled++)

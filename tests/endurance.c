@@ -1,4 +1,4 @@
-/* Long runs of one particle and of one contact: how rounding adds up over up to 1e9 cycles.
+/* Long runs of one particle and of one contact: the growth of rounding errors over up to 1e9 cycles.
  *
  * endurance -o TABLE [CYCLES]   writes the drifts against the number of cycles, 1e9 by default; `make extremes` does
  * endurance                     tests the first million cycles, also with planted errors that must be detected
@@ -6,8 +6,9 @@
  *   oscillation  A disc between two walls that never opens a contact. The scheme then has the exact solution
  *           x_n = A cos(n theta), v_n = -(A sin(theta)/dt) sin(n theta), with 2 sin(theta/2) = omega dt.
  *           Phase: the angle of (x_n, -v_n dt/sin(theta)), minus n theta. Amplitude: their squares over A^2, minus 1.
- *   bounce  A disc that bounces on a floor. The error of energy in a bounce is that of the scheme; it depends on where in
- *           a step the contact begins and ends, and changes its sign. The work balance has rounding alone.
+ *   bounce  A disc that bounces on a floor. The error of the energy in a bounce is the error of the scheme; it depends on
+ *           the moments, within a step, at which the contact begins and ends, and it changes its sign. The work balance
+ *           has only rounding errors.
  *   loop    A closed loop of the tangential displacement of two spheres, 40 steps, under constant normal force, by the
  *           exact and by the linear law: the force at the end of each loop, over mu N, minus that of the first.
  *
@@ -72,7 +73,7 @@ static double column(const struct run *run, int c) {
   return nb_quantity_value(run->scene.columns[c].quantity, run->model);
 }
 
-/* ---- the systems: each returns two drifts after so many cycles in all ---- */
+/* ---- the systems: each returns two drifts after a number of cycles ---- */
 
 enum { DRIFTS = 2 };
 static const double amplitude = 0.1, height = 2, stiffness = 1e4; /* of the two pages */
@@ -84,7 +85,7 @@ static void oscillate(struct run *run, double drift[DRIFTS]) {
   drift[1] = x * x + y * y - 1;
 }
 
-/* In flight, where the energy of the discrete motion is exact. */
+/* The drifts of the bouncing disc, measured in flight, where the energy of the discrete motion is exact. */
 static void bounce(struct run *run, double drift[DRIFTS]) {
   while (column(run, 2) > 0)
     run_cycles(run, 1);

@@ -1,5 +1,5 @@
-/* The two balances: every source and sink of energy alone, compared with a hand calculation, and both balances with
- * all of them together. [CS79 20-36]
+/* The work balance and the energy balance: each source and sink of energy alone is compared with a hand calculation;
+ * then both balances must close with all of them together. [CS79 20-36]
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -72,8 +72,8 @@ static void work_closes(void) {
   }
 }
 
-/* With a sixteenth of the step a residual of second order falls to 1/256, and one with parts of first order
- * (contacts rotate, form, open and lose their friction here) to 1/8 at least. A wrong or missing term does not fall. */
+/* With a sixteenth of the step a residual of second order falls to 1/256. A residual with parts of first order falls at
+ * least to 1/8; here contacts rotate, form, open and lose their friction. A wrong or missing term does not fall. */
 static void energy_closes(void) {
   static const struct {
     const char *damping, *stages;
@@ -156,8 +156,8 @@ static void by_gravity(void) {
   written_free(&it);
 }
 
-/* A wall moves towards a disc that touches it and a fixed disc. The work of the first step, k (v dt)^2/2, is all
- * stored. */
+/* A wall moves towards a disc that touches the wall and a fixed disc. The whole work of the first step, k (v dt)^2/2,
+ * is stored. */
 static void by_walls_and_stored(void) {
   struct written it;
   struct nb_model *model =
@@ -173,8 +173,8 @@ static void by_walls_and_stored(void) {
   written_free(&it);
 }
 
-/* A disc too heavy to move, with the overlap 0.1 on a wall that moves along under it: F_n = 40, and the friction
- * limit 12 is reached at the slip 0.06. */
+/* A disc too heavy to move overlaps by 0.1 with a wall that moves tangentially: F_n = 40, and the friction limit 12 is
+ * reached at the slip 0.06. */
 #define DRAG                                                                                                           \
   "units none\nmaterial m density 3 kn 400 ks 200 friction 0.3\nshear linear\ndisc 0 0.9 radius 1 m\n"                 \
   "material heavy density 1e12 kn 400 ks 200 friction 0.3\ndisc 20 0.9 radius 1 heavy\n"                               \
@@ -264,7 +264,7 @@ static void no_balance_unless_asked_for(void) {
   written_free(&it);
 }
 
-/* With rotation and with centres off the origin; the fixed disc does not count. */
+/* The momenta, with rotation and with centres away from the origin. The fixed disc does not count. */
 static void momentum(void) {
   struct written it;
   struct nb_model *model = made(&it, "units none\nmaterial m density 3\ndisc 1 2 radius 1 m velocity 3 5 spin 7\n"

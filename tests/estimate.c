@@ -38,7 +38,7 @@ static void other_ratios_give_no_smaller_estimate(void) {
       }
 }
 
-/* d_1 = 1 and d_2: of order 3 it counts as order 2, of order 0.2 as order 0.5. */
+/* The order that d_1 = 1 and d_2 give is limited: order 3 counts as order 2, order 0.2 as order 0.5. */
 static void the_order_is_limited(void) {
   NEAR(nb_estimate_step(0, 1, 1 + exp2(-3), halved), 4.0 / 3, 1e-14);
   NEAR(nb_estimate_step(0, 1, 1 + exp2(-0.2), halved), sqrt(2) / (sqrt(2) - 1), 1e-14);

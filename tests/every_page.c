@@ -14,7 +14,7 @@ static const char *const pages[] = {
 #undef NB_PAGE
 };
 
-/* A shortened stage may never meet its `until` conditions, so it ends after its cycles. */
+/* Shortens the stages. A shortened stage may never meet its `until` conditions, so it ends after its cycles. */
 static void shorten(struct nb_scene *scene, double budget) {
   const double each = budget / (double)((scene->particle_count + 10) * scene->stage_count);
   const unsigned long most = each > 20 ? (unsigned long)each : 20;
@@ -26,8 +26,8 @@ static void shorten(struct nb_scene *scene, double budget) {
   }
 }
 
-/* In a contact test some columns need fields that not all laws have: only columns that need no other fields than
- * those of the page are added. */
+/* Adds a column. In a contact test some columns need fields that not all laws have, so only columns that need no other
+ * fields than those of the page are added. */
 static void add_column(struct nb_scene *scene, const char *name, size_t room, unsigned allowed) {
   struct nb_column *column = &scene->columns[scene->column_count];
   if (scene->column_count >= room || !nb_quantity_find(&column->quantity, scene, name) ||
@@ -37,7 +37,7 @@ static void add_column(struct nb_scene *scene, const char *name, size_t room, un
   scene->column_count++;
 }
 
-/* `energies` is false if a law has no stored energy. */
+/* Adds all quantities as columns; `energies` is false if a law has no stored energy. */
 static void record_everything(struct nb_scene *scene, bool energies) {
   enum { ROOM = 20000 };
   struct nb_quantity_row row;

@@ -253,8 +253,8 @@ static void very_small_friction(void) {
     }
 }
 
-/* Friction so high that the contact never comes near sliding: T is accurate relative to itself, not only to mu N. Slip
- * is some fraction of the overlap, so u is about a millionth of x. */
+/* The friction is so high that the contact never comes near sliding. The error of T is small relative to T, not only
+ * relative to mu N. The slip is a fraction of the overlap, so u is about a millionth of x. */
 static void very_high_friction(void) {
   static struct by_hand hand;
   struct chance chance = chance_begin(8);
@@ -271,8 +271,8 @@ static void very_high_friction(void) {
   CU_ASSERT(largest < 1e-5 && worst < 1e-6 * largest);
 }
 
-/* The contact returns to the very point of an earlier corner: no piece without width stays, which a saved state would
- * refuse. */
+/* The contact returns to exactly the point of an earlier corner. No piece of width 0 remains, which the reader of a
+ * saved state would refuse. */
 static void back_to_a_corner(void) {
   struct exact it = exact_of(steel);
   const double u = 0.2e-6 * unit(steel);

@@ -44,7 +44,7 @@ static void is_uniform(const int *counts, int cells, int total) {
   for (int c = 0; c < cells; c++)
     chi += (counts[c] - expected) * (counts[c] - expected) / expected;
   CU_ASSERT(chi < gsl_cdf_chisq_Qinv(1e-6, cells - 1));
-  CU_ASSERT(chi > gsl_cdf_chisq_Pinv(1e-6, cells - 1)); /* nor more uniform than random */
+  CU_ASSERT(chi > gsl_cdf_chisq_Pinv(1e-6, cells - 1)); /* not more uniform than random numbers either */
 }
 
 /* The first numbers of the seeds 1, 2, 3, ... are uniform, and those of successive seeds are independent. */
@@ -61,7 +61,7 @@ static void seeds_are_independent(void) {
   is_uniform(pairs, 100, SEEDS);
 }
 
-/* So small that the particles exclude less than 1e-7 of the area: one attempt per particle is enough. */
+/* Particles so small that they exclude less than 1e-7 of the area: one attempt per particle is enough. */
 #define TINY ROCK "grading dust 1e-6 20000\n"
 enum { DUST = 20000 };
 
@@ -94,8 +94,8 @@ static void uniform_in_a_box(void) {
   written_free(&it);
 }
 
-/* Checks all pairs: no overlap, computed as in a cycle; no particle across the edge except for rounding; no particle
- * larger than the one before. */
+/* Checks all pairs: no two particles overlap, computed as in a cycle; no particle is across the edge except by
+ * rounding; no particle is larger than the one before. */
 static void sound(const struct nb_scene *scene, size_t first) {
   const struct nb_fill *fill = &scene->fills[scene->fill_count - 1];
   size_t overlaps = 0, outside = 0;
@@ -176,11 +176,12 @@ static void no_overlap_with_existing_particles(void) {
   written_free(&it);
 }
 
-/* The probability p that a random place is free when the fraction q of the plane is covered, in powers of q [Schaaf
- * and Talbot, J. Chem. Phys. 91 (1989) 4401]. The expected number of attempts for N particles is the sum of 1/p. A
- * disc near the edge of the square in which centres may lie, of side a, blocks less of it: on average 1 - 8 d/(3 pi
- * a) of pi d^2, d = 2 R. The attempts of one particle are geometrically distributed with the variance (1 - p)/p^2;
- * the tolerance is four standard deviations. The neglected terms, q^4 and the edge in second order, are 0.2 %. */
+/* The test uses the probability p that a random place is free when the fraction q of the plane is covered, in powers of
+ * q [Schaaf and Talbot, J. Chem. Phys. 91 (1989) 4401]. The expected number of attempts for N particles is the sum of
+ * 1/p. Centres lie in a square of side a. A disc near its edge blocks a smaller part of the square than another disc:
+ * on average the fraction 1 - 8 d/(3 pi a) of pi d^2, d = 2 R. The number of attempts of one particle is geometrically
+ * distributed with the variance (1 - p)/p^2; the tolerance is four standard deviations. The neglected terms, q^4 and
+ * the edge in second order, are 0.2 %. */
 static void expected_number_of_attempts(void) {
   enum { PARTICLES = 20000 };
   const double pi = acos(-1), side = 560, a = side - 2, edge = 1 - 8 * 2 / (3 * pi * a);
@@ -221,8 +222,8 @@ static void attempts_and_skipped_sizes(void) {
   written_free(&it);
 }
 
-/* The quantities of a grading are sums over its own sizes, and those of a size are its own. Two gradings, one of which
- * is placed twice. */
+/* The quantities of a grading are sums over its sizes; the quantities of a size count only this size. The scene has two
+ * gradings, one of which is placed twice. */
 static void quantities_of_gradings(void) {
   struct words page = {0};
   struct written it;
@@ -254,8 +255,8 @@ static void quantities_of_gradings(void) {
   written_free(&it);
 }
 
-/* Boxes as wide, or as high, as the disc. Its only place is x + r, and by rounding one of the two edges is nearer
- * than r by the last bit. This place is refused, whichever edge it is. */
+/* Boxes as wide, or as high, as the disc. The only place of its centre is x + r, and by rounding one of the two edges
+ * is nearer than r by the last bit. This place is refused, whichever edge is nearer. */
 static void across_the_edge_by_rounding(void) {
   static const struct {
     double from, radius, to;
@@ -279,7 +280,7 @@ static void across_the_edge_by_rounding(void) {
     }
 }
 
-/* FNV-1a hash of the bits, the same with every compiler, option and machine. */
+/* The FNV-1a hash of the bits, which must be the same with every compiler, option and machine. */
 static uint64_t bits_of(const struct nb_scene *scene) {
   uint64_t hash = UINT64_C(14695981039346656037);
   for (size_t k = 0; k < scene->particle_count; k++) {
@@ -305,7 +306,7 @@ static void the_same_bits(void) {
 
 #define CELL ROCK "cell -3 2 to 47 32\n" /* 50 by 30 */
 
-/* All pairs of copies: no overlap; centres everywhere in the cell, also nearer than a radius to its edges. */
+/* No two images overlap, and centres are everywhere in the cell, also nearer than a radius to its edges. */
 static void no_overlap_across_edges(void) {
   for (int seed = 1; seed <= 3; seed++) {
     struct written it;
@@ -333,8 +334,8 @@ static void no_overlap_across_edges(void) {
   }
 }
 
-/* Also uniform in each hundredth of the width and of the height, so that a strip of 1 % at an edge that no centre
- * reaches is found. */
+/* The centres are also uniformly distributed over the hundredths of the width and of the height. So an error that
+ * leaves a strip of 1 % at an edge empty is found. */
 static void uniform_in_a_cell(void) {
   struct written it;
   int counts[100] = {0}, columns[100] = {0}, rows[100] = {0};
@@ -351,7 +352,7 @@ static void uniform_in_a_cell(void) {
   written_free(&it);
 }
 
-/* Existing particles may be given at any copy of the cell. */
+/* Any image of an existing particle may be given. */
 static void any_copy_of_existing_particles(void) {
   static const char *const there[] = {"disc 1 30 radius 6 rock fixed\ndisc 25 10 radius 5 rock fixed\n",
                                       "disc 51 0 radius 6 rock fixed\ndisc 25 10 radius 5 rock fixed\n",
@@ -371,7 +372,7 @@ static void any_copy_of_existing_particles(void) {
   }
 }
 
-/* A particle wider or higher than the cell would overlap its own copy. */
+/* A particle wider or higher than the cell would overlap its own image. */
 static void one_that_fills_the_cell(void) {
   static const char *const cells[] = {CELL, ROCK "cell 2 -3 to 32 47\n"};
   for (int k = 0; k < 2; k++) {

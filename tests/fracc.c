@@ -1,5 +1,5 @@
-/* FRACC as R89 defines it, compared with hand calculations: of one particle, the largest of several, and for a force
- * that rotates. [R89 4.35-4.40]
+/* FRACC as R89 defines it, compared with hand calculations: for one particle, for the largest of several, and for a
+ * force that rotates. [R89 4.35-4.40]
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -59,9 +59,9 @@ static void as_defined(void) {
   written_free(&it);
 }
 
-/* In the step in which a disc at rest is hit, its force sum changes but it does not move, so it has no FRACC; the
- * disc that hits it has one. That disc has the speed 1 and the overlap 0.02 after the first step, so dSF = 0.02 k_n.
- * In the second step the overlap grows by 0.03 minus the distance by which the force moves the discs apart. */
+/* In the step in which a disc at rest is hit, its force sum changes but it does not move, so it has no FRACC; the disc
+ * that hits it has one. The moving disc has the speed 1, and the overlap is 0.02 after the first step, so dSF = 0.02
+ * k_n. In the second step the overlap grows by 0.03 minus the distance by which the force moves the discs apart. */
 static void no_displacement_no_fracc(void) {
   struct words page = {0};
   struct written it;
@@ -73,7 +73,8 @@ static void no_displacement_no_fracc(void) {
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
   written_cycles(model, 1);
   NEAR(written_now(model, "step.fracc"), by_hand(1, 0.03, 0, 0.02, 1, 0), 1e-12);
-  written_cycles(model, 1); /* each gets F dt/M = 6e-4: they approach with 1 - 12e-4, the disc that was hit has 6e-4 */
+  written_cycles(model,
+                 1); /* F dt/M = 6e-4 for each: they approach at 1 - 12e-4; the disc that was hit moves at 6e-4 */
   NEAR(written_now(model, "step.fracc"), by_hand(1, 0.03, 0.02, 0.02 + 0.03 * (1 - 12e-4), 6e-4, 0), 1e-11);
   nb_model_free(model);
   written_free(&it);

@@ -1,4 +1,5 @@
-/* The guards against passing through each other and through walls, just below and just above each limit.
+/* The guards that stop a run before particles pass through each other or through walls, just below and just above each
+ * limit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -12,7 +13,7 @@
 
 #define HEAD "units none\nmaterial m density 1 kn 1\nallow unstable\nstep 0.5\n"
 
-/* Makes the model and runs so many cycles of one stage. Returns the status; *done is the number of cycles made. */
+/* Makes the model and runs `cycles` cycles of one stage. Returns the status; *done is the number of cycles made. */
 static enum nb_status outcome(struct nb_error *error, const char *statements, unsigned long cycles,
                               unsigned long *done) {
   struct words page = {0};
@@ -37,8 +38,8 @@ static bool has(const struct nb_error *error, const char *words) {
   return strstr(error->text, words) != NULL;
 }
 
-/* Radii 2 and 1 at the distance 2: the overlap is the smaller radius, 1. In either order, and between copies in a
- * cell. */
+/* Radii 2 and 1 at the distance 2: the overlap is the smaller radius, 1. The discs are in either order, or one of them
+ * is an image in a cell. */
 static void overlap_at_the_start(void) {
   static const struct {
     const char *below, *above;
@@ -70,8 +71,7 @@ static void overlap_at_the_start(void) {
       NB_OK);
 }
 
-/* A search that finds coincident particles lists none of their pairs, which are as many as half the square of their
- * number, and names the first two. */
+/* A search that finds n coincident particles names the first two and lists none of their n^2/2 pairs. */
 static void coincident_particles(void) {
   struct words page = {0};
   struct written it;
@@ -127,8 +127,8 @@ static void displacement_in_a_step(void) {
   }
 }
 
-/* A strained cell moves copies far from its centre by more than a radius in a step. This is allowed, because all
- * copies move together. */
+/* A strained cell moves images far from its centre by more than a radius in a step. This is allowed, because all images
+ * move together. */
 static void imposed_by_a_cell(void) {
   struct nb_error error;
   unsigned long done;
@@ -277,7 +277,7 @@ static void friction_without_effect(void) {
   }
 }
 
-/* Rows without a quantity would be empty. */
+/* A page that records rows without a quantity gets a warning, because the rows would be empty. */
 static void empty_rows(void) {
   static const struct {
     const char *records, *in_stage;
@@ -335,7 +335,8 @@ static void resolution_and_mean_overlap(void) {
 }
 
 /* Two heavy discs with an overlap of 900 x 2^-29 move together by 0.5 in a cycle, which is more than half the skin. The
- * first one begins at 2^23 - 4 and is at 2^23 after 8 cycles. Below that the ulp is 2^-30, which the overlap allows. */
+ * first disc begins at 2^23 - 4 and is at 2^23 after 8 cycles. Below 2^23 the ulp is 2^-30, which is fine enough for
+ * the overlap. */
 static void resolution_that_gets_coarse(void) {
   struct words page = {0};
   struct written it;

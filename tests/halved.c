@@ -69,7 +69,7 @@ static struct stage_end *run_all(const struct nb_scene *scene, size_t *count) {
 
 /* ---- halves ---- */
 
-/* A second half without statements. A servo and a ramp end with their stage. */
+/* The second half of a stage, without statements. A servo and a ramp end with their stage. */
 static struct nb_stage silent(const struct nb_stage *stage) {
   struct nb_stage half = *stage;
   half.motion_count = half.change_count = 0;
@@ -91,7 +91,7 @@ static struct nb_stage *halves(const struct nb_scene *scene, bool again) {
     first->snapshot = false, first->snapshot_from = -1;
     second->snapshot_from = stage->snapshot_from < 0 ? -1 : 2 * stage->snapshot_from;
     second->rotation = NB_ROTATION_AS_BEFORE,
-    second->rotation_line = 0; /* repeated, it would divide the last half step again, with other rounding */
+    second->rotation_line = 0; /* a repeated `rotation` would divide the last half step again, with other rounding */
     second->removal_count = 0, second->zero_velocities = second->reverse_velocities = false, second->circle.line = 0;
   }
   return stages;
@@ -119,8 +119,8 @@ static bool ramps(const struct nb_stage *stage) {
 
 static bool begins(const char *text, const char *with) { return strncmp(text, with, strlen(with)) == 0; }
 
-/* Quantities that a continued run does not reproduce: sums since the start of the run, quantities that need a step
- * before them, and quantities that depend on which pairs are listed, because a run begins with a search. */
+/* True for quantities that a continued run does not reproduce: sums since the start of the run, quantities that need
+ * the previous step, and quantities that depend on which pairs are listed, because a run begins with a search. */
 static bool counted(const char *name) {
   const bool strain = strstr(name, ".strain.") && !begins(name, "cell.") && !begins(name, "boundary.");
   return strstr(name, ".new") || strstr(name, ".lost") || begins(name, "energy.") || begins(name, "work.") ||
@@ -128,7 +128,7 @@ static bool counted(const char *name) {
          strcmp(name, "step.stable") == 0;
 }
 
-/* Times are summed from the beginning of the stage, so they round differently. */
+/* True for times, which are summed from the beginning of the stage and so round differently. */
 static bool timed(const char *name) {
   return strcmp(name, "time") == 0 || strcmp(name, "impact.time") == 0 || strcmp(name, "impact.duration") == 0;
 }
@@ -163,8 +163,8 @@ static bool same_text(const char **a, const char **b) {
   return **a == **b;
 }
 
-/* Compares all records before the checksum; without `times` only those from the record of units on, before which are
- * names and times. */
+/* Compares all records before the checksum. Without `times` compares only the records from `units` on; names and times
+ * come before `units`. */
 static bool same_states(const struct stage_end *a, const struct stage_end *b, const char *name, const char *what,
                         bool times) {
   const char *one = times ? a->state : strstr(a->state, "\nunits"),

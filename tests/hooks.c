@@ -188,8 +188,8 @@ static void passes_and_their_lines(void) {
   }
 }
 
-/* The forces at the time at which a stage begins are those of the stage before. So its passes run from the first cycle
- * on. */
+/* The forces at the time at which a stage begins are those of the previous stage. So the passes of the stage run from
+ * its first cycle on. */
 static void passes_of_a_stage(void) {
   static const struct {
     const char *hooks, *passes;
@@ -225,7 +225,7 @@ static void passes_of_a_stage(void) {
   written_free(&it);
 }
 
-/* The first cycle of the next stage takes the imposed velocity away. */
+/* In the first cycle of the next stage the imposed velocity is subtracted. */
 static void affine_motion_of_a_stage(void) {
   static const char *const begin[] = {"3 stability check", "0 affine motion, 3 stability check",
                                       "0 affine motion, 2 changes of the stage, 3 stability check"};
@@ -254,7 +254,7 @@ static void affine_motion_of_a_stage(void) {
   }
 }
 
-/* Memory of rotation, and the integration of rotation in a stage. */
+/* The memory for rotation, and the integration of rotation in a stage. */
 static void rotation_of_a_stage(void) {
   static const struct {
     const char *scene;

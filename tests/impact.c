@@ -116,7 +116,8 @@ static void effective_constants_of_two_particles(void) {
   }
 }
 
-/* The nearest point of a wall: on either side, with the point of `about` off the wall, beyond the ends. */
+/* The nearest point of a wall: for a sphere on either side, with the point of `about` off the wall, and beyond the
+ * ends. */
 static void impact_on_a_wall_at_its_nearest_point(void) {
   static const struct {
     const char *wall;

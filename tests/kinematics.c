@@ -44,7 +44,7 @@ static struct bench *bench_create(bool wall) {
   return it;
 }
 
-/* Discs 2c and 2c + 1, or disc 2c and wall c, near each other and far from the origin. */
+/* Fills the input: discs 2c and 2c + 1, or disc 2c and wall c, near each other and far from the origin. */
 static void bench_fill(struct bench *it, unsigned seed) {
   struct chance chance = chance_begin(seed);
   it->model.previous_step = chance_scale(&chance, 1e-6, 1e-2);
@@ -78,8 +78,8 @@ static bool near(double computed, long double expected, double scale) {
   return fabsl(computed - expected) <= 16 * 2.2e-16L * (fabsl(expected) + scale);
 }
 
-/* [CS79 8-15] for disc c against a point at (qx, qy) with radius `other`, velocity (ux, uy) and surface speed
- * `turning`. */
+/* Compares contact c with [CS79 8-15] for disc 2c and a partner at q with the radius `other`, the velocity u and the
+ * surface speed `turning`. */
 static void compare(const struct bench *it, int c, const long double q[2], const long double u[2], long double other,
                     long double turning) {
   const struct nb_vec x = it->position[2 * c], v = it->velocity[2 * c];
@@ -93,7 +93,7 @@ static void compare(const struct bench *it, int c, const long double q[2], const
   CU_ASSERT(near(it->f[NB_EX][c], e1, blur) && near(it->f[NB_EY][c], e2, blur));
   const long double dn = (rx * e1 + ry * e2) * dt, slip = (rx * t1 + ry * t2 - (surface.speed + turning)) * dt;
   CU_ASSERT(near(it->f[NB_NORMAL_INCREMENT][c], dn, 8 * (1 + blur) * (double)dt));
-  const bool met = overlap > 0 && overlap < dn; /* in the last step: only the rest of its slip counts */
+  const bool met = overlap > 0 && overlap < dn; /* first touch in the last step: only the slip after it counts */
   const double fraction = met ? (double)(overlap / dn) : 1, share_blur = met ? 2000 / (double)dn : 0;
   CU_ASSERT(near(it->f[NB_TANGENTIAL_INCREMENT][c], fraction * slip,
                  80 * (1 + blur) * (double)dt + share_blur * fabs((double)slip)));
@@ -183,7 +183,7 @@ static void signs_of_slip(void) {
   free(it);
 }
 
-/* F = -(F_n e + F_s t), with a shear force and where there is none. [CS79, The force-displacement law] */
+/* F = -(F_n e + F_s t), with and without a shear force. [CS79, The force-displacement law] */
 static void force_in_components(void) {
   static struct nb_vec force[N];
   struct bench *it = bench_create(false);

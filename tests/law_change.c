@@ -34,7 +34,8 @@ static void the_force_jumps_and_the_energy_is_counted(void) {
   written_free(&it);
 }
 
-/* A normal law by increments gets its increment from the geometry also where no shear law and no dashpot needs it. */
+/* A normal law by increments gets its increment from the geometry pass, even if no shear law and no dashpot needs
+ * it. */
 static void increments_without_a_shear_law(void) {
   static const char *const shears[] = {"none", "mindlin"};
   double force[2];

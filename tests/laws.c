@@ -1,4 +1,4 @@
-/* The contract that every registered law must satisfy. No test here names a law.
+/* The contract that every registered law must satisfy. No test in this file names a law.
  *
  * Each test runs over all laws with many random material pairs and paths; shear laws are combined with every normal
  * law.
@@ -24,14 +24,14 @@ static void nothing_at_zero_overlap(struct contact it, struct chance *chance) {
   }
 }
 
-/* At the largest overlap so far there is a repulsive force. A law with a history may have no force where the overlap
- * has been larger. */
+/* At the largest overlap so far the force is repulsive. A law with a history may have no force if the overlap was
+ * larger before. */
 static void pushes_and_never_pulls(struct contact it, struct chance *chance) {
   double deepest = 0;
   for (int k = 0; k < 20; k++) {
     const double overlap =
-        chance_scale(chance, it.normal->incremental ? 1e-100 : 1e-300, 1e3); /* it sums up from the smallest overlap */
-    /* then the force may be 0, but not without the stiffness */
+        chance_scale(chance, it.normal->incremental ? 1e-100 : 1e-300, 1e3); /* an incremental law sums from there on */
+    /* if apart, the force may be 0; then the stiffness is 0 too */
     const bool apart = it.normal->incremental ? overlap < it.overlap : it.normal->history > 0 && overlap < deepest;
     deepest = overlap > deepest ? overlap : deepest;
     contact_go(&it, overlap, 0);
@@ -41,8 +41,8 @@ static void pushes_and_never_pulls(struct contact it, struct chance *chance) {
   }
 }
 
-/* A force has the relative error epsilon, so a difference quotient over 2 h has the error F epsilon/h; h is so small
- * that the curvature does not count. The stiffness of an incremental law is the slope of the next step. */
+/* A force F has the relative error epsilon, so a difference quotient over 2 h has the error F epsilon/h; h is so small
+ * that the curvature can be neglected. The stiffness of an incremental law is the slope of the next step. */
 static void stiffness_is_the_slope(struct contact it, struct chance *chance) {
   const double overlap = chance_scale(chance, 1e-9, 1e-3), h = ldexp(overlap, -17);
   contact_lead(&it, overlap - h, 0, 16);

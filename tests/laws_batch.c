@@ -56,7 +56,7 @@ static void row_of_chance(double *row, const struct nb_law *law, struct nb_pair 
   }
 }
 
-/* All that a law reads and writes, in the layout of the plan. */
+/* All fields that a law reads and writes, in the layout of the plan. */
 struct fields {
   _Alignas(64) double f[NB_FIELDS][ROOM];
   _Alignas(64) double memory[NB_HISTORY][ROOM];
@@ -81,7 +81,7 @@ static void fill(struct fields *fields, const struct nb_law *law, struct nb_pair
   }
 }
 
-/* One contact at a time, as law_batch.h specifies. */
+/* Computes one contact at a time, as law_batch.h specifies. */
 static void by_hand(const struct nb_law *law, struct nb_pair pair, struct fields *fields, size_t n) {
   const bool rows = nb_law_history(law, pair) > NB_HISTORY;
   for (size_t c = 0; c < n; c++) {

@@ -45,8 +45,9 @@ static void closed_paths_give_no_energy(struct contact it, struct chance *chance
 /* In every segment the stored energy increases by at most the work, and by exactly the work while nothing slides. A law
  * that returns its dissipation stores the rest, sliding or not. The error of the finite steps is estimated as sixteen
  * times the change of all terms when the number of steps is halved. The factor is large because the error has a smooth
- * part and a part from the step in which sliding begins, and these may cancel in the change. A law that joins pieces of
- * its history changes its stored energy slightly, and reports that as dissipation; on these paths it is below 1e-3. */
+ * part and a part from the step in which sliding begins, and these may cancel in the change. A law that merges pieces
+ * of its history changes its stored energy slightly, and returns this change as dissipation; on these paths it is below
+ * 1e-3. */
 static void stored_energy_is_the_work(struct contact it, struct chance *chance) {
   if (!it.normal->stored || (it.shear && !it.shear->stored))
     return;

@@ -42,7 +42,7 @@ static void models_run_alternately(void) {
     struct nb_model *alone = written_model(&scenes[k], NULL);
     written_cycles(alone, CYCLES);
     compare(alone, together[k]);
-    CU_ASSERT(k == 0 || written_now(alone, "A.x") != written_now(together[0], "A.x")); /* they do differ */
+    CU_ASSERT(k == 0 || written_now(alone, "A.x") != written_now(together[0], "A.x")); /* the scenes do differ */
     nb_model_free(alone);
   }
   for (int k = 0; k < MODELS; k++) {

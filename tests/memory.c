@@ -63,7 +63,7 @@ static void many(void) {
   nb_owner_free(&owner);
 }
 
-/* A variable without a field reads as 0. Between histories of different length, the variables that both have are
+/* A variable without a field reads as 0. Between histories of different lengths, only the variables that both have are
  * copied. */
 static void different_lengths(void) {
   static const int sizes[][2] = {{1, FEW}, {FEW, 1}, {FEW + 1, MANY}, {MANY, FEW + 1}};

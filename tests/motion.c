@@ -1,7 +1,7 @@
 /* The equations of motion, compared with the solutions of their recursions: [CS79 20-23a, 29-36], [R89 sec. 6.5.1].
  *
- * One disc between two walls that it overlaps by p each is a mass m on a spring 2 k, exactly, while it moves by less
- * than p.
+ * A disc between two walls, each overlapping it by p, is exactly a mass m on a spring 2 k while it moves by less than
+ * p.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -17,7 +17,7 @@ static const double press = 0.125, k = 300, pi = 3.14159265358979323846;
 static double mass(void) { return pi * 2; } /* of a disc with radius 1 and density 2 */
 static double omega(void) { return sqrt(2 * k / mass()); }
 
-/* The disc at x with velocity v; then the statements given. */
+/* Writes a page with the disc at x and its velocity v, then the statements. */
 static void oscillator(struct written *it, double x, double v, const char *statements) {
   struct words page = {0};
   words_add(&page, "units none\nmaterial m density 2 kn %g\n", k);
@@ -148,9 +148,9 @@ static void spin_is_damped_like_the_velocity(void) {
   }
 }
 
-/* Three stages with the steps dt, dt/3, dt/2, compared with the exact motion: with all steps halved, the errors of
- * position and velocity fall to a quarter, damped or not. With a first kick of a whole step, or a kick of the new
- * step only, they would fall to a half. */
+/* Three stages with the steps dt, dt/3, dt/2 are compared with the exact motion. With all steps halved, the errors of
+ * position and velocity fall to a quarter, damped or not. They would fall only to a half if the first kick lasted a
+ * whole step, or if a kick between two stages lasted only the new step. */
 static void changes_of_the_step_keep_the_second_order(void) {
   for (int damped = 0; damped < 2; damped++) {
     const double rate = damped ? 2 : 0, w = omega(), turn = sqrt(w * w - rate * rate / 4), end = 6;

@@ -78,8 +78,8 @@ static size_t compare(const struct nb_model *model, double within) {
   return wanted;
 }
 
-/* The number of a contact from its partners: particles and walls are numbered separately, so a wall may have the number
- * of a particle. Both are in each other's list only if there is such a contact. */
+/* A contact is found by its partners. Particles and walls are numbered separately, so a wall may have the number of a
+ * particle. */
 static void contacts_are_found_by_their_partners(void) {
   struct words page = {0};
   struct written it;
@@ -117,7 +117,7 @@ static void all_pairs_are_found(void) {
       cloud(&it, places[p][0], places[p][1], 1, p + 1);
       struct nb_model *model = written_model(&it, &(struct nb_options){.threads = 1, .shuffle = shuffle});
       const size_t wanted = compare(model, model->search.skin);
-      CU_ASSERT(wanted > DISCS / 2 && wanted == model->contacts.count); /* these and no others */
+      CU_ASSERT(wanted > DISCS / 2 && wanted == model->contacts.count); /* these pairs and no others are listed */
       nb_model_free(model);
       written_free(&it);
     }

@@ -1,4 +1,4 @@
-/* A page that is run: progress and notes during the runs, and the units of the results.
+/* Runs of a page: progress and notes during the runs, units of the results, and memory, files and locks of results.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef _POSIX_C_SOURCE
@@ -107,7 +107,7 @@ static void progress(void) {
   }
 }
 
-/* The same law with another memory size: the note names the size, which is all that changes. */
+/* The same law with another number of pieces: the note names this number, because nothing else changes. */
 static void note_of_memory_size(void) {
   static const char scene[] = "material m density 1 kg/m3 young 1 Pa poisson 0.25 friction 0.5\nnormal hertz\n"
                               "shear mindlin_deresiewicz%s\nsphere 0 m 0 m radius 1 m m velocity 1 m/s 0 m/s\n"
@@ -130,7 +130,8 @@ static void note_of_memory_size(void) {
   }
 }
 
-/* A stage that waits for equilibrium ends at once if nothing touches, which a note says. With contacts it says nothing. */
+/* A stage that waits for equilibrium ends at once if nothing touches; a note says so. With contacts there is no
+ * note. */
 static void note_without_contact_forces(void) {
   static const char scene[] = "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m fixed\n"
                               "disc %s 0 radius 1 m\nmonitor A disc 2\nrecord time A.x\nstep 0.1\nstage one\n"
@@ -331,10 +332,10 @@ static void many_particles(void) {
   nb_outcome_free(&outcome);
 }
 
-/* Results that were written to a temporary file and read again are those in memory. This holds in any order of reading,
- * and whether all three runs or only the last two are in the file. A file that cannot be written causes one note, and
- * the results stay in memory. A file that can no longer be read is an error. Two outcomes cannot use one folder at a
- * time. */
+/* Results that were written to a temporary file and read again equal those in memory. This holds in any order of
+ * reading, and whether all three runs or only the last two are in the file. A file that cannot be written causes one
+ * note, and the results stay in memory. A file that can no longer be read is an error. Two outcomes cannot use one
+ * folder at a time. */
 static void results_in_a_file(void) {
   static const char scene[] = "units none\nsweep v 1 2 3\nmaterial m density 1 kn 1 ks 1 friction 0.5\ndisc 0 0 radius "
                               "1 m velocity $v 0\nwall w 0.9 -9 to "
@@ -493,7 +494,7 @@ static void interrupted_with(nb_settings own, nb_settings other) {
   options.checkpoint.resume = false;
   CU_ASSERT_EQUAL(nb_outcome_make(&second, path, own, &options, NULL), NB_BAD_USE);
   CU_ASSERT_PTR_NOT_NULL(strstr(second.error.text, "this page has been interrupted"));
-  CU_ASSERT_EQUAL(second.runs[0].result.cycles, 0); /* it is refused before the first run */
+  CU_ASSERT_EQUAL(second.runs[0].result.cycles, 0); /* the page is refused before the first run */
   nb_outcome_free(&second);
   options.checkpoint.resume = true;
   CU_ASSERT_EQUAL(nb_outcome_make(&second, path, own, &options, NULL), NB_OK);
