@@ -4,10 +4,12 @@
 #include <CUnit/CUnit.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "../src/core/guess.h"
 #include "../src/input/units.h"
+#include "chance.h"
 #include "suites.h"
 
 #define COUNT(list) (sizeof list / sizeof *list)
@@ -155,9 +157,33 @@ static void foreign(void) {
   CU_ASSERT_PTR_NULL(nb_unit_foreign("inc", NULL));
 }
 
+/* Numbers of 1 to 17 digits, with a point anywhere and exponents around the largest power of ten that a double holds
+ * exactly: the same bits as strtod. */
+static void short_numbers(void) {
+  enum { NUMBERS = 200000 };
+  struct chance chance = chance_begin(3);
+  int compared = 0;
+  for (int k = 0; k < NUMBERS; k++) {
+    char digits[32], text[64], shifted[64];
+    const int length = snprintf(digits, sizeof digits, "%.0f", floor(chance_scale(&chance, 1, 1e17)));
+    const int whole = (int)chance_between(&chance, 0, length + 1), exponent = (int)chance_between(&chance, -26, 26),
+              shift = (int)chance_between(&chance, -6, 7);
+    const char *const sign = k % 3 ? "" : "-";
+    double value;
+    snprintf(text, sizeof text, "%s%.*s.%se%d", sign, whole, digits, digits + whole, exponent);
+    snprintf(shifted, sizeof shifted, "%s%.*s.%se%d", sign, whole, digits, digits + whole, exponent + shift);
+    if (nb_number_read(&value, text, shift) != NB_READ)
+      continue;
+    const double wanted = strtod(shifted, NULL);
+    compared += memcmp(&value, &wanted, sizeof value) == 0;
+  }
+  CU_ASSERT_EQUAL(compared, NUMBERS);
+}
+
 void suite_units(void) {
   CU_pSuite suite = CU_add_suite("units", NULL, NULL);
   CU_add_test(suite, "exact powers of ten", units);
+  CU_add_test(suite, "short numbers have the bits of strtod", short_numbers);
   CU_add_test(suite, "kinds of numbers", kinds);
   CU_add_test(suite, "dimensions in words", written);
   CU_add_test(suite, "units of other systems", foreign);

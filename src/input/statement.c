@@ -16,11 +16,15 @@ static size_t matching_words(const struct nb_reader *reader, const char *words, 
   size_t there = 0;
   *all = 0;
   for (const char *word = words; *word; (*all)++) {
-    const size_t length = strcspn(word, " "), at = reader->next + *all;
+    const size_t at = reader->next + *all;
     const char *token = at < reader->count ? reader->tokens[at].text : "";
-    if (there == *all && strlen(token) == length && strncmp(token, word, length) == 0)
-      there++;
-    word += length + strspn(word + length, " ");
+    while (*word && *word != ' ' && *word == *token)
+      word++, token++;
+    there += there == *all && !*token && (!*word || *word == ' ');
+    while (*word && *word != ' ')
+      word++;
+    while (*word == ' ')
+      word++;
   }
   return there;
 }
@@ -497,17 +501,19 @@ static void read_fields(struct nb_reader *reader, struct nb_record *record) {
  * of this kind of block is returned. A row of this place without words matches every line. */
 static const struct nb_keyword *whole_match(const struct nb_reader *reader, const struct nb_family *table,
                                             unsigned here, bool elsewhere, size_t *most) {
-  const struct nb_keyword *found = NULL, *row;
+  const struct nb_keyword *found = NULL;
   const unsigned side = here & CONTACT_TEST ? CONTACT_TEST : ~(unsigned)CONTACT_TEST;
+  const char first = reader->next < reader->count ? *reader->tokens[reader->next].text : '\0';
   size_t words;
   *most = 0;
-  for (size_t k = 0; (row = nb_keyword_row(table, k)); k++) {
-    if (!(row->where & here) != elsewhere || (elsewhere && !row->word))
-      continue;
-    const bool whole = matching_words(reader, row->word ? row->word : "", &words) == words;
-    if (whole && (!found || words > *most || (words == *most && !(found->where & side))))
-      found = row, *most = words;
-  }
+  for (const struct nb_family *family = table; family->rows; family++)
+    for (const struct nb_keyword *row = family->rows; row->apply; row++) {
+      if (!(row->where & here) != elsewhere || (row->word ? *row->word != first : elsewhere))
+        continue;
+      const bool whole = matching_words(reader, row->word ? row->word : "", &words) == words;
+      if (whole && (!found || words > *most || (words == *most && !(found->where & side))))
+        found = row, *most = words;
+    }
   return found;
 }
 

@@ -15,8 +15,10 @@
 #include "core/vec.h"
 
 #include <ctype.h>
+#include <float.h>
 #include <locale.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -227,6 +229,33 @@ size_t nb_number_length(const char *text) {
   return exponent ? mantissa + 1 + sign + exponent : mantissa;
 }
 
+/* Reads a decimal number with up to 15 significant digits: an integer below 1e15 times or over a power of ten up to
+ * 1e22. Doubles hold both exactly, and a product or quotient is rounded once, so the value is that of strtod. False: the
+ * number is not of this kind. `mantissa`: the characters before the exponent. */
+static bool short_number(double *value, const char *text, size_t mantissa, long exponent) {
+  static const double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                  1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+  enum { MOST = sizeof powers / sizeof *powers - 1, DIGITS = 15 };
+  const size_t sign = *text == '+' || *text == '-';
+  long decimals = 0;
+  int digits = 0;
+  uint64_t whole = 0;
+  bool point = false;
+  for (size_t k = sign; k < mantissa && digits <= DIGITS; k++) {
+    point = point || text[k] == '.';
+    if (text[k] == '.')
+      continue;
+    whole = 10 * whole + (uint64_t)(text[k] - '0');
+    digits += whole > 0, decimals += point;
+  }
+  exponent -= decimals;
+  if (FLT_EVAL_METHOD != 0 || digits > DIGITS || exponent > MOST || exponent < -MOST)
+    return false;
+  const double size = exponent < 0 ? (double)whole / powers[-exponent] : (double)whole * powers[exponent];
+  *value = *text == '-' ? -size : size;
+  return true;
+}
+
 enum nb_reading nb_number_read(double *value, const char *text, int shift) {
   enum { LONGEST = 1024 };
   char shifted[LONGEST + 32];
@@ -240,6 +269,8 @@ enum nb_reading nb_number_read(double *value, const char *text, int shift) {
     exponent = 100000; /* beyond any double, but no overflow of a long */
   if (exponent < -100000)
     exponent = -100000;
+  if (short_number(value, text, mantissa, exponent + shift))
+    return NB_READ;
   snprintf(shifted, sizeof shifted, "%.*se%ld", (int)mantissa, text, exponent + shift);
 
   locale_t plain = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0);

@@ -33,8 +33,8 @@ struct wanted {
 static struct wanted wanted_of(enum nb_unit_kind kind) {
   struct wanted it = {
       .name = nb_unit_kind_name(kind), .units = nb_unit_list(kind), .per_cycle = kind == NB_UNIT_STRAIN_RATE};
-  char si[NB_NAME_SIZE];
-  snprintf(si, sizeof si, "%.*s", (int)strcspn(it.units, ","), it.units);
+  char si[NB_NAME_SIZE] = "";
+  memcpy(si, it.units, strcspn(it.units, ","));
   nb_unit_read(&it.unit, si);
   return it;
 }
@@ -236,19 +236,23 @@ static bool take_quantity(struct nb_reader *reader, const struct wanted *it, enu
   struct nb_unit unit;
   const struct nb_token *number = nb_token_peek(reader);
   *value = 1;
-  expected_text(what, sizeof what, reader, it);
-  if (!number || nb_number_read(value, number->text, 0) == NB_NO_NUMBER)
+  if (!number || nb_number_read(value, number->text, 0) == NB_NO_NUMBER) {
+    expected_text(what, sizeof what, reader, it);
     return nb_expected(reader, NULL, "%s", what);
+  }
   const bool matches = unit_fits(&unit, reader, it);
   const struct nb_token *behind = matches || meant_as_unit(reader, it) ? token_after(reader, 1) : NULL;
   const enum nb_reading reading = nb_quantity_read(value, number->text, number->computed, &unit);
   if (reading != NB_READ)
     return number_mistake(reader, number, matches ? behind : NULL, NULL, nb_reading_words(reading));
-  if (!matches && (behind || !may_be_bare(reader, it)))
+  if (!matches && (behind || !may_be_bare(reader, it))) {
+    expected_text(what, sizeof what, reader, it);
     return number_mistake(reader, number, behind, unit_hint(hint, reader, number, behind, it), what);
-  snprintf(what, sizeof what, "%s%s", it->name, nb_range_words(range));
-  if (!within(*value, range))
+  }
+  if (!within(*value, range)) {
+    snprintf(what, sizeof what, "%s%s", it->name, nb_range_words(range));
     return number_mistake(reader, number, behind, NULL, what);
+  }
   reader->next += matches ? 2 : 1;
   reader->has_units |= matches;
   const struct nb_token *next = nb_token_peek(reader);
