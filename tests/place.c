@@ -1,12 +1,12 @@
 /* `transform`: every statement that has a direction is mirrored and rotated with the scene.
  *
- * For each such statement there is a short scene in which it matters: without its line the page has an error, or
- * particles move differently. The scene is run as it is and with several transforms; particles and walls must end at
- * the transformed places of the first run. The keywords come from the table of the language: the test fails if one is
- * in neither list, or if it is listed without a direction but takes values that have one.
+ * For each such statement there is a short scene in which the statement matters: without its line the page has an
+ * error, or particles move differently. The scene is run as it is and with several transforms; particles and walls must
+ * end at the transformed places of the first run. The keywords come from the table of the language. The test fails if a
+ * keyword is in neither list, or if it is listed as without a direction but takes values that have one.
  *
- * Tolerance: a transformed scene differs by rounding only, 1e-16 of coordinates below 20, and the runs are so short
- * that contacts amplify this to 1e-10 at most. The effect of each line is above 1e-6.
+ * Tolerance: a transformed scene differs only by rounding, 1e-16 of coordinates below 20, and the runs are so short
+ * that contacts amplify this to at most 1e-10. The effect of each line is above 1e-6.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -35,7 +35,7 @@
 
 struct row {
   const char *word;
-  unsigned where; /* one bit */
+  unsigned where; /* the place of the statement, one bit NB_IN_… */
   const char *before, *line, *after;
 };
 
@@ -99,8 +99,9 @@ static const struct row rows[] = {
 enum { ROWS = sizeof rows / sizeof *rows };
 
 static const unsigned wheres[] = {NB_IN_SCENE, NB_IN_STAGE, NB_IN_RAMP};
-/* Statements without a direction in a scene, in a stage and after `ramp`. `packing` reads places of particles, which
- * transform like all others; `until` waits for recorded quantities, which are not transformed (docs/LANGUAGE.md). */
+/* Statements without a direction, in a scene, in a stage and after `ramp`. `packing` reads the places of particles,
+ * which are transformed like all other particles; `until` waits for recorded quantities, which are not transformed
+ * (docs/LANGUAGE.md). */
 static const char *const scalars[] = {
     ("|packing|units|let|sweep|start|material|pair|normal|shear|damping|grading|skin|monitor|"
      "step|allow|record|stage|trade|"),
@@ -149,7 +150,7 @@ static double column(const struct nb_table *table, size_t row, const char *name)
   return NAN;
 }
 
-/* The largest difference between the vectors (`x`, `y`) of table b and the transformed ones of table a. */
+/* The largest difference between the vectors (`x`, `y`) of table b and the transformed vectors of table a. */
 static double vectors_off(const struct nb_table *a, const struct nb_table *b, const char *x, const char *y, int place,
                           bool shifted) {
   const double angle = places[place].angle;
@@ -188,7 +189,7 @@ static double farthest(const struct nb_result *one, const struct nb_result *othe
   return most;
 }
 
-/* Whether the line affects the positions of particles. */
+/* True if the line affects the positions of particles. */
 static bool matters(const struct row *row, const struct nb_result *with) {
   struct nb_result without = {0};
   if (!ran(&without, row, "", ""))

@@ -15,7 +15,7 @@ struct placed {
   double disc[2000][3]; /* x, y, radius */
 };
 
-/* Finds a place for one more disc of this radius, in a square from (low, low) to (high, high). */
+/* Places one more disc of this radius in a square from (low, low) to (high, high). */
 static inline void placed_find(struct placed *placed, struct chance *chance, double low, double high, double radius) {
   double *to = placed->disc[placed->count];
   for (bool taken = true; taken;) {

@@ -16,15 +16,16 @@
 
 enum { PLANTED_MOST = 12 };
 
-/* The page with these statements in its scene, sweeps for example, and these expectations; read, without rows. */
+/* Reads the page with these statements in its scene, for example sweeps, and these expectations. Its runs have no
+ * rows. */
 void planted_page(struct nb_outcome *outcome, const char *statements, const char *expectations);
-/* A.x, row by row, of one run. */
+/* Sets A.x in each row of one run. */
 void planted_rows(struct nb_outcome *outcome, size_t run, int count, const double *x);
-/* A.x in the only row of each run. */
+/* Sets A.x in the only row of each run. */
 void planted_runs(struct nb_outcome *outcome, const double *x);
-/* The value that the reference returns for each run. */
+/* Sets the value that the reference solution of each run returns for `name`. */
 void planted_solution(struct nb_outcome *outcome, const char *name, double value);
-/* The reference curve of A.x against time: its value at row r is values[r]. */
+/* Sets the reference curve of A.x against time: its value at row r is values[r]. */
 void planted_curve(struct nb_outcome *outcome, int count, const double *values);
 /* Computes the verdict. The test fails, and prints the text of the checks, unless the first check has this mark. */
 void planted_is(struct nb_outcome *outcome, enum nb_mark mark);
@@ -37,9 +38,9 @@ void planted_parts(const struct nb_outcome *outcome, const char *const parts[NB_
 /* One expectation over sweeps, and its verdict. The reference value of A.x is 0. */
 struct planted_sweep {
   const char *statements, *expectation;
-  double x[PLANTED_MOST]; /* of each run; the last sweep varies fastest */
+  double x[PLANTED_MOST]; /* A.x of each run; the last sweep varies fastest */
   enum nb_mark mark;
-  const char *words; /* contained in the text of the check */
+  const char *words; /* the text of the check must contain these words */
 };
 void planted_sweeps(const struct planted_sweep *list, size_t count);
 

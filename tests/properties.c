@@ -82,7 +82,7 @@ static void stages_change_pairs(void) {
   CU_ASSERT_PTR_NULL(now.rules);
 }
 
-/* At the end of the ramp the value is exactly that of the page, whatever the value before. */
+/* At the end of a ramp the value is exactly the value of the page, whatever the earlier value was. */
 static void stages_change_materials(void) {
   struct nb_change change = {.a = 1, .b = -1, .kn = 1e17, .ks = NAN, .friction = 1, .cohesion = 4};
   struct nb_stage stage = {.changes = &change, .change_count = 1};
@@ -116,7 +116,8 @@ static void many_rules(void) {
   nb_properties_free(&now);
 }
 
-/* The number of pieces is the default of the law or that of the page, and 0 for a law without pieces. */
+/* The number of pieces is the number that the page gives, or else the default of the law; it is 0 for a law without
+ * pieces. */
 static void pieces_of_history(void) {
   static const struct {
     const char *shear;

@@ -26,14 +26,14 @@ static double force(const struct rings *r) {
   return mu * t;
 }
 
-/* Advances to this overlap and this total displacement. The last front is the only unknown, as long as it does not
- * overtake another one. */
+/* Advances to this overlap and this total displacement. The last front is the only unknown, as long as it does not pass
+ * another front. */
 static void slip_to(struct rings *r, double alpha, double delta) {
   double inner = 0, side = 1;
   for (int k = 0; k + 1 < r->count; k++, side = -side)
     inner += side * (r->fronts[k + 1] - r->fronts[k]);
   double *front = &r->fronts[r->count - 1], *before = r->count > 1 ? front - 1 : NULL;
-  /* delta/(mu kappa) = inner' + side (alpha - front), the ring before it ends at the front */
+  /* delta/(mu kappa) = inner' + side (alpha - front); the ring before the last one ends at the front */
   const double others = before ? inner - -side * (*front - *before) : 0, want = delta / slope();
   *front = before ? (want - others - side * alpha - side * *before) / (-2 * side) : alpha - want;
   r->alpha = alpha;
@@ -69,7 +69,7 @@ static void expect_first_order(const struct segment *segments, int count) {
 
 /* ---- constant N ---- */
 
-/* [R89 3.25, 3.40, 3.50] solved for T; shear_force() returns the same, to rounding. */
+/* shear_force() equals [R89 3.25, 3.40, 3.50], solved for T, to rounding. */
 static void curves_of_constant_normal_force(void) {
   static const struct segment segments[] = {{1, 0.7}, {1, -0.9}, {1, 0.6}};
   const double t1 = 1 - pow(1 - 0.7, 1.5), t2 = t1 - 2 * (1 - pow(1 - 0.9 / 2, 1.5));
@@ -137,8 +137,8 @@ static void all_ways_of_normal_and_tangential_force(void) {
 }
 
 /* [R89 3.86] is printed with the prefactor mu (p0 + dp0)/c; it should be mu (p0 + dp0)/a1. N = 1, mu = 0.3, T = 0.2
- * mu N. While N falls by 0.1 at constant T, the front moves from c to c1, and the ring between them takes mu |dN| =
- * 0.03. This is mu N1 (c^3 - c1^3)/a1^3 with the prefactor mu (p0 + dp0)/a1; the printed one gives 0.0312. The
+ * mu N. While N falls by 0.1 at constant T, the front moves from c to c1, and the ring between c1 and c takes mu |dN| =
+ * 0.03. With the prefactor mu (p0 + dp0)/a1 this is mu N1 (c^3 - c1^3)/a1^3; the printed prefactor gives 0.0312. The
  * fronts of the law follow from its dT/ds = 8 G* c. */
 static void slip_front_while_N_falls(void) {
   double ring[2], printed = 0;
@@ -175,8 +175,8 @@ enum { M_N, M_T, M_STAR, M_STAR2, M_DEFICIT, M_CDF, M_BRANCH };
 
 static bool near(double is, double should, double scale) { return fabs(is - should) <= 1e-13 * fabs(scale); }
 
-/* One step, compared with its T, T* and T**: dT with theta and the sign ufl of the branch; T* and T** shift with mu
- * dN [R89 4.20, 4.21]. */
+/* Makes one step and tests T, T* and T**: dT must be that of theta and of the sign `ufl` of the branch, and T* and T**
+ * must move with mu dN [R89 4.20, 4.21]. */
 static void expect_step(struct contact *it, double overlap, double slip, double theta, double ufl) {
   double was[7];
   memcpy(was, it->m, sizeof was);
@@ -210,15 +210,15 @@ static void the_history(void) {
     expect_step(&it, x[2], 0, 1, 1);
     CU_ASSERT(near(m[M_DEFICIT], 0.75 * fabs(critical[0]) + fabs(critical[1]), a));
     expect_step(&it, x[1], 0.1 * critical[2], 1,
-                1); /* a ring leaves while slip goes back: DD + ds_c - ds, ds_c and ds negative */
+                1); /* a ring opens while the slip is reversed: DD + ds_c - ds, ds_c and ds negative */
     CU_ASSERT(near(m[M_DEFICIT], 0.75 * fabs(critical[0]) + fabs(critical[1]) - 0.9 * fabs(critical[2]), a));
     const double made_up = side * m[M_DEFICIT];
     expect_step(&it, x[1], 0.4 * made_up, 1, 1);
     CU_ASSERT(near(m[M_DEFICIT], 0.6 * fabs(made_up), a));
     double theta = cbrt(1 - side * m[M_T] / (mu * press(x[1])));
-    expect_step(&it, x[1], 0.6003 * made_up, theta, 1); /* enough for the front to go in */
+    expect_step(&it, x[1], 0.6003 * made_up, theta, 1); /* enough for the front to move inwards */
     CU_ASSERT(m[M_DEFICIT] == 0 && m[M_BRANCH] == 0);
-    /* a reversal; dN shifts T* in the same step */
+    /* a reversal; dN moves T* in the same step */
     double before = m[M_T];
     expect_step(&it, x[2], -0.25 * critical[1], 1, -1);
     CU_ASSERT(m[M_BRANCH] == 1 && near(m[M_STAR], before + side * mu * (press(x[2]) - press(x[1])), N));

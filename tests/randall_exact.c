@@ -8,8 +8,8 @@
 #include "spheres.h"
 #include "suites.h"
 
-/* A random segment with slip to this side: N constant, N rising more slowly than slip, or N falling. While N falls,
- * there may also be no slip, or slip back more slowly than N falls. */
+/* A random segment with slip to this side: N constant, N rising more slowly than the slip, or N falling. While N falls,
+ * there may also be no slip, or slip to the other side that is slower than the fall of N. */
 static struct segment segment_by(struct chance *chance, double at, double side, bool first) {
   const int kind = (int)chance_between(chance, 0, 4);
   const double slip = side * chance_between(chance, 0.05, 0.8);
@@ -18,7 +18,7 @@ static struct segment segment_by(struct chance *chance, double at, double side, 
   if (kind == 1)
     return (struct segment){at + fabs(slip) * chance_between(chance, 0.1, 0.9), slip};
   const double down = chance_between(chance, 0.02, 0.25) * at;
-  if (kind == 2 || first) /* a reversal needs faster slip than that */
+  if (kind == 2 || first) /* the slip is fast enough for a reversal */
     return (struct segment){at - down, side * (down * 1.1 + fabs(slip))};
   return (struct segment){at - down, side * chance_between(chance, -0.9, 0.5) * down};
 }
@@ -41,8 +41,8 @@ static double largest_difference(const struct segment *segments, int count, int 
   return most;
 }
 
-/* R89's law stores two reversals. With up to two it is exact in the limit of small steps: on random paths the error
- * falls with the step. */
+/* R89's law stores two reversals. With up to two reversals it is exact in the limit of small steps: on random paths the
+ * error falls with the step. */
 static void two_reversals_are_exact_in_the_limit(void) {
   struct chance chance = chance_begin(3);
   double most = 0, finest = 0, sum = 0, finer = 0;
@@ -59,8 +59,8 @@ static void two_reversals_are_exact_in_the_limit(void) {
   CU_ASSERT(most < 3e-3 && finest < most / 3 && finer < sum / 3.6);
 }
 
-/* More than two reversals, each within the one before, at constant N: R89 treats the inner ones as elastic, which
- * gives an error of T between 7 % and 9 % of mu N. */
+/* More than two nested reversals at constant N: R89 treats the inner ones as elastic, which gives an error of T between
+ * 7 % and 9 % of mu N. */
 static void more_reversals_have_an_error(void) {
   struct chance chance = chance_begin(4);
   double most[7] = {0};

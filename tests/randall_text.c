@@ -1,5 +1,5 @@
-/* R89's FORD and THETA as printed, compared with the corrected law: the numbers in which they differ; and functions
- * that both laws share.
+/* R89's FORD and THETA as printed, compared with the corrected law: the values in which the two differ; and the
+ * functions that both laws share.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
@@ -148,7 +148,7 @@ static void deficit_while_N_falls(void) {
   CU_ASSERT(fabs(text.m[4] / a + 0.1383) < 1e-4 && best.m[4] == 0);
 }
 
-/* N up to 2 N, slip by `way` times A, N down, slip back: the work of T in this cycle over mu N A. */
+/* The work of T, over mu N A, in the cycle: N up to 2 N, slip by `way` times A, N down, slip back. */
 static double work_of_a_cycle(struct contact *it, double way) {
   const double a = slope() * deep(N), before = it->work;
   lead(it, deep(2 * N), 0, 2000), lead(it, deep(2 * N), way * a, 2000);
@@ -181,14 +181,14 @@ static void cube_root_is_close(void) {
   CU_ASSERT(most < 4 * DBL_EPSILON && cube_root(0) == 0 && cube_root(1) == 1 && cube_root(8) == 2);
 }
 
-/* A contact may begin with a normal force alone: then the history holds only N, and slip begins with the whole
- * circle sticking. */
+/* A contact may begin with only a normal force. Its history then has only N, and the whole contact circle sticks when
+ * the slip begins. */
 static void first_touch_without_slip(void) {
   static const char *const laws[] = {"randall", "randall_literal"};
   for (int k = 0; k < 2; k++) {
     struct contact it = contact_of(laws[k]);
     for (int j = 1; j < 8; j++)
-      it.m[j] = 1e9; /* old values: only m[0] = 0 counts */
+      it.m[j] = 1e9; /* old values, which have no effect because m[0] = 0 */
     const double a = slope() * deep(N);
     go(&it, deep(N), 0);
     CU_ASSERT(it.s.force == 0 && it.s.sliding == 0 && it.m[0] > 0);
@@ -197,7 +197,7 @@ static void first_touch_without_slip(void) {
     go(&it, deep(2 * N), 1e-6 * a);
     CU_ASSERT(fabs(it.s.force / (8 * G * sqrt(R * deep(2 * N)) * 1e-6 * a) - 1) < 1e-12);
     struct contact smooth = contact_of(laws[k]);
-    smooth.pair.friction = 0; /* it slides as soon as it moves */
+    smooth.pair.friction = 0; /* the contact slides as soon as it moves */
     go(&smooth, deep(N), 0);
     CU_ASSERT(smooth.s.force == 0 && smooth.s.sliding == 0);
     go(&smooth, deep(N), 1e-6 * a);

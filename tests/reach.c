@@ -1,6 +1,6 @@
-/* The criterion for a new search: a particle, or the end of a wall, is farther than half the skin from its place at
- * the last search. Hundreds of distances within 1/2000 of this limit. The strain of a periodic cell shortens this
- * distance.
+/* The criterion for a new search: a particle, or the end of a wall, is farther than half the skin from its place at the
+ * last search. The tests use hundreds of distances within 1/2000 of this limit. The strain of a periodic cell reduces
+ * the limit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -14,7 +14,7 @@
 
 static const double half_skin = 0.25;
 
-/* A place at about half the skin from `at`; *out counts those that are farther. */
+/* A place at about half the skin from `at`; *out is increased by 1 if the place is farther than half the skin. */
 static struct nb_vec found_near(struct nb_vec at, struct chance *chance, int *out) {
   const double away = half_skin * (1 + chance_between(chance, -5e-4, 5e-4)), turn = chance_between(chance, 0, 6.283);
   *out += away > half_skin;
@@ -76,8 +76,8 @@ static void walls(void) {
   written_free(&it);
 }
 
-/* A cell with the largest radius R and the skin s that is strained by F leaves (s - |F| (2 R + s))/2 for the particles.
- * Each component of F alone; with the same rate of xy and yx |F| is that of both. */
+/* In a cell with the largest radius R and the skin s, the strain F reduces the travel limit of the particles to
+ * (s - |F| (2 R + s))/2. Each component of F is tested alone, and xy and yx together at the same rate. */
 static void cells(void) {
   static const struct {
     const char *strain;

@@ -125,7 +125,7 @@ static void product(void) {
   }
 }
 
-/* A minus before a value with a sign of its own. */
+/* A minus sign before a value that has a sign itself. */
 static void signs_of_values(void) {
   static const char text[] =
       "sweep a +5 m -5 m 3 m\n" ROCK "disc -$a 0 m radius 1 m rock\ndisc 0 m (-a) radius 1 m rock\n"

@@ -1,4 +1,4 @@
-/* The measures of a region, computed again from the snapshot of the same time. Every sum over the region is taken
+/* The measures of a region, computed again from the snapshot of the same time. Every sum over the region is computed
  * from the tables of particles and contacts, by its definition and not by the code of the simulator.
  *
  * Tolerance: 1e-11 of the size of the sum, which has about a hundred terms rounded to 1e-16.
@@ -148,8 +148,8 @@ static void stress_and_fabric(void) {
 
 /* ---- distributions over the directions, moduli, constraints ---- */
 
-/* The coefficients by their definitions, with the angles themselves: a from the phases of the contacts; a_n and a_t are
- * the Fourier coefficients of the forces divided by the fitted density. */
+/* The coefficients by their definitions, with the angles of the contacts: a and its direction from the contacts; a_n
+ * and a_t are the Fourier coefficients of the forces divided by the fitted density. */
 static void distributions(void) {
   struct written it;
   struct nb_result result;
@@ -208,7 +208,8 @@ static void moduli(void) {
   nb_result_free(&result), written_free(&it);
 }
 
-/* Free particles that keep two contacts or more when those with fewer are taken out one by one; their contacts. */
+/* The constraint ratio. It counts the free particles that keep two contacts or more when particles with fewer contacts
+ * are removed one by one, and the contacts of these particles. */
 static void constraints(void) {
   struct written it;
   struct nb_result result;

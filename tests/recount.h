@@ -65,7 +65,7 @@ struct particle {
 };
 struct particles {
   struct particle of[PARTICLES];
-  double thickness, radius, count, free; /* over the particles inside; thickness: over all */
+  double thickness, radius, count, free; /* of the particles inside; the thickness is the mean over all particles */
 };
 
 static inline void read_particles(struct particles *all, const struct nb_table *table) {

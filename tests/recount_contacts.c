@@ -5,7 +5,7 @@
 #include "recount.h"
 #include "suites.h"
 
-/* Overlaps of 1e-2 are differences of coordinates, with rounding errors of 1e-15. */
+/* Tests a value. Overlaps of 1e-2 are differences of coordinates, with rounding errors of 1e-15. */
 static void is(const struct nb_table *table, size_t row, const char *name, double wanted) {
   const double seen = of(table, row, name);
   if (!(fabs(seen - wanted) <= 1e-9 * (1 + fabs(wanted)))) {
@@ -14,8 +14,8 @@ static void is(const struct nb_table *table, size_t row, const char *name, doubl
   }
 }
 
-/* Each contact from its two particles or its wall: direction, overlap, Hertz's force; and the sum of forces on each
- * particle. */
+/* Direction, overlap and Hertz's force of each contact follow from its two particles, or from its particle and its
+ * wall; the force on each particle is the sum over its contacts. */
 static void contacts_follow_from_particles(void) {
   struct written it;
   struct nb_result result;
@@ -69,7 +69,7 @@ struct chained {
 
 static double major(const double s[3]) { return (s[0] + s[2]) / 2 + hypot((s[0] - s[2]) / 2, s[1]); }
 
-/* Whether a direction is within 45 degrees of the major axis, from their angles. */
+/* True if a direction is within 45 degrees of the major axis, by their angles. */
 static bool along_axis(const double s[3], double ex, double ey) {
   const double off = atan2(ey, ex) - atan2(2 * s[1], s[0] - s[2]) / 2;
   return fabs(remainder(off, pi)) < pi / 4;
@@ -94,7 +94,7 @@ static void run_assembly(struct written *it, struct nb_result *result, int seed)
 
 static void force_chains(void) {
   enum { MOST = 100, LINKS = 12 };
-  double found = 0, turned = 0; /* of all seeds */
+  double found = 0, turned = 0; /* sums over all seeds */
   for (int seed = 1; seed <= 16; seed++) {
     struct written it;
     struct nb_result result;

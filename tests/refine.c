@@ -10,8 +10,8 @@
 #include "suites.h"
 #include "written.h"
 
-/* Adds a page. Its step, in seconds, its cycles and its strains per cycle are multiplied by 1/r, r and 1/r; strains are
- * in units of 1/8192. */
+/* Adds a page in which the step, in seconds, the numbers of cycles and the strains per cycle are multiplied by 1/r, r
+ * and 1/r. Strains are in units of 1/8192. */
 typedef void add_page(struct words *page, double r);
 
 #define RATE(x, r) ((x) / 8192.0 / (r))
@@ -72,7 +72,7 @@ static void contact_test_page(struct words *page, double r) {
       8 * r, 16 * r, 4 * r);
 }
 
-/* The page with the setting `text`, and the page with the numbers multiplied by r. */
+/* The page with the setting `text` and the page with the numbers multiplied by r have the same tables. */
 static void same_tables(add_page *add, const char *text, double r) {
   const char *const settings[] = {text, NULL};
   struct words words = {0}, multiplied_words = {0};
@@ -100,7 +100,7 @@ static void tables_of_a_page_with_all_numbers_multiplied(void) {
   }
 }
 
-/* Coarser: intervals of one cycle stay, and so does `at most` where it must be rounded up. */
+/* With a longer step, intervals of one cycle do not change, and the number of `at most` is rounded up. */
 static void a_longer_step(void) {
   struct words words = {0};
   struct written written;
@@ -139,8 +139,8 @@ static void a_product_that_rounding_makes_no_whole_number(void) {
   written_free(&written);
 }
 
-/* All stiffnesses are divided by r, also those of a pair and those that a stage changes. Powers of two and four: to the
- * last bit. */
+/* A page in which all stiffnesses are divided by r, including those of a pair and those that a stage changes. The
+ * numbers are powers of two and four, so the tables agree to the last bit. */
 static void soft_page(struct words *page, double r) {
   words_add(page,
             "units none\nmaterial m density 2 kn %.17g ks %.17g friction 0.5\nmaterial n density 2 kn %.17g\n"
@@ -171,7 +171,8 @@ static void tables_of_a_page_with_softer_contacts(void) {
     }
 }
 
-/* --set damping=centred instead of `damping late` in the scene and in a stage; 1 and 2: the two words. */
+/* A page with `damping late` in the scene and in a stage (r = 1), or with `damping centred` (r = 2), which the setting
+ * damping=centred must equal. */
 static void dashpots_page(struct words *page, double r) {
   static const char *const words[] = {"", "late", "centred"};
   words_add(page,

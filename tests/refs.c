@@ -47,7 +47,8 @@ static void scenes_outside_the_theory_are_refused(void) {
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs", &it).text, "hertz"));
 }
 
-/* GSL gives up, or the matrices would be too large: an error in words, and the program continues. */
+/* If GSL finds no solution, or if the matrices would be too large, the reference returns an error with a message, and
+ * the program continues. */
 static void unsolvable_networks_are_refused(void) {
   struct refs_scene it;
   nb_references_prepare();
@@ -259,7 +260,8 @@ static void friction_and_cohesion_at_a_wall(void) {
   it.scene.particles = it.particles, it.scene.particle_count = 1;
   it.scene.walls = it.walls, it.scene.wall_count = 1;
   it.materials[0].line = 12, it.materials[1].line = 13, it.walls[0].material = 1;
-  for (int b = 0; b < 2; b++) /* b = 0: the rule is for the two materials; b = 1: for the wall's material twice */
+  for (int b = 0; b < 2;
+       b++) /* b = 0: a rule for the two materials; b = 1: a rule for the wall's material with itself */
     for (int wall = 0; wall < 2; wall++) { /* the material of the particle, or the other one */
       int lines[NB_FEATURES];
       it.rules[0] = (struct nb_pair_rule){.a = 1, .b = b, .kn = NAN, .ks = NAN, .friction = 0.5, .cohesion = 1};

@@ -69,7 +69,8 @@ static void modes_equal_the_cycle(void) {
   check_cycle("0.53", 1.06); /* cos(pi/16) dt > 1: one mode grows */
 }
 
-/* An initial velocity of the disc at the wall: J_(2l-2)(2t) - J_(2l+2)(2t), until the reflection arrives. */
+/* An initial velocity of the disc at the wall: disc l has the velocity J_(2l-2)(2t) - J_(2l+2)(2t), with Bessel
+ * functions J, until the reflection arrives. */
 static void impulse_gives_bessel_functions(void) {
   struct written it;
   struct refs_scene scene;

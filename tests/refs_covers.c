@@ -1,5 +1,5 @@
-/* Every reference with every feature of a scene: it must refuse the features that it does not list, and name the
- * feature and its line.
+/* Every reference with every feature of a scene: a reference must refuse the features that it does not list, and name
+ * the feature and its line.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -30,7 +30,7 @@ static void first_word(char to[NB_NAME_SIZE], const char *words, const char *any
   snprintf(to, NB_NAME_SIZE, "%.*s", (int)strcspn(words, " "), words);
 }
 
-/* One particle and two stages; the first one gets the features that the reference needs, the second one the tested
+/* One particle and two stages. The first stage gets the features that the reference needs, the second one the tested
  * feature. */
 static void plain(struct refs_scene *it, const struct nb_reference *reference) {
   memset(it, 0, sizeof *it);
@@ -110,7 +110,7 @@ static void add(struct refs_scene *it, enum nb_feature feature, int stage) {
   case HAS_MASS_DAMPING:
   case HAS_CON1_CS79:
   case HAS_CON1_VELOCITY:
-  case HAS_CON1_ALL: /* in all stages, so that no stage changes the damping; but it must not replace a needed one */
+  case HAS_CON1_ALL: /* in all stages, so that no stage changes the damping; it must not replace a needed damping */
     if (scene->damping.global_kind && feature > HAS_MASS_DAMPING) {
       add_damping(&it->stages[stage].damping, feature);
       break;
@@ -217,7 +217,7 @@ static void add_to_stage(struct nb_stage *stage, enum nb_feature feature) {
   }
 }
 
-/* A scene with the needed features and this one. */
+/* A scene with the features that the reference needs and `feature`. */
 static void scene_with(struct refs_scene *it, const struct nb_reference *reference, enum nb_feature feature) {
   plain(it, reference);
   for (int k = 0; k < NEEDS; k++)

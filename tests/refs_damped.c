@@ -1,5 +1,5 @@
-/* The reference of the exact contact with dashpots, an impact of springs: without damping, in gross sliding, and its
- * convergence.
+/* The reference `rebound` of the exact contact with dashpots, which replaces the contact by many springs: without
+ * damping, in gross sliding, and its convergence.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -21,7 +21,7 @@ static void without_damping(void) {
   }
 }
 
-/* The impulse of the dashpot from overlap 0 to 0 is zero, so that of T is mu (1 + e) M V_N. */
+/* The impulse of the dashpot from overlap 0 to overlap 0 is zero, so the impulse of T is mu (1 + e) M V_N. */
 static void gross_sliding(void) {
   for (double e = 0.2; e < 1; e += 0.2)
     CU_ASSERT_DOUBLE_EQUAL(impact_damped(chi, kappa, hertz_ratio(e), 7, 4000), 7 - 2 * chi * (1 + e), 1e-6);

@@ -1,4 +1,5 @@
-/* The references wedge, wall_end and hertz_row: solutions without a formula of theirs, and scenes that they refuse.
+/* The references wedge, wall_end and hertz_row: solutions that are known without their formulas, and scenes that they
+ * refuse.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -18,7 +19,7 @@ static void read_page(struct written *it, struct refs_scene *scene, const char *
   scene->scene = it->scene;
 }
 
-/* Weight pi in a right angle: a force of pi/sqrt(2) on each wall. */
+/* A disc of weight pi in a right angle exerts the force pi/sqrt(2) on each wall. */
 static void a_right_angle_halves_the_square_of_the_weight(void) {
   struct written it;
   struct refs_scene scene;
@@ -36,7 +37,8 @@ static void a_right_angle_halves_the_square_of_the_weight(void) {
   written_free(&it);
 }
 
-/* Head-on at v the disc is a quarter of an oscillation on the spring: depth v (m/k)^(1/2), and it returns. */
+/* A disc that hits the end of a wall head-on with the speed v oscillates for half a period on the spring: the largest
+ * overlap is v (m/k)^(1/2), and the disc returns. */
 static void the_end_of_a_wall_returns_a_disc(void) {
   struct written it;
   struct refs_scene scene;

@@ -1,4 +1,4 @@
-/* The features of a scene: every way in which particles, laws, loading and stages can give a scene a feature.
+/* The features of a scene: each statement about particles, laws, loading and stages that gives a scene a feature.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -64,7 +64,7 @@ static void features_of_particles_and_walls(void) {
       HAS_DISCS, HAS_FIXED_PARTICLES, HAS_NOTHING);
 }
 
-/* Friction and cohesion are features only of pairs that can touch, and with a shear law. */
+/* Friction and cohesion are features only of pairs that can touch, and only with a shear law. */
 static void features_of_contacts(void) {
   struct nb_change has_friction = {.friction = 1, .line = LINE}, sticks = {.cohesion = 1, .line = LINE};
   struct nb_change swells = {.friction = 0, .cohesion = 0, .ramp = true, .line = LINE};

@@ -11,8 +11,8 @@
 #include "refs_scenes.h"
 #include "suites.h"
 
-/* Head-on impact of sphere 1 on sphere 2 or on a wall, along a line that is not an axis; different materials and radii.
- * */
+/* Head-on impact of sphere 1 on sphere 2 or on a wall, along a line that is not an axis, with different materials and
+ * radii. */
 static void make_impact(struct refs_scene *it, bool wall, double damping) {
   memset(it, 0, sizeof *it);
   it->materials[0] = (struct nb_material){.name = "a", .density = 7800, .young = 210e9, .poisson = 0.3};
@@ -84,7 +84,8 @@ static void loading_is_a_beta_function(void) {
   solution_free(&solution);
 }
 
-/* Without damping the ODE equals the quadrature; with damping its restitution equals the closed form. */
+/* Without damping the solution of the ODE equals the quadrature; with damping its restitution equals the closed
+ * form. */
 static void ode_equals_closed_forms(void) {
   struct refs_scene it;
   make_impact(&it, true, 0);
@@ -126,8 +127,8 @@ static void dashpot_is_that_of_r89(void) {
   solution_free(&ode);
 }
 
-/* zeta(-3/2, a + 1) = zeta(-3/2, a) - a^(3/2) gives the same e after a phase of 1; its bounds are -0.0315 and 0.0241.
- * */
+/* The step error e has the period 1 in the phase a, because zeta(-3/2, a + 1) = zeta(-3/2, a) - a^(3/2). Its bounds are
+ * -0.0315 and 0.0241. */
 static void step_error_is_periodic(void) {
   struct refs_scene it;
   double first = 0, least = 1, most = 1;
@@ -193,8 +194,8 @@ static double along(const struct nb_solution *solution, const char *name, const 
   return curve->at(curve->data, x);
 }
 
-/* Sneddon's integrals equal [R89 3.13]; all contacts of a column have the same force, and their overlaps add up to s.
- * */
+/* Sneddon's integrals equal [R89 3.13]. All contacts of a column have the same force, and their overlaps add up to
+ * s. */
 static void column_is_in_equilibrium(void) {
   static const char *const overlap[] = {"L.overlap", "C.overlap", "U.overlap"};
   static const char *const normal[] = {"L.normal", "C.normal", "U.normal"};
@@ -227,8 +228,8 @@ static void column_is_in_equilibrium(void) {
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_curve", &it).text, "just touch"));
 }
 
-/* An overdamped contact does not end: its overlap decreases and stays positive, also after the last stored state, as
- * far as it is followed. With less damping the contact ends. */
+/* An overdamped contact does not end: its overlap decreases and stays positive as long as it is computed, even after
+ * the last stored state. With less damping the contact ends. */
 static void overdamped_contacts_at_late_times(void) {
   struct refs_scene it;
   make_impact(&it, true, 1);

@@ -13,7 +13,7 @@
 /* Solid spheres of nu = 0.28 and 0.30 [R89 5.14, sec. 5.4]. */
 static const double chi28 = 0.72 / 1.72 * 3.5, chi30 = 0.7 / 1.7 * 3.5;
 
-/* psi2 of the exact contact, law NULL, or of a simplified one. */
+/* psi2 of the exact contact (law NULL), or of a simplified law. */
 static double rebound(const char *law, double chi, double psi1, int steps) {
   struct impact_path path;
   CU_ASSERT(law ? impact_law(&path, law, 1.5, chi, psi1, steps) : impact_exact(&path, chi, psi1, steps));
@@ -95,8 +95,8 @@ static void errors_of_simplified_laws(void) {
     }
 }
 
-/* In gross sliding throughout, all of the dissipation (psi1^2 - psi2^2)/(5 chi) is by gross sliding; else a part of
- * it. */
+/* If the contact slides during the whole impact, the dissipation (psi1^2 - psi2^2)/(5 chi) is all caused by gross
+ * sliding; otherwise only a part of it is. */
 static void gross_sliding_is_part_of_dissipation(void) {
   for (double psi1 = 0.25; psi1 < 8; psi1 += 0.25) {
     struct impact_path path;

@@ -152,7 +152,7 @@ static void mean_amplitude_and_frequency(void) {
   REFS_NEAR(refs_value(&solution, "D.shear mean in rest"), refs_value(&rest, "D.shear"), 1e-11, unit);
   CU_ASSERT_PTR_NULL(solution_find(&solution, "C.normal mean in load"));
 
-  /* The range of the curve, and how often it rises through its mean. */
+  /* The range of the curve, and the number of times that it rises through its mean. */
   const struct nb_solution_curve *curve = solution_find_curve(&solution, "C.normal", "cycle");
   CU_ASSERT_PTR_NOT_NULL_FATAL(curve);
   double high = 0, low = unit, mean = refs_value(&solution, "C.normal mean"), before = 0;

@@ -1,4 +1,4 @@
-/* The reference rotation_off: stages that last until the disc no longer slides, with and without rotation.
+/* The reference rotation_off: stages that end after the disc has stopped sliding, with and without rotation.
  *
  * A disc, R = 1, starts at v = 4 without spin; mu g = 1, q = m R^2/I = 2.
  *

@@ -6,7 +6,7 @@
 
 #include "reference.h"
 
-/* A scene and its arrays, which a test may change. Nothing to free. */
+/* A scene and its arrays, which a test may change. There is nothing to free. */
 struct refs_scene {
   struct nb_scene scene;
   struct nb_material materials[3];
@@ -23,17 +23,17 @@ struct refs_scene {
  * disc 2; S, disc 1 with wall south; M, disc 2 with wall south. kn = 1.35e9. */
 void refs_nine_discs(struct refs_scene *it, double ks, double friction, unsigned long load, unsigned long rest);
 
-/* Two discs between walls west and east that move inward at v for `load` cycles and are at rest for `rest`. Disc 1 has
- * radius 1, disc 2 radius 2; the stiffnesses of A, B, C are `k`, the masses `m`; `step` in s. Monitors A, B, C,
- * and X, Y on the discs. */
+/* Two discs between walls west and east that move inward at v for `load` cycles and are at rest for `rest` cycles. Disc
+ * 1 has radius 1, disc 2 radius 2. The monitors A, B, C are the contacts, with the stiffnesses `k`; the monitors X, Y
+ * are the discs, with the masses `m`. `step` is in s. */
 void refs_row(struct refs_scene *it, const double k[3], const double m[2], double v, double step, unsigned long load,
               unsigned long rest);
 
-/* The solution of a reference; the test fails when the reference refuses the scene. Free with solution_free. */
+/* The solution of a reference; the test fails when the reference refuses the scene. Free it with solution_free. */
 struct nb_solution refs_solution(const char *reference, const struct refs_scene *it);
-/* The value; NAN, and the test fails, when there is none of that name. */
+/* The value with this name; NAN, and the test fails, when the solution has no such value. */
 double refs_value(const struct nb_solution *solution, const char *name);
-/* The error of a reference that refuses the scene; the test fails when it accepts it. */
+/* The error of a reference that refuses the scene; the test fails when the reference accepts the scene. */
 struct nb_error refs_refused(const char *reference, const struct refs_scene *it);
 
 /* Asserts |a - b| <= fraction * scale. */

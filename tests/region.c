@@ -23,8 +23,8 @@ static void done(struct written *it, struct nb_model *model) {
   written_free(it);
 }
 
-/* The fractions of the deviator that normal and shear forces carry sum to 1, also where nothing else asks for the
- * stress: at the start and after a cycle. */
+/* The fractions of the deviator that normal and shear forces carry sum to 1, at the start and after a cycle, even if
+ * the page requests no other quantity of the stress. */
 static void fractions_without_the_stress(void) {
   struct words page = {0};
   struct written it;
@@ -39,7 +39,7 @@ static void fractions_without_the_stress(void) {
   done(&it, model);
 }
 
-/* A disc with n others at equal angles around it: normals at 2 pi k/n + turn. */
+/* A disc with n other discs at equal angles around it, so that the normals are at 2 pi k/n + turn. */
 static void contacts_at_equal_angles(void) {
   for (int n = 1; n <= 6; n++) {
     struct words page = {0};
@@ -89,8 +89,8 @@ static void contacts_at_equal_angles(void) {
   }
 }
 
-/* Chains, a loop and a single disc: which of them are rattlers. Four discs in a square loop hold each other; a tail
- * attached to it has rattlers. */
+/* The rattlers of chains, of a loop and of a single disc. Four discs in a square loop are no rattlers; the discs of a
+ * tail attached to the loop are rattlers. */
 static void rattlers(void) {
   struct words page = {0};
   struct written it;
@@ -248,7 +248,7 @@ static void loads(void) {
   CLOSE(model, "F.normal.mean", 2);
   CLOSE(model, "F.unbalanced.mean", 0); /* its only particle is fixed */
   CLOSE(model, "B.normal.mean", 2);
-  CLOSE(model, "A.sliding.near", 0); /* no friction: a contact without a limit is not at it */
+  CLOSE(model, "A.sliding.near", 0); /* without friction a contact has no limit, so it is not near its limit */
   CLOSE(model, "A.sliding", 0);
   CLOSE(model, "B.contacts", 1);
   done(&it, model);
@@ -371,8 +371,8 @@ static void tension(void) {
   written_free(&it);
 }
 
-/* Discs move with the velocity L X. The strain of those that remain is L t after one has been removed, and after one
- * has been removed that was outside. */
+/* Discs move with the velocity L X. The strain of the remaining discs is L t after a disc inside has been removed, and
+ * after a disc outside has been removed. */
 static void strain_without_removed_particles(void) {
   struct words page = {0};
   struct written it;
@@ -401,8 +401,8 @@ static void strain_without_removed_particles(void) {
   written_free(&it);
 }
 
-/* A disc between two walls: each presses with F = k_n alpha at the distance R - alpha from the centre, where the face
- * of the wall is, in particles and in contacts. */
+/* A disc between two walls. Each wall presses with F = k_n alpha on its face, at the distance R - alpha from the
+ * centre. Both the stress by particles and the stress by contacts use this distance. */
 static void the_arm_at_a_wall_ends_at_its_face(void) {
   static const char *const quantities[] = {"A.stress.xx", "B.stress.xx"};
   struct words page = {0};

@@ -1,5 +1,5 @@
-/* Particles that a stage removes: the energy that they take with them, the effect on the others, and that nothing of
- * them remains.
+/* Particles that a stage removes: the energy that is removed with them, the effect on other particles, and that no
+ * measure counts removed particles.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -49,8 +49,8 @@ static const char *const dampings[] = {"",
                                        "damping con1 0.98 as velocity\n",
                                        "damping con1 0.97 as all\n"};
 
-/* A servo whose target ramps begins from the stress that the region has without the removed particles: F of the two
- * discs that stay, over the box around these two. All is measured once more, also what the last row has recorded. */
+/* A servo whose target ramps begins from the stress of the region without the removed particles: F of the two remaining
+ * discs, over the area of the box around them. Measures that the last row has recorded are computed again. */
 static void a_servo_begins_without_the_removed(void) {
   static const char text[] =
       "units none\nmaterial m density 3 kn 1000\ndisc 0 0 radius 1 m fixed\ndisc 1.9 0 radius 1 m\n"
@@ -112,8 +112,8 @@ static void at_the_moment(void) {
   }
 }
 
-/* A particle removed at time 0 has no effect: the same bits as without it. With 7 particles, and with 37, which the
- * search sorts into boxes. */
+/* A particle removed at time 0 has no effect: the run gives the same bits as one without the particle. The test uses 7
+ * particles, and 37, which the search sorts into boxes. */
 static void removed_at_time_0(void) {
   for (int many = 0; many < 2; many++) {
     double seen[2][4];
@@ -191,8 +191,8 @@ static void different_radii(void) {
   }
 }
 
-/* No measure of a region counts a removed disc, wherever it was: its values are those of the scene without it. The disc
- * is inside the circle and the box, or would widen the region `all`. */
+/* No measure of a region counts a removed disc, wherever it was: the values are those of the scene without this disc.
+ * The disc was inside the circle and the box, or it would widen the region `all`. */
 static void regions_without_removed_particles(void) {
   static const char *const measures[] = {
       "area",      "porosity",       "porosity.volume",         "void_ratio", "particles",
@@ -252,7 +252,7 @@ static void places_of_removed_particles_are_free(void) {
   const struct nb_table *particles = &result.snapshots[1].particles;
   CU_ASSERT_EQUAL_FATAL(particles->row_count, 2);
   CU_ASSERT_EQUAL(particles->values[0], 1);
-  CU_ASSERT_EQUAL(particles->values[particles->column_count], 4); /* it keeps its number */
+  CU_ASSERT_EQUAL(particles->values[particles->column_count], 4); /* the disc keeps its number */
   nb_result_free(&result);
   written_free(&it);
 }
@@ -276,8 +276,8 @@ static void steps_count_remaining_particles(void) {
   written_free(&it);
 }
 
-/* A sphere approaches two others, one behind the other. The nearer one, by far the larger, is removed: the predicted
- * collision is that with the other one. */
+/* A sphere approaches two other spheres, one behind the other. The nearer one, which is much larger, is removed, so the
+ * predicted collision is the one with the farther sphere. */
 static void collision_prediction_without_removed_particles(void) {
   double steps[2];
   for (int with = 0; with < 2; with++) {

@@ -117,9 +117,9 @@ static void both_decay(struct off *off, double pieces, double decay, double freq
     go(off, &it, x, -2.2 * x / 60);
 }
 
-/* The errors must be those that the law's file and docs/CONTACT.md state. If rings of the width w are joined in
- * pairs, u is wrong over the area w^2 and T by (3/4) w^2, or by half of that if the error is distributed. An error
- * of 1e-4 needs w < 1/61, so no rule reaches it with fewer pieces. */
+/* The errors must be those that the law's file and docs/CONTACT.md state. If rings of the width w are merged in pairs,
+ * the error of u has the area w^2 and T has the error (3/4) w^2, or half of this if the error is distributed. An error
+ * of 1e-4 requires w < 1/61, so no rule for merges reaches it with fewer pieces. */
 static void oscillations_then_sliding(void) {
   static const struct {
     double pieces, evenly, others;

@@ -1,4 +1,4 @@
-/* Rounding modes: where they hold, in each thread, and how bits are counted.
+/* Rounding modes: the parts of a cycle to which they apply, in each thread; and the counting of bits.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -19,7 +19,8 @@ static struct nb_options options_of(int mode, const char *part, int threads) {
   return (struct nb_options){.threads = threads, .rounding = {.mode = mode, .part = part}};
 }
 
-/* A free disc and a wall: x_(N+1) = x_N + v dt, with two roundings each. The sum is made here in the same mode. */
+/* A free disc and a wall: x_(N+1) = x_N + v dt, with two roundings each. The test computes the sums in the same
+ * mode. */
 static void motion_rounds_as_asked(void) {
   enum { CYCLES = 200 };
   static const char *const parts[] = {NULL, "motion", "search"};
@@ -58,7 +59,8 @@ static void heap(struct written *it) {
   written_scene(it, &page);
 }
 
-/* Each thread has the mode: the number of threads changes no bit. The mode changes bits, and no thread keeps it. */
+/* Each thread uses the mode, so the number of threads changes no bit. The mode changes bits, and after the run no
+ * thread has it any more. */
 static void all_threads_round(void) {
   struct written it;
   struct nb_result nearest, one, other;
@@ -86,7 +88,8 @@ static void all_threads_round(void) {
   nb_result_free(&nearest), written_free(&it);
 }
 
-/* Each pass, hook and part that is named changes the result alone, except those that compute no position or force. */
+/* If a mode applies only to one pass, hook or part, it changes the result, unless this part computes no position or
+ * force. */
 static void parts_round_alone(void) {
   static const struct {
     const char *part;
@@ -118,7 +121,7 @@ static void parts_round_alone(void) {
   nb_result_free(&nearest), written_free(&it);
 }
 
-/* The steps of a contact test: work is a sum of products. */
+/* A mode applies to the steps of a contact test: it changes the work, which is a sum of products. */
 static void contact_tests_round(void) {
   for (int mode = 0; mode < NB_ROUNDINGS; mode++) {
     struct written it;

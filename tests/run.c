@@ -1,5 +1,5 @@
-/* A scene from its first stage to its last: when rows are recorded, what lasts from stage to stage, and how a run is
- * aborted.
+/* Runs of scenes from the first stage to the last: the times at which rows are recorded, the values that stages keep,
+ * and aborted runs.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _POSIX_C_SOURCE 200809L
@@ -75,7 +75,7 @@ static void a_stage_ends_when_all_conditions_hold(void) {
   written_run(&result, &it, NULL);
   CU_ASSERT_EQUAL(result.cycles, 5); /* time is 1 at cycle 4, and above it at 5 */
   CU_ASSERT_EQUAL_FATAL(result.table.row_count, 2);
-  CU_ASSERT_EQUAL(result.table.cycle[1], 5); /* the last one, though not the hundredth */
+  CU_ASSERT_EQUAL(result.table.cycle[1], 5); /* the last cycle has a row, although it is not the hundredth */
   nb_result_free(&result);
   written_free(&it);
 }
@@ -180,8 +180,7 @@ static void an_aborted_stage_has_no_snapshot(void) {
   }
 }
 
-/* The conditions hold from cycle 10 on. They are checked every so many cycles, and in the last cycle that is
- * allowed. */
+/* The conditions hold from cycle 10 on. They are checked every N cycles, and in the last allowed cycle. */
 static void conditions_checked_every_n_cycles(void) {
   static const struct {
     const char *every;
@@ -284,7 +283,7 @@ static void settings_change_the_hash(void) {
     for (int other = 0; other < k; other++)
       CU_ASSERT(hash[k] != hash[other]);
   }
-  static const char *const value[] = {"speed=2", NULL}; /* is in the statements that use it */
+  static const char *const value[] = {"speed=2", NULL}; /* the statements that use the value change the hash */
   CU_ASSERT(nb_hash_settings(value) == hash[0]);
 }
 

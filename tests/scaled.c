@@ -19,7 +19,8 @@
 #include "every_page.h"
 #include "suites.h"
 
-/* Powers of length, mass and time, and of the thickness of a disc, 1 m, where it takes the place of a length. */
+/* Powers of length, mass and time, and of the thickness of a disc, 1 m, if the thickness takes the place of a
+ * length. */
 struct power {
   int l, m, t, thick;
 };
@@ -163,7 +164,7 @@ static void scale_stage(struct nb_stage *stage) {
   scale_step(&stage->step), scale_damping(&stage->damping), scale_segment(&stage->segment);
 }
 
-/* The overlap of an impact is a power 0.4, which does not scale exactly. */
+/* True if the scene needs the duration of an impact. Its overlap is a power 0.4, which does not scale exactly. */
 static bool requests_duration(const struct nb_scene *scene) {
   bool asks = scene->impact.line || scene->step.kind == NB_STEP_COLLISION;
   for (size_t s = 0; s < scene->stage_count; s++)

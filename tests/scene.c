@@ -141,7 +141,7 @@ static void stages(void) {
   const struct nb_stage *a = &read.scene.stages[0], *b = a + 1, *c = b + 1, *d = c + 1;
   static const double v[4][2] = {{0, 2}, {3, 4}, {0, -2}, {2, 0}};
   CU_ASSERT_EQUAL_FATAL(read.scene.stage_count, 4);
-  CU_ASSERT_EQUAL_FATAL(a->motion_count, 4); /* mid is not a wall of the box */
+  CU_ASSERT_EQUAL_FATAL(a->motion_count, 4); /* `mid` is not a wall of the box */
   for (int i = 0; i < 4; i++)
     CU_ASSERT(a->motions[i].wall == i && a->motions[i].vx == v[i][0] && a->motions[i].vy == v[i][1]);
   CU_ASSERT(a->step.kind == NB_STEP_SINGLE_CONTACT && a->step.value == 0.1 && a->damping.contact == 0.05 &&

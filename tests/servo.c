@@ -26,8 +26,8 @@ static double pressure(double radius) {
   return force > 0 ? 3 * force * radius / area : 0;
 }
 
-/* The strain of one cycle. *gathered: Z times the step (docs/METHOD.md), summed over the measurements before, each
- * of which counts for `every` cycles; NAN at first. */
+/* The strain of one cycle. *gathered: Z times the step (docs/METHOD.md), summed over the earlier measurements, each of
+ * which counts for `every` cycles; NAN at first. */
 static double strain(double radius, double wanted, double most, int every, double *gathered) {
   const double pi = 3.14159265358979323846, mass = 7 * 2 * pi, area = 1.5 * sqrt(3) * radius * radius, dt = 0.0125;
   const double stiffness = radius < 2 ? 1.5 * 1000 * radius * radius / area : 0;
@@ -49,8 +49,8 @@ static void run(struct nb_result *result, const char *stage) {
   written_free(&it);
 }
 
-/* First at the largest rate, then as the recursion predicts, with a measurement every fifth cycle. In the end the
- * stress is at its target. */
+/* The radius changes first at the largest rate, then as the recursion predicts, with a measurement every fifth cycle.
+ * In the end the stress is at its target. */
 static void stress_follows_the_recursion(void) {
   struct nb_result result;
   run(&result,
@@ -110,7 +110,7 @@ static void no_offset_under_a_dilatation(void) {
     const double off = -b * d * (exp(-slow * time) - exp(-fast * time)) / (fast - slow);
     worst = fmax(worst, fabs(at[1] - 9 - off));
   }
-  CU_ASSERT(b * t * d > 0.005 * 9);    /* the offset that P alone would have, */
+  CU_ASSERT(b * t * d > 0.005 * 9);    /* the offset that P alone would leave */
   CU_ASSERT(worst < 0.04 * b * t * d); /* dt/T is 0.036, F/kR 0.008 */
   CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "boundary.stress.mean"), 9, 1e-3 * b * t * d);
   nb_result_free(&result);
@@ -173,7 +173,7 @@ static void every_tenth_cycle(void) {
   CU_ASSERT(radius[0] == radius[1] && radius[0] != radius[2]);
 }
 
-/* A removed disc has no mass for the servo: the ring moves as if it had never been there, to the last bit. */
+/* A removed disc has no mass for the servo: the ring moves as in a scene without this disc, to the last bit. */
 static void removed_particles_have_no_mass(void) {
   static const char *const pages[] = {RING "stage s\n", RING "disc 1 0.577 radius 0.1 m\nstage s\nremove disc 8\n"};
   double radius[2];

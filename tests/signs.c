@@ -8,8 +8,8 @@
 #include "suites.h"
 #include "written.h"
 
-/* F on x is -(F_n e + F_s t), on y the opposite; both moments are F_s R counterclockwise. [CS79, The force-displacement
- * law] */
+/* The force on x is -(F_n e + F_s t), and the force on y is its opposite; both moments are F_s R counterclockwise.
+ * [CS79, The force-displacement law] */
 static void forces_on_a_pair(void) {
   struct words page = {0};
   struct written it;
@@ -28,7 +28,7 @@ static void forces_on_a_pair(void) {
     const double dy = written_now(model, "B.y") - written_now(model, "A.y"), d = hypot(dx, dy), e1 = dx / d,
                  e2 = dy / d;
     const double fn = written_now(model, "C.normal"), fs = written_now(model, "C.shear");
-    CU_ASSERT(fn > 0 && fs < 0); /* A's surface moves against t, so the slip is negative */
+    CU_ASSERT(fn > 0 && fs < 0); /* the surface of A moves against t, so the slip is negative */
     CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.fx"), -(fn * e1 + fs * e2), 1e-12);
     CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.fy"), -(fn * e2 - fs * e1), 1e-12);
     CU_ASSERT(written_now(model, "A.fx") + written_now(model, "B.fx") == 0);
@@ -42,7 +42,7 @@ static void forces_on_a_pair(void) {
   written_free(&it);
 }
 
-/* A disc that rotates counterclockwise on a floor is pushed in -x, and pushes the floor in +x. */
+/* The floor pushes a disc that rotates counterclockwise in -x, and the disc pushes the floor in +x. */
 static void force_on_a_wall(void) {
   struct words page = {0};
   struct written it;
@@ -63,7 +63,8 @@ static void force_on_a_wall(void) {
 
 enum { DISCS = 40, CYCLES = 400 };
 
-/* (x, y) -> (xx x + xy y, yx x + yy y); the sign of spins changes with that of the determinant. */
+/* The transformation (x, y) -> (xx x + xy y, yx x + yy y); a negative determinant changes the sign of angular
+ * velocities. */
 struct turn {
   double xx, xy, yx, yy;
 };

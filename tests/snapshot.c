@@ -33,7 +33,7 @@ static void columns(void) {
   static const double touching[] = {2, 1, 1, 0}, fixed[] = {0, 1, 1, 0}, vy[] = {0, 0, 0, -2}, spin[] = {0, 3, 0, 0};
   for (size_t k = 0; k < 4; k++) {
     CU_ASSERT(written_cell(particles, k, "contacts") == touching[k] && written_cell(particles, k, "fixed") == fixed[k]);
-    CU_ASSERT_DOUBLE_EQUAL(written_cell(particles, k, "vy"), vy[k], 1e-8); /* the large one has begun to move */
+    CU_ASSERT_DOUBLE_EQUAL(written_cell(particles, k, "vy"), vy[k], 1e-8); /* the large sphere has begun to move */
     CU_ASSERT_DOUBLE_EQUAL(written_cell(particles, k, "spin"), spin[k], 1e-8);
   }
   const double E = 1000 / (2 * (1 - 0.0625));
@@ -126,7 +126,7 @@ static void the_boundary_is_listed_counterclockwise(void) {
   written_free(&it);
 }
 
-/* A disc that has left the cell counts with its copy near the region's centre, as for A.porosity. */
+/* A disc that has left the cell counts with its image near the region's centre, as for A.porosity. */
 static void rings_in_a_cell(void) {
   struct words page = {0};
   struct written it;
@@ -143,8 +143,8 @@ static void rings_in_a_cell(void) {
   written_free(&it);
 }
 
-/* Particles, walls and contacts of a scene in motion, from which particle 2 was removed: the columns are those of the
- * quantities with these names, and the identities and directions are known. Storage order changes nothing. */
+/* Particles, walls and contacts of a scene in motion, from which particle 2 was removed. The columns equal the
+ * quantities of the same names; the identities and directions are known. Storage order changes nothing. */
 static void columns_are_the_quantities(void) {
   static const char *const of_particle[] = {"x", "y", "angle", "vx", "vy", "fx", "fy", "moment", "spin"};
   static const char *const of_contact[] = {"overlap", "normal", "shear", "sliding"};

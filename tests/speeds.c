@@ -28,8 +28,8 @@ static void speeds(void) {
     written_scene(&it, &page);
     struct nb_result result;
     written_run(&result, &it, NULL);
-    /* After one cycle u = v + c in both; c at t_1 is the mean of those at x_0 and x_1. `accumulated` has also added
-     * half of the second one. */
+    /* After one cycle u = v + c in both cases; c at t_1 is the mean of c at x_0 and at x_1. `accumulated` has also
+     * added half of c at x_1. */
     const double more = k ? 0.5 : 0; /* fraction of c that the next kick adds */
     const double x = 3 + 0.125 * (0.3 + 0.03), y = 4 + 0.125 * (-0.4 - 0.08), x2 = -8 - 0.125 * 0.08,
                  y2 = 6 - 0.125 * 0.12;

@@ -17,8 +17,8 @@ static inline double deep(double n) { return pow(0.75 * n / (E * sqrt(R)), 2. / 
 static inline double press(double x) { return x > 0 ? 4. / 3 * E * sqrt(R) * x * sqrt(x) : 0; }
 static inline double slope(void) { return mu * E / (4 * G); } /* mu kappa */
 
-/* A segment of a path: the overlap at its end over the overlap at N, and its slip in units of A = mu kappa alpha at
- * N. */
+/* A segment of a path: the overlap at its end over the overlap at N; its slip in units of A = mu kappa alpha, with
+ * alpha at N. */
 struct segment {
   double alpha, slip;
 };

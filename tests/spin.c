@@ -10,7 +10,8 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* The factors of a kick of the duration t: keep (lambda) on the old spin, push (eta) on the moment (docs/METHOD.md). */
+/* The factors of a kick of the duration t: keep (lambda) for the old spin, push (eta) for the moment
+ * (docs/METHOD.md). */
 struct shares {
   double keep, push;
 };
@@ -85,8 +86,8 @@ static void surface_speed_of_the_particle(void) {
   written_free(&it);
 }
 
-/* Reversal at t_N replaces the velocities of the last half step by minus those that the next kick would give; at the
- * start, by minus those of the page. */
+/* `reverse velocities` at t_N replaces the velocities of the last half step by minus the velocities that the next kick
+ * would give; at the start, by minus the velocities of the page. */
 static void reversal(void) {
   for (size_t n = 0; n < sizeof kinds / sizeof *kinds; n++)
     for (int cycles = 0; cycles < 30; cycles += 7) {

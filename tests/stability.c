@@ -1,4 +1,5 @@
-/* The stability check between its updates: no cycle of elastic spheres runs with a step that is not guaranteed stable.
+/* The stability check of elastic spheres, also between two checks: no cycle runs with a step that is not guaranteed
+ * stable.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -11,8 +12,8 @@
 #include "suites.h"
 #include "written.h"
 
-/* Runs the first stage until the stability check stops it, and tests after each cycle whether it should have done
- * so. Returns the number of cycles. */
+/* Runs the first stage until the stability check stops it, and tests after each cycle whether the check should have
+ * stopped it. Returns the number of cycles. */
 static int run_until_stopped(struct nb_model *model, const struct written *it, int cycles, struct nb_error *error) {
   enum nb_status status = nb_stage_begin(model, &it->scene.stages[0], error);
   int done = 0;
@@ -22,18 +23,19 @@ static int run_until_stopped(struct nb_model *model, const struct written *it, i
     done += !status;
     const double safe = nb_stable_step(model).step;
     least = !status && safe < least ? safe : least;
-    if (status && !strstr(error->text, "overlap by")) /* guard.c may stop it first */
+    if (status && !strstr(error->text, "overlap by")) /* guard.c may stop the run first */
       CU_ASSERT(safe < model->step);
   }
   CU_ASSERT(least >= model->step * (1 - 1e-12));
   return done;
 }
 
-/* A light sphere touches a wall, and a heavy sphere, which is hardly slowed down, approaches it. Both contacts stiffen
- * for more cycles than half a period of the light sphere has. E* = 1/2, k = 2 E* (R* alpha)^(1/2) with R* = 1/2 between
- * the spheres and 1 at the wall. The light sphere of mass 1 is in equilibrium, so 4/3 E* (R*)^(1/2) alpha^(3/2) = F
- * at both contacts and k = (6 F E*^2 R*)^(1/3). Then omega^2 is the sum of both k, plus 1e-6 of one for the heavy
- * sphere, and the run stops when 2/omega has fallen to the step. */
+/* A light sphere touches a wall, and a heavy sphere, which is hardly slowed down, approaches the light one. The
+ * stiffness of both contacts increases for longer than half a period of the light sphere. E* = 1/2, k = 2 E* (R*
+ * alpha)^(1/2) with R* = 1/2 between the spheres and 1 at the wall. The light sphere of mass 1 is in equilibrium, so
+ * 4/3 E* (R*)^(1/2) alpha^(3/2) = F at both contacts and k = (6 F E*^2 R*)^(1/3). Then omega^2 is the sum of both k,
+ * plus 1e-6 of the k between the spheres because of the heavy sphere. The run stops when 2/omega has fallen to the
+ * step. */
 static void an_impact_between_two_checks(void) {
   struct words page = {0};
   struct written it;
@@ -51,7 +53,7 @@ static void an_impact_between_two_checks(void) {
   CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "particle 1 (line 7): at cycle "));
   const double force = written_now(model, "C.normal"), young = 0.5;
   const double square = cbrt(6 * force * young * young * 0.5) + cbrt(6 * force * young * young * 1);
-  CU_ASSERT(fabs(2 / sqrt(square) - 3) < 0.15); /* it oscillates a little about that equilibrium */
+  CU_ASSERT(fabs(2 / sqrt(square) - 3) < 0.15); /* the sphere oscillates a little about this equilibrium */
   CU_ASSERT(model->stability->checks < (unsigned long)done / 2 && model->search.count == 1);
   nb_model_free(model);
   written_free(&it);
@@ -139,8 +141,8 @@ static struct nb_normal yields(struct nb_pair p, double overlap, double dn, doub
   return n;
 }
 
-/* The largest stiffness counts. It has the same value at a quarter of the overlap, which the program finds by
- * halving. */
+/* The limit follows from the largest stiffness. This has the same value at a quarter of the overlap, which the program
+ * finds by halving. */
 static void stiffer_unloading_lowers_the_limit(void) {
   struct nb_law law = *nb_law_find("normal", "hertz");
   double stable_overlap[2];
@@ -337,8 +339,8 @@ static void every_cycle_is_guaranteed_stable(void) {
   CU_ASSERT(ended > 10 && went > 10);
 }
 
-/* The number of steps per collision that a message proposes is rounded up: the step is at most 0.8 of the stable
- * one. */
+/* The number of steps per collision that a message proposes is rounded up, so the step is at most 0.8 of the stable
+ * step. */
 static void the_proposed_number_of_steps(void) {
   static const double stiffness[] = {20, 50, 75, 100, 160, 220}; /* k_s, which limits the step more than k_n */
   int rounded_up = 0;
@@ -386,8 +388,8 @@ static void cohesion_alone_counts(void) {
     CU_ASSERT(stable[k] == stable[1] && apart[k] == apart[1]);
 }
 
-/* What a message says of the pair that limits the step: particles, a particle and a wall, or the materials of a pair
- * that does not touch yet. */
+/* The words of a message for the pair that limits the step: two particles, a particle and a wall, or the materials of a
+ * pair that does not touch yet. */
 static void what_limits_the_step_in_words(void) {
   struct words page = {0};
   struct written it;

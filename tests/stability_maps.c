@@ -1,4 +1,5 @@
-/* Maps of stability, written by `make stability`: where the calculation cycle is stable, inaccurate or unstable.
+/* Maps of stability, written by `make stability`: the steps at which the calculation cycle is stable, inaccurate or
+ * unstable.
  *
  * stability_maps -o DOCUMENT FOLDER   writes docs/STABILITY.md, and one table per system into the folder
  * stability_maps                      tests a few columns of each system, also with planted errors that must be detected
@@ -15,7 +16,7 @@
  *
  * The program compares the limit with the step at which runs begin to grow, with the spectral radius of the cycle as a
  * matrix, and for a disc in a wedge with a closed form. It compares the guaranteed stable step (the bound) with the
- * limit, and with a run at the bound. It prints what disagrees.
+ * limit, and with a run at the bound. It prints the comparisons that fail.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef _POSIX_C_SOURCE
@@ -37,11 +38,11 @@ enum { MOST = 32, AXIS = 8, STEPS = 17, FINE = 64, GROWTH_CYCLES = 1500, LONGEST
 static const double overlap = 1e-4; /* of each contact at rest, over the radius; that of the random packing is random */
 static const double nudge = 1e-9;   /* largest displacement of the perturbation in a cycle, over the radius */
 static const double much = 100;   /* growth; the amplitude of a stable vibration beats by about 10 close to the limit */
-static const double share = 0.01; /* of the largest displacement */
-static const double agreement = 0.01; /* of limit and runs */
+static const double share = 0.01; /* tolerance of the displacement, as a fraction of its largest value */
+static const double agreement = 0.01; /* largest relative difference between the limit and runs */
 static const double visible = 0.01;   /* energy residual or imbalance that a user would see */
 static const double kick_size =
-    0.03; /* of the mean overlap: displacement in the first cycle where symptoms are sought */
+    0.03; /* displacement in the first cycle of a run that looks for symptoms, over the mean overlap */
 static const double steps[STEPS] = {1. / 32, 1. / 16, 0.125, 0.25, 0.5,  0.75, 0.875, 0.95, 0.99,
                                     1.01,    1.05,    1.1,   1.2,  1.35, 1.5,  1.75,  2};
 
@@ -52,7 +53,7 @@ struct axis {
   double values[AXIS];
   int count;
 };
-/* `other` is an axis of its own for some systems: rotation, angle. */
+/* `other` is a further axis of some systems: rotation, angle. */
 struct system {
   const char *name, *title, *anchor, *what;
   void (*write)(FILE *page, const struct system *system, double mass, double other);
@@ -80,7 +81,8 @@ static void write_lattice(FILE *page, int nx, int ny, double mass) {
     fprintf(page, "disc %.17g %.17g radius 1 %c\n", 1 - overlap + k % nx * d, 1 - overlap + k / nx * d,
             (k % nx + k / nx) % 2 ? 'b' : 'a');
 }
-/* A compressed row of discs buckles, with a rate that goes as the root of the overlap. So its overlaps are smaller. */
+/* A compressed row of discs buckles at a rate proportional to the root of the overlap, so the row has smaller
+ * overlaps. */
 static void write_chain(FILE *page, const struct system *system, double mass, double other) {
   (void)system, (void)other;
   const double slight = overlap / 10;
@@ -98,7 +100,7 @@ static void write_rotation(FILE *page, const struct system *system, double mass,
   (void)system, (void)other;
   write_lattice(page, 2, 2, mass);
 }
-/* Masses from 1 to the given one, in equal ratios, in an order that puts light discs beside heavy ones. */
+/* Writes masses from 1 to the given one, in equal ratios, in an order that puts light discs beside heavy ones. */
 static void write_masses(FILE *page, const struct system *system, double mass, double other) {
   (void)system, (void)other;
   static const int order[6] = {0, 5, 1, 4, 2, 3};
@@ -120,8 +122,8 @@ static void write_wedge(FILE *page, const struct system *system, double mass, do
             side * h * s + 0.2 * c, -h * c + side * 0.2 * s);
 }
 
-/* The random packing: fills a box, makes it smaller without friction until the contacts carry a stress, and lets it
- * come to rest. So it is in equilibrium with any shear stiffness, masses and damping. */
+/* The random packing. A box is filled and made smaller without friction until the contacts carry a stress; then the
+ * discs come to rest. So the packing is in equilibrium with any shear stiffness, masses and damping. */
 static struct nb_table packing_discs, packing_walls;
 static const char packing_page[] =
     "units none\nmaterial m density (1/pi) kn 1\nnormal linear\nbox 0 0 to 9.2 9.2 m\n"
@@ -322,7 +324,7 @@ static double velocity_changes(const struct nb_model *model, double last[3 * MOS
   return sqrt(sum);
 }
 
-/* How much the velocity changes grow; `kept`: the same contacts are closed at the end. */
+/* The factor by which the velocity changes grow; `kept`: the same contacts are closed at the end. */
 static double growth_of(struct written *it, double step, bool *kept) {
   kick(it, nudge, step, 1);
   struct nb_model *model = model_of(it, step);
@@ -336,7 +338,7 @@ static double growth_of(struct written *it, double step, bool *kept) {
       break;
     }
     const double now = velocity_changes(model, last);
-    if (cycle == 1) /* the first kick by a force: the cycle before moved particles at rest */
+    if (cycle == 1) /* the first kick by a force: in the cycle before, the particles left their places at rest */
       first = now;
     most = cycle > 0 ? fmax(most, now) : 0;
   }
@@ -345,7 +347,7 @@ static double growth_of(struct written *it, double step, bool *kept) {
   return most / first;
 }
 
-/* The step, over the limit, at which runs begin to grow, between `low` and `high`, to 0.2 %. */
+/* The step, over the limit, at which runs begin to grow; it is sought between `low` and `high`, to 0.2 %. */
 static double boundary_of_runs(struct written *it, double limit, double low, double high) {
   bool kept;
   if (growth_of(it, low * limit, &kept) > much || !(growth_of(it, high * limit, &kept) > much))
@@ -394,7 +396,7 @@ static struct mode mode_of(const struct limit *limit, double a, double b, bool l
   return mode;
 }
 
-/* The parts of u'(dt^2 K + 2 dt C)u at the limit, and what they come from. */
+/* The cause of the limit: the largest part of u'(dt^2 K + 2 dt C)u at the limit. */
 static const char *cause_of(const struct limit *limit, double step) {
   struct mode mode = mode_of(limit, step * step, 2 * step, true);
   double parts[2] = {0}, dashpots = 0, rotation = 0, all = 0;
@@ -417,7 +419,7 @@ static const char *cause_of(const struct limit *limit, double step) {
 struct slow {
   struct mode mode;
   double damping; /* u'Cu/(2 omega), the fraction of critical */
-  double *path;   /* displacement after each FINE-th of the limit */
+  double *path;   /* displacement after each time limit/FINE */
   size_t count;
   double largest;
 };
@@ -588,7 +590,7 @@ static double planar_limit(const struct column *column) {
   return low;
 }
 
-/* What a user would see, compared with the usual values of the column. */
+/* The symptom that a user would see, compared with the usual values of the column. */
 static const char *shown(const struct symptom *symptom, const struct symptom *usual) {
   if (symptom->text[0])
     return "message";
@@ -597,8 +599,8 @@ static const char *shown(const struct symptom *symptom, const struct symptom *us
   return symptom->imbalance > visible && symptom->imbalance > 3 * usual->imbalance ? "imbalance" : "silent";
 }
 
-/* The scheme shortens the period by (omega dt)^2/24, and a dashpot that lags acts like a mass that is smaller by
- * c dt/2: the larger of both is the cause of an inaccurate point. */
+/* Classifies a point. The scheme shortens the period by (omega dt)^2/24, and a dashpot whose force lags acts like a
+ * mass that is smaller by c dt/2. The larger of these two effects is the cause of an inaccurate point. */
 static void classify(struct point *point, const struct result *result, const struct slow *slow) {
 
   point->class = point->growth > much ? UNSTABLE : point->error > share ? INACCURATE : STABLE;
@@ -635,7 +637,7 @@ static void make_points(struct result *result, const struct column *column, cons
   written_free(&quiet), written_free(&watched);
 }
 
-/* What must be so in each column. */
+/* Tests the comparisons that must hold in each column. */
 static void compare(const struct column *column, const struct limit *limit, const struct result *result) {
   const double inside = limit_radius(limit, 0.995 * result->limit),
                outside = limit_radius(limit, 1.005 * result->limit);
@@ -681,11 +683,11 @@ static void run_column(struct result *result, const struct column *column) {
 /* ---- all columns ---- */
 
 enum { COMMON = 4 };
-static const double common_damping[COMMON] = {0, 0.5, 1, 2}; /* of all systems */
+static const double common_damping[COMMON] = {0, 0.5, 1, 2}; /* damping ratios that all systems have */
 struct map {
   size_t points[CLASSES];
   double runs[2];          /* least and largest: step at which runs begin to grow, over the limit */
-  double bound[COMMON][2]; /* likewise: the bound over the limit, for each damping */
+  double bound[COMMON][2]; /* least and largest: the bound over the limit, for each damping */
   double planar;           /* largest difference of the closed form from the limit, over the limit */
   struct count {
     const char *name;
@@ -751,7 +753,7 @@ static void add_column(struct map *map, const struct column *column, const struc
   }
 }
 
-/* `brief`: two or three columns of the system; otherwise all. */
+/* True if a column is computed. `brief`: two or three columns of the system; otherwise all. */
 static bool taken(const struct system *system, int m, int r, int d, int o, bool brief) {
   return !brief || (m == system->mass.count - 1 && r == 2 && d % 2 == 1 && o == system->other.count - 1);
 }
@@ -1136,7 +1138,7 @@ static void write_document(const char *document, const char *folder) {
 
 /* ---- the test, TAP ---- */
 
-/* There is no complaint about the system; or, with planted factors of limit and bound, there is one. */
+/* Tests that there is no complaint about the system; with planted factors of limit and bound, that there is one. */
 static void test(int number, const struct system *system, const char *what, double of_limit, double of_bound) {
   const bool planted = of_limit > 1 || of_limit < 1 || of_bound > 1;
   wrong_limit = of_limit, wrong_bound = of_bound, complaints = 0, silent = planted;

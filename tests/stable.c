@@ -40,7 +40,7 @@ static struct steps find_steps(struct words *page, bool cycle) {
   return answer;
 }
 
-/* Relations that hold for each scene. */
+/* Tests relations between the steps that hold for each scene. */
 static void in_order(const struct steps *it) {
   NEAR(it->safe, it->parts, 1e-11);
   CU_ASSERT(it->safe <= it->modes * (1 + 1e-12));
@@ -136,9 +136,9 @@ static void damping_has_its_formula(void) {
 
 /* ---- random networks ---- */
 
-/* Particles of different size, density and shape near the sites of a distorted lattice: some overlap, some are
- * within the skin, and some are apart. Some are fixed; four materials of different stiffness; walls on two sides or
- * none. */
+/* Particles of different size, density and shape near the sites of a distorted lattice: some overlap, some are within
+ * the skin, and some are apart. Some particles are fixed. There are four materials of different stiffness, and walls on
+ * two sides or no walls. */
 static void network(struct words *page, struct chance *chance, size_t nx, size_t ny) {
   words_add(page, "units none\nshear linear\nskin 0.2\n");
   for (int m = 0; m < 4; m++) {
@@ -158,8 +158,8 @@ static void network(struct words *page, struct chance *chance, size_t nx, size_t
     words_add(page, "wall south -1 -0.5 to 9 -0.5 m1\nwall west -0.5 -1 to -0.5 9 m2\n");
 }
 
-/* Random damping, up to twice critical; `damping stiffness` has a random time, for the omega of about the stiffest
- * contact. */
+/* Adds random damping, up to twice the critical one. The time of `damping stiffness` is random and matches the omega of
+ * about the stiffest contact. */
 static void damping(struct words *page, struct chance *chance) {
   const double size = chance_between(chance, 0, 2);
   switch ((int)chance_between(chance, 0, 4)) {
@@ -198,7 +198,7 @@ static void random_networks(unsigned seeds, size_t nx, size_t ny, bool cycle, do
   }
   printf("# %zu by %zu: stable step over limit is %.3f in the mean of %u, %.3f at least\n", nx, ny, sum / seeds, seeds,
          lowest);
-  CU_ASSERT(lowest > least); /* and the bound is not much too small */
+  CU_ASSERT(lowest > least); /* the bound is not much too small */
 }
 
 static void random_networks_stay_below_the_limit(void) {

@@ -11,8 +11,8 @@
 #include "run/plan.h"
 #include "suites.h"
 
-/* Twelve particles that are compressed and sheared; a wall that rotates and one whose velocity ramps; a fixed
- * particle that moves, a particle in flight with spin, and one that is removed. */
+/* Twelve particles that are compressed and sheared; a wall that rotates and a wall whose velocity ramps; a fixed
+ * particle that moves, a particle in flight with spin, and a particle that is removed. */
 static const char scene[] =
     "units none\nmaterial m density 3 kn 4000 ks 2500 friction 0.3 young 5000 poisson 0.2\nmaterial p density 3 kn "
     "6000 "
@@ -67,7 +67,7 @@ static void all_dampings(void) {
   }
 }
 
-/* The balances of a continued run count from the state on, and close. */
+/* The balances of a continued run begin at the state, and they close. */
 static void balances_begin_anew(void) {
   static const char *const balance[] = {"work.residual", "energy.residual",   "energy.walls",
                                         "energy.damped", "energy.frictional", "energy.gravity"};
@@ -317,9 +317,9 @@ static void contact_forces_without_dashpots(void) {
   written_free(&it);
 }
 
-/* A disc slides along wall b, from just before the normal at its end. In the cycle in which the contact passes from one
- * wall to the other, the one that begins to act was suppressed in the cycle before. A suppressed contact has no overlap
- * in a state. */
+/* A disc slides along wall b; it starts just before the normal at the end of this wall. In the cycle in which the
+ * contact passes from one wall to the other, the contact that begins to act was suppressed in the previous cycle. A
+ * suppressed contact has no overlap in a state. */
 static void a_contact_that_begins_at_a_vertex(void) {
   struct words page = {0};
   struct written it;

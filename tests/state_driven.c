@@ -1,5 +1,6 @@
 /* Assemblies that continue from a saved state: with a boundary, imposed affine motion, a servo, a cell, a box. Every
- * stage is followed by one that only changes the step, so all that the first one set must be in the state.
+ * stage is followed by a stage that only changes the step, so the state must have everything that the first stage has
+ * set.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -90,7 +91,7 @@ static void a_box(void) {
   same("box, ratio", box, "damping ratio 0.1");
 }
 
-/* Centripetal gravity that points away from a point. */
+/* Central gravity that points away from a point. */
 static void away_from_a_point(void) {
   same("away",
        "units none\nmaterial m density 3 kn 4000\nlattice discs 3 by 3 m radius 1 spacing 1.99 from -2 -2\n"

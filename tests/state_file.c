@@ -1,4 +1,4 @@
-/* The file of a saved state: every error in it is found, and a file is complete or absent.
+/* The file of a saved state: every error in the file is found, and a file is complete or absent.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef _POSIX_C_SOURCE
@@ -188,7 +188,7 @@ static bool holds(const char *path, const char *text) {
   return same;
 }
 
-/* The old file stays until the new one is complete, also when the disk is full or the process is killed while it
+/* The old file stays until the new one is complete, even if the disk is full or the process is killed while it
  * writes. */
 static void complete_or_absent(void) {
   char folder[] = "/tmp/nineball-state-XXXXXX", path[64], command[64];

@@ -22,7 +22,8 @@ static const char impact[] =
     "w\nimpact C speed 1 angle 0.5 phase 0.3\n"
     "step 0.001\nstage a\ncycles 20\n";
 
-/* What each field after the word may be, one letter per field (see kinds). Further fields are not tested. */
+/* The kinds of the fields after the word of a record, one letter per field (see kinds). Further fields are not
+ * tested. */
 static const struct {
   const char *page, *record, *fields;
 } records[] = {
@@ -73,7 +74,7 @@ static const struct {
     {'k', {"", "x", "-", "-1", "+1", "1x", "0", "4000000000", "99999999999999999999"}}, /* from 1 on */
 };
 
-/* The start of the first record with this word, or of the line `end`; and the end of that line. */
+/* The start of the first record with this word, or of the line `end`; *end: the end of this line. */
 static char *line_of(char *text, const char *word, char **end) {
   const size_t length = strlen(word);
   char *at = text;
@@ -212,7 +213,7 @@ static void without_particles(void) {
       strstr(read_changed(text, sizeof text - 1, end, end + 1, "").text, "expected the checksum of the lines above"));
 }
 
-/* The largest number of records, the largest number of numbers in one, and one more. */
+/* The largest number of records, the largest number of numbers in a record, and one more of each. */
 static void at_most(void) {
   size_t size;
   char *text = state_of(state_plain, &size), *end, *at = line_of(text, "units", &end);

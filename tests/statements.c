@@ -1,4 +1,4 @@
-/* Statements of a page, in cases where a small error in reading them would show nowhere else.
+/* Statements of a page, in cases in which no other test would detect a small error of the reader.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef _POSIX_C_SOURCE
@@ -28,8 +28,8 @@ static struct nb_wall wall_of(const char *statement) {
   return wall;
 }
 
-/* A point of `about` on the line of the wall counts as on it in spite of rounding, and a point beside the line does
- * not, for walls of any size. */
+/* A point of `about` on the line of a wall counts as on the line in spite of rounding; a point beside the line does
+ * not. Both hold for walls of any size. */
 static void a_wall_turns_about_a_point(void) {
   static const double sizes[] = {1e-6, 1e-3, 1, 1e3, 1e6};
   for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++)
@@ -60,8 +60,8 @@ static void one_rigid_sphere(void) {
   written_free(&it);
 }
 
-/* Reads the columns `a` (or `b`) and `c` of a file; c must be above 0. Returns the number of rows; *sum is that of a
- * + 1000 c, and *mistakes the number of errors. */
+/* Reads the columns `a` (or `b`) and `c` of a file; c must be above 0. Returns the number of rows; *sum is the sum of
+ * a + 1000 c, and *mistakes the number of errors. */
 static size_t columns(double *sum, size_t *mistakes, bool unitless, const char *text) {
   static const struct nb_wanted_column wanted[] = {{"a", "b", false}, {"c", NULL, true}};
   char path[] = "/tmp/nineball-columns-XXXXXX";
@@ -138,8 +138,8 @@ static double step_of(const char *walls, const char *in_stage) {
   return step;
 }
 
-/* In the collision prediction a wall moves with its velocity in the first stage, unless that ramps; other walls keep
- * their own. */
+/* In the collision prediction a wall moves with the velocity that the first stage gives it, unless this velocity ramps;
+ * other walls keep their initial velocities. */
 static void walls_of_the_first_stage(void) {
   const char *walls = "wall f -90 0 to 90 0 r\nwall g -90 90 to 90 90 r";
   const double slow = step_of("wall f -90 0 to 90 0 r velocity 0 0.1", "");
@@ -193,7 +193,7 @@ static void example_line(char *line, size_t size, const struct nb_keyword *row) 
   CU_ASSERT_STRING_EQUAL(words, row->word);
 }
 
-/* Every statement in every place where it does not belong: the message must say where it does. Statements that both
+/* Every statement in every place where it is not allowed: the message must say where it belongs. Statements that both
  * kinds of block have are left out. */
 static void the_wrong_place(void) {
   static const char *const alike = "|material|pair|repeat|";

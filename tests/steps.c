@@ -144,12 +144,12 @@ static void walls_of_the_first_stage(void) {
   }
 }
 
-/* The limits of a later stage count the velocities that the walls have in it: those that it gives them, and those that
- * they keep from the stage before. */
+/* The limits of a later stage use the velocities that the walls have in this stage: velocities that the stage gives,
+ * and velocities that walls keep from the previous stage. */
 static void walls_of_a_later_stage(void) {
   static const struct {
     const char *stages;
-    double speed; /* of the wall in the last stage */
+    double speed; /* speed of the wall in the last stage */
   } rows[] = {
       {"wall w velocity 0 0.1\ncycles 1\nstage b\nwall w velocity 0 0.4\n", 0.4},
       {"wall w velocity 0 0.4\ncycles 1\nstage b\nwall w velocity 0 0.1\n", 0.1},
@@ -216,15 +216,15 @@ static void steps_that_spheres_do_not_have(void) {
     CU_ASSERT_PTR_NOT_NULL(strstr(error.text, pages[n].words));
     written_free(&it);
   }
-  /* with an overlap they have one: 2/omega, omega^2 = k/M*, k = 2 E* (R* overlap)^(1/2) */
+  /* with an overlap elastic spheres have a limit: 2/omega, omega^2 = k/M*, k = 2 E* (R* overlap)^(1/2) */
   NEAR(step_of(SPHERES "lattice spheres 2 by 1 radius 1 spacing 1.9 m\nstep 0.5 of stable\n"), sqrt(0.5 / sqrt(0.05)),
        1e-14);
   NEAR(step_of(SPHERES "lattice spheres 2 by 1 radius 1e-3 spacing 1.9999e-3 m\nstep 0.5 of stable\n"),
        sqrt(5e-10 / sqrt(5e-11)), 1e-10);
 }
 
-/* A stage without `step` keeps the step, although nothing approaches any more. A stage with the statement computes
- * it again. */
+/* A stage without `step` keeps the step, although no particles approach each other any more. A stage with `step`
+ * computes the step again. */
 static void a_collision_step_is_kept(void) {
   struct words page = {0};
   struct written it;
@@ -311,7 +311,7 @@ static void a_stage_is_checked_as_it_begins(void) {
   CU_ASSERT_EQUAL(ends(STAGES("", "ramp material m kn 20\nstep 1 of stable\n"), &cycles, &error), NB_OK);
 }
 
-/* Before the first stage the model has the step of that stage, not the one above it. */
+/* Before the first stage the model has the step of this stage, not the step that the scene gives above it. */
 static void the_step_of_the_first_stage(void) {
   static const char *const steps[][2] = {{"step 0.25\n", ""}, {"step 0.25\n", "step 0.125\n"}, {"", "step 0.125\n"}};
   for (size_t k = 0; k < 3; k++) {
@@ -326,9 +326,8 @@ static void the_step_of_the_first_stage(void) {
   }
 }
 
-/* There are no searches here. The limit of three discs in a row, 3 k = 4/0.4^2, is exceeded at k = 8.33, after 2424
- * cycles, and the next check finds it. The limit of a pair, 2 k, is not exceeded, otherwise the stage would not
- * begin. */
+/* A run without searches. The limit of three discs in a row, 3 k = 4/0.4^2, is exceeded at k = 8.33, after 2424 cycles,
+ * and the next check finds this. The limit of a pair, 2 k, is not exceeded; otherwise the stage would not begin. */
 static void a_check_every_1000_cycles(void) {
   unsigned long cycles;
   struct nb_error error;
@@ -339,7 +338,7 @@ static void a_check_every_1000_cycles(void) {
   CU_ASSERT_EQUAL(cycles, 3000);
 }
 
-/* The check changes nothing: the same bits with it and without it. */
+/* The check changes nothing: a run has the same bits with the check and without it. */
 static void the_check_changes_no_bit(void) {
   double last[2];
   for (int k = 0; k < 2; k++) {

@@ -26,7 +26,7 @@ static void sums_and_products(void) {
   CU_ASSERT(tensor_trace(b) == 80 && tensor_mean(b) == 40);
 }
 
-/* Principal values are eigenvalues of the symmetric part, and the direction is the major one's eigenvector. */
+/* Principal values are eigenvalues of the symmetric part; the direction is the eigenvector of the major one. */
 static void principal(void) {
   gsl_eigen_symmv_workspace *room = gsl_eigen_symmv_alloc(2);
   gsl_matrix *matrix = gsl_matrix_alloc(2, 2), *vectors = gsl_matrix_alloc(2, 2);

@@ -1,4 +1,4 @@
-/* Whether a particle has crossed a wall in a step: random steps, many of them close to the limits.
+/* The test that a particle has crossed a wall in a step: random steps, many of them close to the limits.
  *
  * A step is drawn in the frame of the wall, where the result is obvious: the centre moves from (x0, y0) to (x1, y1)
  * and crosses the line of the wall at x0 + (x1 - x0) y0/(y0 - y1). Then wall and particle get random positions,
@@ -91,8 +91,8 @@ static bool crosses(double h1, double x, double y, double dx, double dy) {
   return crossing(&error, h1, false, x, y, dx, dy)[0];
 }
 
-/* In this test walls are longer by 1e-12 of their length at each end, 2e-12 here, so that nothing passes between two
- * walls with a common end. */
+/* The test of the program makes walls longer by 1e-12 of their length at each end, 2e-12 here, so that no particle
+ * passes between two walls with a common end. */
 static void at_an_end(void) {
   static const double slack = 2e-12;
   CU_ASSERT(crosses(-2, 0.9995 * slack, -0.25, 0, -0.5));
@@ -115,7 +115,7 @@ static void on_the_line(void) {
   CU_ASSERT(crosses(-1, 0, 0, 0.5, 0)); /* along it */
 }
 
-/* The message names the radius, and advises a smaller step if the displacement exceeds half of it, otherwise a
+/* The message names the radius. It advises a smaller step if the displacement exceeds half the radius, otherwise a
  * stiffer wall. Fixed particles may cross. */
 static void the_message(void) {
   struct nb_error error;

@@ -1,4 +1,4 @@
-/* Units: each has exactly the power of ten and the dimension of its name.
+/* Units: each unit has exactly the power of ten and the dimension that its name says.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

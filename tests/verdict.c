@@ -1,5 +1,5 @@
-/* The verdict on one run: every expectation at both edges of its tolerance. At the edge it holds; 1e-12
- * beyond the edge it fails. Numbers are chosen so that the edge itself is exact.
+/* The verdict on one run: every expectation at both edges of its tolerance. At the edge the expectation passes; 1e-12
+ * beyond the edge it fails. The numbers are chosen so that the edge itself is exact.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -128,8 +128,7 @@ static void versus(void) {
   edges(list, COUNT(list));
 }
 
-/* The worst row is named, whatever rows come before it. Formerly a row in which both values are 0 hid all later
- * rows. */
+/* The message names the worst row, whatever rows come before it, also if one of them has twice the value 0. */
 static void worst_row(void) {
   static const struct {
     const char *expectation, *words;
@@ -239,7 +238,7 @@ static void words(void) {
   nb_outcome_free(&outcome);
 }
 
-/* A reference may return a measure of one stage, or of every stage. */
+/* A reference solution may have a measure of one stage, or of every stage. */
 static void reference_of_a_stage(void) {
   static const double x[] = {1, 2, 3, 4, 5, 6};
   planted_one("A.x in one within 0", "A.x in one", 3, 6, x, NB_PASS, "reference 3");

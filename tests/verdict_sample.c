@@ -1,4 +1,4 @@
-/* The verdict on samples: trends at the edges of the confidence interval, and the place of an expected value among
+/* The verdict on samples: trends at the edges of the confidence interval, and the percentile of an expected value among
  * the runs.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -86,7 +86,7 @@ static void samples(void) {
   planted_sweeps(list, COUNT(list));
 }
 
-/* The place of an expected value among the runs is noted; it is never a failure. */
+/* The percentile of an expected value among the runs is a note, never a failure. */
 static void among(void) {
   static const struct planted_sweep list[] = {
       {"sweep s 1 2 3 4",

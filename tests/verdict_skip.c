@@ -8,7 +8,7 @@
 #include "planted.h"
 #include "suites.h"
 
-/* An expectation with nothing to compare is reported once, neither passed nor failed. */
+/* An expectation without anything to compare is reported once, as neither passed nor failed. */
 static void skipped(void) {
   static const struct planted_sweep list[] = {
       {"sweep v 1", "A.x increases with v", {1}, NB_SKIP, "`v` has one value only"},

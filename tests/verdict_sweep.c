@@ -78,7 +78,7 @@ static void constant(void) {
   planted_sweeps(list, COUNT(list));
 }
 
-/* errors h^s at h = 1, 2, 4; with s at the edge, but for rounding */
+/* Errors h^s at h = 1, 2, 4, where s is at the edge except for rounding. */
 #define ERRORS(s)                                                                                                      \
   { 1, exp2(s), exp2(2 * (s)) }
 
@@ -171,8 +171,8 @@ static void groups(void) {
   nb_outcome_free(&outcome);
 }
 
-/* The points that a report draws: of each run of the group the swept value, or its position among words, and the
- * computed value, or the error of an order. */
+/* The points that a report draws, one for each run of the group: the swept value, or its position among words; and the
+ * computed value, or the error if the expectation is an order. */
 static void points(void) {
   static const struct {
     const char *sweeps, *expectation;

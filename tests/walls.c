@@ -24,7 +24,7 @@ static void rotation_is_exact(void) {
   written_scene(&it, &page);
   CU_ASSERT(it.scene.walls[0].x == 1 && it.scene.walls[0].h1 == -4 && it.scene.walls[0].h0 == 0);
   CU_ASSERT(it.scene.walls[1].h0 == -7 && it.scene.walls[1].h1 == 4 && it.scene.walls[1].h2 == 7);
-  CU_ASSERT(it.scene.stages[1].motions[0].vx == 0.25 && it.scene.stages[1].motions[0].vy == -0.5); /* as before */
+  CU_ASSERT(it.scene.stages[1].motions[0].vx == 0.25 && it.scene.stages[1].motions[0].vy == -0.5); /* not changed */
   CU_ASSERT(it.scene.stages[2].motions[1].spin == 0);
   struct nb_model *model = written_model(&it, NULL);
   const struct nb_walls *walls = &model->walls;
@@ -70,9 +70,8 @@ static void velocity_of_a_point(void) {
 
 /* ---- one contact at a common end ---- */
 
-/* A disc rolls on a floor under gravity: its position and moment, cycle by cycle, on a floor of one or several
- * walls. `turn` rotates the scene, so that coordinates are not round numbers; `both` counts the cycles with two
- * contacts. */
+/* A disc that rolls on a floor of one or several walls under gravity: its position and moment in each cycle. `turn`
+ * rotates the scene, so that coordinates are not round numbers; `both` counts the cycles with two contacts. */
 struct rolled {
   double x[2000], moment[2000], normal[2000], shear[2000], both;
 };
@@ -97,8 +96,8 @@ static void roll(struct rolled *seen, const char *floor, const char *skin, doubl
   written_free(&it);
 }
 
-/* A disc beside the common end of two walls. The end of the second wall has no contact as long as the ends coincide.
- * It has one from the cycle on in which that wall moves away. */
+/* A disc beside the common end of two walls. The second wall has no contact with the disc as long as the ends coincide.
+ * It has a contact from the cycle on in which it moves away. */
 static void a_wall_that_moves_away_has_a_contact_at_once(void) {
   struct words page = {0};
   struct written it;
@@ -144,8 +143,8 @@ static void move_end(double from, const double to[2], const int cycles[2], const
   written_free(&it);
 }
 
-/* Ends that are apart at time 0 never become common; ends that coincide at time 0 are common when they meet again. The
- * second call has the last search with b at 0.04, where the ends do not coincide. */
+/* Ends that are apart at time 0 never become common. Ends that coincide at time 0 are common when they meet again. In
+ * the second call the last search has the end of b at 0.04, where the ends do not coincide. */
 static void common_ends_are_those_of_time_0(void) {
   const double at_end = 400 * (1 - hypot(0.2, 0.95));
   const int equal[2] = {10, 10}, unequal[2] = {15, 3};

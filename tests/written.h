@@ -18,17 +18,17 @@ struct words {
 };
 void words_add(struct words *words, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* The only run of the page with these statements, or of the contact test if the first line is `path`. The test ends
- * if they contain an error. Free it with written_free. */
+/* Reads the only run of the page with these statements, or of the contact test if the first line is `path`. The test
+ * ends if the statements have an error. Free the scene with written_free. */
 void written_scene(struct written *written, struct words *words);
-/* Likewise, as by --set. */
+/* Does the same with settings, as given by --set. */
 void written_scene_set(struct written *written, struct words *words, nb_settings settings);
 void written_free(struct written *written);
 
 /* The model of the scene at time 0; the test ends if it cannot be made. Free it with nb_model_free. */
 struct nb_model *written_model(const struct written *written, const struct nb_options *options);
 void written_cycles(struct nb_model *model, int count);
-/* The present value of a quantity that the page records. */
+/* The current value of a quantity that the page records. */
 double written_now(const struct nb_model *model, const char *name);
 
 /* Runs all stages; the test ends if the run is aborted. Free the result with nb_result_free. */
@@ -37,7 +37,7 @@ void written_run(struct nb_result *result, const struct written *written, const 
 double written_cell(const struct nb_table *table, size_t row, const char *name);
 double written_last(const struct nb_result *result, const char *name);
 
-/* Whether the rows of two tables, and all tables of the snapshots of two results, are the same to the last bit. */
+/* True if the rows of two tables, or all tables of the snapshots of two results, are the same to the last bit. */
 bool written_same_table(const struct nb_table *a, const struct nb_table *b);
 bool written_same_snapshots(const struct nb_result *a, const struct nb_result *b);
 
