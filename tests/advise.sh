@@ -22,7 +22,7 @@ result $? 'advice on the duration of an impact'
 chosen=$(rows duration/advice.tsv | awk -F '\t' '$10 == "chosen" { print $3 }')
 before=$(rows duration/advice.tsv | awk -F '\t' -v chosen="$chosen" '$3 == chosen / 2 { print $3, 100 * $8 }')
 run 0 advise "$hertz" --set pair=equal --set h=0.04 --quantity impact.duration --within '0.05 %' -o again &&
-  grep -A 1 "the next cheaper one misses the tolerance: --set refine=${before% *}\$" "$why" |
+  grep -A 1 "the next cheaper setting misses the tolerance: --set refine=${before% *}\$" "$why" |
     awk -v claim="${before#* }" '/ estimated error: / { d = $3 / claim - 1; found = d * d < 0.01 } END { exit !found }'
 result $? 'the next cheaper setting and its error'
 
@@ -63,7 +63,7 @@ result $? 'no setting within the tolerance has fewer updates'
 # the limit of the page.
 oblique=$cases/4-oblique/oblique-impact.md
 run 0 advise "$oblique" --set poisson=0.3 --set psi1=2 --quantity impact.psi2 --within 0.01 -o oblique &&
-  said "$(grep -c '^# left out: .* times the tolerance' oblique/advice.tsv) other variants give too different values; the one with the smallest difference is normal hertz"
+  said "$(grep -c '^# left out: .* times the tolerance' oblique/advice.tsv) other variants give values that differ too much; the one with the smallest difference is normal hertz"
 result $? 'advice on an oblique impact'
 cp oblique/advice.tsv "$why"
 grep -q '^# left out: normal hertz, shear none: ' oblique/advice.tsv &&
@@ -94,7 +94,7 @@ until C.normal below 1e-300 at most 100000 cycles
 ```
 EOF
 run 0 advise head-on.md --quantity 'C.normal max in b' --within '5 %' -o head-on &&
-  said 'other variants give the same values as another one' &&
+  said 'other variants give the same values as another variant' &&
   test "$(rows head-on/advice.tsv | cut -f 1,2 | sort -u | wc -l)" -eq 2
 result $? 'laws that change nothing are not tried'
 
@@ -125,9 +125,9 @@ stage a
 until D.vx below 0 at most 100000 cycles
 ```
 EOF
-run 1 advise still.md --quantity D.vy --within '1 %' && said 'is not known well enough' && said 'an absolute one if the value is near 0'
+run 1 advise still.md --quantity D.vy --within '1 %' && said 'is not known well enough' && said 'an absolute tolerance if the value is near 0'
 result $? 'a percentage of a quantity that has no limit other than 0'
-run 1 advise "$cases/5-numerics/changed-law.md" --quantity 'C.normal max in steps' --within '10 %' && said 'it is 0, and a percentage of 0 allows no error' &&
+run 1 advise "$cases/5-numerics/changed-law.md" --quantity 'C.normal max in steps' --within '10 %' && said 'the value is 0, and a percentage of 0 allows no error' &&
   ! grep -q nan "$why"
 result $? 'a percentage of a quantity that is 0 with each step'
 run 0 advise still.md --quantity D.vx --within 0.1 && said 'within 0.1'
@@ -149,7 +149,7 @@ result $? 'an assembly'
 run 2 advise "$hertz" --quantity impact.duration --within '1 %' --budget never && said '--budget in seconds'
 result $? 'a budget that is no time'
 sed 's/^units none/&\nlet refine = 2/' still.md >named.md
-run 2 advise named.md --quantity D.vx --within 0.1 && said 'the page has a value `refine`'
+run 2 advise named.md --quantity D.vx --within 0.1 && said 'the page has a value named `refine`'
 result $? 'a page whose own value is called refine'
 sed 's/^until.*/record every 10 cycles\ncycles 7/; s/kn 1$/kn 1e-6/' still.md >cycles.md
 run 0 advise cycles.md --quantity D.vx --within '1 %' -o cycles && said '--set refine=0.1428571429' && said '7 times as long as that of the page' &&
@@ -162,7 +162,7 @@ run 0 advise soft.md --quantity D.vx --within '1 %' -o soft && said 'the cheapes
   said 'stiffness divided by 1000'
 result $? 'softer contacts'
 run 0 advise "$hertz" --set pair=equal --set 'step=100 per collision' --quantity impact.duration --within '1 %' -o soft &&
-  said 'softer contacts save nothing in this impact: the step is a fraction of the collision' && ! grep -q 'divided by' soft/advice.tsv
+  said 'softer contacts save nothing in this impact: the step is a fraction of the duration of the collision' && ! grep -q 'divided by' soft/advice.tsv
 result $? 'softer contacts save nothing in an impact'
 run 0 advise "$cases/2-hertz/hertz-damped.md" --set beta=0.2 --quantity impact.restitution --within '0.2 %' -o damped && said '--set damping=centred --set refine='
 options=$(sed -n 's/.*to run it: .* --set beta=0.2 //p' "$why")
@@ -230,7 +230,7 @@ awk '{ good = NF == 6 && 0 < $2 && $2 <= $1 && $1 <= $3 && 0 < $5 && $5 <= $4 &&
 result $? 'times, median and range'
 run 0 advise gas.md --over seed --set trade='dt 0.016' --quantity energy.kinetic --within '500 %' -o longer &&
   cut -f 3,12 longer/advice.tsv >"$why" && grep -qx "0.25	-" "$why" && grep -qx "1	dt=0.016" "$why" &&
-  grep -q '^# not run: refine=0.125: its step is .* of the guaranteed stable one in the mean, and scatters between realizations: another one may stop$' longer/advice.tsv
+  grep -q '^# not run: refine=0.125: its step is .* of the guaranteed stable step in the mean, and this ratio scatters between realizations: another realization may be aborted$' longer/advice.tsv
 result $? 'a variant that needs a shorter step than the page is tried with it'
 run 0 advise gas.md --over seed --set dt=0.002 --quantity energy.kinetic --within '10 %' -o own && said 'nineball run gas.md --set dt=0.002 --set refine='
 result $? 'the command to run has the settings of the caller'
@@ -245,7 +245,7 @@ run 2 advise gas.md --over seed --realizations 4 --quantity energy.kinetic --wit
   run 2 advise gas.md --realizations 9 --quantity energy.kinetic --within '10 %' && said 'with --over NAME'
 result $? 'too few realizations'
 sed 's/^let rate/let stiff = 1000\n&/; s/kn 1000/kn $stiff/; s/^trade .*/trade stiff 1000 500/' gas.md >soft.md
-run 0 advise soft.md --set seed=1 --quantity energy.kinetic --within '20 %' -o soft && said 'other variants give the same values as another one' &&
+run 0 advise soft.md --set seed=1 --quantity energy.kinetic --within '20 %' -o soft && said 'other variants give the same values as another variant' &&
   rows soft/advice.tsv | cut -f 12 | grep -qx stiff=500
 result $? 'a traded value of a single run; that of the page itself is left out'
 sed 's/^trade .*/trade laws none/' gas.md >no-laws.md
@@ -270,7 +270,7 @@ printf '# Wrong\n```scene\nunits none\nnonsense\n```\n' >wrong.md
 column() { rows "$1" | cut -f "$2"; }
 
 run 1 advise --all folder/a.md still.md -o all && said '1 of 2, a: 8 searches, 7 with advice; about ' && said '2 of 2, still: 0 searches' &&
-  said 'still expects no single value' && said '8 searches, 7 with advice; look at all/trades.tsv'
+  said 'still has no expectation of a single value' && said '8 searches, 7 with advice; look at all/trades.tsv'
 result $? 'advice on many pages'
 cp all/trades.tsv "$why"
 test "$(grep -v '^#' all/trades.tsv | head -n 1 | tr '\t' '|')" = \

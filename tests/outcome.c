@@ -493,7 +493,7 @@ static void interrupted_with(nb_settings own, nb_settings other) {
   nb_outcome_free(&first);
   options.checkpoint.resume = false;
   CU_ASSERT_EQUAL(nb_outcome_make(&second, path, own, &options, NULL), NB_BAD_USE);
-  CU_ASSERT_PTR_NOT_NULL(strstr(second.error.text, "this page has been interrupted"));
+  CU_ASSERT_PTR_NOT_NULL(strstr(second.error.text, "the run of this page was interrupted"));
   CU_ASSERT_EQUAL(second.runs[0].result.cycles, 0); /* the page is refused before the first run */
   nb_outcome_free(&second);
   options.checkpoint.resume = true;

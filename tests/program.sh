@@ -440,7 +440,7 @@ for steps in 8:1 32:4; do
   from=${steps%:*}
   run 0 explain "$cases/3-nine-discs/nine-discs.md" --set refine="${steps#*:}"
   row=$(grep "^| $from to $((2 * from)) | " "$cases/../docs/ACCURACY.md") || echo "no row for $from steps" >>why
-  out "$(echo "$row" | awk -F ' *[|] *' '{ printf "with %s steps per collision, half of %s errors of the cases were below %s, and 90 %% of them below %s (docs/ACCURACY.md)", $2, $3, $4, $5 }')"
+  out "$(echo "$row" | awk -F ' *[|] *' '{ printf "with %s steps per collision, half of the %s errors in the cases were below %s, and 90 %% of them below %s (docs/ACCURACY.md)", $2, $3, $4, $5 }')"
 done
 run 0 explain "$pages/contact-test.md"
 grep -q 'steps per collision' out && echo 'a contact test has no collision' >>why

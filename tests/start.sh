@@ -132,7 +132,7 @@ flock "$states"/*.lock sleep 60 &
 holder=$!
 sleep 1
 NINEBALL_WAIT=0.5 timeout 30 "$nineball" run "$pages/saved-stage.md" --states "$states" -o "$work/late" >"$work/out" 2>"$work/said"
-test $? -eq 2 && grep -q 'has held .*state.lock for 0.5 s: see what it does by' "$work/said"
+test $? -eq 2 && grep -q 'has held .*state.lock for 0.5 s: `ps -p ?` shows what this process does' "$work/said"
 result $? 'the wait for a lock is limited'
 kill "$holder"
 rm -f "$states"/*

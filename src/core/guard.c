@@ -55,11 +55,12 @@ static enum nb_status check_displacement(const struct nb_model *model, int i, st
   if (!(displacement > radius) || nb_removed(model, (size_t)i))
     return NB_OK;
   const char *m = nb_unit(model->scene, " m"), *s = nb_unit(model->scene, " s");
-  return nb_error_set(error, NB_BROKEN,
-                      "particle %d (line %d): in cycle %lu, at time %g%s, it moved by %g%s in one step of %g%s. The "
-                      "limit is its radius, %g%s: beyond that it may pass through others. Try a smaller step",
-                      number, line_of(model, number), model->cycle, model->time, s, displacement, m,
-                      model->previous_step, s, radius, m);
+  return nb_error_set(
+      error, NB_BROKEN,
+      "particle %d (line %d): in cycle %lu, at time %g%s, it moved by %g%s in one step of %g%s. The "
+      "limit is its radius, %g%s: beyond this limit it may pass through other particles. Try a smaller step",
+      number, line_of(model, number), model->cycle, model->time, s, displacement, m, model->previous_step, s, radius,
+      m);
 }
 
 static enum nb_status check_rotation(const struct nb_model *model, size_t w, struct nb_error *error) {
@@ -69,8 +70,8 @@ static enum nb_status check_rotation(const struct nb_model *model, size_t w, str
   const char *m = nb_unit(model->scene, " m"), *s = nb_unit(model->scene, " s");
   return nb_error_set(error, NB_BROKEN,
                       "wall `%s` (line %d): in cycle %lu, at time %g%s, it turned by %g rad in one step of %g%s and "
-                      "may have passed through a particle. The limit is set by the smallest radius, %g%s: the arc of "
-                      "the wall's far end may be no farther from its chord than this. Try a smaller step",
+                      "may have passed through a particle. The limit is the smallest radius, %g%s: the arc of the "
+                      "wall's far end may deviate from its chord by at most this much. Try a smaller step",
                       model->scene->walls[w].name, model->scene->walls[w].line, model->cycle, model->time, s, angle,
                       model->previous_step, s, model->search.smallest_radius, m);
 }
@@ -96,17 +97,17 @@ enum nb_status nb_guard_pair(const struct nb_model *model, struct nb_close_pair 
   if (model->cycle == 0) {
     nb_error_set(error, NB_BAD_USE,
                  "particle %d overlaps particle %d (line %d) by %g%s. Expected at most the smaller radius, %g%s: move "
-                 "them apart, or make them smaller",
+                 "the particles apart, or make them smaller",
                  b, a, line_of(model, a), pair.overlap, m, radius, m);
     error->line = line_of(model, b);
     return NB_BAD_USE;
   }
-  return nb_error_set(error, NB_BROKEN,
-                      "particle %d (line %d) and particle %d (line %d): at cycle %lu, time %g%s, they overlap by %g%s. "
-                      "The limit is the smaller radius, %g%s: beyond that they pass through each other. Try a smaller "
-                      "step, a stiffer contact, or a smaller load",
-                      a, line_of(model, a), b, line_of(model, b), model->cycle, model->time, s, pair.overlap, m, radius,
-                      m);
+  return nb_error_set(
+      error, NB_BROKEN,
+      "particle %d (line %d) and particle %d (line %d): at cycle %lu, time %g%s, they overlap by %g%s. "
+      "The limit is the smaller radius, %g%s: beyond this limit the particles pass through each other. Try a smaller "
+      "step, a stiffer contact, or a smaller load",
+      a, line_of(model, a), b, line_of(model, b), model->cycle, model->time, s, pair.overlap, m, radius, m);
 }
 
 static enum nb_status check_pairs(const struct nb_model *model, struct nb_error *error) {

@@ -112,10 +112,10 @@ static enum nb_status crossing_error(const struct nb_model *model, size_t i, siz
   const double radius = model->particles.surface[i].radius;
   const char *m = nb_unit(model->scene, " m"), *s = nb_unit(model->scene, " s");
   if (model->cycle == 0)
-    return nb_error_set(
-        error, NB_BROKEN,
-        "particle %d (line %d) has its centre on wall `%s` (line %d), so it is on neither side: move it", number,
-        scene->particles[number - 1].line, scene->walls[w].name, scene->walls[w].line);
+    return nb_error_set(error, NB_BROKEN,
+                        "particle %d (line %d) has its centre on wall `%s` (line %d), so the particle is on neither "
+                        "side of the wall: move the particle",
+                        number, scene->particles[number - 1].line, scene->walls[w].name, scene->walls[w].line);
   return nb_error_set(
       error, NB_BROKEN,
       "particle %d (line %d) passed through wall `%s` (line %d) in cycle %lu, at time %g%s: its centre is now on the "

@@ -156,10 +156,10 @@ void nb_box_check(struct nb_scene_reading *reading) {
       continue;
     if (moved)
       report(reading, line,
-             "move them with `box strain EXX EYY`, to which a `servo` may add, without `wall` and `walls`",
+             "move the walls with `box strain EXX EYY`, with a `servo`, or with both; remove `wall` and `walls`",
              "expected one statement that moves the walls of the box in this stage, found two");
     if (turned)
-      report(reading, line, NULL, "expected a box whose walls have no `spin`, found one that rotates");
+      report(reading, line, NULL, "expected a box whose walls have no `spin`, found a wall that rotates");
   }
 }
 

@@ -126,8 +126,8 @@ static struct quantity expected(struct parser *p, const char *what) {
                                 : c == ',' ? "the decimal point is `.`; `sweep` has several values, without commas"
                                 : strcmp(what, "an operator") != 0 ? NULL
                                 : isdigit((unsigned char)c)        ? "use `sweep` for several values"
-                                : nb_unit_read(&unit, text)        ? "the value before it has its unit already"
-                                                                   : NULL;
+                                : nb_unit_read(&unit, text) ? "the value before this unit has its own unit already"
+                                                            : NULL;
   const char *const typed = length ? nb_syntax_hint(p->reader, hint, text) : NULL;
   return mistake(p, p->at, length ? length : 1, typed ? typed : otherwise, "expected %s, found `%s`", what, text);
 }

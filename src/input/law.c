@@ -20,7 +20,7 @@ static void report_unknown(struct nb_reader *reader, const char *kind, const str
           nb_guess_offer(&guess, what);
   const char *near = nb_pair_hint(hint, kind, token->text) ? hint : nb_guess_hint(&guess, hint);
   snprintf(what, sizeof what, "the name of a `%s` law", kind);
-  nb_expected_at(reader, token, near ? near : "`nineball laws` lists them", what);
+  nb_expected_at(reader, token, near ? near : "`nineball laws` lists the laws", what);
 }
 
 /* Words that users may write after the name of a law, because other programs expect parameters there. */
@@ -41,7 +41,7 @@ static void take_options(struct nb_reader *reader, const struct nb_law *law, boo
   const struct nb_token *next = nb_token_peek(reader);
   if (next && NB_FIND(properties, sizeof properties / sizeof *properties, next->text) >= 0)
     nb_token_mistake(reader, next,
-                     "it is a property of the material: `material rock  density 2000 kg/m3  kn 1 MN/m  ks 1 MN/m`",
+                     "this property belongs to the material: `material rock  density 2000 kg/m3  kn 1 MN/m  ks 1 MN/m`",
                      "expected the end of the line, found `%s`", next->text);
   else if (shear && nb_token_is(reader, "memory") && law->piece == 0)
     nb_token_mistake(reader, next, NULL, "`shear %s` keeps no history, so it takes no `memory`", law->name);
@@ -109,8 +109,9 @@ static void check_rigid(struct nb_scene_reading *reading, const int *on_particle
     for (size_t k = 0; k < scene->material_count; k++)
       if (isinf(scene->materials[k].young) &&
           (k == i ? on_particle[i] > 1 || on_wall[i] : on_particle[k] || on_wall[k])) {
-        report(reading, scene->materials[i].line, "give one of them `young E  poisson NU`",
-               "expected at most one `rigid` material in a contact, found that this one can touch `%s`, which is rigid "
+        report(reading, scene->materials[i].line, "give one of the two materials `young E  poisson NU`",
+               "expected at most one `rigid` material in a contact, found that this material can touch `%s`, which is "
+               "rigid "
                "too",
                scene->materials[k].name);
         return;
@@ -189,7 +190,8 @@ static void check_laws(struct nb_scene_reading *reading, const struct nb_active_
                     "expected a normal law of elastic spheres for `shear %s`", laws->shear->name);
   if (laws->shear->cohesionless && cohesive > 0)
     report(reading, cohesive,
-           "remove `cohesion`, or use another law, such as `shear linear`: the friction limit of this one is mu N",
+           "remove `cohesion`, or use another law, such as `shear linear`: the friction limit of this law is mu N, "
+           "without cohesion",
            "expected no cohesion for %s", law_text(text, laws->shear, stage));
 }
 

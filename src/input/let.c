@@ -57,7 +57,7 @@ static void bind(struct nb_scene_reading *reading, struct nb_reader *reader, con
   if (nb_name_reserved(name->text) || strchr(name->text, '-'))
     nb_token_mistake(reader, name,
                      strchr(name->text, '-') ? "write `_` instead of `-`, which is a minus sign in expressions"
-                                             : "it is a function or a constant of expressions",
+                                             : "this name is a function or a constant of expressions",
                      "expected a valid name for a value, found `%s`", name->text);
   if (NB_FIND(scene->bindings, scene->binding_count, name->text) >= 0)
     nb_token_mistake(reader, name, NULL, "expected a new name, `%s` already has a value", name->text);

@@ -407,8 +407,8 @@ const char *nb_phrase_hint(char *hint, const struct nb_scene *scene, const struc
     list_meant(names, sizeof names, kind, *monitor, tokens[k].text);
   if (!*names)
     list_meant(names, sizeof names, kind, *monitor, "force");
-  snprintf(hint, NB_HINT_SIZE, "give it a name before the stages, `monitor %s %s`; then its quantities are %s", monitor,
-           of, names);
+  snprintf(hint, NB_HINT_SIZE, "define a monitor before the stages, `monitor %s %s`; its quantities are then %s",
+           monitor, of, names);
   return kind ? hint : NULL;
 }
 

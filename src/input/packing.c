@@ -36,9 +36,10 @@ static int material_named(const struct nb_scene *scene, struct nb_reader *reader
   const int m = NB_FIND(scene->materials, scene->material_count, name);
   if (m < 0)
     nb_token_mistake(reader, file, "define it above, or give all particles one material: `packing FILE discs MATERIAL`",
-                     "expected all materials of the file in the page, `%s` is missing", name);
+                     "expected all materials of the file in the page, found that `%s` is missing", name);
   else if (scene->materials[m].density == 0 && !fixed)
-    nb_token_mistake(reader, file, NULL, "expected a material with a density for free particles, `%s` has none", name);
+    nb_token_mistake(reader, file, NULL,
+                     "expected a material with a density for free particles, found that `%s` has none", name);
   return m;
 }
 

@@ -101,7 +101,7 @@ NB_APPLY(apply_until) {
 NB_APPLY(apply_ramp) {
   struct nb_stage *it = nb_current_stage(((struct nb_scene_reading *)subject)->scene);
   const int line = (int)reader->line;
-  if (!nb_take_token(reader, "what changes gradually: `wall`, `walls`, `material`, `pair`, `gravity` or `servo`"))
+  if (!nb_take_token(reader, "a statement that can ramp: `wall`, `walls`, `material`, `pair`, `gravity` or `servo`"))
     return;
   memmove(reader->tokens, reader->tokens + 1, --reader->count * sizeof *reader->tokens);
   nb_statement_read(reader, nb_keywords(), NB_IN_RAMP, subject);
@@ -139,7 +139,8 @@ void nb_ramps_check(struct nb_scene_reading *reading) {
 NB_APPLY(apply_velocities) {
   struct nb_stage *it = nb_current_stage(((struct nb_scene_reading *)subject)->scene);
   if (record->keyword->variant && it->motion_count > 0)
-    nb_token_mistake(reader, &reader->tokens[0], "it reverses the velocities that the walls had before this stage",
+    nb_token_mistake(reader, &reader->tokens[0],
+                     "`reverse velocities` reverses the velocities that the walls had before this stage",
                      "expected `reverse velocities` above the statements that move walls, found it below");
   *(record->keyword->variant ? &it->reverse_velocities : &it->zero_velocities) = true;
 }
@@ -163,7 +164,8 @@ bool nb_misplaced_after_repeat(struct nb_scene_reading *reading) {
       (size_t)nb_current_stage(scene)->line > reading->repeat.until)
     return false;
   char hint[NB_HINT_SIZE];
-  snprintf(hint, sizeof hint, "move it above the `repeat`: there it belongs to each repeated %s, here only to the last",
+  snprintf(hint, sizeof hint,
+           "move this statement above the `repeat`: there it belongs to each repeated %s, here only to the last one",
            begins);
   nb_token_mistake(reader, &reader->tokens[0], hint, "expected `%s` below the `repeat` of line %zu, found `%s`", begins,
                    reading->repeat.until, verb);

@@ -230,8 +230,9 @@ static bool truncate_scene(struct nb_reader *reader, struct nb_scene *other, con
     return false;
   if (s < (int)other->start.stages)
     return nb_token_mistake(
-        reader, name, "start from that other page",
-        "expected a stage that the page defines itself, `%s` belongs to the page that it starts from", name->text);
+        reader, name, "start from the page that defines this stage",
+        "expected a stage that the other page defines itself, `%s` belongs to the page from which that page starts",
+        name->text);
   nb_scene_truncate(other, (size_t)s);
   return true;
 }

@@ -170,7 +170,7 @@ static const char *place_of(unsigned here) {
   case NB_IN_EXPECT:
     return "an expectation";
   case NB_IN_RAMP:
-    return "something that can ramp";
+    return "a statement that can ramp";
   case NB_IN_CONTACT_TEST:
     return "a statement of a contact test";
   case NB_IN_SEGMENT:

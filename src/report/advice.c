@@ -177,7 +177,7 @@ static void print_choice(struct nb_advice *advice, const struct nb_setting *chos
   const struct nb_setting *cheaper = nb_advice_cheaper(advice, chosen);
   if (cheaper) {
     nb_advice_options(options, sizeof options, advice, cheaper);
-    printf("  the next cheaper one misses the tolerance: %s\n    estimated error: ", options);
+    printf("  the next cheaper setting misses the tolerance: %s\n    estimated error: ", options);
     print_error_of(advice, cheaper);
   }
   const struct nb_point *coarser = chosen->level > NB_LEVEL_LOW ? point - 1 : NULL;
@@ -217,18 +217,19 @@ static void print_count(size_t count, const char *one, const char *several, cons
 static void print_left_out(const struct nb_advice *advice) {
   const struct nb_left_out out = nb_advice_left_out(advice);
   char name[512];
-  print_count(out.equal, "gives", "give", "the same values as another one\n");
+  print_count(out.equal, "gives", "give", "the same values as another variant\n");
   print_count(out.refused, "cannot", "cannot", "be run with this page\n");
   if (nb_advice_softness_is_useless(advice))
-    puts("  softer contacts save nothing in this impact: the step is a fraction of the collision, and both last longer "
-         "by the same factor");
-  print_count(out.farther, "gives", "give", "too different values; ");
+    puts("  softer contacts save nothing in this impact: the step is a fraction of the duration of the collision, and "
+         "both grow by the same factor");
+  print_count(out.farther, "gives", "give", "values that differ too much; ");
   if (out.nearest) {
     name_variant(name, sizeof name, advice, out.nearest);
     printf("the one with the smallest difference is %s: %s\n", name, out.nearest->reason);
   }
   if (out.equal + out.refused + out.farther)
-    puts("  (a variant is the page with other laws, or with values that it trades)");
+    puts("  (a variant is the page with other contact laws, or with other values of the names in its `trade` "
+         "statements)");
 }
 
 static void print_advice(struct nb_advice *advice) {

@@ -109,13 +109,13 @@ static enum nb_status refuse(const struct nb_advice *advice, double ratio, size_
         advice->text, advice->trials, ratio, in_run, label, NB_TRIALS);
   char reason[2 * NB_NAME_SIZE];
   if (isnan(ratio))
-    snprintf(reason, sizeof reason, "it is 0, and a percentage of 0 allows no error");
+    snprintf(reason, sizeof reason, "the value is 0, and a percentage of 0 allows no error");
   else
     snprintf(reason, sizeof reason, "with the step divided by %g its uncertainty is %.2g times the tolerance",
              exp2(advice->anchor - 1), ratio);
   return nb_error_set(error, NB_FAILED,
-                      "`%s`: the value is not known well enough: %s%s%s. Choose a larger tolerance, an absolute one if "
-                      "the value is near 0, or a larger --budget",
+                      "`%s`: the value is not known well enough: %s%s%s. Choose a larger tolerance, an absolute "
+                      "tolerance if the value is near 0, or a larger --budget",
                       advice->text, reason, in_run, label);
 }
 
@@ -145,8 +145,8 @@ static bool keeps_margin(const struct nb_advice *advice, const struct nb_variant
   if ((variant == advice->variants && level >= 0) || mean + margin <= 1)
     return true;
   snprintf(point->reason, sizeof point->reason,
-           "its step is %.2g of the guaranteed stable one in the mean, and scatters between realizations: another one "
-           "may stop",
+           "its step is %.2g of the guaranteed stable step in the mean, and this ratio scatters between realizations: "
+           "another realization may be aborted",
            mean);
   return false;
 }
@@ -422,11 +422,12 @@ static enum nb_status check_page(const struct nb_advice *advice, struct nb_error
     return nb_error_set(
         error, NB_BAD_USE,
         "expected a page of at most %d particles, found %zu: the motion of many particles is chaotic, so the results "
-        "of one run have no limit for a step towards zero. A mean over realizations has one: `--over NAME`, where the "
-        "page has `let NAME` or `sweep NAME` for the seed of its random packing",
+        "of one run have no limit for a step towards zero. A mean over realizations has such a limit: give `--over "
+        "NAME`, where the page has `let NAME` or `sweep NAME` for the seed of its random packing",
         PARTICLES_MAX, scene->particle_count);
   if (NB_FIND(scene->bindings, scene->binding_count, "refine") >= 0)
-    return nb_error_set(error, NB_BAD_USE, "the page has a value `refine`, which hides --set refine=R: rename it");
+    return nb_error_set(error, NB_BAD_USE,
+                        "the page has a value named `refine`, which hides --set refine=R: rename this value");
   return NB_OK;
 }
 

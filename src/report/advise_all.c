@@ -372,7 +372,7 @@ static void search_expected(struct search_all *all, const struct nb_outcome *pag
       return;
   }
   if (count == 0)
-    printf("  %s expects no single value of a quantity that a step could change\n", page->page.name);
+    printf("  %s has no expectation of a single value that depends on the step\n", page->page.name);
 }
 
 static void search_page(struct search_all *all, const char *path) {

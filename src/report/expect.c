@@ -231,7 +231,8 @@ static bool take_sweep_name(struct nb_reader *reader, const struct nb_scene *sce
   if (k < 0)
     return false;
   snprintf(name, 2 * NB_NAME_SIZE, "%s", token->text);
-  return scene->bindings[k].sweep >= 0 || nb_expected_at(reader, token, "it is a `let`, which has one value", what);
+  return scene->bindings[k].sweep >= 0 ||
+         nb_expected_at(reader, token, "a `let` gives this name one value; a `sweep` gives several values", what);
 }
 
 /* Takes the optional words `over NAME`: the sweep whose runs are a sample. */
@@ -427,7 +428,8 @@ static void apply_reference(struct nb_reader *reader, const struct nb_record *re
   for (const struct nb_reference *const *reference = nb_references(); *reference; reference++)
     nb_guess_offer(&guess, (*reference)->name);
   const char *suggestion = nb_guess_hint(&guess, hint);
-  nb_expected_at(reader, token, suggestion ? suggestion : "`nineball list` names them all", "the name of a reference");
+  nb_expected_at(reader, token, suggestion ? suggestion : "`nineball list` names all references",
+                 "the name of a reference");
 }
 
 static const struct nb_argument reference[] = {
@@ -481,7 +483,8 @@ enum nb_status nb_expectations_read(struct nb_expectations *expectations, const 
     }
   const int line = expectations->reference || !reference_required ? 0 : line_needing_reference(expectations);
   if (line)
-    nb_line_mistake(reader, (size_t)line, "write `reference NAME` above it; `nineball list` names the references",
+    nb_line_mistake(reader, (size_t)line,
+                    "write `reference NAME` above this line; `nineball list` names the references",
                     "expected a `reference` in this page to compare with, found none");
   free(reader);
   const enum nb_status status = nb_mistakes_status(mistakes, before);

@@ -371,10 +371,11 @@ static void explain_accuracy(FILE *out, double steps) {
   };
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
     if (steps >= rows[k].steps && steps < 2 * rows[k].steps)
-      fprintf(out,
-              "  accuracy: with %g to %g steps per collision, half of %u errors of the cases were below %.3g %%, and "
-              "90 %% of them below %.3g %% (docs/ACCURACY.md); for this page, use `nineball advise`\n",
-              rows[k].steps, 2 * rows[k].steps, rows[k].count, 100 * rows[k].half, 100 * rows[k].most);
+      fprintf(
+          out,
+          "  accuracy: with %g to %g steps per collision, half of the %u errors in the cases were below %.3g %%, and "
+          "90 %% of them below %.3g %% (docs/ACCURACY.md); for this page, use `nineball advise`\n",
+          rows[k].steps, 2 * rows[k].steps, rows[k].count, 100 * rows[k].half, 100 * rows[k].most);
 }
 
 static void explain_step(FILE *out, const struct nb_model *model) {

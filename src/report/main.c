@@ -55,7 +55,8 @@ static const struct option_row {
      "output folder (default: NAME.out; report: report; advise --all: trades); for `state` a FILE (NAME-STAGE.state)"},
     {"set", "NAME=VALUE", 0, SETTING, 0, ALL,
      "replaces the value of the page's `let` or `sweep` NAME. NAME may also be normal, shear, step or damping; refine, "
-     "a number that divides the step and multiplies the cycles; soften, one that divides the stiffnesses; follow, a "
+     "a number that divides the step and multiplies the cycles; soften, a number that divides the stiffnesses; follow, "
+     "a "
      "FILE with the points of a contact test"},
     {"stage", "NAME", 0, TEXT, AT(stage), "state", "the stage at whose end the state is taken (default: the last one)"},
     {"states", "FOLDER", 0, TEXT, AT(options.states), ALL,
@@ -87,7 +88,8 @@ static const struct option_row {
     {"unrun", "PAGE", 0, PAGE, 0, "report", "show this page too, without running it; may be given many times"},
     {"trust", NULL, 0, FLAG, AT(trust), "figure, report, advise",
      "draw even where gnuplot cannot be confined, and copy all files to which a page links: for pages that you trust"},
-    {"in-place", NULL, 0, FLAG, AT(in_place), "migrate", "write into the pages (default: to standard output)"},
+    {"in-place", NULL, 0, FLAG, AT(in_place), "migrate",
+     "write the result into the pages (default: to standard output)"},
     {"rounding", "WHICH", 0, TEXT, AT(rounding), "check",
      "all: run under the four rounding modes, print how many bits of the expected quantities do not depend on them; "
      "parts: also for each part of the cycle alone"},

@@ -193,10 +193,11 @@ enum nb_status nb_checkpoint_absent(const struct nb_scene *scene, const struct n
   old_path(old, path);
   if (access(path, F_OK) != 0 && access(old, F_OK) != 0)
     return NB_OK;
-  return nb_error_set(error, NB_BAD_USE,
-                      "this page has been interrupted, its checkpoint is %.300s: --resume continues from it; to start "
-                      "from the beginning, remove it and the one with `.old` behind its name",
-                      path);
+  return nb_error_set(
+      error, NB_BAD_USE,
+      "the run of this page was interrupted, its checkpoint is %.300s: --resume continues from this checkpoint; to "
+      "start from the beginning, remove this file and the file with `.old` behind its name",
+      path);
 }
 
 enum nb_status nb_checkpoint_begin(struct nb_checkpoint *checkpoint, const struct nb_scene *scene,
@@ -251,10 +252,10 @@ static enum nb_status check_page(const struct nb_saved *saved, const struct nb_s
   const struct nb_stage *stage = changed_stage(saved, scene);
   char where[2 * NB_NAME_SIZE] = "in what it records";
   if (stage)
-    snprintf(where, sizeof where, "in stage `%s` (line %d) or above it", stage->name, stage->line);
+    snprintf(where, sizeof where, "in stage `%s` (line %d) or above this stage", stage->name, stage->line);
   return nb_error_set(error, NB_BAD_USE,
-                      "the page has changed since %.200s was saved, %s: restore its text, or run it from the "
-                      "beginning, without --resume",
+                      "the page has changed since %.200s was saved, %s: restore the text of the page, or run the page "
+                      "from the beginning, without --resume",
                       path, where);
 }
 

@@ -259,7 +259,8 @@ static enum nb_status run_segment(struct nb_result *result, struct nb_contact_te
       return status;
     cost->cycles = step, cost->updates = step;
     if (contact_test->stop && *contact_test->stop)
-      return nb_error_set(error, NB_BROKEN, "stopped by a signal after step %lu; a contact test begins anew",
+      return nb_error_set(error, NB_BROKEN,
+                          "stopped by a signal after step %lu; a contact test cannot be continued, so run it again",
                           contact_test->step);
     if (stage->record_interval && (step % stage->record_interval == 0 || step == stage->cycles))
       stored = add_row(&result->table, contact_test, index);

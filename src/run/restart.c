@@ -126,12 +126,13 @@ static enum nb_status lock_wait(struct nb_lock *lock, const struct nb_progress *
     return NB_OK;
   if (errno == EWOULDBLOCK) {
     const ssize_t n = pread(lock->file, holder, sizeof holder - 1, 0);
-    holder[n > 0 ? strspn(holder, "0123456789") : 0] = 0;
+    const size_t digits = n > 0 ? strspn(holder, "0123456789") : 0;
+    snprintf(holder + digits, sizeof holder - digits, "%s", digits > 0 ? "" : "?");
     if (lock->use)
       return nb_error_set(error, NB_BAD_USE,
-                          "process %s %s, %.300s: wait for its end, or choose another folder with %s",
-                          holder[0] ? holder : "?", lock->use, lock->path, lock->option);
-    snprintf(message, sizeof message, "waiting for process %s, which writes %.*s", holder[0] ? holder : "?",
+                          "process %s %s, %.300s: wait for its end, or choose another folder with %s", holder,
+                          lock->use, lock->path, lock->option);
+    snprintf(message, sizeof message, "waiting for process %s, which writes %.*s", holder,
              (int)(strlen(lock->path) - strlen(".lock")), lock->path);
     nb_note(progress, message);
     for (double waited = 0; waited < limit; waited += POLL_INTERVAL) {
@@ -141,10 +142,11 @@ static enum nb_status lock_wait(struct nb_lock *lock, const struct nb_progress *
       if (errno != EWOULDBLOCK)
         return nb_error_system(error, "cannot lock %s", lock->path);
     }
-    return nb_error_set(error, NB_BAD_USE,
-                        "process %s has held %.200s for %g s: see what it does by `ps -p %s`; if it is stopped, `kill "
-                        "-CONT %s` lets it go on and `kill -KILL %s` ends it; NINEBALL_WAIT=SECONDS waits longer",
-                        holder, lock->path, limit, holder, holder, holder);
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "process %s has held %.200s for %g s: `ps -p %s` shows what this process does; if it is stopped, `kill -CONT "
+        "%s` lets it continue and `kill -KILL %s` ends it; NINEBALL_WAIT=SECONDS waits longer",
+        holder, lock->path, limit, holder, holder, holder);
   }
   return nb_error_system(error, "cannot lock %s", lock->path);
 }
