@@ -255,8 +255,8 @@ static void error_of_a_run(void) {
     carry_out(&outcome, scene, "cycle expected 5 within 0 [t]", NULL);
     snprintf(
         expected, sizeof expected,
-        "particle 2 overlaps particle 1 (line %d) by 1.9. Expected at most the smaller radius, 1: move them apart, "
-        "or make them smaller%s",
+        "particle 2 overlaps particle 1 (line %d) by 1.9. Expected at most the smaller radius, 1: move the particles "
+        "apart, or make them smaller%s",
         rows[k].line - 1, rows[k].run);
     CU_ASSERT_EQUAL(outcome.status, NB_BAD_USE);
     CU_ASSERT_STRING_EQUAL(outcome.error.text, expected);
