@@ -130,31 +130,94 @@ static void note_of_memory_size(void) {
   }
 }
 
-/* A stage that waits for equilibrium ends at once if nothing touches; a note says so. With contacts there is no
- * note. */
-static void note_without_contact_forces(void) {
-  static const char scene[] = "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m fixed\n"
-                              "disc %s 0 radius 1 m\nmonitor A disc 2\nrecord time A.x\nstep 0.1\nstage one\n"
-                              "cycles 1\nstage two\nuntil %s  at most 4 cycles";
+/* Warnings of stages that end although nothing was loaded: without contact forces, where the unbalanced force is 0; with
+ * conditions that were met before the stage; and far from the target of a servo. In other scenes there is no warning. */
+static void warnings_of_ends(void) {
+  static const char one[] = "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m fixed\n"
+                            "disc %s 0 radius 1 m velocity 1 0\nmonitor A disc 2\nrecord time A.x\nstep 0.1\n"
+                            "stage one\ncycles 2\nstage two\nuntil %s";
   static const struct {
-    const char *x, *condition;
-    bool noted;
+    const char *x, *condition, *warning;
   } rows[] = {
-      {"5", "unbalanced.max below 1", true}, {"5", "time below 1", false}, {"1.9", "unbalanced.max above 0.5", false}};
+      {"5", "unbalanced.max below 1  at most 4 cycles",
+       "stage `two` ended in cycle 1 without a contact force, where `unbalanced.max` is 0; add a condition such as "
+       "`and "
+       "contacts above 0`"},
+      {"1.5", "unbalanced.max above 0.5  at most 4 cycles",
+       "stage `two` ended in cycle 1, because its condition was met before the stage began: unbalanced.max is 1, above "
+       "0.5"},
+      {"5", "time above 0.1  at most 4 cycles",
+       "stage `two` ended in cycle 1, because its condition was met before the stage began: time is 0.3, above 0.1; "
+       "`time` "
+       "counts from the start of the run"},
+      {"5", "time above 0.1 and A.x below 6  at most 4 cycles",
+       "stage `two` ended in cycle 1, because its condition was met before the stage began: time is 0.3, above 0.1, "
+       "A.x is "
+       "5.3, "
+       "below 6; `time` counts from the start of the run"},
+      {"5", "time above 0.25  at most 4 cycles", NULL}, /* met in the first cycle, but not before */
+      {"5", "time above 0.1 and A.x above 5.25  at most 4 cycles", NULL},
+      {"5", "time above 0.1  every 2 cycles  at most 4 cycles",
+       "stage `two` ended in cycle 2, because its condition was met before the stage began: time is 0.4, above 0.1; "
+       "`time` "
+       "counts from the start of the run"},
+      {"5", "time above 0.1 and A.x above 5.45  every 2 cycles  at most 4 cycles", NULL},
+      {"5", "time above 0.35  at most 4 cycles", NULL},
+  };
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
-    struct reports reports = {0};
-    const struct nb_progress progress = {call, note, &reports};
     struct nb_outcome outcome;
-    char text[sizeof scene + 32];
-    snprintf(text, sizeof text, scene, rows[k].x, rows[k].condition);
-    carry_out(&outcome, text, "report A.x", &progress);
+    char text[sizeof one + 96];
+    snprintf(text, sizeof text, one, rows[k].x, rows[k].condition);
+    carry_out(&outcome, text, "report A.x", NULL);
     if (outcome.status)
-      printf("# %s%s\n", outcome.error.text, outcome.mistakes.text ? outcome.mistakes.text : "");
+      printf("# %zu: %s\n", k, outcome.error.text);
     CU_ASSERT_EQUAL(outcome.status, NB_OK);
-    CU_ASSERT_EQUAL(reports.notes, rows[k].noted);
-    CU_ASSERT(
-        !rows[k].noted ||
-        strstr(reports.note, "stage `two` ended in cycle 1 without a contact force, where `unbalanced.max` is 0"));
+    CU_ASSERT_EQUAL_FATAL(outcome.warnings.count, rows[k].warning ? 1 : 0);
+    if (rows[k].warning) {
+      CU_ASSERT_STRING_EQUAL(outcome.warnings.list[0].text, rows[k].warning);
+      CU_ASSERT_EQUAL(outcome.warnings.list[0].line, 11);
+    }
+    nb_outcome_free(&outcome);
+  }
+}
+
+/* A row of three discs in a periodic cell. Each of the three overlaps of 0.01 has the force 10, so the stress along the row
+ * is 10 over the height of the cell, 4.5. At most 1e-9 per cycle the servo changes next to nothing. */
+static void warnings_of_servos(void) {
+  static const char scene[] =
+      "units none\nmaterial m density 1 kn 1000\ncell 0 0 to 5.97 4.5\ndisc 1 1 radius 1 m\n"
+      "disc 2.99 1 radius 1 m\ndisc 4.98 1 radius 1 m\n"
+      "step 0.001\nrecord time cell.stress.xx\nstage press\n"
+      "servo xx %.17g on cell through cell at most 1e-9 per cycle\nuntil time above 0.0025  at most 9 "
+      "cycles%s";
+  static const char next[] = "\nstage rest\n%scycles 1";
+  const double stress = 1000 * 0.01 / 4.5;
+  static const struct {
+    double target;
+    const char *after;
+    bool warned;
+  } rows[] = {{1.05, NULL, false}, {0.95, NULL, false},
+              {1.2, NULL, true},   {0.8, NULL, true},
+              {1.2, "", true},     {1.2, "servo xx 4 on cell through cell at most 1e-9 per cycle\n", false},
+              {1.12, NULL, true},  {1.10, NULL, false}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct nb_outcome outcome;
+    char text[1024], after[128] = "";
+    if (rows[k].after)
+      snprintf(after, sizeof after, next, rows[k].after);
+    snprintf(text, sizeof text, scene, rows[k].target * stress, after);
+    carry_out(&outcome, text, "report cell.stress.xx", NULL);
+    CU_ASSERT_EQUAL(outcome.status, NB_OK);
+    CU_ASSERT_EQUAL_FATAL(outcome.warnings.count, rows[k].warned ? 1 : 0);
+    if (rows[k].warned) {
+      char expected[160];
+      snprintf(expected, sizeof expected,
+               "stage `press` ended while a controlled stress differed from the target of the servo by %.3g %%; add a "
+               "condition on this stress",
+               100 * fabs(1 / rows[k].target - 1));
+      CU_ASSERT_STRING_EQUAL(outcome.warnings.list[0].text, expected);
+      CU_ASSERT_EQUAL(outcome.warnings.list[0].line, 10);
+    }
     nb_outcome_free(&outcome);
   }
 }
@@ -534,7 +597,8 @@ void suite_outcome(void) {
   CU_pSuite suite = CU_add_suite("outcome", NULL, NULL);
   CU_add_test(suite, "progress and notes of several runs", progress);
   CU_add_test(suite, "a note of the memory size that changes", note_of_memory_size);
-  CU_add_test(suite, "a note of an equilibrium without contacts", note_without_contact_forces);
+  CU_add_test(suite, "warnings of stages that end at once", warnings_of_ends);
+  CU_add_test(suite, "warnings of stages that end far from the target of a servo", warnings_of_servos);
   CU_add_test(suite, "units of reported values", units);
   CU_add_test(suite, "stages without rows", stages_without_rows);
   CU_add_test(suite, "error of a run", error_of_a_run);

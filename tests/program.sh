@@ -337,7 +337,7 @@ said "endless, line 12, from which this page starts: the step is computed as inf
 run 0 explain "$pages/drives.md"
 out '  line 9: boundary circle 0 0 radius 10'
 out '157 bytes a particle (without rotation), 108 a contact'
-out '  rotation (16 bytes a particle), shear forces, dashpots, balances of work and energy (96 bytes a particle), periodic cell'
+out '  rotation (16 bytes a particle), shear forces, dashpots, mass-proportional damping, balances of work and energy (96 bytes a particle), periodic cell'
 out '    line 15: boundary strain 1e-4 per cycle -1e-4 per cycle shear 2e-5 per cycle'
 out '    line 24: ramp servo mean 12 on boundary through boundary affine at most 1e-4 per cycle every 5 cycles'
 out 'there are no contacts yet'
@@ -354,6 +354,20 @@ grep -q '  a with a: ' out && echo 'the only particle of a material touches itse
 sed '/^%s$/d' pairs.md >smooth.md
 run 0 explain smooth.md
 out '  rotation (16 bytes a particle), shear forces (8 bytes a contact), dashpots, '
+sed 's/^%s$/damping none/; s/^step/damping mass 2\nstep/' pairs.md >slowed.md
+run 0 explain slowed.md
+out 'loading and damping of the motion, at the start of the run'
+out '  mass-proportional damping 2, line '
+grep -q '^  rotation.*mass-proportional' out && echo 'mass-proportional damping is used' >>why
+sed '/^%s$/d; s/^step/damping con1 0.75 as all\nstep/' pairs.md >con1.md
+run 0 explain con1.md
+out '  damping con1 0.75, line '
+run 0 explain smooth.md
+out ', dashpots, mass-proportional damping, '
+grep -q 'damping of the motion' out && echo 'damping that the page does not have' >>why
+printf '```scene\nstart slowed stage one\nrecord time\nstage on\ncycles 1\n```\n' >from-slowed.md
+run 0 explain from-slowed.md
+out '  mass-proportional damping 2, line 2'
 verdict 'explain'
 
 # The clock alone ends all stages but `some`, so their lengths are known, or bounds behind `some`.

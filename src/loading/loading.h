@@ -54,6 +54,9 @@ double nb_walls_residual(const struct nb_model *model); /* magnitude of the sum 
 void nb_servo_begin(struct nb_model *model);
 /* Sets b to B, Pa, and t to T, s, of servo.c, for the current contacts. False: no boundary, or no particles touch. */
 bool nb_servo_scales(const struct nb_model *model, const struct nb_servo *servo, double *b, double *t);
+/* Largest difference of a controlled stress from its target, over the largest target, 1; 0 in a stage without a servo
+ * or with targets of 0. */
+double nb_servo_error(const struct nb_model *model);
 void nb_servo_apply(struct nb_model *model); /* sets the strain rates of the next steps; called before the motion */
 
 /* ---- remove.c: removes the particles that a stage removes ---- */

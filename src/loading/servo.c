@@ -85,6 +85,14 @@ static struct nb_tensor stress_error(const struct nb_model *model, const struct 
   return tensor(servo->controlled[0] ? error[0] : 0, shear, shear, servo->controlled[1] ? error[1] : 0);
 }
 
+double nb_servo_error(const struct nb_model *model) {
+  const struct nb_servo *servo = &model->stage->servo;
+  double target = 0;
+  for (int k = 0; k < 3; k++)
+    target = fmax(target, fabs(servo->stress[k]));
+  return servo->line && target > 0 ? tensor_largest(stress_error(model, servo, 1)) / target : 0;
+}
+
 bool nb_servo_scales(const struct nb_model *model, const struct nb_servo *servo, double *b, double *t) {
   const struct nb_vec sides = servo->box ? nb_box_sides(model) : vec(0, 0);
   *b = *t = 0;

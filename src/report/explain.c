@@ -250,11 +250,12 @@ static void explain_hooks(FILE *out, const struct nb_model *model) {
 /* Prints the features that the scene does not use, and the memory that this saves. */
 static void explain_absent(FILE *out, const struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
-  bool changes = false, servo = false, damped = false;
+  bool changes = false, servo = false, damped = false, slowed = false;
   for (size_t s = scene->start.stages; s < scene->stage_count; s++) {
     changes = changes || scene->stages[s].change_count > 0 || scene->stages[s].laws.shear[0];
     servo = servo || scene->stages[s].servo.line;
     damped = damped || nb_damping_contact_line(&scene->stages[s].damping);
+    slowed = slowed || scene->stages[s].damping.global_kind;
   }
   const struct nb_pair none = {.pieces = model->laws.pieces};
   const size_t shear =
@@ -266,6 +267,7 @@ static void explain_absent(FILE *out, const struct nb_model *model) {
   } parts[] = {{model->particles.spin, "rotation", "particle", 2 * sizeof(double)},
                {model->plan.has_friction || changes, "shear forces", "contact", sizeof(double) * shear},
                {damped, "dashpots", "", 0},
+               {slowed, "mass-proportional damping", "", 0},
                {model->balance, "balances of work and energy", "particle", sizeof *model->balance->particles},
                {model->search.skin < INFINITY, "search", "", 0},
                {model->cell, "periodic cell", "", 0},
@@ -284,6 +286,20 @@ static void explain_absent(FILE *out, const struct nb_model *model) {
     fputc('\n', out);
 }
 
+/* What acts on the particles without a force pass or a hook: at the start of the run. */
+static void explain_motion(FILE *out, const struct nb_scene *scene) {
+  const struct nb_damping *damping = &scene->stages[scene->start.stages].damping;
+  if (scene->circle.line || scene->gravity.line || damping->global_kind)
+    fputs("loading and damping of the motion, at the start of the run\n", out);
+  explain_statement(out, scene, scene->circle.line, "\n");
+  explain_statement(out, scene, scene->gravity.line, "\n");
+  if (damping->global_kind) {
+    fprintf(out, "  %s %g%s", damping->global_kind == NB_GLOBAL_MASS ? "mass-proportional damping" : "damping con1",
+            damping->global, damping->global_kind == NB_GLOBAL_MASS ? nb_unit(scene, " 1/s") : "");
+    fprintf(out, damping->global_line ? ", line %d\n" : ", --set\n", damping->global_line);
+  }
+}
+
 static bool explain_plan(FILE *out, const struct nb_model *model) {
   const char *m = nb_unit(model->scene, " m");
   if (model->search.skin < INFINITY)
@@ -291,10 +307,7 @@ static bool explain_plan(FILE *out, const struct nb_model *model) {
             model->contacts.count, model->search.skin, m, model->search.skin / 2, m);
   else
     fprintf(out, "neighbour list\n  none: no particle can touch another one or a wall\n");
-  if (model->scene->circle.line || model->scene->gravity.line)
-    fputs("loading of the whole run\n", out);
-  explain_statement(out, model->scene, model->scene->circle.line, "\n");
-  explain_statement(out, model->scene, model->scene->gravity.line, "\n");
+  explain_motion(out, model->scene);
   fprintf(out, "force passes at the start of the run, for each pair of materials\n");
   for (size_t p = 0; p < model->material_pair_count; p++)
     if (!explain_material_pair(out, model, &model->material_pairs[p]))

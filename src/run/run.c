@@ -10,6 +10,7 @@
 #include "core/clock.h"
 #include "core/names.h"
 #include "laws/laws_now.h"
+#include "loading/loading.h"
 #include "measure/snapshot.h"
 #include "measure/step.h"
 #include "plan.h"
@@ -27,6 +28,7 @@ struct run {
   unsigned long stop_at;      /* tests: cycle after which the run stops; 0: none */
   unsigned long long updates; /* contact updates before the stage */
   bool stage_ended;           /* the checkpoint was saved at the end of its stage */
+  bool met_before;            /* the conditions of the stage were met when it began */
 };
 
 static bool is_trial(const struct run *run) {
@@ -48,26 +50,37 @@ bool nb_condition_met(const struct nb_condition *condition, const struct nb_mode
   return condition->relation == NB_BELOW ? value < condition->value : value > condition->value;
 }
 
-/* True if all conditions of the stage hold. They are evaluated every check_interval cycles and at the last cycle of the
- * stage. */
+/* True if all conditions of the stage hold; false if it has none. */
 static bool conditions_met(const struct nb_stage *stage, const struct nb_model *model) {
-  if (model->stage_cycle % stage->check_interval != 0 && model->stage_cycle < stage->cycles)
-    return false;
   for (size_t k = 0; k < stage->condition_count; k++)
     if (!nb_condition_met(&stage->conditions[k], model))
       return false;
   return stage->condition_count > 0;
 }
 
-static enum nb_status conditions_not_met(const struct nb_stage *stage, const struct nb_model *model,
-                                         struct nb_error *error) {
-  char text[256] = "";
+/* Conditions are evaluated every check_interval cycles and at the last cycle of the stage. */
+static bool stage_ends(const struct nb_stage *stage, const struct nb_model *model, bool last) {
+  return stage->condition_count == 0
+             ? last
+             : (last || model->stage_cycle % stage->check_interval == 0) && conditions_met(stage, model);
+}
+
+/* Writes the conditions of the stage with the present values: "time is 2 JOINED above 1, ...". */
+static void list_conditions(char *text, size_t size, const struct nb_stage *stage, const struct nb_model *model,
+                            const char *joined) {
+  text[0] = '\0';
   for (size_t k = 0; k < stage->condition_count; k++) {
     const struct nb_condition *condition = &stage->conditions[k];
-    nb_append(text, sizeof text, "%s%s is %g and should be %s %g", k ? ", " : "", condition->name,
-              nb_quantity_value(condition->quantity, model), condition->relation == NB_BELOW ? "below" : "above",
-              condition->value);
+    nb_append(text, size, "%s%s is %g%s %s %g", k ? ", " : "", condition->name,
+              nb_quantity_value(condition->quantity, model), joined,
+              condition->relation == NB_BELOW ? "below" : "above", condition->value);
   }
+}
+
+static enum nb_status conditions_not_met(const struct nb_stage *stage, const struct nb_model *model,
+                                         struct nb_error *error) {
+  char text[256];
+  list_conditions(text, sizeof text, stage, model, " and should be");
   return nb_error_set(error, NB_BROKEN, "stage `%s` (line %d) did not end within %lu cycles: %s", stage->name,
                       stage->line, stage->cycles, text);
 }
@@ -101,22 +114,52 @@ static bool has_contact_force(const struct nb_model *model) {
   return false;
 }
 
-/* Notes a stage that ends without a contact force. Without contact forces the unbalanced force is 0, so a condition
- * that waits for equilibrium is met at once. */
-static void note_no_contact(const struct run *run, const struct nb_stage *stage) {
-  const struct nb_model *model = run->model;
-  const struct nb_progress *progress = run->reporter.progress;
-  char text[6 * NB_NAME_SIZE];
-  for (size_t k = 0; k < stage->condition_count && progress && progress->note; k++) {
+/* The condition that waits for equilibrium and is met because no contact has a force: the unbalanced force is then 0.
+ * NULL: none. */
+static const char *met_without_contact(const struct nb_model *model, const struct nb_stage *stage) {
+  for (size_t k = 0; k < stage->condition_count; k++) {
     const char *const name = stage->conditions[k].quantity.kind->name;
-    if (strncmp(name, "unbalanced.", strlen("unbalanced.")) != 0 || has_contact_force(model))
-      continue;
-    snprintf(text, sizeof text,
-             "stage `%s` ended in cycle %lu without a contact force, where `%s` is 0; add a condition such as `and "
-             "contacts above 0`",
-             stage->name, model->stage_cycle, name);
-    progress->note(progress->data, text);
-    return;
+    if (strncmp(name, "unbalanced.", strlen("unbalanced.")) == 0 && !has_contact_force(model))
+      return name;
+  }
+  return NULL;
+}
+
+static bool waits_for_time(const struct nb_stage *stage) {
+  for (size_t k = 0; k < stage->condition_count; k++)
+    if (strcmp(stage->conditions[k].quantity.kind->name, "time") == 0)
+      return true;
+  return false;
+}
+
+/* Relative difference of a controlled stress from the target of its servo above which the end of a stage is doubtful: a
+ * tenth of the error with which a servo that starts from nothing begins. */
+static const double servo_tolerance = 0.1;
+
+static bool is_last_servo(const struct run *run, const struct nb_stage *stage) {
+  return stage == &run->scene->stages[run->scene->stage_count - 1] || !stage[1].servo.line;
+}
+
+/* Warns of a stage whose conditions were met without the loading that its author had in mind. */
+static void warn_of_end(const struct run *run, const struct nb_stage *stage) {
+  struct nb_model *model = run->model;
+  const char *const unbalanced = met_without_contact(model, stage);
+  char text[256];
+  if (unbalanced) {
+    nb_warn(&model->warnings, stage->line,
+            "stage `%s` ended in cycle %lu without a contact force, where `%s` is 0; add a condition such as `and "
+            "contacts above 0`",
+            stage->name, model->stage_cycle, unbalanced);
+  } else if (run->met_before && model->stage_cycle <= stage->check_interval) {
+    list_conditions(text, sizeof text, stage, model, ",");
+    nb_warn(&model->warnings, stage->line,
+            "stage `%s` ended in cycle %lu, because its condition was met before the stage began: %s%s", stage->name,
+            model->stage_cycle, text, waits_for_time(stage) ? "; `time` counts from the start of the run" : "");
+  } else if (stage->condition_count > 0 && is_last_servo(run, stage) && nb_servo_error(model) > servo_tolerance) {
+    nb_warn(&model->warnings, stage->line,
+            "stage `%s` ended while a controlled stress differed from the target of the servo by %.3g %%; add a "
+            "condition on this stress",
+            stage->name, 100 * nb_servo_error(model));
   }
 }
 
@@ -130,7 +173,7 @@ static enum nb_status run_cycle(struct run *run, int index, int *outcome, struct
   if (nb_cycle(model, error))
     return error->status;
   const bool over = model->stage_cycle >= stage->cycles;
-  *outcome = (stage->condition_count ? conditions_met(stage, model) : over) ? ENDED : over ? EXHAUSTED : CONTINUES;
+  *outcome = stage_ends(stage, model, over) ? ENDED : over ? EXHAUSTED : CONTINUES;
   const bool due =
       stage->record_interval && (model->stage_cycle % stage->record_interval == 0 || *outcome != CONTINUES);
   if (due && !nb_result_add_row(&run->result->table, model, index))
@@ -236,6 +279,7 @@ static enum nb_status take_snapshot(struct run *run, int index, struct nb_error 
 static enum nb_status begin_stage(struct run *run, const struct nb_stage *stage, struct nb_error *error) {
   const enum nb_status status = nb_stage_begin(run->model, stage, error);
   note_laws(run, stage);
+  run->met_before = !status && conditions_met(stage, run->model);
   run->updates = run->model->updates;
   run->reporter.stage_began = nb_processor_clock(), run->until_report = is_trial(run) ? 0 : run->until_report;
   return status;
@@ -256,8 +300,8 @@ static enum nb_status run_stage(struct run *run, int index, bool resumed, struct
   run->result->stages[index] =
       (struct nb_stage_cost){run->model->stage_cycle, run->model->updates - run->updates, run->model->step,
                              nb_processor_clock() - run->reporter.stage_began};
-  if (outcome == ENDED)
-    note_no_contact(run, stage);
+  if (outcome == ENDED && !is_trial(run))
+    warn_of_end(run, stage);
   if (outcome == CONTINUES || !stage->snapshot)
     return status;
   struct nb_error snapshot_error;
