@@ -1,9 +1,9 @@
-# Sentences of more than 35 words in documents: FILE:LINE: how many, and how it begins. Blocks of code, tables, headings and indented commands are
-# no sentences; a formula, a piece of code and a link count as one word each.
+# Lists sentences of more than 35 words in documents: FILE:LINE, the number of words, and the beginning of the sentence. Blocks of
+# code, tables, headings and indented commands are not sentences; a formula, a piece of code and a link count as one word each.
 #
 #   awk -f .ci/sentences.awk EXCEPTIONS FILE...
 #
-# A line of EXCEPTIONS is FILE, a tab, how the sentence begins, a tab, and the reason.
+# A line of EXCEPTIONS is FILE, a tab, the beginning of the sentence, a tab, and the reason.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
@@ -19,7 +19,7 @@ function flush(  text, at, sentence, count, start) {
     at = match(text, /[.!?]["”)*]*[ ]+/)
     sentence = at ? substr(text, 1, at + RLENGTH - 1) : text
     text = at ? substr(text, at + RLENGTH) : ""
-    # an abbreviation or an initial ends no sentence, nor does what goes on in a small letter
+    # an abbreviation or an initial does not end a sentence, nor does a full stop before a small letter
     if (at && (sentence ~ /(^|[.,*:(] |and |by )[A-Z]\.[ ]+$/ || sentence ~ /(^| )(e\.g|i\.e|cf|Fig|Figs|eq|eqs|No|Vol|pp?|sec|al|vs|etc)\.["”)*]*[ ]+$/ || text ~ /^[a-z]/)) {
       held = held sentence
       continue
@@ -61,6 +61,6 @@ display { if (/\$\$ *$/) display = 0; next }
 /^    / && paragraph == "" { next }
 /^ *([-*]|[0-9]+\.) / { flush() }
 { if (paragraph == "") first = FNR; paragraph = paragraph " " $0; sub(/^ /, "", paragraph)
-  # a piece of code, a formula or a link may go over two lines: cleaned when the paragraph is whole
+  # a piece of code, a formula or a link may span two lines, so they are replaced when the paragraph is complete
 }
 END { flush(); for (key in except) if (!(key in used)) { split(key, part, SUBSEP); print ".ci/sentences: no sentence of more than 35 words in " part[1] " begins with: " part[2] } }

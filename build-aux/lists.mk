@@ -4,7 +4,7 @@
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
-# One contact law each. The register, `nineball laws`, the word in pages and the tests of all laws are made from this list.
+# Each file is one contact law. The register, `nineball laws`, the word in pages and the tests of all laws are made from this list.
 LAWS = \
   src/laws/normal_hertz.c \
   src/laws/normal_hertz_increment.c \
@@ -17,7 +17,8 @@ LAWS = \
   src/laws/shear_randall.c \
   src/laws/shear_randall_literal.c
 
-# One statement of the page language each, or a family. The register, help and manual are made from this list, in its order.
+# Each file is one statement of the page language, or a family of statements. The register, help and manual are made from this list,
+# in its order.
 STATEMENTS = \
   src/input/let.c \
   src/input/start.c \
@@ -42,7 +43,7 @@ STATEMENTS = \
   src/input/boundary.c \
   src/input/contact_test.c
 
-# One reference solution each.
+# Each file is one reference solution.
 REFERENCES = \
   cases/refs/momentum.c \
   cases/refs/contact_ladder.c \
@@ -104,7 +105,7 @@ REFERENCES = \
   cases/refs/wall_end.c \
   cases/refs/wedge.c
 
-# One case each: handout, input, check, figure and exercise. `make check` runs every one as a test.
+# Each file is one case: handout, input, check, figure and exercise. `make check` runs every case as a test.
 PAGES = \
   cases/1-two-discs/two-wall-compression.md \
   cases/1-two-discs/two-wall-statics.md \
@@ -276,7 +277,7 @@ CASE_LISTS = \
   cases/7-assemblies/README.md \
   cases/8-published/README.md
 
-# Shown by the report after the cases.
+# Documents that the report shows after the cases.
 DOCUMENTS = \
   README.md \
   docs/TUTORIAL.md \
@@ -309,7 +310,7 @@ PACKINGS = \
   cases/packings/photo-32.tsv \
   cases/packings/photo-38.tsv
 
-# One suite of unit tests each: tests/X.c defines suite_X.
+# Each file is one suite of unit tests: tests/X.c defines suite_X.
 SUITES = \
   tests/reader.c \
   tests/units.c \
@@ -436,7 +437,7 @@ PLOTS = \
   plots/report.css plots/report.js plots/report.lua plots/space-lattice.gp plots/stress-path.gp plots/style.gp \
   plots/velocities.gp
 
-# Shared by references.
+# Files that references share.
 REFERENCES_SHARED = \
   cases/refs/coverage.c cases/refs/coverage.h cases/refs/hertz.c cases/refs/hertz.h cases/refs/hertz_corner.c \
   cases/refs/hertz_corner.h cases/refs/hertz_motion.c cases/refs/hertz_motion.h cases/refs/impact_damped.c \
@@ -499,7 +500,7 @@ CORE = \
   src/core/warning.c \
   src/nineball.h
 
-# Shared by laws.
+# Files that laws share.
 LAWS_SHARED = \
   src/laws/corners.h \
   src/laws/law.h \
@@ -524,7 +525,7 @@ PASS = \
   src/pass/periodic.c \
   src/pass/resolve.c
 
-# Pages over several seeds, whose results docs/papers/R89.md states.
+# Pages with several seeds; docs/papers/R89.md states their results.
 THESIS = \
   docs/thesis/barnes.md \
   docs/thesis/damped.md \

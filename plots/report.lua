@@ -1,8 +1,8 @@
 -- A filter of pandoc: makes the body of a page of the report from the Markdown of a page. The program calls it
 -- (src/report/convert.c) with these metadata:
 --
---   links   lines TARGET<tab>ADDRESS<tab>CLASS<tab>VERDICT: where a link of the page leads in the report, and the
---           verdict on that page
+--   links   lines TARGET<tab>ADDRESS<tab>CLASS<tab>VERDICT: for each target of a link of the page, its address in the report and
+--           the verdict on the page there
 --   figure  address of the drawn figure; empty: none
 --
 -- Raw HTML is dropped, and links that leave the report stay only if they are http, https or mailto, because pages come
@@ -19,7 +19,7 @@ local function html(text) return pandoc.RawBlock('html', text) end
 
 local function escape(text) return (text:gsub('[&<>"]', {['&'] = '&amp;', ['<'] = '&lt;', ['>'] = '&gt;', ['"'] = '&quot;'})) end
 
--- The address in the report; nil: the target is not part of it.
+-- The address in the report; nil: the target is not part of the report.
 local function address_of(target)
   if target:match('^#') then return target end
   if target:match('^https?://') or target:match('^mailto:') then return target end
@@ -45,7 +45,7 @@ local function image(element)
   return element
 end
 
--- The title in a gnuplot script, as alternative text of the figure.
+-- The title in a gnuplot script, which becomes the alternative text of the figure.
 local function title_of(script)
   local title = script:match("set title '([^']*)'") or script:match('set title "([^"\\]*)"') or script:match("title '([^']+)'")
   return title or 'figure of this page'

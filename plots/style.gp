@@ -19,6 +19,6 @@ set linetype 4 lc rgb '#cc79a7'
 set linetype 5 lc rgb '#e69f00'
 set linetype 6 lc rgb '#56b4e9'
 set linetype cycle 6
-# For another size a page calls eval canvas(1100, 760)
+# For another size of the figure a page calls eval canvas(1100, 760).
 if (!exists('terminal')) terminal = GPVAL_TERM
 canvas(wide, high) = sprintf('set terminal %s size %d,%d', terminal, wide, high)

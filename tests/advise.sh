@@ -1,6 +1,7 @@
 #!/bin/sh
-# Tests `nineball advise`: that its claims bound the errors against a reference that it does not use, that the choice is the cheapest
-# setting within the tolerance, and what it refuses. TAP. $NINEBALL is the program, $srcdir the top of the source tree.
+# Tests `nineball advise`: its claims must bound the errors against a reference that it does not use, its choice must be the
+# cheapest setting within the tolerance, and it must refuse invalid calls. TAP. $NINEBALL is the program, $srcdir the top of the
+# source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
@@ -9,7 +10,7 @@ pages=$(pwd)/tests/pages
 cases=$(pwd)/cases
 cd "$work" || exit 1
 
-# table: the rows of a table without its first lines.
+# rows TABLE: the rows of a table without its first lines.
 rows() { grep -v '^#' "$1" | tail -n +2; }
 
 # ---- claims against Hertz's duration of an impact: closed form, not used by the search ----
@@ -44,8 +45,8 @@ result $? 'every claim is at least the true error, at eight phases'
 awk '$3 == "chosen" { n++; bad += !($4 <= 0.0005) } $3 == "misses" { worst[$1] = worst[$1] > $4 ? worst[$1] : $4 }
   END { exit !(n == 8 && bad == 0) }' errors
 result $? 'the chosen setting is within the tolerance'
-# The choice is not far from the best one either: the cheapest setting that is truly within the tolerance is at most
-# twice as coarse.
+# The choice is not much more expensive than the best one either: the cheapest setting whose true error is within the tolerance is
+# at most twice as coarse.
 awk '{ worst[$1] = worst[$1] > $4 ? worst[$1] : $4 } $3 == "chosen" { chosen = $1 }
   END { for (r in worst) if (worst[r] <= 0.0005 && r + 0 < chosen / 2) exit 1; exit !(chosen > 0) }' errors
 result $? 'the chosen step is at most half as long as the longest one that would do'
@@ -156,7 +157,7 @@ run 0 advise cycles.md --quantity D.vx --within '1 %' -o cycles && said '--set r
   said 'the next longer step cannot be run: a longer step does not divide its stages into whole numbers of cycles' &&
   run 0 run cycles.md --set refine=0.1428571429 -o cycles && said '  1 cycles, '
 result $? 'a page with a number of cycles that is no power of two'
-# Linear springs a hundred times as soft allow ten times the step, where the quantity does not depend on them.
+# Linear springs a hundred times as soft allow ten times the step, if the quantity does not depend on the springs.
 sed 's/^until.*/until time above 1 at most 100000 cycles/; s/kn 1$/kn 1e4/' still.md >soft.md
 run 0 advise soft.md --quantity D.vx --within '1 %' -o soft && said 'the cheapest setting within the tolerance: --set soften=1000 --set refine=' &&
   said 'stiffness divided by 1000'
@@ -207,7 +208,7 @@ grep -qx '# energy.kinetic within 10 %, mean over seed = 1 to 8' gas/advice.tsv 
   test "$(rows gas/advice.tsv | cut -f 12 | sort -u | tr '\n' ' ')" = '- rate=0.005 rate=0.02 ' &&
   test "$(rows gas/advice.tsv | cut -f 1,2 | sort -u)" = "$(printf 'linear\tlinear')"
 result $? 'traded values are tried, laws are not'
-# The setting in the table gives the mean whose difference from that of half the step is printed.
+# The setting in the table gives the mean whose difference from the mean with half the step is printed.
 rows gas/advice.tsv | awk -F '\t' '$12 == "rate=0.02" { print $3, $9 }' | head -n 1 >setting
 mean() {
   for seed in 1 2 3 4 5 6 7 8; do
@@ -281,7 +282,7 @@ result $? 'one row for each search, at the middle run'
 test "$(rows all/trades.tsv | cut -f 5-8 | tr '\t\n' '|;')" = \
   'until|D.vx|10 %|yes;until|D.vx|1 %|yes;until|D.vx|0.1 %|yes;extreme|D.x max in a|10 %|yes;extreme|D.x max in a|1 %|yes;extreme|D.x max in a|0.1 %|yes;until|D.vy|10 %|unknown;until|D.vy|0.05|yes;'
 result $? 'quantities and tolerances'
-# Each row is what a search alone advises.
+# Each row equals the advice of a single search.
 rows all/trades.tsv | cut -f 6,7,9,11,13,15,16 | while IFS='	' read -r measure tolerance setting updates error cheaper ratio; do
   case $setting in --set*) ;; *) continue ;; esac
   run 0 advise folder/a.md --set speed=0.2 --quantity "$measure" --within "$tolerance" -o one
@@ -311,13 +312,13 @@ if command -v gnuplot >/dev/null; then
   result $? 'a figure of the first quantity of each page'
 fi
 
-# The last row is the search with the absolute tolerance, after one whose value is near 0.
+# The last row is the search with the absolute tolerance; it follows a search whose value is near 0.
 mkdir -p last
 sed '$d' all/trades.tsv >last/trades.tsv
 run 1 advise --all folder/a.md -o last
 test "$(rows last/trades.tsv | cut -f 5-8)" = "$(rows all/trades.tsv | cut -f 5-8)"
 result $? 'a call interrupted before the absolute tolerance'
-# A call that was interrupted in the fifth row.
+# A table of a call that was interrupted in the fifth row.
 mkdir cut
 rows=$(wc -l <all/trades.tsv)
 { head -n 6 all/trades.tsv && sed -n '7s/\(.*yes\).*/\1/p' all/trades.tsv | tr -d '\n'; } >cut/trades.tsv

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Runs that are interrupted, killed, and continued from a checkpoint: the tables are those of an uninterrupted run.
-# Every failure with the files of checkpoints has a message of its own. NINEBALL_KILLS is the number of kills. TAP.
+# Tests runs that are interrupted or killed and then continued from a checkpoint: their tables must be those of an uninterrupted
+# run. Every failure with the files of checkpoints must have a message of its own. NINEBALL_KILLS is the number of kills. TAP.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
@@ -37,7 +37,7 @@ time  expected 36 within 1 ppm  [18000 cycles]
 ```
 END
 start() { "$nineball" run "$page" --states "$states" -o "$work/out" --jobs 1 "$@" >"$work/printed" 2>"$why" & }
-# again ARGUMENTS: continues, without being interrupted.
+# again ARGUMENTS: continues the run to its end.
 again() {
   start --resume "$@"
   wait $!
@@ -45,7 +45,7 @@ again() {
 same() {
   diff -rq "$work/whole" "$work/out" >>"$why"
 }
-# checkpoints N: waits until the last run has saved N of them.
+# last: the checkpoints. checkpoints N: waits until the last run has saved N checkpoints.
 last() { ls "$states"/*.checkpoint 2>/dev/null; }
 until_saved() { while kill -0 $! 2>/dev/null && [ -z "$(last)" ]; do sleep 0.01; done; }
 
@@ -184,7 +184,7 @@ rm -rf "$work/out"
 "$nineball" run "$page" -o "$work/out" --jobs 1 2>"$why" | true
 said 'the output could not be written' && same
 result $? 'a closed pipe: an error, and the tables are written'
-# limits: memory limits from ample to none, kB. Somewhere between them memory runs out, and the checkpoints stay.
+# limits: memory limits from ample to too small, kB. At some of them memory runs out, and the checkpoints stay.
 rm -rf "$states" && cp -r "$work/kept" "$states"
 for limit in 400000 100000 60000 40000 30000 24000 20000 17000 15000 13000 11000 9000 5000; do
   (ulimit -v $limit && "$nineball" check "$page" --states "$states" --jobs 1 --resume --checkpoint=9 >"$work/printed" 2>>"$work/limits") 2>>"$work/limits" && cp -r "$work/kept/." "$states"
@@ -209,7 +209,8 @@ test $? -eq 2 && said "process $first writes into this folder, $work/out/ninebal
 result $? 'two runs with one output folder: an error names the first one'
 wait $first && same
 result $? 'the folder has the files of the first one'
-# The same between two runs of the sweep, when no run is locked: many attempts while the first process is running.
+# A second process is refused even between two runs of the sweep, when no run is locked: many attempts while the first process is
+# running.
 start --checkpoint=0.01
 first=$!
 until_saved

@@ -126,7 +126,7 @@ figure() {
   rm -rf out harm cases/harm
   HOME=$home GNUPLOT_LIB=$home "$nineball" figure "$@" >said 2>&1 </dev/null
 }
-# Whether an attack wrote, ran or read something.
+# True if an attack wrote, ran or read something.
 harmed() {
   find . -name harm -print | grep -q . && return
   root=$(awk -F : '$3 == 0 { print $1; exit }' /etc/passwd)

@@ -2,11 +2,11 @@
 # Tests the documents: every link leads to a file or heading, and every command ends with the exit status that the text
 # says. TAP. $NINEBALL is the program, $srcdir the top of the source tree.
 #
-# A command must end with status 0, or with the one its comment names: `nineball check mine.md  # exit status 1`. Its
-# output has the lines of the next block ```text output. The commands of one document run one after the other, in a
-# folder of their own with cases/ and plots/. Commands that install, configure or build are not run here: the targets of
-# setup and make must exist, and the files of other programs. A page whose comment says that it takes minutes is explained
-# instead of run; make check-long runs it.
+# A command must end with status 0, or with the status that its comment names: `nineball check mine.md  # exit status 1`. Its
+# output must have the lines of the next block ```text output. The commands of one document run one after the other, in a folder
+# of their own with cases/ and plots/. Commands that install, configure or build are not run: the test only requires that their
+# targets of setup and make, and their files, exist. A page whose comment says that it takes minutes is explained instead of run;
+# make check-long runs it.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
@@ -17,8 +17,8 @@ documents="README.md HACKING.md NEWS $(echo docs/*.md cases/*.md cases/*/*.md)"
 
 # ---- links ----
 
-# The anchors of a document, as a forge makes them of the headings: small letters, spaces as -, without punctuation; the
-# second one of a name ends in -1.
+# Prints the anchors of a document, as a forge makes them from the headings: small letters, spaces as -, no punctuation; the
+# second anchor of the same name ends in -1.
 anchors() {
   awk '/^(```|~~~)/ { inside = !inside; next }
     !inside && /^#+ / {
@@ -26,7 +26,7 @@ anchors() {
       print $0 (seen[$0]++ ? "-" seen[$0] - 1 : "") }' "$1"
 }
 
-# links DOCUMENT...: prints the broken ones.
+# links DOCUMENT...: prints the broken links.
 links() {
   for document in "$@"; do
     grep -o ']([^) ]*)' "$document" | sed 's/^](//; s/)$//' | grep -v '^[a-z]*:' | sort -u |
@@ -71,7 +71,7 @@ result $? 'the lists of cases are as docs/cases.sh makes them'
 
 # ---- commands ----
 
-# Is it a target of make?
+# True if the word is a target of make.
 is_target() {
   case $1 in
   all | check | clean | dist | distcheck | distclean | install | installcheck | uninstall) true ;;

@@ -9,7 +9,7 @@
 sh docs/equations.sh . >"$work/table" 2>"$work/said"
 result $? "every tag can be read"
 
-# Independent of the script: plain tags such as `[CS79 17]` in FILE are in the row of that equation.
+# A check that does not use the script: each plain tag such as `[CS79 17]` in FILE is in the row of that equation.
 grep -roE '\[(CS79 [0-9]+a?|R89 [0-9]+\.[0-9]+)\]' src cases/refs --include='*.[ch]' --exclude=law_batch.h |
   sed 's/^\(.*\):\[\(.*\) \(.*\)\]$/\1 \2 \3/' | sort -u >"$work/tags"
 while read -r file paper number; do
@@ -28,8 +28,8 @@ grep -E '^\| [0-9.]+a? \|  \|' "$work/table" >"$work/said"
 test ! -s "$work/said"
 result $? "every equation has a subject"
 
-# The tags of texts and tests. A number of R89 that follows neither `sec.` nor `figure` is an equation: it has two parts, and the chapter
-# has as many equations. The number that follows `sec.` is a section.
+# The tags of texts and tests. A number of R89 that follows neither `sec.` nor `figure` is an equation: it must have two parts, and
+# the chapter must have at least that many equations. The number that follows `sec.` is a section.
 sections=$(sed -n 's/.*sections = "\(.*\)".*/\1/p' docs/equations.sh)
 not_equations() {
   grep -roE '\[[^][]*R89 [^][]*\]' "$@" | sed 's/–/-/g; s/…/.../g' | awk -v sections=" $sections " '

@@ -28,7 +28,7 @@ result() {
   fi
 }
 
-# The copy contains no files of a build. File times are kept, so the autotools run only where something changed.
+# The copy contains no files of a build. File times are kept, so the autotools run only for files that have changed.
 mkdir "$tree"
 for entry in setup autogen.sh configure.ac Makefile.am README.md HACKING.md NEWS COPYING .ci .clang-format src cases tests docs plots \
   m4 build-aux configure Makefile.in aclocal.m4 config.h.in; do
@@ -64,7 +64,7 @@ cd "$tree" || exit 1
 } >"$work/said" 2>&1
 result $? "configure"
 
-# Of the tutorial only the commands of the law: tests/docs.sh runs the others.
+# Of the tutorial only the commands about the law are run; tests/docs.sh runs the others.
 sed '/^## Write a page of your own/,/^## Add a law of your own/d' "$work/example.md" | awk -f tests/fences.awk >"$work/commands"
 test -s "$work/commands"
 result $? "the examples have commands"

@@ -34,7 +34,7 @@ sed -n '/^## Quantities/,/^## Numbers/s/^- `\([^`]*\)`.*/\1/p' "$language" | sor
 test ! -s "$work/said"
 result $? 'every quantity, or its family, is in the glossary'
 
-# The expectations with a reference are left out, because their reference belongs to another scene.
+# Expectations with a reference are left out, because the reference belongs to another scene.
 awk '/^### / { word = $2 } /^```/ { inside = $0 != "```" }
   !(inside && !/^```/ && word ~ /^(reference|within|versus|order)$/)' "$language" >"$work/runs.md"
 "$nineball" check "$work/runs.md" >"$work/said" 2>&1
@@ -55,7 +55,7 @@ sed -n 's/^### //p' "$language" | sort -u | while read -r word; do
 done >"$work/said"
 test ! -s "$work/said"
 result $? 'nineball --help WORD describes each word'
-# Every word of a line of syntax: the statement and what it takes, `record every N cycles | none`.
+# Every word of a line of syntax: the statement and its arguments, `record every N cycles | none`.
 sed -n '/^### /{n;n;p;}' "$language" | tr -cs 'a-z0-9_-' '\n' | grep -E '^[a-z][a-z0-9_-]+$' | sort -u >"$work/words"
 while read -r word; do
   "$nineball" --help "$word" >/dev/null 2>&1 || echo "nineball --help $word does not describe it"
@@ -69,7 +69,7 @@ done >"$work/said"
 test ! -s "$work/said"
 result $? 'nineball --help describes families of quantities, topics, units, functions, laws and reducers'
 
-# What a newcomer looks for comes first: within the first three lines.
+# The explanation that a newcomer looks for is within the first three lines of the help.
 for pair in "velocity:velocity VX VY" stiffness:young "refine:divides the step" "compress:box strain" "compression:cell strain" \
   "vertical:y points up" "horizontal:x points to the right" "order:order NUMBER in NAME" "advise:cheapest step" "within:MEASURE within" \
   "rate:cell strain" "seed:fill discs" "porosity:region M all" "strain:Which strain" "stage:Begins a stage" "budget:time for the search" \

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Tests the order of the modules of src/: no file includes one of a later module, and no object calls into one. TAP.
-# Their order is that of the lists in build-aux/lists.mk. $srcdir is the top of the source tree; runs in the build
+# The order is that of the lists in build-aux/lists.mk. $srcdir is the top of the source tree. The test runs in the build
 # folder.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
@@ -37,7 +37,7 @@ upward() {
 [ -s "$work/includes" ] && upward "$work/includes"
 result $? "no file includes one of a later module"
 
-# The same for compiled objects, because a prototype can be in the header of another module.
+# The same test for compiled objects, because a prototype can be in the header of another module.
 if command -v nm >/dev/null && ls src/core/*.o >/dev/null 2>&1; then
   for object in src/*/*.o; do
     module=${object#src/} file=${object##*/}

@@ -8,7 +8,7 @@
 . "${srcdir:-.}/tests/tap"
 tab=$(printf '\t')
 
-# KIND, old form, new form, in columns.
+# The rows of the table as three columns: KIND, old form, new form.
 sed -n "s/^ *{NB_OLD_\([A-Z]*\), \"\([^\"]*\)\", \"\([^\"]*\)\"}.*/\1$tab\2$tab\3/p" src/input/old_words.c >"$work/rows"
 test "$(wc -l <"$work/rows")" -gt 5
 result $? 'the table is read'

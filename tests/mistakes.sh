@@ -91,7 +91,7 @@ counted 199 'materials' 'material m@' 200 # one more is in the page
 counted 2000 'walls' 'wall w@ @ m 9 m to @ m 10 m rock'
 counted 2000 'gradings' 'grading g@ 1 m 1'
 
-# path LINE: the same for a contact test.
+# path LINE: prints a valid contact test with this line added.
 path() {
   printf '```contact-test\nmaterial rock kn 1 MN/m\ncontact disc 1 m rock with wall rock\n%s\n```\n' "$1"
 }
@@ -99,7 +99,7 @@ path "$(numbered 2000 'segment l@ slip by 1 um in 1 step')" >"$work/right.md"
 path "$(numbered 2001 'segment l@ slip by 1 um in 1 step')" >"$work/wrong.md"
 limit 'segments' 'expected at most 2000 segments, found more'
 
-# on FROM STAGE NAME: prints a page that starts from that stage and has one stage.
+# on FROM STAGE NAME: prints a page that starts from the stage STAGE of FROM and has one stage NAME.
 on() { printf '```scene\nstart %s stage %s\nrecord time\nstage %s\ncycles 1\n```\n' "$1" "$2" "$3"; }
 page '' >"$work/chain0.md"
 on chain0 go s1 >"$work/chain1.md"
@@ -194,7 +194,7 @@ cat "$work/why" >>"$work/heard"
 
 # ---- every message has occurred ----
 
-# Messages that cannot occur here: that of the command line about a --set without `=`.
+# Messages that cannot occur here: the command line reports a --set without `=`.
 unheard='^expected NAME=VALUE'
 
 for source in $(grep -lE '"(input/)?(reader|scene)\.h"' src/*/*.c | grep -v manual); do

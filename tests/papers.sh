@@ -1,14 +1,14 @@
 #!/bin/sh
-# docs/papers has a row for each figure and table of CS79, and for each figure of chapters 3 to 6 of R89, in the order of the papers. Each row
-# has a verdict, and its links lead to files and cases. A row with a verdict on a statement has a case that cites the figure below its title. TAP. $srcdir
-# is the top of the source tree.
+# Tests docs/papers. It must have a row for each figure and table of CS79, and for each figure of chapters 3 to 6 of R89, in the
+# order of the papers. Each row must have a verdict, and its links must lead to files and cases. A row with a verdict on a statement
+# must have a case that cites the figure below its title. TAP. $srcdir is the top of the source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
 . "${srcdir:-.}/tests/tap"
 
-# The figures and tables that a text names, one per line: `figures 9a, 11–13; table 2` gives 9a 11 12 13 T2, and `6.31–6.33` 6.31 6.32 6.33.
-# Other numbers follow another word: `section 5.4` gives nothing.
+# Prints the figures and tables that a text names, one per line: `figures 9a, 11–13; table 2` gives 9a 11 12 13 T2, and `6.31–6.33`
+# gives 6.31 6.32 6.33. Numbers after other words are ignored: `section 5.4` gives nothing.
 named() {
   sed 's/–/ - /g; s/[],;:()[]/ & /g' | awk '{
     kind = $1 ~ /^[0-9]/ ? "" : "-"
@@ -28,7 +28,7 @@ named() {
     }
   }'
 }
-# The rows of a document; the figures in the first column of a row; the pages to which its second column links.
+# These print the rows of a document, the figures in the first column of a row, and the pages to which its second column links.
 rows() { grep '^|' "docs/papers/$1.md" | grep -v '^| \(where\|figure\) |\|^| ---'; }
 first() { cut -d '|' -f 2 | sed 's/^ *//'; }
 cases() { cut -d '|' -f 3 | grep -o '(\.\./[^)#]*' | sed 's/^(//'; }

@@ -160,7 +160,7 @@ if command -v script >/dev/null; then # both streams are the same terminal
   verdict 'warnings: once on a terminal, twice if standard output is a file'
 fi
 
-for page in 5-numerics/rayleigh-mean:gap='1e300 mm' 8-published/chung-ooi-6:beta=1e9; do # formerly their solution never ended
+for page in 5-numerics/rayleigh-mean:gap='1e300 mm' 8-published/chung-ooi-6:beta=1e9; do # the solution must end
   run 2 check "$cases/${page%%:*}.md" --set "${page#*:}"
   said "$cases/${page%%:*}.md: error: "
 done
@@ -409,10 +409,10 @@ sed 's/step 0.5/step 0.2 of stable/; s/^stage some/stage never/; s/D.x above 3/t
 run 0 explain never.md
 out '  on, about 6 cycles'
 out '  never, does not end: line 19 does not hold within 10 cycles'
-sed '/^stage last/,$s/100 cycles/40 cycles/' clock.md >late.md # from the earliest clock on the condition does not hold
+sed '/^stage last/,$s/100 cycles/40 cycles/' clock.md >late.md # with the earliest clock the condition is never met
 run 0 explain late.md
 out '  last, 34 to 40 cycles: the condition on line 21 decides'
-sed '/^stage last/,$s/100 cycles/34 cycles/' clock.md >last.md # it holds at the last cycle of the stage
+sed '/^stage last/,$s/100 cycles/34 cycles/' clock.md >last.md # the condition holds at the last cycle of the stage
 run 0 explain last.md
 out '  last, 34 cycles'
 sed '/^stage last/,$s/100 cycles/33 cycles/' clock.md >short.md
@@ -556,8 +556,8 @@ for r in 1 2 3; do
 done
 verdict 'snapshots of a sweep'
 
-# The lines of each segment are under its name. Hertz's law stores energy and dissipates none; that of Mindlin and Deresiewicz does
-# both.
+# The lines of each segment are under the name of the segment. Hertz's law stores energy and dissipates none; the law of Mindlin and
+# Deresiewicz does both.
 sed 's/^  snapshot/&\nsegment  back  overlap to 0 um  in 3 steps/; /^```expect/,$d' "$pages/contact-test.md" >segments.md
 run 0 explain segments.md
 sed -n '/^segments/,/^cost/s/^    \(line [0-9]*\): \([a-z]* *[a-z]*\).*/\1 \2/p; s/^  \(press\|back\),.*/\1/p' out | tr '\n' ';' >given
@@ -719,7 +719,7 @@ if command -v gnuplot >/dev/null; then
   grep -q "^[$]table << EOD" drawn/given.gp || echo 'there are several runs' >>why
   verdict 'a page gets all variables of --help gnuplot'
 
-  # The blocks of a sweep have numbers, also when --set leaves one value: its figure still works.
+  # The blocks of a sweep have numbers, even if --set leaves one value, so that the figure still works.
   {
     sed '/^```gnuplot/,/^```$/d; s/^let .*/sweep v 0.5 1/; s/^cycles .*/&\nsnapshot/' "$pages/passes.md"
     printf '```gnuplot\nprint "numbered:", D_x_1 > 0 && |$flight_particles_1| == 2 && !exists("D_x")\n'

@@ -6,7 +6,7 @@
 
 . "${srcdir:-.}/tests/tap"
 
-# The costs of laws are those of docs/COST.md.
+# The costs of laws in the recipe are those of docs/COST.md.
 srcdir=. sh tests/bench/cost.sh --laws docs/COST.md >"$why" 2>&1 && cmp "$why" plots/law-costs.gp >>"$why" 2>&1 && grep -q "mindlin 1.00  mindlin_scaled 1[.]" plots/law-costs.gp
 result $? 'plots/law-costs.gp is made from docs/COST.md'
 
@@ -15,8 +15,8 @@ if ! command -v gnuplot >/dev/null; then
   exit 0
 fi
 
-# Two rows of three discs with fixed ends: contact forces 2 and 2 in one row, 2 and 1 in the other. A rotated disc on a
-# wall: 1.
+# Two rows of three discs with fixed ends: the contact forces are 2 and 2 in one row, 2 and 1 in the other. A rotated disc on a
+# wall has the force 1.
 mkdir -p "$work/cases" && cd "$work/cases" || exit 1
 cat >known.md <<'EOF'
 # Known contacts

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Tests `figure`, `report` and `state` with unusual pages and with failures: exit status, files, and how names are
-# shown. TAP. $NINEBALL is the program, $srcdir the top of the source tree.
+# Tests `figure`, `report` and `state` with unusual pages and with failures: exit status, files, and the display of names. TAP.
+# $NINEBALL is the program, $srcdir the top of the source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Tests `nineball check --rounding`: bits, verdicts and parts that it prints, and what it refuses. TAP. $NINEBALL is the program,
-# $srcdir the top of the source tree. tests/rounding.c tests the modes themselves.
+# Tests `nineball check --rounding`: the bits, verdicts and parts that it prints, and the calls that it refuses. TAP. $NINEBALL is
+# the program, $srcdir the top of the source tree. tests/rounding.c tests the rounding modes themselves.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
@@ -8,8 +8,8 @@
 top=$(pwd)
 cd "$work" || exit 1
 
-# Positions in binary fractions are the same in each mode. v dt is not. Its sum over 2^12 cycles differs by at most 2^12
-# half units in the last place of a number below 2^13, and by at least 1/2^5 of that. So x keeps between 53-13 and 53-6
+# Positions that are binary fractions are the same in each mode; v dt is not a binary fraction. Its sum over 2^12 cycles differs by
+# at most 2^12 half units in the last place of a number below 2^13, and by at least 1/2^5 of this. So x keeps between 53-13 and 53-6
 # bits.
 page() {
   cat <<'PAGE'
@@ -63,12 +63,12 @@ run 0 check spheres.md --rounding parts && said '    53  stability check of stif
   said '    53  count of deep overlaps' && said '    53  FRACC'
 result $? 'each of several parts after the forces'
 
-# Rounded up, x is larger than to nearest by more than the tolerance.
+# If x is rounded up, it exceeds the x rounded to nearest by more than the tolerance.
 sed 's/within 1e-9/within 1e-10/' free.md >tight.md
 run 1 check tight.md --rounding all && said 'rounding up    3 of 4 checks passed'
 result $? 'a check that fails in another mode'
 
-# Two runs: 0.5 v is a binary fraction in the first one alone, and the label says which has fewer bits.
+# Two runs: 0.5 v is a binary fraction only in the first one, and the label names the run with fewer bits.
 sed 's/^disc 8 100 radius 1 a velocity 0.7 0/sweep v 0.5 0.7\ndisc 8 100 radius 1 a velocity $v 0/; /^B.x expected/d' free.md >swept.md
 sed -i 's/^B.x above A.x/B.x above A.x\nB.x decreases with v/; s/decreases/increases/' swept.md
 run 0 check swept.md --rounding all && grep -q '^    4[0-9]  B.x increases with v (v=0.7)$' "$why"

@@ -41,7 +41,7 @@ else
   sed 's/^/# /' "$work/said"
 fi
 
-# Without enough contacts there would be fewer threads, and all runs below would be the same one.
+# With too few contacts there would be fewer threads, and all runs below would be the same run.
 if ! grep -qE 'GOMP_parallel|__kmpc_fork' "$nineball"; then
   echo "ok 2 - the page has enough contacts for four threads # SKIP compiled without OpenMP"
 elif "$nineball" explain "$page" --threads 4 | grep -q ' 4 threads'; then

@@ -11,7 +11,7 @@ mkdir "$pages"
 states=$work/states
 cp cases/3-nine-discs/nine-discs.md cases/5-numerics/saved-stage.md "$pages"
 
-# rows FOLDER STAGE: cycles and forces of that stage.
+# rows FOLDER STAGE: prints cycles and forces of the stage.
 rows() { awk -F '\t' -v stage="$2" '/^#/ { next } !head { for (k = 1; k <= NF; k++) at[$k] = k; head = 1; next }
   $(at["stage"]) == stage { print $(at["cycle/-"]), $(at["C.normal/-"]) }' "$1/table.tsv"; }
 run() {
@@ -85,7 +85,8 @@ plan "$pages/smoother.md" >"$work/after" && test "$(grep -c 'tan(phi) 0' "$work/
   "$nineball" explain "$pages/smoother.md" --states "$states" | grep -q "^$step, line"
 result $? 'the plan is that which it shows when the state exists'
 
-# A page with `impact`, one that starts from it, and one that starts from that: each also from the saved state.
+# A page with `impact`, a second page that starts from it, and a third page that starts from the second; each runs with and without
+# saved states.
 cat >"$pages/hit.md" <<'EOF'
 ```scene
 units none
@@ -113,7 +114,7 @@ result $? 'pages that start from one with an impact run again from its state'
 rm "$states"/*.state
 run again "$pages/saved-stage.md"
 
-# A state of the page with another text has another hash, also under the name that is looked for.
+# A state of the page with another text has another hash, even if its file has the expected name.
 right=$(basename "$states"/nine-discs-load-*.state)
 rm "$states/$right"
 sed 's/^walls .*inward.*/&\nallow unstable/' cases/3-nine-discs/nine-discs.md >"$pages/nine-discs.md"
@@ -261,14 +262,14 @@ stage     on
 END
 result $? 'affine motion about an origin that the other page has moved'
 
-# Values by --set have the units of the other page, if this one does not say them.
+# Values by --set have the units of the other page, if this page does not state units.
 printf '```scene\nstart hit stage strike\nlet y = 2\nmonitor D sphere 1\nrecord time D.y\nstage away\ncycles 3\n```\n' >"$pages/bare.md"
 run bare "$pages/bare.md" --set y=0.5
 "$nineball" run "$pages/bare.md" --set 'y=0.5 m' --states "$states" -o "$work/none" >"$work/out" 2>>"$work/said"
 test $? -eq 2 && test -s "$work/bare/table.tsv" && grep -q '^--set: error: expected a unit or an operator, found `m`' "$work/said"
 result $? 'a value of a page without `units` that starts from one with `units none`'
 
-# A step by `with` is that of the other page, not one by --set of this page.
+# A step by `with` is a step of the other page, not of the stages of this page.
 sed 's/^start .*/start hit stage strike with step=0.01/' "$pages/bare.md" >"$pages/finer.md"
 run finer "$pages/finer.md"
 "$nineball" explain "$pages/finer.md" --states "$states" >>"$work/said" && grep -q '^  0.01, line 2$' "$work/said"
@@ -310,7 +311,7 @@ run sweep "$pages/sweep.md" --jobs 4
 test "$(made)" -eq 0 && test "$(grep -c 'where this page starts, run' "$work/said")" -eq 2 && test "$(ls "$states" | wc -l)" -eq 2
 result $? 'the runs of a sweep compute each state once'
 
-# Names that take their values together: the value of one selects those of the others.
+# Names that take their values together: the value of one name selects the values of the others.
 cat >"$pages/turns.md" <<'END'
 # Two turns of two names
 ```scene
@@ -356,7 +357,7 @@ stage     go
   cycles  $n
 ```
 END
-# from FILE SETTINGS: writes a page that starts from it.
+# from FILE SETTINGS: writes the page FILE, which starts from this page with the settings.
 from() { printf '# From\n```scene\nstart counted stage go %s\nmonitor D disc 1\nrecord cycle D.vx\nstage more\n  cycles 1\n```\n' "$2" >"$pages/$1.md"; }
 from with-1 ''
 from with-2 'with n=5'

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Tests docs/trades.sh, which writes docs/TRADES.md: on two pages every row of its tables is what `nineball advise` prints. TAP. $NINEBALL
-# is the program, $srcdir the top of the source tree.
+# Tests docs/trades.sh, which writes docs/TRADES.md: on two pages every row of its tables must equal the output of `nineball advise`.
+# TAP. $NINEBALL is the program, $srcdir the top of the source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
@@ -9,8 +9,8 @@
 NINEBALL=$nineball OMP_NUM_THREADS=1 sh docs/trades.sh -o "$work/made" cases/1-two-discs/two-wall-compression.md cases/5-numerics/order.md >"$why" 2>&1
 result $? 'the document of two pages'
 
-# The rows of all cases: PAGE|CONDITION|QUANTITY|TOLERANCE|SETTING|COST|ERROR|NEXT|RATIO, one line for each tolerance. The error is that of the last
-# tolerance of a row; NEXT and RATIO are of the last one, too.
+# The rows of all cases: PAGE|CONDITION|QUANTITY|TOLERANCE|SETTING|COST|ERROR|NEXT|RATIO, one line for each tolerance. ERROR, NEXT
+# and RATIO are those of the last tolerance of a row.
 sed -n '/^## All cases/,$p' "$work/made/TRADES.md" | awk -F ' *[|] *' '
   /^\| (case|---)/ || !/^\|/ { next }
   {
@@ -48,7 +48,7 @@ done <"$work/table" >"$why"
 test ! -s "$why"
 result $? 'every row is what the program advises'
 
-# The lessons: the numbers of the table give the same quotient of costs.
+# The lessons: the quotient of costs in the text follows from the numbers of the table.
 sed -n 's/.*from 1 % to 0.1 % by \([0-9.]*\).*/\1/p' "$work/made/TRADES.md" >"$work/stated"
 awk -F '|' '{ c[$1 $3, $4] = $6; q[$1 $3] = 1 } END { for (k in q) print c[k, "0.1 %"]/c[k, "1 %"] }' "$work/table" | sort -g | awk '{ v[NR] = $1 } END { print v[4] }' >"$why"
 awk 'NR == FNR { stated = $1; next } { d = stated/$1 - 1; exit !(stated > 1 && d*d < 0.1^2) }' "$work/stated" "$why"
@@ -60,7 +60,7 @@ if command -v gnuplot >/dev/null; then
   result $? 'the figure of a named case'
 fi
 
-# Other ways to trade: the committed document has the numbers of the tables.
+# The section on other ways to trade: the committed document has the numbers of the tables.
 sh docs/trades/ways.sh >"$work/ways" 2>"$why" && test "$(wc -l <"$work/ways")" -gt 40 &&
   sed -n '/^## Other ways to trade/,/^## All cases/p' docs/TRADES.md | sed '/^## All cases/d' | sed '$d' | diff - "$work/ways" >>"$why"
 result $? 'the section on other ways to trade is up to date'

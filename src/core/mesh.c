@@ -24,7 +24,7 @@ static struct extent extent_of(const struct nb_model *model, double width) {
                          floor(it.top / width)};
 }
 
-/* Most boxes for each particle: empty ones cost time too. */
+/* Largest number of boxes per particle, because empty boxes cost time too. */
 static const double most_boxes = 4;
 /* Coordinates beyond this many box widths are rounded to multiples of a box: grid.h. */
 static const double farthest = 0x1p50;
@@ -34,7 +34,7 @@ static bool fits(struct extent it, size_t items) {
          (it.right - it.left + 3) * (it.top - it.bottom + 3) <= most_boxes * (double)items;
 }
 
-/* Sorts by box: counts the items of each, sums up, and places them. */
+/* Sorts the particles by box: counts the items of each box, sums the counts, and places the items. */
 static void sort_items(struct nb_mesh *mesh, const struct nb_model *model, double width, struct extent extent,
                        int box[]) {
   const struct nb_particles *particles = &model->particles;

@@ -1,8 +1,8 @@
-/* All boxes of one width as an array, and the particles sorted by box: for searches where the particles are of similar
- * size and fill their surroundings. Other searches use grid.h.
+/* All boxes of one width as an array, and the particles sorted by box. Searches use it if the particles are of similar
+ * size and fill their surroundings; other searches use grid.h.
  *
  * The particles of neighbouring boxes of a row follow each other, so a search reads memory in sequence. The coordinates
- * of boxes are those of grid.h, so that both find the same pairs.
+ * of boxes are those of grid.h, so that both searches find the same pairs.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_MESH_H
@@ -13,7 +13,7 @@
 
 #include "vec.h"
 
-/* A particle, with what the search reads of it. */
+/* The data of a particle that the search reads. */
 struct nb_mesh_item {
   struct nb_vec x; /* m */
   double radius;   /* m */
@@ -21,14 +21,14 @@ struct nb_mesh_item {
 };
 
 struct nb_mesh {
-  size_t count; /* of items; 0: the boxes are too many, or the items too few */
-  int row;      /* boxes of a row; the first and the last are empty, and so are the first and the last row */
-  int *start;   /* for each box: its first item; one more than boxes */
+  size_t count; /* number of items; 0: the search needs grid.h, because of too many boxes or too few items */
+  int row;      /* number of boxes of a row; the first and the last box and the first and the last row are empty */
+  int *start;   /* for each box, the index of its first item; one element more than there are boxes */
   struct nb_mesh_item *item;
 };
 
 struct nb_model;
-/* With boxes of this width, m. False: out of memory. */
+/* Sorts the particles into boxes of this width, m. False: out of memory. */
 bool nb_mesh_create(struct nb_mesh *mesh, const struct nb_model *model, double width);
 void nb_mesh_free(struct nb_mesh *mesh);
 

@@ -1,8 +1,8 @@
 #!/bin/sh
-# Measures what each feature costs in a cycle, and proves that a page which does not use a feature does not pay for it.
+# Measures the cost of each feature in a cycle, and proves that a page which does not use a feature does not pay for it.
 #
 #   cost.sh -o FILE             all pages, with times: writes the document FILE
-#   cost.sh --proof PAGE ...    the proof alone, for these pages of the table below ("all": every page)
+#   cost.sh --proof PAGE ...    only the proof, for these pages of the table below ("all": every page)
 #   cost.sh --page PAGE         prints this page
 #   cost.sh --laws DOCUMENT     prints plots/law-costs.gp, from the times in the document
 #
@@ -12,9 +12,9 @@
 #
 # Exit status: 0 the proof holds, 1 it does not, 2 wrong use, 77 something that it needs is missing.
 #
-# Every page runs twice under callgrind, with CYCLES and with twice as many cycles. The difference of the two profiles
-# is the cost of the second half: reading, start, the stages after it and the end are the same in both. Callgrind
-# attributes each instruction to its source line, of inlined functions too. It is an error if a page executes a line of
+# Every page runs twice under callgrind, with CYCLES and with twice as many cycles. The difference of the two profiles is
+# the cost of the second half, because reading, start, later stages and end are the same in both runs. Callgrind attributes
+# each instruction to its source line, also in inlined functions. It is an error if a page executes a line of
 # a file that belongs only to features that the page does not use. It is also an error if a file of the simulator
 # belongs to no feature, or if a page executes no line of a feature that it uses.
 #
@@ -138,8 +138,8 @@ PAGES
 
 # ---- the features and their files ----
 #
-# FEATURE ... : FILE or FILE:FUNCTION ... ; a function overrides its file, with `*` for all functions of a file. A file of several features may
-# be executed on the pages of any of them. `cycle` is used by every page, `never` by no cycle.
+# FEATURE ... : FILE or FILE:FUNCTION ... ; a function overrides its file; `*` stands for all functions of a file. A file of
+# several features may be executed on the pages of any of them. Every page uses `cycle`; no cycle uses `never`.
 features() {
   cat <<'FEATURES'
 cycle : core/cycle.c core/motion.c core/motion.h core/guard.c core/model.h core/block.h core/vec.h core/clock.h core/cell.h core/boundary.h core/affine.h
@@ -225,7 +225,7 @@ write_page() {
       gsub(/[$]T/, sprintf("%.17g s", (cycles - 0.5) * dt), text)
       return text
     }
-    # the same velocities on every machine: a linear congruence below 2^16
+    # random numbers that are the same on every machine: a linear congruence below 2^16
     function next_random() { seed = (seed * 1103 + 12345) % 65536; return seed / 65536 - 0.5 }
     BEGIN { d = 19.95; dt = 1e-5; seed = 12345 } # spacing of the lattice, mm, of particles of radius 10 mm; step, s
     $1 == name {
@@ -237,7 +237,7 @@ write_page() {
           edge = i == 0 || j == 0 || i == n - 1 || j == n - 1
           vx = next_random() * 0.1; vy = next_random() * 0.1
           if ($4 ~ /moving/) { vx = 5.2; vy = 0 } # half the skin, 0.5 mm, in ten steps
-          if ($4 ~ /still/) vx = vy = 0 # so that the later stage costs the same after N and after 2 N cycles
+          if ($4 ~ /still/) vx = vy = 0 # at rest, so that the later stage costs the same after N and after 2 N cycles
           motion = sprintf("velocity %.5f m/s %.5f m/s", vx, vy)
           if ($4 ~ /spins/) motion = motion sprintf(" spin %.5f rad/s", next_random())
           print kind, i * d " mm", j * d " mm", "radius 10 mm m", $4 ~ /frame/ && edge ? "fixed" : motion
@@ -254,7 +254,7 @@ write_page() {
 
 # ---- one page under callgrind ----
 
-# The profile: one line for each source line, `FILE:LINE INSTRUCTIONS`. Files of the tree are relative to src/.
+# Prints the profile: one line for each source line, `FILE:LINE INSTRUCTIONS`. Files of the tree are relative to src/.
 profile() {
   $awk '
     function file_name(text, id) {
@@ -294,7 +294,7 @@ callgrind() {
   profile "$work/callgrind" >"$3"
 }
 
-# Instructions of the measured window of page $1, per source line, in $work/$1.cost.
+# Writes the instructions of the measured window of page $1, per source line, to $work/$1.cost.
 measure() {
   test ! -e "$work/$1.cost" || return 0
   callgrind "$1" "$cycles" "$work/one"
@@ -305,7 +305,7 @@ measure() {
 
 # ---- the proof ----
 
-# One line for each function: FILE:FUNCTION FIRST LAST, of those that the list of features names.
+# Prints one line for each function that the list of features names: FILE:FUNCTION FIRST LAST.
 functions() {
   features | tr ' ' '\n' | grep ':.' | sort -u | while IFS=: read -r file name; do
     $awk -v file="$file" -v name="$name" '
@@ -316,7 +316,7 @@ functions() {
   done
 }
 
-# Every file of the simulator belongs to a feature, and every file of the list is there.
+# Tests that every file of the simulator belongs to a feature, and that every file of the list exists.
 complete() {
   features | sed 's/.* : //' | tr ' ' '\n' | sed 's/:.*//' | sort -u >"$work/listed"
   (cd "$top/src" && ls core/*.[ch] laws/*.[ch] pass/*.[ch] measure/*.[ch] loading/*.[ch] packing/*.[ch] run/*.[ch]) |
@@ -326,10 +326,10 @@ complete() {
       END { for (file in listed) if (!(file in there) && file !~ /^input/) print "src/" file " of tests/bench/cost.sh is not there" }' "$work/listed" -
 }
 
-# What page $1 executed of features that it does not use, and which of its features it did not execute.
+# Prints the lines that page $1 executed of features that it does not use, and those of its features that it did not execute.
 #
-# The compiler moves some instructions of an inlined function, such as the computation of an address, out of its condition. They are
-# executed once for each batch of 128 particles. Up to 12 of them are allowed for each batch.
+# The compiler moves some instructions of an inlined function, such as the computation of an address, out of its condition. These
+# instructions are executed once for each batch of 128 particles. Up to 12 of them are allowed for each batch.
 violations() {
   features | $awk -v page="$1" -v uses="cycle $(field "$1" 3)" -v allowed=$((12 * cycles * (side * side + 127) / 128)) '
     FILENAME == "-" {
@@ -424,8 +424,8 @@ time_cycle() {
   echo "$1" "$(sed -n 's/^  a cycle .*takes \([0-9.e+]*\) us, .*/\1/p' "$work/$1.plan")"
 }
 
-# One line for page $1: name, instructions a cycle, contacts, bytes a particle and a contact, us a cycle, and the instructions without
-# those of the C library, which prints tables after the run.
+# Prints one line for page $1: name, instructions per cycle, contacts, bytes per particle and per contact, us per cycle, and the
+# instructions without those of the C library, which prints tables after the run.
 describe() {
   $awk -v name="$1" -v cycles="$cycles" -v us="$(sed -n "s/^$1 //p" "$work/times" | sort -g | sed -n 3p)" '
     FILENAME ~ /[.]cost$/ { sum += $2; if ($1 !~ /^system:/) own += $2; next }
@@ -465,7 +465,7 @@ rows() {
     }' "$@"
 }
 
-# Rows for what is measured when a row is recorded, every ten cycles.
+# Rows for the measures that are computed when a row is recorded, every ten cycles.
 record_rows() {
   list_rows '
     FNR == 1 {
@@ -478,7 +478,7 @@ record_rows() {
     }' "$@"
 }
 
-# Rows for what is declared and not used in the measured stage.
+# Rows for features that are declared and not used in the measured stage.
 unused_rows() {
   list_rows '
     FNR == 1 {
@@ -491,11 +491,11 @@ unused_rows() {
     }' "$@"
 }
 
-# more A B: by how much an update of page A costs more than one of page B, in percent; ratio A B: how many times as much.
+# more A B: the additional cost of an update of page A over one of page B, in percent; ratio A B: the quotient of these costs.
 more() { $awk -v a="$1" -v b="$2" '$1 == a { x = $2 / $3 } $1 == b { y = $2 / $3 } END { printf "%.0f %%", 100 * (x / y - 1) }' "$work/table" | sed 's/^-0/0/'; }
 ratio() { $awk -v a="$1" -v b="$2" '$1 == a { x = $2 / $3 } $1 == b { y = $2 / $3 } END { printf "%.1f", x / y }' "$work/table"; }
 value() { $awk -v a="$1" -v k="$2" '$1 == a { print $k }' "$work/table"; }
-# How many cycles of page B one record of page A costs; it is made every ten cycles.
+# in_cycles A B: the cost of one record of page A in cycles of page B; a record is made every ten cycles.
 in_cycles() { $awk -v a="$1" -v b="$2" '$1 == a { x = $2 } $1 == b { y = $2 } END { printf "%.2g", 10 * (x - y) / y }' "$work/table"; }
 # Longest over shortest time of the pages that execute as many instructions as the base page.
 spread() {
@@ -519,8 +519,8 @@ for k in 1 2 3 4 5; do
 done >"$work/times"
 for page in $all; do describe "$page"; done >"$work/table"
 
-# A cycle costs a + b N: periodic lattices of N particles whose blocks and batches are full. Reports of progress read the clock, which
-# costs a few instructions in some cycles.
+# A cycle costs a + b N instructions on periodic lattices of N particles whose blocks and batches are full. Reports of progress
+# read the clock, which costs a few instructions in some cycles.
 for side in 16 32 48; do
   rm -f "$work/cell.cost"
   measure cell
@@ -644,7 +644,7 @@ a cycle. Within 0.01 %, these are $(cut -d '|' -f 2 "$work/line") for N discs.
 - **A search**, with the stability check after it, costs as much as $(in_cycles search cell) cycles.
 - **The stability check** is made every 1000 cycles. It takes $check instructions, $($awk -v a="$check" -v b="$(value base 2)" 'BEGIN { printf "%.1f %%", a / b / 10 }') of the cycles between two checks.
 DOCUMENT
-# What `explain` expects is measured by another script (make expected); its section stays.
+# Another script (make expected) writes the section about the costs that `explain` expects; the section stays.
 $awk '/^## / { keep = $0 == "## What `explain` expects" } keep { print (lines++ ? "" : "\n") $0 }' "$document" >"$work/expected"
 cat "$work/document" "$work/expected" >"$document"
 laws "$document" >"$top/plots/law-costs.gp"

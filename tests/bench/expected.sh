@@ -1,5 +1,6 @@
 #!/bin/sh
-# Compares the cost that `nineball explain` expects of a page with what `nineball run` then takes: cycles, contact updates, processor time.
+# Compares the cost that `nineball explain` expects of a page with the cost of `nineball run`: cycles, contact updates, processor
+# time.
 #
 #   expected.sh PAGE…            one line for each page whose length is fixed: name, and three quotients, expected over actual
 #   expected.sh -o FILE PAGE…    also replaces the section "What `explain` expects" of the document FILE
@@ -25,16 +26,16 @@ nineball=${NINEBALL:-./nineball}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
-NINEBALL_STATES=${NINEBALL_STATES:-$work/states} # of pages that start from another one
+NINEBALL_STATES=${NINEBALL_STATES:-$work/states} # the states of pages that start from another page
 export NINEBALL_STATES
 section='## What `explain` expects'
 
-# The line of costs, "1200 cycles, 3.6e+03 contact updates, 0.01 s", as three numbers.
+# Prints the line of costs, "1200 cycles, 3.6e+03 contact updates, 0.01 s", as three numbers.
 numbers() { sed -n 's/^  *\([^ ]*\) \(cycles\|steps\), \([^ ]*\) contact updates, \([^ ]*\) s\(;.*\)*$/\1 \3 \4/p' | tail -n 1; }
 
 for page; do
   "$nineball" explain "$page" >"$work/plan" 2>/dev/null || continue
-  # A length that a condition decides is printed as "5 to 10", and one that depends on a later state as "about 5".
+  # A length that a condition decides is printed as "5 to 10", and a length that depends on a later state as "about 5".
   ! grep -qE '^  .*[0-9] to [0-9.e+]+ (cycles|steps), |^  .*, about |: the condition on line|does not end' "$work/plan" || continue
   k=0
   while [ $k -lt "${REPEATS:-5}" ]; do
@@ -52,7 +53,7 @@ for page; do
   rm -f "$work/actual" "$work/expected"
 done
 
-# Quantiles of a column, and how many rows are within 20 %.
+# Quantiles of a column, and the number of rows within 20 %.
 quantile() { cut -f "$1" "$work/rows" | sort -g | awk -v q="$2" '{ v[NR] = $1 } END { printf "%.2f\n", v[int(q*(NR - 1) + 1.5)] }'; }
 close() { awk -F '\t' -v from="$1" -v to="$2" '{ good = 1; for (k = from; k <= to; k++) if ($k < 0.8 || $k > 1.2) good = 0; n += good } END { print n + 0 }' "$work/rows"; }
 count=$(($(wc -l <"$work/rows")))

@@ -5,10 +5,10 @@
 #
 #   NINEBALL   the program, built with -g -O3            SIDE   particles on a side, 32
 #
-# The packings are the lattices of packing.awk. Each runs with 100 and with 300 cycles; the difference over 200 is a
-# cycle, so reading and start cancel. The number of contacts is that of `nineball explain`, which prints three digits.
-# Functions with less than one instruction a particle are left out. Counts depend on the
-# compiler, and repeat exactly, so a loop that has become slower is seen without a timed test.
+# The packings are the lattices of packing.awk. Each runs with 100 and with 300 cycles. The difference divided by 200 is the
+# count of a cycle, in which reading and start cancel. The number of contacts is the one that `nineball explain` prints, with
+# three digits. Functions with less than one instruction per particle are left out. Counts depend on the compiler, and repeat
+# exactly, so a loop that has become slower is found without a timed test.
 #
 # Exit status: 0; with -c, 1 if a pass executes over 2 % more than the table says, 2 wrong use.
 #
@@ -22,7 +22,7 @@ folder=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# Instructions of each function of the simulator, without those that it calls: profile FILE
+# profile FILE: the instructions of each function of the simulator, without those of the functions that it calls.
 profile() {
   $awk '
     function function_name(text, id) {
@@ -39,7 +39,7 @@ profile() {
     END { for (name in sum) printf "%s %.0f\n", name, sum[name] }' "$1"
 }
 
-# measure KIND LAW: lines of the table
+# measure KIND LAW: prints the lines of the table.
 measure() {
   for cycles in 100 300; do
     $awk -v n="$side" -v kind="$1" -v law="$2" -v cycles=$cycles -v folder="$work" -f "$folder/packing.awk"

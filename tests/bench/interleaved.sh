@@ -1,11 +1,11 @@
 #!/bin/bash
-# Processor time of a cycle of several programs on the same packings: interleaved repeats, long run less short run.
+# Measures the processor time of a cycle of several programs on the same packings, in interleaved repeats, as the time of a long
+# run minus that of a short run.
 #
 #   interleaved.sh SIDES KINDS LAWS REPEATS PROGRAM ...      lists are in quotes; `lmp` is LAMMPS, others are nineball
 #
-# Prints a line for each packing and law: particles, kind, law, then for each program the median, the least and the
-# greatest time of a cycle, ns. User and system time of one thread: other processes disturb it less
-# than elapsed time.
+# Prints a line for each packing and law: particles, kind, law, then for each program the median, the least and the greatest time
+# of a cycle, ns. The time is user and system time of one thread, which other processes disturb less than elapsed time.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 set -eu

@@ -66,7 +66,7 @@ static int by_size(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* ns for each contact update. */
+/* The time of a contact update, ns. */
 static double measure(int side, const char *shear, const char *isa) {
   struct nb_scene scene;
   struct nb_result result;

@@ -12,8 +12,8 @@ set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# "FUNCTION BYTES" for each function of file $1 with a vectorised loop; loops must not be replaced by calls of memset
-# before.
+# Prints "FUNCTION BYTES" for each function of file $1 with a vectorised loop. The compiler must not replace loops by calls of
+# memset before.
 ask_gcc() {
   : >"$work/account"
   $CC $FLAGS -fno-tree-loop-distribute-patterns -fdump-tree-vect-optimized="$work/account" -c -o "$work/law.o" "$1"

@@ -1,4 +1,4 @@
-/* Negative controls: estimators that lack something, with the same search as that of `nineball advise`.
+/* Negative controls: estimators from which a part is missing, with the search of `nineball advise`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -6,7 +6,7 @@
 
 #include "runs.h"
 
-/* The trials that the estimate needs, and whether they can be run. */
+/* Runs the trials that the estimate needs. False: they cannot be run. */
 static bool run_control(struct nb_advice *advice, enum estimator control, struct nb_variant *variant, int level,
                         size_t phases) {
   const int finer = level + 2 > advice->anchor ? level + 2 : advice->anchor;
@@ -39,7 +39,7 @@ static double control_claim(const struct nb_advice *advice, enum estimator contr
   return largest;
 }
 
-/* The largest claim of all runs over the tolerance. Infinite: there is none. */
+/* The largest claim over the tolerance of all runs. Infinite: there is no claim. */
 static double control_ratio(struct nb_advice *advice, enum estimator control, struct nb_variant *variant, int level,
                             size_t phases) {
   double largest = 0;
@@ -53,8 +53,8 @@ static double control_ratio(struct nb_advice *advice, enum estimator control, st
   return largest;
 }
 
-/* The coarsest level that the control takes for good enough, unless it costs more than `most`. Without an anchor there
- * is no value of the page's own laws to compare with. */
+/* Finds the coarsest level that the control accepts, unless it costs more than `most`. Without an anchor the control
+ * has no value of the page's own laws to compare with. */
 static bool search_levels(struct chosen *chosen, struct nb_advice *advice, enum estimator control,
                           struct nb_variant *variant, double most) {
   const int highest = advice->anchor > FINEST ? advice->anchor : FINEST;
@@ -86,8 +86,8 @@ static struct chosen search(struct nb_advice *advice, enum estimator control) {
   return chosen;
 }
 
-/* The largest difference of the page, with these laws and this level, from its own reference over the tolerance.
- * Infinite: there is none. */
+/* The largest difference, over the tolerance, of the page with these laws and this level from its own reference
+ * solution. Infinite: there is no reference solution. */
 static double reference_ratio(const struct nb_advice *advice, const struct nb_variant *variant, int level) {
   const char *settings[SETTINGS_MAX + 4];
   char texts[3][3 * NB_NAME_SIZE];
@@ -120,8 +120,8 @@ static double reference_ratio(const struct nb_advice *advice, const struct nb_va
   return largest;
 }
 
-/* The coarsest setting that agrees with its own reference. At each level the one without shear forces is tried
- * first. */
+/* The coarsest setting that agrees with its own reference solution. At each level the setting without shear forces is
+ * tried first. */
 static struct chosen search_references(struct nb_advice *advice) {
   size_t none = 0;
   for (size_t k = 1; k < advice->variant_count; k++)

@@ -1,4 +1,4 @@
-/* Counts of the calibration: shares, quantiles and criteria.
+/* Counts of the calibration: fractions, quantiles and criteria.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "counts.h"
@@ -63,7 +63,7 @@ static bool is_in(const struct draw *draw, enum half half) {
 
 static double share(size_t part, size_t whole) { return whole ? (double)part / (double)whole : 1; }
 
-/* The share of answers within the tolerance, of the draws of one kind. */
+/* The fraction of answers within the tolerance among the draws of one kind. */
 static double kind_share(const struct draw draws[], size_t count, enum estimator estimator, enum half half,
                          const char *kind) {
   size_t answered = 0, within = 0;

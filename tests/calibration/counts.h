@@ -1,4 +1,4 @@
-/* What the calibration of `nineball advise` counts (tests/accuracy.c), and whether its criteria hold.
+/* The counts of the calibration of `nineball advise` (tests/accuracy.c), and its criteria.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_CALIBRATION_COUNTS_H
@@ -8,25 +8,25 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* The whole estimator, and negative controls, which lack something and must not pass. */
+/* The whole estimator, and the negative controls, from which a part is missing and which must not pass. */
 enum estimator { WHOLE, ONE_PHASE, NO_ANCHOR, TWO_STEPS, OWN_REFERENCE, ALWAYS_FINE, ESTIMATORS };
 
-/* What an estimator chooses. */
+/* The setting that an estimator chooses. */
 struct choice {
-  double error; /* the true error over the tolerance; infinite: it cannot be run; NaN: nothing is chosen */
-  double cost;  /* over that of the cheapest setting that is truly within the tolerance; NaN: there is none */
-  double claim; /* the estimated error over the true one; NaN: the true one is too small to be known */
+  double error; /* true error over the tolerance; infinite: the setting cannot be run; NaN: no setting is chosen */
+  double cost;  /* cost over that of the cheapest setting with a true error within the tolerance; NaN: there is none */
+  double claim; /* estimated error over the true error; NaN: the true error is too small to be known */
 };
 
 struct draw {
   char page[64], kind[64];
   bool held_out;  /* the page was not used in tuning */
-  bool met;       /* some setting is truly within the tolerance */
-  double seconds; /* of the search */
+  bool met;       /* the true error of some setting is within the tolerance */
+  double seconds; /* time of the search, s */
   struct choice choices[ESTIMATORS];
 };
 
-/* Whether the page, by its name, belongs to the half that was not used in tuning. */
+/* True if the page, by its name, belongs to the half that was not used in tuning. */
 bool is_held_out(const char *page);
 
 enum { QUANTILES = 3 };
@@ -34,21 +34,21 @@ extern const double quantile_fractions[QUANTILES]; /* 5 %, 50 %, 90 % */
 
 /* The counts of one estimator. */
 struct score {
-  size_t draws, answered, within; /* within: the true error is within the tolerance */
+  size_t draws, answered, within; /* number of draws; of answers; of answers whose true error is within the tolerance */
   size_t met, met_answered;
-  double worst_share; /* of the kind of page with the smallest share of `within`; 1 without answers */
+  double worst_share; /* fraction of `within` of the kind of page with the smallest one; 1 without answers */
   char worst_kind[64];
   size_t costs, claims; /* answers whose cost over the cheapest, and whose true error, is known */
   double cost[QUANTILES], claim[QUANTILES];
 };
 
-/* Which draws are counted. */
+/* The draws that are counted. */
 enum half { TUNED, HELD_OUT, BOTH_HALVES };
 struct score score_of(const struct draw draws[], size_t count, enum estimator estimator, enum half half);
-/* Of the draws of one kind of page; the members worst_… have no meaning. */
+/* The score of the draws of one kind of page; its members worst_… have no meaning. */
 struct score score_of_kind(const struct draw draws[], size_t count, const char *kind);
 
-/* Whether it is enough that `within` of `answered` answers are within the tolerance. */
+/* True if `within` of `answered` answers within the tolerance are enough. */
 bool is_enough(size_t within, size_t answered);
 
 /* The criteria of the calibration. */
@@ -58,8 +58,8 @@ bool criterion_holds(const struct score *score, enum criterion criterion);
 /* Prints the criteria that do not hold, separated by "; "; returns their number. */
 size_t write_failures(FILE *out, const struct score *score);
 
-/* The quantile of the values that are not NaN: the one whose rank is nearest. NaN: there are none. Sorts the values,
- * NaN last. */
+/* The quantile of the values that are not NaN: the value with the nearest rank. NaN: there are no values. Sorts the
+ * values, NaN last. */
 double quantile(double *values, size_t count, double fraction);
 
 #endif

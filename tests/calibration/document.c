@@ -127,7 +127,7 @@ static const char score_head[] =
     "median; 90 % | estimated over true error: 5 %; median | criteria that do not hold |\n"
     "| --- | --- | --- | --- | --- | --- | --- |\n";
 
-/* Returns whether the calibration is as it should be: the whole estimator passes, and no control does. */
+/* Writes the scores. Returns true if the whole estimator passes and no control does. */
 static bool write_scores(FILE *out, const struct results *results) {
   const struct draw *draws = results->draws;
   const size_t draw_count = results->draw_count;
@@ -168,7 +168,7 @@ static bool write_scores(FILE *out, const struct results *results) {
   return good;
 }
 
-/* The errors by steps per collision: in the document, and for `nineball explain`. */
+/* Writes the errors by steps per collision to the document, and to the header for `nineball explain`. */
 static void write_errors(FILE *out, FILE *header, struct results *results) {
   fputs("\n## The error of a step\n\n"
         "The table has the relative errors of the quantities of all draws, at one phase, by the number of time steps\n"
@@ -190,7 +190,8 @@ static void write_errors(FILE *out, FILE *header, struct results *results) {
   }
 }
 
-/* Returns whether the share of the whole estimator is large enough, and that of no control is. */
+/* Writes the controls of means. Returns true if the fraction of the whole estimator is large enough, and that of no
+ * control is. */
 static bool write_mean_controls(FILE *out, const struct results *results) {
   bool good = true;
   fputs("| what chooses the setting | true error within the tolerance | at least 95 % |\n| --- | --- | --- |\n", out);
@@ -211,7 +212,7 @@ static bool write_mean_controls(FILE *out, const struct results *results) {
   return good;
 }
 
-/* Answers by the number of realizations of the search. */
+/* Writes the answers by the number of realizations of the search. */
 static void write_realizations(FILE *out, const struct results *results) {
   fputs("\n| realizations of a search | draws | answered | true error within the tolerance |\n"
         "| --- | --- | --- | --- |\n",
@@ -302,7 +303,7 @@ static void write_beginning(FILE *out, const struct results *results) {
 bool write_document(FILE *out, FILE *header, struct results *results) {
   const struct score whole = score_of(results->draws, results->draw_count, WHOLE, BOTH_HALVES);
   size_t zero = 0;
-  double largest = 0; /* of the true errors that are not known */
+  double largest = 0; /* largest of the true errors that are not known */
   for (size_t d = 0; d < results->draw_count; d++) {
     const struct choice *choice = &results->draws[d].choices[WHOLE];
     if (!isnan(choice->error) && isnan(choice->claim))

@@ -1,4 +1,4 @@
-/* Draws of means over realizations, and the controls that choose from the same runs.
+/* Draws about means over realizations, and the controls that choose from the same runs.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -16,7 +16,7 @@ struct means {
   struct mean {
     char setting[3 * NB_NAME_SIZE];
     double values[QUANTITIES_MAX][TRUTH_REALIZATIONS];
-    bool stopped; /* one realization cannot be run */
+    bool stopped; /* some realization cannot be run */
   } list[MEANS_MAX];
   size_t count;
 };
@@ -38,7 +38,7 @@ static void run_realization(struct mean *mean, int index, const struct means *me
   nb_outcome_free(&outcome);
 }
 
-/* The realizations with a setting: from the list, or computed. */
+/* The realizations with a setting, from the list of those computed before, or computed now. */
 static const struct mean *realizations(struct means *means, const struct nb_scene *page, const char *path,
                                        const struct nb_variant *variant, double refine) {
   char texts[3 + NB_TRADES][3 * NB_NAME_SIZE], setting[3 * NB_NAME_SIZE];
@@ -87,9 +87,9 @@ static double mean_error(double *uncertainty, struct means *means, const struct 
   return fabs(nb_estimate_average(differences, TRUTH_REALIZATIONS)) / average;
 }
 
-/* The tolerance lies between the errors of the best and of the worst setting: each traded value, and some steps. It is
- * at least twice the standard error with which these realizations resolve the step of the page, and the range has at
- * least a factor of 8, because 8 realizations resolve less than 64. */
+/* Draws a tolerance between the errors of the best and of the worst setting, among the traded values and some steps.
+ * The tolerance is at least twice the standard error with which these realizations resolve the step of the page. The
+ * range spans at least a factor of 8, because 8 realizations resolve less than 64. */
 static double draw_tolerance(struct means *means, const struct nb_scene *page, const char *path, size_t quantity,
                              gsl_rng *random) {
   static const double widest = 8;
@@ -107,7 +107,7 @@ static double draw_tolerance(struct means *means, const struct nb_scene *page, c
   return low * pow(high / low, gsl_rng_uniform(random));
 }
 
-/* The cheapest setting that the control takes for good enough; -1: none. */
+/* The cheapest setting that the control accepts; -1: none. */
 static int choose_mean(const struct nb_advice *advice, enum mean_control control) {
   const double *fine = point_of(&advice->variants[0], advice->anchor)->values;
   int chosen = -1;
@@ -167,7 +167,7 @@ static void draw_mean(FILE *out, const char *path, struct nb_outcome *page, stru
 
 void draw_means(FILE *out, const char *path, struct nb_outcome *page, gsl_rng *random, const char *quantities[],
                 size_t quantity_count) {
-  static struct means means; /* large */
+  static struct means means; /* static, because it is large */
   means.count = 0, means.quantity_count = quantity_count < QUANTITIES_MAX ? quantity_count : QUANTITIES_MAX;
   memcpy(means.quantities, quantities, means.quantity_count * sizeof *quantities);
   for (int k = 1; k <= MEAN_DRAWS && means.quantity_count > 0; k++) {

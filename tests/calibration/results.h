@@ -9,26 +9,26 @@
 #include "../../src/report/advise.h"
 #include "counts.h"
 
-/* For each page: the draws of a step and laws, or of a mean over realizations. */
+/* Numbers of draws for each page: about step and laws, or about a mean over realizations. */
 enum { DRAWS = 3, MEAN_DRAWS = 12, TRUTH_REALIZATIONS = 64, DRAWS_MAX = 4000 };
 /* Limits of the computing time of a draw, s: for the search, the truth, and the grid. Then the range of tolerances for
  * steps and laws, and the smallest tolerance for means. */
 static const double search_time = 2, truth_time = 1, grid_time = 3;
 static const double lowest_tolerance = 1e-4, highest_tolerance = 0.3, lowest_of_mean = 0.005;
-static const double truth_margin = 10; /* a true error is known if it is so many times the last change of the truth */
+static const double truth_margin = 10; /* a true error is known if it is this many times the last change of the truth */
 
 /* Errors of quantities at one phase, by the number of steps per collision, in bins of factors of two. */
 enum { BINS = 10, ERRORS_MAX = 8000 };
 static const double first_bin = 2;
 
 enum { REALIZATIONS = 3 }; /* numbers of realizations that are drawn: the smallest, twice and four times as many */
-/* What is chosen from the paired differences of the realizations. */
+/* The estimators that choose from the paired differences of the realizations. */
 enum mean_control { WITH_STUDENT, MEAN_ALONE, ONE_REALIZATION, MEAN_CONTROLS };
 struct mean_draw {
   char page[64];
   size_t realizations; /* 8, 16 or 32 */
   bool answered;
-  double errors[MEAN_CONTROLS]; /* true error over the tolerance; infinite: it cannot be run; NaN: nothing is chosen */
+  double errors[MEAN_CONTROLS]; /* true error over the tolerance; infinite: cannot be run; NaN: no setting is chosen */
   double claim, cost;
 };
 
@@ -44,13 +44,13 @@ struct results {
 
 /* Takes a row of a file of results. */
 void take_row(struct results *results, char *row);
-/* docs/ACCURACY.md and the rows of accuracy_rows.h. Returns whether all criteria hold; those that do not are printed to
- * the standard error output. */
+/* Writes docs/ACCURACY.md and the rows of accuracy_rows.h. True if all criteria hold; those that do not hold are
+ * printed to standard error. */
 bool write_document(FILE *out, FILE *header, struct results *results);
 
 /* ---- means.c ---- */
 
-/* Draws of means over the realizations of a page. `quantities`: its measures. */
+/* Makes the draws about means over the realizations of a page. `quantities`: the measures of the page. */
 void draw_means(FILE *out, const char *path, struct nb_outcome *page, gsl_rng *random, const char *quantities[],
                 size_t quantity_count);
 /* Starts the random numbers of a draw. */

@@ -22,31 +22,32 @@ static inline bool run_one(struct nb_advice *advice, struct nb_variant *variant,
   return level <= NB_LEVEL_HIGH && nb_trials_run(advice, variant, level, trial, 1, 1);
 }
 
-/* `count` trials, evenly spaced. */
+/* Runs `count` of the trials, evenly spaced. */
 static inline bool run_trials(struct nb_advice *advice, struct nb_variant *variant, int level, size_t count) {
   return level <= NB_LEVEL_HIGH && nb_trials_run(advice, variant, level, 0, advice->trials / count, count);
 }
 
-/* The truth and the grid may take longer than the advice, by this time in s. */
+/* Allows the truth and the grid to take longer than the advice, by this time, s. */
 void allow_time(struct nb_advice *advice, struct nb_advise_query *query, double seconds);
 
 /* The limit of the page for a small step. */
 struct truth {
-  double *values; /* of each run */
-  double change;  /* largest, when the step was last halved, over the tolerance */
+  double *values; /* value of each run */
+  double change;  /* largest change when the step was last halved, over the tolerance */
   int level;
   double tolerance;
 };
 
-/* Runs this level and the one before. False: they cannot be run, and nothing is changed. */
+/* Takes the truth from this level and the one before. False: they cannot be run, and nothing is changed. */
 bool take_truth(struct truth *truth, struct nb_advice *advice, int level);
-/* False: it is not known well enough. */
+/* Finds the truth. False: it is not known well enough. */
 bool find_truth(struct truth *truth, struct nb_advice *advice);
-/* The largest error of a setting over all runs and phases, over the tolerance. The computation ends once it is above
- * `most`; if `most` is negative, only the first phase is computed. Infinite: the setting cannot be run. */
+/* The largest error of a setting over all runs and phases, over the tolerance. The computation ends when this error
+ * exceeds `most`; if `most` is negative, only the first phase is computed. Infinite: the setting cannot be run. */
 double true_error(struct nb_advice *advice, const struct truth *truth, struct nb_variant *variant, int level,
                   double most);
-/* The fewest updates of a setting of the grid whose true error is within the tolerance; `most`: none has as few. */
+/* The fewest updates of a setting of the grid whose true error is within the tolerance; `most` if no setting has
+ * fewer. */
 double cheapest(struct nb_advice *advice, const struct truth *truth, double most);
 
 /* ---- controls.c ---- */
@@ -55,10 +56,11 @@ double cheapest(struct nb_advice *advice, const struct truth *truth, double most
 struct chosen {
   struct nb_variant *variant; /* NULL: none */
   int level;
-  double ratio; /* of the estimated error to the tolerance */
+  double ratio; /* estimated error over the tolerance */
 };
 
-/* What the estimator chooses, where there is advice. One that takes the finest setting untried claims the tolerance. */
+/* The setting that the estimator chooses, if there is advice. An estimator that takes the finest setting without
+ * running it claims the tolerance. */
 struct chosen choose(struct nb_advice *advice, enum estimator estimator);
 
 #endif

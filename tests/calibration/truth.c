@@ -8,7 +8,7 @@
 #include "../../src/core/clock.h"
 #include "runs.h"
 
-static const double truth_share = 0.05; /* of the tolerance: largest change of the truth when its step is halved */
+static const double truth_share = 0.05; /* largest change of the truth when its step is halved, over the tolerance */
 
 void allow_time(struct nb_advice *advice, struct nb_advise_query *query, double seconds) {
   query->budget = nb_clock() - advice->began + seconds;
@@ -56,15 +56,15 @@ double true_error(struct nb_advice *advice, const struct truth *truth, struct nb
 
 /* ---- the exhaustive grid ---- */
 
-/* The number nearest to 2^(half/2) that divides the step of the page such that all its stages have whole numbers of
- * cycles. */
+/* The number nearest to 2^(half/2) by which the step of the page can be divided so that all its stages have whole
+ * numbers of cycles. */
 static double refine_of(const struct nb_advice *advice, int half) {
   const double wanted = exp2(half / 2.0), divisor = (double)advice->divisor;
   return advice->divisor ? nearbyint(divisor * wanted) / divisor : wanted;
 }
 
-/* The fewest updates of a setting of the grid whose true error is within the tolerance; `most`: none has as few. Steps
- * between two levels are those of `between`. Levels of a variant are tried from the coarsest one on. */
+/* The fewest updates of a setting of the grid whose true error is within the tolerance; `most` if no setting has fewer.
+ * Steps between two levels are those of `between`. Levels of a variant are tried from the coarsest one on. */
 static double search_grid(struct nb_advice *advice, const struct truth *truth, struct nb_variant *between,
                           double most) {
   double *refine = &advice->page.runs[0].scene.refine;

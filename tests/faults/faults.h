@@ -6,9 +6,10 @@
 
 #include <stdbool.h>
 
-int nineball_main(int count, char **words); /* main of the program, renamed */
+int nineball_main(int count, char **words); /* the function main of the program, renamed */
 
-/* From now on the n-th call that can fail fails, counted from 1, and if `lasting` all later ones too; 0: none. */
+/* From now on, of the calls that can fail, call number n fails, counted from 1; 0: none. `lasting`: all later ones
+ * too. */
 void faults_begin(unsigned long n, bool lasting);
 unsigned long faults_calls(void); /* number of calls so far that could have failed */
 

@@ -75,7 +75,7 @@ static int close_out(void *cookie) {
   return close(*(int *)cookie);
 }
 
-/* Returns the stream itself if it is read. */
+/* Replaces a stream that is written; returns a stream that is read unchanged. */
 static FILE *own(FILE *plain, const char *mode) {
   int k = 0;
   while (k < STREAMS && streams[k].stream)
@@ -100,7 +100,7 @@ FILE *__wrap_fdopen(int file, const char *mode) { return fails(ENOMEM) ? NULL : 
 /* Replaces gnuplot, which is not tested here. */
 enum nb_status __wrap_nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error *error);
 enum nb_status __wrap_nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error *error) {
-  const char *drawn = strstr(drawing->commands, "png") ? "\x89PNG" : "<?xml"; /* the beginning of such a file */
+  const char *drawn = strstr(drawing->commands, "png") ? "\x89PNG" : "<?xml"; /* the first bytes of a drawing */
   if (!fails(EIO) && write(drawing->figure, drawn, strlen(drawn)) == (ssize_t)strlen(drawn))
     return NB_OK;
   return nb_error_system(error, "gnuplot cannot be run");

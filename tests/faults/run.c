@@ -1,9 +1,9 @@
-/* Makes every call fail that can fail. nineball runs small pages, each time in a new process and folder, and the n-th
- * call fails, for each n. The run may have the status of the undisturbed run only if all files are the same to the
+/* Makes every call fail that can fail. The program runs small pages, each time in a new process and folder, and the
+ * n-th call fails, for each n. The run may have the status of the undisturbed run only if all files are the same to the
  * last byte. Otherwise it must have another status, a message, and no incomplete file. Signals, reports of a sanitizer
  * and leaks are failures.
  *
- *   tests/faults/run [CASE [N]]    all; one case; only the N-th call of it, and the folder stays
+ *   tests/faults/run [CASE [N]]    all cases; one case; only the N-th call of one case, and the folder stays
  *
  * Skipped in builds without sanitizers. TAP. A function of the test replaces gnuplot.
  *
@@ -76,7 +76,7 @@ static void clear(const char *folder) { nftw(folder, remove_one, 8, FTW_DEPTH | 
 static struct {
   const char *folder, *other;
   size_t files;
-  char odd[PATH_SIZE]; /* the first file that is missing in the other folder, or differs */
+  char odd[PATH_SIZE]; /* the first file that is missing in the other folder or differs from the file there */
 } walk;
 
 /* Removes the numbers from lines with measured times, except 0. Returns the new size. */
@@ -117,7 +117,7 @@ static int compare_one(const char *path, const struct stat *status, int kind, st
   return 0;
 }
 
-/* The number of files of a folder; walk.odd is one that differs. */
+/* Compares two folders. Returns the number of files of the first one; walk.odd is a file that differs. */
 static size_t compare(const char *folder, const char *other) {
   walk.folder = folder, walk.other = other, walk.files = 0, walk.odd[0] = 0;
   nftw(folder, compare_one, 8, FTW_PHYS);
@@ -139,7 +139,7 @@ static int to_file(const char *name, int as) {
   return file < 0 ? -1 : dup2(file, as);
 }
 
-/* Returns the status of wait; counts the calls that could have failed. */
+/* Runs a case in which call n fails. Returns the status of wait; *calls: number of calls that could have failed. */
 static int run(int number, const char *folder, unsigned long n, bool lasting, unsigned long *calls) {
   int ends[2], status;
   prepare(folder);
@@ -175,7 +175,7 @@ static int run(int number, const char *folder, unsigned long n, bool lasting, un
   return status;
 }
 
-/* The failure of a run; NULL: none. */
+/* The reason why a run fails the test; NULL: it passes. */
 static const char *verdict(int status, int undisturbed, const char *folder, const char *wanted, size_t whole) {
   static char what[2 * PATH_SIZE];
   char path[PATH_SIZE];
@@ -247,7 +247,7 @@ int main(int count, char **words) {
   if (!recipes || !own)
     die(plots);
   snprintf(plots, sizeof plots, "%.*s/plots", (int)(strrchr(own, '/') - own),
-           own); /* the program looks for them here */
+           own); /* the program looks here for the style of figures */
   if (symlink(recipes, plots) != 0 && errno != EEXIST)
     die(plots);
   free(recipes), free(own);

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Searches for inputs that a reader does not survive, by libFuzzer with AddressSanitizer and UndefinedBehaviorSanitizer.
+# Searches for inputs at which a reader fails, by libFuzzer with AddressSanitizer and UndefinedBehaviorSanitizer.
 #
 #   make fuzz                                       each reader for five minutes
 #   make fuzz FUZZ_SECONDS=60 FUZZ_READERS=pages    one reader for a minute
@@ -7,7 +7,7 @@
 #
 # The folder $FUZZ has the inputs found so far (READER/), those that failed (failed/), the program of each reader (build/)
 # and one row for each session (sessions.tsv). The table of all sessions is printed, and written to report.md. It fails if
-# an input failed: repair the reader, and move the input from failed/ to tests/fuzz/corpus, with a name that says what it is.
+# an input failed. Then repair the reader, and move the input from failed/ to tests/fuzz/corpus, with a name that describes it.
 #
 #   make fuzz FUZZ_KEEP=yes                         then adds the fewest inputs that reach the same code to tests/fuzz/corpus
 #   make fuzz FUZZ_KEEP=yes FUZZ_SECONDS=0          adds them without a search
@@ -25,7 +25,7 @@ export ASAN_OPTIONS=malloc_context_size=4:quarantine_size_mb=8:detect_leaks=1 UB
 
 mkdir -p "${FUZZ:-fuzz}" && cd "${FUZZ:-fuzz}"
 mkdir -p failed build
-# Files of the readers are in memory, if the system has a folder for that.
+# Files of the readers are in memory, if the system has a folder in memory.
 test ! -w /dev/shm || export TMPDIR=/dev/shm
 
 # ---- the programs ----------------------------------------------------------------------------------------------------
@@ -37,7 +37,7 @@ flags="-g -O2 -fno-omit-frame-pointer -fno-sanitize-recover=all"
   cd build
   test -f Makefile || "$here/configure" -q CC="${FUZZ_CC:-clang}" CFLAGS="$flags $coverage -fsanitize=$checks"
   ${MAKE:-make} -j "$(nproc)" tests/fuzz/replay
-  # A library, so that a program has the code of its reader only: after each input libFuzzer looks at all counters.
+  # A library, so that each program has only the code of its reader: after each input libFuzzer reads all counters.
   rm -f libfuzz.a
   ar rcs libfuzz.a tests/fuzz/[!r]*.o src/report/row_table.o # not replay.o
   for reader in $readers; do
@@ -50,8 +50,8 @@ build/tests/fuzz/replay --words >words
 
 # ---- sessions --------------------------------------------------------------------------------------------------------
 
-# Folders with first inputs of a reader. Of a page of the tree only the title and the blocks are taken. Pages that are long
-# or need many attempts to fill are left out: each session begins with reading all inputs.
+# Prints the folders with first inputs of a reader. Of a page of the tree only the title and the blocks are taken. Long pages and
+# pages that need many attempts to fill are left out, because each session begins with reading all inputs.
 sources() {
   rm -rf "seeds/$1" && mkdir -p "seeds/$1"
   build/tests/fuzz/replay --seeds "$1" "seeds/$1"
@@ -70,8 +70,8 @@ sources() {
   echo seeds/pages
 }
 
-# Bytes of an input. Short inputs are read faster, and a number or a word is changed more often. The longest are those that
-# the program makes: a state with each kind of record.
+# Prints the largest number of bytes of an input. Short inputs are read faster, and their numbers and words are changed more often.
+# The longest inputs are those that the program makes: a state with each kind of record.
 longest() {
   case $1 in
     expressions) echo 256 ;;
@@ -129,9 +129,9 @@ report() {
       printf "| all | %.0f |\n", total }' sessions.tsv
 }
 
-# Replaces the inputs that libFuzzer has named, by a hash, and keeps those with a name. What `make check` reads anyway, the
-# inputs that the program makes and the pages of the tree, is not stored again. Short inputs are kept if they reach a line
-# more often than others, long ones only if they reach a new one.
+# Replaces the inputs that libFuzzer has named by a hash, and keeps inputs with other names. The inputs that the program makes and
+# the pages of the tree are not stored, because `make check` reads them anyway. A short input is kept if it reaches a line more
+# often than other inputs do, a long input only if it reaches a new line.
 keep() {
   corpus=$here/tests/fuzz/corpus/$1 counters=1 most=512
   rm -rf least && mkdir least

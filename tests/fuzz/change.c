@@ -125,7 +125,7 @@ static const char *word(unsigned long long *chance) {
 
 static bool blank(unsigned char c) { return c == ' ' || c == '\n' || c == '\t'; }
 
-/* The word, or the line with its end, that contains the byte. */
+/* Finds the word, or the line with its end, that contains the byte `at`. */
 static void around(const unsigned char *bytes, size_t size, size_t at, bool line, size_t *from, size_t *to) {
   for (*from = at; *from > 0 && (line ? bytes[*from - 1] != '\n' : !blank(bytes[*from - 1]));)
     --*from;
@@ -148,7 +148,7 @@ size_t fuzz_change(unsigned char *bytes, size_t size, size_t most, unsigned long
   case 2: /* insert a word */
     size = replace(bytes, size, most, from, from, " ", 1);
     return replace(bytes, size, most, from, from, text, strlen(text));
-  case 3: /* insert a line of this page, or replace a line by it */
+  case 3: /* insert a line of this page, or replace another line by it */
     return replace(bytes, size, most, from, from, copy, other_to - other_from);
   case 4:
     return replace(bytes, size, most, from, to, copy, other_to - other_from);
@@ -164,7 +164,8 @@ size_t fuzz_change(unsigned char *bytes, size_t size, size_t most, unsigned long
   }
 }
 
-/* All lines have the same probability, so a record that occurs once is changed as often as one that occurs often. */
+/* Chooses a byte in some line. All lines have the same probability, so a short record is changed as often as a long
+ * one. */
 static size_t in_some_line(const unsigned char *bytes, size_t size, unsigned long long *chance) {
   size_t lines = 0, from = 0, to = 0;
   for (size_t k = 0; k < size; k++)

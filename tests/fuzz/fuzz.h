@@ -11,10 +11,10 @@
 
 /* A reader of input that a user can change. */
 struct fuzz_reader {
-  const char *name; /* of the folder with its inputs */
-  size_t longest;   /* bytes of an input */
-  int changes;      /* random changes of inputs that `make check` reads */
-  /* Reads the bytes and aborts if an invariant is violated. Returns whether the input is valid. */
+  const char *name; /* name of the reader and of the folder with its inputs */
+  size_t longest;   /* largest number of bytes of an input */
+  int changes;      /* number of randomly changed inputs that `make check` reads */
+  /* Reads the bytes and aborts if an invariant is violated. True if the input is valid. */
   bool (*read)(const unsigned char *bytes, size_t size);
   /* Writes input k of the program itself into `longest` bytes, and returns its size; 0: there are no more. */
   size_t (*seed)(size_t k, char *text);
@@ -27,23 +27,24 @@ extern const struct fuzz_reader fuzz_pages, fuzz_expressions, fuzz_paths, fuzz_p
 void fuzz_begin(const void *bytes, size_t size);
 void fuzz_hold(bool holds, const char *what);
 void fuzz_hold_mistakes(const struct nb_mistakes *mistakes, enum nb_status status);
-/* Whether to make, for this input, a test that to save time only one of `count` inputs gets; in `replay` all get it. */
+/* True if this input gets a test that, to save time, only one of `count` inputs gets. In `replay` all inputs get it. */
 bool fuzz_one_of(int count);
 extern bool fuzz_saves_time;
 /* Writes the input of the last fuzz_begin to a temporary file. Returns its path. */
 const char *fuzz_file(void);
-/* Reads a page of this test, which is valid. */
+/* Reads a page of this test. The page is valid. */
 void fuzz_read_page(struct nb_page *page, struct nb_scene *scene, const char *path, const char *statements);
 
-/* states.c: replaces or adds the last line with the right checksum, in one of two inputs that are states. Returns the
- * new size; `text` has room for FUZZ_END bytes more. */
+/* states.c: replaces or adds the last line with the right checksum, in every second input that is a state. Returns the
+ * new size; `text` has space for FUZZ_END further bytes. */
 enum { FUZZ_END = 23 };
 size_t fuzz_seal(char *text, size_t size);
 
-/* change.c: one random change of a byte, a word or a line. Returns the new size, at most `most`. */
+/* change.c: makes one random change of a byte, a word or a line. Returns the new size, at most `most`. */
 size_t fuzz_change(unsigned char *bytes, size_t size, size_t most, unsigned long long *chance);
-size_t fuzz_change_number(unsigned char *bytes, size_t size, size_t most, unsigned long long *chance); /* of a number */
+/* Makes one random change of a number. Returns the new size, at most `most`. */
+size_t fuzz_change_number(unsigned char *bytes, size_t size, size_t most, unsigned long long *chance);
 unsigned long long fuzz_chance(unsigned long long *chance); /* a random number; updates the state (xorshift64*) */
-void fuzz_print_words(void); /* the words of the page language as a dictionary of libFuzzer */
+void fuzz_print_words(void); /* prints the words of the page language as a dictionary of libFuzzer */
 
 #endif

@@ -34,7 +34,7 @@ void fuzz_hold(bool holds, const char *what) {
   abort();
 }
 
-/* "PATH:7:12: error: …", "PATH: error: …", or the same of a setting. */
+/* Tests the form of a message: "PATH:7:12: error: …", "PATH: error: …", or such a message about a setting. */
 static void hold_message(const char *message, const char *end) {
   static const char mark[] = ": error: ";
   const size_t length = sizeof mark - 1;
@@ -53,7 +53,7 @@ void fuzz_hold_mistakes(const struct nb_mistakes *mistakes, enum nb_status statu
   for (const char *c = mistakes->text; c && *c; c = strchr(c, '\n') + 1) {
     const char *end = strchr(c, '\n');
     fuzz_hold(end != NULL, "every line of the messages ends");
-    if (*c != ' ') /* of this page, or of one that it starts from */
+    if (*c != ' ') /* a message about this page, or about a page from which it starts */
       hold_message(c, end), given++;
     for (const char *d = c; *d != '\n'; d++)
       fuzz_hold((unsigned char)*d >= 0x20 || *d == '\t', "no control characters in messages");

@@ -21,7 +21,7 @@ static bool contains(const unsigned char *bytes, size_t size, const char *text) 
   return false;
 }
 
-/* Reads the columns, without the page, because that takes longer. */
+/* Reads only the columns, because reading the whole page takes longer. */
 static bool read_columns(const struct nb_wanted_column *wanted, int count, bool unitless) {
   struct nb_mistakes mistakes = {0};
   double *lengths;

@@ -1,4 +1,5 @@
-/* The reader of pages. For any bytes it must return either a scene or errors, and the same for a second reading.
+/* The reader of pages. For any bytes it must return either a scene or errors, and a second reading must return the
+ * same.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "fuzz.h"
@@ -71,7 +72,7 @@ static void read_again(const struct nb_page *page, size_t run, nb_settings setti
   nb_mistakes_free(&same), nb_scene_free(&again);
 }
 
-/* Reads one run of the page, with its expectations. Returns whether it is valid. */
+/* Reads one run of the page, with its expectations. True if the run is valid. */
 static bool read_run(const struct nb_page *page, size_t run, nb_settings settings, bool wrong) {
   struct nb_scene scene;
   struct nb_mistakes mistakes = {0};
@@ -91,7 +92,7 @@ static bool read_run(const struct nb_page *page, size_t run, nb_settings setting
   return !status && !expected;
 }
 
-/* The first run of the page and the last one. */
+/* Reads the first run of the page and the last one. True if both are valid. */
 static bool read_runs(const struct nb_page *page, nb_settings settings) {
   struct nb_mistakes mistakes = {0};
   const size_t runs = nb_scene_runs(page, settings, &mistakes);
@@ -104,7 +105,7 @@ static bool read_runs(const struct nb_page *page, nb_settings settings) {
   return valid;
 }
 
-/* The same with `--set`: a law, a step or an invalid setting, and a name of the page. */
+/* Reads the page with `--set`: with a law, a step or an invalid setting, and with a name of the page. */
 static void read_set(const struct nb_page *page, size_t chance) {
   static const char *const values[] = {"0", "-1", "1e300", "1e-300", "nan", "3 mm", "1 2", "", "$a", "a"};
   static const char *const more[] = {

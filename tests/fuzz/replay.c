@@ -4,10 +4,10 @@
  *   tests/fuzz/replay                        all readers; TAP
  *   tests/fuzz/replay READER FILE ...        one reader, with these inputs
  *   tests/fuzz/replay --seeds READER FOLDER  writes the inputs that the program itself makes
- *   tests/fuzz/replay --words                the dictionary for libFuzzer
+ *   tests/fuzz/replay --words                prints the dictionary for libFuzzer
  *
- * The corpus is in tests/fuzz/corpus below $srcdir. Pages are also those of tests/bad and cases. An input that violates
- * an invariant is written to fuzz-broken.
+ * The corpus is in tests/fuzz/corpus below $srcdir. The reader of pages also gets the pages of tests/bad and cases. An
+ * input that violates an invariant is written to fuzz-broken.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <dirent.h>
@@ -35,7 +35,7 @@ static void stop(const char *what, const char *path) {
   exit(1);
 }
 
-/* Room for one more input. */
+/* Reserves memory for one more input. */
 static unsigned char *more(struct corpus *corpus, const char *path) {
   unsigned char *bytes = corpus->count < INPUTS_MAX ? malloc(corpus->reader->longest) : NULL;
   if (!bytes)
@@ -54,8 +54,8 @@ static void take_file(struct corpus *corpus, const char *path) {
 
 static int by_name(const void *a, const void *b) { return strcmp(a, b); }
 
-/* Takes the files of a folder and of its folders, sorted by name, so the random changes are the same on every machine.
- * `ending`: that of the names; "": any. */
+/* Takes the files of a folder and of the folders in it, sorted by name, so that the random changes are the same on
+ * every machine. `ending`: the names end in this text; "": any names. */
 static void take_folder(struct corpus *corpus, const char *folder, const char *ending) {
   static const size_t longest = 256;
   char path[PATH_SIZE], *names = NULL;
@@ -104,7 +104,8 @@ static bool read_bytes(const struct fuzz_reader *reader, const unsigned char *by
   return reader->read(bytes, size);
 }
 
-/* The inputs. Some of them are valid and others are not, else this tests nothing. */
+/* Reads the inputs and random changes of them. Some inputs must be valid and others not; otherwise the test proves
+ * nothing. */
 static void replay(struct corpus *corpus, int test) {
   size_t valid = 0;
   for (size_t k = 0; k < corpus->count; k++)
@@ -120,7 +121,7 @@ static void replay_changed(const struct corpus *corpus, int test) {
   int valid = 0;
   for (int n = 0; n < reader->changes && bytes; n++) {
     size_t from = (size_t)(fuzz_chance(&chance) % corpus->count);
-    for (int k = 0; k < REPEATS && !corpus->valid[from]; k++) /* valid ones are few, and lead further */
+    for (int k = 0; k < REPEATS && !corpus->valid[from]; k++) /* valid inputs are few, and reach more code */
       from = (size_t)(fuzz_chance(&chance) % corpus->count);
     size_t size = corpus->size[from];
     memcpy(bytes, corpus->bytes[from], size);

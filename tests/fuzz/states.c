@@ -1,6 +1,6 @@
-/* The readers of saved states and of checkpoints. A changed state gets its new checksum, so its records are read. What
- * is read must be complete, and an error must have a position. If the page accepts a state, it runs for a few cycles
- * from it: for any numbers the run must end with a status.
+/* The readers of saved states and of checkpoints. A changed state gets its new checksum, so that its records are read.
+ * A state that was read must be complete, and an error must have a position. If the page accepts a state, it runs for a
+ * few cycles from this state: whatever the numbers are, the run must end with a status.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _POSIX_C_SOURCE 200809L
@@ -54,7 +54,7 @@ enum { PAGES = sizeof pages / sizeof *pages };
 /* A page that continues from a state: all its stages, and the state after the first one. */
 struct continued {
   struct nb_page page;
-  struct nb_scene scene, whole; /* of both stages: from the state, and from the beginning */
+  struct nb_scene scene, whole; /* the scene that starts from the state; the scene with both stages */
   char *text;
   size_t size;
 };
@@ -68,7 +68,7 @@ static void make_state(struct continued *it, const struct nb_scene *scene) {
   nb_saved_free(&saved);
 }
 
-/* The page number K has the name "seedK"; the state has it, too. */
+/* Page number K. Its name, "seedK", is also in the state. */
 static const struct continued *page_of(int k) {
   static struct continued all[PAGES];
   struct continued *it = &all[k];
@@ -89,7 +89,7 @@ static const struct continued *page_of(int k) {
   return it;
 }
 
-/* All indices are in range, and the state is the same after writing and reading. */
+/* Tests that all indices are in range, and that the state is the same after writing and reading. */
 static void hold_saved(const struct nb_saved *saved) {
   struct nb_saved again;
   struct nb_error error = {NB_OK, ""};
@@ -122,7 +122,7 @@ static void hold_saved(const struct nb_saved *saved) {
   free(text), free(other);
 }
 
-/* Runs the page from the state. Returns whether all cycles were run. */
+/* Runs the page from the state. True if all cycles were run. */
 static bool go_on(const struct nb_scene *scene, struct nb_saved *saved) {
   struct nb_error error = {NB_OK, ""};
   struct nb_model *model = nb_model_resume(scene, &(struct nb_options){.threads = 1, .keep_all = true}, saved, &error);
@@ -257,7 +257,7 @@ static bool read_checkpoint(const unsigned char *bytes, size_t size) {
   return valid;
 }
 
-/* Two of each page, inside its first stage and inside its second one. */
+/* Makes two checkpoints of each page, one inside its first stage and one inside its second stage. */
 static size_t seed_checkpoint(size_t k, char *text) {
   if (k >= 2 * (size_t)PAGES)
     return 0;

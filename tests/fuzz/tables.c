@@ -1,5 +1,4 @@
-/* The reader of a table that a later call of `advise --all` continues. What was complete stays, and what is added can
- * be found.
+/* The reader of a table that a later call of `advise --all` continues. Complete rows stay, and added rows can be found.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -11,7 +10,7 @@
 
 static const char version[] = "# nineball 1, advise --all\n", head[] = "page\thash\tresult\n";
 
-/* Opens the table, looks for a row and adds it if it is missing. Returns whether it was there. */
+/* Opens the table, looks for a row and adds it if it is missing. True if the row was there. */
 static bool go_on(const char *path, const char *key, bool *valid) {
   struct nb_error error = {NB_OK, ""};
   struct nb_row_table table;
@@ -26,7 +25,7 @@ static bool go_on(const char *path, const char *key, bool *valid) {
   return row != NULL;
 }
 
-/* The complete lines, up to a zero. */
+/* Tests that the complete lines, up to a zero byte, are still in the table. */
 static void hold_lines(const char *path, const unsigned char *bytes, size_t size) {
   const unsigned char *zero = memchr(bytes, 0, size);
   struct nb_error error = {NB_OK, ""};

@@ -3,9 +3,9 @@
 # tests, the invalid pages and the cases until one fails. It lists which check killed which mutant, and fails if a
 # mutant survives.
 #
-#   make mutants                          all; about a second each
-#   make mutants MUTANTS=shear_linear     those whose file or description contains the word
-#   make mutants MUTANTS=loading          those of a module; without its name they are left out
+#   make mutants                          all mutants; about a second each
+#   make mutants MUTANTS=shear_linear     the mutants whose file or description contains the word
+#   make mutants MUTANTS=loading          the mutants of a module, which run only if it is named
 #
 # The rules are in tests/mutants/rules.txt. The copy stays in mutants/ of the build folder, so that the next run builds
 # less; `make clean` removes it. $NB_PAGES are the pages, $srcdir is the top of the source tree, $MAKE, $CC and $AWK the
@@ -117,7 +117,7 @@ $awk -v OFS="$tab" '
   END { put() }' tests/mutants/rules.txt >../table
 grep "^invalid" ../table && stop "invalid lines of tests/mutants/rules.txt; expected: each, module, mutant, equal, in, -, +"
 
-# The place of each mutant: LINE, COLUMN, LENGTH, new text. A rule whose text does not occur exactly once is out of
+# Lists the place of each mutant: LINE, COLUMN, LENGTH, new text. A rule whose text does not occur exactly once is out of
 # date.
 : >../list
 : >../outdated
@@ -159,7 +159,7 @@ apply() {
   wrong=$(sed -n "${line}{s/^ *//;p;}" "$tree/$file")
 }
 
-# Whether a rule `equal` names this mutant; the rule is noted as used.
+# True if a rule `equal` names this mutant; the rule is noted as used.
 equal() {
   wrong=$wrong $awk -F "$tab" -v file="$file" '$1 == "equal" && $3 == file && $5 == ENVIRON["wrong"] { print NR; exit }' \
     ../table >../met

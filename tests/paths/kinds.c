@@ -1,5 +1,5 @@
-/* Random paths of one contact after the other. Each contact draws its own numbers, opens at the end of its path, and
- * the next one begins.
+/* Random paths of one contact after the other. Each contact has its own random numbers and opens at the end of its
+ * path; then the next contact begins.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "paths.h"
@@ -23,14 +23,14 @@ struct path path_of(int kind, unsigned seed) {
 
 static int count_by(struct chance *chance, double low, double high) { return (int)chance_scale(chance, low, high); }
 
-/* Draws the numbers of a contact. */
+/* Draws the random numbers of a contact. */
 static void begin(struct path *path) {
   struct chance *chance = &path->chance;
   const bool rings = path->kind == KIND_RINGING || path->kind == KIND_BOTH;
   path->x = 1, path->u = 0;
   path->amplitude = chance_scale(chance, 0.03, 1.5);
   path->period = count_by(chance, 8, 64);
-  path->decay = chance_scale(chance, 3e-3, 0.5); /* of the amplitude, in a period */
+  path->decay = chance_scale(chance, 3e-3, 0.5); /* relative decrease of the amplitude in a period */
   path->depth = path->kind == KIND_RINGING ? 0 : chance_between(chance, 0.05, 0.8);
   path->frequency = chance_scale(chance, 0.3, 3);
   path->phase = chance_between(chance, 0, turn);

@@ -1,4 +1,5 @@
-/* A law on random paths: forces within the friction limit, finite numbers, a history within its bounds, and energy.
+/* A law on random paths: tests that forces are within the friction limit, numbers are finite, the history is within its
+ * bounds, and no energy is created.
  *
  * Each segment of a path is led twice from the same state, in `COARSE` and in twice as many steps. The error of the
  * work is estimated from the difference, as in laws_energy.c.
@@ -9,16 +10,16 @@
 #include "paths.h"
 
 enum { COARSE = 4, FINE = 2 * COARSE };
-static const double rounding = 256 * DBL_EPSILON; /* of the sum of all works of a contact */
-/* Rounding of mu N + c and of T, as in laws.c. */
+static const double rounding = 256 * DBL_EPSILON; /* relative rounding of the sum of all works of a contact */
+/* Relative rounding of mu N + c and of T, as in laws.c. */
 static const double limit_rounding = 2 * DBL_EPSILON;
-/* Growth of the stored energy by joining pieces, over the energy given: docs/PATHS.md. */
+/* Largest growth of the stored energy by merges of pieces, over the energy given: docs/PATHS.md. */
 static const double most_joined = 1e-3;
 
 /* The energy account of one force of a contact, J. */
 struct account {
-  double work, given, sum; /* sum: of all magnitudes */
-  double error;            /* of `work`, by the finite steps */
+  double work, given, sum; /* work; energy given to the contact; sum of the magnitudes of all works */
+  double error;            /* error of `work` because of the finite steps */
 };
 struct works {
   double normal, shear, sum[2];
@@ -43,8 +44,8 @@ static bool is_finite(const struct contact *it) {
   return is;
 }
 
-/* No variable in the next cache line beyond the declared ones is written, and the declared ones are a row that a saved
- * state may have. */
+/* True if the law has written no variable in the cache line after the declared ones, and if the declared ones are a row
+ * that a saved state may have. */
 static bool is_within(const struct contact *it) {
   const struct nb_law *law = it->shear;
   bool is = true;
@@ -91,13 +92,14 @@ static double stored_normal(const struct contact *it) {
   return it->normal->stored ? it->normal->stored(it->pair, it->n, it->normal_history) : 0;
 }
 
-/* The order of the energy at which the whole contact slides: stored energies are rounded relative to it. */
+/* The order of magnitude of the energy at which the whole contact slides. Stored energies are rounded relative to this
+ * energy. */
 static double slide_energy(const struct contact *it) {
   const double limit = it->n.force * it->pair.friction + it->pair.cohesion;
   return it->s.stiffness > 0 ? limit * limit / it->s.stiffness : 0;
 }
 
-/* A contact never returns more than it was given since first touch. */
+/* Tests that a contact never returns more energy than it was given since first touch. */
 static void compare_with_given(struct findings *findings, const struct contact *it, const struct nb_law *law,
                                const struct account *account) {
   const double created = -account->work - account->error;
@@ -108,7 +110,7 @@ static void compare_with_given(struct findings *findings, const struct contact *
   findings->creations += !law->non_conservative;
 }
 
-/* The stored energy grows by the work, or by less. */
+/* Tests that the stored energy grows by at most the work. */
 static void compare_with_stored(struct findings *findings, double grown, double work, double error, double given) {
   if (grown > work + error)
     findings->grown = fmax(findings->grown, (grown - work - error) / given);
@@ -137,8 +139,9 @@ static void account_segment(struct contact *it, double overlap, double slip, str
                         accounts[0].given);
 }
 
-/* The displacement at which a contact of this overlap slides: 3 mu N/(16 G* a) of elastic spheres [R89 3.25], and half
- * more than that of a spring. At most the overlap: rough contacts do not move by more than that. */
+/* The displacement at which a contact of this overlap slides: 3 mu N/(16 G* a) for elastic spheres [R89 3.25], and 1.5
+ * times the displacement of a spring otherwise. It is at most the overlap, because contacts with high friction do not
+ * move by more than that. */
 static double slide_of(struct contact it, double overlap) {
   contact_go(&it, overlap, 0);
   const double slide = 1.5 * it.pair.friction * it.n.force / it.s.stiffness;

@@ -49,7 +49,7 @@ void replay_go(struct replay *replay, struct nb_pair pair, double overlap, doubl
 }
 
 struct errors exact_on_paths(const struct nb_law *shear, int kind, long steps) {
-  /* mu kappa = 1/4: the result depends on u = slip/(mu kappa) and the overlap alone. */
+  /* mu kappa = 1/4: the result depends only on u = slip/(mu kappa) and the overlap. */
   static const struct nb_pair pair = {.friction = 0.25, .young = 4e9, .shear = 1e9, .radius = 1};
   struct errors errors = {0};
   struct path path = path_of(kind, 3);

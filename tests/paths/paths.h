@@ -1,5 +1,5 @@
-/* Paths of overlap and tangential displacement, what is checked along them, and what is measured:
- * tests/contact_paths.c.
+/* Paths of overlap and tangential displacement, the tests along them, and the quantities measured on them
+ * (tests/contact_paths.c).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_PATHS_H
@@ -12,12 +12,12 @@
 struct path {
   int kind;
   struct chance chance;
-  /* Of the present contact: points left, and the numbers that were drawn for it. */
+  /* For the current contact: number of points left, and its random numbers. */
   int left, count;
   double x, u, amplitude, decay, depth, frequency, phase, drift, period;
 };
-/* The next point: overlap and total tangential displacement. 1 is the mean overlap, and the displacement at which a
- * contact of this overlap slides. */
+/* A point of a path: overlap, in units of the mean overlap, and total tangential displacement, in units of the
+ * displacement at which a contact with the mean overlap slides. */
 struct point {
   double x, u;
   bool first; /* of a new contact; x = 0: the contact opens */
@@ -30,8 +30,9 @@ struct point path_next(struct path *path);
 
 /* ---- laws.c: the contract of a law on such paths ---- */
 
-/* Energies are those of the shear force alone, or of the normal force alone. A law that promises it never returns more
- * than it was given since first touch, beyond the error of the finite steps. */
+/* Violations of the contract. An energy account is for the shear force or for the normal force. A law that promises to
+ * create no energy never returns more energy than it was given since first touch, except for the error of the finite
+ * steps. */
 struct findings {
   long steps, contacts;
   double excess;     /* largest |T|/(mu N + c) - 1 */
@@ -45,7 +46,7 @@ struct findings {
 /* The findings for a normal law with a shear law. The steps of the kind DECADES are too large for an energy account. */
 struct findings law_on_paths(const struct nb_law *normal, const struct nb_law *shear, int kind, long steps);
 void findings_add(struct findings *sum, const struct findings *more);
-/* The first promise that is broken, in words; NULL: none. `joins`: the law joins pieces of its history. */
+/* The first promise that is broken, in words; NULL: none. `joins`: the law merges pieces of its history. */
 const char *broken_promise(const struct findings *findings, bool joins);
 
 /* ---- memory.c: the exact law with a limited number of pieces, compared with a list of all rings ---- */
@@ -54,18 +55,18 @@ enum { MEMORIES = 5 };
 extern const int memories[MEMORIES]; /* the last one is never full */
 
 struct error {
-  double worst, square; /* of T over mu N */
-  long count, rings;    /* rings: the most of the list */
+  double worst, square; /* largest error of T over mu N; sum of the squares of these errors */
+  long count, rings;    /* number of errors; largest number of rings in the list */
 };
 struct errors {
   struct error of[MEMORIES];
 };
 /* One contact under test. */
 struct replay;
-struct replay *replay_new(const struct nb_law *shear); /* that law as the exact one; free it with replay_free */
+struct replay *replay_new(const struct nb_law *shear); /* `shear` is used as the exact law; free with replay_free */
 void replay_free(struct replay *replay);
 void replay_begin(struct replay *replay);
-/* A step to this overlap, by the tangential increment ds. */
+/* Makes a step to this overlap, by the tangential increment ds. */
 void replay_go(struct replay *replay, struct nb_pair pair, double overlap, double ds, struct errors *errors);
 struct errors exact_on_paths(const struct nb_law *shear, int kind, long steps);
 
@@ -73,7 +74,7 @@ struct errors exact_on_paths(const struct nb_law *shear, int kind, long steps);
 
 enum { RUNS = 3 };
 extern const char *const run_names[RUNS], *const run_titles[RUNS];
-/* Every contact of the run; `cycles` at most. */
+/* The errors of every contact of the run, in at most `cycles` cycles. */
 struct errors exact_in_run(const struct nb_law *shear, int run, long cycles);
 
 #endif
