@@ -152,7 +152,8 @@ static void interrupt_page(struct nb_scene *scene, const char *name) {
  * since a stage. The run is interrupted in the middle of such a stage. */
 static const char head[] =
     "units none\nmaterial m density 3 kn 5000 ks 4000 friction 0.3\nshear linear\nregion A all\nstep 0.001\n"
-    "record time energy.residual work.residual energy.imposed energy.walls step.fracc step.stable A.stress.xx\n"
+    "record time energy.residual work.residual energy.imposed energy.walls step.fracc step.stable step.single-contact "
+    "A.stress.xx\n"
     "record A.strain.xx A.contacts.lost\nlattice discs 6 by 6 m radius 0.5 spacing 0.999 from 0.5 0.5\n";
 static const char *const scenes[] = {
     "boundary circle 3 3 radius 2.4\nstage shear\nboundary strain -4e-5 per cycle 2e-5 per cycle\n"
@@ -186,6 +187,32 @@ static const char *const spheres[] = {
     "stop\ncycles 290\n",
 };
 
+/* The page may change where it does not record something else: a run that is continued has all rows and snapshots. */
+static void other_records_are_refused(void) {
+  struct words words = {0};
+  struct written it;
+  struct nb_result result;
+  struct nb_error error = {NB_OK, ""};
+  words_add(&words, "%s%s", head, scenes[2]);
+  written_scene(&it, &words);
+  struct nb_stage *const first = &it.scene.stages[0], was = *first;
+  CU_ASSERT_EQUAL(session(&result, &it.scene, 0, 20, 1, &error), NB_BROKEN);
+  nb_result_free(&result);
+  for (int change = 0; change < 5; change++) {
+    char *const name = it.scene.columns[0].name;
+    first->record_interval += change == 0;
+    first->snapshot = first->snapshot != (change == 1);
+    first->snapshot_from += change == 2;
+    name[0] = change == 3 ? 'T' : 't';
+    CU_ASSERT_EQUAL(session(&result, &it.scene, 20, 0, 1, &error), change < 4 ? NB_BAD_USE : NB_OK);
+    CU_ASSERT(change == 4 || strstr(error.text, "in what it records"));
+    nb_result_free(&result);
+    *first = was;
+  }
+  remove_checkpoint(&it.scene, 1);
+  written_free(&it);
+}
+
 static void interrupted_in_the_middle(void) {
   const size_t count = sizeof scenes / sizeof *scenes;
   for (size_t k = 0; k < count + sizeof spheres / sizeof *spheres; k++) {
@@ -210,6 +237,7 @@ static int remove_folder(void) { return rmdir(folder); }
 
 void suite_checkpoint(void) {
   CU_pSuite suite = CU_add_suite("checkpoint", make_folder, remove_folder);
+  CU_add_test(suite, "other records are refused", other_records_are_refused);
   CU_add_test(suite, "ramps, a servo and references interrupted", interrupted_in_the_middle);
   CU_add_test(suite, "every page interrupted and continued", every_page_interrupted);
 }

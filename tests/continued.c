@@ -2,6 +2,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "continued.h"
+#include "core/names.h"
 #include "run/plan.h"
 
 #include <CUnit/CUnit.h>
@@ -31,9 +32,31 @@ static char *text_of(const struct nb_model *model) {
   return text;
 }
 
-/* Reads the state and continues from stage `from` to the end. Returns the final state as text, which the caller
- * frees. */
-static char *interrupted(struct written *it, size_t from, const char *state, const struct nb_options *options) {
+/* What the page records, now; the caller frees it. A state alone would not show a field that is always captured as 0. */
+static double *recorded(const struct nb_model *model) {
+  const struct nb_scene *scene = model->scene;
+  double *values = calloc(scene->column_count + 1, sizeof *values);
+  CU_ASSERT_PTR_NOT_NULL_FATAL(values);
+  for (size_t c = 0; c < scene->column_count; c++)
+    values[c] = nb_quantity_value(scene->columns[c].quantity, model);
+  return values;
+}
+
+static void compare_recorded(const struct nb_model *model, const double *wanted) {
+  double *values = recorded(model);
+  for (size_t c = 0; c < model->scene->column_count; c++) {
+    const bool same = memcmp(&values[c], &wanted[c], sizeof *values) == 0;
+    if (!same)
+      printf("# %s: %.17g, uninterrupted %.17g\n", model->scene->columns[c].name, values[c], wanted[c]);
+    CU_ASSERT(same);
+  }
+  free(values);
+}
+
+/* Reads the state and continues from stage `from` to the end, where the recorded quantities must be the wanted ones.
+ * Returns the final state as text, which the caller frees. */
+static char *interrupted(struct written *it, size_t from, const char *state, const double *wanted,
+                         const struct nb_options *options) {
   struct nb_saved saved;
   struct nb_error error = {NB_OK, ""};
   size_t size;
@@ -55,6 +78,7 @@ static char *interrupted(struct written *it, size_t from, const char *state, con
   free(same);
   continued_stages(model, from, it->scene.stage_count);
   char *end = text_of(model);
+  compare_recorded(model, wanted);
   nb_model_free(model);
   it->scene.start.stages = 0;
   return end;
@@ -74,9 +98,10 @@ void continued_same(struct written *it, const char *what) {
     touched = touched || strstr(states[s], "\ncontact ");
   }
   CU_ASSERT(touched);
+  double *wanted = recorded(model);
   for (size_t s = 0; s + 1 < last; s++)
     for (size_t w = 0; w < sizeof ways / sizeof *ways; w++) {
-      char *end = interrupted(it, s + 1, states[s], &ways[w]);
+      char *end = interrupted(it, s + 1, states[s], wanted, &ways[w]);
       if (strcmp(end, states[last - 1]) != 0)
         printf("# states differ: %s, continued from the end of stage `%s`, options %zu\n", what,
                it->scene.stages[s].name, w);
@@ -85,6 +110,6 @@ void continued_same(struct written *it, const char *what) {
     }
   for (size_t s = 0; s < last; s++)
     free(states[s]);
-  free(states);
+  free(states), free(wanted);
   nb_model_free(model);
 }

@@ -250,6 +250,38 @@ static void a_law_without_stored_energy_later(void) {
   }
 }
 
+/* With a normal law without stored energy no energy balances, also where nobody asks for the stored one; the work of
+ * all forces does. */
+static void a_normal_law_without_stored_energy(void) {
+  static const struct {
+    const char *record, *words; /* NULL: no error */
+  } rows[] = {{"energy.stored", "record `energy.shear`, not `energy.stored`"},
+              {"energy.frictional", "record `energy.shear`, not `energy.stored`"},
+              {"energy.damped", "has no stored energy, so energies do not balance"},
+              {"energy.residual", "has no stored energy, so energies do not balance"},
+              {"work.residual", NULL},
+              {"energy.kinetic", NULL}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct written it;
+    struct words page = {0};
+    struct nb_error error = {NB_OK, ""};
+    words_add(&page,
+              "units none\nmaterial m density 3 kn 400\ndisc 0 0 radius 1 m\ndisc 1.9 0 radius 1 m\nstep 0.001\n"
+              "record %s\nstage s\ncycles 9\n",
+              rows[k].record);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    struct nb_law loose = *model->material_pairs[0].normal;
+    loose.stored = NULL;
+    for (size_t p = 0; p < model->material_pair_count; p++)
+      model->material_pairs[p].normal = &loose;
+    nb_balance_free(model);
+    CU_ASSERT_EQUAL(nb_balance_create(model, &error), rows[k].words ? NB_BAD_USE : NB_OK);
+    CU_ASSERT(!rows[k].words || strstr(error.text, rows[k].words));
+    nb_model_free(model), written_free(&it);
+  }
+}
+
 /* A page that records no energy balance has neither the sums nor the fields for it. */
 static void no_balance_unless_asked_for(void) {
   struct written it;
@@ -292,6 +324,7 @@ void suite_energy(void) {
   CU_add_test(suite, "dissipated by friction", by_friction);
   CU_add_test(suite, "a law without stored energy", a_law_without_stored_energy);
   CU_add_test(suite, "a law without stored energy in a later stage", a_law_without_stored_energy_later);
+  CU_add_test(suite, "a normal law without stored energy", a_normal_law_without_stored_energy);
   CU_add_test(suite, "no balance unless it is asked for", no_balance_unless_asked_for);
   CU_add_test(suite, "momentum", momentum);
 }

@@ -430,6 +430,25 @@ static void regions_with_rings(void) {
   written_free(&it);
 }
 
+/* A contact that slides, one with friction that bears no shear force, and one without friction, which has no limit: the
+ * fractions that slide are of all three, the mean obliquity is that of two. */
+static void sliding_fractions_are_of_all_contacts(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\nmaterial m density 1 kn 100 ks 100 friction 0.1\nmaterial s density 1 kn 100\n"
+                   "shear linear\nstep 0.001\nregion A all\ndisc 0 0 radius 1 m fixed\n"
+                   "disc 1.9 0 radius 1 m velocity 0 1\ndisc 10 0 radius 1 m\ndisc 11.9 0 radius 1 m\n"
+                   "disc 20 0 radius 1 s\ndisc 21.9 0 radius 1 s\nrecord A.sliding A.sliding.near A.obliquity.mean "
+                   "A.contacts\nstage s\ncycles 50\n");
+  struct nb_model *model = model_of(&it, &page);
+  written_cycles(model, 50);
+  CLOSE(model, "A.contacts", 3);
+  CLOSE(model, "A.sliding", 1. / 3);
+  CLOSE(model, "A.sliding.near", 1. / 3);
+  CLOSE(model, "A.obliquity.mean", 0.5);
+  done(&it, model);
+}
+
 /* Contacts in one direction alone: a = 2, with which a density would be negative. Then a_n and a_t have no meaning. In
  * the directions of a square a = 0, and without contacts all are 0. */
 static void directions_without_a_density(void) {
@@ -463,6 +482,7 @@ static void directions_without_a_density(void) {
 
 void suite_region(void) {
   CU_pSuite suite = CU_add_suite("region", NULL, NULL);
+  CU_add_test(suite, "sliding fractions are of all contacts", sliding_fractions_are_of_all_contacts);
   CU_add_test(suite, "directions without a density", directions_without_a_density);
   CU_add_test(suite, "centres on the edge are inside", centres_on_the_edge);
   CU_add_test(suite, "fractions without the stress", fractions_without_the_stress);

@@ -21,7 +21,8 @@ static const char scene[] =
     "radius "
     "0.98 p fixed velocity -0.1 0 spin 0.5\n%s 3 7.4 radius 0.7 p velocity 0.3 -1 spin 2\ngravity 0.1 -0.4\n%s\nstep "
     "0.002\n"
-    "monitor C %s 1 with %s 2\nmonitor W wall lid\nrecord time C.normal C.shear C.sliding W.fx energy.kinetic\n"
+    "monitor C %s 1 with %s 2\nmonitor D %s 5\nmonitor W wall lid\nrecord time C.normal C.shear C.sliding D.angle "
+    "D.spin W.fx W.angle energy.kinetic\n"
     "stage a\nwall west velocity 0.2 0.1\nramp wall south velocity 0.1 0.15\nramp material m friction 0.4\nramp "
     "gravity 0.2 "
     "-0.5\ncycles %d\nstage b\nremove %s 7\nwall lid spin -0.05\ncycles %d\n"
@@ -33,7 +34,7 @@ static void page_of(struct written *it, const char *normal, const char *shear, c
   struct words page = {0};
   const bool elastic = strncmp(normal, "hertz", 5) == 0;
   const char *one = elastic ? "sphere" : "disc", *many = elastic ? "spheres" : "discs";
-  words_add(&page, scene, normal, shear, many, one, one, damping, one, one, 300, one, 200, 150, 100);
+  words_add(&page, scene, normal, shear, many, one, one, damping, one, one, one, 300, one, 200, 150, 100);
   written_scene(it, &page);
 }
 
@@ -81,7 +82,8 @@ static void balances_begin_anew(void) {
     words_add(&page, "units none\n");
     free(page.text);
     page = (struct words){0};
-    words_add(&page, scene, normal, shears[l], many, one, one, "damping ratio 0.1", one, one, 300, one, 200, 150, 100);
+    words_add(&page, scene, normal, shears[l], many, one, one, "damping ratio 0.1", one, one, one, 300, one, 200, 150,
+              100);
     char *columns = strstr(page.text, "energy.kinetic\n");
     char *text = malloc(strlen(page.text) + 256);
     sprintf(
