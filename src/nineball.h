@@ -216,8 +216,8 @@ struct nb_damping {
   int walls_line;
   double deep; /* overlap beyond which a contact is critically damped, as a fraction of the smaller diameter; 0: none */
   int deep_line;
-  bool
-      centred; /* dashpots use the velocity at t_N and, in a new contact, the time since first touch: pass/dashpots.c */
+  /* Dashpots use the velocity at t_N and, in a new contact, the time since first touch: pass/dashpots.c. */
+  bool centred;
   int centred_line;
   enum nb_global_damping global_kind;
   double global; /* 1/s or 1 */

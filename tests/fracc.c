@@ -73,8 +73,8 @@ static void no_displacement_no_fracc(void) {
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
   written_cycles(model, 1);
   NEAR(written_now(model, "step.fracc"), by_hand(1, 0.03, 0, 0.02, 1, 0), 1e-12);
-  written_cycles(model,
-                 1); /* F dt/M = 6e-4 for each: they approach at 1 - 12e-4; the disc that was hit moves at 6e-4 */
+  /* F dt/M = 6e-4 for each: they approach at 1 - 12e-4; the disc that was hit moves at 6e-4. */
+  written_cycles(model, 1);
   NEAR(written_now(model, "step.fracc"), by_hand(1, 0.03, 0.02, 0.02 + 0.03 * (1 - 12e-4), 6e-4, 0), 1e-11);
   nb_model_free(model);
   written_free(&it);

@@ -90,8 +90,8 @@ static struct nb_stage *halves(const struct nb_scene *scene, bool again) {
     first->cycles = stage->cycles / 2, second->cycles = stage->cycles - first->cycles;
     first->snapshot = false, first->snapshot_from = -1;
     second->snapshot_from = stage->snapshot_from < 0 ? -1 : 2 * stage->snapshot_from;
-    second->rotation = NB_ROTATION_AS_BEFORE,
-    second->rotation_line = 0; /* a repeated `rotation` would divide the last half step again, with other rounding */
+    /* A repeated `rotation` would divide the last half step again, with other rounding. */
+    second->rotation = NB_ROTATION_AS_BEFORE, second->rotation_line = 0;
     second->removal_count = 0, second->zero_velocities = second->reverse_velocities = false, second->circle.line = 0;
   }
   return stages;

@@ -209,8 +209,8 @@ static void the_history(void) {
     CU_ASSERT(near(m[M_DEFICIT], 0.75 * fabs(critical[0]), a));
     expect_step(&it, x[2], 0, 1, 1);
     CU_ASSERT(near(m[M_DEFICIT], 0.75 * fabs(critical[0]) + fabs(critical[1]), a));
-    expect_step(&it, x[1], 0.1 * critical[2], 1,
-                1); /* a ring opens while the slip is reversed: DD + ds_c - ds, ds_c and ds negative */
+    /* A ring opens while the slip is reversed: DD + ds_c - ds, ds_c and ds negative. */
+    expect_step(&it, x[1], 0.1 * critical[2], 1, 1);
     CU_ASSERT(near(m[M_DEFICIT], 0.75 * fabs(critical[0]) + fabs(critical[1]) - 0.9 * fabs(critical[2]), a));
     const double made_up = side * m[M_DEFICIT];
     expect_step(&it, x[1], 0.4 * made_up, 1, 1);

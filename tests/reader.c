@@ -160,9 +160,9 @@ static void settings(void) {
   const char *const some[] = {"R=1 mm", "v=7 m/s", "R=3 mm", "shear=linear", "step=0.1 of single-contact", NULL};
   struct read read = read_scene(text, 1, some);
   CU_ASSERT_EQUAL_FATAL(read.status, NB_OK);
-  CU_ASSERT_EQUAL(read.runs, 2); /* n still has two values */
+  CU_ASSERT_EQUAL(read.runs, 2); /* the sweep of n still has two values */
   CU_ASSERT_EQUAL(read.scene.particles[0].vx, 7);
-  CU_ASSERT_EQUAL(read.scene.particles[0].radius, 0.003); /* the last one holds */
+  CU_ASSERT_EQUAL(read.scene.particles[0].radius, 0.003); /* the last setting of a name is used */
   CU_ASSERT_EQUAL(read.scene.stages[0].cycles, 120);
   CU_ASSERT_FALSE(read.scene.bindings[0].swept);
   CU_ASSERT_STRING_EQUAL(read.scene.shear, "linear");
@@ -251,7 +251,7 @@ static void table(void) {
     CU_ASSERT(length > 0 && row->help[length - 1] == '.');
     for (const struct nb_argument *a = row->arguments; a->count; a++, count++)
       CU_ASSERT(a->help[0] && a->slot >= 0 && a->slot + a->count <= NB_SLOTS);
-    CU_ASSERT(count < 32); /* they are bits of reader->given */
+    CU_ASSERT(count < 32); /* each field is a bit of reader->given */
     nb_keyword_syntax(syntax, sizeof syntax, row);
     CU_ASSERT_EQUAL(strncmp(syntax, row->word, strlen(row->word)), 0);
     if (strcmp(row->word, "sphere") == 0)

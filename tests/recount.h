@@ -13,7 +13,7 @@
 
 static const double pi = 3.14159265358979323846;
 enum { PARTICLES = 40 };
-static const double at_x = 5, at_y = 4.5, reach = 3.2; /* the region, a circle */
+static const double at_x = 5, at_y = 4.5, reach = 3.2; /* centre and radius of the region, a circle */
 
 static inline double of(const struct nb_table *table, size_t row, const char *name) {
   for (size_t c = 0; c < table->column_count; c++)

@@ -66,13 +66,13 @@ static void moments_rotate_particles(void) {
         CU_ASSERT_DOUBLE_EQUAL(written_now(model, names[b][3]), angle[b], 1e-13);
       }
     }
-    CU_ASSERT(most > 0.01); /* so an error of a thousandth would show */
+    CU_ASSERT(most > 0.01); /* the spin is so large that an error of a thousandth would be found */
     nb_model_free(model);
     written_free(&it);
   }
 }
 
-/* The contact uses the present surface speed, spin times radius. */
+/* The contact uses the current surface speed, spin times radius. */
 static void surface_speed_of_the_particle(void) {
   struct written it;
   struct nb_model *model = gears(&it, "mass 30");

@@ -41,8 +41,8 @@ static const double much = 100;   /* growth; the amplitude of a stable vibration
 static const double share = 0.01; /* tolerance of the displacement, as a fraction of its largest value */
 static const double agreement = 0.01; /* largest relative difference between the limit and runs */
 static const double visible = 0.01;   /* energy residual or imbalance that a user would see */
-static const double kick_size =
-    0.03; /* displacement in the first cycle of a run that looks for symptoms, over the mean overlap */
+/* Displacement in the first cycle of a run that looks for symptoms, over the mean overlap. */
+static const double kick_size = 0.03;
 static const double steps[STEPS] = {1. / 32, 1. / 16, 0.125, 0.25, 0.5,  0.75, 0.875, 0.95, 0.99,
                                     1.01,    1.05,    1.1,   1.2,  1.35, 1.5,  1.75,  2};
 

@@ -38,8 +38,8 @@ void written_scene_set(struct written *written, struct words *words, nb_settings
   CU_ASSERT_FATAL(descriptor >= 0);
   FILE *file = fdopen(descriptor, "w");
   CU_ASSERT_PTR_NOT_NULL_FATAL(file);
-  const bool contact_test =
-      strncmp(words->text, "path\n", 5) == 0; /* contact tests have a kind of block of their own */
+  /* Contact tests have a kind of block of their own. */
+  const bool contact_test = strncmp(words->text, "path\n", 5) == 0;
   fprintf(file, "```%s\n%s\n```\n", contact_test ? "contact-test" : "scene", words->text + (contact_test ? 5 : 0));
   fclose(file);
   free(words->text);

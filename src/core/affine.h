@@ -27,13 +27,13 @@ struct nb_affine {
   struct nb_tensor rate[NB_AFFINE_SOURCES];           /* over the next step, 1/s */
   struct nb_tensor base_rate[NB_AFFINE_SOURCES];      /* L of the stage, without the part that a servo adds, 1/s */
   struct nb_strain_rate requested[NB_AFFINE_SOURCES]; /* as the page gives them */
-  double
-      separate[NB_AFFINE_SOURCES]; /* 1: c is stored separately from the particle's own velocity; 0: c is added to it */
-  bool twice;                      /* the affine part is added to relative velocities too: pass/affine_twice.c */
-  unsigned char *source;           /* per slot: enum nb_affine_source */
-  bool used[NB_AFFINE_SOURCES];    /* some particle has this source, or had it before */
-  bool free_before, any_before;    /* free particles, or any particles, moved affinely in the previous step */
-  bool uniform;                    /* all particles have the same rate */
+  /* 1: c is stored separately from the particle's own velocity; 0: c is added to it. */
+  double separate[NB_AFFINE_SOURCES];
+  bool twice;                   /* the affine part is added to relative velocities too: pass/affine_twice.c */
+  unsigned char *source;        /* per slot: enum nb_affine_source */
+  bool used[NB_AFFINE_SOURCES]; /* some particle has this source, or had it before */
+  bool free_before, any_before; /* free particles, or any particles, moved affinely in the previous step */
+  bool uniform;                 /* all particles have the same rate */
   struct nb_servo_state {
     double stress[3];          /* the controlled stresses xx, yy, xy when the servo began, Pa */
     struct nb_tensor integral; /* Z of servo.c, 1/s */

@@ -40,7 +40,7 @@ struct nb_particles {
   struct nb_vec *velocity;                /* at the last half step, t_(N-1/2), m/s */
   struct nb_surface *surface;             /* radius and surface speed */
   double *spin, *angle;                   /* omega at t_(N-1/2), rad/s; rotation at t_N, rad. NULL without rotation */
-  double *mass, *inertia;                 /* kg, kg m2 */
+  double *mass, *inertia;                 /* kg; kg m2 */
   double *inverse_mass, *inverse_inertia; /* 0 for fixed particles */
   int *material;
   struct nb_vec *search_position; /* positions at the last search, m */
@@ -271,8 +271,8 @@ static inline bool nb_removed(const struct nb_model *model, size_t slot) {
 /* materials.c */
 double nb_particle_mass(const struct nb_scene *scene, const struct nb_particle *particle);    /* kg */
 double nb_particle_inertia(const struct nb_scene *scene, const struct nb_particle *particle); /* kg m2 */
-double
-nb_thickness(const struct nb_model *model); /* of the assembly, m: 1 m for discs, the mean diameter for spheres */
+/* Thickness of the assembly, m: the mean over the particles of 1 m for a disc, the diameter for a sphere. */
+double nb_thickness(const struct nb_model *model);
 
 /* guard.c: stops a run before particles pass through each other or through walls */
 /* NB_BROKEN when a position is NaN or infinite. */
@@ -312,8 +312,8 @@ struct nb_velocities nb_velocity_half(const struct nb_model *model, size_t slot)
 /* Velocities of a particle at t_N, the mean of the two half steps [CS79 31], without affine motion. */
 struct nb_velocities nb_velocity_now(const struct nb_model *model, size_t slot);
 struct nb_vec nb_imposed_now(const struct nb_model *model, size_t slot); /* affine velocity at t_N, m/s */
-struct nb_vec nb_velocity_total(const struct nb_model *model,
-                                size_t slot); /* velocity at t_N with affine motion, m/s */
+/* Velocity at t_N with affine motion, m/s. */
+struct nb_vec nb_velocity_total(const struct nb_model *model, size_t slot);
 
 struct nb_vec nb_weight(const struct nb_model *model, size_t slot, struct nb_vec x); /* weight at the position x, N */
 /* Sum of the contact forces, the weight and the force of a boundary stress on a free particle, N. */

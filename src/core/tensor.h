@@ -1,6 +1,7 @@
 /* Second-order tensors in the plane, by value: stress, fabric, velocity gradient.
  *
- * Principal values and direction are those of the symmetric part, from Mohr's circle [R89 figure 4.1]:
+ * The principal values T_1, T_2 and the direction theta, rad, of a tensor T are those of its symmetric part, from
+ * Mohr's circle [R89 figure 4.1]:
  *   T_1,2 = (T_xx + T_yy)/2 +- r                        major and minor               [R89 4.52, 4.53]
  *   r = sqrt((T_xy + T_yx)^2 + (T_xx - T_yy)^2)/2       radius of the circle
  *   theta = 1/2 arctan((T_xy + T_yx)/(T_xx - T_yy))     from x to the major axis, counterclockwise [R89 4.54]
@@ -28,7 +29,7 @@ static inline struct nb_tensor tensor_sub(struct nb_tensor a, struct nb_tensor b
 static inline struct nb_tensor tensor_scale(double s, struct nb_tensor a) {
   return tensor(s * a.xx, s * a.xy, s * a.yx, s * a.yy);
 }
-/* T_ij v_j: velocity at a position, from a velocity gradient. */
+/* A_ij v_j, such as the velocity at the position v if A is a velocity gradient. */
 static inline struct nb_vec tensor_times(struct nb_tensor a, struct nb_vec v) {
   return vec(a.xx * v.x + a.xy * v.y, a.yx * v.x + a.yy * v.y);
 }

@@ -33,8 +33,8 @@ void nb_old_line(struct nb_text *text, const char *line, enum nb_old_block block
  * NB_HINT_SIZE. NULL: the line has no old word. */
 const char *nb_old_hint(char *hint, const struct nb_page *page, size_t line);
 const char *nb_old_fence(char *hint, const char *line);
-const char *nb_old_name(char *hint,
-                        const char *name); /* the hint for the old name of a quantity; NULL: not an old one */
+/* The hint for the old name of a quantity; NULL: not an old one. */
+const char *nb_old_name(char *hint, const char *name);
 /* Prints the replacement of an old word; false: the word is not an old one. */
 bool nb_old_help(FILE *out, const char *word);
 

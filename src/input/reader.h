@@ -207,8 +207,8 @@ struct nb_record {
 };
 
 struct nb_keyword {
-  const char
-      *word; /* first word or words of the statement; NULL: for lines that begin with the words of no other row */
+  /* First word or words of the statement; NULL: for lines that begin with the words of no other row. */
+  const char *word;
   unsigned where;
   const struct nb_argument *arguments; /* the last one has count 0 */
   const char *tail; /* syntax, for the manual, of the tokens that apply reads from reader->next on; or NULL */

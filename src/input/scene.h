@@ -45,8 +45,8 @@ struct nb_scene_reading {
   const struct nb_scene_reading *parent; /* the page that starts from this one, or NULL */
   size_t first_line;                     /* line of the first statement other than `units`, `let` and `sweep` */
   bool start_failed;                     /* `start` has a mistake: the rest of the page is not read */
-  bool
-      before_first_stage; /* after `start`: the last stage of the scene is the first stage of this page, without name */
+  /* After `start`: the last stage of the scene is the first stage of this page, without name. */
+  bool before_first_stage;
   unsigned long long hash; /* hash of the statements read so far */
   int units_line;
   struct nb_transform transform;

@@ -92,8 +92,8 @@ static bool copy_scene(struct nb_scene *to, const struct nb_scene *from, int lin
   LINES(pair_rules, pair_rule_count);
   LINES(particles, particle_count);
   LINES(walls, wall_count);
-  const bool normal_set = to->normal[0],
-             shear_set = to->shear[0]; /* set by --set, which applies to the stages of this page */
+  /* Set by --set, which applies to the stages of this page. */
+  const bool normal_set = to->normal[0], shear_set = to->shear[0];
   struct nb_laws set = {.pieces = to->pieces};
   snprintf(set.normal, sizeof set.normal, "%s", normal_set ? to->normal : "");
   snprintf(set.shear, sizeof set.shear, "%s", shear_set ? to->shear : "");

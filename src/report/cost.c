@@ -290,9 +290,8 @@ void nb_cost_print_actual(FILE *out, const struct nb_outcome *outcome, double se
       until = until || !is_clock(&scene->stages[s].conditions[k]);
   nb_cost_print(out, &actual, scene->contact_test ? " steps" : " cycles");
   const double rest = fmax(0, seconds - actual.measured.to);
-  const bool is_long =
-      seconds - rest >
-      20 * trial_seconds * (double)outcome->run_count; /* the trials take only a small part of the time */
+  /* The trials take only a small part of the time. */
+  const bool is_long = seconds - rest > 20 * trial_seconds * (double)outcome->run_count;
   if (!scene->contact_test && (until || is_long) && expect_all(&expected, outcome, until, options)) {
     if (expected.cycles.to > expected.cycles.from)
       fputs("; expected ", out), print_bounds(out, expected.cycles, 15, " cycles");

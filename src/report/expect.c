@@ -474,8 +474,8 @@ enum nb_status nb_expectations_read(struct nb_expectations *expectations, const 
   if (!reader)
     return NB_NO_MEMORY;
   reader->bindings = scene->bindings, reader->binding_count = scene->binding_count, reader->has_units = true;
-  bool reference_required =
-      true; /* false after a wrong line of two words, which is probably a mistyped `reference NAME` */
+  /* False after a wrong line of two words, which is probably a mistyped `reference NAME`. */
+  bool reference_required = true;
   for (size_t line = 1; line <= page->line_count && !scene->path_replaced; line++)
     if (page->kind_of[line - 1] == 1 + NB_BLOCK_EXPECT && nb_line_read(reader, line)) {
       nb_statement_read(reader, nb_expect_keywords(), NB_IN_EXPECT, &reading);

@@ -580,8 +580,8 @@ static enum nb_status explain_scene(FILE *out, const struct nb_scene *scene, con
   if (!model)
     return error->status;
   struct nb_error unknown;
-  nb_step_set(model, &scene->stages[scene->start.stages].step,
-              &unknown); /* with a state, the step would be that of the previous stage */
+  /* A model that continues from a state has the step of the previous stage. */
+  nb_step_set(model, &scene->stages[scene->start.stages].step, &unknown);
   explain_start(out, scene, options);
   explain_particles(out, scene);
   enum nb_status status = explain_plan(out, model) ? NB_OK : nb_error_memory(error);

@@ -15,8 +15,8 @@
 #include "core/clock.h"
 
 enum { SETTINGS_EXTRA = NB_TRADES + 7, SETTING_SIZE = 3 * NB_NAME_SIZE };
-static const double phase_spread =
-    0.08; /* largest relative difference of the steps of two phases, for a page without `impact` */
+/* Largest relative difference of the steps of two phases, for a page without `impact`. */
+static const double phase_spread = 0.08;
 
 bool nb_advice_no_memory(struct nb_advice *advice) {
   advice->no_memory = advice->exhausted = true;
