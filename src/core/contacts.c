@@ -207,7 +207,7 @@ long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall) {
   const struct nb_contact_range range = nb_contact_range(&model->contacts.incidence, (size_t)a);
   for (const int *entry = range.first; entry < range.end; entry++) {
     const int c = *entry;
-    if (model->material_pairs[contacts->material_pair[c]].wall != wall)
+    if (nb_with_wall(model, c) != wall)
       continue;
     if (contacts->b[c] == b || (!wall && contacts->a[c] == b))
       return c;

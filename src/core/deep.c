@@ -42,8 +42,7 @@ void nb_deep_end(struct nb_model *model) {
 bool nb_is_deep(const struct nb_model *model, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
   const double a = model->particles.surface[contacts->a[c]].radius;
-  const double b =
-      model->material_pairs[contacts->material_pair[c]].wall ? a : model->particles.surface[contacts->b[c]].radius;
+  const double b = nb_with_wall(model, c) ? a : model->particles.surface[contacts->b[c]].radius;
   return nb_overlap(model, c) > 2 * nb_deep_fraction(model) * (a < b ? a : b);
 }
 
@@ -55,7 +54,7 @@ void nb_deep_record_first(struct nb_model *model) {
   size_t c = 0;
   while (c + 1 < contacts->count && !nb_is_deep(model, c))
     c++;
-  const bool wall = model->material_pairs[contacts->material_pair[c]].wall;
+  const bool wall = nb_with_wall(model, c);
   const char *s = nb_unit(model->scene, " s");
   const int n = snprintf(deep->first, sizeof deep->first, "particle %d and ", model->particles.number[contacts->a[c]]);
   char *rest = deep->first + n;

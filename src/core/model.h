@@ -267,6 +267,14 @@ static inline const char *nb_unit(const struct nb_scene *scene, const char *unit
 static inline bool nb_removed(const struct nb_model *model, size_t slot) {
   return model->particles.removed && model->particles.removed[slot];
 }
+/* True if the contact is one of a particle with a wall. */
+static inline bool nb_with_wall(const struct nb_model *model, size_t contact) {
+  return model->material_pairs[model->contacts.material_pair[contact]].wall;
+}
+/* A field of a contact; 0 if the pair is not listed (contact < 0) or the field is not kept. */
+static inline double nb_field_of(const struct nb_model *model, long contact, enum nb_field field) {
+  return contact < 0 || !model->contacts.kept[field] ? 0 : model->contacts.kept[field][contact];
+}
 
 /* materials.c */
 double nb_particle_mass(const struct nb_scene *scene, const struct nb_particle *particle);    /* kg */
@@ -290,6 +298,8 @@ void nb_guard_resolution(struct nb_model *model);
 
 /* neighbours.c: runs the guards, then builds a new contact list */
 enum nb_status nb_neighbours_search(struct nb_model *model, struct nb_error *error);
+/* The same where no force calculation follows: contacts keep their forces. */
+enum nb_status nb_neighbours_search_again(struct nb_model *model, struct nb_error *error);
 /* Replaces the first search of a resumed run: lists the contacts of a checkpoint. Their pairs are the next part of
  * `store`. */
 enum nb_status nb_neighbours_restore(struct nb_model *model, struct nb_store *store, struct nb_error *error);

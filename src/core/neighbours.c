@@ -336,3 +336,10 @@ enum nb_status nb_neighbours_search(struct nb_model *model, struct nb_error *err
   model->search.last_cycle = model->cycle;
   return nb_blocks_create(model, error);
 }
+
+enum nb_status nb_neighbours_search_again(struct nb_model *model, struct nb_error *error) {
+  model->search.keep_forces = true;
+  const enum nb_status status = nb_neighbours_search(model, error);
+  model->search.keep_forces = false;
+  return status;
+}

@@ -54,6 +54,9 @@ static inline struct nb_tensor tensor_symmetric(struct nb_tensor a) {
   return tensor(a.xx, mixed, mixed, a.yy);
 }
 static inline double tensor_trace(struct nb_tensor a) { return a.xx + a.yy; }
+static inline double tensor_size(struct nb_tensor a) { /* root of the sum of squares of the components */
+  return sqrt(a.xx * a.xx + a.xy * a.xy + a.yx * a.yx + a.yy * a.yy);
+}
 static inline double tensor_largest(struct nb_tensor a) { /* largest absolute value of a component */
   const double parts[] = {fabs(a.xx), fabs(a.xy), fabs(a.yx), fabs(a.yy)};
   double most = 0;

@@ -86,8 +86,7 @@ OF_PARTICLE(particle_moment, nb_force_on(model, i).moment)
 static double field(const struct nb_model *model, const struct nb_monitor *monitor, enum nb_field which) {
   const bool wall = monitor->kind == NB_MONITOR_PARTICLE_WALL;
   const int a = model->particles.slot[monitor->a], b = wall ? monitor->b : model->particles.slot[monitor->b];
-  const long c = nb_contacts_find(model, a, b, wall);
-  return c < 0 || !model->contacts.kept[which] ? 0 : model->contacts.kept[which][c];
+  return nb_field_of(model, nb_contacts_find(model, a, b, wall), which);
 }
 NB_QUANTITY(pair_overlap, field(model, monitor, NB_OVERLAP))
 NB_QUANTITY(pair_normal, field(model, monitor, NB_NORMAL))

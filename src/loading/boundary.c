@@ -43,8 +43,6 @@ static bool is_outside(const struct nb_model *model, struct nb_vec x, double mar
   return vec_length(reference) >= ring->radius * (1 - on_circle) - margin;
 }
 
-static double size(struct nb_tensor a) { return sqrt(a.xx * a.xx + a.xy * a.xy + a.yx * a.yx + a.yy * a.yy); }
-
 /* True if particle i can become part of the boundary. Fixed and removed particles cannot. */
 static bool may_join(const struct nb_model *model, size_t i) {
   return model->particles.inverse_mass[i] > 0 && model->affine->source[i] == NB_AFFINE_FREE;
@@ -103,6 +101,11 @@ static void add_member(struct nb_model *model, int slot) {
   ring->member[k] = slot;
 }
 
+static void join(struct nb_model *model, int slot) {
+  attach(model, slot);
+  add_member(model, slot);
+}
+
 static void boundary_release(struct nb_model *model, bool dissolve) {
   struct nb_ring *ring = &model->boundary->ring;
   for (size_t k = 0; k < ring->count && ring->held; k++)
@@ -120,10 +123,8 @@ static void boundary_define(struct nb_model *model, const struct nb_circle *circ
   ring->radius = circle->radius, ring->shape = tensor(1, 0, 0, 1), ring->listed_search = 0;
   for (size_t k = 0; k < model->particles.count; k++) {
     const int i = model->particles.slot[k];
-    if (!may_join(model, (size_t)i) || !is_outside(model, model->particles.position[i], 0))
-      continue;
-    attach(model, i);
-    add_member(model, i);
+    if (may_join(model, (size_t)i) && is_outside(model, model->particles.position[i], 0))
+      join(model, i);
   }
 }
 
@@ -206,18 +207,17 @@ static void count_removed_springs(struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
   const double *inverse = model->particles.inverse_mass;
   for (size_t c = 0; c < contacts->count; c++)
-    if (!model->material_pairs[contacts->material_pair[c]].wall && inverse[contacts->a[c]] == 0 &&
-        inverse[contacts->b[c]] == 0)
+    if (!nb_with_wall(model, c) && inverse[contacts->a[c]] == 0 && inverse[contacts->b[c]] == 0)
       nb_sum_add(&model->terms[NB_TERM_REMOVED], nb_energy_of_contact(model, c));
 }
 
 static enum nb_status search_again(struct nb_model *model, struct nb_error *error) {
   if (model->terms)
     count_removed_springs(model);
-  model->search.keep_forces = true;
-  const enum nb_status status = nb_neighbours_search(model, error);
-  model->search.keep_forces = false;
-  return status ? status : nb_balance_new_overlaps(model, error);
+  if (nb_neighbours_search_again(model, error) || nb_balance_new_overlaps(model, error))
+    return error->status;
+  nb_balance_exclude(model, false);
+  return NB_OK;
 }
 
 void nb_rotation_begin(struct nb_model *model, bool rotates) {
@@ -270,17 +270,14 @@ enum nb_status nb_boundary_begin(struct nb_model *model, const struct nb_stage *
     return NB_OK;
   nb_balance_exclude(model, true);
   boundary_control(model, stage);
-  const enum nb_status status = search_again(model, error);
-  if (!status)
-    nb_balance_exclude(model, false);
-  return status;
+  return search_again(model, error);
 }
 
 /* ---- particles that cross the ellipse ---- */
 
 static void list_candidates(struct nb_model *model) {
   struct nb_ring *ring = &model->boundary->ring;
-  const double margin = model->search.skin * size(tensor_inverse(ring->shape));
+  const double margin = model->search.skin * tensor_size(tensor_inverse(ring->shape));
   ring->candidate_count = 0;
   for (size_t k = 0; k < model->particles.count; k++) {
     const int i = model->particles.slot[k];
@@ -294,7 +291,7 @@ static void list_candidates(struct nb_model *model) {
 enum nb_status nb_boundary_before_motion(struct nb_model *model, struct nb_error *error) {
   struct nb_ring *ring = &model->boundary->ring;
   if (ring->listed_search != model->search.count ||
-      !(size(tensor_sub(ring->shape, ring->listed_shape)) * ring->radius <= model->search.skin / 2))
+      !(tensor_size(tensor_sub(ring->shape, ring->listed_shape)) * ring->radius <= model->search.skin / 2))
     list_candidates(model);
   bool joins = false;
   for (size_t k = 0; k < ring->candidate_count && !joins; k++)
@@ -302,17 +299,11 @@ enum nb_status nb_boundary_before_motion(struct nb_model *model, struct nb_error
   if (!joins)
     return NB_OK;
   nb_balance_exclude(model, true);
-  for (size_t k = 0; k < ring->candidate_count; k++) {
-    if (!is_outside(model, model->particles.position[ring->candidates[k]], 0))
-      continue;
-    attach(model, ring->candidates[k]);
-    add_member(model, ring->candidates[k]);
-  }
+  for (size_t k = 0; k < ring->candidate_count; k++)
+    if (is_outside(model, model->particles.position[ring->candidates[k]], 0))
+      join(model, ring->candidates[k]);
   ring->listed_search = 0; /* the new members are no longer candidates */
-  const enum nb_status status = search_again(model, error);
-  if (!status)
-    nb_balance_exclude(model, false);
-  return status;
+  return search_again(model, error);
 }
 
 /* Changes the velocity of each held particle by c_(N+1/2) - c_(N-1/2), its only change (motion.c). */

@@ -26,7 +26,7 @@ static void end_contact(struct nb_model *model, size_t c) {
   const struct nb_vec force = contacts->force[c];
   nb_motion_offset_force(model, a,
                          (struct nb_force){force, total_shear ? total_shear[c] * particles->surface[a].radius : 0});
-  if (!model->material_pairs[contacts->material_pair[c]].wall)
+  if (!nb_with_wall(model, c))
     nb_motion_offset_force(
         model, b,
         (struct nb_force){vec_scale(-1, force), total_shear ? total_shear[c] * particles->surface[b].radius : 0});
@@ -59,9 +59,7 @@ enum nb_status nb_remove(struct nb_model *model, const struct nb_stage *stage, s
   for (size_t r = 0; r < stage->removal_count; r++)
     for (size_t k = stage->removals[r].from; k <= stage->removals[r].to; k++)
       remove_particle(model, (size_t)model->particles.slot[k]);
-  model->search.keep_forces = true;
-  const enum nb_status status = nb_neighbours_search(model, error);
-  model->search.keep_forces = false;
+  const enum nb_status status = nb_neighbours_search_again(model, error);
   if (!status)
     nb_balance_exclude(model, false);
   return status;

@@ -39,7 +39,7 @@ static double stiffness(const struct nb_model *model, const struct nb_servo *ser
   const struct nb_contacts *contacts = &model->contacts;
   double sum = 0;
   for (size_t c = 0; c < contacts->count; c++) {
-    const bool wall = model->material_pairs[contacts->material_pair[c]].wall;
+    const bool wall = nb_with_wall(model, c);
     if ((wall && !servo->box) || !nb_touches(contacts, c))
       continue;
     const struct nb_vec l =

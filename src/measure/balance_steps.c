@@ -33,10 +33,6 @@
 
 #include "balance.h"
 
-static double field(const struct nb_model *model, enum nb_field which, size_t c) {
-  return model->contacts.kept[which] ? model->contacts.kept[which][c] : 0;
-}
-
 /* Adds the work of the old law's force in the first half of the step, which the new law does not store. */
 static void end_old_law(struct nb_model *model, double old_force, double ds) {
   const bool stored = model->balance->laws.shear->stored != NULL;
@@ -46,24 +42,25 @@ static void end_old_law(struct nb_model *model, double old_force, double ds) {
 
 static void add_shear_work(struct nb_model *model, size_t c) {
   const struct nb_law *law = model->material_pairs[model->contacts.material_pair[c]].shear;
-  double old_force = field(model, NB_SHEAR_BEFORE, c), old_stiffness = field(model, NB_SHEAR_STIFFNESS_BEFORE, c);
-  const double new_force = law ? field(model, NB_SHEAR, c) : 0,
-               stiffness = law ? field(model, NB_SHEAR_STIFFNESS, c) : 0;
+  double old_force = nb_field_of(model, (long)c, NB_SHEAR_BEFORE),
+         old_stiffness = nb_field_of(model, (long)c, NB_SHEAR_STIFFNESS_BEFORE);
+  const double new_force = law ? nb_field_of(model, (long)c, NB_SHEAR) : 0,
+               stiffness = law ? nb_field_of(model, (long)c, NB_SHEAR_STIFFNESS) : 0;
   model->contacts.kept[NB_SHEAR_BEFORE][c] = new_force, model->contacts.kept[NB_SHEAR_STIFFNESS_BEFORE][c] = stiffness;
   if (model->balance->shear_law_changed && law) {
-    end_old_law(model, old_force, field(model, NB_TANGENTIAL_INCREMENT, c));
+    end_old_law(model, old_force, nb_field_of(model, (long)c, NB_TANGENTIAL_INCREMENT));
     old_force = old_stiffness = 0;
   }
   if (!law || (old_force == 0 && new_force == 0 && !law->dissipative))
     return;
-  const double ds = field(model, NB_TANGENTIAL_INCREMENT, c), mean = (old_force + new_force) / 2;
-  const bool sliding = field(model, NB_SLIDING, c) > 0;
+  const double ds = nb_field_of(model, (long)c, NB_TANGENTIAL_INCREMENT), mean = (old_force + new_force) / 2;
+  const bool sliding = nb_field_of(model, (long)c, NB_SLIDING) > 0;
   double dissipated = 0;
   nb_sum_add(&model->terms[NB_TERM_SHEAR], mean * ds);
   if (!law->stored)
     nb_sum_add(&model->terms[NB_TERM_UNSTORED], mean * ds);
   else if (law->dissipative)
-    dissipated = field(model, NB_DISSIPATED, c);
+    dissipated = nb_field_of(model, (long)c, NB_DISSIPATED);
   else if (!(stiffness > 0)) /* the contact has opened */
     dissipated = mean * (ds + old_force / old_stiffness);
   else if (sliding)
@@ -175,7 +172,7 @@ enum nb_status nb_balance_new_overlaps(struct nb_model *model, struct nb_error *
   if (!b->overlaps)
     return nb_error_memory(error);
   for (size_t c = 0; c < contacts->count; c++) {
-    if (model->material_pairs[contacts->material_pair[c]].wall || nb_touches(contacts, c))
+    if (nb_with_wall(model, c) || nb_touches(contacts, c))
       continue;
     const double overlap = overlap_of(model, c);
     if (!(overlap > 0))

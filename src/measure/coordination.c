@@ -20,7 +20,7 @@
 /* Slot of the other particle of the contact; -1: a wall. */
 static int partner(const struct nb_model *model, size_t contact, size_t slot) {
   const struct nb_contacts *contacts = &model->contacts;
-  if (model->material_pairs[contacts->material_pair[contact]].wall)
+  if (nb_with_wall(model, contact))
     return -1;
   return (size_t)contacts->a[contact] == slot ? contacts->b[contact] : contacts->a[contact];
 }

@@ -78,10 +78,6 @@ struct progress {
   double rotational_energy;      /* kinetic energy of the rotation, J */
 };
 
-static double field(const struct nb_model *model, long contact, enum nb_field which) {
-  return contact < 0 || !model->contacts.kept[which] ? 0 : model->contacts.kept[which][contact];
-}
-
 static struct progress progress(const struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
   const struct nb_particles *particles = &model->particles;
@@ -105,7 +101,7 @@ static struct progress progress(const struct nb_model *model) {
   if (particles->angle)
     it.rolled = particles->angle[i] * particle->radius + (wall ? 0 : particles->angle[j] * other->radius);
   it.rolled -= model->impact_time * it.incidence.surface;
-  it.normal_f = field(model, contact, NB_NORMAL), it.shear_f = field(model, contact, NB_SHEAR);
+  it.normal_f = nb_field_of(model, contact, NB_NORMAL), it.shear_f = nb_field_of(model, contact, NB_SHEAR);
   it.rotational_energy =
       (particles->inertia[i] * a.spin * a.spin + (wall ? 0 : particles->inertia[j] * b.spin * b.spin)) / 2;
   return it;

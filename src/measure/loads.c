@@ -38,7 +38,7 @@ static struct nb_statistics statistics(struct sums g) {
 
 static bool is_inside(const struct nb_model *model, const struct nb_region_state *region, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
-  const bool wall = model->material_pairs[contacts->material_pair[c]].wall;
+  const bool wall = nb_with_wall(model, c);
   return nb_region_contains(model, region, (size_t)contacts->a[c]) ||
          (!wall && nb_region_contains(model, region, (size_t)contacts->b[c]));
 }

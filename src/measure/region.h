@@ -177,7 +177,7 @@ struct nb_ends {
 /* Distance from the centre of a particle to the contact, m. The contact is half-way between the two outlines, or on the
  * face of a wall. */
 static inline double nb_contact_arm(const struct nb_model *model, size_t contact, size_t slot) {
-  const bool wall = model->material_pairs[model->contacts.material_pair[contact]].wall;
+  const bool wall = nb_with_wall(model, contact);
   const double overlap = model->contacts.kept[NB_OVERLAP][contact];
   return model->particles.surface[slot].radius - (wall ? overlap : overlap / 2);
 }

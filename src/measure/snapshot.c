@@ -120,7 +120,7 @@ static bool contacts_table(struct nb_table *table, const struct nb_model *model,
     if (!nb_touches(contacts, c))
       continue;
     const double overlap = contacts->kept[NB_OVERLAP][c], normal = contacts->kept[NB_NORMAL][c];
-    const bool wall = model->material_pairs[contacts->material_pair[c]].wall;
+    const bool wall = nb_with_wall(model, c);
     const int i = contacts->a[c], b = contacts->b[c];
     const struct nb_vec e = vec(contacts->kept[NB_EX][c], contacts->kept[NB_EY][c]), t = vec_clockwise(e);
     const double shear = model->material_pairs[contacts->material_pair[c]].shear ? contacts->kept[NB_SHEAR][c] : 0;

@@ -78,7 +78,7 @@ static double max_stiffness_ratio(const struct nb_model *model) {
  * dt^2 k + 2 dt (time k + ratio (M k)^(1/2)) = q. */
 static double stiffness_of(const struct nb_model *model, size_t c, double q) {
   const double dt = model->step;
-  struct nb_dashpot dashpot = nb_dashpot(model, model->material_pairs[model->contacts.material_pair[c]].wall);
+  struct nb_dashpot dashpot = nb_dashpot(model, nb_with_wall(model, c));
   if (model->damping.deep > 0)
     dashpot.ratio = dashpot.ratio > 2 ? dashpot.ratio : 2; /* the contact may become deep */
   const double square = dt * dt + 2 * dt * dashpot.time;
@@ -96,7 +96,7 @@ static int free_particles(const struct nb_model *model, size_t c, int slots[2]) 
   int n = 0;
   if (inverse_mass[contacts->a[c]] > 0)
     slots[n++] = contacts->a[c];
-  if (!model->material_pairs[contacts->material_pair[c]].wall && inverse_mass[contacts->b[c]] > 0)
+  if (!nb_with_wall(model, c) && inverse_mass[contacts->b[c]] > 0)
     slots[n++] = contacts->b[c];
   return n;
 }

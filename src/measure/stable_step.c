@@ -104,7 +104,7 @@ static struct nb_coefficients coefficients_at(const struct nb_model *model,
 
 double nb_inverse_mass(const struct nb_model *model, size_t c) {
   const double *inverse = model->particles.inverse_mass;
-  const bool wall = model->material_pairs[model->contacts.material_pair[c]].wall;
+  const bool wall = nb_with_wall(model, c);
   return inverse[model->contacts.a[c]] + (wall ? 0 : inverse[model->contacts.b[c]]);
 }
 
@@ -238,7 +238,7 @@ struct nb_element nb_element_of(const struct nb_model *model, size_t c) {
   const int i = model->contacts.a[c], j = model->contacts.b[c];
   struct nb_element element = {.own = model->blocks.coefficients[c]};
   add_particle(&element, &model->stability->sums[i], particles->inverse_mass[i], particles->inverse_inertia[i]);
-  if (!model->material_pairs[model->contacts.material_pair[c]].wall)
+  if (!nb_with_wall(model, c))
     add_particle(&element, &model->stability->sums[j], particles->inverse_mass[j], particles->inverse_inertia[j]);
   return element;
 }
@@ -256,7 +256,7 @@ struct nb_stable nb_stable_step(const struct nb_model *model) {
     const int i = contacts->a[c], j = contacts->b[c];
     const struct nb_coefficients k = model->blocks.coefficients[c] = coefficients_of(model, c);
     add(&model->stability->sums[i], &k, particles->surface[i].radius);
-    if (!model->material_pairs[contacts->material_pair[c]].wall)
+    if (!nb_with_wall(model, c))
       add(&model->stability->sums[j], &k, particles->surface[j].radius);
   }
   for (size_t c = 0; c < contacts->count; c++) {

@@ -70,7 +70,7 @@ static struct nb_tensor by_contacts(const struct nb_model *model, const struct n
     if (!nb_touches(contacts, c))
       continue;
     const size_t a = (size_t)contacts->a[c], b = (size_t)contacts->b[c];
-    const bool wall = model->material_pairs[contacts->material_pair[c]].wall;
+    const bool wall = nb_with_wall(model, c);
     const bool a_in = nb_region_contains(model, region, a), b_in = !wall && nb_region_contains(model, region, b);
     const struct nb_vec e = vec(contacts->kept[NB_EX][c], contacts->kept[NB_EY][c]);
     struct nb_vec branch = vec(0, 0);

@@ -76,7 +76,7 @@ static void capture_contacts(struct nb_saved *saved, const struct nb_model *mode
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_particles *particles = &model->particles;
   for (size_t c = 0; c < contacts->count; c++) {
-    const bool wall = model->material_pairs[contacts->material_pair[c]].wall;
+    const bool wall = nb_with_wall(model, c);
     struct nb_saved_contact it = {.a = particles->number[contacts->a[c]] - 1,
                                   .b = wall ? contacts->b[c] : particles->number[contacts->b[c]] - 1,
                                   .wall = wall,
