@@ -25,6 +25,10 @@
   "impact C speed %s angle 0.4 phase %.17g\nrecord impact.psi2\nstep %.17g\n"                                          \
   "stage a\nuntil impact.time above 1.02 at most 100000 cycles\n"
 
+static bool run_trial(struct nb_advice *advice, size_t variant, int level, size_t trial) {
+  return nb_trials_run(advice, &advice->variants[variant], level, trial, 1, 1);
+}
+
 /* A page in a file, removed by forget; no expect block. */
 struct page {
   char path[64];
@@ -94,7 +98,7 @@ static void a_phase_of_an_impact_is_a_moment_of_first_touch(void) {
   const struct nb_point *point = &advice.variants[0].points[1 - NB_LEVEL_LOW];
   for (size_t phase = 0; phase < NB_PHASES; phase++)
     for (size_t r = 0; r < 2; r++) {
-      CU_ASSERT_FATAL(nb_advice_run(&advice, 0, 1, phase));
+      CU_ASSERT_FATAL(run_trial(&advice, 0, 1, phase));
       impact_scene(scene, sizeof scene, speeds[r], "mindlin_deresiewicz",
                    fmod(phase_of_page + (double)phase / NB_PHASES, 1), step_of_page / 2);
       CU_ASSERT_EQUAL(point->values[r * NB_TRIALS + phase], value_of(scene, "impact.psi2"));
@@ -291,7 +295,7 @@ static void the_cost_is_counted(void) {
     nb_result_free(&result);
     written_free(&written);
   }
-  CU_ASSERT(nb_advice_run(&advice, 0, 0, 0));
+  CU_ASSERT(run_trial(&advice, 0, 0, 0));
   CU_ASSERT_DOUBLE_EQUAL(advice.variants[0].points[-NB_LEVEL_LOW].updates, updates,
                          40); /* the mean over the phases differs by a few cycles */
   CU_ASSERT_DOUBLE_EQUAL(advice.variants[0].points[-NB_LEVEL_LOW].recorded, recorded, 20);
@@ -320,7 +324,7 @@ static void phases_of_other_pages_have_other_steps(void) {
   for (size_t phase = 0; phase < NB_PHASES; phase++) {
     const double by = 1 + 0.08 * (double)phase / NB_PHASES;
     snprintf(text, sizeof text, FLIGHT, 0.01 / by, 0.005 / by);
-    CU_ASSERT_FATAL(nb_advice_run(&advice, 0, 0, phase));
+    CU_ASSERT_FATAL(run_trial(&advice, 0, 0, phase));
     CU_ASSERT_EQUAL(advice.variants[0].points[-NB_LEVEL_LOW].values[phase], value_of(text, "D.y"));
   }
   finish(&advice, &page);
@@ -378,7 +382,7 @@ static void a_trial_that_would_end_after_the_budget(void) {
     point[-1].seconds = rows[k].done ? 0 : 400, point->seconds = rows[k].done ? 400 : 0;
     query.budget = rows[k].budget;
     advice.began = nb_clock() - 100, advice.exhausted = false, advice.measured = 0;
-    CU_ASSERT_EQUAL(nb_advice_run(&advice, 0, 0, 1), rows[k].runs);
+    CU_ASSERT_EQUAL(run_trial(&advice, 0, 0, 1), rows[k].runs);
     CU_ASSERT_EQUAL(advice.exhausted, !rows[k].runs);
     CU_ASSERT_EQUAL(advice.measured, rows[k].runs);
     CU_ASSERT_EQUAL(point->done, (rows[k].done ? 1U : 0) | (rows[k].runs ? 2U : 0));
@@ -465,7 +469,7 @@ static void a_trial_of_a_mean_is_a_realization(void) {
   for (size_t v = 0; v < 2; v++)
     for (size_t trial = 0; trial < 9; trial += 4)
       for (size_t r = 0; r < 2; r++) {
-        CU_ASSERT_FATAL(nb_advice_run(&advice, v, 0, trial));
+        CU_ASSERT_FATAL(run_trial(&advice, v, 0, trial));
         CU_ASSERT_EQUAL(advice.variants[v].points[-NB_LEVEL_LOW].values[r * NB_TRIALS + trial],
                         energy_of(&advice.variants[v], r, trial, 0));
       }

@@ -391,7 +391,7 @@ static inline struct nb_vec nb_contacts_branch(const struct nb_model *model, siz
 
 /* At the current positions, m; below 0: a gap. */
 static inline double nb_overlap(const struct nb_model *model, size_t contact) {
-  const bool wall = model->material_pairs[model->contacts.material_pair[contact]].wall;
+  const bool wall = nb_with_wall(model, contact);
   const struct nb_particles *particles = &model->particles;
   const int i = model->contacts.a[contact], j = model->contacts.b[contact];
   if (!wall)

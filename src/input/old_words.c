@@ -270,10 +270,10 @@ static const struct nb_old_word *figure_row(const char *run, size_t length, bool
   return NULL;
 }
 
-/* The row for a column of a snapshot, or for a variable of a recipe; NULL: no row. */
-static const struct nb_old_word *column_row(const char *run, size_t length) {
+/* The row of that kind for the whole word; NULL: none. */
+static const struct nb_old_word *row_of(enum nb_old_kind kind, const char *word, size_t length) {
   const struct nb_old_word *row = nb_old_words();
-  while (row->old && !(row->kind == NB_OLD_COLUMN && strlen(row->old) == length && strncmp(run, row->old, length) == 0))
+  while (row->old && !(row->kind == kind && strlen(row->old) == length && strncmp(word, row->old, length) == 0))
     row++;
   return row->old ? row : NULL;
 }
@@ -281,7 +281,7 @@ static const struct nb_old_word *column_row(const char *run, size_t length) {
 /* Adds a run of letters. The run is rewritten if it is a quoted column with a unit, or a variable such as
  * known_C_normal. */
 static void add_run(struct nb_text *text, const char *run, size_t length, bool quoted) {
-  const struct nb_old_word *column = quoted && run[length] != '/' ? NULL : column_row(run, length);
+  const struct nb_old_word *column = quoted && run[length] != '/' ? NULL : row_of(NB_OLD_COLUMN, run, length);
   if (column) {
     nb_text_add(text, "%s", column->now);
     return;
@@ -374,11 +374,7 @@ static const struct nb_old_word *add_words(struct nb_text *text, const char *tex
 /* The row for the word of an opening fence; *at is the position of this word. NULL: the fence has no old word. */
 static const struct nb_old_word *fence_row(const char *line, size_t *at) {
   *at = strspn(line, " `~");
-  const struct nb_old_word *row = nb_old_words();
-  while (row->old && !(row->kind == NB_OLD_FENCE && strncmp(line + *at, row->old, strlen(row->old)) == 0 &&
-                       strcspn(line + *at, " \t\r") == strlen(row->old)))
-    row++;
-  return row->old ? row : NULL;
+  return row_of(NB_OLD_FENCE, line + *at, strcspn(line + *at, " \t\r"));
 }
 
 void nb_old_line(struct nb_text *text, const char *line, enum nb_old_block block) {

@@ -368,17 +368,11 @@ static bool mistyped_clause(const struct nb_reader *reader, const struct nb_argu
   return nb_guess_found(&guess) && nb_number_read(&number, token[1].text, 0) == NB_READ;
 }
 
-static size_t positional_count(const struct nb_keyword *keyword) {
+/* Number of positional arguments in this bit set of arguments. */
+static size_t positional_count(const struct nb_keyword *keyword, unsigned set) {
   size_t count = 0;
-  for (const struct nb_argument *field = keyword->arguments; field->count; field++)
-    count += !field->word;
-  return count;
-}
-
-static size_t given_count(const struct nb_reader *reader) {
-  size_t count = 0;
-  for (const struct nb_argument *field = reader->keyword->arguments; field->count; field++)
-    count += !field->word && given(reader, field);
+  for (const struct nb_argument *field = keyword->arguments; field->count; field++, set >>= 1)
+    count += !field->word && set & 1;
   return count;
 }
 
@@ -386,9 +380,9 @@ static size_t given_count(const struct nb_reader *reader) {
  * hint. The hint is given in two cases: this line has too many positional arguments and the other statement takes more;
  * or this line has too few and the other statement takes exactly as many as it has. */
 static const char *namesake_hint(const struct nb_reader *reader, char *hint, const struct nb_argument *missing) {
-  const size_t count = reader->namesake ? positional_count(reader->namesake) : 0;
-  const bool fits = nb_token_peek(reader) ? count > positional_count(reader->keyword)
-                                          : !missing->word && count == given_count(reader);
+  const size_t count = reader->namesake ? positional_count(reader->namesake, ~0u) : 0;
+  const bool fits = nb_token_peek(reader) ? count > positional_count(reader->keyword, ~0u)
+                                          : !missing->word && count == positional_count(reader->keyword, reader->given);
   char syntax[256];
   if (!reader->namesake || !fits)
     return NULL;

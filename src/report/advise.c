@@ -498,10 +498,6 @@ enum nb_status nb_advise(struct nb_advice *advice, const struct nb_advise_query 
   return advice->no_memory ? nb_error_memory(error) : status;
 }
 
-bool nb_advice_run(struct nb_advice *advice, size_t variant, int level, size_t trial) {
-  return nb_trials_run(advice, &advice->variants[variant], level, trial, 1, 1);
-}
-
 /* ---- text about the result ---- */
 
 const struct nb_setting *nb_advice_cheaper(const struct nb_advice *advice, const struct nb_setting *setting) {

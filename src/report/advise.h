@@ -92,9 +92,6 @@ static inline const struct nb_point *nb_point_at(const struct nb_advice *advice,
  * must outlive it. */
 enum nb_status nb_advise(struct nb_advice *advice, const struct nb_advise_query *query, struct nb_error *error);
 void nb_advice_free(struct nb_advice *advice);
-/* Runs a trial of a variant at a level, unless it has been run. False: the trial cannot be run, or the budget is used
- * up. */
-bool nb_advice_run(struct nb_advice *advice, size_t variant, int level, size_t trial);
 
 /* The divisor of the page's step at a level. */
 double nb_level_refine(const struct nb_advice *advice, int level);

@@ -10,7 +10,6 @@
 #include <sys/stat.h>
 
 #include "core/clean.h"
-#include "core/guess.h"
 #include "core/names.h"
 #include "input/old_words.h"
 #include "input/scene.h"
@@ -204,13 +203,12 @@ static int stage_of(const struct nb_call *call, const struct nb_outcome *outcome
   }
   if (!call->stage)
     return (int)scene->stage_count - 1;
-  struct nb_guess guess = nb_guess_begin(call->stage);
-  for (size_t s = scene->start.stages; s < scene->stage_count; s++) {
-    if (strcmp(scene->stages[s].name, call->stage) == 0)
-      return (int)s;
-    nb_guess_offer(&guess, scene->stages[s].name);
-  }
-  const char *suggestion = nb_guess_hint(&guess, hint);
+  const struct nb_stage *own = scene->stages + scene->start.stages;
+  const size_t count = scene->stage_count - scene->start.stages;
+  const int found = NB_FIND(own, count, call->stage);
+  if (found >= 0)
+    return (int)scene->start.stages + found;
+  const char *suggestion = NB_NEAREST(hint, call->stage, own, count);
   fprintf(stderr, "nineball: %s has no stage `%s` of its own%s%s\n", call->pages[0], call->stage,
           suggestion ? "; " : "", suggestion ? suggestion : "");
   return -1;

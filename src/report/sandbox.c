@@ -205,6 +205,12 @@ struct list {
 
 static void add(struct list *list, const char *word) { list->at[list->count++] = (char *)word; }
 
+static void add_all(struct list *list, char *const words[]) {
+  for (; *words; words++)
+    add(list, *words);
+  add(list, NULL);
+}
+
 static void add_binding(struct list *list, const char *from, const char *to) {
   add(list, "--ro-bind-try"), add(list, from), add(list, to);
 }
@@ -234,9 +240,7 @@ static bool prepare_bwrap(struct nb_confined *confined, const char **reason) {
     close(null);
   *reason = "bwrap: it cannot make a namespace here";
   list.count = first;
-  for (char *const *word = confined->arguments; *word; word++)
-    add(&list, *word);
-  add(&list, NULL);
+  add_all(&list, confined->arguments);
   return works;
 }
 
@@ -266,9 +270,7 @@ enum nb_status nb_confine_begin(struct nb_confined *confined, bool trust, struct
                         landlock, bwrap);
   struct list list = {confined->command, 0};
   add(&list, confined->program);
-  for (char *const *word = confined->arguments; *word; word++)
-    add(&list, *word);
-  add(&list, NULL);
+  add_all(&list, confined->arguments);
   return NB_OK;
 }
 
