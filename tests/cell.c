@@ -241,14 +241,21 @@ static void sheared_cells_are_set_upright(void) {
 
 /* `gap` counts images of particles, and pairs that are not listed but have approached since the search. */
 static void the_gap_is_that_of_the_nearest_two(void) {
-  struct words across = {0}, flies = {0};
+  struct words flies = {0};
   struct written it;
-  words_add(&across, "units none\nmaterial m density 1 kn 1\ndisc -4.5 0.25 radius 0.25 m\ndisc 4.5 0.25 radius 0.5 m\n"
-                     "cell -5 -5 to 5 5\nskin 1\nrecord gap\nstep 0.01\nstage s\ncycles 1\n");
-  written_scene(&it, &across);
-  struct nb_model *model = written_model(&it, NULL);
-  CU_ASSERT_EQUAL(written_now(model, "gap"), 0.25);
-  nb_model_free(model), written_free(&it);
+  struct nb_model *model;
+  for (int k = 0; k < 3; k++) { /* wherever the centre of the cell is */
+    struct words across = {0};
+    const double x = 3 * k, y = -7 * k;
+    words_add(&across,
+              "units none\nmaterial m density 1 kn 1\ndisc %g %g radius 0.25 m\ndisc %g %g radius 0.5 m\n"
+              "cell %g %g to %g %g\nskin 1\nrecord gap\nstep 0.01\nstage s\ncycles 1\n",
+              x - 4.5, y + 0.25, x + 4.5, y + 0.25, x - 5, y - 5, x + 5, y + 5);
+    written_scene(&it, &across);
+    model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL(written_now(model, "gap"), 0.25);
+    nb_model_free(model), written_free(&it);
+  }
   words_add(&flies, "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m velocity 1 0\ndisc 4 0 radius 1 m\n"
                     "disc 4 3.75 radius 1 m\nskin 2\nrecord gap\nstep 0.125\nstage s\ncycles 4\n");
   written_scene(&it, &flies);

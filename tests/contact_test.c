@@ -56,6 +56,26 @@ static void segments_go_along_straight_lines(void) {
   done(&result, &it);
 }
 
+/* Work is stored or dissipated, and what was dissipated stays so: over loops of the slip, the sums since the start. */
+static void work_is_stored_or_dissipated(void) {
+  struct written it;
+  struct nb_result result;
+  run(&result, &it,
+      EXACT "record work work.normal work.shear stored dissipated\nsegment a overlap to 3 um in 400 steps\n"
+            "segment b slip to 1 um in 400 steps\nsegment c slip to -1 um in 800 steps\nsegment d slip to 1.5 um in "
+            "900 steps\nsegment e slip to 0 um in 400 steps\n");
+  double before = 0;
+  for (size_t r = 0; r < result.table.row_count; r++) {
+    const double work = cell(&result, r, 0), dissipated = cell(&result, r, 4);
+    CU_ASSERT_DOUBLE_EQUAL(work, cell(&result, r, 1) + cell(&result, r, 2), 1e-15 * fabs(work));
+    CU_ASSERT_DOUBLE_EQUAL(work, cell(&result, r, 3) + dissipated, 1e-4 * fabs(work) + 1e-10);
+    CU_ASSERT(dissipated >= before);
+    before = dissipated;
+  }
+  CU_ASSERT(before > 0.01 * written_last(&result, "work"));
+  done(&result, &it);
+}
+
 /* Prescribed forces are reached to rounding with any law; a force that is held stays constant. */
 static void forces_are_reached(void) {
   static const char *const shears[] = {"mindlin_deresiewicz", "mindlin", "mindlin_scaled", "randall"};
@@ -261,6 +281,7 @@ static void the_stick_radius_in_both_senses(void) {
 
 void suite_contact_test(void) {
   CU_pSuite suite = CU_add_suite("contact_test", NULL, NULL);
+  CU_add_test(suite, "work is stored or dissipated", work_is_stored_or_dissipated);
   CU_add_test(suite, "segments go along straight lines", segments_go_along_straight_lines);
   CU_add_test(suite, "forces are reached", forces_are_reached);
   CU_add_test(suite, "a force that cannot be reached stops the run", unreachable_forces_stop_the_run);

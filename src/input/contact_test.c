@@ -34,7 +34,6 @@ static void take_particle(struct nb_scene *scene, struct nb_reader *reader) {
   struct nb_particle one = {.shape = sphere ? NB_SPHERE : NB_DISC, .line = (int)reader->line};
   nb_take_number(reader, NB_UNIT_LENGTH, NB_POSITIVE, &one.radius);
   one.material = take_material(scene, reader);
-  one.x = scene->particle_count ? one.radius : -one.radius;
   if (!reader->bad)
     NB_APPEND(reader, scene->particles, scene->particle_count, one);
 }
