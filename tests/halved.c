@@ -119,13 +119,14 @@ static bool ramps(const struct nb_stage *stage) {
 
 static bool begins(const char *text, const char *with) { return strncmp(text, with, strlen(with)) == 0; }
 
-/* True for quantities that a continued run does not reproduce: sums since the start of the run, quantities that need
- * the previous step, and quantities that depend on which pairs are listed, because a run begins with a search. */
+/* True for quantities that a continued run does not reproduce: sums since the start of the run or of the stage,
+ * quantities that need the previous step, and quantities that depend on which pairs are listed, because a run begins
+ * with a search. */
 static bool counted(const char *name) {
   const bool strain = strstr(name, ".strain.") && !begins(name, "cell.") && !begins(name, "boundary.");
   return strstr(name, ".new") || strstr(name, ".lost") || begins(name, "energy.") || begins(name, "work.") ||
-         strcmp(name, "contacts.deep") == 0 || strain || strcmp(name, "step.fracc") == 0 ||
-         strcmp(name, "step.stable") == 0;
+         strcmp(name, "contacts.deep") == 0 || strcmp(name, "stage.time") == 0 || strain ||
+         strcmp(name, "step.fracc") == 0 || strcmp(name, "step.stable") == 0;
 }
 
 /* True for times, which are summed from the beginning of the stage and so round differently. */

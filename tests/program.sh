@@ -280,7 +280,8 @@ out '`run` of other programs is `cycles` or `until` here'
 run 0 --help dashpot
 test "$(grep -c 'stiffness TIME|ratio X' out)" -eq 1 || echo 'the statement is not shown once' >>why
 run 0 --help unbalanced-force
-out '`unbalanced-force` of other programs is `unbalanced.max` here'
+out "PFC's ratio of averages is \`M.unbalanced.mean\`"
+out 'unbalanced.max, quantity of the scene'
 run 0 --help cell strain
 out 'The engineering shear rate is 2 EXY'
 run 0 --help 'periodic cell'
@@ -418,6 +419,10 @@ out '  last, 34 cycles'
 sed '/^stage last/,$s/100 cycles/33 cycles/' clock.md >short.md
 run 0 explain short.md
 out '  last, does not end: line 21 does not hold within 33 cycles'
+sed '/^stage on/,/^until/s/time above 5/stage.time above 2/; /^stage last/,$s/time above 30/stage.time above 3/' clock.md >own.md
+run 0 explain own.md
+out '  on, 5 cycles'
+out '  last, 7 cycles'
 # The step of a later stage is known unless it depends on the state or on what earlier stages change.
 sed 's/step 0.5/step 0.2 of single-contact/' clock.md >known.md
 run 0 explain known.md

@@ -66,6 +66,26 @@ static void walls_keep_their_velocity(void) {
   written_free(&it);
 }
 
+/* The time since the start, the time of the stage, and their end: a stage of 1 s has four steps of 0.25 s, or two of
+ * 0.5 s. */
+static void time_of_a_stage(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  static const double time[] = {0, 0.25, 0.5, 0.75, 1, 1.25, 1.75, 2.25},
+                      stage_time[] = {0, 0.25, 0.5, 0.75, 1, 1.25, 0.5, 1};
+  words_add(&page, "units none\nmaterial m density 1\ndisc 0 0 radius 1 m\nstep 0.25\nrecord time stage.time\n"
+                   "stage a\nuntil stage.time above 1 at most 50 cycles\n"
+                   "stage b\nstep 0.5\nuntil stage.time above 0.75 at most 50 cycles\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT_EQUAL_FATAL(result.table.row_count, 8);
+  for (size_t r = 0; r < 8; r++)
+    CU_ASSERT(result.table.values[2 * r] == time[r] && result.table.values[2 * r + 1] == stage_time[r]);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 static void a_stage_ends_when_all_conditions_hold(void) {
   struct words page = {0};
   struct written it;
@@ -326,6 +346,7 @@ void suite_run(void) {
   CU_add_test(suite, "rows are recorded as requested", rows_are_recorded_as_requested);
   CU_add_test(suite, "walls keep their velocity until a stage changes it", walls_keep_their_velocity);
   CU_add_test(suite, "a stage ends when all conditions hold", a_stage_ends_when_all_conditions_hold);
+  CU_add_test(suite, "the time of a stage begins with the stage", time_of_a_stage);
   CU_add_test(suite, "a stage that never ends", a_stage_that_never_ends);
   CU_add_test(suite, "a position that is NaN or infinite", a_position_that_is_nan_or_infinite);
   CU_add_test(suite, "a snapshot has the contacts that touch", a_snapshot_has_the_touching_contacts);

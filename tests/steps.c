@@ -198,7 +198,7 @@ static void steps_that_spheres_do_not_have(void) {
       {"gravity 0 -9\nsphere 0 3 radius 1 m\nwall w -9 0 to 9 0 r\nstep 9 per collision\n", "no pair approaches", 10},
       {"sphere 0 3 radius 1 m\nstep 0.1 of stable\n", "the stable step follows from the stiffness", 8},
       {"lattice spheres 3 by 1 radius 1 m\nstep 0.1 of stable\n",
-       "elastic spheres without overlap have none: write `N per collision`", 0},
+       "elastic spheres without overlap have none: write `step 0.2 of rayleigh`", 0},
       {"lattice spheres 2 by 1 radius 1 spacing 1.9 m\nstep 0.1 of single-contact\n",
        "elastic spheres have no single-contact step", 8},
   };

@@ -103,6 +103,21 @@ static void below_and_above(void) {
   planted_one("A.y above A.x", NULL, 0, 2, (double[]){0, 2.0 / 3}, NB_PASS, "computed 2 and 0.666667");
 }
 
+static void below_and_above_a_number(void) {
+  static const double two = 2;
+  planted_one("A.x below 2", NULL, 0, 2, (double[]){0, 2 - 1e-12}, NB_PASS, "and 2");
+  planted_one("A.x below 2", NULL, 0, 2, (double[]){0, two}, NB_FAIL, "computed 2 and 2");
+  planted_one("A.x below 2", NULL, 0, 2, (double[]){0, 2 + 1e-12}, NB_FAIL, "and 2");
+  planted_one("A.x above 2", NULL, 0, 2, (double[]){0, 2 + 1e-12}, NB_PASS, "and 2");
+  planted_one("A.x above 2", NULL, 0, 2, (double[]){0, two}, NB_FAIL, "computed 2 and 2");
+  planted_one("A.x above 2", NULL, 0, 2, (double[]){0, 2 - 1e-12}, NB_FAIL, "and 2");
+  planted_one("A.x above -2", NULL, 0, 2, (double[]){0, -2}, NB_FAIL, "computed -2 and -2");
+  planted_one("A.x max below 2", NULL, 0, 2, (double[]){2, 0}, NB_FAIL, "computed 2 and 2");
+  planted_one("A.x below 2", NULL, 0, 2, (double[]){0, NAN}, NB_FAIL, "it is nan at cycle");
+  planted_one("A.x above 2", NULL, 0, 2, (double[]){0, NAN}, NB_FAIL, "it is nan at cycle");
+  planted_one("A.x below 2", NULL, 0, 2, (double[]){0, -INFINITY}, NB_FAIL, "it is -inf at cycle");
+}
+
 static void versus(void) {
   static const struct edge list[] = {
       {"A.x versus time within 0.5", {1, 5, 2}, 3, {1.5, 5, 2}, 0, 1},
@@ -311,6 +326,7 @@ void suite_verdict(void) {
   CU_add_test(suite, "within: both edges of every kind of tolerance", within);
   CU_add_test(suite, "expected: both edges, and fractions of another measure", expected_values);
   CU_add_test(suite, "below and above: equal is neither", below_and_above);
+  CU_add_test(suite, "below and above a number: equal is neither, nor is NaN", below_and_above_a_number);
   CU_add_test(suite, "versus: the edge at the first, a middle and the last row", versus);
   CU_add_test(suite, "versus: the worst row is found after any other", worst_row);
   CU_add_test(suite, "a percentage of 0 is explained", percentage_of_zero);

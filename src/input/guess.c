@@ -21,7 +21,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
   /* clang-format off */
   static const struct nb_synonym synonyms[] = { /* each word once; `_` stands for `-` too */
     {"ball balls disk disks particle particles grain grains body bodies clump", "disc, sphere"}, {"grid mesh regular", "lattice"},
-    {"generate create create_atoms insert", "fill, lattice, disc, sphere"}, {"distribute pour random cloud makeCloud", "fill"},
+    {"generate create create_atoms insert", "fill, lattice, disc, sphere"}, {"distribute pour random cloud makeCloud", "fill", "a random packing is two lines, `grading mixed 4 mm 67  5 mm 66  6 mm 67` (radius and number of each size) and `fill discs box 0 m 0 m to 0.2 m 0.2 m mixed MATERIAL seed 1 attempts 1000 else stop`; a target porosity is reached by `walls inward`"},
     {"psd gradation size distribution bimodal", "grading"},
     {"facet facets plane plate", "wall"}, {"domain container create_box", "box, cell"}, {"periodic pbc", "cell"},
     {"contact_model cmat pair_style model", "normal, shear"}, {"property prop attribute set assign", "material, pair, let"},
@@ -30,31 +30,50 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"young_modulus youngs_modulus youngs modulus emod E", "young"}, {"shear_modulus G", "young", "the shear modulus G gives `young` as 2 G (1 + poisson)"}, {"poisson_ratio poissons_ratio pois nu", "poisson"},
     {"normal_stiffness k_n", "kn"}, {"shear_stiffness tangential_stiffness k_s k_t kt kratio", "ks"}, {"stiffness spring", "kn, ks, young, linear", "stiffness is `kn` and `ks` in `material` or `pair`, or `young` in `material`"},
     {"diameter r", "radius"}, {"g grav acceleration", "gravity"}, {"dt timestep time_step", "step"},
-    {"damp viscous viscosity dashpot gamma gamma_n dp_nratio dp_sratio beta", "damping, ratio, stiffness"}, {"neighbor verlet cutoff", "skin"},
-    {"local nonviscous", "mass", "there is no local damping"}, {"dump", "record, snapshot"}, {"plot graph figure", "gnuplot"},
+    {"damp viscosity dashpot gamma gamma_n dp_nratio dp_sratio beta", "damping, ratio, stiffness"}, {"neighbor verlet cutoff", "skin"},
+    {"local nonviscous", "mass, ratio", "there is no local damping; write `damping mass 50 1/s`, a rate at which velocities decay as exp(-50 t), or `damping ratio 0.2` at contacts"}, {"viscous", "ratio", "a fraction of critical damping at contacts is `damping ratio 0.1`"},
+    {"dump", "record, snapshot"}, {"plot graph figure", "gnuplot"},
     {"restitution cor", "ratio, impact.restitution", "restitution is a result, not an input; for 0.7 with linear springs write `damping ratio (-log(0.7)/hypot(pi, log(0.7)))`"},
     {"rolling rolling_friction rolling_resistance", "rotation off", "there is no rolling resistance"},
-    {"history hist track trace thermo output print probe", "record, monitor", "`record` lists quantities; `monitor` names the particle or contact that has them"}, {"measure measurement group range", "region"},
+    {"history hist track trace thermo output print probe", "record, monitor", "`record` lists quantities; `monitor` names the particle or contact that has them"}, {"measure measurement range", "region"}, {"group", "monitor, region", "there are no groups: `monitor A disc 1` names a particle, `region M all` what is averaged over"},
     {"run solve go iterate cycle", "cycles, until"}, {"equilibrium converge unbal", "until, unbalanced.max"},
-    {"unbalanced unbalanced_force mech_ratio", "unbalanced.max"},
+    {"unbalanced unbalanced_force mech_ratio", "unbalanced.max", "PFC's ratio of averages is `M.unbalanced.mean`, with `region M all`"},
     {"ratio", "unbalanced.max, damping, poisson"}, {"critical", "ratio, single-contact"}, {"no_contact separation", "contacts"}, {"coordination_number cn Z", "coordination"}, {"voidratio", "void_ratio"}, {"solid_fraction packing_fraction volume_fraction", "porosity", "the porosity is 1 minus the solid fraction"},
     {"contact", "damping, monitor, region"}, {"all", "region", "`region M all` measures all particles and contacts"},
     {"calm relax quench", "zero velocities"}, {"fix freeze clamp", "fixed", "a particle with `fixed` does not move: `disc X Y radius R MATERIAL fixed`; `rotation off` prevents rotation"},
     {"apply load", "gravity, boundary stress, servo, wall"}, {"confine confining confinement membrane pressure", "servo, boundary stress, cell.stress.mean"}, {"goal target", "servo"},
-    {"deform strain strain_rate shear_rate rate", "cell strain, box strain, boundary strain, affine strain", "`nineball --help strain` compares the four strains"},
+    {"deform strain strain_rate shear_rate rate", "cell strain, box strain, boundary strain, affine strain", "in a cell write `cell strain 0 1/s 0 1/s c12 0.1 1/s` for simple shear, between walls `box strain 0 1/s -0.1 1/s`; `nineball --help strain` compares the four strains"},
     {"compress compression", "box strain, cell strain, boundary strain, walls, servo"}, {"shear_strain", "strain.xy, strain.deviator"},
     {"vertical_strain strain_vertical axial_strain", "strain.yy"}, {"vertical_stress stress_vertical axial_stress", "stress.yy"},
     {"vertical axial", "y, fy, stress.yy, strain.yy, yy", "y points up"}, {"horizontal lateral", "x, fx, stress.xx, strain.xx, xx", "x points to the right"},
     {"move displace", "wall, walls, transform"}, {"delete kill erase", "remove"},
     {"save checkpoint write_restart", "nineball state"}, {"restore restart read_restart read_data import", "start, packing"},
     {"assert compare equals equal is = ==", "expected, within"}, {"tolerance agree", "within"},
-    {"maximum largest peak", "max"}, {"tangential", "shear, ks"}, {"end final", "last"}, {"rises rise grows", "increases"}, {"falls fall drops", "decreases"}, {"same unchanged", "constant"}, {"less < <=", "below"}, {"greater more > >=", "above"},
-    {"force contact_force forces", "normal, shear, fx, fy"}, {"position displacement pos disp", "x, y"}, {"vel velocity speed", "velocity, vx, vy", "a velocity is given by `velocity VX VY` and recorded as `A.vx` and `A.vy`"},
-    {"kinetic kinetic_energy ke", "energy.kinetic"}, {"hertz_mindlin hertzian hertz_material mindlin_rescale", "normal hertz, shear mindlin"},
-    {"hooke hookean", "normal linear, shear linear"}, {"SI", "units"}, {"degree degrees", "deg"},
+    {"maximum largest peak", "max"}, {"tangential", "shear, ks, slip"}, {"end final", "last"}, {"rises rise grows", "increases"}, {"falls fall drops", "decreases"}, {"same unchanged", "constant"}, {"conserved", "amplitude, constant", "constant in time is `momentum.x amplitude in STAGE  expected 0 kg.m/s within 1e-12 kg.m/s [SOURCE]`"}, {"between", "above, below", "write two lines, one with `above` and one with `below`"}, {"less < <=", "below"}, {"greater more > >=", "above"},
+    {"force contact_force forces", "normal, shear, fx, fy"}, {"position pos", "x, y"}, {"displacement disp", "slip, x, y"}, {"shear_displacement tangential_displacement", "slip"}, {"vel velocity speed", "velocity, vx, vy", "a velocity is given by `velocity VX VY` and recorded as `A.vx` and `A.vy`"},
+    {"kinetic kinetic_energy ke", "energy.kinetic"}, {"elastic elastic_energy strain_energy energy.elastic energy.strain potential_energy energy.potential", "energy.stored"},
+    {"total total_energy energy.total balance energy.balance energy.error", "energy.residual", "the error of the energy balance is `energy.residual`, checked by `energy.residual max within 0.1 % of energy.kinetic max`"},
+    {"void voids", "void_ratio"}, {"3d three_dimensions", "disc, sphere", "the simulation is in the plane, x to the right and y up; spheres move in the plane, too"}, {"hertz_mindlin hertzian hertz_material mindlin_rescale", "normal hertz, shear mindlin"},
+    {"hooke hookean", "normal linear, shear linear"}, {"SI", "units", "`units none`: all numbers are in SI, without units; `units si`: each number has its unit, `5 mm`"}, {"degree degrees", "deg"},
     {"norotation no_rotation irrotational blockedDOFs", "rotation off"}, {"false no disable disabled", "off"}, {"true yes enable enabled", "on"},
     {"safety safety_factor", "stable", "write `step 0.2 of stable`"}, {"number count", "grading", "a grading has the number of particles of each radius: `grading sand 2 mm 100  1 mm 400`"},
     /* STATEMENT_WORD: a word in a statement that does not have it */
+    {"units_SI units_Si units_metric", "units", "write `units none` if numbers have no units (they are in SI), or `units si` and a unit after each number: `5 mm`"},
+    {"disc_at disc_velocity", "disc", "a disc has no number and no `at`; the first line is disc 1. Begin with x and y of the centre: `disc 0 m 0 m radius 5 mm MATERIAL velocity 1 m/s 0 m/s`"},
+    {"sphere_at sphere_velocity", "sphere", "a sphere has no number and no `at`; the first line is sphere 1. Begin with x and y of the centre: `sphere 0 m 0 m radius 5 mm MATERIAL velocity 1 m/s 0 m/s`"},
+    {"lattice_at", "lattice", "the centre of the first particle is `from X Y`"},
+    {"wall_at wall_normal", "wall", "a wall is a line in the plane between two ends, without `at` and `normal`: `wall floor -1 m 0 m to 1 m 0 m MATERIAL`"},
+    {"wall_stop wall_still wall_halt wall_inward", "wall", "in a stage write `wall NAME velocity 0 m/s 0 m/s`, or for all walls `walls stop`"},
+    {"wall_down wall_up wall_left wall_right wall_move wall_speed", "wall", "in a stage write `wall NAME velocity 0 m/s -1 mm/s`"},
+    {"fill_NUMBER fill_radius fill_to fill_porosity fill_number fill_count fill_size fill_uniform fill_distribution", "fill", "a random packing is two lines, `grading mixed 4 mm 67  5 mm 66  6 mm 67` (radius and number of each size) and `fill discs box 0 m 0 m to 0.2 m 0.2 m mixed MATERIAL seed 1 attempts 1000 else stop`; there is no target porosity: fill a larger box, then `walls inward`"},
+    {"fill_velocity", "fill", "filled particles begin at rest: add moving ones with `disc X Y radius R MATERIAL velocity VX VY` above the `fill`"},
+    {"stage_time stage_duration stage_for stage_lasts stage_length", "until", "a stage of 0.1 s ends with `until stage.time above 0.1 s at most 1000000 cycles`"},
+    {"stage_steps stage_run stage_solve", "cycles, until", "a number of cycles is `cycles 1000`"},
+    {"contact_test_sphere contact_test_spheres contact_test_disc contact_test_discs contact_test_wall", "contact", "the two particles are one line, `contact sphere 5 mm MATERIAL with sphere 5 mm MATERIAL`"},
+    {"contact_test_stage contact_test_normal_force contact_test_displace contact_test_steps contact_test_cycles contact_test_tangential contact_test_move contact_test_until", "segment", "each segment is one line with its own name, `segment load normal to 100 N in 100 steps`, then `segment slide slip to 2 um hold normal in 1000 steps`"},
+    {"segment_NUMBER segment_steps segment_tangential segment_displacement segment_normal_force", "segment", "the word after `segment` is its name: `segment load normal to 100 N in 100 steps`, `segment slide slip to 2 um hold normal in 1000 steps`"},
+    {"contact_spheres contact_discs contact_radius contact_at", "contact", "write `contact sphere 5 mm MATERIAL with sphere 5 mm MATERIAL`"},
+    {"servo_NUMBER", "servo", "write `servo isotropic 50 kPa on box through box at most 0.1 1/s`"},
     {"contact_linear contact_hertz", "normal, shear", "contact laws are two statements: `normal linear` and `shear linear`, or `normal hertz` and `shear mindlin`"},
     {"shear_hertz", "shear", "the shear law of elastic spheres is `shear mindlin` or `shear mindlin_deresiewicz`"},
     {"wall_fixed box_fixed", "wall, walls", "a wall does not move unless it has a `velocity`"},
@@ -85,7 +104,7 @@ static void list_ours(char list[NB_HINT_SIZE / 2], const struct nb_synonym *syno
 }
 
 const char *nb_synonym_hint(char *hint, const char *word) {
-  const struct nb_synonym *synonym = nb_synonym(word);
+  const struct nb_synonym *const synonym = nb_synonym(word);
   char list[NB_HINT_SIZE / 2];
   if (!synonym)
     return NULL;
@@ -93,17 +112,27 @@ const char *nb_synonym_hint(char *hint, const char *word) {
   if (synonym->note && strstr(synonym->note, "--help"))
     snprintf(hint, NB_HINT_SIZE, "%s", synonym->note);
   else if (synonym->note)
-    snprintf(hint, NB_HINT_SIZE, "%s: see `nineball --help %.*s`", synonym->note, (int)strcspn(synonym->ours, ","),
+    snprintf(hint, NB_HINT_SIZE, "%s; see `nineball --help %.*s`", synonym->note, (int)strcspn(synonym->ours, ","),
              synonym->ours);
   else
     snprintf(hint, NB_HINT_SIZE, "`%.80s` of other programs is %s here: see `nineball --help %.80s`", word, list, word);
   return hint;
 }
 
+/* A number as second word is NUMBER. */
+static const char *pair_of(char pair[2 * NB_NAME_SIZE], const char *first, const char *second) {
+  snprintf(pair, 2 * NB_NAME_SIZE, "%.63s_%.63s", first, isdigit((unsigned char)*second) ? "NUMBER" : second);
+  return pair;
+}
+
+const struct nb_synonym *nb_pair_synonym(const char *first, const char *second) {
+  char pair[2 * NB_NAME_SIZE];
+  return nb_synonym(pair_of(pair, first, second));
+}
+
 const char *nb_pair_hint(char *hint, const char *first, const char *second) {
   char pair[2 * NB_NAME_SIZE];
-  snprintf(pair, sizeof pair, "%.63s_%.63s", first, second);
-  return nb_synonym_hint(hint, pair);
+  return nb_synonym_hint(hint, pair_of(pair, first, second));
 }
 
 /* ---- the nearest word ---- */

@@ -368,6 +368,15 @@ bool nb_expected(struct nb_reader *reader, const char *hint, const char *format,
   return nb_token_mistake(reader, token, hint, "expected %s, found `%.80s`", what, token->text);
 }
 
+void nb_line_needs(struct nb_reader *reader, const char *begin, const char *hint, const char *what) {
+  const struct nb_token *const last = &reader->tokens[reader->count - 1];
+  for (size_t k = 0; k < reader->count; k++)
+    if (strncmp(reader->tokens[k].text, begin, strlen(begin)) == 0)
+      return;
+  nb_mistake(reader->mistakes, reader->page, reader->line, last->column + last->length, 1, hint,
+             "expected %s, found the end of the line", what);
+}
+
 bool nb_expected_at(struct nb_reader *reader, const struct nb_token *token, const char *hint, const char *what) {
   if (!reader->bad)
     reader->next = (size_t)(token - reader->tokens);

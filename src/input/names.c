@@ -29,6 +29,7 @@ extern const struct nb_quantity_kind nb_region_kinds[];  /* region_quantities.c 
 
 NB_QUANTITY(cycle, (double)model->cycle)
 NB_QUANTITY(time_, model->time)
+NB_QUANTITY(stage_time, (double)model->stage_cycle * model->step)
 
 static double touching_count(const struct nb_model *model, const struct nb_monitor *monitor) {
   (void)monitor;
@@ -107,6 +108,7 @@ enum {
 static const struct nb_quantity_kind kinds[] = {
     {"cycle", 0, "1", NB_REQUEST_CLOCK, cycle, "calculation cycles since the start"},
     {"time", 0, "s", NB_REQUEST_CLOCK, time_, "time since the start"},
+    {"stage.time", 0, "s", NB_REQUEST_CLOCK, stage_time, "time since the stage began"},
     {"contacts", 0, "1", NB_BIT(NB_OVERLAP), touching_count, "number of contacts with an overlap"},
     {"contacts.deep", 0, "1", 0, deep_count,
      "contacts of elastic spheres that overlap by more than 7 % of the smaller diameter, summed over all cycles [R89 "
@@ -157,7 +159,9 @@ static const struct nb_quantity_kind kinds[] = {
     {"moment", PARTICLE, "N.m", 0, particle_moment, "sum of the moments of the contact forces, counterclockwise"},
     {"overlap", PAIR, "m", NB_BIT(NB_OVERLAP), pair_overlap, "overlap of the particles"},
     {"normal", PAIR, "N", NB_BIT(NB_NORMAL), pair_normal, "elastic normal force F_n, dashpot not included"},
-    {"shear", PAIR, "N", NB_BIT(NB_SHEAR), pair_shear, "elastic shear force F_s, on the first particle along -t"},
+    {"shear", PAIR, "N", NB_BIT(NB_SHEAR), pair_shear,
+     "elastic shear force F_s; above 0 if it pushes the first particle to the left, seen towards the second one or the "
+     "wall"},
     {"sliding", PAIR, "1", NB_BIT(NB_SLIDING), pair_sliding, "1 while F_s is at its limit, else 0"},
     {"dashpot.normal", PAIR, "N", NB_BIT(NB_NORMAL) | NB_BIT(NB_TOTAL_NORMAL), pair_dashpot_normal,
      "normal force of the dashpot, D_n [CS79 26]"},
@@ -386,6 +390,15 @@ static unsigned named_by(char *name, size_t size, const struct nb_scene *scene, 
   return wall ? WALL : number && means_particle(word) ? PARTICLE : 0;
 }
 
+/* The name of a new monitor of `of`, which is not taken: A for disc 1, B for disc 2. */
+static char free_name(const struct nb_scene *scene, unsigned kind, const char *of) {
+  const size_t number = kind == PARTICLE ? strtoul(of + strcspn(of, "0123456789"), NULL, 10) : 1;
+  char name = (char)('A' + (number < 24 ? number - 1 : 0));
+  while (monitor_named(scene, &name, 1) >= 0 && name < 'Z')
+    name++;
+  return name;
+}
+
 const char *nb_phrase_hint(char *hint, const struct nb_scene *scene, const struct nb_token *tokens, size_t count) {
   char of[4 * NB_NAME_SIZE] = "", name[2 * NB_NAME_SIZE], names[NB_HINT_SIZE / 4] = "", monitor[] = "A";
   struct nb_quantity quantity;
@@ -400,8 +413,7 @@ const char *nb_phrase_hint(char *hint, const struct nb_scene *scene, const struc
     return nb_synonym(of) && !nb_quantity_find(&quantity, scene, tokens[0].text) ? nb_quantity_hint(hint, scene, of)
                                                                                  : NULL;
   }
-  while (monitor_named(scene, monitor, 1) >= 0 && *monitor < 'Z')
-    ++*monitor;
+  *monitor = free_name(scene, kind, of);
   for (size_t k = 0; k < count; k++)
     list_meant(names, sizeof names, kind, *monitor, tokens[k].text);
   if (!*names)
@@ -411,17 +423,56 @@ const char *nb_phrase_hint(char *hint, const struct nb_scene *scene, const struc
   return kind ? hint : NULL;
 }
 
-/* The hint for a text that is the name of an owner's quantity, has such a name after its first dot, or is another word
- * for such a name. */
+/* Appends the same quantity of a boundary, a cell or a box: `cell.stress.xx` for `stress.xx`. */
+static void add_namesakes(char *hint, const char *text) {
+  const struct nb_suffix *suffix;
+  char name[NB_NAME_SIZE];
+  static const char *const owners_here[] = {"boundary.", "cell.", "box."};
+  const size_t length = strlen(text);
+  for (size_t o = 0; o < sizeof owners_here / sizeof *owners_here; o++) {
+    const size_t stem = strlen(owners_here[o]);
+    bool same = false;
+    for (size_t k = 0; !same && kind_at(k); k++)
+      for (size_t s = 0; !same && nth_suffix(kind_at(k), s, &suffix); s++) {
+        name_of(name, sizeof name, kind_at(k), suffix);
+        same = strncmp(name, owners_here[o], stem) == 0 && strncmp(name + stem, text, length) == 0 &&
+               strchr(".", name[stem + length]);
+      }
+    if (same)
+      nb_append(hint, NB_HINT_SIZE, "; of a %.*s `%s`", (int)stem - 1, owners_here[o], name);
+  }
+}
+
+/* The hint for a text that is the name of an owner's quantity, also with `-` for `_`, has such a name after its first
+ * dot, or is another word for such a name. */
 static const char *owned_hint(char *hint, const struct nb_scene *scene, const char *text) {
   const struct nb_synonym *const synonym = nb_synonym(text);
   const char *items = synonym ? synonym->ours : "", *const rest = strchr(text, '.');
   char item[NB_NAME_SIZE];
-  const char *found = owner_hint(hint, scene, text);
+  snprintf(item, sizeof item, "%s", text);
+  for (char *dash = item; (dash = strchr(dash, '-'));)
+    *dash = '_';
+  const char *found = owner_hint(hint, scene, item);
+  if (found)
+    add_namesakes(hint, item);
   found = found || !rest ? found : owner_hint(hint, scene, rest + 1);
   while (!found && nb_item(&items, item))
     found = owner_hint(hint, scene, item);
   return found;
+}
+
+/* The hint for `north.fx` of a wall and `disc1.vx`, which need a monitor; NULL: it is neither. */
+static const char *unmonitored(char *hint, const struct nb_scene *scene, const char *text) {
+  const size_t stem = strcspn(text, "."), letters = strcspn(text, ".0123456789");
+  char word[NB_NAME_SIZE], of[NB_NAME_SIZE];
+  snprintf(word, sizeof word, "%.*s", (int)letters, text);
+  snprintf(of, sizeof of, "%.*s", (int)(stem - letters), text + letters);
+  static const struct { char name[NB_NAME_SIZE]; } of_box[] = {{"south"}, {"east"}, {"north"}, {"west"}};
+  const bool wall = NB_FIND(scene->walls, scene->wall_count, word) >= 0 || NB_FIND(of_box, 4, word) >= 0;
+  if (wall && letters == stem)
+    snprintf(of, sizeof of, "%s", word), strcpy(word, "wall");
+  const struct nb_token tokens[] = {{.text = word}, {.text = of}, {.text = text + stem + (text[stem] == '.')}};
+  return *of && stem < strlen(text) ? nb_phrase_hint(hint, scene, tokens, 3) : NULL;
 }
 
 /* True if the text is a quantity of a cell, a box or an impact, and the scene has no such object. */
@@ -467,8 +518,8 @@ static const char *hint_of(char *hint, const struct nb_scene *scene, const char 
     return hint;
   if (owner >= 0)
     return owned_by_hint(hint, scene, text, owner);
-  const bool found = !scene->contact_test &&
-                     (owned_hint(hint, scene, text) || nb_guess_hint(&of_stem, hint) || owner_hint(hint, scene, stem));
+  const bool found = !scene->contact_test && (unmonitored(hint, scene, text) || owned_hint(hint, scene, text) ||
+                                              nb_guess_hint(&of_stem, hint) || owner_hint(hint, scene, stem));
   if (!found && !nb_synonym_hint(hint, text))
     snprintf(hint, NB_HINT_SIZE,
              rest && !scene->contact_test

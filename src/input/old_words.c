@@ -40,7 +40,7 @@ const struct nb_old_word *nb_old_words(void) {
     {NB_OLD_STATEMENT, "step F of safe", "step F of stable"},
     {NB_OLD_STATEMENT, "step F of contact", "step F of collision"},
     {NB_OLD_STATEMENT, "step F of critical", "step F of single-contact",
-     "the limit of stability is `step F of stable`"},
+     "with linear springs write `step 0.2 of stable`, with elastic spheres `step 0.2 of rayleigh`"},
     {NB_OLD_STATEMENT, "step N per contact", "step N per collision"},
     {NB_OLD_STATEMENT, "damping … contact-beta", "damping … stiffness"},
     {NB_OLD_STATEMENT, "damping … contact-ratio", "damping … ratio"},
@@ -397,8 +397,8 @@ void nb_old_line(struct nb_text *text, const char *line, enum nb_old_block block
 static const char *hint_of(char *hint, const struct nb_old_word *row) {
   if (!row)
     return NULL;
-  snprintf(hint, NB_HINT_SIZE, NOW "; %s%s`nineball migrate` rewrites a page", row->old, row->now,
-           row->note ? row->note : "", row->note ? "; " : "");
+  snprintf(hint, NB_HINT_SIZE, "%s%s" NOW "; `nineball migrate` rewrites a page", row->note ? row->note : "",
+           row->note ? "; " : "", row->old, row->now);
   return hint;
 }
 

@@ -125,6 +125,8 @@ bool nb_line_mistake(struct nb_reader *reader, size_t line, const char *hint, co
 /* Reports "expected WHAT, found `token`" at the next token. */
 bool nb_expected(struct nb_reader *reader, const char *hint, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
+/* Reports that no word of the line begins like this one, at the end of the line, which may have another mistake. */
+void nb_line_needs(struct nb_reader *reader, const char *begin, const char *hint, const char *what);
 /* Writes the hint for syntax of another language or a word processor to `hint`, a text of NB_HINT_SIZE; NULL: none. */
 const char *nb_syntax_hint(const struct nb_reader *reader, char *hint, const char *text);
 /* Does the same as nb_expected, at a token that was read before. */

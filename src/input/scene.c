@@ -42,8 +42,10 @@ bool nb_too_many(struct nb_reader *reader, size_t count, int most, const char *w
 }
 
 bool nb_exists(struct nb_reader *reader, const struct nb_token *name, const char *what, int line) {
+  char hint[NB_HINT_SIZE];
+  snprintf(hint, sizeof hint, "the word after `%.80s` is a name: choose another one", reader->tokens[0].text);
   if (line)
-    nb_token_mistake(reader, name, NULL, "there is a %s `%s` already, on line %d", what, name->text, line);
+    nb_token_mistake(reader, name, hint, "there is a %s `%s` already, on line %d", what, name->text, line);
   return reader->bad;
 }
 

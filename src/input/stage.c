@@ -46,7 +46,7 @@ NB_APPLY(apply_stage) {
     nb_exists(reader, name, "stage", same < 0 ? 0 : scene->stages[same].line);
   nb_too_many(reader, scene->stage_count, NB_NAMED_MAX, "stages");
   if (scene->stage_count < NB_NAMED_MAX && NB_APPEND(reader, scene->stages, scene->stage_count, one))
-    reading->here = NB_IN_STAGE;
+    reading->here = scene->contact_test ? NB_IN_SEGMENT : NB_IN_STAGE; /* a contact test with a mistake */
 }
 
 /* ---- end of a stage: either `cycles` or one `until` ---- */
@@ -87,6 +87,8 @@ NB_APPLY(apply_until) {
     if (take_condition(reading, reader, &condition))
       NB_APPEND(reader, stage->conditions, stage->condition_count, condition);
   } while (nb_token_skip(reader, "and"));
+  if (reader->bad)
+    nb_line_needs(reader, "most", "add a limit: `at most 1000000 cycles`", "`at most N cycles`");
   if (nb_token_skip(reader, "every"))
     nb_take_count_of(reader, "cycle", &stage->check_interval);
   if (!nb_token_skip(reader, "at"))

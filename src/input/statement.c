@@ -106,11 +106,11 @@ static void list_word(char *list, size_t size, const char *between, const char *
 }
 
 /* Writes "the statement is `box X Y to X Y MATERIAL`; MATERIAL is the name of a material"; `name` may be NULL. */
-static void syntax_hint(char *hint, const struct nb_keyword *keyword, const struct nb_argument *name) {
+/* Writes "the statement is `box X Y to X Y MATERIAL`". */
+static void syntax_hint(char *hint, const struct nb_keyword *keyword) {
   char syntax[NB_HINT_SIZE / 2];
   nb_keyword_syntax(syntax, sizeof syntax, keyword);
-  snprintf(hint, NB_HINT_SIZE, name ? "the statement is `%s`; %s is %s" : "the statement is `%s`", syntax,
-           name ? name->value : "", name ? name->help : "");
+  snprintf(hint, NB_HINT_SIZE, "the statement is `%s`", syntax);
 }
 
 const char *nb_example_hint(char *hint, const struct nb_reader *reader) {
@@ -158,7 +158,7 @@ static const struct nb_keyword *wrong_word(struct nb_reader *reader, const struc
     reader->next -= most;
     return NULL;
   }
-  syntax_hint(hint, meant, NULL);
+  syntax_hint(hint, meant);
   nb_expected(reader, nb_guess_hint(&guess, hint) || !strchr(list, ' ') ? hint : NULL, "%s", list);
   return meant;
 }
@@ -212,11 +212,52 @@ static const char *other_statement(char *hint, const struct nb_reader *reader, c
   return hint;
 }
 
-/* The hint for a quantity in place of a statement: `time 1 s`; NULL: the word is no quantity. */
+/* The hint for a quantity in place of a statement: `porosity 0.3`; NULL: the word is no quantity. */
 static const char *quantity_hint(char *hint, unsigned here, const char *word) {
+  struct nb_quantity_row row;
+  size_t k = 0;
+  while (nb_quantity_row(&row, k) && strcmp(row.name, word) != 0)
+    k++;
+  if (!(here & (NB_IN_SCENE | NB_IN_STAGE)) || !nb_quantity_row(&row, k))
+    return NULL;
+  const char *const prefix = row.prefix ? row.prefix : "";
   snprintf(hint, NB_HINT_SIZE,
-           "`%s` is a quantity: `record %s`, and in a stage `until %s above VALUE at most N cycles`", word, word, word);
-  return here & (NB_IN_SCENE | NB_IN_STAGE) && nb_is_quantity(word) ? hint : NULL;
+           "`%s` is a quantity of %s: %s%s%s`record %s%s`, and in a stage `until %s%s above VALUE at most N cycles`",
+           word, row.of, row.statement ? "`" : "", row.statement ? row.statement : "", row.statement ? "`, " : "",
+           prefix, word, prefix, word);
+  return hint;
+}
+
+/* The name of a place in the table of words of other programs: `stage_duration` is the word `duration` in a stage. */
+static const char *place_name(unsigned here) {
+  return here & (NB_IN_STAGE | NB_IN_RAMP) ? "stage"
+         : here & (unsigned)CONTACT_TEST   ? "contact_test"
+         : here == NB_IN_EXPECT            ? "expect"
+                                           : "scene";
+}
+
+/* Suppresses messages about what the statement of an unknown first word would define: that of `meant`, or the nearest
+ * one; if both are unknown anything, but in a stage nothing, because its statements define no names. */
+static void suppress_unknown(struct nb_reader *reader, unsigned here, const struct nb_synonym *meant,
+                             const char *nearest) {
+  const char *list = meant ? meant->ours : "";
+  char item[NB_NAME_SIZE];
+  while (nb_item(&list, item))
+    nb_suppress_name(reader->mistakes, item);
+  if (!meant && (nearest || !(here & (NB_IN_STAGE | NB_IN_SEGMENT))))
+    nb_suppress_name(reader->mistakes, nearest ? nearest : NB_ANYTHING);
+}
+
+/* The hint for an unknown first word; `guess`: the nearest one, or NULL. NULL: there is none. */
+static const char *verb_hint(char *hint, const struct nb_reader *reader, const struct nb_family *table, unsigned here,
+                             const struct nb_guess *guess) {
+  const char *const text = nb_token_peek(reader)->text;
+  const bool pair = reader->count > 1 && nb_pair_hint(hint, text, reader->tokens[1].text);
+  if (pair || nb_pair_hint(hint, place_name(here), text))
+    return hint;
+  if (guess)
+    return nb_guess_hint(guess, hint);
+  return clause_hint(hint, table, here, text) || nb_synonym_hint(hint, text) ? hint : quantity_hint(hint, here, text);
 }
 
 /* Reports a first word with which no row begins. Returns the row that was probably meant, or NULL. */
@@ -237,27 +278,26 @@ static const struct nb_keyword *unknown_verb(struct nb_reader *reader, const str
   }
   snprintf(hint, sizeof hint, "the %s word may be: %s", here == NB_IN_RAMP ? "next" : "first", words);
   const bool near = nb_guess_found(&guess) && !guess.synonym == !guess.marked;
-  const char *other = reader->count > 1 ? nb_pair_hint(better, text, reader->tokens[1].text) : NULL;
-  if (!other)
-    other = near                                     ? nb_guess_hint(&guess, better)
-            : clause_hint(better, table, here, text) ? better
-            : nb_synonym_hint(better, text)          ? better
-                                                     : quantity_hint(better, here, text);
+  const char *const other = verb_hint(better, reader, table, here, near ? &guess : NULL);
   nb_expected(reader, other ? other : hint, "%s", place_of(here));
-  nb_suppress_name(reader->mistakes, near ? guess.best : NB_ANYTHING);
+  suppress_unknown(reader, here, nb_pair_synonym(place_name(here), text), near ? guess.best : NULL);
   return near ? meant : NULL;
 }
 
 static const struct nb_keyword *misplaced(struct nb_reader *reader, const struct nb_family *table,
                                           const struct nb_keyword *row, unsigned here) {
-  char hint[NB_HINT_SIZE], syntax[NB_HINT_SIZE / 2] = "";
+  char hint[NB_HINT_SIZE], other[NB_HINT_SIZE], syntax[NB_HINT_SIZE / 2] = "";
+  const char *const word = reader->tokens[0].text;
   size_t most;
   const struct nb_keyword *const begins = best_match(reader, table, here, &most);
   if (begins)
     nb_keyword_syntax(syntax, sizeof syntax, begins);
-  if (reader->count < 2 || !nb_pair_hint(hint, reader->tokens[0].text, reader->tokens[1].text))
+  if (reader->count < 2 || !nb_pair_hint(hint, word, reader->tokens[1].text)) {
     snprintf(hint, sizeof hint, "`%s` belongs %s%s%s%s", row->word, where_words(row->where, here),
              begins ? "; the statement here is `" : "", syntax, begins ? "`" : "");
+    if (nb_pair_hint(other, place_name(here), word))
+      nb_append(hint, sizeof hint, "; %s", other);
+  }
   nb_expected(reader, hint, "%s", place_of(here));
   return row;
 }
@@ -273,7 +313,7 @@ static const struct nb_keyword *wrong_row(struct nb_reader *reader, const struct
 
 static void expected_second(struct nb_reader *reader, const struct nb_argument *field) {
   char hint[NB_HINT_SIZE];
-  syntax_hint(hint, reader->keyword, NULL);
+  syntax_hint(hint, reader->keyword);
   nb_expected(reader, hint, "the second value of `%s %s`", field->word, field->value);
 }
 
@@ -365,7 +405,8 @@ static bool mistyped_clause(const struct nb_reader *reader, const struct nb_argu
   if (is_incomplete(reader, true) && reader->given && nb_number_read(&number, token->text, 0) == NB_READ)
     return true;
   struct nb_guess guess = guess_clause(reader, token->text);
-  return nb_guess_found(&guess) && nb_number_read(&number, token[1].text, 0) == NB_READ;
+  return (nb_guess_found(&guess) || (reader->given && nb_pair_synonym(reader->tokens[0].text, token->text))) &&
+         nb_number_read(&number, token[1].text, 0) == NB_READ;
 }
 
 /* Number of positional arguments in this bit set of arguments. */
@@ -418,17 +459,60 @@ static const char *value_words(const struct nb_argument *field) {
                                             : field->help;
 }
 
+/* Number of values, with or without their units, that end before token k; or, forward, that begin with it. */
+static int values_around(const struct nb_reader *reader, size_t k, bool forward) {
+  struct nb_unit unit;
+  double number;
+  int count = 0;
+  for (size_t at = forward ? k : k - 1; at < reader->count; at += forward ? 1 : (size_t)-1) {
+    const char *const text = reader->tokens[at].text;
+    if (nb_number_read(&number, text, 0) != NB_NO_NUMBER)
+      count++;
+    else if (!nb_unit_read(&unit, text))
+      break;
+  }
+  return count;
+}
+
+/* The hint for a third coordinate: the third of three values, unless a clause word is left out before it, which then
+ * does not follow either. NULL: it is none. */
+static const char *third_coordinate(char *hint, const struct nb_reader *reader, const struct nb_argument *missing) {
+  const struct nb_argument *field = reader->keyword->arguments;
+  char example[NB_HINT_SIZE];
+  bool follows = !missing || !missing->word;
+  while (field->count && field->kind != NB_ARGUMENT_NUMBER)
+    field++;
+  for (size_t k = reader->next; k < reader->count && !follows; k++)
+    follows = nb_begins_clause(missing, reader->tokens[k].text);
+  if (field->unit == NB_UNIT_STRAIN_RATE || !follows || values_around(reader, reader->next, false) != 2 ||
+      values_around(reader, reader->next, true) != 1)
+    return NULL;
+  snprintf(hint, NB_HINT_SIZE,
+           "the simulation is in the plane, with x to the right and y up: write two numbers, %.400s",
+           nb_example_hint(example, reader) ? example : "x and y");
+  return hint;
+}
+
+/* The syntax of the statement, with an example at the end of the line; or the clause word that is left out before a
+ * number. */
+static void usage_hint(const struct nb_reader *reader, char *hint, const struct nb_token *token,
+                       const struct nb_argument *missing) {
+  char example[NB_HINT_SIZE];
+  syntax_hint(hint, reader->keyword);
+  if (!token && nb_example_hint(example, reader))
+    nb_append(hint, NB_HINT_SIZE, ", %s", example);
+  if (number_next(reader) && missing && missing->word && !missing->otherwise && nb_example_hint(example, reader))
+    snprintf(hint, NB_HINT_SIZE, "write `%s` before `%.40s`, %.300s", missing->word, token->text, example);
+}
+
 /* Writes the hint for an unexpected word or a missing field. False: there is no such hint, and *hint is the syntax of
  * the statement. */
 static bool fields_hint(const struct nb_reader *reader, char *hint, const struct nb_token *token,
                         const struct nb_argument *missing) {
-  char example[NB_HINT_SIZE];
   const struct nb_guess guess = guess_clause(reader, token ? token->text : "");
-  const bool number = number_next(reader);
-  syntax_hint(hint, reader->keyword, number ? next_positional(reader) : NULL);
-  if (number && missing && missing->word && !missing->otherwise && nb_example_hint(example, reader))
-    snprintf(hint, NB_HINT_SIZE, "write `%s` before `%.40s`, %.300s", missing->word, token->text, example);
-  return (token && nb_pair_hint(hint, reader->tokens[0].text, token->text)) || nb_guess_hint(&guess, hint) ||
+  usage_hint(reader, hint, token, missing);
+  return (token && nb_pair_hint(hint, reader->tokens[0].text, token->text)) ||
+         (number_next(reader) && third_coordinate(hint, reader, missing)) || nb_guess_hint(&guess, hint) ||
          (token && reader->given && other_statement(hint, reader, token->text)) || namesake_hint(reader, hint, missing);
 }
 
@@ -465,7 +549,8 @@ static void expected_fields(struct nb_reader *reader) {
 
 static void given_again(struct nb_reader *reader, const struct nb_token *token, const struct nb_argument *clause) {
   char hint[NB_HINT_SIZE];
-  syntax_hint(hint, reader->keyword, NULL);
+  if (!nb_pair_hint(hint, reader->tokens[0].text, token->text))
+    syntax_hint(hint, reader->keyword);
   nb_token_mistake(reader, token, hint, "expected `%s` once, found it twice", clause->word);
 }
 

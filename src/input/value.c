@@ -57,8 +57,6 @@ static void expected_text(char *text, size_t size, const struct nb_reader *reade
 static bool number_mistake(struct nb_reader *reader, const struct nb_token *number, const struct nb_token *unit,
                            const char *hint, const char *what) {
   struct nb_token both = *number;
-  if (nb_name_suppressed(reader->mistakes, "units")) /* `units` is bad, so the system of units is unknown */
-    return nb_fail_silently(reader);
   if (unit && unit->column > number->column)
     both.length = unit->column + unit->length - number->column;
   char name[NB_NAME_SIZE + 8] = "";
@@ -67,6 +65,9 @@ static bool number_mistake(struct nb_reader *reader, const struct nb_token *numb
   return nb_token_mistake(reader, &both, hint, "expected %s, found `%.80s%s%.80s`%s", what, number->text,
                           unit ? " " : "", unit ? unit->text : "", name);
 }
+
+/* Whether the statement `units` has a mistake: then a number may have a unit or not. */
+static bool are_units_unknown(const struct nb_reader *reader) { return nb_name_suppressed(reader->mistakes, "units"); }
 
 static bool is_number(const struct nb_token *token) {
   double value;
@@ -125,7 +126,7 @@ static bool meant_as_unit(const struct nb_reader *reader, const struct wanted *i
   const bool foreign = reader->here & (NB_IN_SCENE | NB_IN_STAGE | NB_IN_START) && /* elsewhere `in` has a meaning */
                        nb_unit_foreign(without_comma(bare, token->text), &it->unit.dimension);
   return foreign || resembles_unit(token->text) ||
-         (reader->keyword && !own && !is_dimensionless(it) && !nb_synonym(token->text));
+         (reader->keyword && !own && !is_dimensionless(it) && !are_units_unknown(reader) && !nb_synonym(token->text));
 }
 
 static bool names_angle(const struct wanted *it, const char *text) {
@@ -179,7 +180,9 @@ static bool radian_hint(char *hint, const char *n, const char *unit, const struc
 
 static bool special_hint(char *hint, const struct nb_reader *reader, const char *n, const char *unit,
                          const struct wanted *it) {
-  return comma_hint(hint, n, unit, it) || (reader->unitless && radian_hint(hint, n, unit, it));
+  const struct nb_token *const next = token_after(reader, 1);
+  return comma_hint(hint, n, unit, it) || (reader->unitless && radian_hint(hint, n, unit, it)) ||
+         (next && !is_number(next) && nb_pair_hint(hint, reader->tokens[0].text, next->text));
 }
 
 /* Writes the hint for a number without a unit, or with the wrong unit. */
@@ -228,11 +231,21 @@ static bool unit_fits(struct nb_unit *unit, const struct nb_reader *reader, cons
 static bool may_be_bare(const struct nb_reader *reader, const struct wanted *it) {
   const bool computed =
       nb_token_peek(reader)->computed && nb_dimension_same(it->unit.dimension, (struct nb_dimension){0});
-  return computed || reader->unitless || is_dimensionless(it);
+  return computed || reader->unitless || is_dimensionless(it) || are_units_unknown(reader);
+}
+
+/* Reports a number without a unit, or with the wrong one, unless the system of units is unknown. */
+static bool unit_mistake(struct nb_reader *reader, const struct nb_token *unit, const struct wanted *it) {
+  const struct nb_token *const number = nb_token_peek(reader);
+  char what[256], hint[NB_HINT_SIZE];
+  expected_text(what, sizeof what, reader, it);
+  return are_units_unknown(reader)
+             ? nb_fail_silently(reader)
+             : number_mistake(reader, number, unit, unit_hint(hint, reader, number, unit, it), what);
 }
 
 static bool take_quantity(struct nb_reader *reader, const struct wanted *it, enum nb_range range, double *value) {
-  char what[256], hint[NB_HINT_SIZE];
+  char what[256];
   struct nb_unit unit;
   const struct nb_token *number = nb_token_peek(reader);
   *value = 1;
@@ -245,10 +258,8 @@ static bool take_quantity(struct nb_reader *reader, const struct wanted *it, enu
   const enum nb_reading reading = nb_quantity_read(value, number->text, number->computed, &unit);
   if (reading != NB_READ)
     return number_mistake(reader, number, matches ? behind : NULL, NULL, nb_reading_words(reading));
-  if (!matches && (behind || !may_be_bare(reader, it))) {
-    expected_text(what, sizeof what, reader, it);
-    return number_mistake(reader, number, behind, unit_hint(hint, reader, number, behind, it), what);
-  }
+  if (!matches && (behind || !may_be_bare(reader, it)))
+    return unit_mistake(reader, behind, it);
   if (!within(*value, range)) {
     snprintf(what, sizeof what, "%s%s", it->name, nb_range_words(range));
     return number_mistake(reader, number, behind, NULL, what);
@@ -277,7 +288,9 @@ bool nb_take_in_unit(struct nb_reader *reader, const char *si_unit, double *valu
 
 /* ---- whole numbers, words and names ---- */
 
-bool nb_take_count(struct nb_reader *reader, unsigned long low, unsigned long high, unsigned long *value) {
+/* As nb_take_count; the message says what is counted, `a whole number` or `a number of cycles`. */
+static bool take_count(struct nb_reader *reader, unsigned long low, unsigned long high, unsigned long *value,
+                       const char *hint, const char *counted) {
   const struct nb_token *token = nb_token_peek(reader);
   *value = low;
   size_t digits = token ? strspn(token->text, "0123456789") : 0;
@@ -286,15 +299,22 @@ bool nb_take_count(struct nb_reader *reader, unsigned long low, unsigned long hi
     if (*value >= low && *value <= high)
       return reader->next++, true;
   }
-  char what[96];
-  snprintf(what, sizeof what, "a whole number from %lu to %lu", low, high);
-  return is_number(token) ? number_mistake(reader, token, NULL, NULL, what) : nb_expected(reader, NULL, "%s", what);
+  char what[192];
+  snprintf(what, sizeof what, "%s from %lu to %lu", counted, low, high);
+  return is_number(token) ? number_mistake(reader, token, NULL, hint, what) : nb_expected(reader, hint, "%s", what);
+}
+
+bool nb_take_count(struct nb_reader *reader, unsigned long low, unsigned long high, unsigned long *value) {
+  return take_count(reader, low, high, value, NULL, "a whole number");
 }
 
 bool nb_take_count_of(struct nb_reader *reader, const char *one, unsigned long *value) {
-  char several[NB_NAME_SIZE];
+  char several[NB_NAME_SIZE], counted[2 * NB_NAME_SIZE], hint[NB_HINT_SIZE];
   snprintf(several, sizeof several, "%ss", one);
-  return nb_take_count(reader, 1, NB_COUNT_MAX, value) && (nb_token_skip(reader, one) || nb_take_word(reader, several));
+  snprintf(counted, sizeof counted, "a number of %s", several);
+  snprintf(hint, sizeof hint, "write `100 %s`: divide a time by the step", several);
+  return take_count(reader, 1, NB_COUNT_MAX, value, hint, counted) &&
+         (nb_token_skip(reader, one) || nb_take_word(reader, several));
 }
 
 int nb_take_choice(struct nb_reader *reader, const char *words) {
@@ -311,7 +331,8 @@ int nb_take_choice(struct nb_reader *reader, const char *words) {
     at += length + (at[length] != '\0');
     nb_append_item(list, sizeof list, word, !*at);
   }
-  nb_expected(reader, token ? nb_guess_hint(&guess, hint) : NULL, "%s", list);
+  const char *const pair = token ? nb_pair_hint(hint, reader->tokens[0].text, token->text) : NULL;
+  nb_expected(reader, pair || !token ? pair : nb_guess_hint(&guess, hint), "%s", list);
   return -1;
 }
 

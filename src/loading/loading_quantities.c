@@ -60,7 +60,7 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
            "vectors of the sides of the cell: xx and yx of the side along x on the page, xy and yy of the other side"),
     TENSOR("cell.stress", NB_OF_CELL, "Pa", NB_STRESSES, cell_stress,
            "stress from contact forces, sum of F_i l_j over the volume (thickness 1 m for discs, mean diameter for "
-           "spheres), compression positive, dashpots included"),
+           "spheres), dashpots included. Compression is positive: `c12` above 0 makes xy negative"),
     TENSOR("cell.strain", NB_OF_CELL, "1", NB_COMPONENTS, cell_strain,
            "strain of the cell since time 0, extension positive; xy is half the change of the right angle, for small "
            "strains"),

@@ -125,9 +125,10 @@ enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, s
   const char *reason = objection(model, step->kind, unit);
   if (reason) {
     nb_error_set(error, NB_BAD_USE, "%s%s: write %s", source, reason,
-                 step->kind >= NB_STEP_RAYLEIGH    ? "a time, or `F of stable`"
-                 : step->kind == NB_STEP_COLLISION ? "a time, or `F of rayleigh`"
-                                                   : "`N per collision` or `F of rayleigh`");
+                 step->kind >= NB_STEP_RAYLEIGH ? "a time, or `step 0.2 of stable`"
+                 : step->kind == NB_STEP_COLLISION
+                     ? "a time, or `step 0.2 of rayleigh`"
+                     : "`step 0.2 of rayleigh`, or with approaching pairs `step 200 per collision`");
     error->line = line;
     return NB_BAD_USE;
   }

@@ -48,7 +48,7 @@ static unsigned long first_cycle(struct nb_model *model, const struct nb_stage *
   while (from < to) {
     const unsigned long middle = from + (to - from) / 2, n = middle < tests ? middle * every : most;
     bool met = true;
-    model->cycle = (unsigned long)begin->cycle[which] + n;
+    model->cycle = (unsigned long)begin->cycle[which] + n, model->stage_cycle = n, model->step = step;
     model->time = begin->time[which] + (double)n * step;
     for (size_t k = 0; k < stage->condition_count; k++)
       met = met && (!is_clock(&stage->conditions[k]) || nb_condition_met(&stage->conditions[k], model));
@@ -71,7 +71,7 @@ static bool step_is_known(const struct nb_scene *scene, size_t index) {
          (kind != NB_STEP_STABLE && kind != NB_STEP_COLLISION && !changes);
 }
 
-/* Sets the lengths of the stages with the steps of the trial. The clock of the model is changed. */
+/* Sets the lengths of the stages with the steps of the trial. The clock and the step of the model are changed. */
 static void find_lengths(struct nb_cost *cost, const struct nb_scene *scene, struct nb_model *model,
                          const struct nb_result *trial) {
   struct clock now = {{(double)model->cycle, (double)model->cycle}, {model->time, model->time}};

@@ -240,14 +240,15 @@ static bool take_sample(struct nb_reader *reader, const struct nb_scene *scene, 
   return !nb_token_skip(reader, "over") || take_sweep_name(reader, scene, expectation->sample);
 }
 
+static const char source_hint[] = "say where the number comes from, for example `[CS79 figure 6]` or `[a guess]`";
+
 /* Takes a source such as `[CS79 figure 6]`, which may be several tokens. */
 static bool take_source(struct nb_reader *reader, struct nb_expectation *expectation) {
-  static const char where[] = "say where the number comes from, for example `[CS79 figure 6]`";
   const struct nb_token *token = nb_token_peek(reader);
   if (!token || token->text[0] != '[')
-    return nb_expected(reader, where, "the source in brackets");
+    return nb_expected(reader, source_hint, "the source in brackets");
   if (strcmp(token->text, "[]") == 0)
-    return nb_expected(reader, where, "a source between the brackets");
+    return nb_expected(reader, source_hint, "a source between the brackets");
   while ((token = nb_token_peek(reader))) {
     nb_append(expectation->source, sizeof expectation->source, "%s%s", expectation->source[0] ? " " : "", token->text);
     reader->next++;
@@ -293,6 +294,11 @@ static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene
 }
 
 static bool take_other(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
+  const struct nb_token *token = nb_token_peek(reader);
+  double number;
+  expectation->has_number = token && nb_number_read(&number, token->text, 0) != NB_NO_NUMBER;
+  if (expectation->has_number)
+    return nb_take_in_unit(reader, expectation->measure.unit, &expectation->number);
   return take_measure_like(reader, scene, expectation->measure.unit, &expectation->other);
 }
 
@@ -302,6 +308,16 @@ static bool take_trend(struct nb_reader *reader, const struct nb_scene *scene, s
 }
 
 static bool take_constant(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
+  const struct nb_measure *const measure = &expectation->measure;
+  const char *const unit = strcmp(measure->unit, "1") == 0 || reader->unitless ? "" : measure->unit;
+  char hint[NB_HINT_SIZE];
+  snprintf(hint, sizeof hint,
+           "`constant with NAME` compares the runs of a sweep; constant in time is `%.80s amplitude in STAGE  expected "
+           "0%s%s "
+           "within TOLERANCE%s%s [SOURCE]`",
+           measure->label, *unit ? " " : "", unit, *unit ? " " : "", unit);
+  if (!nb_token_is(reader, "with"))
+    return nb_expected(reader, hint, "`with` and the name of a `sweep`");
   return take_trend(reader, scene, expectation) &&
          take_tolerance(reader, NULL, expectation->measure.unit, &expectation->tolerance);
 }
@@ -328,9 +344,12 @@ static const struct nb_expectation_row rows[] = {
    "noted, and cannot fail.",
    "time at 0 cycles  expected 0 s within 0 s  [the clock starts]\n"
    "C.normal in part  expected 0 of C.normal max in strike within 0.01  [the discs separate]"},
-  {"below", NB_LESS, "MEASURE below MEASURE", take_other, "The first measure is less than the second one of the same run.",
-   "C.overlap in part  below  C.overlap max in strike"},
-  {"above", NB_GREATER, "MEASURE above MEASURE", take_other, "The first measure is greater than the second one of the same run.",
+  {"below", NB_LESS, "MEASURE below MEASURE|NUMBER", take_other,
+   "The measure is less than the second one of the same run, or than a number with its unit. Equal is not below, and NaN is neither below nor above.",
+   "C.overlap in part  below  C.overlap max in strike\n"
+   "energy.kinetic in part  below  1 MJ"},
+  {"above", NB_GREATER, "MEASURE above MEASURE|NUMBER", take_other,
+   "The measure is greater than the second one of the same run, or than a number with its unit.",
    "C.normal max in strike  above  C.normal mean in strike"},
   {"increases", NB_INCREASES, "MEASURE increases with NAME {over SAMPLE}", take_trend,
    "The measure increases from each value of the sweep NAME to the next larger one, with all other swept values equal; words keep their "
@@ -412,8 +431,15 @@ static void apply_expectation(struct nb_reader *reader, const struct nb_record *
   struct nb_expectations *expectations = reading->expectations;
   struct nb_expectation expectation = {.line = (int)reader->line};
   (void)record;
-  if (take_measure(reader, reading->scene, &expectation.measure) && take_kind(reader, reading, &expectation))
+  bool compared = false; /* with a number */
+  for (size_t k = 0; k < reader->count; k++)
+    compared = compared || strcmp(reader->tokens[k].text, "expected") == 0;
+  if (!take_measure(reader, reading->scene, &expectation.measure)) {
+    if (compared)
+      nb_line_needs(reader, "[", source_hint, "the source in brackets");
+  } else if (take_kind(reader, reading, &expectation)) {
     NB_APPEND(reader, expectations->list, expectations->count, expectation);
+  }
 }
 
 static void apply_reference(struct nb_reader *reader, const struct nb_record *record, void *subject) {
@@ -428,6 +454,11 @@ static void apply_reference(struct nb_reader *reader, const struct nb_record *re
   for (const struct nb_reference *const *reference = nb_references(); *reference; reference++)
     nb_guess_offer(&guess, (*reference)->name);
   const char *suggestion = nb_guess_hint(&guess, hint);
+  for (const struct nb_reference *const *reference = nb_references(); *reference && !suggestion; reference++)
+    if (strncmp((*reference)->name, token->text, strlen(token->text)) == 0) {
+      snprintf(hint, sizeof hint, "did you mean `%s`?", (*reference)->name);
+      suggestion = hint;
+    }
   nb_expected_at(reader, token, suggestion ? suggestion : "`nineball list` names all references",
                  "the name of a reference");
 }

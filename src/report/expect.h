@@ -37,7 +37,7 @@ enum nb_expectation_kind {
   NB_WITHIN,   /* agrees with the reference */
   NB_VERSUS,   /* a curve agrees with the reference at every row */
   NB_EXPECTED, /* agrees with a number of the page */
-  NB_LESS,     /* less than another measure of the same run */
+  NB_LESS,     /* less than another measure of the same run, or than a number */
   NB_GREATER,
   NB_INCREASES, /* increases from each value of a sweep to the next larger one */
   NB_DECREASES,
@@ -49,11 +49,12 @@ enum nb_expectation_kind {
 struct nb_expectation {
   enum nb_expectation_kind kind;
   struct nb_measure measure;
-  /* NB_LESS, NB_GREATER: the measure to compare with. NB_EXPECTED with `has_scale`: `number` is a fraction of it. */
+  /* NB_LESS, NB_GREATER: the measure to compare with, unless `has_number`. NB_EXPECTED with `has_scale`: `number` is a
+   * fraction of it. */
   struct nb_measure other;
-  bool has_scale;
+  bool has_scale, has_number;
   struct nb_tolerance tolerance;
-  double number;             /* NB_EXPECTED: SI; NB_ORDER: the power */
+  double number;             /* NB_EXPECTED, NB_LESS, NB_GREATER: SI; NB_ORDER: the power */
   char source[NB_NAME_SIZE]; /* "[CS79 figure 6]" */
   /* NB_VERSUS: the independent variable, `time`; NB_INCREASES to NB_ORDER: the swept name */
   char against[2 * NB_NAME_SIZE];

@@ -581,7 +581,7 @@ static bool words_help(const struct manual *to, const char *text, struct nb_gues
   if (found)
     strains(to);
   else if (synonym && nb_synonym_hint(hint, text))
-    fprintf(to->out, "  %.*s\n", (int)(strstr(hint, ": see `nineball") - hint), hint);
+    fprintf(to->out, "  %.*s\n", (int)(strstr(hint, " see `nineball") - 1 - hint), hint);
   for (const char *list = synonym ? synonym->ours : ""; nb_item(&list, item);)
     find(&brief, item, &none);
   found = find(to, text, guess) || found;

@@ -122,14 +122,17 @@ static bool undefined(struct nb_error *error, const struct nb_measure *measure, 
 bool nb_measure_value(double *computed, const struct nb_measure *measure, const struct nb_table *table,
                       struct nb_error *error) {
   struct column column = {.table = table, .index = measure->column};
-  char reason[NB_NAME_SIZE];
+  const double *const abscissa = measure->reducer == NB_AT_TIME ? table->time : table->cycle;
+  char reason[2 * NB_NAME_SIZE];
   nb_measure_rows(measure, table, &column.from, &column.to);
   *computed = NAN;
   if (column.from == column.to)
     return undefined(error, measure, "no row was recorded there");
+  snprintf(reason, sizeof reason, "no row was recorded at that moment, only from %s %g to %g",
+           measure->reducer == NB_AT_TIME ? "time" : "cycle", abscissa[column.from], abscissa[column.to - 1]);
   select_rows(&column, measure);
   if (column.from == column.to)
-    return undefined(error, measure, "no row was recorded at that moment");
+    return undefined(error, measure, reason);
   for (size_t r = column.from; r < column.to; r++)
     if (!isfinite(value(&column, r))) {
       snprintf(reason, sizeof reason, "it is %g at cycle %.0f", value(&column, r), table->cycle[r]);

@@ -158,6 +158,15 @@ static void check_value(struct nb_check *check, const struct nb_page_run *run, c
             expected ? "expected" : "reference");
 }
 
+/* Reports a curve that the reference does not return, with those that it returns. */
+static void lacks_curve(struct nb_check *check, const struct nb_solution *solution, const char *quantity,
+                        const char *against) {
+  nb_check_result(check, false, "the reference returns no curve of `%s` versus `%s`", quantity, against);
+  for (size_t k = 0; k < solution->curve_count; k++)
+    nb_append(check->message, sizeof check->message, "%s`%s versus %s`", k ? ", " : ", but ", solution->curves[k].name,
+              solution->curves[k].along);
+}
+
 /* Compares a curve at every row. All rows must pass; the message is about the worst one. */
 static void check_curve(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
   const struct nb_table *table = nb_run_table(run);
@@ -166,10 +175,12 @@ static void check_curve(struct nb_check *check, const struct nb_page_run *run, c
   char unit[NB_NAME_SIZE];
   size_t from, to;
   nb_measure_rows(&e->measure, table, &from, &to);
-  if (!curve || from == to) {
-    nb_check_result(check, false,
-                    curve ? "no rows were recorded" : "the reference returns no curve of `%s` versus `%s`", quantity,
-                    e->against);
+  if (!curve) {
+    lacks_curve(check, &run->solution, quantity, e->against);
+    return;
+  }
+  if (from == to) {
+    nb_check_result(check, false, "no rows were recorded");
     return;
   }
   double peak = 0, scale, worst = -1;
@@ -191,14 +202,14 @@ static void check_curve(struct nb_check *check, const struct nb_page_run *run, c
   }
 }
 
-/* Compares two measures of one run, or reports one. */
+/* Compares a measure with another one of the same run or with a number, or reports it. */
 static void check_measures(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
   struct nb_error error;
-  double one, other = 0;
+  double one, other = e->number;
   char unit[NB_NAME_SIZE];
   const bool reported = e->kind == NB_REPORTED;
   if (!nb_measure_value(&one, &e->measure, nb_run_table(run), &error) ||
-      (!reported && !nb_measure_value(&other, &e->other, nb_run_table(run), &error))) {
+      (!reported && !e->has_number && !nb_measure_value(&other, &e->other, nb_run_table(run), &error))) {
     nb_check_result(check, false, "%s", error.text);
     return;
   }
