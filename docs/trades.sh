@@ -56,7 +56,7 @@ seen() {
   case $1 in
   two-wall-compression)
     echo 'The walls move with a constant speed, and the springs are linear. The error of the force is of second order: twice the updates
-leave a quarter of it. The velocity `X.vx.half` is that of half a step before, so its error is of first order, and a small error needs far more updates.' ;;
+leave a quarter of it. The velocity `X.vx.half` is the velocity of half a step before, so its error is of first order, and a small error needs far more updates.' ;;
   mindlin-loops)
     echo 'The exact law gives the same force with any number of steps. Only the work has an error, because it is the sum of mean force times slip, so
 each curve is replaced by straight pieces. That error is of second order.' ;;
@@ -362,7 +362,7 @@ $(low_order 1) with them.
 - A stage that ends by \`until\` ends after a whole cycle, up to one step late. The error is of first order if the quantity still
   changes there.
 - A first touch happens within a step. At a given time after it the quantity is early or late by a fraction of a step.
-- A largest value is sampled once per step, but it is flat there. The error of the sampling is only of second order.
+- A largest value is sampled once per step, but the curve is flat there. The sampling error is only of second order.
 - The result of an impact does not change any more when the particles have separated, so its error has the order of the forces.
 
 **Where the exact law is needed.** On cases with \`shear mindlin_deresiewicz\`, the table has the number of quantities for which

@@ -269,7 +269,7 @@ static void write_laws(struct files *files) {
       "was given since first touch. The stored energy, where a law has one, never grows by more than the work. Each\n"
       "segment is led in four and in eight steps. Sixteen times the difference of both works is the error of the\n"
       "finite steps. Only energy in excess of it counts. Jumps over decades are too large for this account.\n\n"
-      "The table has the largest values of all paths. *Excess* is that of $\\lvert T \\rvert$ over its limit. "
+      "The table has the largest values of all paths. *Excess* is $\\lvert T \\rvert$ beyond its limit. "
       "*Created* is the\n"
       "energy created by a contact over the energy that it was given. *Stored beyond work* is the growth of the "
       "stored\n"
@@ -305,7 +305,7 @@ static void write_exact(struct files *files) {
       "The law `mindlin_deresiewicz` stores at most $K$ pieces of its history. Here the same path goes to the law "
       "with\n"
       "several $K$ and to an independent list of all rings ([by_hand.h](../tests/by_hand.h)), which has no limit. The\n"
-      "error is that of $T$ over the present $\\mu N$. The last paths come from runs of the program:\n\n",
+      "error is the error of $T$ over the present $\\mu N$. The last paths come from runs of the program:\n\n",
       files->out);
   for (int run = 0; run < RUNS; run++)
     fprintf(files->out, "- **%s:** %s ([path-%s](../tests/pages/path-%s.md)).\n", run_names[run], run_titles[run],

@@ -995,7 +995,8 @@ static void write_checks(FILE *out, const struct map maps[SYSTEMS]) {
       "- No point below the limit is unstable, and all points above it are.\n"
       "- The bound does not exceed the limit, and a run with the bound as step does not grow.\n"
       "- For a disc in a wedge the limit equals a closed form. The largest relative difference is %.0e.\n\n"
-      "If anything disagrees, it prints the column and ends with status 1. `make check` runs a part of the maps. It\n"
+      "If anything disagrees, the program prints the column and ends with status 1. `make check` runs a part of the "
+      "maps. It\n"
       "also plants limits that are wrong by 2 %%, and a bound that is too long, and requires an error message for\n"
       "each system.\n",
       100 * agreement, maps[SYSTEMS - 1].planar);
@@ -1058,10 +1059,10 @@ static void write_above(FILE *out, const char *folder) {
       "%g\n"
       "of the overlap in the first cycle. The tables show what a user could record. The force is the mean of all\n"
       "contacts over the last half of the cycles, and `unbalanced.max` its mean over the last tenth.\n"
-      "`energy.residual` is the largest one over the initial energy, and `energy.kinetic` the last one over the\n"
+      "`energy.residual` is its largest value over the initial energy, and `energy.kinetic` its last value over the\n"
       "first.\n\n"
       "Above the limit the vibration grows until contacts slide and open, which bounds its amplitude. The run goes\n"
-      "on, and its results are wrong. With damping `unbalanced.max` shows it: below the limit it falls to rounding, "
+      "on, and its results are wrong. With damping `unbalanced.max` shows this: below the limit it falls to rounding, "
       "above\n"
       "the limit it stays at per cents or more. Without damping the vibrations never end, and `energy.residual` shows\n"
       "the growth. In the damped packing only few discs vibrate just above the limit. There the imbalance is a few "

@@ -39,7 +39,7 @@ while IFS='|' read -r page condition measure tolerance setting cost error next r
   -) ;;
   –) ! grep -q 'next cheaper' "$work/answer" || echo "$measure within $tolerance: there is a cheaper setting" ;;
   *)
-    grep -A 1 "next cheaper one misses the tolerance: $next\$" "$work/answer" | awk -v ratio="$ratio" -v tolerance="${tolerance% %}" '
+    grep -A 1 "next cheaper setting misses the tolerance: $next\$" "$work/answer" | awk -v ratio="$ratio" -v tolerance="${tolerance% %}" '
       / estimated error: / { d = $3/(ratio*tolerance) - 1; found = d*d < 0.1^2 } END { exit !found }' ||
       echo "$measure within $tolerance: the next cheaper setting is not $next with $ratio times the tolerance"
     ;;

@@ -586,7 +586,7 @@ whole.
 $(rows $loading)
 
 Pairs of particles that a boundary holds are not in the neighbour list. So the pages with a boundary have fewer
-contacts, and each contact has a larger fraction of the motion.
+contacts, and the cost of the motion is divided among fewer contacts.
 
 ## Measures of every cycle
 

@@ -147,13 +147,13 @@ static bool write_scores(FILE *out, const struct results *results) {
   }
   fputs(
       "\nThe next table has the negative controls: the same draws with estimators that lack something. Each must fail\n"
-      "at least one criterion. They share the refusals of the whole estimator.\n\n"
+      "at least one criterion. They refuse the same draws as the whole estimator.\n\n"
       "- One phase: everything is computed at one phase.\n"
       "- No anchor: Richardson's estimate $G$ alone. Nothing compares a candidate that has other laws with the page.\n"
       "- Difference of two steps: $|Q(n) - Q(2n)|$ at one phase, without an anchor.\n"
       "- The reference of each candidate: the coarsest step, up to that of the page, whose result agrees with the\n"
       "  reference solution of the page with the laws of the candidate.\n"
-      "- Always the finest: no estimate. The tolerance counts as its estimated error, and its true error is that at\n"
+      "- Always the finest: no estimate. The tolerance counts as its estimated error, its true error is the error at\n"
       "  one phase.\n\n"
       "| what chooses the setting",
       out);
@@ -246,16 +246,20 @@ static bool write_means(FILE *out, const struct results *results) {
   fprintf(
       out,
       "\n## Means over realizations\n\n"
-      "The same was measured for `--over seed` on %zu pages of assemblies of about a hundred particles, with %d draws\n"
+      "The same criteria were measured for `--over seed` on %zu pages of assemblies of about a hundred particles, with "
+      "%d draws\n"
       "for each.\n"
       "Each draw has its own 8, 16 or 32 realizations. The pages trade a rate of loading or the stiffness. The truth "
       "is\n"
-      "the mean over %d other realizations, with half the step of the page. The true error is that of the mean over\n"
-      "these with the setting. The tolerance lies between the smallest and the largest true error of the traded\n"
+      "the mean over %d other realizations, with half the step of the page. The true error is the error of the mean "
+      "over\n"
+      "these realizations with the setting. The tolerance lies between the smallest and the largest true error of the "
+      "traded\n"
       "values, with the page's step and with twice this step. It is at least %g, and at least twice the standard "
       "error\n"
-      "with which these %d realizations resolve the step of the page. The largest one is at least 8 times the "
-      "smallest.\n"
+      "with which these %d realizations resolve the step of the page. The upper end of this range is at least 8 times "
+      "the\n"
+      "lower end.\n"
       "Of the draws, ",
       pages, MEAN_DRAWS, TRUTH_REALIZATIONS, lowest_of_mean, TRUTH_REALIZATIONS);
   write_share(out, answered, results->mean_count);
