@@ -93,8 +93,8 @@ static struct nb_coefficients coefficients_at(const struct nb_model *model,
     k.ks = material_pair->next_shear->shear(values, normal, 0, shear_history).stiffness;
   if (!model->stability->damped)
     return k;
-  const struct nb_dashpot dashpot =
-      deep ? (struct nb_dashpot){.ratio = 2} : model->stability->dashpots[material_pair->wall];
+  static const struct nb_dashpot critical = {.ratio = 2}; /* c = 2 (m k)^(1/2) */
+  const struct nb_dashpot dashpot = deep ? critical : model->stability->dashpots[material_pair->wall];
   const double mass = inverse_mass > 0 ? 1 / inverse_mass : 0;
   const double times = model->damping.centred ? 2 : 1; /* centred dashpots count twice */
   k.cn = times * (dashpot.time * k.kn + dashpot.ratio * sqrt(mass * k.kn));
