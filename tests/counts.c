@@ -78,8 +78,8 @@ static void within_in_90_percent_of_each_kind(void) {
   CU_ASSERT_EQUAL(failures(draws), 1U << WITHIN_KIND);
   const struct score score = score_of(draws, COUNT, WHOLE, BOTH_HALVES);
   CU_ASSERT_STRING_EQUAL(score.worst_kind, "kind 2");
-  CU_ASSERT_EQUAL(score.worst_share, 17.0 / 20);
-  CU_ASSERT_EQUAL(score_of(draws, COUNT, TWO_STEPS, BOTH_HALVES).worst_share, 1);
+  CU_ASSERT_EQUAL(score.worst_fraction, 17.0 / 20);
+  CU_ASSERT_EQUAL(score_of(draws, COUNT, TWO_STEPS, BOTH_HALVES).worst_fraction, 1);
   const struct score kind = score_of_kind(draws, COUNT, "kind 2");
   CU_ASSERT(kind.draws == 20 && kind.answered == 20 && kind.within == 17);
   free(draws);
@@ -138,8 +138,8 @@ static void halves_are_counted_apart(void) {
   for (size_t k = 1; k < 13; k += 2)
     whole(&draws[k])->error = 3, whole(&draws[k])->cost = 7, whole(&draws[k])->claim = 0.7;
   const struct score tuned = score_of(draws, COUNT, WHOLE, TUNED), held = score_of(draws, COUNT, WHOLE, HELD_OUT);
-  CU_ASSERT(tuned.draws == 50 && tuned.within == 50 && tuned.worst_share == 1);
-  CU_ASSERT(held.draws == 50 && held.within == 44 && held.worst_share == 0.4);
+  CU_ASSERT(tuned.draws == 50 && tuned.within == 50 && tuned.worst_fraction == 1);
+  CU_ASSERT(held.draws == 50 && held.within == 44 && held.worst_fraction == 0.4);
   CU_ASSERT(tuned.cost[2] == 1 && held.cost[2] == 7);
   CU_ASSERT(tuned.claim[0] == 2 && held.claim[0] == 0.7);
   free(draws);

@@ -12,17 +12,17 @@ static const double pi = 3.14159265358979323846;
 
 /* The factors of a kick of the duration t: keep (lambda) for the old spin, push (eta) for the moment
  * (docs/METHOD.md). */
-struct shares {
+struct factors {
   double keep, push;
 };
-static struct shares undamped(double t) { return (void)t, (struct shares){1, 1}; }
-static struct shares alpha(double t) { return (struct shares){(1 - 15 * t) / (1 + 15 * t), 1 / (1 + 15 * t)}; }
-static struct shares con1_cs79(double t) { return (void)t, (struct shares){0.9 / 1.1, 1 / 1.1}; }
-static struct shares con1_all(double t) { return (void)t, (struct shares){0.9, 0.9}; }
+static struct factors undamped(double t) { return (void)t, (struct factors){1, 1}; }
+static struct factors alpha(double t) { return (struct factors){(1 - 15 * t) / (1 + 15 * t), 1 / (1 + 15 * t)}; }
+static struct factors con1_cs79(double t) { return (void)t, (struct factors){0.9 / 1.1, 1 / 1.1}; }
+static struct factors con1_all(double t) { return (void)t, (struct factors){0.9, 0.9}; }
 
 static const struct {
   const char *damping;
-  struct shares (*over)(double t);
+  struct factors (*over)(double t);
 } kinds[] = {{"none", undamped}, {"mass 30", alpha}, {"con1 0.9 as cs79", con1_cs79}, {"con1 0.9 as all", con1_all}};
 
 /* A rotating disc in contact with a sphere, with friction. */
@@ -51,7 +51,7 @@ static void moments_rotate_particles(void) {
     for (int cycle = 0; cycle < 40; cycle++) {
       model->step = cycle < 20 ? 0.001 : 0.0003;
       const double before = model->previous_step, t = (before + model->step) / 2;
-      const struct shares kick = kinds[n].over(t), now = kinds[n].over(before);
+      const struct factors kick = kinds[n].over(t), now = kinds[n].over(before);
       for (int b = 0; b < 2; b++) {
         const double turning = written_now(model, names[b][0]) / inertia[b];
         const double next = now.keep * spin[b] + now.push * before * turning;

@@ -9,9 +9,10 @@
  * At each point an assembly at rest is perturbed and run by the library:
  *
  *   unstable     the velocity changes of a perturbation that moves particles by about 1e-9 R in a cycle become more
- *                than `much` times as large as at first, while the same contacts are closed
- *   inaccurate   the displacement in the slowest mode differs by more than `share` of its largest value from that of a
- *                run with 1/64 of the limit, at some time in half a period, or in 2000 limits if that is shorter
+ *                than `growth_limit` times as large as at first, while the same contacts are closed
+ *   inaccurate   at some time in half a period, or in 2000 limits if that is shorter, the displacement in the slowest mode
+ *                differs from that of a run with 1/64 of the limit by more than `displacement_tolerance` of its largest
+ *                value
  *   stable       neither
  *
  * The program compares the limit with the step at which runs begin to grow, with the spectral radius of the cycle as a
@@ -36,11 +37,12 @@
 
 enum { MOST = 32, AXIS = 8, STEPS = 17, FINE = 64, GROWTH_CYCLES = 1500, LONGEST = 2000, KICK_CYCLES = 1000 };
 static const double overlap = 1e-4; /* of each contact at rest, over the radius; that of the random packing is random */
-static const double nudge = 1e-9;   /* largest displacement of the perturbation in a cycle, over the radius */
-static const double much = 100;   /* growth; the amplitude of a stable vibration beats by about 10 close to the limit */
-static const double share = 0.01; /* tolerance of the displacement, as a fraction of its largest value */
-static const double agreement = 0.01; /* largest relative difference between the limit and runs */
-static const double visible = 0.01;   /* energy residual or imbalance that a user would see */
+static const double perturbation = 1e-9; /* largest displacement of the perturbation in a cycle, over the radius */
+/* Largest growth; the amplitude of a stable vibration beats by about 10 close to the limit. */
+static const double growth_limit = 100;
+static const double displacement_tolerance = 0.01; /* as a fraction of the largest displacement */
+static const double agreement = 0.01;              /* largest relative difference between the limit and runs */
+static const double visible = 0.01;                /* energy residual or imbalance that a user would see */
 /* Displacement in the first cycle of a run that looks for symptoms, over the mean overlap. */
 static const double kick_size = 0.03;
 static const double steps[STEPS] = {1. / 32, 1. / 16, 0.125, 0.25, 0.5,  0.75, 0.875, 0.95, 0.99,
@@ -326,13 +328,13 @@ static double velocity_changes(const struct nb_model *model, double last[3 * MOS
 
 /* The factor by which the velocity changes grow; `kept`: the same contacts are closed at the end. */
 static double growth_of(struct written *it, double step, bool *kept) {
-  kick(it, nudge, step, 1);
+  kick(it, perturbation, step, 1);
   struct nb_model *model = model_of(it, step);
   struct nb_error error = {0};
   double last[3 * MOST] = {0}, first = INFINITY, most = 0;
   const size_t closed = closed_contacts(model);
   velocity_changes(model, last);
-  for (int cycle = 0; cycle < GROWTH_CYCLES && !(most > much * first); cycle++) {
+  for (int cycle = 0; cycle < GROWTH_CYCLES && !(most > growth_limit * first); cycle++) {
     if (nb_cycle(model, &error)) {
       most = INFINITY;
       break;
@@ -350,11 +352,11 @@ static double growth_of(struct written *it, double step, bool *kept) {
 /* The step, over the limit, at which runs begin to grow; it is sought between `low` and `high`, to 0.2 %. */
 static double boundary_of_runs(struct written *it, double limit, double low, double high) {
   bool kept;
-  if (growth_of(it, low * limit, &kept) > much || !(growth_of(it, high * limit, &kept) > much))
+  if (growth_of(it, low * limit, &kept) > growth_limit || !(growth_of(it, high * limit, &kept) > growth_limit))
     return NAN;
   while (high - low > 0.002) {
     const double middle = (low + high) / 2;
-    *(growth_of(it, middle * limit, &kept) > much ? &high : &low) = middle;
+    *(growth_of(it, middle * limit, &kept) > growth_limit ? &high : &low) = middle;
   }
   return (low + high) / 2;
 }
@@ -603,7 +605,7 @@ static const char *shown(const struct symptom *symptom, const struct symptom *us
  * mass that is smaller by c dt/2. The larger of these two effects is the cause of an inaccurate point. */
 static void classify(struct point *point, const struct result *result, const struct slow *slow) {
 
-  point->class = point->growth > much ? UNSTABLE : point->error > share ? INACCURATE : STABLE;
+  point->class = point->growth > growth_limit ? UNSTABLE : point->error > displacement_tolerance ? INACCURATE : STABLE;
   const double rate = sqrt(slow->mode.square) * point->f * result->limit;
   point->cause = point->class == UNSTABLE        ? result->cause
                  : point->class == STABLE        ? "-"
@@ -627,8 +629,8 @@ static void make_points(struct result *result, const struct column *column, cons
     struct point *point = &result->points[k];
     *point = (struct point){.f = k < STEPS ? steps[k] : result->bound};
     point->growth = growth_of(&quiet, point->f * result->limit, &point->kept);
-    point->error = point->growth > much ? NAN : error_of(&slow, &quiet, result->limit, point->f);
-    if (point->growth > much || point->error > share)
+    point->error = point->growth > growth_limit ? NAN : error_of(&slow, &quiet, result->limit, point->f);
+    if (point->growth > growth_limit || point->error > displacement_tolerance)
       point->symptom = symptom_of(&watched, point->f * result->limit, kick_size, KICK_CYCLES);
 
     classify(point, result, &slow);
@@ -876,7 +878,7 @@ static void write_long(FILE *out, double f, unsigned long cycles) {
   double last[3 * MOST] = {0}, most[10] = {0};
   write_page(&it, &column, "step");
   const double step = f * limit_of(&it);
-  kick(&it, nudge, step, 3);
+  kick(&it, perturbation, step, 3);
   struct nb_model *model = model_of(&it, step);
   velocity_changes(model, last);
   for (unsigned long n = 0; n < cycles; n++) {
@@ -917,7 +919,7 @@ static void write_beginning(FILE *out) {
       "- **Inaccurate:** the displacement in the slowest mode is wrong by more than %g %% of its largest value. The\n"
       "  comparison is a run with 1/%d of the limit, over half a period, or over %d limits if that is shorter.\n"
       "- **Stable:** neither of the two.\n\n",
-      nudge, much, (int)GROWTH_CYCLES, 100 * share, (int)FINE, (int)LONGEST);
+      perturbation, growth_limit, (int)GROWTH_CYCLES, 100 * displacement_tolerance, (int)FINE, (int)LONGEST);
   fprintf(out,
           "The steps are %d fractions of the limit from 1/32 to 2, and the bound. The overlaps at rest are %g of the\n"
           "radius, a tenth of that in the chain, and about 0.001 in the random packing.\n\n",

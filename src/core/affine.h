@@ -46,9 +46,9 @@ static inline struct nb_vec nb_imposed_velocity(const struct nb_affine *affine, 
   return tensor_times(affine->rate[affine->source[slot]], vec_sub(x, affine->centre));
 }
 
-static inline void nb_affine_assign(struct nb_affine *affine, size_t slot, enum nb_affine_source carrier) {
-  affine->source[slot] = (unsigned char)carrier;
-  affine->used[carrier] = true;
+static inline void nb_affine_assign(struct nb_affine *affine, size_t slot, enum nb_affine_source source) {
+  affine->source[slot] = (unsigned char)source;
+  affine->used[source] = true;
 }
 
 /* The part of c that is stored separately from the particle's own velocity, and the part that is added to that velocity

@@ -93,17 +93,17 @@ double nb_wrap_width(const struct nb_wrap *wrap) {
 }
 
 /* The integers m of the nearest image, as multiples of the sides of `wrap`. */
-static struct nb_vec sides(const struct nb_wrap *wrap, struct nb_vec apart) {
+static struct nb_vec nearest_image(const struct nb_wrap *wrap, struct nb_vec apart) {
   const struct nb_vec s = tensor_times(wrap->inverse, apart);
   return vec(-floor(s.x + 0.5), -floor(s.y + 0.5));
 }
 
 struct nb_vec nb_wrapped(const struct nb_wrap *wrap, struct nb_vec x) {
-  return vec_add(x, tensor_times(wrap->h, sides(wrap, vec_sub(x, wrap->centre))));
+  return vec_add(x, tensor_times(wrap->h, nearest_image(wrap, vec_sub(x, wrap->centre))));
 }
 
 struct nb_vec nb_wrap_image(const struct nb_wrap *wrap, struct nb_vec apart) {
-  return tensor_times(wrap->multiples, sides(wrap, apart));
+  return tensor_times(wrap->multiples, nearest_image(wrap, apart));
 }
 
 struct nb_vec nb_cell_wrapped_position(const struct nb_model *model, size_t slot) {

@@ -9,7 +9,7 @@
 #include <string.h>
 
 /* Number of bytes of the UTF-8 character with this first byte; 0: no character begins with it. */
-static size_t length_of(unsigned char first) {
+static size_t encoded_length(unsigned char first) {
   return first < 0x80 ? 1 : (first & 0xE0) == 0xC0 ? 2 : (first & 0xF0) == 0xE0 ? 3 : (first & 0xF8) == 0xF0 ? 4 : 0;
 }
 
@@ -17,9 +17,9 @@ static bool is_control(unsigned long code) { return (code < 0x20 && code != '\t'
 
 /* Number of bytes of the UTF-8 character at c, of which `left` can be read; 0: no valid character (RFC 3629), or a
  * control character other than tab. */
-static size_t character(const unsigned char *c, size_t left) {
+static size_t valid_length(const unsigned char *c, size_t left) {
   static const unsigned long least[] = {0, 0, 0x80, 0x800, 0x10000};
-  const size_t n = length_of(c[0]);
+  const size_t n = encoded_length(c[0]);
   if (n == 0 || n > left)
     return 0;
   unsigned long code = n == 1 ? c[0] : c[0] & (0x7FU >> n);
@@ -35,7 +35,7 @@ static size_t character(const unsigned char *c, size_t left) {
 int nb_clean(char *text, size_t length, unsigned *byte) {
   int column = 0, first = 0;
   for (size_t i = 0; i < length;) {
-    const size_t n = character((const unsigned char *)text + i, length - i);
+    const size_t n = valid_length((const unsigned char *)text + i, length - i);
     column++;
     if (n == 0 && !first) {
       first = column;

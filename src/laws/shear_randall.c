@@ -75,7 +75,7 @@ static inline double theta(const struct history *h, double rise, double limit) {
 
 /* Returns to an outer branch: when reloading reaches T*, when unloading reaches T** or -T*, or when a falling N brings
  * T* and T** to T. */
-static inline void forget(struct history *h) {
+static inline void return_to_outer_branch(struct history *h) {
   const double t = along_virgin(h, h->t), t_star = along_virgin(h, h->t_star), t_star2 = along_virgin(h, h->t_star2);
   if (h->branch > UNLOADING && t <= t_star2)
     h->branch = UNLOADING;
@@ -112,7 +112,7 @@ static inline struct nb_shear shear_randall(struct nb_pair p, struct nb_normal n
     if (slides)
       h = (struct history){.n = h.n, .t = copysign(limit, h.t), .cdf = copysign(1, h.t)};
     else
-      forget(&h);
+      return_to_outer_branch(&h);
   }
   memcpy(m, &h, sizeof h);
   return (struct nb_shear){.force = h.t, .stiffness = fraction * stiffness, .sliding = slides};

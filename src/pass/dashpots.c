@@ -139,7 +139,8 @@ static void multiply(const struct nb_block *block, size_t c, double w) {
 }
 
 /* Corrects the forces of contacts that began or ended in the last step. */
-static NB_COLD void weigh(const struct dashpots *spec, const struct nb_model *model, const struct nb_block *block) {
+static NB_COLD void correct_touches(const struct dashpots *spec, const struct nb_model *model,
+                                    const struct nb_block *block) {
   const double *overlap = block->f[NB_OVERLAP], *dn = block->f[NB_NORMAL_INCREMENT];
   for (size_t c = 0; c < block->n; c++) {
     const double f = overlap[c] / dn[c];
@@ -151,8 +152,8 @@ static NB_COLD void weigh(const struct dashpots *spec, const struct nb_model *mo
 }
 
 /* Called at time 0. Contacts that touch within rounding begin in the next step, so their dashpots have no force yet. */
-static NB_COLD void defer(const struct nb_model *model, const struct nb_block *block,
-                          const struct changes *velocities) {
+static NB_COLD void defer_touches(const struct nb_model *model, const struct nb_block *block,
+                                  const struct changes *velocities) {
   for (size_t c = 0; c < block->n; c++) {
     const struct nb_vec e = vec(block->f[NB_EX][c], block->f[NB_EY][c]);
     if (block->f[NB_OVERLAP][c] < touch_rounding * model->step * vec_dot(velocities->approach[c], e))
@@ -220,9 +221,9 @@ static inline NB_FORM void add_dashpots(const struct nb_model *model, const stru
   if (block->material_pair->shear)
     add_tangential(&spec, block, rate, centred ? &changes : NULL);
   if (ends > 0)
-    weigh(&spec, model, block);
+    correct_touches(&spec, model, block);
   if (centred && !(rate > 0))
-    defer(model, block, &changes);
+    defer_touches(model, block, &changes);
 }
 
 NB_PASS_FORM(stiffness_proportional, add_dashpots(model, block, NB_DASHPOTS_TIME, false))

@@ -35,12 +35,12 @@
 #include "student.h"
 
 enum { PARTICLES_MAX = 50 };
-static const double anchor_share = 0.5;   /* largest uncertainty of the anchor, as a fraction of the tolerance */
-static const double variant_distance = 2; /* a variant farther from the anchor, over the tolerance, is left out */
-static const double confidence = 0.95;    /* confidence level of a mean over realizations */
-static const double runnable = 0.998;     /* two-sided level: one further realization in a thousand stops */
+static const double anchor_fraction = 0.5; /* largest uncertainty of the anchor, as a fraction of the tolerance */
+static const double variant_distance = 2;  /* a variant farther from the anchor, over the tolerance, is left out */
+static const double confidence = 0.95;     /* confidence level of a mean over realizations */
+static const double runnable = 0.998;      /* two-sided level: one further realization in a thousand stops */
 static const double softer[] = {10, 100, 1000};
-static const double equal_share = 0.1; /* numbers of updates that differ by less are nearly equal */
+static const double equal_fraction = 0.1; /* numbers of updates that differ by less are nearly equal */
 
 /* Runs `count` of the trials, evenly spaced. */
 static bool run_trials(struct nb_advice *advice, struct nb_variant *variant, int level, size_t count) {
@@ -124,7 +124,7 @@ static enum nb_status find_anchor(struct nb_advice *advice, struct nb_error *err
   double ratio = INFINITY;
   const int highest = is_mean(advice) ? 1 : NB_LEVEL_HIGH;
   for (advice->anchor = 1; advice->anchor <= highest && run_anchor(advice, advice->anchor); advice->anchor++)
-    if ((ratio = anchor_ratio(advice, advice->anchor, &worst)) <= (is_mean(advice) ? 1 : anchor_share))
+    if ((ratio = anchor_ratio(advice, advice->anchor, &worst)) <= (is_mean(advice) ? 1 : anchor_fraction))
       return NB_OK;
   const struct nb_point *first = &advice->variants[0].points[-NB_LEVEL_LOW];
   if (isfinite(ratio) || advice->anchor > 1)
@@ -195,7 +195,7 @@ static bool add_claim(struct nb_advice *advice, size_t index, int level) {
 bool nb_setting_cheaper(const struct nb_advice *advice, const struct nb_setting *a, const struct nb_setting *b) {
   const double updates = nb_point_at(advice, a)->updates, others = nb_point_at(advice, b)->updates;
   const struct nb_variant *one = &advice->variants[a->variant], *other = &advice->variants[b->variant];
-  if (fabs(updates - others) > equal_share * others)
+  if (fabs(updates - others) > equal_fraction * others)
     return updates < others;
   return one->soften != other->soften ? one->soften < other->soften : one->history < other->history;
 }
@@ -214,7 +214,7 @@ static void search_levels(struct nb_advice *advice, size_t index, int highest) {
     if (last->ratio <= 1 && (!chosen || nb_setting_cheaper(advice, last, chosen)))
       advice->chosen = (int)advice->setting_count - 1;
     if (last->ratio <= 1 ||
-        (chosen && nb_level_ratios(advice, level).first * (1 - equal_share) * nb_point_at(advice, last)->updates >
+        (chosen && nb_level_ratios(advice, level).first * (1 - equal_fraction) * nb_point_at(advice, last)->updates >
                        nb_point_at(advice, chosen)->updates))
       return;
   }

@@ -64,8 +64,8 @@ static bool is_in(const struct draw *draw, enum half half) {
 static double share(size_t part, size_t whole) { return whole ? (double)part / (double)whole : 1; }
 
 /* The fraction of answers within the tolerance among the draws of one kind. */
-static double kind_share(const struct draw draws[], size_t count, enum estimator estimator, enum half half,
-                         const char *kind) {
+static double kind_fraction(const struct draw draws[], size_t count, enum estimator estimator, enum half half,
+                            const char *kind) {
   size_t answered = 0, within = 0;
   for (size_t k = 0; k < count; k++)
     if (is_in(&draws[k], half) && strcmp(draws[k].kind, kind) == 0) {
@@ -76,7 +76,7 @@ static double kind_share(const struct draw draws[], size_t count, enum estimator
 }
 
 struct score score_of(const struct draw draws[], size_t count, enum estimator estimator, enum half half) {
-  struct score score = {.worst_share = 1};
+  struct score score = {.worst_fraction = 1};
   double *costs = calloc(2 * count + 1, sizeof *costs), *claims = costs + count;
   for (size_t k = 0; k < count && costs; k++) {
     const struct choice *choice = &draws[k].choices[estimator];
@@ -85,9 +85,9 @@ struct score score_of(const struct draw draws[], size_t count, enum estimator es
       continue;
     add(&score, &draws[k], choice);
     costs[k] = choice->cost, claims[k] = choice->claim;
-    const double here = kind_share(draws, count, estimator, half, draws[k].kind);
-    if (here < score.worst_share)
-      score.worst_share = here, snprintf(score.worst_kind, sizeof score.worst_kind, "%s", draws[k].kind);
+    const double here = kind_fraction(draws, count, estimator, half, draws[k].kind);
+    if (here < score.worst_fraction)
+      score.worst_fraction = here, snprintf(score.worst_kind, sizeof score.worst_kind, "%s", draws[k].kind);
   }
   for (int q = 0; q < QUANTILES && costs; q++) {
     score.cost[q] = quantile(costs, count, quantile_fractions[q]);
@@ -104,7 +104,7 @@ bool criterion_holds(const struct score *score, enum criterion criterion) {
   case WITHIN:
     return is_enough(score->within, score->answered);
   case WITHIN_KIND:
-    return score->worst_share >= least_within_kind;
+    return score->worst_fraction >= least_within_kind;
   case ANSWERS:
     return score->met > 0 && share(score->met_answered, score->met) >= least_answered;
   case COST_MEDIAN:
@@ -124,7 +124,7 @@ size_t write_failures(FILE *out, const struct score *score) {
     if (!criterion_holds(score, (enum criterion)k)) {
       fprintf(out, "%s%s", count++ ? "; " : "", criterion_names[k]);
       if (k == WITHIN_KIND)
-        fprintf(out, " (%s: %.0f %%)", score->worst_kind, 100 * score->worst_share);
+        fprintf(out, " (%s: %.0f %%)", score->worst_kind, 100 * score->worst_fraction);
     }
   return count;
 }

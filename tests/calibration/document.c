@@ -114,7 +114,7 @@ static void write_kinds(FILE *out, const struct results *results) {
 static size_t write_score(FILE *out, const char *name, const struct score *score) {
   fprintf(out, "| %s | ", name);
   write_share(out, score->within, score->answered);
-  fprintf(out, " | %.0f %% | ", 100 * score->worst_share);
+  fprintf(out, " | %.0f %% | ", 100 * score->worst_fraction);
   write_share(out, score->met_answered, score->met);
   fprintf(out, " | %.2g; %.2g | %.2g; %.2g | ", score->cost[1], score->cost[2], score->claim[0], score->claim[1]);
   const size_t failures = write_failures(out, score);

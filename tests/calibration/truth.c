@@ -8,7 +8,7 @@
 #include "../../src/core/clock.h"
 #include "runs.h"
 
-static const double truth_share = 0.05; /* largest change of the truth when its step is halved, over the tolerance */
+static const double truth_fraction = 0.05; /* largest change of the truth when its step is halved, over the tolerance */
 
 void allow_time(struct nb_advice *advice, struct nb_advise_query *query, double seconds) {
   query->budget = nb_clock() - advice->began + seconds;
@@ -34,7 +34,7 @@ bool take_truth(struct truth *truth, struct nb_advice *advice, int level) {
 
 bool find_truth(struct truth *truth, struct nb_advice *advice) {
   for (int level = TRUTH_FIRST; level <= NB_LEVEL_HIGH && take_truth(truth, advice, level); level++)
-    if (truth->change <= truth_share)
+    if (truth->change <= truth_fraction)
       return true;
   return false;
 }
