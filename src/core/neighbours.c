@@ -108,8 +108,9 @@ static bool near_pair(struct nb_neighbour_pairs *pairs, struct nb_model *model, 
   if (nb_removed(model, (size_t)i) || nb_removed(model, (size_t)j))
     return true;
   const int a = particles->number[i] < particles->number[j] ? i : j, b = a == i ? j : i;
-  model->search.check_pairs = model->search.check_pairs || !(distance > fmax(one, other) + model->search.skin);
-  if (one + other - distance > fmin(one, other))
+  model->search.check_pairs =
+      model->search.check_pairs || !(distance > (one > other ? one : other) + model->search.skin);
+  if (one + other - distance > (one < other ? one : other))
     note_too_deep(model, (struct nb_close_pair){a, b, one + other - distance});
   return model->search.too_deep.overlap > 0 ||
          pairs_add(pairs, a, b, material_pair_of(model, particles->material[a], particles->material[b], false));

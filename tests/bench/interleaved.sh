@@ -12,6 +12,11 @@ set -eu
 export LC_ALL=C OMP_NUM_THREADS=1 OMP_WAIT_POLICY=passive
 folder=$(dirname "$0") sides=$1 kinds=$2 laws=$3 repeats=$4
 shift 4
+for program in "$@"; do # runs are in other folders
+  command -v "$program" >/dev/null || { echo "interleaved.sh: there is no program $program" >&2 && exit 2; }
+  case $program in */*) program=$(cd "$(dirname "$program")" && pwd)/$(basename "$program") ;; esac
+  set -- "${@:2}" "$program"
+done
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 TIMEFORMAT='%3U %3S'
