@@ -80,7 +80,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"remove_wall", "wall", "a wall stays, but it can move away: `wall NAME velocity VX VY`"}, {"step_auto", "stable", "write `step 0.3 of stable`, with elastic spheres `step 0.2 of rayleigh`"},
     {"cycles_s cycles_ms", "until", "a duration is `until time above 2 s at most 1000000 cycles`"},
     {"wall_servo walls_servo", "servo", "for example `servo yy 100 kPa on walls through box at most 1e-6 per cycle`"},
-    {"box_shear box_c12 box_c21", "cell strain, boundary strain", "the walls of a box do not rotate, so it has no shear"},
+    {"box_shear box_c12 box_c21", "cell strain, boundary strain", "the walls of a box do not rotate, so a box has no shear"},
   };
   /* clang-format on */
   char plain[NB_NAME_SIZE];

@@ -139,7 +139,8 @@ NB_APPLY(apply_change) {
   };
   const struct nb_change *other = changed_already(stage, &change);
   if (other)
-    nb_token_mistake(reader, &reader->tokens[0], NULL, "this stage changes the same property on line %d", other->line);
+    nb_token_mistake(reader, &reader->tokens[0], "write one statement for each property in a stage",
+                     "this stage changes the same property already, on line %d", other->line);
   if (!reader->bad)
     NB_APPEND(reader, stage->changes, stage->change_count, change);
 }
