@@ -282,6 +282,12 @@ test "$(grep -c 'stiffness TIME|ratio X' out)" -eq 1 || echo 'the statement is n
 run 0 --help unbalanced-force
 out "PFC's ratio of averages is \`M.unbalanced.mean\`"
 out 'unbalanced.max, quantity of the scene'
+run 0 --help mindlin_loops
+out 'mindlin_loops, a reference'
+run 0 --help contact-test
+out 'contact disc|sphere R MATERIAL'
+run 0 --help save
+out 'nothing has to be saved'
 run 0 --help cell strain
 out 'The engineering shear rate is 2 EXY'
 run 0 --help 'periodic cell'

@@ -108,8 +108,8 @@ static void nothing_to_reduce(void) {
       {"A.x within 9", "`A.x` cannot be computed: no row was recorded there", 0, {0}},
       {"A.x in two within 9", "`A.x in two` cannot be computed: no row was recorded there", 3, {1, 2, 3}},
       {"A.x at 15 cycles within 9", "no row was recorded at that moment", 3, {1, 2, 3}},
-      {"A.x at 30 cycles within 9", "no row was recorded at that moment", 3, {1, 2, 3}},
-      {"A.x at 2.5 within 9", "no row was recorded at that moment", 3, {1, 2, 3}},
+      {"A.x at 30 cycles within 9", "no row was recorded at that moment, only from cycle 0 to 20", 3, {1, 2, 3}},
+      {"A.x at 2.5 within 9", "no row was recorded at that moment, only from time 0 to 2", 3, {1, 2, 3}},
       {"A.x at 2.5 in two within 9", "no row was recorded at that moment", 6, {1, 2, 3, 4, 5, 6}},
       {"A.x at 10 cycles in two within 9", "no row was recorded at that moment", 6, {1, 2, 3, 4, 5, 6}},
       {"A.x frequency within 9", "it rises through its mean less than twice", 3, {-1, 1, 1}},
@@ -121,6 +121,7 @@ static void nothing_to_reduce(void) {
       {"A.x in two expected 1 of A.y within 1 [t]", "`A.x in two` cannot be computed", 3, {1, 2, 3}},
       {"A.x below A.y in two", "`A.y in two` cannot be computed", 3, {1, 2, 3}},
       {"A.x in two above A.y", "`A.x in two` cannot be computed", 3, {1, 2, 3}},
+      {"A.y versus time within 9", "no curve of `A.y` versus `time`, but `A.x versus time`", 3, {1, 2, 3}},
       {"A.x versus time in two within 9", "no rows were recorded", 3, {1, 2, 3}},
       {"A.x versus time within 9 % of A.y in two", "`A.y in two` cannot be computed", 3, {1, 2, 3}},
   };

@@ -47,7 +47,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"vertical_strain strain_vertical axial_strain", "strain.yy"}, {"vertical_stress stress_vertical axial_stress", "stress.yy"},
     {"vertical axial", "y, fy, stress.yy, strain.yy, yy", "y points up"}, {"horizontal lateral", "x, fx, stress.xx, strain.xx, xx", "x points to the right"},
     {"move displace", "wall, walls, transform"}, {"delete kill erase", "remove"},
-    {"save checkpoint write_restart", "nineball state"}, {"restore restart read_restart read_data import", "start, packing"},
+    {"save checkpoint write_restart", "start, nineball state", "nothing has to be saved: a second page begins with `start THIS-PAGE stage NAME` and continues with all velocities and contact histories"}, {"restore restart read_restart read_data import", "start, packing"},
     {"assert compare equals equal is = ==", "expected, within"}, {"tolerance agree", "within"},
     {"maximum largest peak", "max"}, {"tangential", "shear, ks, slip"}, {"end final", "last"}, {"rises rise grows", "increases"}, {"falls fall drops", "decreases"}, {"same unchanged", "constant"}, {"conserved", "amplitude, constant", "constant in time is `momentum.x amplitude in STAGE  expected 0 kg.m/s within 1e-12 kg.m/s [SOURCE]`"}, {"between", "above, below", "write two lines, one with `above` and one with `below`"}, {"less < <=", "below"}, {"greater more > >=", "above"},
     {"force contact_force forces", "normal, shear, fx, fy"}, {"position pos", "x, y"}, {"displacement disp", "slip, x, y"}, {"shear_displacement tangential_displacement", "slip"}, {"vel velocity speed", "velocity, vx, vy", "a velocity is given by `velocity VX VY` and recorded as `A.vx` and `A.vy`"},

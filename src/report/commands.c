@@ -266,8 +266,11 @@ enum nb_status nb_command_state(const struct nb_call *call) {
     if (error.status)
       fprintf(stderr, "nineball: %s: %s\n", call->pages[0], error.text);
     else if (!status)
-      printf("the state at the end of stage `%s` is in %s\na page beside it takes the particles with: packing %s\n",
-             scene->stages[stage].name, path, strrchr(path, '/') ? strrchr(path, '/') + 1 : path);
+      printf(
+          "the state at the end of stage `%s` is in %s\na page beside it takes the particles, without velocities and "
+          "contact histories, with: packing %s\na page that continues the run needs no such file: start %s stage %s\n",
+          scene->stages[stage].name, path, strrchr(path, '/') ? strrchr(path, '/') + 1 : path, outcome.page.name,
+          scene->stages[stage].name);
   }
   nb_outcome_free(&outcome);
   return stage < 0 && !status ? NB_BAD_USE : status;

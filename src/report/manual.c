@@ -11,6 +11,7 @@
 #include "input/expression.h"
 #include "input/old_words.h"
 #include "laws/law.h"
+#include "reference.h"
 
 /* Output file and format. */
 struct manual {
@@ -397,6 +398,15 @@ static void statements(const struct manual *to, const struct nb_family *table, u
       statement(to, keyword);
 }
 
+/* The statements of contact tests. */
+static void contact_tests(const struct manual *to) {
+  section(to, "Contact test");
+  paragraph(to, "A page with a block `contact-test` instead of `scene` tests one contact: it prescribes approach and "
+                "slip, or forces. There is no motion and no time. In an expectation the name of a segment stands in "
+                "place of a stage: `shear max in load`.");
+  statements(to, nb_keywords(), NB_IN_CONTACT_TEST | NB_IN_SEGMENT, NB_IN_SCENE | NB_IN_STAGE);
+}
+
 void nb_manual(FILE *out, bool markdown) {
   const struct manual to = {out, markdown, markdown, NULL};
   if (markdown)
@@ -413,11 +423,7 @@ void nb_manual(FILE *out, bool markdown) {
   section(&to, "In a stage");
   statements(&to, nb_keywords(), NB_IN_STAGE, NB_IN_SCENE);
   strains(&to);
-  section(&to, "Contact test");
-  paragraph(&to, "A page with a block `contact-test` instead of `scene` tests one contact: it prescribes approach and "
-                 "slip, or forces. There is no motion and no time. In an expectation the name of a segment stands in "
-                 "place of a stage: `shear max in load`.");
-  statements(&to, nb_keywords(), NB_IN_CONTACT_TEST | NB_IN_SEGMENT, NB_IN_SCENE | NB_IN_STAGE);
+  contact_tests(&to);
   expectations(&to);
   figures(&to);
   quantities(&to);
@@ -541,6 +547,9 @@ static bool find_name(const struct manual *to, const char *word) {
     if (strcmp(word, (*law)->name) == 0 || strcmp(word, whole) == 0)
       part(to, whole, "a contact law; see nineball laws", (*law)->title), found = true;
   }
+  const struct nb_reference *const reference = nb_reference_find(word);
+  if (reference)
+    part(to, word, "a reference; see nineball list", reference->title);
   if (reserved)
     part(to, word, "of expressions", "see nineball --help expressions");
   if (is_unit)
@@ -548,7 +557,7 @@ static bool find_name(const struct manual *to, const char *word) {
   if (foreign)
     fprintf(to->out, "  1 %s is %.10g %s; units are those of SI: see nineball --help units\n", word, foreign->factor,
             foreign->ours);
-  return found || reserved || is_unit || foreign;
+  return found || reference || reserved || is_unit || foreign;
 }
 
 /* Prints all meanings of the word in a page. False: it has none. */
@@ -556,7 +565,11 @@ static bool find(const struct manual *to, const char *word, struct nb_guess *gue
   static const struct {
     const char *word;
     void (*write)(const struct manual *to);
-  } topics[] = {{"expect", expectations}, {"gnuplot", figures}, {"quantities", quantities}, {"expressions", values}};
+  } topics[] = {{"expect", expectations},
+                {"gnuplot", figures},
+                {"quantities", quantities},
+                {"expressions", values},
+                {"contact-test", contact_tests}};
   for (size_t k = 0; k < sizeof topics / sizeof *topics; k++)
     if (strcmp(topics[k].word, word) == 0)
       return topics[k].write(to), true;
