@@ -48,8 +48,8 @@ static void cell_and_affine_strain_agree(void) {
   }
 }
 
-/* If the strain rate is reversed for the same number of cycles N, every component restores the sides of the cell,
- * except for an error of 80 |L|^2 dt^2 N, which is less than 1e-3. */
+/* If the strain rate L is reversed for the same number of cycles N, every component of the sides of the cell returns to
+ * its first value. The error is 80 |L|^2 dt^2 N, which is less than 1e-3; 80 is the length of the sides. */
 static void a_reversed_strain_restores_the_cell(void) {
   static const char *const names[] = {"cell.xx", "cell.xy", "cell.yx", "cell.yy"};
   static const double first[] = {80, 0, 0, 80};

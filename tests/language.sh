@@ -82,7 +82,7 @@ done >>"$work/said"
 test ! -s "$work/said" && test -n "$command"
 result $? 'nineball --help begins with what a newcomer looks for, and with each command'
 test "$("$nineball" --help strain | grep -cE '^ *(cell|box|boundary|affine) strain: moves ')" -eq 4
-result $? 'nineball --help strain compares the four strains'
+result $? 'nineball --help strain compares the four statements'
 
 # Words of other programs: `nineball --help` of each of them must show all words of the page language in its row.
 grep '^    {"' src/input/guess.c | tr '{' '\n' | sed -n 's/^"\([^"]*\)", "\([^"]*\)".*$/\1|\2/p' >"$work/synonyms"

@@ -155,7 +155,7 @@ static void force_chains(void) {
     CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "B.chains.length"), chains > 0 ? members / chains : 0, 1e-12);
     CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "B.chains.fraction"), members / particles, 1e-12);
     CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "B.chains.bend"), pairs > 0 ? rotates / pairs : 0,
-                           1e-6); /* the error of acos near 1 is a square root */
+                           1e-6); /* near 1 the error of acos is the square root of the rounding error */
     nb_result_free(&result), written_free(&it);
   }
   CU_ASSERT(found >= 5 && turned >= 10);

@@ -1,6 +1,7 @@
 /* Reference: R89's FRACC of a disc at rest that an equal disc strikes head-on, with the velocity v along x.
  *
- * The first force F_1 = k a_1 acts on a disc that has not moved yet, so FRACC is 0. In the next step the disc, of the
+ * The first force F_1 = k a_1 acts on a disc that has not moved yet; FRACC is defined as 0 as long as a disc has no
+ * displacement. In the next step the disc, of the
  * mass m, moves by F_1 dt^2/m while the force grows to
  *
  *   F_2 = k (a_1 + (v - 2 F_1 dt/m) dt),      FRACC = (1/2) (|F_2 - F_1|/F_1)^(1/2)                     [R89 4.36-4.40]

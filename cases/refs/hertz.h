@@ -37,7 +37,7 @@ double hertz_ratio(double restitution);
 /* The normal force at an overlap, N [R89 5.5] */
 double hertz_force(const struct hertz *hertz, double overlap);
 
-/* NB_BAD_USE unless the scene is such an impact, without spin and with a wall of constant velocity. */
+/* NB_BAD_USE unless the scene is such an impact without spin; a wall, if there is one, has a constant velocity. */
 enum nb_status hertz_read(struct hertz *hertz, const struct nb_scene *scene, const char *reference,
                           struct nb_error *error);
 

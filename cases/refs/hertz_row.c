@@ -5,13 +5,13 @@
  *
  *   sum (F/K_c)^(2/3) = sum 2 R_i - L,     K_c = (4/3) E* sqrt(R*)              [Hertz; R89 5.5]
  *
- * The stiffness of a contact is k_c = (3/2) K_c^(2/3) F^(1/3). With S_i = (k left + k right of i)/m_i the largest sum
- * S_i + S_j over the contacts of i and j bounds the largest eigenvalue w^2; S of a wall is 0.
+ * The stiffness of a contact is k_c = (3/2) K_c^(2/3) F^(1/3), and S_i = (k left + k right of i)/m_i; S of a wall is 0.
+ * Let w^2 be the largest sum S_i + S_j over the contacts of i and j. It is an upper bound of the largest eigenvalue.
  *
  * Returns:
  *   C.normal, C.overlap    for C that monitors the contact of two spheres
- *   step.stable            2/w
- * Exact; the step is that without dashpots. Accepts a row along x whose spheres the page defines from left to right.
+ *   step.stable            2/w, the guaranteed stable step without dashpots
+ * Exact. Accepts a row along x whose spheres the page defines from left to right.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>

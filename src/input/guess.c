@@ -42,7 +42,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"contact", "damping, monitor, region"}, {"all", "region", "`region M all` measures all particles and contacts"},
     {"calm relax quench", "zero velocities"}, {"fix freeze clamp", "fixed", "a particle with `fixed` does not move: `disc X Y radius R MATERIAL fixed`; `rotation off` prevents rotation"},
     {"apply load", "gravity, boundary stress, servo, wall"}, {"confine confining confinement membrane pressure", "servo, boundary stress, cell.stress.mean"}, {"goal target", "servo"},
-    {"deform strain strain_rate shear_rate rate", "cell strain, box strain, boundary strain, affine strain", "in a cell write `cell strain 0 1/s 0 1/s c12 0.1 1/s` for simple shear, between walls `box strain 0 1/s -0.1 1/s`; `nineball --help strain` compares the four strains"},
+    {"deform strain strain_rate shear_rate rate", "cell strain, box strain, boundary strain, affine strain", "in a cell write `cell strain 0 1/s 0 1/s c12 0.1 1/s` for simple shear, between walls `box strain 0 1/s -0.1 1/s`; `nineball --help strain` compares the four statements"},
     {"compress compression", "box strain, cell strain, boundary strain, walls, servo"}, {"shear_strain", "strain.xy, strain.deviator"},
     {"vertical_strain strain_vertical axial_strain", "strain.yy"}, {"vertical_stress stress_vertical axial_stress", "stress.yy"},
     {"vertical axial", "y, fy, stress.yy, strain.yy, yy", "y points up"}, {"horizontal lateral", "x, fx, stress.xx, strain.xx, xx", "x points to the right"},

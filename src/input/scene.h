@@ -101,7 +101,7 @@ int nb_take_grading(const struct nb_scene *scene, struct nb_reader *reader, int 
  * compared. */
 #define NB_DEFINE(reader, how)                                                                                         \
   ((reader)->count > 1 && strcmp((reader)->tokens[1].text, "strain") == 0 ? how                                        \
-       "; `nineball --help strain` compares the four strains"                                                          \
+       "; `nineball --help strain` compares the four statements"                                                       \
                                                                           : how)
 bool nb_take_requested(struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_requested *requested);
 bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *quantity,
