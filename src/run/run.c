@@ -154,7 +154,9 @@ static void warn_of_end(const struct run *run, const struct nb_stage *stage) {
     list_conditions(text, sizeof text, stage, model, ",");
     nb_warn(&model->warnings, stage->line,
             "stage `%s` ended in cycle %lu, because its condition was met before the stage began: %s%s", stage->name,
-            model->stage_cycle, text, waits_for_time(stage) ? "; `time` counts from the start of the run" : "");
+            model->stage_cycle, text,
+            waits_for_time(stage) ? "; `time` counts from the start of the run, `stage.time` from that of the stage"
+                                  : "");
   } else if (stage->condition_count > 0 && is_last_servo(run, stage) && nb_servo_error(model) > servo_tolerance) {
     nb_warn(&model->warnings, stage->line,
             "stage `%s` ended while a controlled stress differed from the target of the servo by %.3g %%; add a "
