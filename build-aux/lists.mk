@@ -492,6 +492,8 @@ CORE = \
   src/core/store.c \
   src/core/store.h \
   src/core/table.c \
+  src/core/team.c \
+  src/core/team.h \
   src/core/tensor.h \
   src/core/vec.h \
   src/core/velocity.c \

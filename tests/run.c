@@ -11,9 +11,11 @@
 #endif
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "core/model.h"
+#include "core/team.h"
 #include "input/scene.h"
 #include "run/restart.h"
 #include "run/state.h"
@@ -307,6 +309,38 @@ static void settings_change_the_hash(void) {
   CU_ASSERT(nb_hash_settings(value) == hash[0]);
 }
 
+struct counted {
+  int calls[5]; /* of each part */
+};
+
+static void count_call(void *data, int part) {
+  struct counted *counted = data;
+  counted->calls[part]++;
+}
+
+/* A team does each part once, in each of many rounds: with more, fewer or as many parts as threads, and without a team.
+ * The pauses let the members fall asleep between two rounds. A team of the right size is kept. */
+static void parts_of_a_team(void) {
+  struct nb_team *team = NULL;
+  for (int threads = 2; threads <= 4; threads++) {
+    team = nb_team_sized(team, threads);
+    CU_ASSERT_PTR_NOT_NULL_FATAL(team);
+    CU_ASSERT_PTR_EQUAL(nb_team_sized(team, threads), team);
+    for (int parts = 1; parts <= 5; parts++) {
+      struct counted counted = {{0}};
+      for (int round = 0; round < 500; round++) {
+        if (round % 100 == 99)
+          nanosleep(&(struct timespec){.tv_nsec = 1000000}, NULL);
+        nb_team_run(round % 2 ? team : NULL, parts, count_call, &counted);
+      }
+      for (int part = 0; part < 5; part++)
+        CU_ASSERT_EQUAL(counted.calls[part], part < parts ? 500 : 0);
+    }
+  }
+  nb_team_free(team);
+  nb_team_free(NULL);
+}
+
 /* The number of threads is that of the options, at most NB_THREADS; 0 stands for OpenMP's default, and without options
  * it is 1. The instruction set is the widest one, or the one that the options name, if this machine has it. */
 static void threads_and_instruction_set(void) {
@@ -355,5 +389,6 @@ void suite_run(void) {
   CU_add_test(suite, "repeated stages", repeated_stages);
   CU_add_test(suite, "settings change the hash", settings_change_the_hash);
   CU_add_test(suite, "packings change the hash", packings_change_the_hash);
+  CU_add_test(suite, "parts of a team", parts_of_a_team);
   CU_add_test(suite, "threads and instruction set", threads_and_instruction_set);
 }

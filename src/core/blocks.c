@@ -2,6 +2,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "model.h"
+#include "team.h"
 
 static bool stable_overlap_begin(struct nb_model *model, size_t blocks) {
   model->blocks.stable_overlap = nb_own(&model->contacts.owner, blocks, sizeof *model->blocks.stable_overlap);
@@ -56,6 +57,10 @@ enum nb_status nb_blocks_create(struct nb_model *model, struct nb_error *error) 
   model->machine.threads_used = threads < 1                                ? 1
                                 : threads < (size_t)model->machine.threads ? (int)threads
                                                                            : model->machine.threads;
+  if (model->machine.threads_used > 1)
+    model->machine.team = nb_team_sized(model->machine.team, model->machine.threads_used);
+  if (!model->machine.team)
+    model->machine.threads_used = 1;
   size_t max_blocks = contacts->count / NB_BLOCK_SIZE + model->material_pair_count + 1;
   struct nb_owner *owner = &model->contacts.owner;
   model->blocks.list = nb_own(owner, max_blocks, sizeof *model->blocks.list);

@@ -10,6 +10,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "model.h"
+#include "team.h"
 
 static void forces_of_block(const struct nb_model *model, const struct nb_block *block) {
   const struct nb_material_pair *material_pair = block->material_pair;
@@ -19,7 +20,9 @@ static void forces_of_block(const struct nb_model *model, const struct nb_block 
   }
 }
 
-static void forces_part(const struct nb_model *model, int part, int parts) {
+static void forces_part(void *data, int part) {
+  const struct nb_model *model = data;
+  const int parts = model->machine.threads_used;
   const size_t n = model->blocks.count;
   for (size_t v = n * (size_t)part / (size_t)parts; v < n * ((size_t)part + 1) / (size_t)parts; v++)
     forces_of_block(model, &model->blocks.list[v]);
@@ -27,39 +30,37 @@ static void forces_part(const struct nb_model *model, int part, int parts) {
 }
 
 void nb_forces(struct nb_model *model) {
-  const int threads = model->machine.threads_used;
   if (model->vertices.count)
     nb_vertices_suppress(model);
-  if (threads == 1)
-    forces_part(model, 0, 1);
-  else {
-#pragma omp parallel for num_threads(threads) schedule(static, 1)
-    for (int part = 0; part < threads; part++)
-      forces_part(model, part, threads);
-  }
+  nb_team_run(model->machine.team, model->machine.threads_used, forces_part, model);
   model->updates += model->contacts.count;
 }
 
-static int motion_part(struct nb_model *model, int part, int parts) {
+struct moved {
+  struct nb_model *model;
+  int out[NB_THREADS]; /* of each part: number of particles that require a new search */
+};
+
+static void motion_part(void *data, int part) {
+  struct moved *moved = data;
+  struct nb_model *model = moved->model;
   nb_rounding_begin(&model->machine.rounding, "motion");
-  const int out = nb_motion_part(model, part, parts);
+  moved->out[part] = nb_motion_part(model, part, model->machine.threads_used);
   nb_rounding_begin(&model->machine.rounding, NULL);
-  return out;
 }
 
 /* Returns the number of particles and walls that require a new search. */
 static int motion(struct nb_model *model) {
-  const int threads = model->machine.threads_used;
   nb_rounding_begin(&model->machine.rounding, "motion");
   int out = model->walls.count ? nb_motion_walls(model) : 0;
   if (model->all_affine && model->cell)
     out += nb_cell_move(model);
   nb_rounding_begin(&model->machine.rounding, NULL);
-  if (threads == 1)
-    return out + motion_part(model, 0, 1);
-#pragma omp parallel for num_threads(threads) schedule(static, 1) reduction(+ : out)
-  for (int part = 0; part < threads; part++)
-    out += motion_part(model, part, threads);
+  struct moved moved;
+  moved.model = model;
+  nb_team_run(model->machine.team, model->machine.threads_used, motion_part, &moved);
+  for (int part = 0; part < model->machine.threads_used; part++)
+    out += moved.out[part];
   return out;
 }
 

@@ -92,8 +92,9 @@ struct nb_active_laws {
 /* Use of the processor: machine.c. */
 struct nb_machine {
   enum nb_isa isa;
-  int threads;      /* upper limit */
-  int threads_used; /* threads for the current number of contacts, at least NB_CONTACTS_PER_THREAD each */
+  int threads;          /* upper limit */
+  int threads_used;     /* threads for the current number of contacts, at least NB_CONTACTS_PER_THREAD each */
+  struct nb_team *team; /* the threads; NULL as long as one thread is enough */
   struct nb_rounding rounding;
 };
 

@@ -1,6 +1,7 @@
 /* Makes a model of a scene: particles, walls, material pairs, the plan, the first search, the forces at time 0.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "core/team.h"
 #include "laws/laws_now.h"
 #include "loading/loading.h"
 #include "measure/configuration.h"
@@ -262,6 +263,7 @@ struct nb_model *nb_model_create(const struct nb_scene *scene, const struct nb_o
 void nb_model_free(struct nb_model *model) {
   if (!model)
     return;
+  nb_team_free(model->machine.team);
   free(model->vertices.list);
   free(model->blocks.scratch), free(model->deep.counts);
   nb_properties_free(&model->properties);

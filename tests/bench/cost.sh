@@ -142,7 +142,7 @@ PAGES
 # several features may be executed on the pages of any of them. Every page uses `cycle`; no cycle uses `never`.
 features() {
   cat <<'FEATURES'
-cycle : core/cycle.c core/motion.c core/motion.h core/guard.c core/model.h core/block.h core/vec.h core/clock.h core/cell.h core/boundary.h core/affine.h
+cycle : core/cycle.c core/team.c core/team.h core/motion.c core/motion.h core/guard.c core/model.h core/block.h core/vec.h core/clock.h core/cell.h core/boundary.h core/affine.h
 cycle : run/hooks.c run/run.c run/result.c run/result.h
 cycle : pass/disc_disc.c pass/disc_disc.h pass/pass.h pass/resolve.c laws/law.h laws/law_batch.h
 cycle : laws/normal_linear.c
@@ -187,7 +187,7 @@ measures : measure/areas.c measure/areas.h measure/chains.c measure/coordination
 measures : measure/loads.c measure/region.c measure/region.h measure/region_quantities.c measure/snapshot.c measure/snapshot.h
 measures : measure/strain.c measure/stress.c measure/directions.c measure/moduli.c measure/impact.c measure/impact.h core/names.h loading/loading_quantities.c
 monitors measures : measure/wall_quantities.c
-search : core/neighbours.c core/grid.c core/grid.h core/blocks.c
+search : core/neighbours.c core/grid.c core/grid.h core/mesh.c core/mesh.h core/blocks.c
 search records : core/array.h core/array.c
 search servo balance fracc configuration measures monitors elastic boundary : core/contacts.h
 search stability measures monitors : core/contacts.c core/history.c

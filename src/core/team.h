@@ -1,0 +1,19 @@
+/* A team of threads for the two parallel parts of a cycle: team.c.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_TEAM_H
+#define NB_TEAM_H
+
+struct nb_team;
+
+/* Returns a team for `threads` parts: `team` itself if it has this size, else a new one instead of it. A team starts
+ * `threads` - 1 threads, which wait for work; the caller of nb_team_run is the last member. If the system starts fewer
+ * threads, the caller does the parts of the missing ones. NULL: no memory. The caller frees the team. */
+struct nb_team *nb_team_sized(struct nb_team *team, int threads);
+void nb_team_free(struct nb_team *team); /* ends the threads; team may be NULL */
+
+/* Calls work(data, part) once for each part from 0 to parts - 1, in parallel, and returns when all parts are done. Without
+ * a team (NULL) the caller does all parts. */
+void nb_team_run(struct nb_team *team, int parts, void (*work)(void *data, int part), void *data);
+
+#endif
