@@ -24,7 +24,7 @@ maps of time steps, and [ROUNDING](ROUNDING.md) has results under other rounding
 | Young's modulus | 1 kPa | 1 TPa | the same |
 | speed of an impact | 0.01 nm/s | 1 km/s | the same, and [hertz-contrast](../cases/2-hertz/hertz-contrast.md) |
 | greatest overlap over radius | 1e-12 | 0.45 | the same |
-| lengths, speeds and stiffnesses, equal to the bit | 2⁻²⁰, 2⁻³⁰, 2⁻¹⁰⁰ | 2¹⁰, 2³⁰, 2¹⁰⁰ | [invariance-scale](../cases/5-numerics/invariance-scale.md) |
+| factors on lengths, speeds and stiffnesses, with results equal to the bit | 2⁻²⁰, 2⁻³⁰, 2⁻¹⁰⁰ | 2¹⁰, 2³⁰, 2¹⁰⁰ | [invariance-scale](../cases/5-numerics/invariance-scale.md) |
 | ratio of radii | 1 | 1000 | [hertz-contrast](../cases/2-hertz/hertz-contrast.md) |
 | ratio of masses | 1 | 10¹⁵ | the same |
 | ratio of moduli, of two spheres and within a row | 1 | 10⁶ | the same, and [stiff-in-soft](../cases/2-hertz/stiff-in-soft.md) |
@@ -42,9 +42,10 @@ rounding error of the coordinates, about 1e-16 of their size.
 
 ## Messages of aborted runs, errors and warnings
 
-Each message names the particle, the moment and the limit. Each page below causes one of them, and
-[aborted.sh](../tests/aborted.sh) requires exactly these words. The same test requires a page for each message in the
-sources that aborts a run. The exit status is 3 if the run was aborted, 2 if it could not begin, and 0 after a warning.
+Each message names what failed, and the particle, the moment and the limit where they exist. Each page below
+causes one of them, and [aborted.sh](../tests/aborted.sh) requires exactly these words. The same test
+requires a page for each message in the sources that aborts a run. The exit
+status is 3 if the run was aborted, 2 if it could not begin, and 0 after a warning.
 
 TEXT
 for page in tests/aborted/*.md; do
@@ -58,9 +59,10 @@ for page in tests/aborted/*.md; do
     sed "s|^tests/aborted/||"
 done | fold -s -w 118 | sed 's/ *$//'
 cat <<'TEXT'
-Without `allow unstable` a step that is too long is stopped before any of these happens. With it there is a range in
-which the result is wrong and no message appears: at a hundred times the Rayleigh step the ejected sphere still moves by
-less than a radius per step. [STABILITY](STABILITY.md#just-above-the-limit) shows which quantities reveal the error.
+Without `allow unstable` a run whose step is too long is aborted before a particle is ejected or passes through another
+one. With it there is a range in which the result is wrong and no message appears: at a hundred times the Rayleigh step
+the ejected sphere still moves by less than a radius per step.
+[STABILITY](STABILITY.md#just-above-the-limit) shows which quantities reveal the error.
 
 ## Long runs
 
@@ -73,7 +75,8 @@ has the number of cycles of this document's run. N is the number of cycles, ε =
   ε N/2000: the rounding of a periodic motion is not quite random.
 - **bounce**: a disc bounces on a floor. The scheme, not rounding, causes the drift of the energy. The error of a bounce
   is of the order of $(\omega \Delta t)^{5/2}$, with a sign that depends on where in a step the contact begins. It adds
-  up as the square root of the number of bounces. The work balance, which has no such error, drifts by rounding.
+  up as the square root of the number of bounces. The work balance, kinetic energy minus the work of
+  all forces (`work.residual`), has no such error. It drifts by rounding.
 - **loop**: the tangential displacement of two spheres follows a closed loop of 40 steps. The forces at the end of each
   loop drift as ε N/40. The 40 increments are rounded, so their sum is not quite zero.
 

@@ -617,7 +617,7 @@ struct nb_result {
   unsigned long long updates;   /* contact updates: contacts listed, summed over cycles */
   unsigned long long searches;  /* number of neighbour searches, including the first one */
   unsigned long long deep;      /* contact updates with overlaps beyond the range of Hertz theory [R89 sec. 6.4.3] */
-  char deep_first[3 * NB_NAME_SIZE]; /* the first of them: "particle 1 and particle 2, cycle 7, time 1e-06 s" */
+  char deep_first[3 * NB_NAME_SIZE]; /* the first of them: "particle 1 and particle 2, in cycle 7, at time 1e-06 s" */
   double stability;                  /* largest ratio of the step to the guaranteed stable step in any check, 1 */
   double seconds;                    /* wall-clock time, s */
   struct nb_warnings warnings;       /* found during the run */

@@ -151,7 +151,7 @@ static void slides(void) {
   const double slip = written_cell(&last->particles, 0, "moved_x") + 0.1 * written_cell(&last->particles, 0, "turned");
   CU_ASSERT(slip - slid <= spring * (1 + 1e-9) && slip - slid > 0.8 * spring);
   double sum = 0;
-  for (int s = 0; s < many; s++) { /* six stages: more than there are fields for */
+  for (int s = 0; s < many; s++) { /* with `all` there are six reference stages; each has its own sum of slip */
     const struct nb_table *particles = &result.snapshots[s].particles;
     const double part = written_cell(&result.snapshots[s].contacts, 0, "slid");
     sum += part;

@@ -114,7 +114,7 @@ static void overlaps_are_counted(void) {
   } pages[] = {
       {"sphere 0 0 radius 1 m fixed\nsphere 1.86005 0 radius 1 m velocity 0 1e-9\n", 0, ""},
       {"sphere 0 0 radius 1 m fixed\nsphere 1.85995 0 radius 1 m velocity 0 1e-9\n", 11,
-       "particle 1 and particle 2, cycle 0, time 0"},
+       "particle 1 and particle 2, in cycle 0, at time 0"},
       {"sphere 0 0 radius 3 m fixed\nsphere 3.86005 0 radius 1 m\n", 0, ""},
       {"sphere 0 0 radius 3 m fixed\nsphere 3.85995 0 radius 1 m\n", 11, "particle 1 and particle 2"},
       {"sphere 0 0 radius 1 m\nsphere 3.85995 0 radius 3 m fixed\nsphere 9 9 radius 0.1 m\n", 11,

@@ -288,8 +288,8 @@ static void deep_overlaps_of_all_runs(void) {
     CU_ASSERT_EQUAL(outcome.status, NB_OK);
     CU_ASSERT_EQUAL_FATAL(outcome.warnings.count, rows[k].where ? 1 : 0);
     snprintf(expected, sizeof expected,
-             "overlaps beyond the range of the theory of elastic spheres, in %d contact updates; first particle 1 and "
-             "particle 2, cycle 0, time 0%s [R89 sec. 6.4.3]",
+             "overlaps beyond the range of the theory of elastic spheres, in %d contact updates; the first one is "
+             "that of particle 1 and particle 2, in cycle 0, at time 0%s [R89 sec. 6.4.3]",
              rows[k].updates, rows[k].where ? rows[k].where : "");
     if (rows[k].where)
       CU_ASSERT_STRING_EQUAL(outcome.warnings.list[0].text, expected);

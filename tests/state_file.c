@@ -126,7 +126,7 @@ static void every_mistake(void) {
        "material a 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0\nbody 1",
        "expected the name of a material, each once, found `a`"},
       {"law shear mindlin 0", "law shear mindlin 257", "expected a whole number from 0 to 256, found `257`"},
-      {"body 1", "members 1\nbody 1", "expected a whole number from 1 to 0, found `1`"},
+      {"body 1", "members 1\nbody 1", "expected a record `body 1` above, found `1`"},
       {"\nfields ", "\nsetting ", "expected a record `fields` before the first contact"},
   };
   static const struct mistake of_rings[] = {

@@ -4,7 +4,8 @@
  *
  *   H_1 = dt^2 (p^2 U''/(12 m*^2) - U'^2/(24 m*)),    p = m* alpha',   U the stored energy,   U' = dU/d(alpha) = N
  *
- * so with the energy E, Euler's beta function B and n = T_c/dt the duration of the impact is
+ * E is the energy, B Euler's beta function and n = T_c/dt. alpha is the overlap, m; alpha*, T_c, K, m* and V_N are those
+ * of hertz.c. The duration of the impact is
  *
  *   T_c - (dt^2/(24 m*)) d/dE Int N^2 dt = T_c - (11/96) B(8/5, 1/2) dt^2 V_N/alpha* = T_c (1 - 0.5104/n^2)
  *

@@ -60,9 +60,9 @@ void nb_deep_record_first(struct nb_model *model) {
   char *rest = deep->first + n;
   const size_t room = sizeof deep->first - (size_t)n;
   if (wall)
-    snprintf(rest, room, "wall %s, cycle %lu, time %g%s", model->scene->walls[contacts->b[c]].name, model->cycle,
+    snprintf(rest, room, "wall %s, in cycle %lu, at time %g%s", model->scene->walls[contacts->b[c]].name, model->cycle,
              model->time, s);
   else
-    snprintf(rest, room, "particle %d, cycle %lu, time %g%s", model->particles.number[contacts->b[c]], model->cycle,
-             model->time, s);
+    snprintf(rest, room, "particle %d, in cycle %lu, at time %g%s", model->particles.number[contacts->b[c]],
+             model->cycle, model->time, s);
 }

@@ -132,8 +132,8 @@ static struct quantity expected(struct parser *p, const char *what) {
   return mistake(p, p->at, length ? length : 1, typed ? typed : otherwise, "expected %s, found `%s`", what, text);
 }
 
-/* Returns a value and its dimension, m, kg, s in sixtieths, after a check that both can be represented. Messages point
- * at `from`. */
+/* Returns a value and its dimension after a check that both can be represented. m, kg and s are the powers of the units,
+ * in sixtieths. Messages point at `from`. */
 static struct quantity checked_value(struct parser *p, const char *from, size_t length, double value, double m,
                                      double kg, double s) {
   const double of[] = {m, kg, s};

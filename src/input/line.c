@@ -336,7 +336,7 @@ const char *nb_syntax_hint(const struct nb_reader *reader, char *hint, const cha
   } signs[] = {{"\u2212", "this is not the minus sign of the keyboard: type `-`"},
                {"\u2013", "this is a dash, not a minus sign: type `-`"},
                {"\u00D7", "multiply with `*`, in parentheses"},
-               {"\u00B7", "multiply with `*`, in parentheses; in a unit with `.`"},
+               {"\u00B7", "multiply numbers with `*`, in parentheses, and units with `.`"},
                {"\u00B0", "write `deg` after a space: `30 deg`"},
                {"\u201C", quotes},
                {"\u2019", quotes},

@@ -9,8 +9,8 @@
  *
  * So {NB_OLD_STATEMENT, "step F of safe", "step F of stable"} renames one word of one statement, and {NB_OLD_STATEMENT,
  * "fill … tries", "fill … attempts"} renames a clause in any place. The words after the matched ones stay. Rows are
- * applied from the top; each is repeated until the line no longer matches the old form, or matches the new form. No row
- * may match a new form; a test checks this.
+ * applied from the top. Each is repeated while the line matches its old form and not its new one. So no row may change a
+ * line that has a new form already; a test checks this.
  *
  * A row of quantities renames one or several parts of a name between dots: {NB_OLD_QUANTITY, "deviation", "std"} turns
  * `A.stress.deviation` into `A.stress.std`. If the old part begins with a dot (".unbalance"), the name must have an

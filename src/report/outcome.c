@@ -86,10 +86,11 @@ static void warn_deep(struct nb_outcome *outcome) {
     first = first || !outcome->runs[r].result.deep ? first : &outcome->runs[r];
   }
   if (first)
-    nb_warn(&outcome->warnings, 0,
-            "overlaps beyond the range of the theory of elastic spheres, in %llu contact updates; first %s%s%s [R89 "
-            "sec. 6.4.3]",
-            count, first->result.deep_first, first->label[0] ? ", run " : "", first->label);
+    nb_warn(
+        &outcome->warnings, 0,
+        "overlaps beyond the range of the theory of elastic spheres, in %llu contact updates; the first one is that of "
+        "%s%s%s [R89 sec. 6.4.3]",
+        count, first->result.deep_first, first->label[0] ? ", run " : "", first->label);
 }
 
 /* Callback data of one run. Progress is reported for all runs together; several of them may be running. */

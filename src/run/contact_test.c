@@ -223,7 +223,7 @@ static enum nb_status segment_step(struct nb_contact_test *contact_test, const s
     return force_unreachable(contact_test, stage, step, true, shear, reached, error);
   try_step(contact_test, approach, slip);
   if (!isfinite(contact_test->trial.n.force) || !isfinite(contact_test->trial.s.force))
-    return nb_error_set(error, NB_BROKEN, "segment `%s` (line %d), step %lu: the force is not a number", stage->name,
+    return nb_error_set(error, NB_BROKEN, "segment `%s` (line %d), step %lu: the force is NaN or infinite", stage->name,
                         stage->line, step);
   accept_step(contact_test);
   return NB_OK;

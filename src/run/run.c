@@ -132,8 +132,8 @@ static bool waits_for_time(const struct nb_stage *stage) {
   return false;
 }
 
-/* Relative difference of a controlled stress from the target of its servo above which the end of a stage is doubtful: a
- * tenth of the error with which a servo that starts from nothing begins. */
+/* If the relative difference of a controlled stress from the target of its servo is larger than this, the end of a stage
+ * is doubtful. At a stress of 0 the difference is 1. */
 static const double servo_tolerance = 0.1;
 
 static bool is_last_servo(const struct run *run, const struct nb_stage *stage) {
