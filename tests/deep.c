@@ -40,7 +40,8 @@ static void elastic_coefficients(void) {
     const double a = sqrt(0.5 * written_now(model, "C.overlap"));
     const double dn = written_now(model, "A.vx.half") - written_now(model, "B.vx.half");
     const double slip = written_now(model, "A.vy.half") - written_now(model, "B.vy.half");
-    NEAR(written_now(model, "C.dashpot.normal"), 0.4 * sqrt(0.5 * 2 * 0.5 * a) * dn, 1e-3); /* e has rotated by 1e-5 */
+    NEAR(written_now(model, "C.dashpot.normal"), 0.4 * sqrt(0.5 * 2 * 0.5 * a) * dn,
+         1e-3); /* the contact normal has rotated by 1e-5 */
     CU_ASSERT_EQUAL(written_now(model, "C.sliding"), slides);
     const double shear = slides ? 0 : 0.4 * sqrt(0.5 * 8 * 0.125 * a) * fabs(slip);
     CU_ASSERT(fabs(fabs(written_now(model, "C.dashpot.shear")) - shear) <= 1e-3 * shear);

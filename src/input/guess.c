@@ -59,8 +59,8 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"safety safety_factor", "stable", "write `step 0.2 of stable`"}, {"number count", "grading", "a grading has the number of particles of each radius: `grading sand 2 mm 100  1 mm 400`"},
     /* STATEMENT_WORD: a word in a statement that does not have it */
     {"units_SI units_Si units_metric", "units", "write `units none` if numbers have no units (they are in SI), or `units si` and a unit after each number: `5 mm`"},
-    {"disc_at disc_velocity", "disc", "a disc has no number and no `at`; the first line is disc 1. Begin with x and y of the centre: `disc 0 m 0 m radius 5 mm MATERIAL velocity 1 m/s 0 m/s`"},
-    {"sphere_at sphere_velocity", "sphere", "a sphere has no number and no `at`; the first line is sphere 1. Begin with x and y of the centre: `sphere 0 m 0 m radius 5 mm MATERIAL velocity 1 m/s 0 m/s`"},
+    {"disc_at disc_velocity", "disc", "a statement `disc` takes no number and no word `at`; particles are numbered in the order of their lines. Begin with x and y of the centre: `disc 0 m 0 m radius 5 mm MATERIAL velocity 1 m/s 0 m/s`"},
+    {"sphere_at sphere_velocity", "sphere", "a statement `sphere` takes no number and no word `at`; particles are numbered in the order of their lines. Begin with x and y of the centre: `sphere 0 m 0 m radius 5 mm MATERIAL velocity 1 m/s 0 m/s`"},
     {"lattice_at", "lattice", "the centre of the first particle is `from X Y`"},
     {"wall_at wall_normal", "wall", "a wall is a line in the plane between two ends, without `at` and `normal`: `wall floor -1 m 0 m to 1 m 0 m MATERIAL`"},
     {"wall_stop wall_still wall_halt wall_inward", "wall", "in a stage write `wall NAME velocity 0 m/s 0 m/s`, or for all walls `walls stop`"},

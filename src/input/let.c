@@ -301,13 +301,16 @@ NB_APPLY(apply_trade) {
   const int index = NB_FIND(scene->bindings, scene->binding_count, name->text);
   if (index < 0 && strcmp(name->text, "soften") != 0) {
     nb_unknown_name(reader, name, NB_NEAREST(hint, name->text, scene->bindings, scene->binding_count),
-                    "a name that a `let` or `sweep` above defines, `soften` or `laws`");
+                    "a name that a `let` above defines, `soften` or `laws`");
     return;
   }
   const struct nb_binding *binding = index < 0 ? &soften : &scene->bindings[index];
   const struct nb_token *first = nb_token_peek(reader);
-  if (binding->swept)
-    nb_expected_at(reader, name, "advice holds for all values of a sweep", "a name that is not swept");
+  if (binding->swept) {
+    snprintf(hint, sizeof hint, "`%s` is swept, and `nineball advise` uses all its values, so `trade` cannot change it",
+             name->text);
+    nb_expected_at(reader, name, hint, "a name that is not swept");
+  }
   const size_t count = reader->bad ? 0 : take_rows(reader, values, 1);
   if (count == 0 || nb_too_many(reader, count - 1, NB_TRADED_MAX, "values"))
     return;

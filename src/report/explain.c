@@ -150,7 +150,7 @@ static void explain_change(FILE *out, const struct nb_stage *stage, const struct
   if (!between[0])
     return;
   fprintf(out, "    %s stage `%s`%s (line %d)", change->ramp ? "in" : "from", stage->name,
-          change->ramp ? ", along a straight line to its end" : " on", change->line);
+          change->ramp ? " linearly until its end" : " on", change->line);
 #define ROW(name, ...)                                                                                                 \
   if (before.name != after.name)                                                                                       \
     fprintf(out, "%s " #name " %g", between, after.name), between = ",";
@@ -286,7 +286,7 @@ static void explain_absent(FILE *out, const struct nb_model *model) {
     fputc('\n', out);
 }
 
-/* What acts on the particles without a force pass or a hook: at the start of the run. */
+/* Prints what acts on the particles at the start of the run without being a force pass or a hook. */
 static void explain_motion(FILE *out, const struct nb_scene *scene) {
   const struct nb_damping *damping = &scene->stages[scene->start.stages].damping;
   if (scene->circle.line || scene->gravity.line || damping->global_kind)

@@ -1,5 +1,6 @@
-/* A table of rows in a file. A later call adds the missing rows. The first line of the file names the version that
- * wrote it, the second line names the columns.
+/* A table of rows in a file. `nineball advise --all` writes its rows one by one; if it is interrupted, the next call of
+ * the command adds the rows that are not yet in the file. The first line of the file names the version that wrote it,
+ * the second line names the columns.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_ROW_TABLE_H
