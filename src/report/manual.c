@@ -591,10 +591,12 @@ static bool words_help(const struct manual *to, const char *text, struct nb_gues
   struct nb_guess none = nb_guess_begin("");
   char hint[NB_HINT_SIZE], item[NB_NAME_SIZE];
   bool found = strcmp(text, "strain") == 0;
-  if (found)
+  if (found) {
     strains(to);
-  else if (synonym && nb_synonym_hint(hint, text))
-    fprintf(to->out, "  %.*s\n", (int)(strstr(hint, " see `nineball") - 1 - hint), hint);
+  } else if (synonym && nb_synonym_hint(hint, text)) {
+    const char *const see = strstr(hint, " see `nineball"); /* a hint that names a help itself has none */
+    fprintf(to->out, "  %.*s\n", see ? (int)(see - 1 - hint) : NB_HINT_SIZE, hint);
+  }
   for (const char *list = synonym ? synonym->ours : ""; nb_item(&list, item);)
     find(&brief, item, &none);
   found = find(to, text, guess) || found;
