@@ -499,10 +499,10 @@ static void folders_that_cannot_be_made(void) {
   struct nb_options options = {.threads = 1, .jobs = 1};
   close(mkstemp(file));
   snprintf(inside, sizeof inside, "%s/folder", file);
-  memset(name, 'x', sizeof name), name[sizeof name - 1] = 0;
+  memset(name, 'n', sizeof name), name[sizeof name - 1] = 0;
   const struct {
     const char *folder, *words;
-  } rows[] = {{name, "the name of the folder is too long: xxx"}, {inside, "Not a directory"}};
+  } rows[] = {{name, "the name of the folder is too long: nnn"}, {inside, "Not a directory"}};
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
     options.results.folder = rows[k].folder;
     carry_out_with(&outcome, scene, "cycle expected 1 within 0 [t]", &options, NULL);
