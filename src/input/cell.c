@@ -34,7 +34,7 @@ bool nb_lacks_cell(const struct nb_scene *scene, struct nb_reader *reader) {
     nb_fail_silently(reader);
   if (!scene->cell.line)
     nb_token_mistake(reader, &reader->tokens[0],
-                     NB_DEFINE(reader, "define it before the stages with `cell X Y to X Y`"),
+                     NB_DEFINE(reader, "define it above, before the stages, with `cell X Y to X Y`"),
                      "expected a scene with a periodic cell, found none");
   return reader->bad;
 }

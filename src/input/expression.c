@@ -175,11 +175,12 @@ static bool is_number(struct parser *p, const char *from, size_t length, const c
 /* Reports a word after a number that is not a unit. */
 static void wrong_unit(struct parser *p, size_t length, const char *text, bool is, bool glued) {
   char hint[NB_HINT_SIZE], other[NB_HINT_SIZE];
-  const char *const form = is && glued ? "put a space between the number and its unit: `%s`"
-                           : is        ? "the scene has `units none`, so `%s` is not a unit"
-                           : strpbrk(text, "/.")
-                               ? "a unit is one word, such as `kg/m3`; to divide put spaces around `/`"
-                               : "a product is written `* %s`";
+  const char *const form =
+      is && glued           ? "put a space between the number and the unit `%s`"
+      : is                  ? "the scene has `units none`, so `%s` is not a unit"
+      : strpbrk(text, "/.") ? "a unit is one word, such as `kg/m3`; to divide put spaces around `/`"
+      : memchr(p->line, '(', (size_t)(p->at - p->line)) ? "add the missing `)`, or write a product as `* %s`"
+                                                        : "a product is written `* %s`";
   const struct nb_foreign_unit *const foreign = is ? NULL : nb_unit_foreign(text, NULL);
   snprintf(hint, sizeof hint, form, text);
   if (foreign)

@@ -41,7 +41,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"ratio", "unbalanced.max, damping, poisson"}, {"critical", "ratio, single-contact"}, {"no_contact separation", "contacts"}, {"coordination_number cn Z", "coordination"}, {"voidratio", "void_ratio"}, {"solid_fraction packing_fraction volume_fraction", "porosity", "the porosity is 1 minus the solid fraction"},
     {"contact", "damping, monitor, region"}, {"all", "region", "`region M all` measures all particles and contacts"},
     {"calm relax quench", "zero velocities"}, {"fix freeze clamp", "fixed", "a particle with `fixed` does not move: `disc X Y radius R MATERIAL fixed`; `rotation off` prevents rotation"},
-    {"apply load", "gravity, boundary stress, servo, wall"}, {"confine confining confinement membrane pressure", "servo, boundary stress, cell.stress.mean"}, {"goal target", "servo"},
+    {"apply load", "gravity, boundary stress, servo, wall"}, {"confine confining confinement membrane pressure", "servo, boundary stress, stress.mean"}, {"goal target", "servo"},
     {"deform strain strain_rate shear_rate rate", "cell strain, box strain, boundary strain, affine strain", "in a cell write `cell strain 0 1/s 0 1/s c12 0.1 1/s` for simple shear, between walls `box strain 0 1/s -0.1 1/s`; `nineball --help strain` compares the four statements"},
     {"compress compression", "box strain, cell strain, boundary strain, walls, servo"}, {"shear_strain", "strain.xy, strain.deviator"},
     {"vertical_strain strain_vertical axial_strain", "strain.yy"}, {"vertical_stress stress_vertical axial_stress", "stress.yy"},
@@ -78,7 +78,8 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"shear_hertz", "shear", "the shear law of elastic spheres is `shear mindlin` or `shear mindlin_deresiewicz`"},
     {"wall_fixed box_fixed", "wall, walls", "a wall does not move unless it has a `velocity`"},
     {"remove_wall", "wall", "a wall stays, but it can move away: `wall NAME velocity VX VY`"}, {"step_auto", "stable", "write `step 0.3 of stable`, with elastic spheres `step 0.2 of rayleigh`"},
-    {"cycles_s cycles_ms", "until", "a duration is `until time above 2 s at most 1000000 cycles`"},
+    {"cycles_s cycles_ms", "until", "a stage of 2 s ends with `until stage.time above 2 s at most 1000000 cycles`"},
+    {"monitor_contact", "monitor", "a contact is named by its two partners: `monitor C disc 1 with disc 2`"},
     {"wall_servo walls_servo", "servo", "for example `servo yy 100 kPa on walls through box at most 1e-6 per cycle`"},
     {"box_shear box_c12 box_c21", "cell strain, boundary strain", "the walls of a box do not rotate, so a box has no shear"},
   };

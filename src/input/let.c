@@ -292,7 +292,7 @@ NB_APPLY(apply_trade) {
                         : nb_token_skip(reader, "all") ? NB_TRADE_LAWS_ALL
                                                        : NB_TRADE_LAWS_DEFAULT;
     if (scene->trade_laws == NB_TRADE_LAWS_DEFAULT)
-      nb_expected(reader, NULL, "`all` or `none`");
+      nb_expected(reader, "for example `trade laws all`", "`all` or `none`");
     return;
   }
   char hint[NB_HINT_SIZE];
@@ -316,7 +316,9 @@ NB_APPLY(apply_trade) {
     return;
   if (isnan(binding->value) != isnan(values[0].value) || !nb_dimension_same(binding->dimension, values[0].dimension)) {
     snprintf(hint, sizeof hint, "the value of `%s` is %.80s", name->text, binding->text);
-    nb_expected_at(reader, first, hint, "values of the same kind and unit");
+    nb_expected_at(reader, first, hint,
+                   isnan(binding->value) ? "words, as the present value is a word"
+                                         : "values with the dimension of the present value");
     return;
   }
   struct nb_trade trade = {.count = count};
@@ -379,11 +381,11 @@ static void read_setting(struct nb_scene_reading *reading, size_t line) {
       nb_mistake(mistakes, &reading->settings, line, 1, (int)length, "a contact test is a block of kind `contact-test`",
                  "expected a page with a contact test for `follow`, found a scene");
   } else {
-    nb_mistake(mistakes, &reading->settings, line, 1, (int)length,
-               near ? near : NB_NEAREST(hint, name, settable, SETTABLE),
-               "expected a name that the page defines by `let` or `sweep`, or `normal`, `shear`, `step`, `refine` or "
-               "`soften`, found `%.*s`",
-               (int)(length < 80 ? length : 80), text);
+    nb_mistake(
+        mistakes, &reading->settings, line, 1, (int)length, near ? near : NB_NEAREST(hint, name, settable, SETTABLE),
+        "expected a name that the page defines by `let` or `sweep`, or `normal`, `shear`, `step`, `damping`, `trade`, "
+        "`refine`, `soften` or `follow`, found `%.*s`",
+        (int)(length < 80 ? length : 80), text);
   }
 }
 

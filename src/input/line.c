@@ -335,8 +335,8 @@ const char *nb_syntax_hint(const struct nb_reader *reader, char *hint, const cha
     const char *sign, *hint;
   } signs[] = {{"\u2212", "this is not the minus sign of the keyboard: type `-`"},
                {"\u2013", "this is a dash, not a minus sign: type `-`"},
-               {"\u00D7", "multiply with `*`, in parentheses"},
-               {"\u00B7", "multiply numbers with `*`, in parentheses, and units with `.`"},
+               {"\u00D7", "multiply with `*`: `let x = 2 * 3`, and elsewhere in parentheses, `(2 * 3)`"},
+               {"\u00B7", "multiply numbers with `*` in parentheses, `(2 * 3)`, and units with a dot, `N.m`"},
                {"\u00B0", "write `deg` after a space: `30 deg`"},
                {"\u201C", quotes},
                {"\u2019", quotes},

@@ -3,7 +3,7 @@
  *   PATH:12:29: error: expected a length and its unit (m, mm, um, nm, cm, km), found `50`
  *      12 | lattice discs 3 by 3 radius 50 rock
  *         |                             ^~
- *     hint: write `50 m` or `50 mm`, or begin the scene with `units none`
+ *     hint: write `50 m` or `50 mm`
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdarg.h>

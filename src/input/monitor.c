@@ -36,7 +36,8 @@ bool nb_monitor_add(struct nb_scene *scene, struct nb_reader *reader, const stru
                     struct nb_monitor one) {
   const int same = NB_FIND(scene->monitors, scene->monitor_count, name->text);
   one.line = (int)reader->line;
-  if (nb_exists(reader, name, "monitor", same < 0 ? 0 : scene->monitors[same].line) ||
+  const bool region = same >= 0 && scene->monitors[same].kind == NB_MONITOR_REGION;
+  if (nb_exists(reader, name, region ? "region" : "monitor", same < 0 ? 0 : scene->monitors[same].line) ||
       nb_too_many(reader, scene->monitor_count, NB_NAMED_MAX, "monitors"))
     return false;
   snprintf(one.name, sizeof one.name, "%s", name->text);

@@ -228,7 +228,7 @@ NB_STATEMENTS(stage) = {
    "Repeats the lines from the beginning of STAGE down to this line. The repeated stages are called STAGE-2, STAGE-3 and so on.\n"
    "from STAGE: the name of a stage above.\n"
    "N times: a whole number, 1 or more. How often the lines run in addition to the first time.",
-   "stage     again\n  cycles  10\nrepeat    from again 2 times"},
+   "stage     press\n  cycles  10\nrepeat    from press 2 times"},
   {"repeat", NB_IN_SEGMENT, no_fields, "from SEGMENT N times", 0, false, apply_repeat,
    "Repeats the lines from the beginning of SEGMENT down to this line. The repeated segments are called SEGMENT-2, SEGMENT-3 and so on.\n"
    "from SEGMENT: the name of a segment above.\n"

@@ -144,7 +144,7 @@ static bool take_settings(struct nb_reader *reader, struct nb_start *start) {
       return false;
     if (!strchr(token->text, '=') || token->text[0] == '=') {
       reader->next--;
-      return nb_expected(reader, NULL, "NAME=VALUE");
+      return nb_expected(reader, "for example `with friction=0.5`", "NAME=VALUE");
     }
     const struct nb_token *unit = nb_token_peek(reader);
     struct nb_unit read;

@@ -39,7 +39,9 @@ NB_APPLY(apply_step) {
   if (fraction && nb_take_word(reader, "of")) {
     const int kind = nb_take_choice(reader, STEP_KINDS);
     step.kind = kind < 0 ? NB_STEP_TIME : kinds[kind];
-  } else if (per && nb_take_word(reader, "per") && nb_take_word(reader, "collision")) {
+  } else if (per && nb_take_word(reader, "per") &&
+             (nb_token_skip(reader, "collision") ||
+              nb_expected(reader, "for example `step 40 per collision`", "`collision`"))) {
     step.kind = NB_STEP_COLLISION, step.value = 1 / step.value;
   }
   if (reader->bad || nb_token_peek(reader)) /* nb_statement_read reports the token */
@@ -70,7 +72,7 @@ NB_APPLY(apply_allow) {
 NB_APPLY(apply_skin) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   if (scene->skin > 0)
-    nb_token_mistake(reader, &reader->tokens[0], NULL, "`skin` is given twice");
+    nb_token_mistake(reader, &reader->tokens[0], NULL, "expected one `skin`, found a second one");
   scene->skin = record->value[AT_SKIN].number;
 }
 

@@ -135,13 +135,13 @@ static bool names_angle(const struct wanted *it, const char *text) {
 }
 
 /* Adds the statement's example, ", for example `gravity 0 m/s2 -9.81 m/s2`"; if the page has had no unit so far, also
- * ", or begin the scene with `units none`". */
+ * ", or begin the scene with `units none` instead of `units si`, the default". */
 static void add_advice(char *text, const struct nb_reader *reader, bool example) {
   char as[NB_HINT_SIZE];
   if (example && nb_example_hint(as, reader))
     snprintf(text, NB_HINT_SIZE / 2, ", %.200s", as);
   if (!reader->has_units)
-    nb_append(text, NB_HINT_SIZE / 2, ", or begin the scene with `units none`");
+    nb_append(text, NB_HINT_SIZE / 2, ", or begin the scene with `units none` instead of `units si`, the default");
 }
 
 /* Writes the hint with two common units. For a number that has no unit and follows no word of a clause, the hint also
@@ -201,7 +201,8 @@ static const char *unit_hint(char *hint, const struct nb_reader *reader, const s
     return hint;
   if (unit && (reader->unitless || is_dimensionless(it)))
     snprintf(hint, NB_HINT_SIZE,
-             names_angle(it, text) ? "the tangent of that angle is `(tan(%.40s %.40s))`" : "write `%.40s`", n, text);
+             names_angle(it, text) ? "write the tangent of this angle: `(tan(%.40s %.40s))`" : "write `%.40s`", n,
+             text);
   else if (foreign && nb_number_read(&value, number->text, 0) == NB_READ)
     snprintf(hint, NB_HINT_SIZE, "1 %s is %.10g %s: write `%.10g %s`", bare, foreign->factor, foreign->ours,
              value * foreign->factor, foreign->ours);
@@ -312,7 +313,8 @@ bool nb_take_count_of(struct nb_reader *reader, const char *one, unsigned long *
   char several[NB_NAME_SIZE], counted[2 * NB_NAME_SIZE], hint[NB_HINT_SIZE];
   snprintf(several, sizeof several, "%ss", one);
   snprintf(counted, sizeof counted, "a number of %s", several);
-  snprintf(hint, sizeof hint, "write `100 %s`: divide a time by the step", several);
+  snprintf(hint, sizeof hint, "write `100 %s`%s", several,
+           strcmp(one, "cycle") == 0 ? "; a duration divided by the time step is a number of cycles" : "");
   return take_count(reader, 1, NB_COUNT_MAX, value, hint, counted) &&
          (nb_token_skip(reader, one) || nb_take_word(reader, several));
 }

@@ -87,7 +87,8 @@ static bool take_stage(struct nb_reader *reader, const struct nb_scene *scene, s
   measure->bare_length = strlen(measure->label);
   if (!nb_token_skip(reader, "in"))
     return true;
-  const struct nb_token *token = nb_take_token(reader, "the name of a stage");
+  const char *const what = scene->contact_test ? "the name of a segment" : "the name of a stage";
+  const struct nb_token *token = nb_take_token(reader, what);
   if (!token)
     return false;
   measure->stage = NB_FIND(scene->stages, scene->stage_count, token->text);
@@ -96,8 +97,7 @@ static bool take_stage(struct nb_reader *reader, const struct nb_scene *scene, s
   if (measure->stage == -1)
     return nb_name_suppressed(reader->mistakes, "repeat")
                ? nb_fail_silently(reader)
-               : nb_unknown_name(reader, token, NB_NEAREST(hint, token->text, scene->stages, scene->stage_count),
-                                 "the name of a stage");
+               : nb_unknown_name(reader, token, NB_NEAREST(hint, token->text, scene->stages, scene->stage_count), what);
   nb_append(measure->label, sizeof measure->label, " in %s", token->text);
   return true;
 }
