@@ -13,9 +13,6 @@
  * A draw depends only on the name of the page and the number of the draw.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef _DEFAULT_SOURCE
-#define _DEFAULT_SOURCE /* clock_gettime */
-#endif
 #include <gsl/gsl_rng.h>
 #include <math.h>
 #include <stdlib.h>

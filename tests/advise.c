@@ -2,9 +2,6 @@
  * compute the same values from pages that have the phase, the step and the laws of a candidate as statements.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef _DEFAULT_SOURCE
-#define _DEFAULT_SOURCE /* mkstemps */
-#endif
 #include <CUnit/CUnit.h>
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_statistics_double.h>

@@ -2,8 +2,6 @@
  * checkpoint. The results and the last checkpoint must be those of the run without interruption, to the last bit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _POSIX_C_SOURCE 200809L
-
 #include <CUnit/CUnit.h>
 #include <stdlib.h>
 #include <string.h>

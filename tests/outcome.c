@@ -1,9 +1,6 @@
 /* Runs of a page: progress and notes during the runs, units of the results, and memory, files and locks of results.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef _POSIX_C_SOURCE
-#define _POSIX_C_SOURCE 200809L /* mkstemp */
-#endif
 #include <CUnit/CUnit.h>
 #include <signal.h>
 #include <stdlib.h>

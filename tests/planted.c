@@ -1,9 +1,6 @@
 /* Tables that a test gives to the runs of a page as their results.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef _POSIX_C_SOURCE
-#define _POSIX_C_SOURCE 200809L /* mkstemp */
-#endif
 #include "planted.h"
 
 #include <CUnit/CUnit.h>

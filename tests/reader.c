@@ -2,9 +2,6 @@
  * invalid pages are tested by tests/mistakes.sh.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef _POSIX_C_SOURCE
-#define _POSIX_C_SOURCE 200809L /* mkstemp */
-#endif
 #include <CUnit/CUnit.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,8 +1,6 @@
 /* Functions that all references share: solutions, the register, refused scenes.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _POSIX_C_SOURCE 200809L /* fork */
-
 #include <CUnit/CUnit.h>
 #include <gsl/gsl_errno.h>
 #include <math.h>

@@ -2,8 +2,6 @@
  * and aborted runs.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _POSIX_C_SOURCE 200809L
-
 #include <CUnit/CUnit.h>
 #include <math.h>
 #ifdef _OPENMP

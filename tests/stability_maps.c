@@ -20,9 +20,6 @@
  * limit, and with a run at the bound. It prints the comparisons that fail.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef _POSIX_C_SOURCE
-#define _POSIX_C_SOURCE 200809L /* mkstemp */
-#endif
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_eigen.h>
 #include <math.h>

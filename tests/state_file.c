@@ -1,9 +1,6 @@
 /* The file of a saved state: every error in the file is found, and a file is complete or absent.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef _POSIX_C_SOURCE
-#define _POSIX_C_SOURCE 200809L
-#endif
 #include <CUnit/CUnit.h>
 #include <signal.h>
 #include <stdlib.h>

@@ -1,9 +1,6 @@
 /* Statements of a page, in cases in which no other test would detect a small error of the reader.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef _POSIX_C_SOURCE
-#define _POSIX_C_SOURCE 200809L /* mkstemp */
-#endif
 #include <CUnit/CUnit.h>
 #include <math.h>
 #include <stdlib.h>

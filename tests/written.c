@@ -1,9 +1,6 @@
 /* Scenes that a test writes in the page language.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef _POSIX_C_SOURCE
-#define _POSIX_C_SOURCE 200809L /* mkstemp */
-#endif
 #include "written.h"
 #include "../src/measure/snapshot.h"
 

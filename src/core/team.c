@@ -6,7 +6,6 @@
  * processor, which it needs to go on.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _XOPEN_SOURCE 700
 #include "team.h"
 
 #include <pthread.h>

@@ -1,8 +1,6 @@
 /* Input files: how a page's file names are resolved; only regular files are read.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _XOPEN_SOURCE 700
-
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>

@@ -6,8 +6,6 @@
  * unknown kinds are prose.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _POSIX_C_SOURCE 200809L
-
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>

@@ -5,8 +5,6 @@
  * before the first stage of this page belong to that stage.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _XOPEN_SOURCE 700
-
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>

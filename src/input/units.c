@@ -7,9 +7,6 @@
  * number before the number is converted, so `0.3 mm` is the double nearest to 0.0003, not 0.3 * 0.001.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef _POSIX_C_SOURCE
-#define _POSIX_C_SOURCE 200809L /* newlocale, uselocale */
-#endif
 #include "units.h"
 #include "core/clean.h"
 #include "core/vec.h"

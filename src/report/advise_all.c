@@ -10,8 +10,6 @@
  * interrupted can be repeated.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _DEFAULT_SOURCE
-
 #include <dirent.h>
 #include <math.h>
 #include <stdlib.h>

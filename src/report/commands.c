@@ -1,8 +1,6 @@
 /* The commands of the program.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _POSIX_C_SOURCE 200809L
-
 #include "commands.h"
 
 #include <stdlib.h>

@@ -4,8 +4,6 @@
  * Pandoc runs no code of the page (--sandbox), so it also runs where it cannot be confined.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _XOPEN_SOURCE 700
-
 #include <stdlib.h>
 #include <string.h>
 

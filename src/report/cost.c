@@ -7,8 +7,6 @@
  * snapshots are written and checked, which measures the cost of tables and verdict.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _DEFAULT_SOURCE
-
 #include <stdlib.h>
 #include <time.h>
 #include <unistd.h>

@@ -3,8 +3,6 @@
  * that it defines.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _XOPEN_SOURCE 700
-
 #include <ctype.h>
 #include <math.h>
 #include <stdlib.h>

@@ -4,8 +4,6 @@
  * the page or below, unless the pages are trusted; and only if it is a small picture or text.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _XOPEN_SOURCE 700
-
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

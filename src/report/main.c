@@ -1,8 +1,6 @@
 /* nineball, the program: the tables of its commands and options.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _POSIX_C_SOURCE 200809L
-
 #include <getopt.h>
 #include <math.h>
 #include <signal.h>

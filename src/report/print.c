@@ -1,8 +1,6 @@
 /* Verdicts, errors and progress on the terminal.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _POSIX_C_SOURCE 200809L
-
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>

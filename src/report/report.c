@@ -2,8 +2,6 @@
  * Each page is written as soon as it has run; the index is written at the end.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _XOPEN_SOURCE 700
-
 #include "report.h"
 
 #include <dirent.h>

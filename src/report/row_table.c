@@ -1,8 +1,6 @@
 /* A table of rows that a later call continues.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _POSIX_C_SOURCE 200809L
-
 #include "row_table.h"
 
 #include <stdlib.h>

@@ -4,8 +4,6 @@
  * would run `<NAME` as a shell command.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _DEFAULT_SOURCE
-
 #include "tool.h"
 
 #include <stdlib.h>

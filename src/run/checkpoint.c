@@ -7,8 +7,6 @@
  * another text of the page is refused.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _POSIX_C_SOURCE 200809L
-
 #include "checkpoint.h"
 
 #include <stdlib.h>

@@ -1,8 +1,6 @@
 /* Output files: written under a temporary name, then renamed.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _DEFAULT_SOURCE
-
 #include "output_file.h"
 
 #include <dirent.h>

@@ -9,8 +9,6 @@
  * process ends. Other threads and processes that need the same state wait for the lock, then read the state.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _DEFAULT_SOURCE
-
 #include "restart.h"
 
 #include "checkpoint.h"

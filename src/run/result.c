@@ -1,8 +1,6 @@
 /* The table of a result, and reports of progress.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _POSIX_C_SOURCE 200809L
-
 #include "result.h"
 
 #include <stdlib.h>

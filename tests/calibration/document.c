@@ -1,9 +1,6 @@
 /* The document of the calibration, docs/ACCURACY.md, from the rows of its results.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef _DEFAULT_SOURCE
-#define _DEFAULT_SOURCE /* strsep */
-#endif
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -8,8 +8,6 @@
  * Skipped in builds without sanitizers. TAP. A function of the test replaces gnuplot.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _XOPEN_SOURCE 700
-
 #include "faults.h"
 #include "pages.h"
 

@@ -1,8 +1,6 @@
 /* Invariants of all readers. An input that violates one is written to a file.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _POSIX_C_SOURCE 200809L
-
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>

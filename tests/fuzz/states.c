@@ -3,8 +3,6 @@
  * few cycles from this state: whatever the numbers are, the run must end with a status.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _POSIX_C_SOURCE 200809L
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
