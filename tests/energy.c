@@ -297,6 +297,32 @@ static void no_balance_unless_asked_for(void) {
 }
 
 /* The momenta, with rotation and with centres away from the origin. The fixed disc does not count. */
+/* Four discs that touch nothing, under a boundary stress and damping of all particles. The work of a kick is exact. The
+ * kinetic energy at t_N, of the mean of two velocities, has an error of the order (dt/t)^2 = 4e-4. */
+static void a_boundary_stress_with_damping(void) {
+  static const char *const dampings[] = {"damping mass 0.7\n", "damping con1 0.99 as cs79\n",
+                                         "damping con1 0.98 as velocity\n", "damping con1 0.97 as all\n"};
+  for (size_t k = 0; k < sizeof dampings / sizeof *dampings; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(
+        &page,
+        "units none\nmaterial m density 1 kn 1\ndisc 9 0 radius 1 m\ndisc 0 9 radius 1 m\ndisc -9 0 radius 1 m\n"
+        "disc 0 -8 radius 1 m\nboundary circle 0 0 radius 5\n%sgravity 0.3 -0.2\nstep 0.01\nrecord energy.imposed "
+        "energy.damped energy.residual work.residual\nstage a\nboundary stress 5 3 shear 1\ncycles 50\n",
+        dampings[k]);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    const double supplied = written_last(&result, "energy.imposed");
+    CU_ASSERT(supplied > 1 && written_last(&result, "energy.damped") > 1e-3 * supplied);
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "energy.residual"), 0, 1e-3 * supplied);
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "work.residual"), 0, 1e-12 * supplied);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
 static void momentum(void) {
   struct written it;
   struct nb_model *model = made(&it, "units none\nmaterial m density 3\ndisc 1 2 radius 1 m velocity 3 5 spin 7\n"
@@ -326,5 +352,6 @@ void suite_energy(void) {
   CU_add_test(suite, "a law without stored energy in a later stage", a_law_without_stored_energy_later);
   CU_add_test(suite, "a normal law without stored energy", a_normal_law_without_stored_energy);
   CU_add_test(suite, "no balance unless it is asked for", no_balance_unless_asked_for);
+  CU_add_test(suite, "a boundary stress with damping of all particles", a_boundary_stress_with_damping);
   CU_add_test(suite, "momentum", momentum);
 }

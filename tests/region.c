@@ -449,6 +449,28 @@ static void sliding_fractions_are_of_all_contacts(void) {
   done(&it, model);
 }
 
+/* With cohesion the limit of the shear force is mu F_n + c = 0.1 10 + 3. In a step of 0.004 at the speed 1 the shear force
+ * becomes 0.4; the discs are so heavy that nothing else moves. */
+static void obliquity_with_cohesion(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page,
+            "units none\nmaterial m density 2e15 kn 100 ks 100 friction 0.1 cohesion 3\nshear linear\nstep 0.004\n"
+            "region A all\nwall w 5 -9 to 5 9 m\nmonitor W wall w\ndisc 0 0 radius 1 m fixed\n"
+            "disc 1.9 0 radius 1 m velocity 0 1\ndisc 4.1 0 radius 1 m velocity 0 1\n"
+            "record A.obliquity.min A.obliquity.max W.obliquity\nstage s\ncycles 1\nsnapshot\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "A.obliquity.min"), 0.1, 1e-5); /* e turns by 0.002 */
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "A.obliquity.max"), 0.1, 1e-5);
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "W.obliquity"), 0.1, 1e-5);
+  for (size_t k = 0; k < 2; k++)
+    CU_ASSERT_DOUBLE_EQUAL(written_cell(&result.snapshots[0].contacts, k, "limit"), 4, 1e-4);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 /* Contacts in one direction alone: a = 2, with which a density would be negative. Then a_n and a_t have no meaning. In
  * the directions of a square a = 0, and without contacts all are 0. */
 static void directions_without_a_density(void) {
@@ -483,6 +505,7 @@ static void directions_without_a_density(void) {
 void suite_region(void) {
   CU_pSuite suite = CU_add_suite("region", NULL, NULL);
   CU_add_test(suite, "sliding fractions are of all contacts", sliding_fractions_are_of_all_contacts);
+  CU_add_test(suite, "the obliquity with cohesion", obliquity_with_cohesion);
   CU_add_test(suite, "directions without a density", directions_without_a_density);
   CU_add_test(suite, "centres on the edge are inside", centres_on_the_edge);
   CU_add_test(suite, "fractions without the stress", fractions_without_the_stress);

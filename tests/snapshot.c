@@ -214,6 +214,27 @@ static void columns_are_the_quantities(void) {
   }
 }
 
+/* Two heavy discs that touch leave the cell together, from x = 9 to 13.5: contacts and lattice are in the cell. */
+static void contacts_in_a_cell(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\ncell 0 0 to 10 10\nmaterial m density 2e15 kn 1\ndisc 9 5 radius 1 m velocity 9 0\n"
+                   "disc 9 6.9 radius 1 m velocity 9 0\nstep 0.05\nrecord time\nstage s\ncycles 10\nsnapshot from s\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  const struct nb_table *contacts = &result.snapshots[0].contacts, *lattice = &result.snapshots[0].lattice;
+  CU_ASSERT_FATAL(contacts->row_count == 1 && lattice->row_count == 1);
+  CU_ASSERT_DOUBLE_EQUAL(written_cell(contacts, 0, "x"), 3.5, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_cell(contacts, 0, "y"), 5.95, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_cell(lattice, 0, "x1"), 3.5, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_cell(lattice, 0, "x2"), 3.5, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_cell(lattice, 0, "y1"), 5, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_cell(lattice, 0, "y2"), 6.9, 1e-12);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 void suite_snapshot(void) {
   CU_pSuite suite = CU_add_suite("snapshot", NULL, NULL);
   CU_add_test(suite, "the columns of particles and of contacts", columns);
@@ -221,5 +242,6 @@ void suite_snapshot(void) {
   CU_add_test(suite, "porosity ring by ring", rings);
   CU_add_test(suite, "the boundary is listed counterclockwise", the_boundary_is_listed_counterclockwise);
   CU_add_test(suite, "rings in a cell", rings_in_a_cell);
+  CU_add_test(suite, "contacts in a cell", contacts_in_a_cell);
   CU_add_test(suite, "a fixed particle is no rattler", a_fixed_particle_is_no_rattler);
 }

@@ -68,6 +68,25 @@ static void all_dampings(void) {
   }
 }
 
+/* Dashpots that use the velocity at the time of the force need the surface speed before the first step: spin times a
+ * radius that is not 1. */
+static void centred_dashpots(void) {
+  static const char *const dampings[] = {"ratio 0.2", "stiffness 0.004"};
+  for (size_t k = 0; k < sizeof dampings / sizeof *dampings; k++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\nmaterial m density 3 kn 4000 ks 2500 friction 0.9\nshear linear\ndamping %s\n"
+              "damping centred\nlattice discs 2 by 2 m radius 0.5 spacing 0.99 from 0 0\nwall w -3 -0.49 to 3 -0.49 m\n"
+              "gravity 0.2 -2\nstep 0.002\nrecord time energy.kinetic\nstage a\ncycles 15\nstage b\nstep "
+              "0.0015\ncycles 10\n",
+              dampings[k]);
+    written_scene(&it, &page);
+    continued_same(&it, dampings[k]);
+    written_free(&it);
+  }
+}
+
 /* The balances of a continued run begin at the state, and they close. */
 static void balances_begin_anew(void) {
   static const char *const balance[] = {"work.residual", "energy.residual",   "energy.walls",
@@ -412,6 +431,7 @@ void suite_state(void) {
   CU_add_test(suite, "a contact that begins at a vertex", a_contact_that_begins_at_a_vertex);
   CU_add_test(suite, "continued runs have the same bits with every law", all_laws);
   CU_add_test(suite, "continued runs have the same bits with every damping", all_dampings);
+  CU_add_test(suite, "continued runs have the same bits with centred dashpots", centred_dashpots);
   CU_add_test(suite, "the balances count from the state on", balances_begin_anew);
   CU_add_test(suite, "pair rules of stages fit", rules_of_stages_fit);
   CU_add_test(suite, "other particles do not fit", other_particles_do_not_fit);

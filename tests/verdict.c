@@ -137,6 +137,10 @@ static void versus(void) {
       {"A.x versus time within 25 % of peak", {8, 1, 2}, 3, {8, 3, 2}, 1, 1},
       {"A.x versus time within 25 % of A.y max", {0, 8, 2}, 3, {0, 9, 2}, 1, 1},
       {"A.x versus time in one within 0.5", {0, 8, 2, 9, 9, 9}, 6, {0, 8, 2.5, 0, 0, 0}, 2, 1},
+      /* the peak is that of the stage */
+      {"A.x versus time in one within 25 % of peak", {0, 8, 2, 90, 90, 90}, 6, {0, 8, 4, 0, 0, 0}, 2, 1},
+      {"A.x versus time within 25 % of peak", {90, 90, 90, 0, 8, 2}, 6, {0, 0, 0, 2, 8, 2}, 3, 1},
+      {"A.x versus time in all within 25 % of peak", {0, 8, 2, 16, 1, 2}, 6, {0, 8, 6, 16, 1, 2}, 2, 1},
       {"A.x versus time within 0.5", {9, 9, 9, 1, 2, 3}, 6, {0, 0, 0, 1.5, 2, 3}, 3, 1},
       {"A.x versus time in all within 0.5", {9, 9, 9, 1, 2, 3}, 6, {9, 9, 9, 1, 2, 3.5}, 5, 1},
   };
