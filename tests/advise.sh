@@ -137,7 +137,7 @@ run 2 advise still.md --within '1 %' && said 'name a quantity that it records, b
 result $? 'a page that expects nothing'
 run 2 advise "$hertz" && said '--within TOLERANCE'
 result $? 'no tolerance'
-run 2 advise "$hertz" --quantity C.force --within '1 %' && said 'quantity: error: expected a quantity that the scene records, found `C.force`'
+run 2 advise "$hertz" --quantity C.force --within '1 %' && said 'quantity: error: expected a quantity that the page records, found `C.force`'
 result $? 'an unknown quantity'
 run 2 advise "$hertz" --quantity impact.duration --within '1 % x' && said 'expected the end of the text'
 result $? 'text after the tolerance'
@@ -346,7 +346,7 @@ result $? 'a page with a long path, and a second call'
 # Exit status: 2 for a page with mistakes; the others are searched. A search that is refused is a result.
 run 2 advise --all wrong.md folder/a.md --quantity D.vx --within '50 %' -o all && said 'wrong.md:4:1: error: ' && said '2 of 2, a: 1 searches, 1 with advice'
 result $? 'a page with mistakes'
-run 1 advise --all folder/a.md --quantity 'D.force; D.vx' --within '50 %' -o all && said '  D.force within 50 %: expected a quantity that the scene records' &&
+run 1 advise --all folder/a.md --quantity 'D.force; D.vx' --within '50 %' -o all && said '  D.force within 50 %: expected a quantity that the page records' &&
   said '2 searches, 1 with advice' && grep -q '	D.force	50 %	refused	expected a quantity' all/trades.tsv
 result $? 'a page that does not record the quantity'
 mkdir empty

@@ -73,7 +73,8 @@ result $? 'nineball --help describes families of quantities, topics, units, func
 for pair in "velocity:velocity VX VY" stiffness:young "refine:divides the step" "compress:box strain" "compression:cell strain" \
   "vertical:y points up" "horizontal:x points to the right" "order:order NUMBER in NAME" "advise:cheapest step" "within:MEASURE within" \
   "rate:cell strain" "seed:fill discs" "porosity:region M all" "strain:Which strain" "stage:Begins a stage" "budget:time for the search" \
-  "psi:1 psi is 6.894757293 kPa" "inch:1 inch is 25.4 mm" "lb:1 lb is 4.448221615 N" "restitution:damping ratio" "fix:fixed"; do
+  "psi:1 psi is 6.894757293 kPa" "inch:1 inch is 25.4 mm" "lb:1 lb is 4.448221615 N" "restitution:damping ratio" "fix:fixed" \
+  "simple_shear:c12 0.1 1/s" "simple-shear:c12 0.1 1/s" "shear rate:c12 0.1 1/s" "pure shear:2 EXY"; do
   "$nineball" --help "${pair%%:*}" 2>&1 | head -n 3 | grep -qF -e "${pair#*:}" || echo "nineball --help ${pair%%:*} does not begin with ${pair#*:}"
 done >"$work/said"
 for command in $("$nineball" --help | sed -n 's/^  \([a-z][a-z]*\) .*/\1/p'); do

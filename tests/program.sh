@@ -346,11 +346,21 @@ out '  line 9: boundary circle 0 0 radius 10'
 out '157 bytes a particle (without rotation), 108 a contact'
 out '  rotation (16 bytes a particle), shear forces, dashpots, mass-proportional damping, balances of work and energy (96 bytes a particle), periodic cell'
 out '    line 15: boundary strain 1e-4 per cycle -1e-4 per cycle shear 2e-5 per cycle'
+out '    line 15: strain rate xx 0.0001, c12 2e-05, c21 2e-05, yy -0.0001 per cycle: pure shear, the engineering shear rate is twice c12, 4e-05 per cycle; simple shear at this rate is `c12 4e-05 per cycle`'
 out '    line 24: ramp servo mean 12 on boundary through boundary affine at most 1e-4 per cycle every 5 cycles'
 out 'there are no contacts yet'
 out '  c2, 1 to 10 cycles: the condition on line 32 decides'
 out '  line 10: region A circle 1 2 radius 5 rings 3 from b: 1 particles now'
 grep -c 'line 30:' out | grep -qx 1 || echo 'a statement is shown in several stages' >>why
+sed 's/shear 2e-5 per/c12 2e-5 per/' "$pages/drives.md" >simple.md
+run 0 explain simple.md
+out ' c12 2e-05, c21 0, yy -0.0001 per cycle: simple shear, the engineering shear rate is 2e-05 per cycle'
+sed 's/shear 2e-5 per cycle/c12 2e-5 per cycle c21 1e-5 per cycle/' "$pages/drives.md" >turned.md
+run 0 explain turned.md
+out ': shear with rotation, the engineering shear rate is 3e-05 per cycle'
+sed 's/shear 2e-5 per cycle//' "$pages/drives.md" >straight.md
+run 0 explain straight.md
+grep -q 'line 15: strain rate' out && echo 'a strain without shear has an engineering shear rate' >>why
 printf '```scene\nunits none\nmaterial a density 1 kn 1 ks 1 friction 1\nmaterial b density 1 kn 1 ks 1 friction 1\ndisc 0 0 radius 1 a\ndisc 3 0 radius 1 b\ndisc 6 0 radius 1 b\nstep 0.1\nrecord time\nstage one\ncycles 1\nstage two\n%%s\ncycles 1\n```\n' >pairs.md
 sed 's/^%s$/shear linear/' pairs.md >sheared.md # a law that a stage gives
 run 0 explain sheared.md

@@ -82,7 +82,7 @@ bool nb_lacks_boundary(const struct nb_scene *scene, struct nb_reader *reader) {
     if (scene->stages[s].boundary.line && scene->stages[s].boundary.control == NB_CONTROL_NONE)
       begun = false;
   }
-  if (!begun && nb_name_suppressed(reader->mistakes, "boundary"))
+  if (!begun && nb_statement_suppressed(reader->mistakes, "boundary"))
     nb_fail_silently(reader);
   if (!begun)
     nb_token_mistake(reader, &reader->tokens[0],

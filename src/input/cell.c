@@ -30,7 +30,7 @@ NB_APPLY(apply_cell) {
 }
 
 bool nb_lacks_cell(const struct nb_scene *scene, struct nb_reader *reader) {
-  if (!scene->cell.line && nb_name_suppressed(reader->mistakes, "cell"))
+  if (!scene->cell.line && nb_statement_suppressed(reader->mistakes, "cell"))
     nb_fail_silently(reader);
   if (!scene->cell.line)
     nb_token_mistake(reader, &reader->tokens[0],

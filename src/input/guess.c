@@ -17,15 +17,26 @@ bool nb_item(const char **list, char item[NB_NAME_SIZE]) {
   return length > 0;
 }
 
+/* clang-format off */
+#define RANDOM_PACKING \
+  "a random packing is two lines, `grading mixed 4 mm 67  5 mm 66  6 mm 67` (radius and number of each size) and `fill discs " \
+  "box 0 m 0 m to 0.2 m 0.2 m mixed MATERIAL seed 1 attempts 1000 else stop` (in a periodic cell `cell` in place of `box … to …`); " \
+  "there is no target porosity: compress with `walls inward 1 mm/s` and `until M.porosity below 0.16 at most 1000000 cycles`"
+#define ONE_SERVO "write `servo isotropic 50 kPa on box through box at most 0.1 1/s`; `xx P`, `yy P`, `xy P` or `mean P` control one component"
+#define SIMPLE_SHEAR \
+  "simple shear at the rate G = 0.1 1/s is `cell strain 0 1/s 0 1/s  c12 0.1 1/s`, where c12 is the velocity in x per unit of y. The clause " \
+  "`shear EXY` is pure shear, c12 = c21 = EXY, with the engineering shear rate 2 EXY"
+/* clang-format on */
+
 const struct nb_synonym *nb_synonym(const char *word) {
   /* clang-format off */
-  static const struct nb_synonym synonyms[] = { /* each word once; `_` stands for `-` too */
+  static const struct nb_synonym synonyms[] = { /* each word once; `_` stands for `-` and a space too */
     {"ball balls disk disks particle particles grain grains body bodies clump", "disc, sphere"}, {"grid mesh regular", "lattice"},
-    {"generate create create_atoms insert", "fill, lattice, disc, sphere"}, {"distribute pour random cloud makeCloud", "fill", "a random packing is two lines, `grading mixed 4 mm 67  5 mm 66  6 mm 67` (radius and number of each size) and `fill discs box 0 m 0 m to 0.2 m 0.2 m mixed MATERIAL seed 1 attempts 1000 else stop`; a target porosity is reached by `walls inward`"},
+    {"create create_atoms", "fill, lattice, disc, sphere"}, {"generate pack insert distribute pour random cloud makeCloud", "fill", RANDOM_PACKING},
     {"psd gradation size distribution bimodal", "grading"},
     {"facet facets plane plate", "wall"}, {"domain container create_box", "box, cell"}, {"periodic pbc", "cell"},
     {"contact_model cmat pair_style model", "normal, shear"}, {"property prop attribute set assign", "material, pair, let"},
-    {"variable define parameter fish", "let"}, {"loop foreach for while", "sweep, repeat"}, {"study vary parametric", "sweep"}, {"result results", "report"}, {"bond bonds cement adhesion", "cohesion"},
+    {"variable define fish", "let"}, {"parameter parameters", "let, sweep", "one value is `let mu = 0.3`, a run for each of several values is `sweep mu 0.1 0.3`; statements then use `$mu`"}, {"loop foreach for while", "sweep, repeat"}, {"study vary parametric", "sweep"}, {"result results", "report"}, {"bond bonds cement adhesion", "cohesion"},
     {"friction_coefficient friction_angle frictionAngle fric mu xmu", "friction"}, {"coulomb", "friction, linear"}, {"rho dens mass_density", "density"},
     {"young_modulus youngs_modulus youngs modulus emod E", "young"}, {"shear_modulus G", "young", "the shear modulus G gives `young` as 2 G (1 + poisson)"}, {"poisson_ratio poissons_ratio pois nu", "poisson"},
     {"normal_stiffness k_n", "kn"}, {"shear_stiffness tangential_stiffness k_s k_t kt kratio", "ks"}, {"stiffness spring", "kn, ks, young, linear", "stiffness is `kn` and `ks` in `material` or `pair`, or `young` in `material`"},
@@ -42,12 +53,13 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"contact", "damping, monitor, region"}, {"all", "region", "`region M all` measures all particles and contacts"},
     {"calm relax quench", "zero velocities"}, {"fix freeze clamp", "fixed", "a particle with `fixed` does not move: `disc X Y radius R MATERIAL fixed`; `rotation off` prevents rotation"},
     {"apply load", "gravity, boundary stress, servo, wall"}, {"confine confining confinement membrane pressure", "servo, boundary stress, stress.mean"}, {"goal target", "servo"},
-    {"deform strain strain_rate shear_rate rate", "cell strain, box strain, boundary strain, affine strain", "in a cell write `cell strain 0 1/s 0 1/s c12 0.1 1/s` for simple shear, between walls `box strain 0 1/s -0.1 1/s`; `nineball --help strain` compares the four statements"},
+    {"simple_shear shear_rate simple_shear_rate shearing pure_shear engineering_shear", "cell strain, boundary strain, affine strain", SIMPLE_SHEAR},
+    {"deform strain strain_rate rate", "cell strain, box strain, boundary strain, affine strain", "in a cell write `cell strain 0 1/s 0 1/s c12 0.1 1/s` for simple shear, between walls `box strain 0 1/s -0.1 1/s`; `nineball --help strain` compares the four statements"},
     {"compress compression", "box strain, cell strain, boundary strain, walls, servo"}, {"shear_strain", "strain.xy, strain.deviator"},
     {"vertical_strain strain_vertical axial_strain", "strain.yy"}, {"vertical_stress stress_vertical axial_stress", "stress.yy"},
     {"vertical axial", "y, fy, stress.yy, strain.yy, yy", "y points up"}, {"horizontal lateral", "x, fx, stress.xx, strain.xx, xx", "x points to the right"},
     {"move displace", "wall, walls, transform"}, {"delete kill erase", "remove"},
-    {"save checkpoint write_restart", "start, nineball state", "nothing has to be saved: a second page begins with `start THIS-PAGE stage NAME` and continues with all velocities and contact histories"}, {"restore restart read_restart read_data import", "start, packing"},
+    {"save checkpoint write_restart continue resume", "start, nineball state", "nothing has to be saved: a second page begins with `start THIS-PAGE stage NAME` and continues with all velocities and contact histories"}, {"restore restart read_restart read_data import", "start, packing"},
     {"assert compare equals equal is = ==", "expected, within"}, {"tolerance agree", "within"},
     {"maximum largest peak", "max"}, {"tangential", "shear, ks, slip"}, {"end final", "last"}, {"rises rise grows", "increases"}, {"falls fall drops", "decreases"}, {"same unchanged", "constant"}, {"conserved", "amplitude, constant", "constant in time is `momentum.x amplitude in all  expected 0 kg.m/s within 1e-12 of momentum.x max in all [SOURCE]`"}, {"between", "above, below", "write two lines, one with `above` and one with `below`"}, {"less < <=", "below"}, {"greater more > >=", "above"},
     {"force contact_force forces", "normal, shear, fx, fy"}, {"position pos", "x, y"}, {"displacement disp", "slip, x, y"}, {"shear_displacement tangential_displacement", "slip"}, {"vel velocity speed", "velocity, vx, vy", "a velocity is given by `velocity VX VY` and recorded as `A.vx` and `A.vy`"},
@@ -65,7 +77,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"wall_at wall_normal", "wall", "a wall is a line in the plane between two ends, without `at` and `normal`: `wall floor -1 m 0 m to 1 m 0 m MATERIAL`"},
     {"wall_stop wall_still wall_halt wall_inward", "wall", "in a stage write `wall NAME velocity 0 m/s 0 m/s`, or for all walls `walls stop`"},
     {"wall_down wall_up wall_left wall_right wall_move wall_speed", "wall", "in a stage write `wall NAME velocity 0 m/s -1 mm/s`"},
-    {"fill_NUMBER fill_radius fill_to fill_porosity fill_number fill_count fill_size fill_uniform fill_distribution", "fill", "a random packing is two lines, `grading mixed 4 mm 67  5 mm 66  6 mm 67` (radius and number of each size) and `fill discs box 0 m 0 m to 0.2 m 0.2 m mixed MATERIAL seed 1 attempts 1000 else stop`; there is no target porosity: fill a larger box, then `walls inward`"},
+    {"fill_NUMBER fill_radius fill_to fill_porosity fill_number fill_count fill_size fill_uniform fill_distribution", "fill", RANDOM_PACKING},
     {"fill_velocity", "fill", "filled particles begin at rest: add moving ones with `disc X Y radius R MATERIAL velocity VX VY` above the `fill`"},
     {"stage_time stage_duration stage_for stage_lasts stage_length", "until", "a stage of 0.1 s ends with `until stage.time above 0.1 s at most 1000000 cycles`"},
     {"stage_steps stage_run stage_solve", "cycles, until", "a number of cycles is `cycles 1000`"},
@@ -73,21 +85,41 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"contact_test_stage contact_test_normal_force contact_test_displace contact_test_steps contact_test_cycles contact_test_tangential contact_test_move contact_test_until", "segment", "each segment is one line with its own name, `segment load normal to 100 N in 100 steps`, then `segment slide slip to 2 um hold normal in 1000 steps`"},
     {"segment_NUMBER segment_steps segment_tangential segment_displacement segment_normal_force", "segment", "the word after `segment` is its name: `segment load normal to 100 N in 100 steps`, `segment slide slip to 2 um hold normal in 1000 steps`"},
     {"contact_spheres contact_discs contact_radius contact_at", "contact", "write `contact sphere 5 mm MATERIAL with sphere 5 mm MATERIAL`"},
-    {"servo_NUMBER", "servo", "write `servo isotropic 50 kPa on box through box at most 0.1 1/s`"},
+    {"servo_NUMBER servo_pressure servo_stress servo_target servo_force servo_wall", "servo", ONE_SERVO},
     {"contact_linear contact_hertz", "normal, shear", "contact laws are two statements: `normal linear` and `shear linear`, or `normal hertz` and `shear mindlin`"},
     {"shear_hertz", "shear", "the shear law of elastic spheres is `shear mindlin` or `shear mindlin_deresiewicz`"},
     {"wall_fixed box_fixed", "wall, walls", "a wall does not move unless it has a `velocity`"},
     {"remove_wall", "wall", "a wall stays, but it can move away: `wall NAME velocity VX VY`"}, {"step_auto", "stable", "write `step 0.3 of stable`, with elastic spheres `step 0.2 of rayleigh`"},
-    {"cycles_s cycles_ms", "until", "a stage of 2 s ends with `until stage.time above 2 s at most 1000000 cycles`"},
+    {"cycles_s cycles_ms cycles_us cycles_second cycles_seconds", "until", "a stage of 2 s ends with `until stage.time above 2 s at most 1000000 cycles`"},
     {"monitor_contact", "monitor", "a contact is named by its two partners: `monitor C disc 1 with disc 2`"},
     {"wall_servo walls_servo", "servo", "for example `servo yy 100 kPa on walls through box at most 1e-6 per cycle`"},
+    {"stop_wall stop_walls stop_all stop_box", "wall, walls", "in a stage write `walls stop`, or for one wall `wall NAME velocity 0 m/s 0 m/s`"},
+    {"until_equals until_equal until_= until_== until_is until_reaches until_at until_to until_until", "until", "a condition has `above` or `below`: `until stage.time above 0.1 s at most 1000000 cycles`"},
+    {"until_< until_<= until_less until_under until_smaller", "below", "a condition is `QUANTITY below VALUE`"}, {"until_> until_>= until_greater until_over until_more until_exceeds", "above", "a condition is `QUANTITY above VALUE`"},
+    {"scene_load", "start", "a page that continues from another begins with `start PAGE stage NAME`; a load on particles is `gravity`, or in a stage `boundary stress` or `servo`"},
+    {"cell_shear cell_simple_shear cell_rate cell_c12 cell_velocity cell_deform cell_engineering_shear", "cell strain", SIMPLE_SHEAR},
+    {"boundary_shear boundary_c12", "boundary strain", "simple shear at the rate G = 0.1 1/s is `boundary strain 0 1/s 0 1/s  c12 0.1 1/s`; the clause `shear EXY` is pure shear, c12 = c21 = EXY"},
+    {"shear_exact shear_deresiewicz shear_history", "shear", "the exact law of Mindlin and Deresiewicz is `shear mindlin_deresiewicz`"},
+    /* expect_WORD: a word in any place of an expectation */
+    {"expect_stage", "in", "`in` is followed by the name alone: `C.normal max in load`"},
+    {"expect_expected", "expected", "the quantity comes first: `C.shear last in load  expected 0.1 N within 1 % [SOURCE]`, or, for a value in another stage, `expected 1 of C.shear last in unload within 1 % [SOURCE]`"},
+    {"expect_abs expect_magnitude expect_absolute expect_mag expect_norm expect_absmax", "above, below", "a magnitude below X is two lines: `C.shear max below X` and `C.shear min above -X`"},
+    /* quantity_WORD: another name of a quantity */
+    {"quantity_p quantity_pressure quantity_mean_stress quantity_s quantity_pprime", "stress.mean"}, {"quantity_q quantity_deviatoric_stress quantity_deviator quantity_deviator_stress quantity_t", "stress.deviator"},
+    {"quantity_e", "void_ratio"}, {"quantity_n quantity_poros quantity_phi", "porosity"}, {"quantity_z quantity_cn", "coordination"},
+    {"quantity_sxx quantity_s11 quantity_sigma_xx quantity_sigmaxx quantity_stress_xx quantity_sigma_h", "stress.xx"}, {"quantity_syy quantity_s22 quantity_sigma_yy quantity_sigmayy quantity_stress_yy quantity_sigma_v quantity_sigma", "stress.yy"}, {"quantity_sxy quantity_s12 quantity_tau quantity_sigma_xy quantity_stress_xy", "stress.xy"},
+    {"quantity_exx quantity_e11 quantity_epsilon_xx", "strain.xx"}, {"quantity_eyy quantity_e22 quantity_epsilon_yy quantity_ea quantity_epsilon quantity_eps", "strain.yy"}, {"quantity_ev quantity_volumetric_strain quantity_epsilon_v", "strain.volumetric"},
+    {"quantity_fn quantity_f_n quantity_nforce quantity_normal_force quantity_normalforce quantity_fnormal", "normal, normal.mean"}, {"quantity_fs quantity_ft quantity_f_s quantity_f_t quantity_sforce quantity_shear_force quantity_tangential_force quantity_shearforce quantity_fshear", "shear, shear.mean"},
+    {"quantity_un quantity_u_n quantity_delta quantity_delta_n quantity_alpha quantity_penetration quantity_penetrationdepth quantity_indentation", "overlap"}, {"quantity_ut quantity_u_t quantity_us quantity_delta_t", "slip"},
+    {"quantity_w quantity_omega quantity_wz quantity_omegaz quantity_omega_z quantity_angvel quantity_angular_velocity quantity_rotvel quantity_angular", "spin"}, {"quantity_theta quantity_rot quantity_rotation", "angle"},
+    {"quantity_xvel quantity_vel_x quantity_x_velocity", "vx"}, {"quantity_yvel quantity_vel_y quantity_y_velocity", "vy"}, {"quantity_xfob quantity_xfor quantity_force_x", "fx"}, {"quantity_yfob quantity_yfor quantity_force_y", "fy"}, {"quantity_torque quantity_tz", "moment"},
     {"box_shear box_c12 box_c21", "cell strain, boundary strain", "the walls of a box do not rotate, so a box has no shear"},
   };
   /* clang-format on */
   char plain[NB_NAME_SIZE];
   const size_t length = (size_t)snprintf(plain, sizeof plain, "%s", word);
-  for (char *dash = plain; (dash = strchr(dash, '-'));)
-    *dash = '_';
+  for (char *between = plain; (between = strpbrk(between, "- "));)
+    *between = '_';
   for (size_t k = 0; k < sizeof synonyms / sizeof *synonyms && length; k++)
     for (const char *at = synonyms[k].words; (at = strstr(at, plain)); at++)
       if ((at == synonyms[k].words || at[-1] == ' ') && (at[length] == ' ' || !at[length]))

@@ -18,7 +18,7 @@ static void report_unknown(struct nb_reader *reader, const char *kind, const str
     if (strcmp((*law)->kind, kind) == 0)
       snprintf(what, sizeof what, "%s %s", kind, (*law)->name), nb_guess_offer(&guess, (*law)->name),
           nb_guess_offer(&guess, what);
-  const char *near = nb_pair_hint(hint, kind, token->text) ? hint : nb_guess_hint(&guess, hint);
+  const char *near = nb_guess_hint(&guess, hint);
   snprintf(what, sizeof what, "the name of a `%s` law", kind);
   nb_expected_at(reader, token, near ? near : "`nineball laws` lists the laws", what);
 }

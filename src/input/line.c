@@ -347,6 +347,14 @@ const char *nb_syntax_hint(const struct nb_reader *reader, char *hint, const cha
   return number_hint(hint, text) || sign_hint(reader, hint, text) ? hint : NULL;
 }
 
+/* The hint for a word of another program in this statement, `fill 200`, or in any expectation; NULL: there is none. */
+static const char *context_hint(const struct nb_reader *reader, char *hint, const struct nb_token *token) {
+  const bool inside = token > reader->tokens && reader->here != NB_IN_EXPECT;
+  return inside                         ? nb_pair_hint(hint, reader->tokens[0].text, token->text)
+         : reader->here == NB_IN_EXPECT ? nb_pair_hint(hint, "expect", token->text)
+                                        : NULL;
+}
+
 bool nb_expected(struct nb_reader *reader, const char *hint, const char *format, ...) {
   char what[512];
   const struct nb_token *token = nb_token_peek(reader);
@@ -358,10 +366,10 @@ bool nb_expected(struct nb_reader *reader, const char *hint, const char *format,
   if (!token)
     return nb_token_mistake(reader, NULL, hint ? hint : nb_example_hint(text, reader),
                             "expected %s, found the end of the line", what);
-  const char *const typed = nb_syntax_hint(reader, text, token->text);
+  const char *const context = context_hint(reader, text, token);
+  const char *const typed = context ? context : nb_syntax_hint(reader, text, token->text);
   hint = typed ? typed : hint ? hint : reader->otherwise;
-  if (!hint && (nb_pair_hint(text, reader->tokens[0].text, token->text) || nb_synonym_hint(text, token->text) ||
-                nb_example_hint(text, reader)))
+  if (!hint && (nb_synonym_hint(text, token->text) || nb_example_hint(text, reader)))
     hint = text;
   if (token->name)
     return nb_token_mistake(reader, token, hint, "expected %s, found `%.80s` (`$%s`)", what, token->text, token->name);

@@ -182,6 +182,10 @@ bool nb_name_suppressed(const struct nb_mistakes *mistakes, const char *name) {
   return false;
 }
 
+bool nb_statement_suppressed(const struct nb_mistakes *mistakes, const char *word) {
+  return nb_name_suppressed(mistakes, word) || nb_name_suppressed(mistakes, NB_UNKNOWN);
+}
+
 void nb_suppress_no_name(struct nb_mistakes *mistakes) {
   if (mistakes->inside)
     mistakes->inside->suppressed_count = 0;

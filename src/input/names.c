@@ -266,6 +266,33 @@ bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene
   return w >= 0 && find_quantity(quantity, scene, w, text + length + 1);
 }
 
+/* ---- bounds ---- */
+
+static bool is_one_of(const char *names, const char *name) {
+  const size_t length = strlen(name);
+  const char *at = names;
+  while ((at = strstr(at, name)) && !((at == names || at[-1] == ' ') && (at[length] == ' ' || !at[length])))
+    at++;
+  return at != NULL;
+}
+
+/* Rows whose quantities are 0 or more, and rows whose quantities are at most 1; of families each of them is. Energies that
+ * are sums over time, and differences, have no bound. */
+static const char not_negative[] =
+    "cycle time stage.time contacts contacts.deep unbalanced.max energy.kinetic overlap normal sliding step "
+    "step.single-contact step.stable step.fracc step.rayleigh step.rayleigh-mean step.rayleigh-fit "
+    "step.rayleigh-fit-mean boundary.particles boundary.radius boundary.area boundary.roughness box.width box.height "
+    "walls.force.residual wanted placed dropped attempts stress.residual boundary.stress.residual area particles "
+    "coordination coordination.mechanical rattlers sliding.near unbalanced.mean unbalanced.force speed.mean speed.max "
+    "speed.imposed speed.ratio chains chains.length chains.fraction chains.bend contacts.lost contacts.new";
+static const char at_most_one[] = "sliding sliding.near porosity chains.fraction";
+
+bool nb_quantity_never(const struct nb_condition *condition) {
+  const bool below = condition->relation == NB_BELOW;
+  return is_one_of(below ? not_negative : at_most_one, condition->quantity.kind->name) &&
+         (below ? condition->value <= 0 : condition->value >= 1);
+}
+
 double nb_quantity_value(struct nb_quantity quantity, const struct nb_model *model) {
   return nb_quantity_now(quantity, model);
 }
@@ -322,18 +349,30 @@ bool nb_quantity_row(struct nb_quantity_row *it, size_t k) {
   return false;
 }
 
-/* Writes "`c` is a contact; its quantities are overlap, normal, …", up to the length of a hint. */
+/* True if an earlier row has the same monitors and the same first part of the name: `stress.sinphi` after `stress`. */
+static bool is_of_earlier_family(size_t k) {
+  const size_t length = strcspn(kind_at(k)->name, ".");
+  size_t before = 0;
+  while (before < k &&
+         !(kind_at(before)->monitors == kind_at(k)->monitors && strcspn(kind_at(before)->name, ".") == length &&
+           strncmp(kind_at(before)->name, kind_at(k)->name, length) == 0))
+    before++;
+  return before < k;
+}
+
+/* Writes "`c` is a contact; its quantities are overlap, normal, …": the first parts of all names. */
 static const char *list_quantities(char *hint, const struct nb_scene *scene, int w) {
-  size_t used = 0, k = 0;
-  for (; kind_at(k) && used < NB_HINT_SIZE - 2 * NB_NAME_SIZE; k++) {
-    if (!applies(kind_at(k), scene, w))
+  const char *const name = scene->monitors[w].name, *between = "";
+  *hint = '\0';
+  for (size_t k = 0; kind_at(k); k++) {
+    if (!applies(kind_at(k), scene, w) || is_of_earlier_family(k))
       continue;
-    const char *const name = scene->monitors[w].name, *const of = owner_of(kind_at(k)->monitors)->of;
-    if (!used)
-      used = (size_t)snprintf(hint, NB_HINT_SIZE, "`%s` is %s; its quantities are ", name, of);
-    used += (size_t)snprintf(hint + used, NB_HINT_SIZE - used, "%s, ", kind_at(k)->name);
+    if (!*hint)
+      snprintf(hint, NB_HINT_SIZE, "`%s` is %s; its quantities are ", name, owner_of(kind_at(k)->monitors)->of);
+    nb_append(hint, NB_HINT_SIZE, "%s%.*s", between, (int)strcspn(kind_at(k)->name, "."), kind_at(k)->name);
+    between = ", ";
   }
-  snprintf(hint + used - 2, NB_HINT_SIZE - used, "%s: see `nineball --help quantities`", kind_at(k) ? ", …" : "");
+  nb_append(hint, NB_HINT_SIZE, ": see `nineball --help quantities`");
   return hint;
 }
 
@@ -362,9 +401,15 @@ static const char *owner_hint(char *hint, const struct nb_scene *scene, const ch
   return used ? hint : NULL;
 }
 
+/* The quantities that another word for a quantity means; in the table of these words `p` is `quantity_p`. NULL: none. */
+static const struct nb_synonym *meaning(const char *word) {
+  const struct nb_synonym *const synonym = nb_pair_synonym("quantity", word);
+  return synonym ? synonym : nb_synonym(word);
+}
+
 /* Appends the quantities of a kind of monitor that a word may mean: for `velocity` "`A.vx` `A.vy`". */
 static void list_meant(char *list, size_t size, unsigned kind, char monitor, const char *word) {
-  const struct nb_synonym *const synonym = nb_synonym(word);
+  const struct nb_synonym *const synonym = meaning(word);
   const char *items = synonym ? synonym->ours : "";
   char item[NB_NAME_SIZE];
   snprintf(item, sizeof item, "%s", word);
@@ -446,7 +491,7 @@ static void add_namesakes(char *hint, const char *text) {
 /* The hint for a text that is the name of an owner's quantity, also with `-` for `_`, has such a name after its first
  * dot, or is another word for such a name. */
 static const char *owned_hint(char *hint, const struct nb_scene *scene, const char *text) {
-  const struct nb_synonym *const synonym = nb_synonym(text);
+  const struct nb_synonym *const synonym = meaning(text);
   const char *items = synonym ? synonym->ours : "", *const rest = strchr(text, '.');
   char item[NB_NAME_SIZE];
   snprintf(item, sizeof item, "%s", text);
@@ -489,7 +534,7 @@ static bool lacks_owner(const struct nb_scene *scene, const char *text) {
  * of the quantities of the owner. */
 static const char *owned_by_hint(char *hint, const struct nb_scene *scene, const char *text, int owner) {
   const char *const dot = text + strcspn(text, ".");
-  const struct nb_synonym *const synonym = *dot ? nb_synonym(dot + 1) : NULL;
+  const struct nb_synonym *const synonym = *dot ? meaning(dot + 1) : NULL;
   const char *items = synonym ? synonym->ours : "";
   char item[NB_NAME_SIZE], name[3 * NB_NAME_SIZE];
   struct nb_quantity quantity;
@@ -530,6 +575,10 @@ static const char *hint_of(char *hint, const struct nb_scene *scene, const char 
 }
 
 const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const char *text) {
+  const size_t stem = strcspn(text, ".");
+  const int owner = text[stem] && nb_pair_synonym("quantity", text + stem + 1) ? monitor_named(scene, text, stem) : -1;
+  if (owner >= 0) /* `A.w` means the spin, not `A.x` */
+    return owned_by_hint(hint, scene, text, owner);
   return strchr(text, '(') ? strcpy(hint, "`max`, `mean` and other reducers follow the quantity: `A.x max`")
                            : hint_of(hint, scene, text);
 }

@@ -40,7 +40,8 @@ const struct nb_old_word *nb_old_words(void) {
     {NB_OLD_STATEMENT, "step F of safe", "step F of stable"},
     {NB_OLD_STATEMENT, "step F of contact", "step F of collision"},
     {NB_OLD_STATEMENT, "step F of critical", "step F of single-contact",
-     "with linear springs write `step 0.2 of stable`, with elastic spheres `step 0.2 of rayleigh`"},
+     "the critical step 2/omega_max of the assembly is not computed; `stable` is a lower bound of it: write `step 0.2 of stable`, with "
+     "elastic spheres `step 0.2 of rayleigh`; `single-contact` is 2 sqrt(m/k) of one particle on one spring, which can be unstable"},
     {NB_OLD_STATEMENT, "step N per contact", "step N per collision"},
     {NB_OLD_STATEMENT, "damping … contact-beta", "damping … stiffness"},
     {NB_OLD_STATEMENT, "damping … contact-ratio", "damping … ratio"},

@@ -45,7 +45,7 @@ bool nb_particles_incomplete(const struct nb_scene_reading *reading) {
   static const char *const words[] = {"disc", "sphere", "lattice", "fill", "packing", "start"};
   bool incomplete = false;
   for (size_t k = 0; k < sizeof words / sizeof *words; k++)
-    incomplete = incomplete || nb_name_suppressed(reading->reader.mistakes, words[k]);
+    incomplete = incomplete || nb_statement_suppressed(reading->reader.mistakes, words[k]);
   return incomplete;
 }
 

@@ -46,6 +46,10 @@ enum nb_status nb_mistakes_status(const struct nb_mistakes *mistakes, size_t bef
 void nb_suppress_name(struct nb_mistakes *mistakes, const char *name);
 #define NB_ANYTHING "*" /* all names */
 bool nb_name_suppressed(const struct nb_mistakes *mistakes, const char *name);
+/* As nb_name_suppressed, for what the statements of this word define: particles, walls, a cell. It is also true if the
+ * scene has an unknown statement, NB_UNKNOWN, which might define them. */
+#define NB_UNKNOWN "?"
+bool nb_statement_suppressed(const struct nb_mistakes *mistakes, const char *word);
 void nb_suppress_no_name(struct nb_mistakes *mistakes); /* allows all messages again, before a page is read again */
 
 /* Index of the structure with that name in an array of structures that begin with their name; -1: none. */

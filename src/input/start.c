@@ -9,6 +9,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "core/clean.h"
 #include "hash.h"
 #include "statement.h"
 
@@ -223,7 +224,11 @@ void nb_scene_truncate(struct nb_scene *scene, size_t stage) {
 
 /* Removes the stages of the other page after the named one. */
 static bool truncate_scene(struct nb_reader *reader, struct nb_scene *other, const struct nb_token *name) {
-  const int s = NB_NAMED(reader, name, other->stages, other->stage_count, "the name of a stage of that page", NULL);
+  char list[NB_HINT_SIZE / 2] = "", hint[NB_HINT_SIZE];
+  for (size_t k = other->start.stages; k < other->stage_count; k++)
+    nb_append_item(list, sizeof list, other->stages[k].name, k + 1 == other->stage_count);
+  snprintf(hint, sizeof hint, "the state is that at the end of a stage of that page: %s", list);
+  const int s = NB_NAMED(reader, name, other->stages, other->stage_count, "the name of a stage of that page", hint);
   if (s < 0)
     return false;
   if (s < (int)other->start.stages)

@@ -221,10 +221,11 @@ static const char *quantity_hint(char *hint, unsigned here, const char *word) {
   if (!(here & (NB_IN_SCENE | NB_IN_STAGE)) || !nb_quantity_row(&row, k))
     return NULL;
   const char *const prefix = row.prefix ? row.prefix : "";
-  snprintf(hint, NB_HINT_SIZE,
-           "`%s` is a quantity of %s: %s%s%s`record %s%s`, and in a stage `until %s%s above VALUE at most N cycles`",
-           word, row.of, row.statement ? "`" : "", row.statement ? row.statement : "", row.statement ? "`, " : "",
-           prefix, word, prefix, word);
+  snprintf(
+      hint, NB_HINT_SIZE,
+      "`%s` is a quantity of %s: %s%s%s`record %s%s`, and in a stage `until %s%s below|above VALUE at most N cycles`",
+      word, row.of, row.statement ? "`" : "", row.statement ? row.statement : "", row.statement ? "`, " : "", prefix,
+      word, prefix, word);
   return hint;
 }
 
@@ -237,7 +238,7 @@ static const char *place_name(unsigned here) {
 }
 
 /* Suppresses messages about what the statement of an unknown first word would define: that of `meant`, or the nearest
- * one; if both are unknown anything, but in a stage nothing, because its statements define no names. */
+ * one. If both are unknown, particles, walls or a cell may be missing, but not in a stage, where they are not defined. */
 static void suppress_unknown(struct nb_reader *reader, unsigned here, const struct nb_synonym *meant,
                              const char *nearest) {
   const char *list = meant ? meant->ours : "";
@@ -245,7 +246,7 @@ static void suppress_unknown(struct nb_reader *reader, unsigned here, const stru
   while (nb_item(&list, item))
     nb_suppress_name(reader->mistakes, item);
   if (!meant && (nearest || !(here & (NB_IN_STAGE | NB_IN_SEGMENT))))
-    nb_suppress_name(reader->mistakes, nearest ? nearest : NB_ANYTHING);
+    nb_suppress_name(reader->mistakes, nearest ? nearest : NB_UNKNOWN);
 }
 
 /* The hint for an unknown first word; `guess`: the nearest one, or NULL. NULL: there is none. */
@@ -511,7 +512,7 @@ static bool fields_hint(const struct nb_reader *reader, char *hint, const struct
                         const struct nb_argument *missing) {
   const struct nb_guess guess = guess_clause(reader, token ? token->text : "");
   usage_hint(reader, hint, token, missing);
-  return (token && nb_pair_hint(hint, reader->tokens[0].text, token->text)) ||
+  return (token && nb_pair_hint(hint, reader->tokens[0].text, token->text)) || /* before the guesses */
          (number_next(reader) && third_coordinate(hint, reader, missing)) || nb_guess_hint(&guess, hint) ||
          (token && reader->given && other_statement(hint, reader, token->text)) || namesake_hint(reader, hint, missing);
 }
@@ -610,12 +611,13 @@ static const struct nb_keyword *find_row(struct nb_reader *reader, const struct 
 }
 
 /* Suppresses messages that would follow from a bad statement: messages about its first word, and about the names that
- * it defines. */
-static void suppress_names(struct nb_reader *reader, const struct nb_keyword *keyword) {
-  const bool sweep = strcmp(reader->tokens[0].text, "sweep") == 0;
-  const bool names = !keyword || keyword->arguments->kind == NB_ARGUMENT_NAME;
+ * it defines. An unknown statement of the scene may define each of its words. */
+static void suppress_names(struct nb_reader *reader, const struct nb_keyword *keyword, unsigned here) {
+  const bool sweep = strcmp(reader->tokens[0].text, "sweep") == 0,
+             name = keyword && keyword->arguments->kind == NB_ARGUMENT_NAME;
+  const bool any = !keyword && !(here & (NB_IN_STAGE | NB_IN_SEGMENT));
   for (size_t k = 0; k < reader->count; k++)
-    if (k == 0 || (k == 1 && names) || (sweep && strcmp(reader->tokens[k - 1].text, "with") == 0))
+    if (k == 0 || any || (k == 1 && name) || (sweep && strcmp(reader->tokens[k - 1].text, "with") == 0))
       nb_suppress_name(reader->mistakes, reader->tokens[k].text);
 }
 
@@ -634,7 +636,7 @@ void nb_statement_read(struct nb_reader *reader, const struct nb_family *table, 
       nb_expected(reader, NULL, "the end of the line");
   }
   if (reader->bad)
-    suppress_names(reader, keyword);
+    suppress_names(reader, keyword, here);
 }
 
 void nb_keyword_syntax(char *text, size_t size, const struct nb_keyword *keyword) {

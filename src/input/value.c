@@ -141,7 +141,8 @@ static void add_advice(char *text, const struct nb_reader *reader, bool example)
   if (example && nb_example_hint(as, reader))
     snprintf(text, NB_HINT_SIZE / 2, ", %.200s", as);
   if (!reader->has_units)
-    nb_append(text, NB_HINT_SIZE / 2, ", or begin the scene with `units none` instead of `units si`, the default");
+    nb_append(text, NB_HINT_SIZE / 2, ", or begin the %s with `units none` instead of `units si`, the default",
+              reader->here & (NB_IN_CONTACT_TEST | NB_IN_SEGMENT) ? "contact test" : "scene");
 }
 
 /* Writes the hint with two common units. For a number that has no unit and follows no word of a clause, the hint also
@@ -300,8 +301,11 @@ static bool take_count(struct nb_reader *reader, unsigned long low, unsigned lon
     if (*value >= low && *value <= high)
       return reader->next++, true;
   }
-  char what[192];
+  char what[192], text[NB_HINT_SIZE];
+  const struct nb_token *const unit = token_after(reader, 1);
   snprintf(what, sizeof what, "%s from %lu to %lu", counted, low, high);
+  if (!hint && unit && nb_pair_hint(text, reader->tokens[0].text, unit->text))
+    hint = text;
   return is_number(token) ? number_mistake(reader, token, NULL, hint, what) : nb_expected(reader, hint, "%s", what);
 }
 
@@ -333,8 +337,7 @@ int nb_take_choice(struct nb_reader *reader, const char *words) {
     at += length + (at[length] != '\0');
     nb_append_item(list, sizeof list, word, !*at);
   }
-  const char *const pair = token ? nb_pair_hint(hint, reader->tokens[0].text, token->text) : NULL;
-  nb_expected(reader, pair || !token ? pair : nb_guess_hint(&guess, hint), "%s", list);
+  nb_expected(reader, token ? nb_guess_hint(&guess, hint) : NULL, "%s", list);
   return -1;
 }
 

@@ -40,7 +40,7 @@ static const struct nb_argument wall_motion_fields[] = {
 
 int nb_wall_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token) {
   const bool known = token && NB_FIND(scene->walls, scene->wall_count, token->text) >= 0;
-  if (!known && nb_name_suppressed(reader->mistakes, "box")) /* a bad `box`, which would define four walls */
+  if (!known && nb_statement_suppressed(reader->mistakes, "box")) /* a bad `box`, which would define four walls */
     nb_fail_silently(reader);
   return NB_NAMED(
       reader, token, scene->walls, scene->wall_count, "the name of a wall",
@@ -51,7 +51,7 @@ int nb_wall_of(const struct nb_scene *scene, struct nb_reader *reader, const str
 
 bool nb_lacks_box(const struct nb_scene *scene, struct nb_reader *reader) {
   const bool none = nb_box_first_wall(scene) < 0;
-  if (none && nb_name_suppressed(reader->mistakes, "box"))
+  if (none && nb_statement_suppressed(reader->mistakes, "box"))
     nb_fail_silently(reader);
   if (none)
     nb_token_mistake(reader, &reader->tokens[0],
@@ -192,8 +192,8 @@ NB_APPLY(apply_walls) {
     move_wall(scene, reader, motion);
     moved++;
   }
-  if (moved == 0 &&
-      (nb_name_suppressed(reader->mistakes, "box") || (stop->token && nb_name_suppressed(reader->mistakes, "wall"))))
+  if (moved == 0 && (nb_statement_suppressed(reader->mistakes, "box") ||
+                     (stop->token && nb_statement_suppressed(reader->mistakes, "wall"))))
     nb_fail_silently(reader);
   if (moved == 0)
     nb_token_mistake(reader, &reader->tokens[0],

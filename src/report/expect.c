@@ -56,6 +56,16 @@ static const char *reducer_hint(char *hint, const struct nb_reader *reader, cons
   return dot && !quantity.kind ? NULL : hint;
 }
 
+/* The hint for a magnitude, `abs(C.shear)`; NULL: the text is none. */
+static const char *magnitude_hint(char *hint, const struct nb_scene *scene, const char *text) {
+  const char *const from = strncmp(text, "abs(", 4) == 0 ? text + 4 : *text == '|' ? text + 1 : "";
+  char name[2 * NB_NAME_SIZE];
+  struct nb_quantity quantity;
+  snprintf(name, sizeof name, "%.*s", (int)strcspn(from, ")|"), from);
+  snprintf(hint, NB_HINT_SIZE, "a magnitude below X is two lines: `%s max below X` and `%s min above -X`", name, name);
+  return nb_quantity_find(&quantity, scene, name) ? hint : NULL;
+}
+
 /* Finds the column of the scene's table that the token names, and its quantity. */
 static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, const struct nb_token *token,
                         size_t *column, struct nb_quantity *quantity) {
@@ -71,13 +81,15 @@ static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, 
     return nb_fail_silently(reader);
   nb_suppress_name(reader->mistakes, token->text);
   if (known)
-    snprintf(hint, sizeof hint, "add `record %s` to the scene", token->text);
+    snprintf(hint, sizeof hint, "add `record %s` to the %s", token->text,
+             scene->contact_test ? "contact test" : "scene");
   else if (nb_number_read(&number, token->text, 0) != NB_NO_NUMBER)
     snprintf(hint, sizeof hint, "a number is compared by `expected NUMBER within TOLERANCE [SOURCE]`");
-  else if (!nb_phrase_hint(hint, scene, token, reader->count - (size_t)(token - reader->tokens)) &&
+  else if (!nb_pair_hint(hint, "expect", token->text) && !magnitude_hint(hint, scene, token->text) &&
+           !nb_phrase_hint(hint, scene, token, reader->count - (size_t)(token - reader->tokens)) &&
            !reducer_hint(hint, reader, scene, token))
     nb_quantity_hint(hint, scene, token->text);
-  return nb_token_mistake(reader, token, hint, "expected a quantity that the scene records, found `%s`", token->text);
+  return nb_token_mistake(reader, token, hint, "expected a quantity that the page records, found `%s`", token->text);
 }
 
 /* Takes the optional words `in STAGE`. */
@@ -133,7 +145,7 @@ static bool take_time(struct nb_reader *reader, const struct nb_scene *scene, st
 }
 
 static bool take_measure(struct nb_reader *reader, const struct nb_scene *scene, struct nb_measure *measure) {
-  const struct nb_token *token = nb_take_token(reader, "a quantity that the scene records");
+  const struct nb_token *token = nb_take_token(reader, "a quantity that the page records");
   const struct nb_reducer_row *row = reducers;
   *measure = (struct nb_measure){.stage = -1};
   struct nb_quantity quantity;
@@ -226,8 +238,8 @@ static bool take_tolerance_of(struct nb_reader *reader, const struct nb_scene *s
 static bool take_sweep_name(struct nb_reader *reader, const struct nb_scene *scene, char name[2 * NB_NAME_SIZE]) {
   static const char what[] = "the name of a `sweep`";
   const struct nb_token *token = nb_take_token(reader, what);
-  const int k = NB_NAMED(reader, token, scene->bindings, scene->binding_count, what,
-                         "define it in the scene with `sweep NAME VALUE …`");
+  const int k =
+      NB_NAMED(reader, token, scene->bindings, scene->binding_count, what, "define it with `sweep NAME VALUE …`");
   if (k < 0)
     return false;
   snprintf(name, 2 * NB_NAME_SIZE, "%s", token->text);
@@ -264,7 +276,7 @@ static bool take_within(struct nb_reader *reader, const struct nb_scene *scene, 
 }
 
 static bool take_versus(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
-  const struct nb_token *token = nb_take_token(reader, "a quantity that the scene records");
+  const struct nb_token *token = nb_take_token(reader, "a quantity that the page records");
   struct nb_quantity quantity;
   if (!token || !find_column(reader, scene, token, &expectation->column, &quantity))
     return false;
@@ -275,6 +287,14 @@ static bool take_versus(struct nb_reader *reader, const struct nb_scene *scene, 
 
 static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
   const char *unit = expectation->measure.unit;
+  const struct nb_token *const token = nb_token_peek(reader);
+  struct nb_quantity quantity;
+  char hint[NB_HINT_SIZE];
+  if (token && nb_quantity_find(&quantity, scene, token->text)) {
+    snprintf(hint, sizeof hint,
+             "a value of another measure is a fraction of it: `expected 1 of %s … within 1 %% [SOURCE]`", token->text);
+    return nb_expected(reader, hint, "a number, or `NUMBER of MEASURE`");
+  }
   expectation->has_scale = is_before(reader, "of") || is_before(reader, "%");
   if (expectation->has_scale) {
     unit = "1";

@@ -441,6 +441,28 @@ static void explain_gain(FILE *out, const struct nb_model *model, const struct n
     fputs("B is the bulk stiffness, T the travel time of a wave across the assembly; there are no contacts yet\n", out);
 }
 
+/* Prints the strain rate of a line as a tensor, if it has a shear: c12 and c21 are easily mistaken for one another. */
+static void explain_strain_rate(FILE *out, const struct nb_scene *scene, int line, const struct nb_strain_rate *rate) {
+  const char *const unit = rate->per_cycle ? " per cycle" : nb_unit(scene, " 1/s");
+  const double sum = rate->xy + rate->yx;
+  if (!line || (rate->xy == 0 && rate->yx == 0))
+    return;
+  fprintf(out, "    line %d: strain rate xx %g, c12 %g, c21 %g, yy %g%s: ", line, rate->xx, rate->xy, rate->yx,
+          rate->yy, unit);
+  if (rate->xy == rate->yx)
+    fprintf(out, "pure shear, the engineering shear rate is twice c12, %g%s; simple shear at this rate is `c12 %g%s`\n",
+            sum, unit, sum, unit);
+  else
+    fprintf(out, "%s, the engineering shear rate is %g%s\n",
+            rate->xy == 0 || rate->yx == 0 ? "simple shear" : "shear with rotation", sum, unit);
+}
+
+static void explain_strain_rates(FILE *out, const struct nb_scene *scene, const struct nb_stage *stage) {
+  explain_strain_rate(out, scene, stage->cell_line, &stage->cell);
+  explain_strain_rate(out, scene, stage->boundary.line, &stage->boundary.strain);
+  explain_strain_rate(out, scene, stage->affine.line, &stage->affine.strain);
+}
+
 static void explain_stages(FILE *out, const struct nb_model *model, const struct nb_cost *cost) {
   const struct nb_scene *scene = model->scene;
   fputs("stages\n", out);
@@ -450,6 +472,7 @@ static void explain_stages(FILE *out, const struct nb_model *model, const struct
     nb_cost_print_length(out, &cost->lengths[s], stage);
     fputc('\n', out);
     explain_statements(out, scene, s);
+    explain_strain_rates(out, scene, stage);
     if (stage->servo.line && cost->seconds.to > 0)
       explain_gain(out, model, &stage->servo);
   }

@@ -224,7 +224,7 @@ static void expectation(const struct manual *to, const struct nb_expectation_row
 static void measures(const struct manual *to) {
   paragraph(
       to,
-      "A MEASURE is `QUANTITY {REDUCER} {in STAGE}`: a quantity that the scene records, and how the rows of a stage "
+      "A MEASURE is `QUANTITY {REDUCER} {in STAGE}`: a quantity that the page records, and how the rows of a stage "
       "become one number. Without `in STAGE` the rows are those of the last stage that has rows. REDUCER is one of:");
   for (const struct nb_reducer_row *row = nb_reducer_rows(); row->word; row++)
     part(to, row->word, NULL, row->help);
