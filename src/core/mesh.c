@@ -36,22 +36,22 @@ static bool fits(struct extent it, size_t items) {
 
 /* Sorts the particles by box: counts the items of each box, sums the counts, and places the items. */
 static void sort_items(struct nb_mesh *mesh, const struct nb_model *model, double width, struct extent extent,
-                       int box[]) {
+                       size_t boxes, int box[]) {
   const struct nb_particles *particles = &model->particles;
   for (size_t i = 0; i < mesh->count; i++) {
     const struct nb_vec x = particles->position[i];
     box[i] = ((int)(floor(x.y / width) - extent.bottom) + 1) * mesh->row + (int)(floor(x.x / width) - extent.left) + 1;
     mesh->start[box[i]]++;
   }
-  for (int b = 0, sum = 0, boxes = mesh->row * ((int)(extent.top - extent.bottom) + 3); b <= boxes; b++) {
+  int sum = 0;
+  for (size_t b = 0; b <= boxes; b++) {
     const int here = mesh->start[b];
     mesh->start[b] = sum, sum += here;
   }
   for (size_t i = 0; i < mesh->count; i++)
     mesh->item[mesh->start[box[i]]++] =
         (struct nb_mesh_item){particles->position[i], particles->surface[i].radius, (int)i, box[i]};
-  for (int b = mesh->row * ((int)(extent.top - extent.bottom) + 3); b > 0; b--)
-    mesh->start[b] = mesh->start[b - 1];
+  memmove(mesh->start + 1, mesh->start, boxes * sizeof *mesh->start);
   mesh->start[0] = 0;
 }
 
@@ -68,7 +68,7 @@ bool nb_mesh_create(struct nb_mesh *mesh, const struct nb_model *model, double w
   int *box = nb_array(mesh->count, sizeof *box);
   const bool made = mesh->start && mesh->item && box;
   if (made)
-    sort_items(mesh, model, width, extent, box);
+    sort_items(mesh, model, width, extent, boxes, box);
   free(box);
   return made;
 }

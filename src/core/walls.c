@@ -16,7 +16,6 @@
  * if a centre was within the skin of a wall at the last search.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include <string.h>
 
 #include "model.h"
 

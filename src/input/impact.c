@@ -15,7 +15,6 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
-#include <string.h>
 
 #include "core/vec.h"
 #include "measure/impact.h"

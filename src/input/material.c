@@ -2,7 +2,6 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
-#include <string.h>
 
 #include "statement.h"
 

@@ -1,7 +1,6 @@
 /* Particles that a stage removes: `remove disc N`, `remove discs N to M`, and the same for spheres.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include <string.h>
 
 #include "statement.h"
 

@@ -7,7 +7,6 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "scene.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

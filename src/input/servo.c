@@ -1,7 +1,6 @@
 /* `servo`: stress control.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include <string.h>
 
 #include "statement.h"
 

@@ -105,7 +105,6 @@ static void list_word(char *list, size_t size, const char *between, const char *
     nb_append(list, size, "%s%s", *list ? between : "", quoted);
 }
 
-/* Writes "the statement is `box X Y to X Y MATERIAL`; MATERIAL is the name of a material"; `name` may be NULL. */
 /* Writes "the statement is `box X Y to X Y MATERIAL`". */
 static void syntax_hint(char *hint, const struct nb_keyword *keyword) {
   char syntax[NB_HINT_SIZE / 2];

@@ -31,7 +31,6 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "core/clean.h"
 #include "step.h"

@@ -7,7 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/clean.h"
 #include "report.h"
 #include "tool.h"
 

@@ -10,7 +10,6 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
-#include <string.h>
 
 #include "outcome.h"
 

@@ -8,7 +8,6 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <errno.h>
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "measure/snapshot.h"

@@ -13,7 +13,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "core/boundary.h"
 #include "core/clock.h"
 #include "measure/balance.h"
 #include "measure/configuration.h"

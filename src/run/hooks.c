@@ -7,7 +7,6 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <assert.h>
 
-#include "laws/laws_now.h"
 #include "loading/loading.h"
 #include "measure/configuration.h"
 #include "measure/energy.h"

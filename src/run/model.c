@@ -15,7 +15,6 @@
 #include "state.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 /* Shuffled order for tests: every second particle from the front, the others from the back. Results must not depend on
  * it. */

@@ -11,8 +11,8 @@
 #include <string.h>
 
 #include "laws/law.h"
+#include "laws/laws_now.h"
 #include "measure/configuration.h"
-#include "measure/step.h"
 #include "pass/pass.h"
 #include "plan.h"
 #include "state.h"

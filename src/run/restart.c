@@ -24,7 +24,6 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "core/clock.h"
 #include "output_file.h"
 
 enum { PATH_SIZE = NB_STATE_PATH, HASH_SIZE = 16, LOCK_TIMEOUT = 3600 /* s */ };
