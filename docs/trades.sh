@@ -56,24 +56,24 @@ seen() {
   case $1 in
   two-wall-compression)
     echo 'The walls move with a constant speed, and the springs are linear. The error of the force is of second order: twice the updates
-leave a quarter of it. The velocity `X.vx.half` is the velocity of half a step before, so its error is of first order, and a small error needs far more updates.' ;;
+leave a quarter of the error. The velocity `X.vx.half` is the velocity of half a step before, so its error is of first order, and a small error needs far more updates.' ;;
   mindlin-loops)
-    echo 'The exact law gives the same force with any number of steps. Only the work has an error, because it is the sum of mean force times slip, so
-each curve is replaced by straight pieces. That error is of second order.' ;;
+    echo 'The exact law gives the same force with any number of steps. Only the work has an error. It is the sum of mean force times slip over the
+steps, which replaces each curve by straight pieces. The error is of second order.' ;;
   hertz-impact)
     echo 'The force and its derivative vanish at both ends of the contact. So neither the first touch within a step nor the end of the contact causes
 an error of first order, and the figure shows second order.' ;;
   oblique-impact)
     echo 'The tangential velocity `impact.psi2` follows from the history of micro-slip. No other law has the same limit within these tolerances over
-the whole sweep, so the figure has one curve. Restitution and duration depend less on the shear force.' ;;
+the whole sweep, so the figure has one curve. Restitution and duration depend less on the shear force than `impact.psi2` does.' ;;
   restitution-angle)
     echo 'Restitution compares speeds, and the shear force changes only a part of them. Within 1 % a law without micro-slip is enough at every angle,
 but not within 0.1 %.' ;;
   isotropic-compression)
-    echo 'The search trades the strain rates of the case and the step. Its quantity is the mechanical coordination number. The motion
+    echo 'The search varies the strain rates of the case and the step. The quantity is the mechanical coordination number. The motion
 of an assembly is chaotic, so only a mean over realizations has a limit.' ;;
   *)
-    echo 'The search trades the rate of the shear and its step. The prepared assemblies are the same for all settings. The quantity is the mean of
+    echo 'The search varies the rate of the shear and the step. The prepared assemblies are the same for all settings. The quantity is the mean of
 sin Φ over the test, which ends at a deviator strain of 0.1 %.' ;;
   esac
 }
@@ -240,8 +240,9 @@ section() {
   table 0 <"$work/section"
   ! is_small "$page" || [ "$name" != isotropic-compression ] || cat <<TEXT
 
-Two cases measure what larger assemblies lose: [preparation-price](../cases/7-assemblies/preparation-price.md) by a
-faster preparation, and [softness-price](../cases/7-assemblies/softness-price.md) by softer spheres and faster loading.
+Two cases measure the loss of accuracy in larger assemblies:
+[preparation-price](../cases/7-assemblies/preparation-price.md) with a faster preparation, and
+[softness-price](../cases/7-assemblies/softness-price.md) with softer spheres and faster loading.
 TEXT
 }
 
@@ -284,7 +285,7 @@ no_other_law() {
 
 # The table of laws that can replace the exact one.
 law_table() {
-  printf '| `shear` | 10 %% | 1 %% | 0.1 %% | where it does within 1 %% |\n| --- | --- | --- | --- | --- |\n'
+  printf '| `shear` | 10 %% | 1 %% | 0.1 %% | quantities for which it is enough within 1 %% |\n| --- | --- | --- | --- | --- |\n'
   for law in none linear mindlin mindlin_scaled randall randall_literal; do
     awk -F '\t' -v law="$law" '
       $1 == law { n[$2]++; good[$2] += $3; if ($2 == "1 %" && $3 && !(($4) in seen)) { seen[$4] = 1; list = list (list == "" ? "" : ", ") "`" $4 "`" } }
@@ -308,7 +309,7 @@ law_cost() {
 no_advice() {
   lessons | awk -F '\t' '
     $8 != "yes" { reason = $9 ~ /^(the limit|the budget|no setting)/ ? $9 : "the program refuses the page or the quantity"; n[reason]++ }
-    END { for (r in n) print "- " n[r] ": " r }' | sort -t ' ' -k 2,2rn
+    END { for (r in n) print n[r] "\t- " r ": " n[r] }' | sort -k 1,1rn | cut -f 2-
 }
 low_order() { share "$(awk -F '\t' -v late="$1" '$3 == late && $2 < 1.5 { n++ } END { print n + 0 }' "$work/orders")" "$(awk -F '\t' -v late="$1" '$3 == late { n++ } END { print n + 0 }' "$work/orders")"; }
 
@@ -318,33 +319,34 @@ low_order() { share "$(awk -F '\t' -v late="$1" '$3 == late && $2 < 1.5 { n++ } 
 
 \`make trades\` writes this document ([trades.sh](trades.sh)). For each case of at most fifty particles \`nineball advise --all\`
 searched for the cheapest setting that keeps the error of a quantity within a tolerance. It did so for up to three quantities
-of the case, and for 10 %, 1 % and 0.1 %. It also draws the error against the cost: \`nineball advise --all PAGE -o FOLDER\`
-writes FOLDER/NAME.svg and the table FOLDER/trades.tsv for any page. The pages of the named cases show their figures. [METHOD](METHOD.md#the-accuracy-of-a-step) says how the error is
-estimated, [ACCURACY](ACCURACY.md) how often such an estimate holds.
+of the case, and for the tolerances 10 %, 1 % and 0.1 %. For any page, \`nineball advise --all PAGE -o FOLDER\` writes the table
+FOLDER/trades.tsv, and the figure FOLDER/NAME.svg of the error against the cost. Seven figures are [below](#the-seven-named-cases).
+[METHOD](METHOD.md#the-accuracy-of-a-step) says how the error is estimated, and [ACCURACY](ACCURACY.md) how often such an estimate holds.
 
 - **Setting:** what \`--set\` changes on the page. \`refine=4\` divides the step by four, \`refine=0.25\` multiplies it by four.
-- **Cost:** the number of contact and particle updates over that with the page's own setting. Where two laws need nearly
+- **Cost:** the number of contact and particle updates, divided by that with the page's own setting. Where two laws need nearly
   the same number, the one that stores less per contact is chosen.
-- **Estimated error:** the largest one over eight moments of first touch within a step, relative to the limit of the case
-  for a small step. It covers the laws as well as the step.
+- **Estimated error:** the largest error over eight moments of first touch within a step. The error is the difference from
+  the *limit*: the result of the page with its own laws and a very small step. So it includes the error of other laws.
 - A dash in the last column means that no cheaper setting can be run: the step is at the stability limit, or it is
   the longest one that divides the number of cycles.
 
 ## Lessons
 
 There are $quantities quantities of $pages cases, each at one condition in the middle of the sweep. Not counted are
-$(share $(($(swept | cut -f 1,6 | sort -u | wc -l) - quantities)) "$(swept | cut -f 1,6 | sort -u | wc -l)") quantities, which the step does not change, such as those of time 0.
+$(share $(($(swept | cut -f 1,6 | sort -u | wc -l) - quantities)) "$(swept | cut -f 1,6 | sort -u | wc -l)") quantities that the step does not change, such as those at time 0.
 
 **What accuracy costs.** From 10 % to 1 % the cost is multiplied by $(cost_ratios '10 %' '1 %' | quantile %.2g 0.5) in the median, with the upper
 quartile at $(cost_ratios '10 %' '1 %' | quantile %.2g 0.75). From 1 % to 0.1 % it is multiplied by $(cost_ratios '1 %' '0.1 %' | quantile %.2g 0.5), with the upper quartile at
-$(cost_ratios '1 %' '0.1 %' | quantile %.2g 0.75). An error of second order costs a factor of $(awk 'BEGIN { printf "%.1f", sqrt(10) }') for each digit, one of first order a factor of ten.
+$(cost_ratios '1 %' '0.1 %' | quantile %.2g 0.75). An error of second order costs a factor of $(awk 'BEGIN { printf "%.1f", sqrt(10) }') for each further digit, one of first order a factor of ten.
 
-Where the tolerance decides the step at all, the factors are larger. For $(share "$(cost_ratios '10 %' '1 %' | decided | wc -l)" "$(cost_ratios '10 %' '1 %' | wc -l)") of the quantities the
+For some quantities one setting satisfies two tolerances. For the others the factors are larger. For $(share "$(cost_ratios '10 %' '1 %' | decided | wc -l)" "$(cost_ratios '10 %' '1 %' | wc -l)") of the quantities the
 cost changes from 10 % to 1 %, in the median by a factor of $(cost_ratios '10 %' '1 %' | decided | quantile %.2g 0.5). For $(share "$(cost_ratios '1 %' '0.1 %' | decided | wc -l)" "$(cost_ratios '1 %' '0.1 %' | wc -l)") it changes from 1 % to
 0.1 %, in the median by a factor of $(cost_ratios '1 %' '0.1 %' | decided | quantile %.2g 0.5).
 
-**A step that can be run is often good enough for 10 %.** For $(share "$coarsest" "$(answered '10 %')") of the quantities with advice within 10 %, no cheaper
-setting than the chosen one can be run. Its step is at the stability limit, or the page has a fixed number of cycles.
+**The longest step that can be run is often good enough for 10 %.** For $(share "$coarsest" "$(answered '10 %')") of the quantities with advice within 10 %, no cheaper
+setting than the chosen one can be run. The step of the chosen setting is at the stability limit, or it is the longest one that
+divides the number of cycles.
 
 **What the pages spend.** Within 1 % the chosen setting costs $(own_cost '1 %' 0.5) of the page's own in the median, with quartiles at
 $(own_cost '1 %' 0.25) and $(own_cost '1 %' 0.75). Most pages check a theory to many digits, so their steps are shorter than an engineering
@@ -363,10 +365,12 @@ $(low_order 1) with them.
   changes there.
 - A first touch happens within a step. At a given time after it the quantity is early or late by a fraction of a step.
 - A largest value is sampled once per step, but the curve is flat there. The sampling error is only of second order.
-- The result of an impact does not change any more when the particles have separated, so its error has the order of the forces.
+- The result of an impact does not change after the particles have separated. So its error has the order of the error of the
+  forces.
 
-**Where the exact law is needed.** On cases with \`shear mindlin_deresiewicz\`, the table has the number of quantities for which
-another law gives the same limit within the tolerance, at no more updates. It counts a law only where the reference of the case covers it.
+**Where the exact law is needed.** On cases with the exact law, \`shear mindlin_deresiewicz\`, other shear laws were tried. The table
+has the number of quantities for which another law is enough: it gives the same limit within the tolerance, with no more updates.
+A law is counted only where the reference of the case covers it.
 Each quantity is taken at one condition. If the contact slides during the whole impact, every law with friction gives the same
 result. Over a whole sweep of angles fewer laws are enough ([below](#maws-oblique-impact)).
 
@@ -374,7 +378,7 @@ $(law_table)
 
 No other law is enough within 1 % for: $(no_other_law).
 
-The chosen setting has other laws than the page for $(cheaper '10 %') of all quantities within 10 %, for
+The chosen setting has a law that the page does not have, for $(cheaper '10 %') of all quantities within 10 %, for
 $(cheaper '1 %') within 1 %, and for $(cheaper '0.1 %') within 0.1 %. Of laws with equal numbers of updates the one that stores less per contact is chosen. An update with the
 exact law takes $(law_cost exact) times the instructions of one with \`mindlin\`, and an update with \`randall\` $(law_cost randall) times ([COST](COST.md)).
 In quasi-static shear of an assembly the exact law makes no difference that ten pairs of runs could show
@@ -382,8 +386,8 @@ In quasi-static shear of an assembly the exact law makes no difference that ten 
 
 **Softer contacts and centred dashpots.** Softer contacts are the choice for $(chosen_with soften= '10 %') of all quantities within 10 %,
 for $(chosen_with soften= '1 %') within 1 %, and for $(chosen_with soften= '0.1 %') within 0.1 %. Most quantities of an impact depend on
-the stiffness, and where the step is a fraction of the collision a softer one saves nothing. Centred dashpots are the choice
-for $(chosen_with damping=centred '10 %'), $(chosen_with damping=centred '1 %') and $(chosen_with damping=centred '0.1 %').
+the stiffness. Where the step is a fraction of the collision, softer contacts save nothing. Centred dashpots are the choice within
+the three tolerances for $(chosen_with damping=centred '10 %'), $(chosen_with damping=centred '1 %') and $(chosen_with damping=centred '0.1 %').
 
 $(sh docs/trades/softness.sh)
 

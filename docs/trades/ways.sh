@@ -137,7 +137,7 @@ END
 cat <<TEXT
 ## Other ways to trade
 
-Six more ways to trade were measured. One of them became part of the program. The intervals are at 95 % confidence.
+Six more ways to exchange accuracy for cost were measured. One of them became part of the program. The intervals are at 95 % confidence.
 
 **Dashpots with the velocity at the time of the force.** Within 0.1 % \`damping centred\` needs $centred_least to $centred_most times fewer updates
 than CS79's dashpots for each of $centred_quantities quantities, and within 1 % up to $centred_most_at_1 times fewer
@@ -145,8 +145,8 @@ than CS79's dashpots for each of $centred_quantities quantities, and within 1 % 
 ([centred-dashpots](../cases/5-numerics/centred-dashpots.md)). \`damping centred\` is part of the program; the default stays that of the
 paper.
 
-**Local damping** (P. A. Cundall, in *Analytical and Computational Methods in Engineering Rock Mechanics*, 1987) reduces every component of the unbalanced force on a particle by a fraction of itself,
-against the velocity. It was tried and left out ([local-discs.tsv](trades/local-discs.tsv),
+**Local damping** (P. A. Cundall, in *Analytical and Computational Methods in Engineering Rock Mechanics*, 1987) adds a force to every component of the
+unbalanced force on a particle. The added force is a fraction of the magnitude of this component and acts against the velocity. It was tried and left out ([local-discs.tsv](trades/local-discs.tsv),
 [local-assemblies.tsv](trades/local-assemblies.tsv)). Nine discs come to rest in $(discs local-0.7) cycles with the usual fraction 0.7,
 and in $best_mass with the best of $masses values of \`damping mass\`. The fraction of local damping need not be adapted to the scene.
 Eight assemblies need $(local_mean local-0.7 cycles 1000) cycles until they are at rest with friction, where \`damping ratio 0.1\` needs
@@ -157,33 +157,33 @@ the mean unbalanced force is $(ratio "$(local_mean local-0.7 unbalanced)" "$(loc
 **A step from the stable bound at the beginning of each stage** saves little ([stage-step.tsv](trades/stage-step.tsv), eight
 realizations). With 0.85 to 0.9 of the stable step in the stages after the compression, the preparation and the shear test
 take $(plan bound) cycles instead of $(plan hand) with two steps chosen by hand. One step for all stages takes $(plan one). While
-contacts form and stiffen, the bound falls: 0.75, 0.7 and 0.6 of it at the beginning of the compression to 100 kPa were too long
-later. The program needs no new feature: \`step F of stable\` in a stage does this.
+contacts form and stiffen, the bound falls: steps of 0.75, 0.7 and 0.6 of the bound at the beginning of the compression to 100 kPa
+were too long later. The program needs no new feature: \`step F of stable\` in a stage does this.
 
 **Density scaling** makes small spheres heavier, so that spheres of all sizes limit the step alike ([density.tsv](trades/density.tsv), eight
 realizations). With densities proportional to \$r^{-2}\$ the step in the shear test is $density_step times as long. The test takes
-$density_cycles cycles instead of $density_plain, and the mean unbalanced force is $density_force times as large. By interpolation a faster test reaches the
+$density_cycles cycles instead of $density_plain, and the mean unbalanced force is $density_force times as large. By interpolation, a faster test without scaling has the
 same unbalanced force with $density_faster cycles, so scaling saves $density_saved %. The difference of \$\\sin \\Phi\$ is $density_sinphi.
 A larger density of all spheres alike is the same as a faster test, because only the inertial number
 changes. The program needs no new feature: a page can give each size a material of its own.
 
 **Relaxation without time** replaces the last stage of a preparation by the minimizer FIRE, towards an isotropic stress
-([relaxation.tsv](trades/relaxation.tsv), ten realizations of each grading). It was tried after strain rates ten times as high.
-*Uniform* needs $relaxed_uniform cycles and evaluations in the mean instead of $ordinary_uniform, and *Graded* $relaxed_graded instead of
-$ordinary_graded; $long of the $samples samples needs more than 150 000. Afterwards the stress drifts by at most $drift %. But the samples are stronger:
-at a deviator strain of 0.25 % the difference of \$\\sin \\Phi\$ is $strength_uniform and $strength_graded standard errors. So it was left out.
+([relaxation.tsv](trades/relaxation.tsv), ten realizations of each grading). It was tried after a compression with ten times the usual strain rates.
+*Uniform* needs $relaxed_uniform cycles and force calculations on average instead of $ordinary_uniform, and *Graded* $relaxed_graded instead of
+$ordinary_graded; $long of the $samples samples needs more than 150 000. Afterwards the stress drifts by at most $drift %. But the samples are stronger than those of the usual
+preparation: at a deviator strain of 0.25 % the difference of \$\\sin \\Phi\$ is $strength_uniform and $strength_graded standard errors. So it was left out.
 
 **Linear springs with a stiffness from the modulus** save almost nothing in an impact, except for its duration
 ([linear-springs.tsv](trades/linear-springs.tsv), [the page](trades/linear-springs.md)). The stiffness
-\$k_n = \\pi^2 m^*/T_c^2\$ gives the impact the duration \$T_c\$ of [Hertz's](../cases/2-hertz/hertz-impact.md). It holds for
-one approach speed. The largest force is then $(awk 'BEGIN { printf "%.3f", 4*atan2(0, -1)/(5*2.943275) }') of Hertz's, and the largest overlap $(awk 'BEGIN { printf "%.3f", 2.943275/atan2(0, -1) }'), with any step. Within $saved_within
+\$k_n = \\pi^2 m^*/T_c^2\$ gives the impact of two particles with the reduced mass \$m^*\$ the duration \$T_c\$ of
+[Hertz's](../cases/2-hertz/hertz-impact.md), at one approach speed. The largest force is then $(awk 'BEGIN { printf "%.3f", 4*atan2(0, -1)/(5*2.943275) }') of Hertz's, and the largest overlap $(awk 'BEGIN { printf "%.3f", 2.943275/atan2(0, -1) }'), with any step. Within $saved_within
 the duration needs $saved_linear updates instead of $saved_hertz. Of $((searches - 1)) other searches, with four quantities within 20 %, 10 %, 1 % and
 0.1 %, none needs fewer updates with springs. Over thirteen angles of incidence
 ([linear-springs-angle.tsv](trades/linear-springs-angle.tsv), [the page](trades/linear-springs-angle.md)) the duration needs
 $angle_linear_10 updates instead of $angle_hertz_10 within 10 %, and $angle_linear_01 instead of $angle_hertz_01 within 0.1 %. None of
 $angle_searches searches for the restitution and for \$\\psi_2\$ needs fewer updates with springs.
 Assemblies of springs have the right moduli at one pressure only
-([linear-or-hertz](../cases/7-assemblies/linear-or-hertz.md)). Nothing new is needed: where a material has \$k_n\$ as well,
+([linear-or-hertz](../cases/7-assemblies/linear-or-hertz.md)). The program needs no new feature: where a material has \$k_n\$ as well,
 \`advise\` tries the springs.
 
 ![Six figures of the ways above: error or unbalanced force against cost, and strength against the cost of a preparation](trades/ways.svg)
