@@ -378,8 +378,8 @@ $(law_table)
 
 No other law is enough within 1 % for: $(no_other_law).
 
-The chosen setting has a law that the page does not have, for $(cheaper '10 %') of all quantities within 10 %, for
-$(cheaper '1 %') within 1 %, and for $(cheaper '0.1 %') within 0.1 %. Of laws with equal numbers of updates the one that stores less per contact is chosen. An update with the
+The chosen setting has a law that the page does not have, for $(cheaper '10 %') of all quantities within 10 %.
+Within 1 % this holds for $(cheaper '1 %'), and within 0.1 % for $(cheaper '0.1 %'). Of laws with equal numbers of updates the one that stores less per contact is chosen. An update with the
 exact law takes $(law_cost exact) times the instructions of one with \`mindlin\`, and an update with \`randall\` $(law_cost randall) times ([COST](COST.md)).
 In quasi-static shear of an assembly the exact law makes no difference that ten pairs of runs could show
 ([no-slip-or-exact](../cases/7-assemblies/no-slip-or-exact.md)).
