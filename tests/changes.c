@@ -57,6 +57,17 @@ static void a_particle_falls(void) {
   CU_ASSERT_EQUAL(after(damped, "F.vy"), 1);
 }
 
+/* An acceleration below 0 acts away from its point, from a stage on and in a ramp: as the one above 0 towards the point
+ * on the other side. */
+static void gravity_acts_away_from_a_point(void) {
+#define AT_REST "material m density 1 kn 1\ndisc 0 0 radius 3 m\nmonitor D disc 1\nrecord D.y\nstep 0.25\nstage a\n"
+  CU_ASSERT_EQUAL(after(AT_REST "gravity centripetal -2 about 0 8\ncycles 8\n", "D.y"), -4);
+  CU_ASSERT_EQUAL(after(AT_REST "gravity centripetal 2 about 0 -8\ncycles 8\n", "D.y"), -4);
+  CU_ASSERT(after(AT_REST "ramp gravity centripetal -2 about 0 8\ncycles 8\n", "D.y") < -1);
+  CU_ASSERT_EQUAL(after(AT_REST "ramp gravity centripetal -2 about 0 8\ncycles 8\n", "D.y"),
+                  after(AT_REST "ramp gravity centripetal 2 about 0 -8\ncycles 8\n", "D.y"));
+}
+
 static void gravity_pulls_along_any_axis(void) {
   static const struct {
     const char *words;
@@ -326,6 +337,7 @@ void suite_changes(void) {
   CU_add_test(suite, "many walls ramp", many_walls_ramp);
   CU_add_test(suite, "gravity jumps", gravity_jumps);
   CU_add_test(suite, "gravity pulls along any axis", gravity_pulls_along_any_axis);
+  CU_add_test(suite, "gravity acts away from a point", gravity_acts_away_from_a_point);
   CU_add_test(suite, "gravity ramps", gravity_ramps);
   CU_add_test(suite, "a wall ramps", a_wall_ramps);
   CU_add_test(suite, "materials change", materials_change);
