@@ -143,11 +143,29 @@ static void fixed_particles_are_not_strained(void) {
     }
 }
 
+/* A disc at the distance 10 from the middle of a cell that is strained at 0.2 1/s, with its own velocity of 0.5 across.
+ * `reverse velocities` reverses both: after as many steps the distance is 10 (1 - (L dt)^2)^N, and the disc is back. */
+static void a_reversed_particle_of_a_strained_cell_returns(void) {
+  static const char *const names[] = {"A.x", "A.y"};
+  const double wanted[] = {10 * pow(1 - 0.002 * 0.002, 100), 0};
+  for (size_t k = 0; k < 2; k++) {
+    struct words page = {0};
+    words_add(
+        &page,
+        "units none\nmaterial m density 1 kn 1\nstep 0.01\ncell -40 -40 to 40 40\n"
+        "disc 10 0 radius 1 m velocity 0 0.5\nmonitor A disc 1\nrecord %s\nstage s\ncell strain 0.2 0\ncycles 100\n"
+        "stage t\nreverse velocities\ncycles 100\n",
+        names[k]);
+    CU_ASSERT_DOUBLE_EQUAL(ends(&page, names[k]), wanted[k], 1e-12);
+  }
+}
+
 void suite_affine(void) {
   CU_pSuite suite = CU_add_suite("affine", NULL, NULL);
   CU_add_test(suite, "cell strain and affine strain agree to the bit", cell_and_affine_strain_agree);
   CU_add_test(suite, "energies balance", energies_balance);
   CU_add_test(suite, "a reversed strain restores the cell", a_reversed_strain_restores_the_cell);
+  CU_ADD_TEST(suite, a_reversed_particle_of_a_strained_cell_returns);
   CU_ADD_TEST(suite, fixed_particles_are_not_strained);
   CU_add_test(suite, "zero velocities is as at time 0", zero_velocities_is_as_at_time_0);
 }

@@ -142,11 +142,12 @@ static void a_product_that_rounding_makes_no_whole_number(void) {
 /* A page in which all stiffnesses are divided by r, including those of a pair and those that a stage changes. The
  * numbers are powers of two and four, so the tables agree to the last bit. */
 static void soft_page(struct words *page, double r) {
-  words_add(page,
-            "units none\nmaterial m density 2 kn %.17g ks %.17g friction 0.5\nmaterial n density 2 kn %.17g\n"
-            "pair m n kn %.17g ks %.17g\ndisc 0 0 radius 1 m velocity 1 0.5\ndisc 1.875 0 radius 1 n\n"
-            "disc 0 1.9375 radius 1 m\nmonitor C disc 1 with disc 2\nmonitor D disc 1\n",
-            1024 / r, 512 / r, 256 / r, 2048 / r, 128 / r);
+  words_add(
+      page,
+      "units none\nmaterial m density 2 kn %.17g ks %.17g friction 0.5\nmaterial n density 2 kn %.17g friction 0.5\n"
+      "pair m n kn %.17g ks %.17g\ndisc 0 0 radius 1 m velocity 1 0.5\ndisc 1.875 0 radius 1 n\n"
+      "disc 0 1.9375 radius 1 m\nmonitor C disc 1 with disc 2\nmonitor D disc 1\n",
+      1024 / r, 512 / r, 256 / r, 2048 / r, 128 / r);
   words_add(page,
             "shear linear\nrecord C.normal C.shear D.vx D.vy D.spin\nstep 0.0078125\nstage a\ncycles 20\nstage b\n"
             "material m kn %.17g ks %.17g\npair m n kn %.17g\ncycles 20\n",
