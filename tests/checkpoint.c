@@ -165,6 +165,10 @@ static const char *const scenes[] = {
     "gravity 0 -3\nbox 0 0 to 6 6 m\nstage press\nwalls inward 0.5\ncycles 10\nstage change\nramp material m friction "
     "0.01 kn 9000\n"
     "ramp gravity 0 -50\nramp walls inward -0.2\ncycles 60\nsnapshot from change\n",
+    "stage run\ncycles 10\nstage met\nuntil time above 0.005  every 40 cycles  at most 90 cycles\n",
+    "cell 0 0 to 6 6\nstage press\nservo isotropic 900 on cell through cell at most 1e-9 per cycle\nuntil time above "
+    "0.02  at most 90 cycles\n",
+    "cell 0 0 to 6 6\nstage press\nservo isotropic 9 on cell through cell at most 1 per cycle\ncycles 20\n",
     "box 0 0 to 6 6 m\nstage press\nwalls inward 0.5\ncycles 10\nstage slide\nwall south velocity 3 0\ncycles 60\n"
     "stage stop\nwalls stop\ncycles 20\nsnapshot from slide\n",
 };

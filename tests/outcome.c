@@ -195,7 +195,7 @@ static void warnings_of_servos(void) {
     bool warned;
   } rows[] = {{1.05, NULL, false}, {0.95, NULL, false},
               {1.2, NULL, true},   {0.8, NULL, true},
-              {1.2, "", true},     {1.2, "servo xx 4 on cell through cell at most 1e-9 per cycle\n", false},
+              {1.2, "", true},     {1.2, "servo xx 2.25 on cell through cell at most 1e-9 per cycle\n", false},
               {1.12, NULL, true},  {1.10, NULL, false}};
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
     struct nb_outcome outcome;
@@ -207,14 +207,45 @@ static void warnings_of_servos(void) {
     CU_ASSERT_EQUAL(outcome.status, NB_OK);
     CU_ASSERT_EQUAL_FATAL(outcome.warnings.count, rows[k].warned ? 1 : 0);
     if (rows[k].warned) {
-      char expected[160];
+      char expected[320];
       snprintf(expected, sizeof expected,
                "stage `press` ended while a controlled stress differed from the target of the servo by %.3g %%; add a "
-               "condition on this stress",
+               "condition on this stress; its servo (line 11) ran at the largest rate in all cycles: raise `at most "
+               "RATE` of the servo, or the number of cycles",
                100 * fabs(1 / rows[k].target - 1));
       CU_ASSERT_STRING_EQUAL(outcome.warnings.list[0].text, expected);
       CU_ASSERT_EQUAL(outcome.warnings.list[0].line, 10);
     }
+    nb_outcome_free(&outcome);
+  }
+}
+
+/* The same row of discs, pressed faster or for a number of cycles. A stage of a given length has a warning only if its
+ * servo ran at the largest rate all the time; a stage that does not end says so. */
+static void servos_at_the_largest_rate(void) {
+  static const struct {
+    const char *servo, *end, *found; /* found: a part of the message, or NULL; at first of the warning */
+  } rows[] = {
+      {"xx 4 on cell through cell at most 1e-9 per cycle", "cycles 5", "; its servo (line 11) ran at the largest rate"},
+      {"xx 4 on cell through cell at most 1 per cycle", "cycles 5", NULL},
+      {"xx 2.2 on cell through cell at most 1e-9 per cycle", "cycles 5", NULL},
+      {"xx 4 on cell through cell at most 1e-9 per cycle", "until cell.stress.xx above 4 at most 5 cycles",
+       "; its servo (line 11) ran at the largest rate"},
+      {"xx 4 on cell through cell at most 1 per cycle", "until cell.stress.xx above 40 at most 5 cycles", NULL}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct nb_outcome outcome;
+    char text[1024];
+    snprintf(text, sizeof text,
+             "units none\nmaterial m density 1 kn 1000\ncell 0 0 to 5.97 4.5\ndisc 1 1 radius 1 m\ndisc 2.99 1 radius "
+             "1 m\ndisc 4.98 1 radius 1 m\nstep 0.001\nrecord time cell.stress.xx\nstage press\nservo %s\n%s",
+             rows[k].servo, rows[k].end);
+    carry_out(&outcome, text, "report cell.stress.xx", NULL);
+    const char *const said = outcome.status           ? outcome.error.text
+                             : outcome.warnings.count ? outcome.warnings.list[0].text
+                                                      : "";
+    CU_ASSERT_EQUAL(outcome.status, k < 3 ? NB_OK : NB_BROKEN);
+    CU_ASSERT_EQUAL(strstr(said, "at the largest rate in all cycles") != NULL, rows[k].found != NULL);
+    CU_ASSERT_PTR_NOT_NULL(strstr(said, rows[k].found ? rows[k].found : ""));
     nb_outcome_free(&outcome);
   }
 }
@@ -596,6 +627,7 @@ void suite_outcome(void) {
   CU_add_test(suite, "a note of the memory size that changes", note_of_memory_size);
   CU_add_test(suite, "warnings of stages that end at once", warnings_of_ends);
   CU_add_test(suite, "warnings of stages that end far from the target of a servo", warnings_of_servos);
+  CU_add_test(suite, "servos at the largest rate", servos_at_the_largest_rate);
   CU_add_test(suite, "units of reported values", units);
   CU_add_test(suite, "stages without rows", stages_without_rows);
   CU_add_test(suite, "error of a run", error_of_a_run);

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "loading/loading.h"
+#include "measure/boundary.h"
 #include "run/plan.h"
 #include "suites.h"
 #include "written.h"
@@ -47,6 +48,38 @@ static void run(struct nb_result *result, const char *stage) {
   written_scene(&it, &page);
   written_run(result, &it, NULL);
   written_free(&it);
+}
+
+/* The error is the largest difference of a controlled component from its target, over the largest target. The stress of
+ * the ring, with the radius R, is isotropic; uncontrolled components do not count, and a target of 0 has no error. */
+static void the_error_is_relative(void) {
+  static const struct {
+    const char *servo;
+    double target[2]; /* in x and y, NAN: not controlled; equal for the mean */
+  } rows[] = {{"isotropic 12", {12, 12}}, {"mean 5", {5, 5}}, {"xx 12", {12, NAN}},
+              {"xx 6 yy 12", {6, 12}},    {"yy 3", {NAN, 3}}, {"xx 0", {0, NAN}}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(&page,
+              RING
+              "stage s\nservo %s on boundary through boundary at most 1e-4 per cycle\ncycles 70\nstage t\ncycles 1\n",
+              rows[k].servo);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+    written_cycles(model, 70);
+    const struct nb_tensor now = nb_boundary_stress(model);
+    const double off[] = {fabs(now.xx - rows[k].target[0]), fabs(now.yy - rows[k].target[1])};
+    const double largest = fmax(rows[k].target[0], rows[k].target[1]); /* fmax and > ignore NAN */
+    CU_ASSERT_DOUBLE_EQUAL(nb_servo_error(model), largest > 0 ? fmax(off[0], off[1]) / largest : 0, 1e-9);
+    CU_ASSERT(!(largest > 0) || nb_servo_error(model) > 0.01);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[1], &error), NB_OK);
+    CU_ASSERT_EQUAL(nb_servo_error(model), 0); /* a stage without a servo */
+    nb_model_free(model);
+    written_free(&it);
+  }
 }
 
 /* The radius changes first at the largest rate, then as the recursion predicts, with a measurement every fifth cycle.
@@ -362,6 +395,7 @@ static void scales_of_a_box(void) {
 
 void suite_servo(void) {
   CU_pSuite suite = CU_add_suite("servo", NULL, NULL);
+  CU_add_test(suite, "the error of the stress is relative to the largest target", the_error_is_relative);
   CU_add_test(suite, "the stress follows the recursion to its target", stress_follows_the_recursion);
   CU_add_test(suite, "a ramp is followed", a_ramp_is_followed);
   CU_add_test(suite, "no offset under a dilatation", no_offset_under_a_dilatation);

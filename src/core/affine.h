@@ -37,7 +37,11 @@ struct nb_affine {
   struct nb_servo_state {
     double stress[3];          /* the controlled stresses xx, yy, xy when the servo began, Pa */
     struct nb_tensor integral; /* Z of servo.c, 1/s */
-    bool begun;                /* the integral has been set */
+    enum nb_servo_phase {
+      NB_SERVO_BEGINS,  /* the integral has not been set */
+      NB_SERVO_LIMITED, /* the strain rate has been the largest one, `at most`, since the stage began */
+      NB_SERVO_FREE     /* it has been smaller */
+    } phase;
   } servo_state;
 };
 

@@ -36,7 +36,8 @@ const struct nb_store_part *nb_store_find(const struct nb_store *store, const ch
   nb_store_doubles(store, name, (double *)(void *)(at), (count) * sizeof *(at) / sizeof(double))
 #define NB_STORE_INTEGERS(store, name, at, count)                                                                      \
   nb_store_integers(store, name, at, count, sizeof *(at),                                                              \
-                    _Generic(*(at), bool : 1, char : 255, unsigned char : 255, int : 0x7fffffff, default : 0x1p53))
+                    _Generic(*(at), bool : 1, char : 255, unsigned char : 255, int : 0x7fffffff,                       \
+                             unsigned : 0x7fffffff, default : 0x1p53))
 
 void nb_store_table(struct nb_store *store, struct nb_table *table); /* table.c: saves or restores the rows */
 

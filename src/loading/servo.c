@@ -120,11 +120,12 @@ static struct nb_tensor correction(struct nb_model *model, const struct nb_servo
   const bool too_fast = largest > 0 && rate * largest > limit;
   const struct nb_tensor p = tensor_scale(too_fast ? limit / largest : largest > 0 ? rate : 0, error);
   const struct nb_tensor added = tensor_add(p, state->integral);
-  if (state->begun && !too_fast && tensor_largest(added) <= limit) {
+  const bool within = !too_fast && tensor_largest(added) <= limit, begins = state->phase == NB_SERVO_BEGINS;
+  state->phase = within || state->phase == NB_SERVO_FREE ? NB_SERVO_FREE : NB_SERVO_LIMITED;
+  if (!begins && within) {
     state->integral = tensor_add(state->integral, tensor_scale((double)servo->every * model->step / (16 * t), p));
     return added;
   }
-  state->begun = true;
   state->integral = tensor_scale(-(1 - sqrt(0.75)) / 2, p);
   return tensor_add(p, state->integral);
 }
@@ -132,7 +133,7 @@ static struct nb_tensor correction(struct nb_model *model, const struct nb_servo
 void nb_servo_begin(struct nb_model *model) {
   const struct nb_servo *servo = &model->stage->servo;
   struct nb_servo_state *state = &model->affine->servo_state;
-  *state = (struct nb_servo_state){.begun = false};
+  *state = (struct nb_servo_state){.phase = NB_SERVO_BEGINS};
   const struct nb_tensor now = stress(model, servo);
   const double first[3] = {now.xx, now.yy, now.xy};
   for (int k = 0; k < 3; k++)

@@ -83,7 +83,7 @@ static void store_affine(struct nb_store *store, struct nb_affine *affine) {
   NB_STORE_INTEGERS(store, "affine", &affine->uniform, 1);
   NB_STORE(store, "servo", servo->stress, 3);
   NB_STORE(store, "servo", &servo->integral, 1);
-  NB_STORE_INTEGERS(store, "servo", &servo->begun, 1);
+  NB_STORE_INTEGERS(store, "servo", &servo->phase, 1);
 }
 
 static void store_stability(struct nb_store *store, struct nb_model *model) {

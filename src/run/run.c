@@ -77,12 +77,23 @@ static void list_conditions(char *text, size_t size, const struct nb_stage *stag
   }
 }
 
+/* "; its servo (line 12) ran at the largest rate in all cycles: raise `at most`"; empty for other stages. */
+static const char *servo_limit(char *text, size_t size, const struct nb_model *model) {
+  const bool limited = model->stage->servo.line && model->affine->servo_state.phase == NB_SERVO_LIMITED;
+  snprintf(text, size,
+           limited ? "; its servo (line %d) ran at the largest rate in all cycles: raise `at most RATE` of the servo, "
+                     "or the number of cycles"
+                   : "",
+           model->stage->servo.line);
+  return text;
+}
+
 static enum nb_status conditions_not_met(const struct nb_stage *stage, const struct nb_model *model,
                                          struct nb_error *error) {
-  char text[256];
+  char text[256], servo[160];
   list_conditions(text, sizeof text, stage, model, " and should be");
-  return nb_error_set(error, NB_BROKEN, "stage `%s` (line %d) did not end within %lu cycles: %s", stage->name,
-                      stage->line, stage->cycles, text);
+  return nb_error_set(error, NB_BROKEN, "stage `%s` (line %d) did not end within %lu cycles: %s%s", stage->name,
+                      stage->line, stage->cycles, text, servo_limit(servo, sizeof servo, model));
 }
 
 /* Notes a change of a law, because the history of the old law is discarded. */
@@ -144,7 +155,7 @@ static bool is_last_servo(const struct run *run, const struct nb_stage *stage) {
 static void warn_of_end(const struct run *run, const struct nb_stage *stage) {
   struct nb_model *model = run->model;
   const char *const unbalanced = met_without_contact(model, stage);
-  char text[256];
+  char text[256], servo[160];
   if (unbalanced) {
     nb_warn(&model->warnings, stage->line,
             "stage `%s` ended in cycle %lu without a contact force, where `%s` is 0; add a condition such as `and "
@@ -157,11 +168,12 @@ static void warn_of_end(const struct run *run, const struct nb_stage *stage) {
             model->stage_cycle, text,
             waits_for_time(stage) ? "; `time` counts from the start of the run, `stage.time` from that of the stage"
                                   : "");
-  } else if (stage->condition_count > 0 && is_last_servo(run, stage) && nb_servo_error(model) > servo_tolerance) {
+  } else if ((stage->condition_count > 0 || *servo_limit(servo, sizeof servo, model)) && is_last_servo(run, stage) &&
+             nb_servo_error(model) > servo_tolerance) {
     nb_warn(&model->warnings, stage->line,
             "stage `%s` ended while a controlled stress differed from the target of the servo by %.3g %%; add a "
-            "condition on this stress",
-            stage->name, 100 * nb_servo_error(model));
+            "condition on this stress%s",
+            stage->name, 100 * nb_servo_error(model), servo_limit(servo, sizeof servo, model));
   }
 }
 
@@ -213,11 +225,15 @@ static void store_snapshots(struct nb_store *store, struct run *run) {
   }
 }
 
+enum { STAGE_ENDED = 1, MET_BEFORE = 2 };
+
 /* Stores everything that the run keeps: its model, and what it has recorded. */
 static void store_run(struct nb_store *store, struct run *run) {
   double seconds = nb_clock() - run->reporter.began, stage_seconds = nb_processor_clock() - run->reporter.stage_began;
+  int stage_now = (run->stage_ended ? STAGE_ENDED : 0) | (run->met_before ? MET_BEFORE : 0);
   nb_model_store(store, run->model);
-  NB_STORE_INTEGERS(store, "stage_ended", &run->stage_ended, 1);
+  NB_STORE_INTEGERS(store, "stage_ended", &stage_now, 1);
+  run->stage_ended = stage_now & STAGE_ENDED, run->met_before = stage_now & MET_BEFORE;
   NB_STORE_INTEGERS(store, "first_cycle", &run->first_cycle, 1);
   NB_STORE_INTEGERS(store, "updates_before", &run->updates, 1);
   NB_STORE(store, "seconds", &seconds, 1);
