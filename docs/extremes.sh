@@ -60,8 +60,8 @@ for page in tests/aborted/*.md; do
 done | fold -s -w 118 | sed 's/ *$//'
 cat <<'TEXT'
 Without `allow unstable` a run whose step is too long is aborted before a particle is ejected or passes through another
-one. With it there is a range in which the result is wrong and no message appears: at a hundred times the Rayleigh step
-the ejected sphere still moves by less than a radius per step.
+one. With `allow unstable` there is a range of steps in which the result is wrong and no message appears. At a hundred
+times the Rayleigh step the ejected sphere still moves by less than a radius per step.
 [STABILITY](STABILITY.md#just-above-the-limit) shows which quantities reveal the error.
 
 ## Long runs

@@ -84,13 +84,13 @@ awk -F '\t' '
   END {
     print "# Rounding\n"
     print "`make rounding` writes this document ([rounding.sh](rounding.sh)). Each short case runs under the four rounding modes of"
-    print "IEEE 754: to nearest, up, down and towards zero. The mode holds in the cycles, in every thread. The reader of pages,"
-    print "references, recorded values and the verdict are always rounded to nearest. `nineball check PAGE --rounding all` does the same for"
+    print "IEEE 754: to nearest, up, down and towards zero. The mode holds in the cycles, in every thread. Pages,"
+    print "references, recorded values and the verdict are always computed with rounding to nearest. `nineball check PAGE --rounding all` does the same for"
     print "one page.\n"
-    print "The number of bits that all modes have in common says how much of a result does not depend on rounding. A double has 53."
+    print "The number of bits that all modes have in common says how much of a result does not depend on rounding. A double has 53 bits."
     print "[METHOD](METHOD.md#rounding) defines the count.\n"
     printf "- The median over %d cases is %g bits. %d cases keep fewer than 30 bits; the page of each states why.\n", pages, median(bits, n), few
-    printf "- In %d cases the parts of the cycle were also run alone in another mode. In %d of them the motion costs the most bits.\n", with, motion
+    printf "- In %d cases each part of the cycle was also run alone in another mode. In %d of them the motion costs the most bits.\n", with, motion
     print "  The motion adds a small displacement to a large coordinate, and the overlap is the small difference of two such coordinates. The bits of a"
     print "  force are at most those of a coordinate less log2(coordinate/overlap)."
     printf "- In %d cases some check fails in another mode. Most of these checks demand equality to the last bit, such as the\n", failing

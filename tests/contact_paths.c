@@ -245,37 +245,38 @@ static void write_laws(struct files *files) {
   fprintf(
       files->out,
       "# Contact laws on random paths\n\n"
-      "`make paths` writes this document ([contact_paths.c](../tests/contact_paths.c)). It leads every contact law of\n"
-      "`nineball laws` along random paths, and compares the exact law with a calculation that keeps all rings.\n"
-      "[CONTACT](CONTACT.md) explains the laws. A test of `make check` uses shorter paths. It also runs laws\n"
-      "with planted errors, which it must detect.\n\n"
+      "`make paths` writes this document ([contact_paths.c](../tests/contact_paths.c)). The program leads every\n"
+      "contact law of `nineball laws` along random paths, and compares the exact law with a calculation that keeps\n"
+      "all rings. [CONTACT](CONTACT.md) explains the laws. A test of `make check` uses shorter paths. It also runs\n"
+      "laws with planted errors, which it must detect.\n\n"
       "## The paths\n\n"
       "A path is a series of points of overlap and tangential displacement. Each contact has its own random numbers,\n"
-      "such as amplitude, decay and period, which span one to three decades. At the end it opens, and the next one "
-      "begins.\n\n");
+      "such as amplitude, decay and period, which span one to three decades. At the end\n"
+      "of its path the contact opens, and the next contact begins.\n\n");
   for (int kind = 0; kind < KINDS; kind++)
     fprintf(files->out, "- **%s:** %s\n", kind_names[kind], kind_titles[kind]);
   fprintf(
       files->out,
       "\n## Every law\n\n"
-      "Each pair of laws makes %.0e steps on each kind of path. The material of each contact is random. The overlaps\n"
-      "are 1e-9 to 1e-3 of the effective radius, and the stiffnesses span sixteen decades. The friction is 0, 1e-12,\n"
-      "10, 1e6, or between 0.05 and 1. After each step the program checks that:\n\n"
+      "Each combination of a normal and a shear law makes %.0e steps on each kind of path. The material of each\n"
+      "contact is random. The overlaps are 1e-9 to 1e-3 of the effective radius, and the stiffnesses span sixteen\n"
+      "decades. The friction is 0, 1e-12, 10, 1e6, or between 0.05 and 1. After each step the program checks that:\n\n"
       "- all forces, stiffnesses and history variables are finite numbers;\n"
       "- $\\lvert T \\rvert \\le \\mu N + c$ up to two roundings, with the cohesion $c$;\n"
       "- the history stays within its declared length, and a saved state would accept it;\n"
       "- an open contact has no force.\n\n"
-      "**Energy.** Most laws promise that no closed path creates energy. So a contact never returns more work than it\n"
-      "was given since first touch. The stored energy, where a law has one, never grows by more than the work. Each\n"
-      "segment is led in four and in eight steps. Sixteen times the difference of both works is the error of the\n"
-      "finite steps. Only energy in excess of it counts. Jumps over decades are too large for this account.\n\n"
-      "The table has the largest values of all paths. *Excess* is $\\lvert T \\rvert$ beyond its limit. "
-      "*Created* is the\n"
-      "energy created by a contact over the energy that it was given. *Stored beyond work* is the growth of the "
-      "stored\n"
-      "energy that is not work, also over the energy given. The last column names the check that failed, if any.\n"
+      "**Energy.** Most laws promise that no closed path creates energy. With such a law a contact never returns more\n"
+      "work than it was given since first touch, and the stored energy, where a law has one, never grows by more than\n"
+      "the work. The path between two points is computed in four and in eight steps. Sixteen times the difference of\n"
+      "the two works is taken as the error of the finite steps. Only energy in excess of this error counts. The path\n"
+      "*decades* is left out, because its jumps are too large for this estimate.\n\n"
+      "The table has the largest values of all paths. *Excess* is the part of $\\lvert T \\rvert$ beyond its\n"
+      "limit. *Created* is the energy created by a contact over the energy that it was given. *Stored beyond work* is\n"
+      "the growth of the stored energy that is not work, also over the energy given. The last column names the check "
+      "that failed, if any.\n"
       "[laws.tsv](paths/laws.tsv) has each kind of path.\n\n"
-      "| normal | shear | promises energy | excess | created, friction ≤ 1 | created, friction ≥ 10 | stored beyond "
+      "| normal | shear | promises to create no energy | excess | created, friction ≤ 1 | created, friction ≥ 10 | "
+      "stored beyond "
       "work | failed check |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- |\n",
       (double)LONG);
@@ -295,7 +296,7 @@ static void write_causes(FILE *out) {
         "  change of $T$ that it should cause, and the law's sum of both is mostly error.\n"
         "- `randall_literal` has the errors of the printed text as well.\n"
         "- `mindlin_deresiewicz` joins pieces when its memory is full. A join changes the stored energy slightly, in\n"
-        "  either direction. The law counts this change as loss.\n",
+        "  either direction. The law counts this change as dissipated.\n",
         out);
 }
 
@@ -305,14 +306,15 @@ static void write_exact(struct files *files) {
       "The law `mindlin_deresiewicz` stores at most $K$ pieces of its history. Here the same path goes to the law "
       "with\n"
       "several $K$ and to an independent list of all rings ([by_hand.h](../tests/by_hand.h)), which has no limit. The\n"
-      "error is the error of $T$ over the present $\\mu N$. The last paths come from runs of the program:\n\n",
+      "error is that of $T$, divided by the present $\\mu N$. The last paths come from runs of the program:\n\n",
       files->out);
   for (int run = 0; run < RUNS; run++)
     fprintf(files->out, "- **%s:** %s ([path-%s](../tests/pages/path-%s.md)).\n", run_names[run], run_titles[run],
             run_names[run], run_names[run]);
   fputs(
-      "\nThe table has the largest error, and the root mean square in parentheses. The column *rings* is the longest\n"
-      "list. With 4096 pieces the only joins are those that change $T$ by less than 1e-7 of $\\mu N$.\n\n"
+      "\nThe table has the largest error, and the root mean square in parentheses. The column *rings* is the length\n"
+      "of the longest list, and the columns after it are the values of $K$. With 4096 pieces the only joins are those\n"
+      "that change $T$ by less than 1e-7 of $\\mu N$.\n\n"
       "| path | steps | rings |",
       files->out);
   fputs("path\tmemory\tworst\tmean\n", files->table);
@@ -330,8 +332,10 @@ static void write_exact(struct files *files) {
       "- A path that fills the contact with more reversals than there are pieces must lose some of them. This happens\n"
       "  in *ringing*, *both* and *sheared*. The law joins the two pieces whose join changes $T$ least at the present\n"
       "  overlap.\n"
-      "- In *rolling* the overlap then falls to a small part of its largest value. The error of inner pieces remains,\n"
-      "  and it is divided by a $\\mu N$ that is much smaller. So with 32 and 64 pieces this is the largest error.\n"
+      "- In *rolling* the overlap falls to a small part of its largest value at the end. The error of inner pieces\n"
+      "  remains, and it is divided by a $\\mu N$ that is much smaller. So with 32 and 64 pieces *rolling* has the "
+      "largest "
+      "error.\n"
       "- Cycles that repeat erase their own corners. So *ratchet* needs few pieces, however long it is.\n"
       "- The contacts of *bounce* and *incline* mostly slide or vibrate with overlap and displacement in step. Their\n"
       "  paths have few corners.\n",

@@ -965,16 +965,16 @@ static void write_summary(FILE *out, const struct map maps[SYSTEMS]) {
     write_counts(out, map->shows);
     fputs(" |\n", out);
   }
-  fputs("\nUnstable points are silent where few particles vibrate. Their energy is small against that of all, and "
-        "while the\n"
-        "other particles still move, their imbalance is not unusual.\n",
+  fputs("\nUnstable points are silent where few particles vibrate. Their energy is small compared with that of all "
+        "particles,\n"
+        "and while the other particles still move, their imbalance is not unusual.\n",
         out);
-  fputs(
-      "\n## The cost of the bound\n\n"
-      "The table has the bound over the limit, least and largest of all columns with this damping ratio. A run at the\n"
-      "bound needs more cycles than one at the limit, by the reciprocal of this factor. The bound also counts pairs\n"
-      "that are listed but do not touch.\n\n| system | damping 0 | 0.5 | 1 | 2 |\n| --- | --- | --- | --- | --- |\n",
-      out);
+  fputs("\n## The cost of the bound\n\n"
+        "The table has the bound over the limit, the least and the largest of all columns with this damping ratio. A "
+        "run at the\n"
+        "bound needs more cycles than one at the limit, by the reciprocal of this factor. The bound also counts pairs\n"
+        "that are listed but do not touch.\n\n| system | damping 0 | 0.5 | 1 | 2 |\n| --- | --- | --- | --- | --- |\n",
+        out);
   for (int s = 0; s < SYSTEMS; s++) {
     fprintf(out, "| %s ", systems[s].title);
     for (int d = 0; d < COMMON; d++)
@@ -1057,9 +1057,10 @@ static void write_above(FILE *out, const char *folder) {
       "Two systems with equal masses and friction 1 are run for %d cycles. Random velocities move the discs by up to "
       "%g\n"
       "of the overlap in the first cycle. The tables show what a user could record. The force is the mean of all\n"
-      "contacts over the last half of the cycles, and `unbalanced.max` its mean over the last tenth.\n"
-      "`energy.residual` is its largest value over the initial energy, and `energy.kinetic` its last value over the\n"
-      "first.\n\n"
+      "contacts over the last half of the cycles, and `unbalanced.max` is averaged over the last tenth.\n"
+      "`energy.residual` is the largest residual divided by the initial energy, and `energy.kinetic` the last kinetic\n"
+      "energy divided by the first. *Stopped* names the guard that stopped the run: a particle moved by more than its\n"
+      "radius in one step (*motion*), or two particles overlapped by more than the smaller radius (*overlap*).\n\n"
       "Above the limit the vibration grows until contacts slide and open, which bounds its amplitude. The run goes\n"
       "on, and its results are wrong. With damping `unbalanced.max` shows this: below the limit it falls to rounding, "
       "above\n"

@@ -144,7 +144,7 @@ static bool write_scores(FILE *out, const struct results *results) {
   }
   fputs(
       "\nThe next table has the negative controls: the same draws with estimators that lack something. Each must fail\n"
-      "at least one criterion. They refuse the same draws as the whole estimator.\n\n"
+      "at least one criterion. They are not asked about draws for which the whole estimator gives no advice.\n\n"
       "- One phase: everything is computed at one phase.\n"
       "- No anchor: Richardson's estimate $G$ alone. Nothing compares a candidate that has other laws with the page.\n"
       "- Difference of two steps: $|Q(n) - Q(2n)|$ at one phase, without an anchor.\n"
@@ -291,7 +291,7 @@ static void write_beginning(FILE *out, const struct results *results) {
         "For each draw the program is asked for advice. The true error of the advice is the largest difference,\n"
         "over all runs and phases, from the limit of the page for small steps.\n"
         "[METHOD](METHOD.md#the-accuracy-of-a-step) defines the terms. A setting meets a draw if its true error is\n"
-        "within the tolerance.\n\n",
+        "within the tolerance. In this document a number *at 5 %* or *at 90 %* is this quantile.\n\n",
         out);
   fprintf(
       out,
@@ -332,8 +332,8 @@ bool write_document(FILE *out, FILE *header, struct results *results) {
       "answers), or at most %.1g of the tolerance. It is due to rounding, or to the small motion that remains in a\n"
       "state of rest. No step makes such an error smaller, and the estimate need not contain it.\n\n"
       "The factors of the estimator come from other draws, which an earlier program made. Half of the pages, by a\n"
-      "hash of their names, are kept back: no number may be changed because of their draws. The criteria are for all\n"
-      "draws.\n",
+      "hash of their names, are kept back: no number may be changed because of their draws. `make accuracy`\n"
+      "fails if a criterion does not hold for all draws together.\n",
       truth_time, results->uncounted[UNRESOLVED], results->uncounted[REFUSED], grid_time, whole.costs, whole.answered,
       whole.claims, whole.answered, truth_margin, zero, largest);
   bool good = write_scores(out, results);
