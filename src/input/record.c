@@ -49,8 +49,8 @@ NB_APPLY(apply_columns) {
     if (nb_token_is(reader, "every") || nb_token_is(reader, "none"))
       nb_expected(reader,
                   reading->scene->contact_test
-                      ? "`record every N steps` and `record none` belong in a segment: below a line `segment NAME …`"
-                      : "`record every N cycles` and `record none` belong in a stage: below a line `stage NAME`",
+                      ? "`record every N steps` or `record none` belongs in a segment: below a line `segment NAME …`"
+                      : "`record every N cycles` or `record none` belongs in a stage: below a line `stage NAME`",
                   QUANTITY);
     if (!nb_take_requested(reading, reader, &one) ||
         nb_too_many(reader, reading->requested_count, NB_NAMED_MAX, "columns"))
