@@ -484,6 +484,7 @@ CORE = \
   src/core/mesh.c \
   src/core/mesh.h \
   src/core/history.c \
+  src/core/incidence.c \
   src/core/model.h \
   src/core/motion.c \
   src/core/motion.h \

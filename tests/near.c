@@ -338,6 +338,68 @@ static void storage_threads_and_instructions_change_no_bit(void) {
   written_free(&it);
 }
 
+/* The number of the other particle of a contact; a wall comes after all particles. */
+static int rank_of_partner(const struct nb_model *model, int contact, int slot) {
+  const int a = model->contacts.a[contact], b = model->contacts.b[contact];
+  const struct nb_neighbour_pair pair = {a, b, model->contacts.material_pair[contact]};
+  return a == slot ? nb_partner_rank(model, pair) : model->particles.number[a];
+}
+
+/* Two discs with 40 and 20 neighbours, more than there are places in the sort of a batch; and a row of discs, which all
+ * have two neighbours, in several batches. */
+enum { RING = 62, ROW = 700, LARGE_AND_SMALL = RING + ROW };
+static void large_and_small(struct written *it) {
+  struct words page = {0};
+  words_add(&page, "units none\nmaterial m density 1 kn 1 ks 1 friction 0.5\nwall W -9 -11 to 9 -11 m\n"
+                   "disc 0 0 radius 10 m\ndisc 40 0 radius 10 m\n");
+  for (int k = 0; k < 60; k++) {
+    const double turn = k < 40 ? NB_PI / 20 * k : NB_PI / 10 * k;
+    words_add(&page, "disc %.12g %.12g radius 0.8 m\n", (k < 40 ? 0 : 40) + 10.8 * cos(turn), 10.8 * sin(turn));
+  }
+  for (int k = 0; k < ROW; k++)
+    words_add(&page, "disc %d 30 radius 0.5 m\n", k);
+  words_add(&page, "step 1e-3\nrecord time\nstage s\ncycles 1\n");
+  written_scene(it, &page);
+}
+
+/* Each particle lists its contacts in the order of its partners' numbers, and the motion sums exactly these. */
+static void each_particle_sums_its_contacts(void) {
+  struct written it;
+  large_and_small(&it);
+  for (int threads = 1; threads <= 3; threads += 2) {
+    struct nb_model *model = written_model(&it, &(struct nb_options){.threads = threads, .shuffle = threads > 1});
+    struct nb_particles *particles = &model->particles;
+    struct nb_vec before[LARGE_AND_SMALL];
+    size_t entries = 0, most = 0;
+    CU_ASSERT_EQUAL_FATAL(particles->count, LARGE_AND_SMALL);
+    CU_ASSERT(model->contacts.incidence.batches >= (size_t)threads);
+    for (size_t c = 0; c < model->contacts.count; c++)
+      model->contacts.force[c] = vec(sin((double)c), cos((double)c));
+    for (int i = 0; i < LARGE_AND_SMALL; i++) {
+      const struct nb_contact_range range = nb_contact_range(&model->contacts.incidence, (size_t)i);
+      const size_t count = (size_t)(range.end - range.first);
+      entries += count, most = count > most ? count : most;
+      for (const int *entry = range.first; entry < range.end; entry++) {
+        CU_ASSERT_EQUAL(model->contacts.a[*entry] == i, entry >= range.middle);
+        CU_ASSERT(entry == range.first || rank_of_partner(model, entry[-1], i) < rank_of_partner(model, *entry, i));
+      }
+      before[i] = particles->velocity[i];
+    }
+    CU_ASSERT(most > 30);
+    CU_ASSERT_EQUAL(entries, model->contacts.count + model->contacts.wall_from);
+    for (int part = 0; part < threads; part++)
+      nb_motion_part(model, part, threads);
+    for (size_t i = 0; i < LARGE_AND_SMALL; i++) {
+      const double kick = model->step / 2 * particles->inverse_mass[i];
+      const struct nb_vec force = nb_force_on(model, i).force;
+      CU_ASSERT_EQUAL(particles->velocity[i].x, before[i].x + kick * force.x);
+      CU_ASSERT_EQUAL(particles->velocity[i].y, before[i].y + kick * force.y);
+    }
+    nb_model_free(model);
+  }
+  written_free(&it);
+}
+
 /* Each of three restored pairs is tested: one that the model does not have is a failure wherever it stands. */
 static void restored_pairs_exist(void) {
   static const struct nb_neighbour_pair invalid[] = {{0, 3, 0},  {3, 0, 0}, {-1, 0, 0},
@@ -373,6 +435,7 @@ static void restored_pairs_exist(void) {
 void suite_near(void) {
   CU_pSuite suite = CU_add_suite("near", NULL, NULL);
   CU_add_test(suite, "all pairs are found, and no others", all_pairs_are_found);
+  CU_add_test(suite, "each particle sums its contacts, in the order of numbers", each_particle_sums_its_contacts);
   CU_add_test(suite, "restored pairs exist", restored_pairs_exist);
   CU_add_test(suite, "contacts are found by their partners", contacts_are_found_by_their_partners);
   CU_add_test(suite, "pairs that touch are listed", touching_pairs_are_listed);

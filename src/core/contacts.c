@@ -116,9 +116,6 @@ static void create_arrays(struct nb_contacts *contacts, const struct nb_model *m
   contacts->normal_history = nb_history_create(owner, model->plan.history.normal, n);
   contacts->shear_history = nb_history_create(owner, model->plan.history.shear, n);
   contacts->slip_sum = nb_history_create(owner, model->plan.history.slip_sum, n);
-  contacts->incidence.first = nb_own(owner, model->particles.count + 1, sizeof(int));
-  contacts->incidence.middle = nb_own(owner, model->particles.count + 1, sizeof(int));
-  contacts->incidence.entry = nb_own(owner, 2 * n, sizeof(int));
 }
 
 /* Computes the contact index of each pair. Contacts are grouped by material pair; within a group they keep the order of
@@ -137,36 +134,13 @@ static bool number_contacts(int contact[], const struct nb_neighbour_pairs *pair
   return true;
 }
 
-/* Lists the contacts of each particle in the order of force summation: by the partners' numbers, walls last. Contacts
- * in which the particle is the second one come first, because their partners have smaller numbers. `pairs` is already
- * in this order. */
-static void fill_incidence(struct nb_incidence *of, const struct nb_neighbour_pairs *pairs, const int contact[],
-                           const struct nb_model *model) {
-  for (size_t p = 0; p < pairs->count; p++) {
-    of->first[pairs->list[p].a + 1]++;
-    if (!model->material_pairs[pairs->list[p].material_pair].wall)
-      of->first[pairs->list[p].b + 1]++;
-  }
-  for (size_t i = 0; i < model->particles.count; i++)
-    of->first[i + 1] += of->first[i], of->middle[i] = of->first[i];
-  for (size_t p = 0; p < pairs->count; p++)
-    if (!model->material_pairs[pairs->list[p].material_pair].wall)
-      of->entry[of->middle[pairs->list[p].b]++] = contact[p];
-  for (size_t p = 0, at = 0; p < pairs->count; p++) {
-    const int a = pairs->list[p].a;
-    at = p > 0 && pairs->list[p - 1].a == a ? at + 1 : (size_t)of->middle[a];
-    of->entry[at] = contact[p];
-  }
-}
-
 static bool contacts_create(struct nb_contacts *contacts, const struct nb_model *model,
                             const struct nb_neighbour_pairs *pairs) {
   *contacts = (struct nb_contacts){.count = pairs->count};
   int *contact = nb_array(pairs->count, sizeof *contact);
   create_arrays(contacts, model);
-  const bool made = contact && !contacts->owner.failed && number_contacts(contact, pairs, model);
-  if (made)
-    fill_incidence(&contacts->incidence, pairs, contact, model);
+  const bool made = contact && !contacts->owner.failed && number_contacts(contact, pairs, model) &&
+                    nb_incidence_fill(contacts, pairs, contact, model);
   for (size_t p = 0; p < pairs->count && made; p++) {
     const struct nb_neighbour_pair *pair = &pairs->list[p];
     const int c = contact[p];

@@ -8,11 +8,19 @@
 #include "store.h"
 #include "tensor.h"
 
-/* The contacts of each particle, for the integration of motion. */
+/* The contacts of each particle, for the integration of motion: incidence.c. The entries of a particle are consecutive;
+ * the particles are in the order of `order`. */
 struct nb_incidence {
-  int *first;  /* for each slot, the index of its first entry; one element more than there are particles */
+  int *first;  /* for each slot, the index of its first entry */
   int *middle; /* for each slot, the index of its first entry in which it is the contact's first particle */
+  int *end;    /* for each slot, the index after its last entry */
   int *entry;  /* indices of contacts */
+  int *order;  /* slots in the order in which forces are summed: batch by batch, in groups */
+  size_t batch_size, batches; /* particles in a batch, the last of which may be smaller; number of batches */
+  int *batch;                 /* for each batch the index of its first group; one element more than there are batches */
+  struct nb_incidence_group {
+    int particles, seconds, firsts; /* particles of a batch; entries of each as the second and as the first one */
+  } * group;
 };
 
 /* Every pair closer than the skin, touching or not. Sorted by material pair, then by the number of a, then of b. */
@@ -37,7 +45,7 @@ struct nb_contact_range {
 };
 static inline struct nb_contact_range nb_contact_range(const struct nb_incidence *all, size_t slot) {
   return (struct nb_contact_range){all->entry + all->first[slot], all->entry + all->middle[slot],
-                                   all->entry + all->first[slot + 1]};
+                                   all->entry + all->end[slot]};
 }
 
 /* Two particles, or a particle and a wall, closer than the skin; not yet contacts. */
@@ -48,6 +56,10 @@ struct nb_neighbour_pairs {
   struct nb_neighbour_pair *list; /* owned by the caller of the search */
   size_t count, room;             /* used, allocated */
 };
+enum { NB_BATCH_SIZE = 256 }; /* most particles in a batch */
+/* Lists the contacts of each particle; contact[p] is the index of pair p. False: out of memory. */
+bool nb_incidence_fill(struct nb_contacts *contacts, const struct nb_neighbour_pairs *pairs, const int contact[],
+                       const struct nb_model *model);
 void nb_pairs_store(struct nb_store *store, const char *name, struct nb_neighbour_pairs *pairs,
                     const struct nb_model *model);
 /* Replaces the list by a new one, sorted by the number of a, then by partners; pairs that stay keep their history.

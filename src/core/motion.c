@@ -33,26 +33,51 @@
 #include "motion.h"
 
 /* Working memory for a batch of particles; it stays in the first-level cache. */
-enum { BATCH_SIZE = 128 };
 struct batch {
-  struct nb_vec force[BATCH_SIZE], c[BATCH_SIZE];                            /* N, m/s */
-  double moment[BATCH_SIZE];                                                 /* moment over radius, N */
-  double keep[2 * BATCH_SIZE], kick[2 * BATCH_SIZE], travel[2 * BATCH_SIZE]; /* x and y of each particle in turn */
+  struct nb_vec force[NB_BATCH_SIZE], c[NB_BATCH_SIZE]; /* N, m/s */
+  double moment[NB_BATCH_SIZE];                         /* moment over radius, N */
+  double keep[2 * NB_BATCH_SIZE], kick[2 * NB_BATCH_SIZE],
+      travel[2 * NB_BATCH_SIZE]; /* x and y of each particle in turn */
 };
 
+/* Sums the forces on the particles of batch `which`, whose first slot is `from`: group by group (incidence.c). */
 static inline NB_FORM void sum_forces(struct batch *batch, const struct nb_contact_forces *by,
-                                      const struct nb_incidence *all, size_t from, size_t n, bool rotates) {
+                                      const struct nb_incidence *all, size_t which, size_t from, bool rotates) {
   const struct nb_contact_forces contact_forces = *by;
-  const struct nb_incidence incidence = *all;
-  const int *middle = incidence.middle + from, *end = incidence.first + from + 1;
-  struct nb_contact_range its = {.end = incidence.entry + incidence.first[from]};
-  for (size_t k = 0; k < n; k++) {
-    its = (struct nb_contact_range){its.end, incidence.entry + middle[k], incidence.entry + end[k]};
-    const struct nb_force sum = nb_contact_force_sum(contact_forces, its, rotates);
-    batch->force[k] = sum.force;
-    batch->moment[k] = sum.moment;
+  const int *slot = all->order + from, *entry = all->entry + all->first[*slot];
+  const struct nb_incidence_group *group = all->group + all->batch[which], *end = all->group + all->batch[which + 1];
+  for (; group < end; group++) {
+    const int particles = group->particles, seconds = group->seconds, firsts = group->firsts;
+    for (int p = 0; p < particles; p++) {
+      const struct nb_contact_range its = {entry, entry + seconds, entry + seconds + firsts};
+      const struct nb_force sum = nb_contact_force_sum(contact_forces, its, rotates);
+      const size_t k = (size_t)*slot++ - from;
+      batch->force[k] = sum.force;
+      batch->moment[k] = sum.moment;
+      entry = its.end;
+    }
   }
 }
+
+/* A function of its own for each instruction set: within `move` the compiler has too few registers for it. */
+typedef void sum_function(struct batch *batch, const struct nb_contact_forces *by, const struct nb_incidence *all,
+                          size_t which, size_t from);
+#define SUM_FORM(isa, target)                                                                                          \
+  target static void sum_##isa(struct batch *batch, const struct nb_contact_forces *by,                                \
+                               const struct nb_incidence *all, size_t which, size_t from) {                            \
+    if (by->total_shear)                                                                                               \
+      sum_forces(batch, by, all, which, from, true);                                                                   \
+    else                                                                                                               \
+      sum_forces(batch, by, all, which, from, false);                                                                  \
+  }
+SUM_FORM(plain, )
+#ifdef NB_X86
+SUM_FORM(avx2, NB_TARGET_AVX2)
+SUM_FORM(avx512, NB_TARGET_AVX512)
+static sum_function *const sums[NB_ISAS] = {sum_plain, sum_avx2, sum_avx512};
+#else
+static sum_function *const sums[NB_ISAS] = {sum_plain, sum_plain, sum_plain};
+#endif
 
 /* Adds the weight m g to the forces [CS79, Motion]. */
 static void add_weight(struct batch *batch, const double *mass, struct nb_vec gravity, size_t n) {
@@ -74,6 +99,7 @@ static void add_boundary_force(struct batch *batch, const struct nb_vec *boundar
 struct task {
   struct nb_particles particles; /* a copy, which stores to particle data cannot change */
   const struct nb_incidence *incidence;
+  sum_function *sum;
   struct nb_kick_factors factors;
   struct nb_vec gravity; /* m/s2 */
   struct nb_central central;
@@ -181,16 +207,15 @@ static inline NB_FORM void move_list(const struct task *task, size_t from, size_
         vec_add(search_position[k], vec_scale(task->step, nb_imposed_velocity(task->affine, k, search_position[k])));
 }
 
-static inline NB_FORM int move(const struct task *task, const struct nb_contact_forces *contact_forces, size_t from,
-                               size_t to) {
+/* Moves the particles of the batches from `first` to `end` - 1. */
+static inline NB_FORM int move(const struct task *task, const struct nb_contact_forces *contact_forces, size_t first,
+                               size_t end) {
   int out = 0;
-  for (; from < to; from += BATCH_SIZE) {
-    const size_t n = to - from < BATCH_SIZE ? to - from : BATCH_SIZE;
+  const size_t size = task->incidence->batch_size, count = task->particles.count;
+  for (size_t b = first; b < end; b++) {
+    const size_t from = b * size, n = count - from < size ? count - from : size;
     struct batch batch;
-    if (contact_forces->total_shear)
-      sum_forces(&batch, contact_forces, task->incidence, from, n, true);
-    else
-      sum_forces(&batch, contact_forces, task->incidence, from, n, false);
+    task->sum(&batch, contact_forces, task->incidence, b, from);
     if (nb_has_gravity(task->gravity))
       add_weight(&batch, task->particles.mass + from, task->gravity, n);
     if (task->central.acceleration != 0)
@@ -214,17 +239,18 @@ static inline NB_FORM int move(const struct task *task, const struct nb_contact_
   return out;
 }
 
-static int move_plain(const struct task *task, const struct nb_contact_forces *contact_forces, size_t from, size_t to) {
-  return move(task, contact_forces, from, to);
+static int move_plain(const struct task *task, const struct nb_contact_forces *contact_forces, size_t first,
+                      size_t end) {
+  return move(task, contact_forces, first, end);
 }
 #ifdef NB_X86
 NB_TARGET_AVX2 static int move_avx2(const struct task *task, const struct nb_contact_forces *contact_forces,
-                                    size_t from, size_t to) {
-  return move(task, contact_forces, from, to);
+                                    size_t first, size_t end) {
+  return move(task, contact_forces, first, end);
 }
 NB_TARGET_AVX512 static int move_avx512(const struct task *task, const struct nb_contact_forces *contact_forces,
-                                        size_t from, size_t to) {
-  return move(task, contact_forces, from, to);
+                                        size_t first, size_t end) {
+  return move(task, contact_forces, first, end);
 }
 static int (*const moves[NB_ISAS])(const struct task *, const struct nb_contact_forces *, size_t,
                                    size_t) = {move_plain, move_avx2, move_avx512};
@@ -234,13 +260,14 @@ static int (*const moves[NB_ISAS])(const struct task *, const struct nb_contact_
 #endif
 
 int nb_motion_part(struct nb_model *model, int part, int parts) {
-  const size_t n = model->particles.count;
+  const size_t n = model->contacts.incidence.batches;
   struct nb_contact_forces contact_forces = nb_contact_forces_of(model);
   if (!model->rotates)
     contact_forces.total_shear = NULL;
   const double time = nb_kick_time(model);
   const struct task mine = {.particles = model->particles,
                             .incidence = &model->contacts.incidence,
+                            .sum = sums[model->machine.isa],
                             .factors = nb_kick_factors(model, time, nb_kick_fraction_before(model)),
                             .gravity = model->gravity,
                             .central = model->central,

@@ -146,9 +146,8 @@ static void set_update_limit(struct nb_model *model) {
         const int i = slots[k];
         const double inverse = particles->inverse_mass[i], radius = particles->surface[i].radius;
         const double shear_factor = h * (inverse + radius * radius * particles->inverse_inertia[i]);
-        const double per_contact =
-            model->stability->sums[i].remainder /
-            (double)(model->contacts.incidence.first[i + 1] - model->contacts.incidence.first[i]);
+        const double per_contact = model->stability->sums[i].remainder /
+                                   (double)(model->contacts.incidence.end[i] - model->contacts.incidence.first[i]);
         increase = smaller(increase, per_contact / (shear_factor > inverse ? shear_factor : inverse));
       }
       stable_overlap[c] = overlap_with_stiffness(model, c, stiffness_of(model, c, stable_overlap[c] + increase));

@@ -190,7 +190,7 @@ monitors measures : measure/wall_quantities.c
 search : core/neighbours.c core/grid.c core/grid.h core/mesh.c core/mesh.h core/blocks.c
 search records : core/array.h core/array.c
 search servo balance fracc configuration measures monitors elastic boundary : core/contacts.h
-search stability measures monitors : core/contacts.c core/history.c
+search stability measures monitors : core/contacts.c core/history.c core/incidence.c
 stability search elastic : measure/stability.c measure/stable_step.c laws/properties.c core/hertz_impact.h
 stability search elastic changes : laws/laws_now.c laws/laws_now.h
 stability search elastic fracc : measure/step.h

@@ -91,8 +91,8 @@ TEXT
 \`make bench-self\` counts the instructions of a cycle by callgrind
 ([tests/bench/instructions.sh](../tests/bench/instructions.sh)) and compares them with
 [the recorded table](performance/instructions.tsv). It fails if a function needs over 2 % more. The packing is the
-lattice with 1024 spheres, and the loops are those for AVX2. \`move\` sums the forces on each particle and integrates the
-motion. \`with_tangential_increment\` is the geometry of two particles, and \`with_shear\` resolves the forces.
+lattice with 1024 spheres, and the loops are those for AVX2. \`sum\` sums the forces on each particle, and \`move\` integrates
+the motion. \`with_tangential_increment\` is the geometry of two particles, and \`with_shear\` resolves the forces.
 
 TEXT
   instructions_table
