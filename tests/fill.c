@@ -334,6 +334,29 @@ static void no_overlap_across_edges(void) {
   }
 }
 
+/* Nor do images of particles overlap whose radii are a sixth of the cell, whichever side of the cell is longer. */
+static void no_overlap_of_large_particles(void) {
+  for (int seed = 1; seed <= 10; seed++) {
+    const bool upright = seed % 2;
+    const double width = upright ? 30 : 50, height = upright ? 50 : 30;
+    struct written it;
+    char page[512];
+    size_t overlaps = 0;
+    snprintf(page, sizeof page,
+             ROCK "cell -3 2 to %g %g\ngrading g 5 6 4 9\nfill discs cell g rock seed %d attempts 3000 else skip\n",
+             width - 3, height + 2, seed);
+    make(&it, page);
+    const struct nb_particle *at = it.scene.particles;
+    CU_ASSERT(it.scene.particle_count > 7);
+    for (size_t i = 0; i < it.scene.particle_count; i++)
+      for (size_t j = 0; j < i; j++)
+        overlaps += hypot(remainder(at[i].x - at[j].x, width), remainder(at[i].y - at[j].y, height)) <
+                    at[i].radius + at[j].radius - 1e-14;
+    CU_ASSERT_EQUAL(overlaps, 0);
+    written_free(&it);
+  }
+}
+
 /* The centres are also uniformly distributed over the hundredths of the width and of the height. So an error that
  * leaves a strip of 1 % at an edge empty is found. */
 static void uniform_in_a_cell(void) {
@@ -418,6 +441,7 @@ void suite_fill(void) {
   CU_add_test(suite, "a place across the edge by rounding is refused", across_the_edge_by_rounding);
   CU_add_test(suite, "the same bits", the_same_bits);
   CU_add_test(suite, "in a cell no overlap across the edges", no_overlap_across_edges);
+  CU_add_test(suite, "in a cell no overlap of large particles", no_overlap_of_large_particles);
   CU_add_test(suite, "in a cell uniform to the edges", uniform_in_a_cell);
   CU_add_test(suite, "in a cell any copy of existing particles", any_copy_of_existing_particles);
   CU_add_test(suite, "in a cell no particle overlaps its own image", one_that_fills_the_cell);
