@@ -79,12 +79,12 @@ static void list_conditions(char *text, size_t size, const struct nb_stage *stag
 
 /* "; its servo (line 12) ran at the largest rate in all cycles: raise `at most`"; empty for other stages. */
 static const char *servo_limit(char *text, size_t size, const struct nb_model *model) {
-  const bool limited = model->stage->servo.line && model->affine->servo_state.phase == NB_SERVO_LIMITED;
-  snprintf(text, size,
-           limited ? "; its servo (line %d) ran at the largest rate in all cycles: raise `at most RATE` of the servo, "
-                     "or the number of cycles"
-                   : "",
-           model->stage->servo.line);
+  text[0] = '\0';
+  if (model->stage->servo.line && model->affine->servo_state.phase == NB_SERVO_LIMITED)
+    snprintf(text, size,
+             "; its servo (line %d) ran at the largest rate in all cycles: raise `at most RATE` of the servo, or the "
+             "number of cycles",
+             model->stage->servo.line);
   return text;
 }
 
