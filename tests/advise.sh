@@ -154,7 +154,7 @@ run 2 advise named.md --quantity D.vx --within 0.1 && said 'the page has a value
 result $? 'a page whose own value is called refine'
 sed 's/^until.*/record every 10 cycles\ncycles 7/; s/kn 1$/kn 1e-6/' still.md >cycles.md
 run 0 advise cycles.md --quantity D.vx --within '1 %' -o cycles && said '--set refine=0.1428571429' && said '7 times as long as that of the page' &&
-  said 'the next longer step cannot be run: a longer step does not divide its stages into whole numbers of cycles' &&
+  said 'the next longer step cannot be run: a longer step does not divide the stages of the page into whole numbers of cycles' &&
   run 0 run cycles.md --set refine=0.1428571429 -o cycles && said '  1 cycles, '
 result $? 'a page with a number of cycles that is no power of two'
 # Linear springs a hundred times as soft allow ten times the step, if the quantity does not depend on the springs.

@@ -245,7 +245,7 @@ static void mistakes(void) { /* the column, from 1, and the message */
       {"2 3", "p:1:3: error: expected an operator, found `3`", false},
       {"2 a", "p:1:3: error: expected a unit or an operator, found `a`", false},
       {"2a", "p:1:2: error: expected a unit or an operator, found `a`", false},
-      {"2mm", "hint: put a space between the number and its unit: `mm`", false},
+      {"2mm", "hint: put a space between the number and the unit `mm`", false},
       {"2 N/a", "hint: a unit is one word, such as `kg/m3`; to divide put spaces around `/`", false},
       {"a mm", "p:1:3: error: expected an operator, found `mm`", false},
       {"2 mm mm", "p:1:6: error: expected an operator, found `mm`", false},

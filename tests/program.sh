@@ -425,7 +425,7 @@ out ' s; expected 56 to 74 cycles'
 sed 's/step 0.5/step 0.2 of stable/; s/^stage some/stage never/; s/D.x above 3/time above 1e9/' clock.md >never.md
 run 0 explain never.md
 out '  on, about 6 cycles'
-out '  never, does not end: line 19 does not hold within 10 cycles'
+out '  never, does not end: the condition on line 19 does not hold within 10 cycles'
 sed '/^stage last/,$s/100 cycles/40 cycles/' clock.md >late.md # with the earliest clock the condition is never met
 run 0 explain late.md
 out '  last, 34 to 40 cycles: the condition on line 21 decides'
@@ -434,7 +434,7 @@ run 0 explain last.md
 out '  last, 34 cycles'
 sed '/^stage last/,$s/100 cycles/33 cycles/' clock.md >short.md
 run 0 explain short.md
-out '  last, does not end: line 21 does not hold within 33 cycles'
+out '  last, does not end: the condition on line 21 does not hold within 33 cycles'
 sed '/^stage on/,/^until/s/time above 5/stage.time above 2/; /^stage last/,$s/time above 30/stage.time above 3/' clock.md >own.md
 run 0 explain own.md
 out '  on, 5 cycles'
@@ -487,7 +487,7 @@ verdict 'explain: the accuracy to expect of the step'
 
 # A reference refuses a law without the stiffness that it needs.
 run 2 check "$cases/4-oblique/grazing.md" --set law=mindlin --set 'theta=85 deg' --set normal=linear --set shear=linear
-said 'rebound is for a contact with friction'
+said 'the reference `rebound` is for a contact with friction'
 verdict 'a contact without normal stiffness for the theory of an impact'
 
 # ---- files of a run ----

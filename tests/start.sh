@@ -76,7 +76,7 @@ plan() {
     sed -n 's/ *[0-9]* pairs in the neighbour list//; /k_n\|bytes a \|^    [a-z(]\|^  [a-z]*, .*cycles/p' | grep -v '\.state: '
 }
 sed 's/^start .*/start smooth stage rest\nstep 0.05 of single-contact/; s/^stage .*/stage more/; s/^cycles .*/until time above 1e9 at most 9 cycles/; /^```expect/,/^```$/d' "$pages/saved-stage.md" >"$pages/smoother.md"
-plan "$pages/smoother.md" | sed 's/ 1 to 9 cycles.*/ does not end: line 32 does not hold within 9 cycles/' >"$work/before"
+plan "$pages/smoother.md" | sed 's/ 1 to 9 cycles.*/ does not end: the condition on line 32 does not hold within 9 cycles/' >"$work/before"
 "$nineball" explain "$pages/smoother.md" --states "$states" >"$work/out" && grep -q 'before stage `rest` of `smooth` is run' "$work/out" && grep -q '^  1 to 9 cycles$' "$work/out"
 result $? 'explain shows the plan before the state exists, with bounds of the cycles'
 step=$(sed -n '/^step$/{n;p}' "$work/out")

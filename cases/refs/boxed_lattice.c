@@ -158,15 +158,16 @@ static void add_stage(struct nb_solution *solution, const struct nb_scene *scene
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct lattice it;
   if (!find_lattice(&it, scene))
-    return nb_error_set(error, NB_BAD_USE,
-                        "boxed_lattice is for one `lattice discs` of touching discs in a box of the same stiffness");
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "the reference `boxed_lattice` is for one `lattice discs` of touching discs in a box of the same stiffness");
   struct state s = {scene->walls[0].h2 - scene->walls[0].h1, scene->walls[1].h2 - scene->walls[1].h1, 0, 0};
   for (size_t k = 0; k < scene->stage_count; k++) {
     enum control control;
     if (!read_stage(&control, &s, &scene->stages[k]))
-      return nb_error_set(
-          error, NB_BAD_USE,
-          "boxed_lattice is for stages that move walls by `box strain` and `servo ... through box` alone");
+      return nb_error_set(error, NB_BAD_USE,
+                          "the reference `boxed_lattice` is for stages that move walls by `box strain` and `servo ... "
+                          "through box` alone");
     s = equilibrium(&it, control, &s);
     add_stage(solution, scene, scene->stages[k].name, &s);
   }

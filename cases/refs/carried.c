@@ -95,8 +95,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (!right)
     return nb_error_set(
         error, NB_BAD_USE,
-        "carried is for an `affine strain` per cycle along the axes in one stage or two, `accumulated` in "
-        "the last only");
+        "the reference `carried` is for an `affine strain` per cycle along the axes in one stage or two, "
+        "with `accumulated` in the last stage only");
   for (size_t k = 0; k < scene->monitor_count; k++)
     if (scene->monitors[k].kind == NB_MONITOR_PARTICLE && !(add_value(solution, scene, &scene->monitors[k], false) &&
                                                             add_value(solution, scene, &scene->monitors[k], true)))

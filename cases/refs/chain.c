@@ -174,7 +174,7 @@ static enum nb_status add_monitors(struct nb_solution *solution, const struct nb
 }
 
 static enum nb_status refuse(struct nb_error *error, const char *what) {
-  return nb_error_set(error, NB_BAD_USE, "reference chain is for %s", what);
+  return nb_error_set(error, NB_BAD_USE, "the reference `chain` is for %s", what);
 }
 
 /* Sets the overlap; false: not all contacts have the same one, or the particles are not numbered in the order of x. */

@@ -108,7 +108,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   const struct nb_particle *particle = scene->particles;
   const struct nb_wall *wall = scene->walls;
   if (scene->particle_count != 1 || scene->wall_count != 1 || wall->h0 != 0)
-    return nb_error_set(error, NB_BAD_USE, "changed_law is for one sphere and one wall given by its ends");
+    return nb_error_set(error, NB_BAD_USE,
+                        "the reference `changed_law` is for one sphere and one wall given by its ends");
   const double dx = particle->x - wall->x, dy = particle->y - wall->y, away = dy * wall->ex - dx * wall->ey;
   const double side = away > 0 ? 1 : -1; /* e points from the particle to the wall, t is e turned clockwise */
   struct course it = {.pair = matter_pair(scene, particle->material, wall->material),
@@ -116,13 +117,14 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
                       .overlap = particle->radius - fabs(away),
                       .v = side * (wall->vx * wall->ex + wall->vy * wall->ey)};
   if (!(it.overlap > 0) || fabs(wall->vy * wall->ex - wall->vx * wall->ey) > 0 || !read_stages(&it, scene))
-    return nb_error_set(
-        error, NB_BAD_USE,
-        "changed_law is for a wall that moves tangentially, steps given as times, and a contact that does not slide");
+    return nb_error_set(error, NB_BAD_USE,
+                        "the reference `changed_law` is for a wall that moves tangentially, steps given as times, and "
+                        "a contact that does not slide");
   const double end = it.parts[it.count - 1].end, mass = matter_mass(scene, particle);
   const double most = fmax(it.pair.kn * it.overlap, 4. / 3 * it.pair.young * contact_radius(&it) * it.overlap);
   if (!(most * end * end / 2 < 1e-13 * mass * it.overlap))
-    return nb_error_set(error, NB_BAD_USE, "changed_law is for a sphere so heavy that its contact does not move it");
+    return nb_error_set(error, NB_BAD_USE,
+                        "the reference `changed_law` is for a sphere so heavy that its contact does not move it");
   for (size_t w = 0; w < scene->monitor_count; w++) {
     if (scene->monitors[w].kind != NB_MONITOR_PARTICLE_WALL)
       continue;

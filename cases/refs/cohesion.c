@@ -65,13 +65,14 @@ static bool read_stages(struct loading *loading, const struct nb_scene *scene) {
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct loading loading = {0};
   if (scene->particle_count != 1 || scene->wall_count != 3 || !read_stages(&loading, scene))
-    return nb_error_set(error, NB_BAD_USE,
-                        "cohesion is for one disc between two plates that press, shear and leave it, and a stop");
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "the reference `cohesion` is for one disc between two plates that press, shear and leave it, and a stop");
   const int particle = scene->particles[0].material;
   const struct matter_pair pair = matter_pair(scene, particle, scene->walls[0].material);
   const struct matter_pair stop = matter_pair(scene, particle, scene->walls[2].material);
   if (stop.friction > 0 || stop.cohesion > 0)
-    return nb_error_set(error, NB_BAD_USE, "cohesion is for a stop with neither friction nor cohesion");
+    return nb_error_set(error, NB_BAD_USE, "the reference `cohesion` is for a stop with neither friction nor cohesion");
   const double normal = pair.kn * loading.approach / 2, limit = normal * pair.friction + pair.cohesion;
   const double sticking = pair.ks * loading.travel / (1 + 2 * pair.ks / stop.kn);
   const double shear = fabs(sticking) < limit ? sticking : copysign(limit, sticking);

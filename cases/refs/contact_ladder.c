@@ -1,16 +1,17 @@
 /* Reference: the shear laws along a path of tangential displacement at constant normal force, each in closed form.
  *
- * In dimensionless numbers t = T/mu N, d = delta/A, A = 3 mu N/(16 G* a), a branch that begins at (t0, d0) in the
- * direction s = 1 or -1 is
+ * N and T are the normal and the shear force, delta is the tangential displacement, a the contact radius and mu the
+ * friction coefficient. In dimensionless numbers t = T/mu N, d = delta/A, A = 3 mu N/(16 G* a), a branch that begins at
+ * (t0, d0) in the direction s = 1 or -1 is
  *
  *   t = t0 + s (1 - (1 - |d - d0|)^(3/2))               virgin loading                                      [R89 3.25]
  *   t = t0 + 2 s (1 - (1 - |d - d0|/2)^(3/2))           any later branch                              [R89 3.40, 3.50]
  *
  * A branch that returns to where the previous branch began is erased together with the previous branch.
  * mindlin_deresiewicz keeps all branches; randall keeps three and moves back and forth on the third. So does
- * randall_literal, but [R89 4.24] as printed has T*, where the second branch began, in place of T**. With u the
- * distance of t from T* over mu N, and u0 its value at the beginning of the branch, the third branch of randall_literal
- * is
+ * randall_literal, but [R89 4.24] as printed has T*, the T at which the second branch began, in place of T**, the T at
+ * which the third one began. With u the distance of t from T* over mu N, and u0 its value at the beginning of the
+ * branch, the third branch of randall_literal is
  *
  *   (1 + u/2)^(2/3) = (1 + u0/2)^(2/3) - |d - d0|/2     which is stiffer than a contact that sticks everywhere
  *
@@ -18,8 +19,8 @@
  *
  * Returns shear (N) and work.shear (J) at each step and at the end of each segment, and `psi2 error`. This is the
  * largest error of the law in the rebound of an oblique impact (impact_laws.c, impact_springs.c) for 0.1 <= psi1 <= 6,
- * with the nu of the page. randall_literal has no `psi2 error`, because it does not converge there. The work is
- * integrated by Simpson's rule in 32 parts of a step.
+ * with the Poisson's ratio of the page. randall_literal has no `psi2 error`, because it does not converge there. The
+ * work is integrated by Simpson's rule in 32 parts of a step.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -186,7 +187,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (path_contact(&contact, scene, "contact_ladder", error))
     return error->status;
   if (which == sizeof laws / sizeof *laws)
-    return nb_error_set(error, NB_BAD_USE, "contact_ladder does not cover `shear %s`", scene->shear);
+    return nb_error_set(error, NB_BAD_USE, "the reference `contact_ladder` does not cover `shear %s`", scene->shear);
   const struct nb_particle *particles = scene->particles;
   const int other = scene->particle_count == 1 ? scene->walls[0].material : particles[1].material;
   struct path_column *columns[COLUMNS];
@@ -202,8 +203,9 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     else
       free(columns[c]);
   if (made && !solved)
-    return nb_error_set(error, NB_BAD_USE,
-                        "contact_ladder is for segments of tangential displacement at one normal force");
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "the reference `contact_ladder` is for segments of tangential displacement at one normal force");
   const bool exact = laws[which].branches == BRANCHES;
   if (!laws[which].literal)
     solution_value(solution, exact ? 0 : psi2_error(scene->shear, contact.kappa), "psi2 error");

@@ -73,7 +73,7 @@ static double smallest_gap(const struct nb_scene *scene) {
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const bool alone = scene->fill_count == 1 && scene->fills[0].count == scene->particle_count;
   if (!alone)
-    return nb_error_set(error, NB_BAD_USE, "filling is for one `fill` and no other particles");
+    return nb_error_set(error, NB_BAD_USE, "the reference `filling` is for one `fill` and no other particles");
   for (size_t w = 0; w < scene->monitor_count; w++) {
     const struct nb_monitor *monitor = &scene->monitors[w];
     if (monitor->kind == NB_MONITOR_GRADING || monitor->kind == NB_MONITOR_SIZE)

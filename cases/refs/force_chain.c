@@ -45,13 +45,14 @@ static bool is_row(const struct nb_scene *scene, double ux, double uy, double sp
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const size_t n = scene->particle_count;
   if (n < 2 || scene->wall_count != 2)
-    return nb_error_set(error, NB_BAD_USE, "force_chain is for a row of discs between two walls");
+    return nb_error_set(error, NB_BAD_USE, "the reference `force_chain` is for a row of discs between two walls");
   const struct nb_particle *first = &scene->particles[0], *last = &scene->particles[n - 1];
   const double length = hypot(last->x - first->x, last->y - first->y), R = first->radius;
   const double ux = (last->x - first->x) / length, uy = (last->y - first->y) / length;
   const double overlap = 2 * R - length / (double)(n - 1);
   if (!is_row(scene, ux, uy, length / (double)(n - 1)))
-    return nb_error_set(error, NB_BAD_USE, "force_chain is for equal discs at equal distances on a straight line");
+    return nb_error_set(error, NB_BAD_USE,
+                        "the reference `force_chain` is for equal discs at equal distances on a straight line");
   const double force = matter_pair(scene, first->material, first->material).kn * overlap;
   const double between_walls = length + 2 * (R - overlap); /* from wall to wall, if these have the same overlap */
   for (int w = 0; w < 2; w++) {
@@ -59,9 +60,10 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     const struct nb_particle *end = hypot(wall->x - first->x, wall->y - first->y) < length / 2 ? first : last;
     const double distance = fabs((end->x - wall->x) * wall->ey - (end->y - wall->y) * wall->ex);
     if (fabs(R - distance - overlap) > 1e-9 * overlap || fabs(wall->ex * ux + wall->ey * uy) > 1e-12)
-      return nb_error_set(error, NB_BAD_USE,
-                          "force_chain is for walls normal to the row that overlap its end discs as much as the discs "
-                          "overlap each other");
+      return nb_error_set(
+          error, NB_BAD_USE,
+          "the reference `force_chain` is for walls normal to the row that overlap its end discs as much as the discs "
+          "overlap each other");
   }
   const double u[] = {ux * ux, ux * uy, uy * uy};
   for (size_t k = 0; k < scene->monitor_count; k++) {

@@ -1,9 +1,10 @@
 /* Reference: R89's FRACC of one disc that oscillates between two walls that it touches, or moves on a circle between
  * four walls.
  *
- * r = (x, y) is the position of the disc from the middle, r_n after n cycles. With w^2 = 2 k_n/m and h = w dt/2 the
- * cycle is  r_(n+1) = 2 r_n - r_(n-1) - 4 h^2 r_n  in x and y separately, with x_1 = x_0 (1 - 2 h^2) from rest and
- * y_1 = v_y dt from the middle. The sum of forces is -2 k_n r, so [R89 4.36-4.40] gives
+ * r = (x, y) is the position of the disc from the middle, r_n after n cycles; m is its mass and k_n the stiffness of a
+ * contact. With w^2 = 2 k_n/m and h = w dt/2 the cycle is  r_(n+1) = 2 r_n - r_(n-1) - 4 h^2 r_n  in x and y
+ * separately, with x_1 = x_0 (1 - 2 h^2) from rest and y_1 = v_y dt from the middle. The sum of forces is -2 k_n r, so
+ * [R89 4.36-4.40] gives
  *
  *   FRACC = h (| |r_(n+1)| - |r_n| | / |r_(n+1) - r_n|)^(1/2)
  *
@@ -37,14 +38,14 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (scene->particle_count != 1 || scene->wall_count != 4 || stage->step.kind != NB_STEP_SINGLE_CONTACT ||
       scene->stage_count != 1 || disc->y != 0 || disc->vx != 0)
     return nb_error_set(error, NB_BAD_USE,
-                        "reference fracc is for one disc between four walls, `step F of single-contact`");
+                        "the reference `fracc` is for one disc between four walls, with `step F of single-contact`");
   const double kn = matter_pair(scene, disc->material, scene->walls[0].material).kn;
   const double h = stage->step.value * sqrt(2); /* two springs: w^2 = 2 k/m */
   const double dt = 2 * h / sqrt(2 * kn / matter_mass(scene, disc));
   double hy = 0; /* no walls that touch in y */
   for (int w = 0; w < 4; w++) {
     if (matter_pair(scene, disc->material, scene->walls[w].material).kn != kn)
-      return nb_error_set(error, NB_BAD_USE, "reference fracc is for walls of one stiffness");
+      return nb_error_set(error, NB_BAD_USE, "the reference `fracc` is for walls of one stiffness");
     hy = scene->walls[w].ex != 0 && fabs(scene->walls[w].y) < disc->radius ? h : hy;
   }
   struct position before = {disc->x, 0}, now = {disc->x * (1 - 2 * h * h), disc->vy * dt};

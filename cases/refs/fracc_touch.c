@@ -1,13 +1,12 @@
 /* Reference: R89's FRACC of a disc at rest that an equal disc strikes head-on, with the velocity v along x.
  *
  * The first force F_1 = k a_1 acts on a disc that has not moved yet; FRACC is defined as 0 as long as a disc has no
- * displacement. In the next step the disc, of the
- * mass m, moves by F_1 dt^2/m while the force grows to
+ * displacement. In the next step the disc moves by F_1 dt^2/m while the force grows to
  *
  *   F_2 = k (a_1 + (v - 2 F_1 dt/m) dt),      FRACC = (1/2) (|F_2 - F_1|/F_1)^(1/2)                     [R89 4.36-4.40]
  *
- * This is the largest value for both discs during the contact if the step is short. a_1 is the overlap after the first
- * whole number of steps that closes the gap.
+ * with the mass m and the stiffness k. This is the largest value for both discs during the contact if the step is
+ * short. a_1 is the overlap after the first whole number of steps that closes the gap.
  *
  * Returns step.fracc max.
  * Accepts two equal discs, the second at rest, linear springs, no damping, `step F of single-contact`. Error: rounding
@@ -23,8 +22,9 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   const struct nb_particle *a = &scene->particles[0], *b = &scene->particles[1];
   if (scene->particle_count != 2 || a->vx <= 0 || b->vx != 0 || a->material != b->material || a->radius < b->radius ||
       a->radius > b->radius || a->vy != 0 || scene->step.kind != NB_STEP_SINGLE_CONTACT)
-    return nb_error_set(error, NB_BAD_USE,
-                        "reference fracc_touch is for two equal discs, the first of which strikes the second along x");
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "the reference `fracc_touch` is for two equal discs, the first of which strikes the second along x");
   const double mass = matter_mass(scene, a), k = matter_pair(scene, a->material, b->material).kn;
   const double step = scene->step.value * 2 * sqrt(mass / k), gap = b->x - a->x - a->radius - b->radius;
   const double first = (floor(gap / (a->vx * step)) + 1) * a->vx * step - gap;

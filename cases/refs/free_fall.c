@@ -1,7 +1,8 @@
 /* Reference: a particle falls on a wall with a spring and a dashpot and bounces: piecewise closed form.
  *
  * u is the height of the centre above the position where the particle just touches, v = u', and t is the time since the
- * beginning of the piece, where u = u0 and v = v0. m is the mass, k the stiffness and c the coefficient of the dashpot.
+ * beginning of the piece, where u = u0 and v = v0. m is the mass, k the stiffness, c the coefficient of the dashpot and
+ * g the gravity.
  *
  *   flight    u = u0 + v0 t - g t^2/2                                            until u = 0
  *   contact   m u'' = -m g - k u - c u',  w^2 = k/m,  b = c/(2 m),  w'^2 = w^2 - b^2
@@ -111,10 +112,10 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     return error->status;
   if (scene->gravity.x != 0 || particle.height < particle.radius)
     return nb_error_set(error, NB_BAD_USE,
-                        "free_fall is for a particle dropped straight down, from rest, above the wall");
+                        "the reference `free_fall` is for a particle dropped straight down, from rest, above the wall");
   const double w = sqrt(particle.pair.kn / particle.m), b = particle.cn / (2 * particle.m);
   if (!(b < w))
-    return nb_error_set(error, NB_BAD_USE, "free_fall is for less than critical damping");
+    return nb_error_set(error, NB_BAD_USE, "the reference `free_fall` is for less than critical damping");
   struct fall fall = {
       .g = particle.gravity_n, .w = w, .b = b, .damped = sqrt(w * w - b * b), .radius = particle.radius};
   fall.floor = scene->walls[0].y;

@@ -31,7 +31,7 @@ double hertz_force(const struct hertz *hertz, double overlap) {
 }
 
 static enum nb_status refuse(const char *reference, const char *what, struct nb_error *error) {
-  return nb_error_set(error, NB_BAD_USE, "%s is for %s", reference, what);
+  return nb_error_set(error, NB_BAD_USE, "the reference `%s` is for %s", reference, what);
 }
 
 /* Whether the wall has a constant velocity. */

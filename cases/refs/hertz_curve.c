@@ -94,7 +94,7 @@ static bool symmetric(const struct nb_scene *scene) {
 }
 
 static enum nb_status refuse(struct nb_error *error, const char *what) {
-  return nb_error_set(error, NB_BAD_USE, "hertz_curve is for %s", what);
+  return nb_error_set(error, NB_BAD_USE, "the reference `hertz_curve` is for %s", what);
 }
 
 /* The contacts from the lower wall to the upper one. */

@@ -2,8 +2,8 @@
  *
  *   m* alpha'' = -K alpha^(3/2) - c alpha',   c = 2 beta (m* 2 E* a)^(1/2),   a^2 = R* alpha        [R89 4.13, 5.6]
  *
- * hertz_motion.c solves it for s = alpha/alpha*. Integration with s' as the independent variable finds the largest
- * overlap, integration with s as the independent variable finds the end of the contact.
+ * in the symbols of hertz.h. hertz_motion.c solves it for s = alpha/alpha*. Integration with s' as the independent
+ * variable finds the largest overlap, integration with s as the independent variable finds the end of the contact.
  *
  * The dashpot acts, and at the end pulls, while the overlap is positive, as in the simulator: the contact ends when the
  * overlap is 0 again. For beta >= (5/6)^(1/2) = 0.9129 it does not end. hertz_restitution computes the restitution in

@@ -1,4 +1,5 @@
 /* Reference: Hertz's impact of two elastic spheres, or of a sphere on a wall: quadrature and its inverse.
+ * The symbols are those of hertz.h.
  *
  *   alpha* = (5 m* V_N^2/(4 K))^(2/5),   N* = K alpha*^(3/2)                                    [R89 5.5, 5.9]
  *   t = (alpha* / V_N) Int_0^(alpha/alpha*) ds/(1 - s^(5/2))^(1/2)   up to alpha*                [R89 5.10]

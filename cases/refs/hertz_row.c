@@ -53,14 +53,15 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   const size_t n = scene->particle_count;
   if (!fits(scene))
     return nb_error_set(error, NB_BAD_USE,
-                        "hertz_row is for a row of spheres along x, from a first wall to a second one");
+                        "the reference `hertz_row` is for a row of spheres along x, from a first wall to a second one");
   double overlap = scene->walls[0].x - scene->walls[1].x, compliance = 0, largest = 0;
   for (size_t i = 0; i < n; i++)
     overlap += 2 * scene->particles[i].radius;
   for (size_t c = 0; c <= n; c++)
     compliance += pow(hertz_constant(scene, c), -2 / 3.);
   if (!(overlap > 0))
-    return nb_error_set(error, NB_BAD_USE, "hertz_row is for a row that is longer than the distance of its walls");
+    return nb_error_set(error, NB_BAD_USE,
+                        "the reference `hertz_row` is for a row that is longer than the distance between its walls");
   const double force = pow(overlap / compliance, 1.5);
   for (size_t i = 0; i + 1 < n; i++)
     largest = fmax(largest, rate2(scene, i, force) + rate2(scene, i + 1, force));

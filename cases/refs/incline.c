@@ -106,8 +106,9 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     return error->status;
   struct plane plane = {.q = particle.q, .mu = particle.pair.friction, .radius = particle.radius};
   if (!read_stages(&plane, scene, particle.step) || !slides_to_the_end(&plane))
-    return nb_error_set(error, NB_BAD_USE,
-                        "incline is for stages that only increase the inclination once the particle slides");
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "the reference `incline` is for stages that only increase the inclination once the particle slides");
   for (int s = 0; s < plane.count; s++) {
     single_add(solution, particle.particle, "vx", scene->stages[s].name, vx_at(&plane, plane.begin[s + 1]));
     single_add(solution, particle.particle, "spin", scene->stages[s].name, spin_at(&plane, plane.begin[s + 1]));

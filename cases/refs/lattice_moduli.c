@@ -66,7 +66,7 @@ static void add_value(struct nb_solution *solution, const struct lattice *it, co
 }
 
 static enum nb_status refuse(struct nb_error *error, const char *what) {
-  return nb_error_set(error, NB_BAD_USE, "reference lattice_moduli is for %s", what);
+  return nb_error_set(error, NB_BAD_USE, "the reference `lattice_moduli` is for %s", what);
 }
 
 /* The number of particles, with periodic copies, that touch particle 1; the spacing is the distance to the nearest. */

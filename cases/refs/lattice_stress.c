@@ -94,8 +94,9 @@ static void add_region(struct nb_solution *solution, const char *name, const str
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct lattice lattice;
   if (!find_lattice(&lattice, scene) || scene->wall_count > 0 || strcmp(scene->normal, "linear") != 0)
-    return nb_error_set(error, NB_BAD_USE,
-                        "lattice_stress is for equal discs with linear springs in a lattice, without walls");
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "the reference `lattice_stress` is for equal discs with linear springs in a lattice, without walls");
   const int m = scene->particles[0].material;
   for (size_t w = 0; w < scene->monitor_count; w++) {
     if (scene->monitors[w].kind != NB_MONITOR_REGION)
@@ -103,7 +104,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     const struct nb_region *region = &scene->regions[scene->monitors[w].a];
     const double cells = 4 * region->half_x * region->half_y / lattice.area;
     if (region->kind != NB_REGION_BOX || fabs(cells - round(cells)) > 1e-9)
-      return nb_error_set(error, NB_BAD_USE, "lattice_stress is for regions that are boxes of whole cells");
+      return nb_error_set(error, NB_BAD_USE,
+                          "the reference `lattice_stress` is for regions that are boxes of whole cells");
     add_region(solution, scene->monitors[w].name, &lattice, scene->particles[0].radius, matter_pair(scene, m, m).kn);
   }
   return solution_status(solution, error);

@@ -14,8 +14,8 @@
  *   K_up = -sum 2 k_s R sin phi n                K_pp = sum 2 k_s R^2 (1 + cos phi)
  *
  * (^T for the transpose) and w^2 are the eigenvalues of M^(-1/2) K M^(-1/2), M = (m, m, I). Without rotation there is
- * no psi. The motion begins with the velocities V and without displacements, so the velocity
- * in each mode varies as cos(w t).
+ * no psi. The motion begins with the velocities V and without displacements, so the velocity in each mode varies as
+ * cos(w t).
  *
  * Returns, for D that monitors a particle:   D.vx, D.vy, D.spin along time
  * Exact in continuous time for small amplitudes; terms of the order of u/s are neglected. The phase of a run is ahead
@@ -86,7 +86,7 @@ struct wave {
 };
 
 static enum nb_status refuse(struct nb_error *error, const char *what) {
-  return nb_error_set(error, NB_BAD_USE, "reference lattice_waves is for %s", what);
+  return nb_error_set(error, NB_BAD_USE, "the reference `lattice_waves` is for %s", what);
 }
 
 static double phase(const struct nb_scene *scene, const struct nb_particle *particle, double qx, double qy) {

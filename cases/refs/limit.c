@@ -5,8 +5,8 @@
  *   w <- keep w - gain (dt^2 K u + dt C w),    u <- u + w
  *
  * The dashpot acts on the velocity of the previous half step. The cycle maps (u, w) to new values, and the step is too
- * long when the matrix of this map has an eigenvalue outside the unit circle. At the limit that eigenvalue is -1, and u and w change sign every cycle. Inserted into the
- * cycle, this gives det(dt^2 K + 2 dt C - 2 (1 + keep)/gain) = 0.
+ * long when the matrix of this map has an eigenvalue outside the unit circle. At the limit that eigenvalue is -1, and u
+ * and w change sign every cycle. Inserted into the cycle, this gives det(dt^2 K + 2 dt C - 2 (1 + keep)/gain) = 0.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "limit.h"

@@ -23,14 +23,14 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   const struct nb_strain_rate *strain = last ? &last->affine.strain : NULL;
   if (!last || !last->affine.line || !last->affine.accumulated || !strain->per_cycle || strain->xx != -strain->yy ||
       strain->xy != 0 || strain->yx != 0 || last->step.kind != NB_STEP_RAYLEIGH_FIT_MEAN || last->damping.global_kind)
-    return nb_error_set(
-        error, NB_BAD_USE,
-        "literal_field is for a last stage with `affine strain E -E accumulated` per cycle, a step that "
-        "is a fraction of rayleigh-fit-mean, and no damping except at contacts");
+    return nb_error_set(error, NB_BAD_USE,
+                        "the reference `literal_field` is for a last stage with `affine strain E -E accumulated` per "
+                        "cycle, a step that "
+                        "is a fraction of rayleigh-fit-mean, and no damping except at contacts");
   double mass = 0, radius = 0;
   for (size_t k = 0; k < scene->particle_count; k++) {
     if (scene->particles[k].material != scene->particles[0].material)
-      return nb_error_set(error, NB_BAD_USE, "literal_field is for particles of one material");
+      return nb_error_set(error, NB_BAD_USE, "the reference `literal_field` is for particles of one material");
     mass += matter_mass(scene, &scene->particles[k]), radius += scene->particles[k].radius;
   }
   mass /= (double)scene->particle_count, radius /= (double)scene->particle_count;

@@ -43,9 +43,9 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     return error->status;
   if (scene->gravity.x != 0 || !(particle.height > particle.radius) || !(particle.gravity_n > 0) ||
       !(particle.cn < 2 * sqrt(particle.pair.kn * particle.m)))
-    return nb_error_set(
-        error, NB_BAD_USE,
-        "many_bounces is for a particle dropped straight down, from rest, with less than critical damping");
+    return nb_error_set(error, NB_BAD_USE,
+                        "the reference `many_bounces` is for a particle dropped straight down, from rest, with less "
+                        "than critical damping");
   const double w = sqrt(particle.pair.kn / particle.m), b = particle.cn / (2 * particle.m * w), g = particle.gravity_n;
   double rise = particle.height - particle.radius; /* of the centre above first contact, m */
   for (size_t s = 0; s < scene->stage_count; s++) {
@@ -54,7 +54,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
       continue;
     const double v = sqrt(2 * g * rise), e = restitution(b, g / (w * v));
     if (!isfinite(e))
-      return nb_error_set(error, NB_BAD_USE, "many_bounces is for a particle that leaves the wall again");
+      return nb_error_set(error, NB_BAD_USE,
+                          "the reference `many_bounces` is for a particle that leaves the wall again");
     rise *= e * e;
     single_add(solution, particle.particle, "y", stage->name, scene->walls[0].y + particle.radius + rise);
   }

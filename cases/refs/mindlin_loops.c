@@ -194,7 +194,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
       free(columns[c]);
   free(loops);
   if (made && !constant)
-    return nb_error_set(error, NB_BAD_USE, "mindlin_loops is for a normal force that is constant once there is shear");
+    return nb_error_set(error, NB_BAD_USE,
+                        "the reference `mindlin_loops` is for a normal force that is constant once there is shear");
   return made ? solution_status(solution, error) : nb_error_memory(error);
 }
 

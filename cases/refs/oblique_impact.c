@@ -87,7 +87,7 @@ static enum nb_status refuse(const struct nb_scene *scene, struct nb_error *erro
   for (size_t s = 0; s < scene->stage_count && !why; s++)
     if (scene->stages[s].motion_count)
       why = "a wall whose velocity no stage changes";
-  return why ? nb_error_set(error, NB_BAD_USE, "oblique_impact is for %s", why) : NB_OK;
+  return why ? nb_error_set(error, NB_BAD_USE, "the reference `oblique_impact` is for %s", why) : NB_OK;
 }
 
 /* A curve: equal steps from first contact to separation, then a straight line. */
@@ -190,7 +190,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   struct pair p;
   read_pair(&p, scene);
   if (!(p.vn > 0) || !(p.friction > 0))
-    return nb_error_set(error, NB_BAD_USE, "oblique_impact is for a contact with friction");
+    return nb_error_set(error, NB_BAD_USE, "the reference `oblique_impact` is for a contact with friction");
   struct impact_path path;
   const double chi = p.inverse * p.mass / (2 * p.kappa), psi1 = p.vt / (p.friction * p.kappa * p.vn);
   const bool exact = strcmp(scene->shear, "mindlin_deresiewicz") == 0;

@@ -83,7 +83,7 @@ static int slope(double time, const double y[], double dydt[], void *data) {
 }
 
 static enum nb_status refuse(struct nb_error *error, const char *what) {
-  return nb_error_set(error, NB_BAD_USE, "one_contact is for %s", what);
+  return nb_error_set(error, NB_BAD_USE, "the reference `one_contact` is for %s", what);
 }
 
 static void put_particle(struct pair *pair, double y[], const struct nb_scene *scene, int k) {

@@ -87,10 +87,11 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   double contacts = 0;
   if (scene->packing_count != 1 || scene->packings[0].count != scene->particle_count ||
       strcmp(scene->normal, "linear") != 0)
-    return nb_error_set(error, NB_BAD_USE, "packing is for one `packing`, no other particles, and `normal linear`");
+    return nb_error_set(error, NB_BAD_USE,
+                        "the reference `packing` is for one `packing`, no other particles, and `normal linear`");
   FILE *file = open_state(scene);
   if (!file)
-    return nb_error_set(error, NB_BAD_USE, "packing needs a state beside %.200s that ends in .state",
+    return nb_error_set(error, NB_BAD_USE, "the reference `packing` needs a state beside %.200s that ends in .state",
                         scene->packings[0].path);
   while (fgets(line, sizeof line, file)) {
     if (begins(line, "body "))

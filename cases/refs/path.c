@@ -10,7 +10,7 @@
 enum nb_status path_contact(struct path_contact *contact, const struct nb_scene *scene, const char *reference,
                             struct nb_error *error) {
   if (!scene->contact_test || strcmp(scene->normal, "hertz") != 0)
-    return nb_error_set(error, NB_BAD_USE, "%s is for a contact test with `normal hertz`", reference);
+    return nb_error_set(error, NB_BAD_USE, "the reference `%s` is for a contact test with `normal hertz`", reference);
   const struct nb_particle *particles = scene->particles;
   const bool wall = scene->particle_count == 1;
   const struct matter_pair pair =

@@ -86,7 +86,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (path_contact(&contact.elastic, scene, "path_no_slip", error))
     return error->status;
   if (!contact.linear && !contact.scaled && strcmp(scene->shear, "mindlin") != 0)
-    return nb_error_set(error, NB_BAD_USE, "path_no_slip does not cover `shear %s`", scene->shear);
+    return nb_error_set(error, NB_BAD_USE, "the reference `path_no_slip` does not cover `shear %s`", scene->shear);
   const struct nb_particle *particles = scene->particles;
   contact.ks = matter_pair(scene, particles[0].material,
                            scene->particle_count == 1 ? scene->walls[0].material : particles[1].material)
@@ -101,7 +101,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     else
       free(columns[c]);
   if (made && !sticks)
-    return nb_error_set(error, NB_BAD_USE, "path_no_slip is for a path without sliding");
+    return nb_error_set(error, NB_BAD_USE, "the reference `path_no_slip` is for a path without sliding");
   return made ? solution_status(solution, error) : nb_error_memory(error);
 }
 

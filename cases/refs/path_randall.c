@@ -176,7 +176,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (path_contact(&contact.elastic, scene, "path_randall", error))
     return error->status;
   if (!contact.literal && strcmp(scene->shear, "randall") != 0)
-    return nb_error_set(error, NB_BAD_USE, "path_randall is for `shear randall` and `shear randall_literal`, not `%s`",
+    return nb_error_set(error, NB_BAD_USE,
+                        "the reference `path_randall` is for `shear randall` and `shear randall_literal`, not `%s`",
                         scene->shear);
   bool made = true;
   for (int c = 0; c < COLUMNS; c++)
@@ -188,9 +189,10 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     else
       free(columns[c]);
   if (made && !covered)
-    return nb_error_set(error, NB_BAD_USE,
-                        "path_randall is for overlap and slip, or normal force and slip, that change in turns, without "
-                        "gross sliding and without unloading beyond the opposite of T*");
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "the reference `path_randall` is for overlap and slip, or normal force and slip, that change in turns, without "
+        "gross sliding and without unloading beyond the opposite of T*");
   return made ? solution_status(solution, error) : nb_error_memory(error);
 }
 

@@ -78,9 +78,10 @@ static bool fits(const struct nb_scene *scene) {
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_particle *left = &scene->particles[0], *right = &scene->particles[1], *small = &scene->particles[2];
   if (!fits(scene))
-    return nb_error_set(error, NB_BAD_USE,
-                        "pinched is for spheres of one material: two equal fixed ones that approach each other along "
-                        "x, and a third one at rest between them above the line");
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "the reference `pinched` is for spheres of one material: two equal fixed ones that approach each other along "
+        "x, and a third one at rest between them above the line");
   const struct nb_material *glass = &scene->materials[small->material];
   const double R = right->radius, r = small->radius;
   struct pinch pinch = {.stiffness =

@@ -51,7 +51,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
       !(x->vx > y->vx) || !(y->x - x->x > x->radius + y->radius) || x->y < y->y || x->y > y->y)
     return nb_error_set(
         error, NB_BAD_USE,
-        "reference rayleigh_cycle is for two particles of one material that collide along x, and `step F of "
+        "the reference `rayleigh_cycle` is for two particles of one material that collide along x, and `step F of "
         "rayleigh-fit-mean`");
   const double m[2] = {matter_mass(scene, x), matter_mass(scene, y)}, sum = m[0] + m[1];
   const double young = matter_pair(scene, x->material, y->material).young;

@@ -148,12 +148,12 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
       (strcmp(scene->shear, "mindlin_deresiewicz") != 0 || strcmp(scene->normal, "hertz") != 0))
     why = "`normal hertz` with `shear mindlin_deresiewicz`, or for gross sliding throughout, impact.psi1 >= 4 chi";
   if (why)
-    return nb_error_set(error, NB_BAD_USE, "rebound is for %s", why);
+    return nb_error_set(error, NB_BAD_USE, "the reference `rebound` is for %s", why);
   const double psi2 = psi_after(&it, psi1);
   if (isnan(psi2))
     return nb_error_memory(error);
   if (isinf(psi2))
-    return nb_error_set(error, NB_BAD_USE, "rebound is for %s", separation);
+    return nb_error_set(error, NB_BAD_USE, "the reference `rebound` is for %s", separation);
   add_values(solution, scene, &it, psi1, psi2);
   return solution_status(solution, error);
 }

@@ -23,7 +23,7 @@
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   if (scene->particle_count != 1 || scene->wall_count != 1)
-    return nb_error_set(error, NB_BAD_USE, "rigid_impact is for one particle and one wall");
+    return nb_error_set(error, NB_BAD_USE, "the reference `rigid_impact` is for one particle and one wall");
   const struct nb_particle *particle = &scene->particles[0];
   const struct nb_wall *wall = &scene->walls[0];
   const struct matter_pair pair = matter_pair(scene, particle->material, wall->material);

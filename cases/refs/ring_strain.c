@@ -129,9 +129,10 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   struct strained it = {.centre = {scene->circle.x, scene->circle.y}, .accumulated = stage->affine.accumulated};
   if (scene->stage_count != 1 || !scene->circle.line || !stage->affine.line || !rate->per_cycle ||
       rate->xy != rate->yx || !equal_rates(rate, &stage->boundary.strain) || !(scene->step.value > 0))
-    return nb_error_set(error, NB_BAD_USE,
-                        "ring_strain is for one stage with the same symmetric strain per cycle in `boundary strain` "
-                        "and `affine strain`");
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "the reference `ring_strain` is for one stage with the same symmetric strain per cycle in `boundary strain` "
+        "and `affine strain`");
   it.keep = kept_fraction(&stage->damping);
   find_axes(&it, rate);
   double energy = 0;
@@ -141,10 +142,11 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
       energy += matter_mass(scene, particle) * (particle->vx * particle->vx + particle->vy * particle->vy) / 2;
   }
   if (!(it.keep < 1 || energy == 0) || (it.accumulated && (energy > 0 || it.keep < 1)))
-    return nb_error_set(error, NB_BAD_USE,
-                        "ring_strain is for `damping con1` if particles have velocities, and for `accumulated` without "
-                        "damping and with "
-                        "particles at rest");
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "the reference `ring_strain` is for `damping con1` if particles have velocities, and for `accumulated` without "
+        "damping and with "
+        "particles at rest");
   for (size_t w = 0; w < scene->monitor_count; w++) {
     const struct nb_monitor *monitor = &scene->monitors[w];
     if (monitor->kind != NB_MONITOR_PARTICLE)

@@ -82,8 +82,9 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (scene->particle_count != 1 || scene->wall_count != 1 || scene->walls[0].ey != 0 ||
       scene->walls[0].y > particle->y || scene->gravity.x != 0 || !(scene->gravity.y < 0) || !(particle->vx > 0) ||
       particle->vy != 0)
-    return nb_error_set(error, NB_BAD_USE,
-                        "rotation_off is for one particle that moves in +x on a level floor, under gravity");
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "the reference `rotation_off` is for one particle that moves in +x on a level floor, under gravity");
   const struct matter_pair pair = matter_pair(scene, particle->material, scene->walls[0].material);
   struct motion m = {
       .v = particle->vx, .w = particle->spin, .r = particle->radius, .mu = pair.friction, .rotates = true};
@@ -93,11 +94,13 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     const struct nb_stage *stage = &scene->stages[s];
     char name[2 * NB_NAME_SIZE];
     if (!begin_stage(&m, stage) || !(m.mu > 0) || m.slip < 0)
-      return nb_error_set(error, NB_BAD_USE,
-                          "rotation_off is for a step given as a time, stages that change only `rotation` and the "
-                          "friction of the pair, and a contact point that moves in +x");
+      return nb_error_set(
+          error, NB_BAD_USE,
+          "the reference `rotation_off` is for a step given as a time, stages that change only `rotation` and the "
+          "friction of the pair, and a contact point that moves in +x");
     if (stage->condition_count && !ends_with_sliding(stage))
-      return nb_error_set(error, NB_BAD_USE, "rotation_off is for stages that end with `until C.sliding below X`");
+      return nb_error_set(error, NB_BAD_USE,
+                          "the reference `rotation_off` is for stages that end with `until C.sliding below X`");
     advance(&m, stage->condition_count ? sliding_time(&m) : (double)stage->cycles * stage->step.value);
     add_value(solution, scene, stage->name, "vx", m.v), add_value(solution, scene, stage->name, "spin", m.w);
     snprintf(name, sizeof name, "time in %s", stage->name);

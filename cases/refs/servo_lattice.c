@@ -125,7 +125,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (!fits(scene))
     return nb_error_set(
         error, NB_BAD_USE,
-        "servo_lattice is for a square lattice of equal discs in a rectangular cell, `normal linear`, `shear linear`, "
+        "the reference `servo_lattice` is for a square lattice of equal discs in a rectangular cell, `normal linear`, "
+        "`shear linear`, "
         "a step given as a time, and stages with `cycles N` that strain the cell without rotation, or control it with "
         "a "
         "servo, at rates in 1/s");

@@ -120,10 +120,11 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   const double weight = particle.m * particle.gravity_n, force = particle.pair.kn * (particle.radius - particle.height);
   const double u0 = scene->particles[0].vx;
   if (scene->gravity.x != 0 || scene->particles[0].vy != 0 || !(u0 > 0) || !(fabs(force - weight) < 1e-4 * weight))
-    return nb_error_set(error, NB_BAD_USE,
-                        "slide_to_roll is for a particle that moves along the floor without spin, with an initial "
-                        "normal force equal to its weight %g; the force is %g",
-                        weight, force);
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "the reference `slide_to_roll` is for a particle that moves along the floor without spin, with an initial "
+        "normal force equal to its weight %g; the force is %g",
+        weight, force);
   const double b = (1 + particle.q) * particle.cs / (2 * particle.m),
                square = (1 + particle.q) * particle.pair.ks / particle.m - b * b;
   struct slide slide = {
@@ -138,7 +139,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   };
   if (!(square > 0) || !find_sliding(&slide))
     return nb_error_set(error, NB_BAD_USE,
-                        "slide_to_roll is for a particle that slides, with less than critical damping");
+                        "the reference `slide_to_roll` is for a particle that slides, with less than critical damping");
   add_values(solution, scene, &particle, &slide);
   return solution_status(solution, error);
 }

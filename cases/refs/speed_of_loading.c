@@ -28,10 +28,10 @@
 #include "reference.h"
 
 static enum nb_status refuse(struct nb_error *error) {
-  return nb_error_set(
-      error, NB_BAD_USE,
-      "speed_of_loading is for nine equal discs without friction, three by three in a box whose walls approach "
-      "with equal speeds from the first stage on, with `damping mass` only");
+  return nb_error_set(error, NB_BAD_USE,
+                      "the reference `speed_of_loading` is for nine equal discs without friction, three by three in a "
+                      "box whose walls approach "
+                      "with equal speeds from the first stage on, with `damping mass` only");
 }
 
 /* Whether all discs are equal, and all walls move at v towards the disc in the middle. */
@@ -60,10 +60,11 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   const double step = scene->step.value * (scene->step.kind == NB_STEP_SINGLE_CONTACT ? critical : 1);
   const double t = step * (double)scene->stages[0].cycles, alpha = scene->damping.global;
   if (!(alpha * t > 20))
-    return nb_error_set(error, NB_BAD_USE,
-                        "speed_of_loading is for a first stage that lasts longer than 20/alpha with `damping mass "
-                        "alpha`; it lasts %g/alpha",
-                        alpha * t);
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "the reference `speed_of_loading` is for a first stage that lasts longer than 20/alpha with `damping mass "
+        "alpha`; it lasts %g/alpha",
+        alpha * t);
   char name[3 * NB_NAME_SIZE];
   snprintf(name, sizeof name, "unbalanced.max in %s", scene->stages[0].name);
   solution_value(solution, sqrt(2) * alpha * m * v / (pair.kn * v * t + alpha * m * v / 2), name);

@@ -90,7 +90,7 @@ static void add_curve(struct nb_solution *solution, const char *monitor, const c
 }
 
 static enum nb_status refuse(struct nb_error *error, const char *what) {
-  return nb_error_set(error, NB_BAD_USE, "stacked is for %s", what);
+  return nb_error_set(error, NB_BAD_USE, "the reference `stacked` is for %s", what);
 }
 
 static enum nb_status build(struct stack *stack, const struct nb_scene *scene, struct nb_error *error) {

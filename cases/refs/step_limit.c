@@ -26,7 +26,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   solution_value(solution, longest, "step max");
   limit_free(&limit);
   if (isnan(stable) || isnan(longest))
-    return nb_error_set(error, NB_BAD_USE, "step_limit finds no step at which these springs and dashpots are stable");
+    return nb_error_set(error, NB_BAD_USE,
+                        "the reference `step_limit` finds no step at which these springs and dashpots are stable");
   return solution_status(solution, error);
 }
 

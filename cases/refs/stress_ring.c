@@ -89,10 +89,10 @@ static void add_value(struct nb_solution *solution, const struct nb_scene *scene
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_boundary *load = scene->stage_count ? &scene->stages[scene->stage_count - 1].boundary : NULL;
   if (!is_ring(scene) || !load->line || load->control != NB_CONTROL_STRESS || load->sxx != load->syy || load->sxy != 0)
-    return nb_error_set(
-        error, NB_BAD_USE,
-        "stress_ring is for six spheres of two sizes in turn around a seventh, and an isotropic boundary "
-        "stress");
+    return nb_error_set(error, NB_BAD_USE,
+                        "the reference `stress_ring` is for six spheres of two sizes in turn around a seventh, and an "
+                        "isotropic boundary "
+                        "stress");
   struct ring ring;
   double h = 0, d1, d2;
   for (size_t k = 0; k < 7; k++)
@@ -102,7 +102,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   ring.young = matter_pair(scene, scene->particles[0].material, scene->particles[0].material).young;
   ring.load = load->sxx * h * sqrt(3) / 2;
   if (!solve_equations(&ring, &d1, &d2))
-    return nb_error_set(error, NB_BAD_USE, "stress_ring finds no equilibrium of these spheres under this stress");
+    return nb_error_set(error, NB_BAD_USE,
+                        "the reference `stress_ring` finds no equilibrium of these spheres under this stress");
   for (size_t w = 0; w < scene->monitor_count; w++) {
     const struct nb_monitor *monitor = &scene->monitors[w];
     char name[2 * NB_NAME_SIZE + 1];

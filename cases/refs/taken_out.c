@@ -119,9 +119,9 @@ static void add_axis(struct nb_solution *solution, const struct oscillation *osc
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_stage *stages = scene->stages;
   if (scene->stage_count != 2 || stages[0].removal_count || stages[0].step.kind != NB_STEP_TIME)
-    return nb_error_set(
-        error, NB_BAD_USE,
-        "taken_out is for two stages, of which the second removes particles, and a step given as a time");
+    return nb_error_set(error, NB_BAD_USE,
+                        "the reference `taken_out` is for two stages, of which the second removes particles, and a "
+                        "step given as a time");
   const double end = (double)stages[0].cycles * stages[0].step.value + (double)stages[1].cycles * stages[1].step.value;
   solution_value(solution, removed_energy(scene), "energy.removed");
   for (size_t w = 0; w < scene->monitor_count; w++) {

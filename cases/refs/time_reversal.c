@@ -35,10 +35,10 @@ static bool is_symmetric(const struct nb_scene *scene) {
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   if (!is_symmetric(scene))
-    return nb_error_set(
-        error, NB_BAD_USE,
-        "time_reversal is for one `reverse velocities`, as many cycles before it as after it, and walls "
-        "whose motion is set only in the first stage");
+    return nb_error_set(error, NB_BAD_USE,
+                        "the reference `time_reversal` is for one `reverse velocities`, as many cycles before it as "
+                        "after it, and walls "
+                        "whose motion is set only in the first stage");
   for (size_t w = 0; w < scene->monitor_count; w++) {
     const struct nb_monitor *monitor = &scene->monitors[w];
     if (monitor->kind != NB_MONITOR_PARTICLE)

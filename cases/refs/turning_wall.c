@@ -105,7 +105,7 @@ static void add_curve(struct nb_solution *solution, const struct rolling *it, co
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   if (scene->particle_count != 1 || scene->wall_count != 1)
-    return nb_error_set(error, NB_BAD_USE, "turning_wall is for one particle and one wall");
+    return nb_error_set(error, NB_BAD_USE, "the reference `turning_wall` is for one particle and one wall");
   const struct nb_particle *particle = &scene->particles[0];
   const struct nb_wall *wall = &scene->walls[0];
   const double dx = particle->x - wall->x, dy = particle->y - wall->y;
@@ -123,7 +123,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (!why)
     why = check_run(scene, &it, matter_pair(scene, particle->material, wall->material).friction);
   if (why)
-    return nb_error_set(error, NB_BAD_USE, "turning_wall is for %s", why);
+    return nb_error_set(error, NB_BAD_USE, "the reference `turning_wall` is for %s", why);
   for (size_t w = 0; w < scene->monitor_count; w++) {
     const struct nb_monitor *monitor = &scene->monitors[w];
     if (monitor->kind == NB_MONITOR_PARTICLE)

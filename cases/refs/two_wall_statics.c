@@ -23,7 +23,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     return status;
   double force = row.compression / (1 / row.k[0] + 1 / row.k[1] + 1 / row.k[2]);
   if (lattice_first_at_rest(&row.lattice, scene) == scene->stage_count)
-    status = nb_error_set(error, NB_BAD_USE, "reference two_wall_statics is for walls that stop");
+    status = nb_error_set(error, NB_BAD_USE, "the reference `two_wall_statics` is for walls that stop");
   for (size_t i = 0; i < scene->monitor_count && status == NB_OK; i++) {
     int place = lattice_row_place(&row, lattice_contact_of(&row.lattice, &scene->monitors[i]));
     if (place < 0)

@@ -72,7 +72,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   const struct nb_particle *particle = &scene->particles[0];
   const struct nb_wall *wall = &scene->walls[0];
   if (scene->particle_count != 1 || scene->wall_count != 1 || wall->h0 != 0)
-    return nb_error_set(error, NB_BAD_USE, "wall_end is for one particle and one wall");
+    return nb_error_set(error, NB_BAD_USE, "the reference `wall_end` is for one particle and one wall");
   const double m = matter_mass(scene, particle), R = particle->radius;
   /* The end on the side of the particle, and the direction out of the wall there. */
   const double middle = (wall->h1 + wall->h2) / 2;
@@ -86,14 +86,15 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
       .v = v, .b = fabs(spin), .rate2 = matter_pair(scene, particle->material, wall->material).kn / m, .radius = R};
   const double travel = -(x * vx + y * vy) / v - sqrt(R * R - it.b * it.b); /* before contact, m */
   if (!(it.b < R && travel >= 0))
-    return nb_error_set(error, NB_BAD_USE, "wall_end is for a particle that moves toward the end of the wall");
+    return nb_error_set(error, NB_BAD_USE,
+                        "the reference `wall_end` is for a particle that moves toward the end of the wall");
   it.closest = closest(&it);
   const double angle = copysign(turned(&it), spin), c = cos(angle), s = sin(angle);
   const double ex = (x + travel * vx / v) / R, ey = (y + travel * vy / v) / R; /* r/R at the first contact */
   const double fx = c * ex - s * ey, fy = s * ex + c * ey;                     /* and at the last one */
   if (!(ex * ox + ey * oy > 0 && fx * ox + fy * oy > 0))
     return nb_error_set(error, NB_BAD_USE,
-                        "wall_end is for a particle that touches the end only, not the wall beside it");
+                        "the reference `wall_end` is for a particle that touches the end only, not the wall beside it");
   const double radial = -(vx * ex + vy * ey), across = vy * ex - vx * ey;
   const double nx = wall->vx + radial * fx - across * fy, ny = wall->vy + radial * fy + across * fx;
   for (size_t w = 0; w < scene->monitor_count; w++) {

@@ -43,7 +43,7 @@ static bool faces(const struct nb_wall *wall, double x, double y) {
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   if (scene->particle_count != 1 || scene->wall_count != 2)
-    return nb_error_set(error, NB_BAD_USE, "wedge is for one particle and two walls");
+    return nb_error_set(error, NB_BAD_USE, "the reference `wedge` is for one particle and two walls");
   const struct nb_particle *particle = &scene->particles[0];
   struct side one = side_of(scene, &scene->walls[0]), two = side_of(scene, &scene->walls[1]);
   const double m = matter_mass(scene, particle), wx = m * scene->gravity.x, wy = m * scene->gravity.y;
@@ -52,7 +52,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   const double d1 = particle->radius - one.force / one.k + one.gap, d2 = particle->radius - two.force / two.k + two.gap;
   const double x = (d1 * two.ny - d2 * one.ny) / turn, y = (one.nx * d2 - two.nx * d1) / turn;
   if (!(one.force > 0 && two.force > 0) || !faces(&scene->walls[0], x, y) || !faces(&scene->walls[1], x, y))
-    return nb_error_set(error, NB_BAD_USE, "wedge is for a particle that rests on the faces of both walls");
+    return nb_error_set(error, NB_BAD_USE,
+                        "the reference `wedge` is for a particle that rests on the faces of both walls");
   const char *stage = scene->stages[0].name;
   for (size_t w = 0; w < scene->monitor_count; w++) {
     const struct nb_monitor *monitor = &scene->monitors[w];

@@ -53,11 +53,12 @@ static void add_value(struct nb_solution *solution, const char *region, const ch
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   double phi, touching;
   if (scene->region_count == 0 || !contacts_alike(scene, &phi, &touching))
-    return nb_error_set(
-        error, NB_BAD_USE,
-        "zigzag is for a region and three or more free discs whose contacts all make the same angle with y");
+    return nb_error_set(error, NB_BAD_USE,
+                        "the reference `zigzag` is for a region and three or more free discs whose contacts all make "
+                        "the same angle with y");
   if (!(phi < atan(1) - 1e-9)) /* at 45 degrees rounding decides which contacts are links */
-    return nb_error_set(error, NB_BAD_USE, "zigzag is for contacts at less than 45 degrees to y; here they are at %g",
+    return nb_error_set(error, NB_BAD_USE,
+                        "the reference `zigzag` is for contacts at less than 45 degrees to y; here they are at %g",
                         phi * 45 / atan(1));
   double free_particles = 0;
   for (size_t k = 0; k < scene->particle_count; k++)

@@ -162,10 +162,10 @@ void nb_guard_resolution(struct nb_model *model) {
   if (!model->search.coarse_warned)
     return;
   const char *m = nb_unit(model->scene, " m");
-  nb_warn(
-      &model->warnings, line_of(model, particles->number[i]),
-      "particle %d: its coordinate %g%s has a resolution (ulp) of %g%s, that is %.2g %% of the overlap of %g%s%s at "
-      "cycle %lu. The relative error of the forces is of this size (limit: 0.1 %%): put the scene nearer to the origin",
-      particles->number[i], x, m, ulp(x), m, 100 * ulp(x) / overlap, overlap, m,
-      count > 0 ? " (the mean of all contacts)" : " to come (a thousandth of the smallest radius)", model->cycle);
+  nb_warn(&model->warnings, line_of(model, particles->number[i]),
+          "particle %d: its coordinate %g%s has a resolution (ulp) of %g%s, that is %.2g %% of %s, %g%s, at cycle "
+          "%lu. The relative error of the forces is of this size (limit: 0.1 %%): put the scene nearer to the origin",
+          particles->number[i], x, m, ulp(x), m, 100 * ulp(x) / overlap,
+          count > 0 ? "the mean overlap of all contacts" : "the expected overlap, a thousandth of the smallest radius",
+          overlap, m, model->cycle);
 }

@@ -62,7 +62,7 @@ static bool search_begin(struct search *search, const struct nb_model *model) {
   return true;
 }
 
-/* Makes room for so many more pairs than there are. */
+/* Reserves memory for `more` further pairs. False: out of memory. */
 static bool pairs_reserve(struct nb_neighbour_pairs *pairs, size_t more) {
   struct nb_neighbour_pair *list =
       more < SIZE_MAX / sizeof *list - pairs->count ? realloc(pairs->list, (pairs->count + more) * sizeof *list) : NULL;

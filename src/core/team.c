@@ -22,7 +22,7 @@ struct member {
 };
 
 struct nb_team {
-  void (*work)(void *data, int part); /* of the present round, as the next two */
+  void (*work)(void *data, int part); /* of the present round; so are the next two members */
   void *data;
   int parts;
   bool ends;         /* the next round is the end of the threads */

@@ -205,7 +205,7 @@ void nb_imposed_motion_check(struct nb_scene_reading *reading) {
 /* clang-format off */
 NB_STATEMENTS(boundary) = {
   {"boundary circle", NB_IN_SCENE | NB_IN_STAGE, circle_fields, NULL, 0, false, apply_circle,
-   "Makes the particles whose centres are on this circle or outside the boundary of the assembly, from this line on; at first they are fixed. While the boundary is fixed or strained, the circle moves with it, and a particle whose centre crosses the circle joins the boundary [R89 sec. 6.4.1].",
+   "From this line on, the particles whose centres are on this circle or outside it are the boundary of the assembly; at first they are fixed. While the boundary is fixed or strained, the circle moves with it, and a particle whose centre crosses the circle joins the boundary [R89 sec. 6.4.1].",
    "boundary  circle 40 mm 40 mm  radius 1 m"},
   {"boundary strain", NB_IN_STAGE, strain_fields, NULL, 0, false, apply_boundary,
    "Moves the centres of the boundary's particles with this strain rate about the circle's centre, from this stage on. The boundary's particles do not rotate, and there is no force between two of them.",

@@ -105,7 +105,7 @@ NB_STATEMENTS(cell) = {
    "Makes the scene periodic. Images of the cell fill the plane, and particles touch the images of others across the sides of the cell. All particles belong to the cell, wherever they are. A scene with a cell has no walls. The quantities of the cell are called `cell.NAME`.",
    "cell      0 mm 0 mm to 80 mm 80 mm"},
   {"perturb wave", NB_IN_SCENE | NB_IN_CELL, wave_fields, "periods NX NY", 0, false, apply_wave,
-   "Adds a plane wave to the velocities of the free particles above. The added velocity is the amplitude times sin(2 pi (NX x/LX + NY y/LY)). Here x and y are measured from the centre of the cell, and the cell is LX by LY.\n"
+   "Adds a plane wave to the velocities of the free particles that are defined above. The added velocity is the amplitude times sin(2 pi (NX x/LX + NY y/LY)). Here x and y are measured from the centre of the cell, and the cell is LX by LY.\n"
    "periods NX NY: whole numbers from -1000000 to 1000000. Numbers of waves in x and in y.",
    "perturb   wave 0 m/s 1 mm/s  periods 1 0"},
   {"cell strain", NB_IN_STAGE | NB_IN_CELL, strain_fields, NULL, 0, false, apply_strain,

@@ -44,7 +44,7 @@ static void take_options(struct nb_reader *reader, const struct nb_law *law, boo
                      "this property belongs to the material: `material rock  density 2000 kg/m3  kn 1 MN/m  ks 1 MN/m`",
                      "expected the end of the line, found `%s`", next->text);
   else if (shear && nb_token_is(reader, "memory") && law->piece == 0)
-    nb_token_mistake(reader, next, NULL, "`shear %s` keeps no history, so it takes no `memory`", law->name);
+    nb_token_mistake(reader, next, NULL, "`shear %s` stores no history in pieces, so it takes no `memory`", law->name);
   else if (shear && next && nb_take_word(reader, "memory"))
     nb_take_count(reader, 2, NB_PIECES_MAX, pieces);
 }

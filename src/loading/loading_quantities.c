@@ -49,18 +49,21 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
     {"boundary.area", 0, "m2", 0, boundary_area, "area of the polygon through the boundary particles' centres"},
     {"boundary.roughness", 0, "1", 0, boundary_roughness,
      "standard deviation of the distances whose mean is boundary.radius, over boundary.radius [R89 sec. 6.4.1]"},
-    TENSOR("boundary.stress", 0, "Pa", NB_STRESSES, boundary_stress,
-           "stress from the contact forces on the boundary's particles, sum of F_i X_j over the polygon's area times "
-           "the thickness, compression positive"),
+    TENSOR(
+        "boundary.stress", 0, "Pa", NB_STRESSES, boundary_stress,
+        "stress: sum of F_i X_j over the boundary's particles (F contact force, X position), divided by the polygon's "
+        "area and the thickness; compression positive"),
     {"boundary.stress.residual", 0, "Pa", 0, boundary_residual,
      "largest difference between boundary.stress and the stress from all contacts over the same volume; 0 while the "
      "particles inside are in equilibrium"},
 
     TENSOR("cell", NB_OF_CELL, "m", NB_COMPONENTS, cell_sides,
            "vectors of the sides of the cell: xx and yx of the side along x on the page, xy and yy of the other side"),
-    TENSOR("cell.stress", NB_OF_CELL, "Pa", NB_STRESSES, cell_stress,
-           "stress from contact forces, sum of F_i l_j over the volume (thickness 1 m for discs, mean diameter for "
-           "spheres), dashpots included. Compression is positive: `c12` above 0 makes xy negative"),
+    TENSOR(
+        "cell.stress", NB_OF_CELL, "Pa", NB_STRESSES, cell_stress,
+        "stress: sum of F_i l_j over the contacts (F force with dashpots, l vector from centre to centre), divided by "
+        "the volume. The volume is the area times 1 m for discs, times the mean diameter for spheres. Compression "
+        "is positive: `c12` above 0 makes xy negative"),
     TENSOR("cell.strain", NB_OF_CELL, "1", NB_COMPONENTS, cell_strain,
            "strain of the cell since time 0, extension positive; xy is half the change of the right angle, for small "
            "strains"),
@@ -70,8 +73,8 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
     {"box.width", NB_OF_BOX, "m", 0, box_width, "distance from the box's wall `west` to `east`"},
     {"box.height", NB_OF_BOX, "m", 0, box_height, "distance from the box's wall `south` to `north`"},
     TENSOR("box.stress", NB_OF_BOX, "Pa", NB_STRESSES, box_stress,
-           "stress from the forces F on the walls, sum of F_i X_j over the volume. The thickness is 1 m for discs, the "
-           "mean diameter for spheres; compression positive, dashpots included"),
+           "stress: sum of F_i X_j over wall contacts (F force on the wall with dashpots, X contact point), divided by "
+           "the volume; compression positive"),
     {"box.strain.width", NB_OF_BOX, "1", 0, box_strain_width,
      "relative change of the box's width since time 0, extension positive"},
     {"box.strain.height", NB_OF_BOX, "1", 0, box_strain_height,

@@ -41,7 +41,8 @@ static void parts_of(double parts[], const struct nb_quantity_kind *kind, const 
 
 const struct nb_quantity_kind nb_region_kinds[] = {
     ENDS("stress", NB_STRESSES, "Pa", NB_STRESS, stress.total, "stress by particles, compression positive"),
-    ENDS("stress.sinphi", NB_SCALAR, "1", NB_STRESS, stress.sinphi, "sin Phi, deviator over twice the mean stress"),
+    ENDS("stress.sinphi", NB_SCALAR, "1", NB_STRESS, stress.sinphi,
+         "sine of the mobilized friction angle: deviator over twice the mean stress"),
     ENDS("stress.contacts", NB_STRESSES, "Pa", NB_STRESS_PARTS, stress.contacts, "stress by contacts"),
     PART("stress.normal", NB_STRESS_NORMAL, "normal forces"),
     PART("stress.shear", NB_STRESS_SHEAR, "shear forces"),
@@ -64,7 +65,7 @@ const struct nb_quantity_kind nb_region_kinds[] = {
     DIRECTIONS("anisotropy.contacts", contacts, "coefficient a of the density of contacts over the directions"),
     DIRECTIONS("anisotropy.normal", normal, "coefficient a_n of the mean normal force over the directions"),
     DIRECTIONS("anisotropy.shear", shear, "coefficient a_t of the mean shear force over the directions"),
-    DIRECTIONS("anisotropy.sinphi", sinphi, "sin Phi that follows from a, a_n and a_t"),
+    DIRECTIONS("anisotropy.sinphi", sinphi, "sine of the mobilized friction angle that follows from a, a_n and a_t"),
     MODULUS(
         "modulus.bulk", bulk,
         "bulk modulus, mean stress over area strain, if all particles moved with one uniform strain: an upper bound"),

@@ -12,8 +12,8 @@ struct nb_stability {
   int step_line;                 /* line of the statement that has set the step; -1: none yet */
   double stable_step;            /* guaranteed stable step at the beginning of the current stage, s */
   bool allow_unstable;           /* no check in this stage */
-  bool damped;                   /* contacts have dashpots at the next force calculation, */
-  struct nb_dashpot dashpots[2]; /* these, without and with a wall */
+  bool damped;                   /* contacts have dashpots at the next force calculation */
+  struct nb_dashpot dashpots[2]; /* these dashpots: of contacts of two particles, and of contacts with walls */
   unsigned long checks;          /* number of checks so far */
   double largest;                /* largest ratio of the step to the guaranteed stable step in these checks, 1 */
   struct nb_particle_sums *sums; /* workspace of stable_step.c, per slot */
@@ -37,7 +37,7 @@ struct nb_stable nb_stable_step(const struct nb_model *model);
 /* The guaranteed stable step of pairs that could collide later: the lightest particles of every two materials, as if
  * they touched. */
 struct nb_stable nb_stable_step_apart(const struct nb_model *model);
-struct nb_stable nb_stable_step_stage(const struct nb_model *model); /* the smaller of these two: limit of a stage */
+struct nb_stable nb_stable_step_stage(const struct nb_model *model); /* the smaller one of the two: limit of a stage */
 double nb_stability_limit(const struct nb_damping *damping);         /* L of stable_step.c, 1 */
 
 /* A contact with its part of the masses, for the terms of dt^2 k + 2 dt c (stable_step.c). */

@@ -231,7 +231,7 @@ void nb_cost_print(FILE *out, const struct nb_cost *cost, const char *cycles) {
 void nb_cost_print_length(FILE *out, const struct nb_length *length, const struct nb_stage *stage) {
   const int line = stage->condition_count ? stage->conditions[0].line : 0;
   if (length->endless) {
-    fprintf(out, "does not end: line %d does not hold within %lu cycles", line, stage->cycles);
+    fprintf(out, "does not end: the condition on line %d does not hold within %lu cycles", line, stage->cycles);
     return;
   }
   fputs(length->about ? "about " : "", out);

@@ -371,8 +371,8 @@ static const struct nb_expectation_row rows[] = {
    "The measure is greater than the second one of the same run, or than a number with its unit.",
    "C.normal max in strike  above  C.normal mean in strike"},
   {"increases", NB_INCREASES, "MEASURE increases with NAME {over SAMPLE}", take_trend,
-   "The measure increases from each value of the sweep NAME to the next larger one, with all other swept values equal; words keep their "
-   "order in the sweep. With `over` the runs of the sweep SAMPLE are realizations of one case: the mean difference is above 0 with 95 % "
+   "The measure increases from each value of the sweep NAME to the next larger one, with all other swept values equal; values that are words "
+   "count in the order of the sweep. With `over` the runs of the sweep SAMPLE are realizations of one case: the mean difference is above 0 with 95 % "
    "confidence (Student).",
    "C.normal max in strike  increases with speed"},
   {"decreases", NB_DECREASES, "MEASURE decreases with NAME {over SAMPLE}", take_trend, "As `increases`, for a measure that decreases.",

@@ -590,7 +590,7 @@ static enum nb_status explain_before_start(FILE *out, const struct nb_scene *sce
     else
       fputs("step\n  follows from that state\n", out);
     explain_stages(out, model, cost);
-    explain_cost(out, cost, &(struct nb_error){NB_OK, "it begins with a state that does not exist yet"}, false);
+    explain_cost(out, cost, &(struct nb_error){NB_OK, "the run begins with a state that does not exist yet"}, false);
   }
   nb_model_free(model);
   return status;

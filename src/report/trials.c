@@ -214,7 +214,7 @@ bool nb_trials_run(struct nb_advice *advice, struct nb_variant *variant, int lev
   struct trial *batch;
   bool good = !point->reason[0];
   if (good && nb_level_ratios(advice, level).first == 1)
-    return fail(point, "a longer step does not divide its stages into whole numbers of cycles");
+    return fail(point, "a longer step does not divide the stages of the page into whole numbers of cycles");
   if (!point->values)
     point->values = calloc(advice->runs * NB_TRIALS, sizeof *point->values);
   if (!point->values)

@@ -1,6 +1,6 @@
 /* Expectations about several runs of a sweep.
  *
- *   increases, decreases with N      from each value of N to the next larger one; words keep their order in the sweep
+ *   increases, decreases with N      from each value of N to the next larger one; words count in the order of the sweep
  *   constant with N within           largest minus smallest value; a percentage refers to the mean
  *   order P in N within              P is the slope of the least-squares line of log(error) against log(N)
  *
