@@ -76,6 +76,27 @@ static void pairs_that_may_meet(void) {
   CU_ASSERT_DOUBLE_EQUAL(step, 1 / sqrt(80. / 9), 1e-15);
 }
 
+/* A removed particle meets no other one, although it was the only one of its material: omega^2 = 16 of the two discs that
+ * are left, and pi/4 for their collision. */
+static void a_removed_particle_meets_none(void) {
+  static const struct {
+    const char *step;
+    double wanted;
+  } rows[] = {{"step 0.5 of stable", 0.25}, {"step 0.1 of collision", 0.07853981633974483}};
+  unsigned long cycles;
+  struct nb_error error;
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    char text[512];
+    snprintf(text, sizeof text,
+             PAIR "material b density 1 kn 8\npair m b kn 800\ndisc 0 0 radius 1 m\ndisc 9 0 radius 1 b\n"
+                  "disc 90 0 radius 1 m\nrecord step\nstep 0.001\nstage a\ncycles 1\nstage b\nremove disc 2\n%s\n"
+                  "cycles 1\n",
+             rows[k].step);
+    CU_ASSERT_EQUAL(ends(text, &cycles, &error), NB_OK);
+    CU_ASSERT_DOUBLE_EQUAL(step, rows[k].wanted, 1e-15);
+  }
+}
+
 /* With the step that the message advises, the run continues. The advised step has the unit, or the `of …`, of the step
  * in the page. */
 static void the_advised_step_is_stable(void) {
@@ -119,5 +140,6 @@ static void the_advised_step_is_stable(void) {
 void suite_apart(void) {
   CU_pSuite suite = CU_add_suite("apart", NULL, NULL);
   CU_add_test(suite, "pairs that may meet", pairs_that_may_meet);
+  CU_ADD_TEST(suite, a_removed_particle_meets_none);
   CU_ADD_TEST(suite, the_advised_step_is_stable);
 }
