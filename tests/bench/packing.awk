@@ -1,6 +1,6 @@
 # Writes one packing of spheres for two programs: page.md for nineball, and data.txt and in.txt for LAMMPS.
 #
-#   awk -v n=SIDE -v kind=lattice|random -v law=linear|hertz -v cycles=CYCLES -v folder=FOLDER -f packing.awk
+#   awk -v n=SIDE -v kind=lattice|random -v law=linear|hertz|exact -v cycles=CYCLES -v folder=FOLDER -f packing.awk
 #
 # n rows of n spheres on a triangular lattice whose neighbours overlap by 0.5 % of the radius; the outermost are fixed.
 # `random`: the radii differ by up to 0.2 %, every tenth place is empty and the numbers are shuffled, so that the number of
@@ -15,6 +15,7 @@ BEGIN {
   R = 0.01; d = 1.995 * R; density = 2000; kn = 1e7; ks = 8e6; young = 70e9; poisson = 0.25; friction = 0.5; ratio = 0.05
   mass = density * 4 / 3 * pi * R ^ 3
   effective = young / (2 * (1 - poisson ^ 2)); shear = young / (2 * (1 + poisson)) / (2 * (2 - poisson))
+  exact = law == "exact"; if (exact) law = "hertz" # the law `shear mindlin_deresiewicz`, which LAMMPS does not have
   stiffness = law == "hertz" ? 2 * effective * sqrt(R / 2 * (2 * R - d)) : kn
   step = 0.05 * sqrt(mass / stiffness)
   for (j = 0; j < n; j++)
@@ -32,7 +33,7 @@ BEGIN {
   page = folder "/page.md"
   print "# Packing\n\n```scene" >page
   print "material m density " density " kg/m3 kn " kn " N/m ks " ks " N/m young " young " Pa poisson " poisson " friction " friction >page
-  print "normal " (law == "hertz" ? "hertz" : "linear") "\nshear " (law == "hertz" ? "mindlin" : "linear") >page
+  print "normal " (law == "hertz" ? "hertz" : "linear") "\nshear " (exact ? "mindlin_deresiewicz" : law == "hertz" ? "mindlin" : "linear") >page
   print "damping ratio " ratio >page
   for (k = 1; k <= count; k++) {
     p = order[k]

@@ -1,10 +1,10 @@
 #!/bin/sh
 # Compares the speed of nineball and LAMMPS, and writes docs/PERFORMANCE.md.
 #
-#   performance.sh -o FILE TIMES INSTRUCTIONS      measures, and writes the times to the file TIMES
-#   performance.sh -t FILE TIMES INSTRUCTIONS      writes the document again, from the times measured before
+#   performance.sh -o FILE TIMES INSTRUCTIONS GOALS     measures, and writes the times to the file TIMES, and GOALS
+#   performance.sh -t FILE TIMES INSTRUCTIONS GOALS     writes the document again, from the times measured before
 #
-# INSTRUCTIONS is the table of instructions.sh.
+# INSTRUCTIONS is the table of instructions.sh, and GOALS that of goals.sh.
 #
 #   NINEBALL   the program, built with -g -O3        SIDES     particles on a side, "5 32 100 280"
 #   FLAGS      its compiler and flags                REPEATS   interleaved repeats of each program, 5
@@ -14,9 +14,9 @@
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 set -eu
 export LC_ALL=C
-case $#$1 in 4-o | 4-t) ;; *) echo 'usage: performance.sh -o|-t FILE TIMES INSTRUCTIONS' >&2 && exit 2 ;; esac
+case $#$1 in 5-o | 5-t) ;; *) echo 'usage: performance.sh -o|-t FILE TIMES INSTRUCTIONS GOALS' >&2 && exit 2 ;; esac
 nineball=$(cd "$(dirname "${NINEBALL:-./nineball}")" && pwd)/$(basename "${NINEBALL:-./nineball}")
-folder=$(dirname "$0") times=$3 instructions=$4
+folder=$(dirname "$0") times=$3 instructions=$4 goals=$5
 if test "$1" = -o; then
   command -v lmp >/dev/null || { apt-get update && apt-get install -y --no-install-recommends lammps; } >&2 ||
     { echo 'performance.sh: this needs lmp, of the package lammps' >&2 && exit 77; }
@@ -29,6 +29,7 @@ if test "$1" = -o; then
       tr ' ' '\t'
   } >"$times-t"
   mv "$times-t" "$times"
+  NINEBALL=$nineball bash "$folder/goals.sh" -o "$goals"
 fi
 told() { awk -F '\t' -v name="$1" '$1 == name { print $2 }' "$times"; }
 repeats=$(told repeats)
@@ -54,6 +55,22 @@ rate_table() {
   echo '| --- | --- | --- | --- | --- |'
   awk 'NR == FNR { if ($3 == "all") of[$2] = $5; next }
     $2 == "lattice" && $1 >= 1000 { printf "| %d | %s | %.1f | %.0f | %.0f |\n", $1, $3, of[$3] * $1 / $4, of[$3], of[$3] * $7 / $4 / 8 }' "$instructions" "$times"
+}
+# The goals: first the ratios to LAMMPS, the least and the greatest of the packings of a size, then the table of goals.sh.
+goals_table() {
+  echo '| particles | quantity | goal | measured | least to greatest | command |'
+  echo '| --- | --- | --- | --- | --- | --- |'
+  awk -F '\t' '
+    function row(n, what, goal, value, low, high, command) { printf "| %d | %s | %s | %s | %s to %s | `%s` |\n", n, what, goal, value, low, high, command }
+    NR == FNR { if ($1 + 0) { size = $1 < 100 ? 25 : $1 < 2000 ? 1000 : $1 < 20000 ? 10000 : 100000; r = $7 / $4
+        if (!(size in low) || r < low[size]) low[size] = r
+        if (r > high[size]) high[size] = r }
+      next }
+    FNR == 1 { for (size = 1000; size <= 100000; size *= 10)
+        row(size, "times the speed of LAMMPS", size < 50000 ? "at least 8" : "at least 6", sprintf("%.1f to %.1f", low[size], high[size]), sprintf("%.1f", low[size]), sprintf("%.1f", high[size]), "make bench") }
+    { goal["nine"] = "at most 220"; goal["exact"] = "at least 30"; goal["threads"] = "at least 1.7, and 0.95 beside other programs"
+      goal["elapsed"] = "at most 3"; goal["processor"] = "-"; goal["memory"] = "at most 400"
+      row($2, $3, goal[$1], $4, $5, $6, "ONLY=" ($1 ~ /elapsed|processor|memory/ ? "million" : $1) " bash tests/bench/goals.sh -o goals.tsv") }' "$times" "$goals"
 }
 
 {
@@ -86,7 +103,10 @@ TEXT
   times_table
   printf '\nThe commands of the rows, which print nanoseconds:\n\n'
   commands_table
-  printf '\n## Instructions\n\n'
+  printf '\n## Goals\n\nThese are goals of the design. The table has medians. The commands need `NINEBALL=build/nineball`.\n\n'
+  goals_table
+  cat "$folder/goals.md"
+  printf "\n## Instructions\n\n"
   cat <<TEXT
 \`make bench-self\` counts the instructions of a cycle by callgrind
 ([tests/bench/instructions.sh](../tests/bench/instructions.sh)) and compares them with

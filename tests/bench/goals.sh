@@ -1,0 +1,70 @@
+#!/bin/bash
+# Measures what the goals of docs/PERFORMANCE.md say besides the comparison with LAMMPS, and writes the table FILE.
+#
+#   goals.sh -o FILE
+#
+#   NINEBALL   the program, built with -g -O3        REPEATS   repeats, 5; the table has the median, the least and the greatest
+#   ONLY       the rows to measure, "nine exact threads million"
+#
+# Each line of the table: goal, number of particles, the quantity and its unit, median, least, greatest. Other rows stay. The
+# packings are those of packing.awk. Exit status: 0, 2 wrong use or a failed run.
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+set -euo pipefail
+export LC_ALL=C
+case $#$1 in 2-o) ;; *) echo 'usage: goals.sh -o FILE' >&2 && exit 2 ;; esac
+program=$(realpath "${NINEBALL:-./nineball}") folder=$(realpath "$(dirname "$0")") repeats=${REPEATS:-5} awk=${AWK:-awk}
+touch "$2" && table=$(realpath "$2")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+
+# packing SIDE KIND LAW CYCLES: writes page.md.
+packing() { $awk -v n="$1" -v kind="$2" -v law="$3" -v cycles="$4" -v folder=. -f "$folder/packing.awk"; }
+# clock FORMAT OPTION ...: the time of one run of page.md, s; `%e` elapsed, `%U` of the processor; `%M` memory, KiB.
+clock() { command time -f "$1" -o clock "$program" figure page.md --jobs 1 "${@:2}" >said 2>&1 || { cat said >&2 && exit 2; }; cat clock; }
+# keep GOAL PARTICLES QUANTITY: the line of the table from the numbers of the input.
+keep() {
+  sort -n | $awk -v head="$1	$2	$3" '{ x[NR] = $1 } END { printf "%s\t%.4g\t%.4g\t%.4g\n", head, x[int((NR + 1) / 2)], x[1], x[NR] }' >line
+  grep -v "^$1	$2	" "$table" >rest || :
+  cat rest line >"$table"
+}
+# cycle_time: the time of a cycle of page.md without reading and start, ns; $1 the command that writes it for some cycles.
+cycle_time() {
+  "$1" 1 && clock %U --threads 1 >short
+  "$1" "$2" && clock %U --threads 1 | $awk -v short="$(cat short)" -v cycles="$2" '{ print ($1 - short) / cycles * 1e9 }'
+}
+nine_discs() {
+  printf '```scene\nunits none\nmaterial rock density 1000 kn 1.35e9 ks 1.35e9 friction 2\nbox 0 0 to 300 300 rock\n' >page.md
+  printf 'lattice discs 3 by 3 radius 50 rock\nstep 0.12 of single-contact\nstage load\nrecord none\nwalls inward 0.12\ncycles 40\n' >>page.md
+  printf 'stage oscillate\nrecord none\nwalls stop\ncycles %d\n```\n' "$1" >>page.md
+}
+exact() { packing "$side" lattice exact "$1"; }
+
+for row in ${ONLY:-nine exact threads million}; do case $row in
+  nine) for ((k = 0; k < repeats; k++)); do cycle_time nine_discs 3000000; done | keep nine 9 "ns a cycle" ;;
+  exact)
+    for side in 3 32 100 265; do
+      exact 1
+      contacts=$("$program" explain page.md | sed -n 's/.* cycles, \([^ ]*\) contact updates.*/\1/p')
+      for ((k = 0; k < repeats; k++)); do
+        cycle_time exact $((20000000 / (3 * side * side) + 1)) | $awk -v c="$contacts" '{ print 1e3 * c / $1 }'
+      done | keep exact $((side * side)) "million updates a second"
+    done ;;
+  threads)
+    for side in 100 290; do
+      packing $side lattice linear $((30000000 / (side * side)))
+      for ((k = 0; k < repeats; k++)); do
+        clock %e --threads 1 >one && clock %e --threads 2 | $awk -v one="$(cat one)" '{ print one / $1 }'
+      done | keep threads $((side * side)) "times the speed of one thread"
+    done ;;
+  million)
+    packing 1000 lattice linear 2 # a page may have 4 MiB, so the spheres are in a list
+    { echo 'x/m	y/m	radius/m' && sed -n 's/^sphere \([^ ]*\) m \([^ ]*\) m radius \([^ ]*\) m.*/\1	\2	\3/p' page.md; } >list.tsv
+    sed '/^sphere/d; s/^damping ratio.*/&\npacking list.tsv spheres m/' page.md >short && mv short page.md
+    for ((k = 0; k < repeats; k++)); do clock '%e %U %S %M' --threads 1; done >runs
+    $awk '{ print $1 }' runs | keep elapsed 1000000 "s elapsed, read and started"
+    $awk '{ print $2 + $3 }' runs | keep processor 1000000 "s of the processor, read and started"
+    $awk '{ print $4 * 1024 / 1e6 }' runs | keep memory 1000000 "bytes a particle" ;;
+  *) echo "goals.sh: there is no row $row" >&2 && exit 2 ;;
+esac; done
