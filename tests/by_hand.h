@@ -4,8 +4,7 @@
  * outside up to the ring in which its front lies, so a long path costs little.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_BY_HAND_H
-#define NB_BY_HAND_H
+#pragma once
 
 #include <math.h>
 #include <stdlib.h>
@@ -87,5 +86,3 @@ static inline double by_hand_go(struct by_hand *it, double x, double u) {
     by_hand_add(it, x, missing / (x - edge.end));
   return it->count > 0 ? it->ring[it->count - 1].t / pow(x, 1.5) : 0;
 }
-
-#endif

@@ -1,8 +1,7 @@
 /* Random numbers that are the same on every machine and in every run: xorshift64* with a seed that the test chooses.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_CHANCE_H
-#define NB_CHANCE_H
+#pragma once
 
 #include <math.h>
 #include <stdint.h>
@@ -25,5 +24,3 @@ static inline double chance_between(struct chance *chance, double low, double hi
 static inline double chance_scale(struct chance *chance, double low, double high) {
   return exp(chance_between(chance, log(low), log(high)));
 }
-
-#endif

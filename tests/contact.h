@@ -1,8 +1,7 @@
 /* One contact with its laws, without particles. The tests of contact laws share it.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_CONTACT_H
-#define NB_CONTACT_H
+#pragma once
 
 #include "../src/laws/law.h"
 #include "chance.h"
@@ -86,5 +85,3 @@ static inline double stored(const struct contact *it) {
     sum += it->shear->stored(it->pair, it->n, it->shear_history);
   return sum;
 }
-
-#endif

@@ -1,8 +1,7 @@
 /* Runs that continue from a saved state, compared with the uninterrupted run.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_CONTINUED_H
-#define NB_CONTINUED_H
+#pragma once
 
 #include "../src/run/state.h"
 #include "written.h"
@@ -11,5 +10,3 @@ void continued_stages(struct nb_model *model, size_t from, size_t to); /* runs s
 /* Runs all stages, and continues from the state at the end of each stage with three sets of options. All runs must
  * end in the same state. */
 void continued_same(struct written *written, const char *what);
-
-#endif

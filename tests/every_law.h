@@ -1,8 +1,7 @@
 /* Tests that every registered law must pass, with random material pairs.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_EVERY_LAW_H
-#define NB_EVERY_LAW_H
+#pragma once
 
 #include <CUnit/CUnit.h>
 
@@ -35,5 +34,3 @@ static inline void every_law(bool shears, void (*test)(struct contact it, struct
   static void normal_##test(void) { every_law(false, test); }
 #define OF_SHEAR(test)                                                                                                 \
   static void shear_##test(void) { every_law(true, test); }
-
-#endif

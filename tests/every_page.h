@@ -1,8 +1,7 @@
 /* Every page of PAGES in build-aux/lists.mk, run by run, for tests of properties that hold for any scene.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_EVERY_PAGE_H
-#define NB_EVERY_PAGE_H
+#pragma once
 
 #include "../src/nineball.h"
 
@@ -10,5 +9,3 @@
  * stage has at most as many cycles as `budget` updates of particles allow, but at least 20. Every quantity that the
  * scene can have is a column, with about twenty rows a stage. The test may change the scene. */
 void every_page(void (*look)(struct nb_scene *scene, const char *name), double budget);
-
-#endif

@@ -2,8 +2,7 @@
  * refuses deep overlaps at the start.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_PLACED_H
-#define NB_PLACED_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -30,5 +29,3 @@ static inline void placed_find(struct placed *placed, struct chance *chance, dou
   }
   placed->count++;
 }
-
-#endif

@@ -5,8 +5,7 @@
  * two. The test chooses A.x, and energy.residual equals it; A.y is 1, 2, 4, 2, 1, 0 and A.vx is -4.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_PLANTED_H
-#define NB_PLANTED_H
+#pragma once
 
 #include <stddef.h>
 
@@ -47,5 +46,3 @@ void planted_sweeps(const struct planted_sweep *list, size_t count);
 /* One expectation of one run; the reference returns one value, or none. */
 void planted_one(const char *expectation, const char *name, double value, int count, const double *x, enum nb_mark mark,
                  const char *words);
-
-#endif

@@ -2,8 +2,7 @@
  * particle, a removed particle, contacts that slide and contacts that stick.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_RECOUNT_H
-#define NB_RECOUNT_H
+#pragma once
 
 #include <CUnit/CUnit.h>
 #include <math.h>
@@ -88,5 +87,3 @@ static inline void read_particles(struct particles *all, const struct nb_table *
   }
   all->thickness /= there, all->radius /= all->count;
 }
-
-#endif

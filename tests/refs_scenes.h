@@ -1,8 +1,7 @@
 /* Scenes for the tests of references, built without reading a page.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_REFS_SCENES_H
-#define NB_REFS_SCENES_H
+#pragma once
 
 #include "reference.h"
 
@@ -38,5 +37,3 @@ struct nb_error refs_refused(const char *reference, const struct refs_scene *it)
 
 /* Asserts |a - b| <= fraction * scale. */
 #define REFS_NEAR(a, b, fraction, scale) CU_ASSERT(fabs((a) - (b)) <= (fraction)*fabs(scale))
-
-#endif

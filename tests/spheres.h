@@ -1,8 +1,7 @@
 /* A contact of two steel spheres with the shear law under test; the normal force is Hertz's.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_SPHERES_H
-#define NB_SPHERES_H
+#pragma once
 
 #include <CUnit/CUnit.h>
 
@@ -51,5 +50,3 @@ static inline void lead(struct contact *it, double overlap, double slip, int ste
   for (int k = 1; k <= steps; k++)
     go(it, from + (overlap - from) * k / steps, slip / steps);
 }
-
-#endif

@@ -1,8 +1,7 @@
 /* Small saved states as text, for the tests of the functions that read states.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_STATE_TEXT_H
-#define NB_STATE_TEXT_H
+#pragma once
 
 #include <stddef.h>
 
@@ -15,5 +14,3 @@ char *state_of(const char *statements, size_t *size);
 char *state_changed(const char *statements, const char *from, const char *to, size_t *size);
 /* The first `length` bytes of a state with their checksum; the caller frees the text. */
 char *state_sealed(const char *text, size_t length, size_t *size);
-
-#endif

@@ -3,8 +3,7 @@
  * needs no other change.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_SUITES_H
-#define NB_SUITES_H
+#pragma once
 
 #define NB_SUITE(name) void suite_##name(void);
 #include "suites-register.h"
@@ -12,5 +11,3 @@
 
 /* Asserts |a - b| <= fraction * |b|. */
 #define NEAR(a, b, fraction) CU_ASSERT(fabs((a) - (b)) <= (fraction)*fabs(b))
-
-#endif

@@ -1,8 +1,7 @@
 /* Scenes that a test writes in the page language, and their results.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_WRITTEN_H
-#define NB_WRITTEN_H
+#pragma once
 
 #include "../src/nineball.h"
 
@@ -40,5 +39,3 @@ double written_last(const struct nb_result *result, const char *name);
 /* True if the rows of two tables, or all tables of the snapshots of two results, are the same to the last bit. */
 bool written_same_table(const struct nb_table *a, const struct nb_table *b);
 bool written_same_snapshots(const struct nb_result *a, const struct nb_result *b);
-
-#endif

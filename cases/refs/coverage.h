@@ -4,8 +4,7 @@
  * solution. All others are refused, so every reference refuses a new feature until it lists it.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_COVERAGE_H
-#define NB_COVERAGE_H
+#pragma once
 
 #include "nineball.h"
 
@@ -81,5 +80,3 @@ void nb_features(int lines[NB_FEATURES], const struct nb_scene *scene);
 struct nb_reference;
 enum nb_status nb_reference_covers(const struct nb_reference *reference, const struct nb_scene *scene,
                                    struct nb_error *error);
-
-#endif

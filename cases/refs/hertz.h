@@ -2,8 +2,7 @@
  * Hertz's impact. Everything is computed from the moduli, radii and densities of the page.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_HERTZ_H
-#define NB_HERTZ_H
+#pragma once
 
 #include "reference.h"
 
@@ -50,5 +49,3 @@ void hertz_add_stages(struct nb_solution *solution, const struct hertz *hertz,
 void hertz_add(struct nb_solution *solution, const struct hertz *hertz, const char *what, double value);
 void hertz_curve(struct nb_solution *solution, const struct hertz *hertz, const char *what, const char *along,
                  double (*at)(const void *data, double x), const void *data, size_t size);
-
-#endif

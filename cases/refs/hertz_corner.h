@@ -22,12 +22,9 @@
  * Source   Hairer, Lubich and Wanner (2006) for H_1; elementary.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_HERTZ_CORNER_H
-#define NB_HERTZ_CORNER_H
+#pragma once
 
 /* T_c minus the duration, in steps of dt = fraction alpha* / V_N. */
 double hertz_shortening(double fraction);
 /* e - 1 for a first contact `in` steps after the run began and T_c = `steps` dt. */
 double hertz_restitution_error(double fraction, double in, double steps);
-
-#endif

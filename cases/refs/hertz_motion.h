@@ -11,8 +11,7 @@
  * a value, the equations are integrated over that unknown instead of time (Henon 1982).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_HERTZ_MOTION_H
-#define NB_HERTZ_MOTION_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -25,5 +24,3 @@ bool hertz_integrate(double y[], double beta, int along, double to);
 /* Integrates y until s, decreasing, is `end`; stops with s > `end` after the time `longest`. `deepest` becomes the
  * state of largest overlap. False: GSL failed. */
 bool hertz_rebound(double y[], double beta, double end, double longest, double deepest[]);
-
-#endif

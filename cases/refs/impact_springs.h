@@ -10,8 +10,7 @@
  * The parameters are chi = (1 + m R^2/I)/(2 kappa) [R89 5.14] and psi1, the initial psi.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_IMPACT_SPRINGS_H
-#define NB_IMPACT_SPRINGS_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -45,5 +44,3 @@ double impact_damped(double chi, double kappa, double beta, double psi1, int ste
  * i touches while xi > depth[i]. *sliding: the gross sliding of the contact. */
 double impact_press(double *u, const double *depth, int springs, double from, double to, double slip, double *sliding);
 void impact_path_free(struct impact_path *path);
-
-#endif

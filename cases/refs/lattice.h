@@ -21,8 +21,7 @@
  * divided by sqrt(m) and sqrt(I).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_LATTICE_H
-#define NB_LATTICE_H
+#pragma once
 
 #include <gsl/gsl_matrix.h>
 #include <gsl/gsl_vector.h>
@@ -127,5 +126,3 @@ double oscillation_mean(const struct oscillation *oscillation); /* once the wall
 double oscillation_amplitude(const struct oscillation *oscillation);
 /* How often per cycle the mean is crossed upwards: the frequency of the dominant mode; 0: no mode dominates. */
 double oscillation_frequency(const struct oscillation *oscillation);
-
-#endif

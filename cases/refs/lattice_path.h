@@ -1,8 +1,7 @@
 /* A network of springs under slow motion of its walls.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_LATTICE_PATH_H
-#define NB_LATTICE_PATH_H
+#pragma once
 
 #include "lattice.h"
 
@@ -12,5 +11,3 @@ typedef void lattice_path_point(void *data, size_t stage, double fraction, const
 /* NB_BAD_USE when the states of the contacts cannot be found. */
 enum nb_status lattice_path(const struct lattice *lattice, lattice_path_point *add_point, void *data,
                             struct nb_error *error);
-
-#endif

@@ -1,8 +1,7 @@
 /* Two particles x and y in a row between two walls: contacts A (wall and x), B (x and y), C (wall and y).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_LATTICE_ROW_H
-#define NB_LATTICE_ROW_H
+#pragma once
 
 #include "lattice.h"
 
@@ -21,5 +20,3 @@ enum nb_status lattice_row_build(struct lattice_row *row, const struct nb_scene 
 void lattice_row_free(struct lattice_row *row);
 /* 0, 1, 2 for A, B, C; -1 for any other contact. */
 int lattice_row_place(const struct lattice_row *row, int contact);
-
-#endif

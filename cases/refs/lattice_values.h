@@ -1,8 +1,7 @@
 /* Adds the normal and shear forces at monitored contacts to a solution, as values and as curves.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_LATTICE_VALUES_H
-#define NB_LATTICE_VALUES_H
+#pragma once
 
 #include "lattice.h"
 
@@ -22,5 +21,3 @@ enum nb_status lattice_add_curves(struct nb_solution *solution, const struct lat
 /* Checks every cycle of an undamped run. NB_BAD_USE: a contact opens or slips, so the lattice is not linear. */
 enum nb_status lattice_check_run(const struct lattice *lattice, const struct oscillation_modes *modes,
                                  struct nb_error *error);
-
-#endif

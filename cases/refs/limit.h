@@ -1,8 +1,7 @@
 /* The largest stable step of a network of springs and dashpots, by three independent methods.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_LIMIT_H
-#define NB_LIMIT_H
+#pragma once
 
 #include "lattice.h"
 
@@ -33,5 +32,3 @@ double limit_of_modes(const struct limit *limit);
  * six degrees of freedom. The mass of a particle is divided among its contacts in proportion to their normal springs
  * and dashpots, its moment of inertia in proportion to the tangential ones. */
 double limit_of_contacts(const struct limit *limit, const struct nb_scene *scene);
-
-#endif

@@ -15,8 +15,7 @@
  * The numbers of a `pair` statement replace k, mu and c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_MATTER_H
-#define NB_MATTER_H
+#pragma once
 
 #include "nineball.h"
 
@@ -33,5 +32,3 @@ struct matter_pair {
 struct matter_pair matter_pair(const struct nb_scene *scene, int material_a, int material_b);
 
 double matter_radius(double a, double b); /* R*, m; INFINITY for a wall */
-
-#endif

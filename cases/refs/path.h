@@ -2,8 +2,7 @@
  * results.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_PATH_H
-#define NB_PATH_H
+#pragma once
 
 #include "reference.h"
 
@@ -54,5 +53,3 @@ struct path_column *path_column(const struct nb_scene *scene); /* of zeros; NULL
 /* Adds the curve along `step` and the value at the end of each segment, `NAME in SEGMENT`. Takes ownership of the
  * column. NAN: no value. */
 void path_add(struct nb_solution *solution, const struct nb_scene *scene, const char *name, struct path_column *column);
-
-#endif

@@ -6,8 +6,7 @@
  * REFERENCES in build-aux/lists.mk.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_REFERENCE_H
-#define NB_REFERENCE_H
+#pragma once
 
 #include "core/error.h"
 #include "coverage.h"
@@ -69,5 +68,3 @@ enum nb_status nb_reference_solve(const struct nb_reference *reference, struct n
                                   const struct nb_scene *scene, struct nb_error *error);
 const struct nb_reference *nb_reference_find(const char *name); /* NULL: no reference of that name */
 const struct nb_reference *const *nb_references(void);          /* NULL-terminated */
-
-#endif

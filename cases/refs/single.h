@@ -2,8 +2,7 @@
  * rolling.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_SINGLE_H
-#define NB_SINGLE_H
+#pragma once
 
 #include "reference.h"
 
@@ -25,5 +24,3 @@ enum nb_status single_read(struct single *single, const struct nb_scene *scene, 
 void single_add(struct nb_solution *solution, const char *monitor, const char *what, const char *stage, double value);
 void single_curve(struct nb_solution *solution, const char *monitor, const char *what,
                   double (*at)(const void *data, double t), const void *data, size_t size);
-
-#endif

@@ -1,11 +1,8 @@
 /* Student's t distribution, for confidence intervals of means.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef STUDENT_H
-#define STUDENT_H
+#pragma once
 
 /* The half width of the confidence interval of the mean of n values, in s/sqrt(n), with their standard deviation s;
  * infinite for n = 1. */
 double student_quantile(double n, double confidence);
-
-#endif

@@ -1,8 +1,7 @@
 /* Plane waves in an infinite lattice of equal discs: the modes of one wave vector.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_WAVES_H
-#define NB_WAVES_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -23,5 +22,3 @@ struct waves_modes {
   double weight[WAVES_MODES][WAVES_MODES]; /* weight[k][i]: the amount of mode k in a velocity i; shape^T weight = 1 */
 };
 struct waves_modes waves_modes(const struct waves_lattice *lattice, double qx, double qy); /* 1/m */
-
-#endif

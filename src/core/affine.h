@@ -4,8 +4,7 @@
  *   L   strain rate tensor, 1/s      x_0  the point that the motion leaves in place, m
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_AFFINE_H
-#define NB_AFFINE_H
+#pragma once
 
 #include "model.h"
 #include "tensor.h"
@@ -64,5 +63,3 @@ static inline struct nb_vec nb_affine_separate(const struct nb_affine *affine, s
 static inline struct nb_vec nb_affine_accumulated(const struct nb_affine *affine, size_t slot, struct nb_vec x) {
   return vec_scale(1 - affine->separate[affine->source[slot]], nb_imposed_velocity(affine, slot, x));
 }
-
-#endif

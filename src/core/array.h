@@ -1,8 +1,7 @@
 /* Aligned arrays for vectorised loops, and growing arrays.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_ARRAY_H
-#define NB_ARRAY_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -28,5 +27,3 @@ struct nb_owner {
 /* Returns an array as nb_array does, which is freed with its owner. */
 void *nb_own(struct nb_owner *owner, size_t count, size_t size);
 void nb_owner_free(struct nb_owner *owner);
-
-#endif

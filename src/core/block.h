@@ -6,8 +6,7 @@
  * contacts. A pass uses both kinds of fields in the same way.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_BLOCK_H
-#define NB_BLOCK_H
+#pragma once
 
 #include "array.h"
 #include "error.h"
@@ -157,5 +156,3 @@ static inline void nb_tangential_since_touch(const struct nb_block *block) {
     if (nb_touch_began(overlap[c], dn[c]))
       slip[c] *= overlap[c] / dn[c];
 }
-
-#endif

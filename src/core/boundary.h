@@ -2,8 +2,7 @@
  * loading/boundary.c sets it; measure/boundary.c computes the enclosed area and the stress on it.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_BOUNDARY_H
-#define NB_BOUNDARY_H
+#pragma once
 
 #include "affine.h"
 
@@ -26,5 +25,3 @@ struct nb_boundary_state {
   struct nb_tensor stress; /* the stress on the boundary, Pa */
   struct nb_ring ring;
 };
-
-#endif

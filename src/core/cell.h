@@ -5,8 +5,7 @@
  * cell.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_CELL_H
-#define NB_CELL_H
+#pragma once
 
 #include "tensor.h"
 
@@ -46,5 +45,3 @@ struct nb_vec nb_wrap_image(const struct nb_wrap *wrap, struct nb_vec apart);
 double nb_cell_area(const struct nb_cell *cell);             /* current area, m2 */
 double nb_cell_area_first(const struct nb_cell *cell);       /* area at time 0, m2 */
 struct nb_tensor nb_cell_strain(const struct nb_cell *cell); /* symmetric part of H H_0^-1 - 1 */
-
-#endif

@@ -1,8 +1,7 @@
 /* Text that is safe to print to a terminal or a browser.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_CLEAN_H
-#define NB_CLEAN_H
+#pragma once
 
 #include <stdarg.h>
 #include <stdbool.h>
@@ -20,5 +19,3 @@ void nb_append(char *text, size_t size, const char *format, ...) __attribute__((
 /* Appends a word in backticks to a list, "`a`, `b` or `c`", of which it may be the last one. */
 void nb_append_item(char *list, size_t size, const char *word, bool last);
 void nb_append_list(char *text, size_t size, const char *format, va_list list) __attribute__((format(printf, 3, 0)));
-
-#endif

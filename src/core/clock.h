@@ -1,8 +1,7 @@
 /* Wall-clock time, to report how long a run takes; no result depends on it.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_CLOCK_H
-#define NB_CLOCK_H
+#pragma once
 
 #include <time.h>
 
@@ -12,5 +11,3 @@ static inline double nb_clock(void) {
   timespec_get(&t, TIME_UTC);
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
-
-#endif

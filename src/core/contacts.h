@@ -1,8 +1,7 @@
 /* The list of contacts, and the contacts of each particle: contacts.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_CONTACTS_H
-#define NB_CONTACTS_H
+#pragma once
 
 #include "block.h"
 #include "store.h"
@@ -81,5 +80,3 @@ static inline int nb_coordination_number(const struct nb_contacts *contacts, siz
 long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall);
 /* -sum f_i l_j over contacts between particles, N m: f force on the first particle, N; l branch vector, m. */
 struct nb_tensor nb_contacts_virial(const struct nb_model *model);
-
-#endif

@@ -1,8 +1,7 @@
 /* Terms of the energy balance since the start. Each module adds its own terms; measure/balance.c owns and reads them.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_ENERGY_TERMS_H
-#define NB_ENERGY_TERMS_H
+#pragma once
 
 #include <math.h>
 
@@ -30,5 +29,3 @@ static inline void nb_sum_add(struct nb_sum *to, double value) {
   to->rest += fabs(to->sum) >= fabs(value) ? (to->sum - sum) + value : (value - sum) + to->sum;
   to->sum = sum;
 }
-
-#endif

@@ -1,8 +1,7 @@
 /* Errors and warnings: error.c, warning.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_ERROR_H
-#define NB_ERROR_H
+#pragma once
 
 #include "nineball.h"
 
@@ -19,5 +18,3 @@ enum nb_status nb_error_system(struct nb_error *error, const char *format, ...) 
 /* Adds a warning that is not yet in the list. */
 void nb_warn(struct nb_warnings *warnings, int line, const char *format, ...) __attribute__((format(printf, 3, 4)));
 void nb_warnings_add(struct nb_warnings *warnings, const struct nb_warning *warning);
-
-#endif

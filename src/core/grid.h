@@ -6,8 +6,7 @@
  * object, so a few large objects do not slow down the search among many small ones.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_GRID_H
-#define NB_GRID_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -68,5 +67,3 @@ static inline int nb_grid_next(const struct nb_grid *grid, int item, struct nb_b
 #define NB_GRID_FOR_BOX(grid, item, where)                                                                             \
   for (int item = nb_grid_next(grid, (grid)->first[nb_grid_bucket(grid, where)], where); item >= 0;                    \
        item = nb_grid_next(grid, (grid)->entry[item].next, where))
-
-#endif

@@ -2,8 +2,7 @@
  * program.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_GUESS_H
-#define NB_GUESS_H
+#pragma once
 
 #include "error.h"
 
@@ -40,5 +39,3 @@ bool nb_guess_found(const struct nb_guess *guess); /* `best` is similar enough t
 /* Writes the hint "did you mean `best`?" to `text`, which has NB_HINT_SIZE bytes, and returns it. NULL: no keyword is
  * similar. */
 const char *nb_guess_hint(const struct nb_guess *guess, char *text);
-
-#endif

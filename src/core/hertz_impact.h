@@ -15,8 +15,7 @@
  * c is a literal because libraries round tgamma differently.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_HERTZ_IMPACT_H
-#define NB_HERTZ_IMPACT_H
+#pragma once
 
 #include <math.h>
 
@@ -29,5 +28,3 @@ static inline double nb_hertz_depth(double young, double radius, double mass, do
 
 /* t, s */
 static inline double nb_hertz_duration(double depth, double speed) { return 2.9432751843247047 * depth / speed; }
-
-#endif

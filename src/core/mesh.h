@@ -5,8 +5,7 @@
  * of boxes are those of grid.h, so that both searches find the same pairs.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_MESH_H
-#define NB_MESH_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -31,5 +30,3 @@ struct nb_model;
 /* Sorts the particles into boxes of this width, m. False: out of memory. */
 bool nb_mesh_create(struct nb_mesh *mesh, const struct nb_model *model, double width);
 void nb_mesh_free(struct nb_mesh *mesh);
-
-#endif

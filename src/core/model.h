@@ -6,8 +6,7 @@
  * order, searches and threads do not change a bit of the sums.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_MODEL_H
-#define NB_MODEL_H
+#pragma once
 
 #include <limits.h>
 
@@ -406,5 +405,3 @@ static inline struct nb_pair nb_contact_constants(const struct nb_model *model, 
     values.radius = model->contacts.kept[NB_REDUCED][contact];
   return values;
 }
-
-#endif

@@ -2,8 +2,7 @@
  * computes velocities.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_MOTION_H
-#define NB_MOTION_H
+#pragma once
 
 #include "affine.h"
 
@@ -97,5 +96,3 @@ static inline struct nb_vec nb_central_force(const struct nb_central *gravity, d
   const double distance = vec_length(travel);
   return vec_scale(distance > 0 ? mass * gravity->acceleration / distance : 0, travel);
 }
-
-#endif

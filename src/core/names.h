@@ -1,8 +1,7 @@
 /* The rows of the table of quantities. names.c and the files that define quantities include this file.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_NAMES_H
-#define NB_NAMES_H
+#pragma once
 
 #include "model.h"
 
@@ -91,5 +90,3 @@ double nb_quantity_now(struct nb_quantity quantity, const struct nb_model *model
     const struct nb_tensor t = expression;                                                                             \
     parts[0] = t.xx, parts[1] = t.xy, parts[2] = t.yx, parts[3] = t.yy;                                                \
   }
-
-#endif

@@ -2,8 +2,7 @@
  * restores them.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_STORE_H
-#define NB_STORE_H
+#pragma once
 
 #include "nineball.h"
 
@@ -40,5 +39,3 @@ const struct nb_store_part *nb_store_find(const struct nb_store *store, const ch
                              unsigned : 0x7fffffff, default : 0x1p53))
 
 void nb_store_table(struct nb_store *store, struct nb_table *table); /* table.c: saves or restores the rows */
-
-#endif

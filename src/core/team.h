@@ -1,8 +1,7 @@
 /* A team of threads for the two parallel parts of a cycle: team.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_TEAM_H
-#define NB_TEAM_H
+#pragma once
 
 struct nb_team;
 
@@ -15,5 +14,3 @@ void nb_team_free(struct nb_team *team); /* ends the threads; team may be NULL *
 /* Calls work(data, part) once for each part from 0 to parts - 1, in parallel, and returns when all parts are done. Without
  * a team (NULL) the caller does all parts. */
 void nb_team_run(struct nb_team *team, int parts, void (*work)(void *data, int part), void *data);
-
-#endif

@@ -8,8 +8,7 @@
  * The arctangent of the quotient may give the minor axis; atan2 gives the major one, -pi/2 < theta <= pi/2.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_TENSOR_H
-#define NB_TENSOR_H
+#pragma once
 
 #include "vec.h"
 
@@ -76,5 +75,3 @@ static inline double tensor_angle(struct nb_tensor a) { /* rad; 0 for an isotrop
   const double angle = atan2(a.xy + a.yx, a.xx - a.yy) / 2;
   return angle > -1.57079632679489661923 ? angle : 1.57079632679489661923; /* atan2 of a negative zero */
 }
-
-#endif

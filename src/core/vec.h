@@ -1,8 +1,7 @@
 /* Vectors in the plane, by value; and pi.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_VEC_H
-#define NB_VEC_H
+#pragma once
 
 #include <math.h>
 
@@ -29,5 +28,3 @@ static inline double *vec_flat(struct nb_vec *first) { return (double *)(void *)
 typedef double nb_both __attribute__((vector_size(2 * sizeof(double)), may_alias));
 static inline nb_both vec_both(const struct nb_vec *at) { return *(const nb_both *)(const void *)at; }
 static inline void vec_put(struct nb_vec *at, nb_both both) { *(nb_both *)(void *)at = both; }
-
-#endif

@@ -1,8 +1,7 @@
 /* Walls: position and motion of the segments, and the point of a wall nearest to a particle.          [CS79 figure 4]
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_WALLS_H
-#define NB_WALLS_H
+#pragma once
 
 #include <stddef.h>
 
@@ -49,5 +48,3 @@ static inline struct nb_vec nb_wall_nearest(const struct nb_walls *walls, int wa
 static inline struct nb_vec nb_wall_separation(const struct nb_walls *walls, int wall, struct nb_vec x) {
   return vec_sub(vec_sub(x, walls->point[wall]), vec_scale(nb_wall_projection(walls, wall, x), walls->along[wall]));
 }
-
-#endif

@@ -3,8 +3,7 @@
  * with `#` are ignored.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_COLUMNS_H
-#define NB_COLUMNS_H
+#pragma once
 
 #include "reader.h"
 
@@ -24,5 +23,3 @@ struct nb_wanted_column {
  * reported. */
 bool nb_columns_read(double **lengths, size_t *rows, const char *path, const struct nb_wanted_column *wanted, int count,
                      bool unitless, struct nb_mistakes *mistakes);
-
-#endif

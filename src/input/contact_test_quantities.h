@@ -2,8 +2,7 @@
  * their values.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_CONTACT_TEST_QUANTITIES_H
-#define NB_CONTACT_TEST_QUANTITIES_H
+#pragma once
 
 /* What a quantity needs from the laws. */
 enum { NB_REQUEST_STORE = 1, NB_REQUEST_LOSS = 2, NB_REQUEST_PIECES = 4 };
@@ -34,5 +33,3 @@ enum { NB_REQUEST_STORE = 1, NB_REQUEST_LOSS = 2, NB_REQUEST_PIECES = 4 };
   X(pieces, "pieces", "1", NB_REQUEST_PIECES, "number of pieces of history that the shear law keeps")                  \
   X(traction, "traction.force", "N", NB_REQUEST_PIECES,                                                                \
     "integral of the traction over the contact, by quadrature; it must equal the shear force")
-
-#endif

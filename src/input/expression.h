@@ -1,8 +1,7 @@
 /* Expressions with units.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_EXPRESSION_H
-#define NB_EXPRESSION_H
+#pragma once
 
 #include "reader.h"
 
@@ -21,5 +20,3 @@ bool nb_binding_same(const struct nb_binding *a, const struct nb_binding *b);
 /* True if a name is a function or pi. */
 bool nb_name_reserved(const char *name);
 extern const char nb_function_names[]; /* for the manual: "sqrt, sin, …" */
-
-#endif

@@ -1,8 +1,7 @@
 /* A hash of bytes.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_HASH_H
-#define NB_HASH_H
+#pragma once
 
 #include <stddef.h>
 
@@ -14,5 +13,3 @@ static inline unsigned long long nb_hash(unsigned long long hash, const void *by
     hash = (hash ^ c[i]) * 1099511628211ULL;
   return hash;
 }
-
-#endif

@@ -1,8 +1,7 @@
 /* Words of the page language of version 0.3 and their replacements. The table is in old_words.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_OLD_WORDS_H
-#define NB_OLD_WORDS_H
+#pragma once
 
 #include <stdio.h>
 
@@ -46,5 +45,3 @@ void nb_old_warn(FILE *out, const char *path, size_t number, const char *line, e
 
 /* migrate.c: writes the rewritten page. The function changes the characters of `page` while it runs. */
 void nb_migrate(FILE *out, char *page, const char *path, FILE *warnings);
-
-#endif

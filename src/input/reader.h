@@ -9,8 +9,7 @@
  *   units.c        numbers and units
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_READER_H
-#define NB_READER_H
+#pragma once
 
 #include "core/array.h"
 #include "core/error.h"
@@ -306,5 +305,3 @@ char *nb_file_read(const char *path, size_t most, size_t *size, struct nb_error 
 bool nb_array_append(struct nb_reader *reader, void *array, size_t *count, const void *element, size_t size);
 #define NB_APPEND(reader, array, count, element)                                                                       \
   nb_array_append(reader, &(array), &(count), &(element), sizeof *(array))
-
-#endif

@@ -6,8 +6,7 @@
  * passes over a page, and the checks at its end.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_SCENE_H
-#define NB_SCENE_H
+#pragma once
 
 #include "reader.h"
 
@@ -173,5 +172,3 @@ void nb_start_free(struct nb_start *start);
 void nb_stages_free(struct nb_scene *scene, size_t from); /* frees the stages from index `from` on */
 /* Removes the stages after the one with index `stage`, and the output of the scene. */
 void nb_scene_truncate(struct nb_scene *scene, size_t stage);
-
-#endif

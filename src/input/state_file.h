@@ -2,8 +2,7 @@
  * the file, record by record. run/state.h copies a state from a model and into a model.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_STATE_FILE_H
-#define NB_STATE_FILE_H
+#pragma once
 
 #include "core/affine.h"
 #include "core/block.h"
@@ -138,5 +137,3 @@ char *nb_saved_text(const struct nb_saved *saved, size_t *size);
 enum nb_status nb_saved_read_text(struct nb_saved *saved, const char *path, const char *text, size_t size,
                                   struct nb_error *error);
 enum nb_status nb_saved_read(struct nb_saved *saved, const char *path, struct nb_error *error);
-
-#endif

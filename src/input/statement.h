@@ -1,8 +1,7 @@
 /* Macros for the tables of a statement: its arguments and its words. Only the files of STATEMENTS include this header.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_STATEMENT_H
-#define NB_STATEMENT_H
+#pragma once
 
 #include "scene.h"
 
@@ -45,5 +44,3 @@
   static void name(struct nb_reader *reader, const struct nb_record *record __attribute__((unused)), void *subject)
 /* The statements of a file, by the file's name; the last row is {0}. */
 #define NB_STATEMENTS(file) const struct nb_keyword nb_statements_##file[]
-
-#endif

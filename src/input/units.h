@@ -1,8 +1,7 @@
 /* Units: any product of powers of base units, with prefixes; and decimal numbers.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_UNITS_H
-#define NB_UNITS_H
+#pragma once
 
 #include "core/guess.h"
 
@@ -80,5 +79,3 @@ enum nb_reading nb_quantity_read(double *value, const char *text, bool computed,
 const char *nb_reading_words(enum nb_reading reading);
 /* Length of the decimal number without a sign with which a text begins; 0: none. */
 size_t nb_number_length(const char *text);
-
-#endif

@@ -8,8 +8,7 @@
  * of u is thus limited to three pieces.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_CORNERS_H
-#define NB_CORNERS_H
+#pragma once
 
 #include "law.h"
 
@@ -119,5 +118,3 @@ static NB_COLD void drop_corner(struct corner at[], int pieces) {
   for (int i = k; i < last; i++)
     at[i].b += moved;
 }
-
-#endif

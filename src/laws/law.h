@@ -14,8 +14,7 @@
  * compiler vectorises their loop.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_LAW_H
-#define NB_LAW_H
+#pragma once
 
 #include <math.h>
 #include <stdint.h>
@@ -103,5 +102,3 @@ const struct nb_law *const *nb_laws(void);                            /* NULL-te
 
 /* properties.c: contact parameters of two materials at time 0 */
 struct nb_pair nb_scene_pair(const struct nb_scene *scene, int material_a, int material_b);
-
-#endif

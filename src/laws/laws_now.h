@@ -1,8 +1,7 @@
 /* The current contact laws and material pairs, and their changes.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_LAWS_NOW_H
-#define NB_LAWS_NOW_H
+#pragma once
 
 #include "core/model.h"
 #include "law.h"
@@ -34,5 +33,3 @@ void nb_properties_change(struct nb_properties *now, const struct nb_change *cha
                           double fraction);
 void nb_properties_end_stage(struct nb_properties *now, const struct nb_stage *stage); /* makes all its changes */
 void nb_properties_apply(struct nb_model *model); /* gives each material pair its current values */
-
-#endif

@@ -1,8 +1,7 @@
 /* Functions that shear_randall.c and shear_randall_literal.c share: the increment of T and the slip factor theta.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_RANDALL_H
-#define NB_RANDALL_H
+#pragma once
 
 #include <stdint.h>
 #include <string.h>
@@ -38,5 +37,3 @@ static inline double stuck_fraction(double force, double times, double rise, dou
 static inline double increment(double theta, double elastic, double frictional) {
   return theta * (elastic - frictional) + frictional;
 }
-
-#endif

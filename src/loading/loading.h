@@ -1,8 +1,7 @@
 /* Loading of an assembly: the functions that run/ and input/ call.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_LOADING_H
-#define NB_LOADING_H
+#pragma once
 
 #include "core/boundary.h"
 
@@ -61,5 +60,3 @@ void nb_servo_apply(struct nb_model *model); /* sets the strain rates of the nex
 
 /* ---- remove.c: removes the particles that a stage removes ---- */
 enum nb_status nb_remove(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error);
-
-#endif

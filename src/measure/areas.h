@@ -1,8 +1,7 @@
 /* Area of a disc inside a circle or a polygon, exact: areas.c. Areas in m2.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_AREAS_H
-#define NB_AREAS_H
+#pragma once
 
 #include <stddef.h>
 
@@ -14,5 +13,3 @@ double nb_area_of_lens(double radius_a, double radius_b, double distance);
 /* Common area of a disc and a polygon, m2. The corners of the polygon are given counterclockwise. */
 double nb_area_in_polygon(struct nb_vec centre, double radius, const struct nb_vec corners[], size_t count);
 double nb_area_of_polygon(const struct nb_vec corners[], size_t count);
-
-#endif

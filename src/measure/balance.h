@@ -1,8 +1,7 @@
 /* Data of the two balances, shared by balance.c and balance_steps.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_BALANCE_H
-#define NB_BALANCE_H
+#pragma once
 
 #include "energy.h"
 
@@ -29,5 +28,3 @@ struct nb_balance {
 
 /* Adds the half before t_N of the kick around t_N to all terms, times the sign. */
 void nb_balance_add_half(struct nb_model *model, double sign);
-
-#endif

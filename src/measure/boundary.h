@@ -1,8 +1,7 @@
 /* Area, radius and roughness of the boundary of an assembly, and the stress on it: boundary.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_BOUNDARY_MEASURE_H
-#define NB_BOUNDARY_MEASURE_H
+#pragma once
 
 #include "core/boundary.h"
 
@@ -21,5 +20,3 @@ double nb_boundary_radius(const struct nb_model *model);
 /* Standard deviation of these distances over their mean, 1. */
 double nb_boundary_roughness(const struct nb_model *model);
 struct nb_tensor nb_boundary_stress(const struct nb_model *model); /* from the forces on the boundary's particles, Pa */
-
-#endif

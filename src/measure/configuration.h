@@ -1,8 +1,7 @@
 /* Changes since the beginning of a stage, for snapshots with `from STAGE`: configuration.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_CONFIGURATION_H
-#define NB_CONFIGURATION_H
+#pragma once
 
 #include "core/contacts.h"
 #include "snapshot.h"
@@ -35,5 +34,3 @@ bool nb_touching_pairs(struct nb_neighbour_pairs *touching, const struct nb_mode
 /* The vector from the centre of the first particle to that of the second, or of its nearest image in a cell, or to the
  * nearest point of the wall, m. */
 struct nb_vec nb_pair_branch(const struct nb_model *model, struct nb_neighbour_pair pair);
-
-#endif

@@ -1,8 +1,7 @@
 /* Energy and momentum at a time, and the two balances of a run: energy.c, balance.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_ENERGY_H
-#define NB_ENERGY_H
+#pragma once
 
 #include "core/model.h"
 #include "laws/laws_now.h"
@@ -48,5 +47,3 @@ enum nb_status nb_balance_new_overlaps(struct nb_model *model, struct nb_error *
 double nb_balance_term(const struct nb_model *model, enum nb_term term); /* a term at t_N, J */
 double nb_balance_work_residual(const struct nb_model *model);           /* residual at the last half step, J */
 double nb_balance_energy_residual(const struct nb_model *model);         /* residual at t_N, J */
-
-#endif

@@ -1,8 +1,7 @@
 /* The impact of a scene: its state at first touch.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_IMPACT_H
-#define NB_IMPACT_H
+#pragma once
 
 #include "core/vec.h"
 #include "nineball.h"
@@ -19,4 +18,3 @@ struct nb_impact_state {
   double peak, duration;      /* N_max, N, and T_c, s, of the elastic impact [R89 5.9, 5.12] */
 };
 struct nb_impact_state nb_impact_incidence(const struct nb_scene *scene);
-#endif

@@ -15,8 +15,7 @@
  * Each measure is computed at most once a cycle, on demand. A scene without regions has none of this data.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_REGION_H
-#define NB_REGION_H
+#pragma once
 
 #include "core/contacts.h"
 #include "core/names.h"
@@ -233,5 +232,3 @@ bool nb_chains_create(struct nb_model *model); /* false: no memory */
 #define NB_MEASURE_FUNCTION(number, name)                                                                              \
   void nb_measure_##name(const struct nb_model *model, struct nb_region_state *region);
 NB_MEASURE_ROWS(NB_MEASURE_FUNCTION)
-
-#endif

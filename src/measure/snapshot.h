@@ -1,8 +1,7 @@
 /* Snapshots: snapshot.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_SNAPSHOT_H
-#define NB_SNAPSHOT_H
+#pragma once
 
 #include "core/model.h"
 
@@ -24,5 +23,3 @@ struct nb_table_column {
 bool nb_snapshot_table(struct nb_table *table, const struct nb_scene *scene, const struct nb_table_column columns[],
                        size_t count);
 bool nb_snapshot_row(struct nb_table *table, const struct nb_model *model, int stage, const double values[]);
-
-#endif

@@ -1,8 +1,7 @@
 /* The time step: its units, and the stability check.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_STEP_H
-#define NB_STEP_H
+#pragma once
 
 #include "laws/laws_now.h"
 #include "pass/pass.h"
@@ -98,5 +97,3 @@ double nb_step_single_contact(const struct nb_model *model);
  * second is a wall. */
 void nb_step_lightest(const struct nb_model *model, const struct nb_material_pair *material_pair, int lightest[2]);
 enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, struct nb_error *error);
-
-#endif

@@ -1,8 +1,7 @@
 /* Adds particles to a scene, on a lattice or at random.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_PACKING_H
-#define NB_PACKING_H
+#pragma once
 
 #include "nineball.h"
 
@@ -17,5 +16,3 @@ bool nb_fill_lattice(struct nb_scene *scene, struct nb_lattice lattice, struct n
  * the attempts in fill->attempts_made, and the requested and the placed particles in each size of the grading. */
 enum nb_fill_result { NB_FILL_DONE, NB_FILL_STOPPED, NB_FILL_NO_MEMORY };
 enum nb_fill_result nb_fill_random(struct nb_scene *scene, struct nb_fill *fill, struct nb_particle prototype);
-
-#endif

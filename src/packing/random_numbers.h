@@ -1,8 +1,7 @@
 /* Random numbers that are the same on every machine.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_RANDOM_H
-#define NB_RANDOM_H
+#pragma once
 
 #include <stdint.h>
 
@@ -12,5 +11,3 @@ struct nb_random {
 
 uint64_t nb_random_bits(struct nb_random *random);   /* 64 random bits */
 double nb_random_fraction(struct nb_random *random); /* uniform in [0, 1), a multiple of 2^-53 */
-
-#endif

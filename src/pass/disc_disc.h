@@ -1,8 +1,7 @@
 /* Geometry of two discs, or of a disc and an image of one: the loop of disc_disc.c and periodic.c.        [CS79 8-15]
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_DISC_DISC_H
-#define NB_DISC_DISC_H
+#pragma once
 
 #include "pass.h"
 
@@ -54,5 +53,3 @@ static inline NB_FORM void nb_disc_disc(const struct nb_model *model, const stru
   if (began)
     nb_tangential_since_touch(block);
 }
-
-#endif

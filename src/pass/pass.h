@@ -1,8 +1,7 @@
 /* The passes of which a plan consists.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_PASS_H
-#define NB_PASS_H
+#pragma once
 
 #include "core/model.h"
 
@@ -28,5 +27,3 @@ struct nb_dashpot {
   double time, ratio;
 };
 struct nb_dashpot nb_dashpot(const struct nb_model *model, bool wall);
-
-#endif

@@ -1,8 +1,7 @@
 /* The search for the cheapest setting within a tolerance, and its results.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_ADVISE_H
-#define NB_ADVISE_H
+#pragma once
 
 #include "estimate.h"
 #include "outcome.h"
@@ -151,5 +150,3 @@ bool nb_trials_run(struct nb_advice *advice, struct nb_variant *variant, int lev
 double nb_trials_time(struct nb_advice *advice, struct nb_variant *variant, int level);
 /* Memory that runs out ends the search; other failures belong to the candidate. Returns false. */
 bool nb_advice_no_memory(struct nb_advice *advice);
-
-#endif

@@ -1,8 +1,7 @@
 /* The number of bits of an expected quantity that do not depend on rounding.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_BITS_H
-#define NB_BITS_H
+#pragma once
 
 #include "outcome.h"
 
@@ -17,5 +16,3 @@ bool nb_expected_has_bits(const struct nb_page_run *nearest, size_t index);
 /* The number of bits that the values of expectation number `index` have in common in two runs, of which the second is
  * rounded to nearest; for a curve, the fewest of its rows. 53 if the quantity has no digits, 0 if it is undefined. */
 int nb_expected_bits(const struct nb_page_run *run, const struct nb_page_run *nearest, size_t index);
-
-#endif

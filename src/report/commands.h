@@ -1,8 +1,7 @@
 /* Declarations that the commands of the program share.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_COMMANDS_H
-#define NB_COMMANDS_H
+#pragma once
 
 #include "cost.h"
 #include "outcome.h"
@@ -140,5 +139,3 @@ struct nb_gnuplot {
   bool trust, verbose;
 };
 enum nb_status nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error *error);
-
-#endif

@@ -1,8 +1,7 @@
 /* The expected cost of a run (cost.c), and its plan (explain.c).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_COST_H
-#define NB_COST_H
+#pragma once
 
 #include <math.h>
 
@@ -54,5 +53,3 @@ double nb_cost_file(void);
 enum nb_status nb_explain(FILE *out, const struct nb_scene *scene, const struct nb_page_run *run,
                           const struct nb_options *options, struct nb_warnings *warnings, struct nb_cost *sum,
                           struct nb_error *error);
-
-#endif

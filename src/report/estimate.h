@@ -1,8 +1,7 @@
 /* Estimates of the error of a quantity Q that was computed with several time steps.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_ESTIMATE_H
-#define NB_ESTIMATE_H
+#pragma once
 
 #include <stddef.h>
 
@@ -36,5 +35,3 @@ double nb_estimate_scatter(const double values[], size_t count);
 /* The estimated error of the mean over realizations, from Q of each realization and from that of the same realization
  * at the anchor; `quantile`: Student's, of count values. *difference receives the difference of the two means. */
 double nb_estimate_mean(double *difference, const double n[], const double anchor[], size_t count, double quantile);
-
-#endif

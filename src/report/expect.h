@@ -1,8 +1,7 @@
 /* The expectations of a page: its `expect` blocks.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_EXPECT_H
-#define NB_EXPECT_H
+#pragma once
 
 #include "core/error.h"
 
@@ -102,5 +101,3 @@ enum nb_status nb_expectations_read(struct nb_expectations *expectations, const 
 enum nb_status nb_expectation_read(struct nb_expectation *expectation, const char *name, const char *text,
                                    const struct nb_scene *scene, struct nb_mistakes *mistakes);
 void nb_expectations_free(struct nb_expectations *expectations);
-
-#endif

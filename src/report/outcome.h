@@ -1,8 +1,7 @@
 /* The outcome of a page: all its runs, the reference solutions, and the verdict.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_OUTCOME_H
-#define NB_OUTCOME_H
+#pragma once
 
 #include "expect.h"
 #include "reference.h"
@@ -124,5 +123,3 @@ void nb_sweep_label(char *text, size_t size, const struct nb_page_run *run, cons
 /* ---- verdict.c ---- */
 enum nb_status nb_verdict(struct nb_outcome *outcome);
 const char *nb_mark_word(enum nb_mark mark); /* "pass" */
-
-#endif

@@ -5,8 +5,7 @@
  *   files/              figures and text files to which the pages link
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_REPORT_H
-#define NB_REPORT_H
+#pragma once
 
 #include "commands.h"
 
@@ -60,5 +59,3 @@ char *nb_report_links(struct nb_report *report, const struct nb_report_page *pag
 /* Writes the text of the page as HTML, with the text `checks` in the place of the expect block. */
 enum nb_status nb_report_convert(FILE *out, struct nb_report *report, const struct nb_report_page *page,
                                  const char *top, bool verdicts, struct nb_error *error);
-
-#endif

@@ -3,8 +3,7 @@
  * the second line names the columns.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_ROW_TABLE_H
-#define NB_ROW_TABLE_H
+#pragma once
 
 #include "core/error.h"
 
@@ -20,5 +19,3 @@ enum nb_status nb_row_table_open(struct nb_row_table *table, const char *path, c
 /* The text after `key` in the row that begins with `key`; NULL: there is no such row. */
 const char *nb_row_table_find(const struct nb_row_table *table, const char *key);
 bool nb_row_table_close(struct nb_row_table *table); /* false: it could not be written */
-
-#endif

@@ -1,8 +1,7 @@
 /* Runs a program with only the rights that it needs.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_SANDBOX_H
-#define NB_SANDBOX_H
+#pragma once
 
 #include "core/error.h"
 
@@ -34,5 +33,3 @@ void nb_confine_end(struct nb_confined *confined);
 /* Runs the program with these files as standard output and standard error. Returns the status of waitpid, or -1 if the
  * program could not be started. */
 int nb_confine_run(const struct nb_confined *confined, int out, int errors);
-
-#endif

@@ -1,8 +1,7 @@
 /* Runs gnuplot and pandoc, confined.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_TOOL_H
-#define NB_TOOL_H
+#pragma once
 
 #include "core/error.h"
 
@@ -21,5 +20,3 @@ struct nb_tool {
 enum nb_status nb_tool_run(const struct nb_tool *tool, FILE **messages, int *code, struct nb_error *error);
 /* Reads a message into `line` without the line end and without control characters; false: the end. */
 bool nb_tool_message(FILE *messages, char *line, int size);
-
-#endif

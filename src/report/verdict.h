@@ -1,8 +1,7 @@
 /* Functions that the verdict on one run (verdict.c) and the verdict on a sweep (verdict_sweep.c) share.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_VERDICT_H
-#define NB_VERDICT_H
+#pragma once
 
 #include "outcome.h"
 
@@ -36,5 +35,3 @@ bool nb_sweep_is_first(const struct nb_outcome *outcome, size_t run, const struc
 const char *nb_sweep_single_value(const struct nb_outcome *outcome, size_t first,
                                   const struct nb_expectation *expectation);
 void nb_check_sweep(struct nb_check *check, const struct nb_outcome *outcome, size_t first, size_t index);
-
-#endif

@@ -1,8 +1,7 @@
 /* Checkpoints: the state of a run at any cycle, with everything that it has recorded.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_CHECKPOINT_H
-#define NB_CHECKPOINT_H
+#pragma once
 
 #include "restart.h"
 
@@ -41,5 +40,3 @@ bool nb_checkpoint_is_due(struct nb_checkpoint *checkpoint, bool stage_ends);
 bool nb_checkpoint_stops(const struct nb_checkpoint *checkpoint);
 /* Deletes the checkpoints of a run that has ended. */
 void nb_checkpoint_remove(const struct nb_scene *scene, const struct nb_options *options, unsigned long long key);
-
-#endif

@@ -5,8 +5,7 @@
  *   contact_test_quantities.c  the quantities of the contact, and the traction over the contact circle
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_CONTACT_TEST_H
-#define NB_CONTACT_TEST_H
+#pragma once
 
 #include "laws/law.h"
 
@@ -46,5 +45,3 @@ enum nb_status nb_contact_test_run(struct nb_result *result, const struct nb_sce
 double nb_contact_test_value(struct nb_quantity quantity, const struct nb_contact_test *contact_test); /* SI units */
 /* Tables of the traction q(r) and of the memory diagram D(x); false: out of memory. */
 bool nb_contact_test_snapshot(struct nb_snapshot *snapshot, const struct nb_contact_test *contact_test, int stage);
-
-#endif

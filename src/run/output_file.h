@@ -1,8 +1,7 @@
 /* Files that are written completely or not at all: written under a temporary name, flushed to the disk, then renamed.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_OUTPUT_FILE_H
-#define NB_OUTPUT_FILE_H
+#pragma once
 
 #include "core/error.h"
 
@@ -20,5 +19,3 @@ enum nb_status nb_save_end(struct nb_save *save, struct nb_error *error);
 void nb_save_cancel(struct nb_save *save); /* discards the file; called instead of nb_save_end */
 /* Creates the folder and those above it if they do not exist. */
 enum nb_status nb_folder_create(const char *path, struct nb_error *error);
-
-#endif

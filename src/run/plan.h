@@ -1,8 +1,7 @@
 /* Makes a model from a scene and begins its stages: model.c, plan.c, hooks.c, stage.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_PLAN_H
-#define NB_PLAN_H
+#pragma once
 
 #include "core/model.h"
 
@@ -31,5 +30,3 @@ struct nb_saved;
  * stage scene->start.stages - 1. If `saved` is NULL, the model begins at time 0. */
 struct nb_model *nb_model_resume(const struct nb_scene *scene, const struct nb_options *options, struct nb_saved *saved,
                                  struct nb_error *error);
-
-#endif

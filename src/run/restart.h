@@ -1,8 +1,7 @@
 /* The saved state from which a page starts: it is read from the folder of states, or computed first.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_RESTART_H
-#define NB_RESTART_H
+#pragma once
 
 #include "state.h"
 
@@ -44,5 +43,3 @@ enum nb_status nb_run_to(struct nb_saved *saved, const struct nb_scene *scene, c
                          const struct nb_progress *progress, struct nb_error *error);
 /* run.c: true if the condition holds now */
 bool nb_condition_met(const struct nb_condition *condition, const struct nb_model *model);
-
-#endif

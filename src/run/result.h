@@ -1,8 +1,7 @@
 /* The results that runs record, and reports of progress (result.c). run.c and contact_test.c use them.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_RESULT_H
-#define NB_RESULT_H
+#pragma once
 
 #include "core/model.h"
 
@@ -25,5 +24,3 @@ struct nb_reporter nb_reporter_begin(const struct nb_progress *progress);
 bool nb_reporter_update(struct nb_reporter *reporter, const char *stage, double fraction);
 /* Processor time of this thread, s. */
 double nb_processor_clock(void);
-
-#endif

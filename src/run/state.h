@@ -1,8 +1,7 @@
 /* Captures, restores and writes saved states. input/state_file.h describes their contents.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_STATE_H
-#define NB_STATE_H
+#pragma once
 
 #include "core/model.h"
 #include "input/state_file.h"
@@ -22,5 +21,3 @@ enum nb_status nb_saved_restore_loading(struct nb_model *model, const struct nb_
 enum nb_status nb_saved_restore_contacts(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error);
 /* Writes the state to a file. Parses the text first, so that every written state can be read again. */
 enum nb_status nb_saved_write(const struct nb_saved *saved, const char *path, struct nb_error *error);
-
-#endif

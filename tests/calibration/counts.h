@@ -1,8 +1,7 @@
 /* The counts of the calibration of `nineball advise` (tests/accuracy.c), and its criteria.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_CALIBRATION_COUNTS_H
-#define NB_CALIBRATION_COUNTS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -61,5 +60,3 @@ size_t write_failures(FILE *out, const struct score *score);
 /* The quantile of the values that are not NaN: the value with the nearest rank. NaN: there are no values. Sorts the
  * values, NaN last. */
 double quantile(double *values, size_t count, double fraction);
-
-#endif

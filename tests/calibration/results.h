@@ -1,8 +1,7 @@
 /* The results of the calibration of `nineball advise`, which accuracy.c collects and document.c writes.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_CALIBRATION_RESULTS_H
-#define NB_CALIBRATION_RESULTS_H
+#pragma once
 
 #include <gsl/gsl_rng.h>
 
@@ -55,5 +54,3 @@ void draw_means(FILE *out, const char *path, struct nb_outcome *page, gsl_rng *r
                 size_t quantity_count);
 /* Starts the random numbers of a draw. */
 void seed_draw(gsl_rng *random, const char *page, int number);
-
-#endif

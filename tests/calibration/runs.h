@@ -1,8 +1,7 @@
 /* Runs of a page for the calibration of `nineball advise`: its limit, the true error and the cheapest setting.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_CALIBRATION_RUNS_H
-#define NB_CALIBRATION_RUNS_H
+#pragma once
 
 #include "../../src/report/advise.h"
 #include "counts.h"
@@ -62,5 +61,3 @@ struct chosen {
 /* The setting that the estimator chooses, if there is advice. An estimator that takes the finest setting without
  * running it claims the tolerance. */
 struct chosen choose(struct nb_advice *advice, enum estimator estimator);
-
-#endif

@@ -1,8 +1,7 @@
 /* Fault injection: functions shared by the two files of the test.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_FAULTS_H
-#define NB_FAULTS_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -12,5 +11,3 @@ int nineball_main(int count, char **words); /* the function main of the program,
  * too. */
 void faults_begin(unsigned long n, bool lasting);
 unsigned long faults_calls(void); /* number of calls so far that could have failed */
-
-#endif

@@ -2,8 +2,7 @@
  * packing, a path, a law with a history, and errors.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_FAULTS_PAGES_H
-#define NB_FAULTS_PAGES_H
+#pragma once
 
 #define STATEMENTS                                                                                                     \
   "material rock density 2000 kg/m3 young 1 GPa poisson 0.2 friction 0.3\n"                                            \
@@ -54,5 +53,3 @@ static const char *const cases[][8] = {
     {"nineball", "check", "wrong.md", "--set", "a=1"},
 };
 enum { CASES = sizeof cases / sizeof *cases };
-
-#endif

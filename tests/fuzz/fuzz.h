@@ -2,8 +2,7 @@
  * each reader, which `make fuzz` runs.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_FUZZ_H
-#define NB_FUZZ_H
+#pragma once
 
 #include <stddef.h>
 
@@ -46,5 +45,3 @@ size_t fuzz_change(unsigned char *bytes, size_t size, size_t most, unsigned long
 size_t fuzz_change_number(unsigned char *bytes, size_t size, size_t most, unsigned long long *chance);
 unsigned long long fuzz_chance(unsigned long long *chance); /* a random number; updates the state (xorshift64*) */
 void fuzz_print_words(void); /* prints the words of the page language as a dictionary of libFuzzer */
-
-#endif

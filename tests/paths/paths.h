@@ -2,8 +2,7 @@
  * (tests/contact_paths.c).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_PATHS_H
-#define NB_PATHS_H
+#pragma once
 
 #include "../contact.h"
 
@@ -76,5 +75,3 @@ enum { RUNS = 3 };
 extern const char *const run_names[RUNS], *const run_titles[RUNS];
 /* The errors of every contact of the run, in at most `cycles` cycles. */
 struct errors exact_in_run(const struct nb_law *shear, int run, long cycles);
-
-#endif
