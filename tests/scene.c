@@ -176,6 +176,39 @@ static void monitors_whose_names_begin_alike(void) {
   written_free(&it);
 }
 
+/* The hash of a stage names the state at its end: statements that concern only output or advice do not change it, all
+ * others do. */
+static void hash_of_a_stage(void) {
+  static const struct {
+    const char *head, *stage;
+    bool same;
+  } rows[] = {{"", "", true},
+              {"record time\n", "", true},
+              {"trade s 2 3\n", "", true},
+              {"", "snapshot\n", true},
+              {"record time\n", "record every 2 cycles\n", true},
+              {"skin 0.2\n", "", false},
+              {"gravity 0 1\n", "", false},
+              {"", "gravity 0 1\n", false},
+              {"", "damping ratio 0.1\n", false},
+              {"", "allow unstable\n", false}};
+  unsigned long long first = 0;
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\nlet s = 1\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\n%sstep 0.1\nstage a\n%s"
+              "cycles 1\n",
+              rows[k].head, rows[k].stage);
+    written_scene(&it, &page);
+    first = k ? first : it.scene.stages[0].hash;
+    if ((it.scene.stages[0].hash == first) != rows[k].same)
+      printf("# %s%s\n", rows[k].head, rows[k].stage);
+    CU_ASSERT_EQUAL(it.scene.stages[0].hash == first, rows[k].same);
+    written_free(&it);
+  }
+}
+
 void suite_scene(void) {
   CU_pSuite suite = CU_add_suite("scene", NULL, NULL);
   CU_add_test(suite, "a lattice is numbered from the south-west", lattice);
@@ -183,6 +216,7 @@ void suite_scene(void) {
   CU_add_test(suite, "walls and boxes", walls);
   CU_add_test(suite, "pairs of materials", pairs);
   CU_add_test(suite, "defaults", defaults);
+  CU_add_test(suite, "the hash of a stage", hash_of_a_stage);
   CU_add_test(suite, "stages inherit", stages);
   CU_add_test(suite, "monitors whose names begin alike", monitors_whose_names_begin_alike);
 }

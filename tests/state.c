@@ -87,6 +87,19 @@ static void centred_dashpots(void) {
   }
 }
 
+/* The time of first touch, here after 0.4 of the first step, is part of the state: `impact.time` counts from it. */
+static void an_impact_with_a_phase(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\nmaterial m density 1 young 1000 poisson 0.25\nnormal hertz\nsphere 0 1 radius 1 m\n"
+                   "wall w -9 0 to 9 0 m\nmonitor C sphere 1 with wall w\nimpact C speed 0.1 angle 0.3 phase 0.4\n"
+                   "step 40 per collision\nrecord C.overlap impact.time impact.slip\nstage a\ncycles 5\nstage b\n"
+                   "cycles 5\n");
+  written_scene(&it, &page);
+  continued_same(&it, "impact with a phase");
+  written_free(&it);
+}
+
 /* The balances of a continued run begin at the state, and they close. */
 static void balances_begin_anew(void) {
   static const char *const balance[] = {"work.residual", "energy.residual",   "energy.walls",
@@ -432,6 +445,7 @@ void suite_state(void) {
   CU_add_test(suite, "continued runs have the same bits with every law", all_laws);
   CU_add_test(suite, "continued runs have the same bits with every damping", all_dampings);
   CU_add_test(suite, "continued runs have the same bits with centred dashpots", centred_dashpots);
+  CU_add_test(suite, "continued runs have the same bits in an impact with a phase", an_impact_with_a_phase);
   CU_add_test(suite, "the balances count from the state on", balances_begin_anew);
   CU_add_test(suite, "pair rules of stages fit", rules_of_stages_fit);
   CU_add_test(suite, "other particles do not fit", other_particles_do_not_fit);
