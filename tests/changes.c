@@ -68,6 +68,32 @@ static void gravity_acts_away_from_a_point(void) {
                   after(AT_REST "ramp gravity centripetal 2 about 0 -8\ncycles 8\n", "D.y"));
 }
 
+/* A stage cannot move the point: the kick at its beginning would need both directions. After zero gravity it can. */
+static void the_point_of_central_gravity_stays(void) {
+  static const struct {
+    const char *between;
+    const char *point;
+    bool refused;
+  } of[] = {{"", "0 -8", true},     {"", "8 8", true},
+            {"", "0 8", false},     {"stage b\ngravity 0 0\ncycles 1\n", "0 -8", false},
+            {"ramp ", "1 8", true}, {"ramp ", "0 8", false}};
+  for (size_t n = 0; n < sizeof of / sizeof *of; n++) {
+    const bool ramp = strcmp(of[n].between, "ramp ") == 0;
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    struct nb_error error = {0};
+    words_add(&page, "units none\n" AT_REST "gravity centripetal 2 about 0 8\ncycles 8\n%sstage c\n",
+              ramp ? "" : of[n].between);
+    words_add(&page, "%sgravity centripetal 1 about %s\ncycles 8\n", ramp ? "ramp " : "", of[n].point);
+    written_scene(&it, &page);
+    CU_ASSERT_EQUAL(nb_run(&result, &it.scene, NULL, NULL, &error), of[n].refused ? NB_BAD_USE : NB_OK);
+    CU_ASSERT_EQUAL(strstr(error.text, "the point of central gravity moves") != NULL, of[n].refused);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
 static void gravity_pulls_along_any_axis(void) {
   static const struct {
     const char *words;
@@ -338,6 +364,7 @@ void suite_changes(void) {
   CU_add_test(suite, "gravity jumps", gravity_jumps);
   CU_add_test(suite, "gravity pulls along any axis", gravity_pulls_along_any_axis);
   CU_add_test(suite, "gravity acts away from a point", gravity_acts_away_from_a_point);
+  CU_add_test(suite, "the point of central gravity stays", the_point_of_central_gravity_stays);
   CU_add_test(suite, "gravity ramps", gravity_ramps);
   CU_add_test(suite, "a wall ramps", a_wall_ramps);
   CU_add_test(suite, "materials change", materials_change);

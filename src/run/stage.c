@@ -181,17 +181,31 @@ static void interpolate_gravity(struct nb_model *model, double fraction) {
     model->central.point = vec(to->about_x, to->about_y);
 }
 
+/* True if the point of central gravity moves. Neither the kick around t_0 nor a ramp could then use the mean of the two
+ * accelerations, which have different directions. */
+static bool central_point_moves(const struct nb_central *from, const struct nb_gravity *to) {
+  return from->acceleration != 0 && to->central != 0 && (from->point.x != to->about_x || from->point.y != to->about_y);
+}
+
 /* Begins a change of gravity. The kick around t_0 lasts previous_step/2 before t_0 and step/2 after t_0. */
-static void begin_gravity_change(struct nb_model *model) {
+static enum nb_status begin_gravity_change(struct nb_model *model, struct nb_error *error) {
   const struct nb_gravity *to = &model->stage->gravity;
+  const struct nb_central *central = &model->central;
   model->changes->gravity_from = model->gravity;
-  model->changes->central_from = model->central;
+  model->changes->central_from = *central;
+  if (to->line && central_point_moves(central, to))
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "line %d: the point of central gravity moves from (%g, %g) to (%g, %g), in SI units. Expected the "
+        "same point, or first a stage with `gravity` and two zeros",
+        to->line, central->point.x, central->point.y, to->about_x, to->about_y);
   if (!to->line || to->ramp)
-    return;
+    return NB_OK;
   const double before = model->previous_step, after = model->step;
   interpolate_gravity(model, after / (before + after));
   model->gravity = vec_scale(1 / (before + after), vec_add(vec_scale(before, model->changes->gravity_from),
                                                            vec_scale(after, vec(to->x, to->y))));
+  return NB_OK;
 }
 
 /* ---- the stage ---- */
@@ -216,7 +230,8 @@ static enum nb_status begin_assembly(struct nb_model *model, const struct nb_sta
 
 /* Begins the loading of the stage: gravity, boundary, cell and box. Called when the step is known. */
 static enum nb_status begin_loading(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
-  begin_gravity_change(model);
+  if (begin_gravity_change(model, error))
+    return error->status;
   if (model->affine)
     nb_affine_begin(model, stage);
   if (stage->rotation_line)
