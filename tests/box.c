@@ -194,6 +194,26 @@ static void box_stress_counts_the_four_walls(void) {
   }
 }
 
+/* The porosity of a box of 10 by 8 with three discs, one of which a stage removes; the box is then made narrower. */
+static void porosity_of_the_box(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  const double pi = 3.14159265358979323846;
+  words_add(&page, "units none\nmaterial m density 2 kn 1000\nstep 0.01\ndisc 0 0 radius 1 m\ndisc 2.5 0 radius 0.5 m\n"
+                   "disc -3 1 radius 2 m\nbox -5 -4 to 5 4 m\nrecord box.porosity box.void_ratio\nstage one\ncycles 1\n"
+                   "stage two\nremove disc 3\nbox strain -0.1 per cycle 0 per cycle\ncycles 1\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  const double first = 1 - 5.25 * pi / 80, last = 1 - 1.25 * pi / 72;
+  CU_ASSERT_DOUBLE_EQUAL(row(&result, 1)[0], first, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(row(&result, 1)[1], first / (1 - first), 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "box.porosity"), last, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "box.void_ratio"), last / (1 - last), 1e-11);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 /* Heavy discs press on the walls of a box of 10 by 8. The forces are 100 and 50 on south, at -3 and 2 from its middle
  * along the wall; 20 and 50 on east, at 2 and -2; 80 on north; 10 on west. Then east moves tangentially by 0.004, which
  * causes a shear force of 4 on each of its discs; friction would allow 10 and 25. The wall `free` is given about an end
@@ -263,6 +283,7 @@ static void the_ratio_of_a_transformed_box(void) {
 
 void suite_box(void) {
   CU_pSuite suite = CU_add_suite("box", NULL, NULL);
+  CU_add_test(suite, "porosity of the box", porosity_of_the_box);
   CU_add_test(suite, "a servo through the box follows the recursion", the_servo_follows_the_recursion);
   CU_add_test(suite, "both parts of the servo stay within the limit", both_parts_of_the_servo_stay_within_the_limit);
   CU_add_test(suite, "corners stay closed, also after transform", corners_stay_closed);

@@ -62,7 +62,7 @@ while read -r word; do
 done <"$work/words" >"$work/said"
 test "$(wc -l <"$work/words")" -gt 100 && test ! -s "$work/said"
 result $? 'nineball --help WORD describes each word within a statement'
-for pair in energy:energy.sliding unbalanced:unbalanced.max kinetic:energy.kinetic quantities:dashpot.normal units:kg/m3 expressions:hypot \
+for pair in energy:energy.sliding unbalanced:unbalanced.max kinetic:energy.kinetic "quantities:dashpot: .normal, .shear" "quantities dashpot:dashpot.normal" "quantities stress:stress.mean" units:kg/m3 expressions:hypot \
   sqrt:expressions MPa:pressure hertz:elastic "normal hertz:elastic" "shear rate:2 EXY" amplitude:largest at:TIME deg:angle; do
   "$nineball" --help "${pair%%:*}" 2>&1 | grep -qF -e "${pair#*:}" || echo "nineball --help ${pair%%:*} does not mention ${pair#*:}"
 done >"$work/said"
@@ -72,7 +72,7 @@ result $? 'nineball --help describes families of quantities, topics, units, func
 # The explanation that a newcomer looks for is within the first three lines of the help.
 for pair in "velocity:velocity VX VY" stiffness:young "refine:divides the step" "compress:box strain" "compression:cell strain" \
   "vertical:y points up" "horizontal:x points to the right" "order:order NUMBER in NAME" "advise:cheapest step" "within:MEASURE within" \
-  "rate:cell strain" "seed:fill discs" "porosity:region M all" "strain:Which strain" "stage:Begins a stage" "budget:time for the search" \
+  "rate:cell strain" "seed:fill discs" "porosity:box.porosity" "strain:Which strain" "stage:Begins a stage" "budget:time for the search" \
   "psi:1 psi is 6.894757293 kPa" "inch:1 inch is 25.4 mm" "lb:1 lb is 4.448221615 N" "restitution:damping ratio" "fix:fixed" \
   "simple_shear:c12 0.1 1/s" "simple-shear:c12 0.1 1/s" "shear rate:c12 0.1 1/s" "pure shear:2 EXY"; do
   "$nineball" --help "${pair%%:*}" 2>&1 | head -n 3 | grep -qF -e "${pair#*:}" || echo "nineball --help ${pair%%:*} does not begin with ${pair#*:}"

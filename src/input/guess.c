@@ -21,7 +21,7 @@ bool nb_item(const char **list, char item[NB_NAME_SIZE]) {
 #define RANDOM_PACKING \
   "a random packing is two lines, `grading mixed 4 mm 67  5 mm 66  6 mm 67` (radius and number of each size) and `fill discs " \
   "box 0 m 0 m to 0.2 m 0.2 m mixed MATERIAL seed 1 attempts 1000 else stop` (in a periodic cell `cell` in place of `box … to …`); " \
-  "there is no target porosity: compress with `walls inward 1 mm/s` and `until M.porosity below 0.16 at most 1000000 cycles`"
+  "there is no target porosity: compress with `walls inward 1 mm/s` and `until box.porosity below 0.16 at most 1000000 cycles`"
 #define ONE_SERVO "write `servo isotropic 50 kPa on box through box at most 0.1 1/s`; `xx P`, `yy P`, `xy P` or `mean P` control one component"
 #define SIMPLE_SHEAR \
   "simple shear at the rate G = 0.1 1/s is `cell strain 0 1/s 0 1/s  c12 0.1 1/s`, where c12 is the velocity in x per unit of y. The clause " \
@@ -70,20 +70,20 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"norotation no_rotation irrotational blockedDOFs", "rotation off"}, {"false no disable disabled", "off"}, {"true yes enable enabled", "on"},
     {"safety safety_factor", "stable", "write `step 0.2 of stable`"}, {"number count", "grading", "a grading has the number of particles of each radius: `grading sand 2 mm 100  1 mm 400`"},
     /* STATEMENT_WORD: a word in a statement that does not have it */
-    {"units_SI units_Si units_metric", "units", "write `units none` if numbers have no units (they are in SI), or `units si` and a unit after each number: `5 mm`"},
+    {"units_lj units_cgs units_micro units_real units_SI units_Si units_metric", "units", "write `units none` if numbers have no units (they are in SI), or `units si` and a unit after each number: `5 mm`"},
     {"disc_at disc_velocity", "disc", "a statement `disc` takes no number and no word `at`; particles are numbered in the order of their lines. Begin with x and y of the centre: `disc 0 m 0 m radius 5 mm MATERIAL velocity 1 m/s 0 m/s`"},
     {"sphere_at sphere_velocity", "sphere", "a statement `sphere` takes no number and no word `at`; particles are numbered in the order of their lines. Begin with x and y of the centre: `sphere 0 m 0 m radius 5 mm MATERIAL velocity 1 m/s 0 m/s`"},
     {"lattice_at", "lattice", "the centre of the first particle is `from X Y`"},
     {"wall_at wall_normal", "wall", "a wall is a line in the plane between two ends, without `at` and `normal`: `wall floor -1 m 0 m to 1 m 0 m MATERIAL`"},
     {"wall_stop wall_still wall_halt wall_inward", "wall", "in a stage write `wall NAME velocity 0 m/s 0 m/s`, or for all walls `walls stop`"},
-    {"wall_down wall_up wall_left wall_right wall_move wall_speed", "wall", "in a stage write `wall NAME velocity 0 m/s -1 mm/s`"},
+    {"wall_velocity_y wall_velocity_x wall_down wall_up wall_left wall_right wall_move wall_speed", "wall", "in a stage write `wall NAME velocity 0 m/s -1 mm/s`"},
     {"fill_NUMBER fill_radius fill_to fill_porosity fill_number fill_count fill_size fill_uniform fill_distribution", "fill", RANDOM_PACKING},
     {"fill_velocity", "fill", "filled particles begin at rest: add moving ones with `disc X Y radius R MATERIAL velocity VX VY` above the `fill`"},
     {"stage_time stage_duration stage_for stage_lasts stage_length", "until", "a stage of 0.1 s ends with `until stage.time above 0.1 s at most 1000000 cycles`"},
     {"stage_steps stage_run stage_solve", "cycles, until", "a number of cycles is `cycles 1000`"},
     {"contact_test_sphere contact_test_spheres contact_test_disc contact_test_discs contact_test_wall", "contact", "the two particles are one line, `contact sphere 5 mm MATERIAL with sphere 5 mm MATERIAL`"},
-    {"contact_test_stage contact_test_normal_force contact_test_displace contact_test_steps contact_test_cycles contact_test_tangential contact_test_move contact_test_until", "segment", "each segment is one line with its own name, `segment load normal to 100 N in 100 steps`, then `segment slide slip to 2 um hold normal in 1000 steps`"},
-    {"segment_NUMBER segment_steps segment_tangential segment_displacement segment_normal_force", "segment", "the word after `segment` is its name: `segment load normal to 100 N in 100 steps`, `segment slide slip to 2 um hold normal in 1000 steps`"},
+    {"contact_test_shear contact_test_slip contact_test_unload contact_test_load contact_test_cycle contact_test_run contact_test_stage contact_test_normal_force contact_test_displace contact_test_steps contact_test_cycles contact_test_tangential contact_test_move contact_test_until", "segment", "each segment is one line with its own name, `segment load normal to 100 N in 100 steps`, then `segment slide slip to 2 um hold normal in 1000 steps`"},
+    {"segment_for segment_NUMBER segment_steps segment_tangential segment_displacement segment_normal_force", "segment", "the word after `segment` is its name: `segment load normal to 100 N in 100 steps`, `segment slide slip to 2 um hold normal in 1000 steps`"},
     {"contact_spheres contact_discs contact_radius contact_at", "contact", "write `contact sphere 5 mm MATERIAL with sphere 5 mm MATERIAL`"},
     {"servo_NUMBER servo_pressure servo_stress servo_target servo_force servo_wall", "servo", ONE_SERVO},
     {"contact_linear contact_hertz", "normal, shear", "contact laws are two statements: `normal linear` and `shear linear`, or `normal hertz` and `shear mindlin`"},
@@ -92,15 +92,31 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"remove_wall", "wall", "a wall stays, but it can move away: `wall NAME velocity VX VY`"}, {"step_auto", "stable", "write `step 0.3 of stable`, with elastic spheres `step 0.2 of rayleigh`"},
     {"cycles_s cycles_ms cycles_us cycles_second cycles_seconds", "until", "a stage of 2 s ends with `until stage.time above 2 s at most 1000000 cycles`"},
     {"monitor_contact", "monitor", "a contact is named by its two partners: `monitor C disc 1 with disc 2`"},
-    {"wall_servo walls_servo", "servo", "for example `servo yy 100 kPa on walls through box at most 1e-6 per cycle`"},
+    {"wall_servo walls_servo wall_force", "servo", "for example `servo yy 100 kPa on walls through box at most 1e-6 per cycle`"},
     {"stop_wall stop_walls stop_all stop_box", "wall, walls", "in a stage write `walls stop`, or for one wall `wall NAME velocity 0 m/s 0 m/s`"},
     {"until_equals until_equal until_= until_== until_is until_reaches until_at until_to until_until", "until", "a condition has `above` or `below`: `until stage.time above 0.1 s at most 1000000 cycles`"},
     {"until_< until_<= until_less until_under until_smaller", "below", "a condition is `QUANTITY below VALUE`"}, {"until_> until_>= until_greater until_over until_more until_exceeds", "above", "a condition is `QUANTITY above VALUE`"},
     {"scene_load", "start", "a page that continues from another begins with `start PAGE stage NAME`; a load on particles is `gravity`, or in a stage `boundary stress` or `servo`"},
-    {"cell_shear cell_simple_shear cell_rate cell_c12 cell_velocity cell_deform cell_engineering_shear", "cell strain", SIMPLE_SHEAR},
+    {"cell_xy cell_shear cell_simple_shear cell_rate cell_c12 cell_velocity cell_deform cell_engineering_shear", "cell strain", SIMPLE_SHEAR},
     {"boundary_shear boundary_c12", "boundary strain", "simple shear at the rate G = 0.1 1/s is `boundary strain 0 1/s 0 1/s  c12 0.1 1/s`; the clause `shear EXY` is pure shear, c12 = c21 = EXY"},
     {"shear_exact shear_deresiewicz shear_history", "shear", "the exact law of Mindlin and Deresiewicz is `shear mindlin_deresiewicz`"},
+    {"model_new model_domain", "box, cell", "a page needs no such line; the domain is `box 0 m 0 m to 1 m 1 m MATERIAL`, or periodic `cell 0 m 0 m to 1 m 1 m`"},
+    {"model_gravity", "gravity", "write `gravity 0 m/s2 -9.81 m/s2`"}, {"model_calm", "zero velocities", "in a stage write `zero velocities`"},
+    {"model_solve model_cycle model_step minimize", "until, cycles", "in a stage write `cycles 1000`, or `until unbalanced.max below 1e-4 and contacts above 0 at most 1000000 cycles`"},
+    {"model_save model_restore", "start", "nothing has to be saved: a second page begins with `start THIS-PAGE stage NAME`"},
+    {"contact_cmat contact_method", "normal, shear", "contact laws are two statements: `normal linear` and `shear linear`, or `normal hertz` and `shear mindlin`"},
+    {"ball_generate ball_distribute", "fill", RANDOM_PACKING}, {"ball_create O.bodies.append atom_style", "disc, sphere", "a particle is `disc 0 m 0 m radius 5 mm MATERIAL`, or `sphere` in place of `disc`"},
+    {"ball_attribute ball_property scene_mass", "material", "density and stiffness are properties of a material: `material steel density 7800 kg/m3 kn 1 MN/m ks 1 MN/m friction 0.3`"},
+    {"ball_fix", "fixed", "a particle that does not move is `disc X Y radius R MATERIAL fixed`"},
+    {"fix_NUMBER fix_wall/gran fix_nve/sphere fix_all", "wall, gravity, fixed", "motion is integrated without a statement; a wall is `wall floor -1 m 0 m to 1 m 0 m MATERIAL`, gravity is `gravity 0 m/s2 -9.81 m/s2`"},
+    {"scene_velocity", "disc, sphere", "an initial velocity is a part of a particle: `disc 0 m 0 m radius 5 mm MATERIAL velocity 1 m/s 0 m/s`"},
+    {"compute", "record", "write `record time energy.kinetic`; `nineball --help quantities` lists the quantities"},
+    {"PWaveTimeStep GlobalStiffnessTimeStepper", "stable", "write `step 0.3 of stable`, with elastic spheres `step 0.2 of rayleigh`"},
+    {"boundary_p boundary_f boundary_s", "cell, box", "periodic boundaries are `cell 0 m 0 m to 1 m 1 m`, walls are `box 0 m 0 m to 1 m 1 m MATERIAL`"},
+    {"contact_test_step", "segment", "a contact test has no time; a segment has its number of steps: `segment load normal to 100 N in 100 steps`"},
     /* expect_WORD: a word in any place of an expectation */
+    {"expect_approx expect_approximately expect_about expect_~ expect_= expect_== expect_equals expect_equal", "expected", "write `C.normal max  expected 3 N within 1 % [SOURCE]`"},
+    {"expect_average expect_avg", "mean", "the mean of the rows is `mean`: `C.normal mean in load  below 3 N`"},
     {"expect_stage", "in", "`in` is followed by the name alone: `C.normal max in load`"},
     {"expect_expected", "expected", "the quantity comes first: `C.shear last in load  expected 0.1 N within 1 % [SOURCE]`, or, for a value in another stage, `expected 1 of C.shear last in unload within 1 % [SOURCE]`"},
     {"expect_abs expect_magnitude expect_absolute expect_mag expect_norm expect_absmax", "above, below", "a magnitude below X is two lines: `C.shear max below X` and `C.shear min above -X`"},

@@ -158,9 +158,11 @@ static const struct nb_quantity_kind kinds[] = {
     {"fy", PARTICLE, "N", 0, particle_fy, "sum of the contact forces"},
     {"moment", PARTICLE, "N.m", 0, particle_moment, "sum of the moments of the contact forces, counterclockwise"},
     {"overlap", PAIR, "m", NB_BIT(NB_OVERLAP), pair_overlap, "overlap of the particles"},
-    {"normal", PAIR, "N", NB_BIT(NB_NORMAL), pair_normal, "elastic normal force F_n, dashpot not included"},
+    {"normal", PAIR, "N", NB_BIT(NB_NORMAL), pair_normal,
+     "elastic normal force F_n without the dashpot; the whole normal force is `normal` plus `dashpot.normal`"},
     {"shear", PAIR, "N", NB_BIT(NB_SHEAR), pair_shear,
-     "elastic shear force F_s; above 0 if it pushes the first particle to the left, seen towards the second one or the "
+     "elastic shear force F_s without the dashpot, `dashpot.shear`; above 0 if it pushes the first particle to the "
+     "left, seen towards the second one or the "
      "wall"},
     {"sliding", PAIR, "1", NB_BIT(NB_SLIDING), pair_sliding, "1 while F_s is at its limit, else 0"},
     {"dashpot.normal", PAIR, "N", NB_BIT(NB_NORMAL) | NB_BIT(NB_TOTAL_NORMAL), pair_dashpot_normal,

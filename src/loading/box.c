@@ -93,6 +93,18 @@ struct nb_vec nb_box_initial_sides(const struct nb_scene *scene) {
   return vec(south->h2 - south->h1, east->h2 - east->h1);
 }
 
+double nb_box_porosity(const struct nb_model *model) {
+  const struct nb_particles *particles = &model->particles;
+  const struct nb_vec sides = nb_box_sides(model);
+  double area = 0;
+  for (size_t k = 0; k < particles->count; k++) {
+    const size_t i = (size_t)particles->slot[k];
+    const double radius = particles->surface[i].radius;
+    area += nb_removed(model, i) ? 0 : NB_PI * radius * radius;
+  }
+  return 1 - area / (sides.x * sides.y);
+}
+
 enum box_sides { SOUTH_AND_NORTH, EAST_AND_WEST, ALL_SIDES };
 
 /* -sum F_i X_j over the contacts with the walls `which` of the box, N m; F is the force on the particle and X the

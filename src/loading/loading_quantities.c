@@ -32,6 +32,8 @@ NB_QUANTITY(cell_strain_volume, nb_cell_area(model->cell) / nb_cell_area_first(m
 
 NB_QUANTITY(box_width, nb_box_sides(model).x)
 NB_QUANTITY(box_height, nb_box_sides(model).y)
+NB_QUANTITY(box_porosity, nb_box_porosity(model))
+NB_QUANTITY(box_void_ratio, nb_box_porosity(model) / (1 - nb_box_porosity(model)))
 NB_QUANTITY(box_strain_width, nb_box_sides(model).x / nb_box_initial_sides(model->scene).x - 1)
 NB_QUANTITY(box_strain_height, nb_box_sides(model).y / nb_box_initial_sides(model->scene).y - 1)
 NB_TENSOR_QUANTITY(box_stress, nb_box_stress(model))
@@ -72,6 +74,9 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
 
     {"box.width", NB_OF_BOX, "m", 0, box_width, "distance from the box's wall `west` to `east`"},
     {"box.height", NB_OF_BOX, "m", 0, box_height, "distance from the box's wall `south` to `north`"},
+    {"box.porosity", NB_OF_BOX, "1", 0, box_porosity,
+     "areal porosity of the box: 1 minus the area of all particles over width times height; overlaps count twice"},
+    {"box.void_ratio", NB_OF_BOX, "1", 0, box_void_ratio, "void ratio e = n/(1 - n), n = box.porosity"},
     TENSOR("box.stress", NB_OF_BOX, "Pa", NB_STRESSES, box_stress,
            "stress: sum of F_i X_j over wall contacts (F force on the wall with dashpots, X contact point), divided by "
            "the volume; compression positive"),

@@ -3,9 +3,11 @@
  * is `nineball --help scene`, and for one word `nineball --help WORD`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <stdlib.h>
 #include <string.h>
 
 #include "commands.h"
+#include "core/clean.h"
 #include "core/names.h"
 #include "expect.h"
 #include "input/expression.h"
@@ -310,6 +312,54 @@ static void quantities(const struct manual *to) {
   }
 }
 
+/* Prints one line for the family of row k, `energy: .kinetic, .stored, …`, unless an earlier row is of the same family. */
+static void family(const struct manual *to, const struct nb_quantity_row *rows, size_t count, size_t k) {
+  enum { WIDEST = 80 };
+  const size_t length = strcspn(rows[k].name, ".");
+  const char *between = rows[k].name[length] ? ": " : ", ";
+  char line[2 * WIDEST];
+  snprintf(line, sizeof line, "%.*s", (int)length, rows[k].name);
+  for (size_t j = 0; j < count; j++) {
+    const bool same = strcmp(rows[j].of, rows[k].of) == 0 && strcspn(rows[j].name, ".") == length &&
+                      strncmp(rows[j].name, rows[k].name, length) == 0;
+    if (same && j < k)
+      return;
+    if (!same || !rows[j].name[length] || !*between)
+      continue;
+    const bool more = strlen(line) + strlen(rows[j].name + length) > WIDEST;
+    nb_append(line, sizeof line, "%s%s", more ? ", " : between, more ? "…" : rows[j].name + length);
+    between = more ? "" : ", ";
+  }
+  if (rows[k].name[length])
+    fprintf(to->out, "        %s\n", line);
+  else
+    part(to, line, NULL, rows[k].help);
+}
+
+/* Prints an overview of the quantities: one line for each family. */
+static void families(const struct manual *to) {
+  enum { MOST = 1000 };
+  struct nb_quantity_row *rows = calloc(MOST, sizeof *rows);
+  size_t count = 0;
+  while (rows && count < MOST && nb_quantity_row(&rows[count], count))
+    count++;
+  paragraph(to, "Quantities for `record`, `until` and expectations, by families. `nineball --help quantities FAMILY` "
+                "describes each quantity of a family, such as `nineball --help quantities stress`.");
+  for (size_t k = 0; k < count; k++) {
+    size_t before = 0;
+    while (strcmp(rows[before].of, rows[k].of) != 0)
+      before++;
+    if (before < k)
+      continue;
+    fprintf(to->out, "  Of %s", rows[k].of);
+    fprintf(to->out, rows[k].statement ? ", `%s`, written `%sNAME`:\n" : ":\n", rows[k].statement, rows[k].prefix);
+    for (size_t j = k; j < count; j++)
+      if (strcmp(rows[j].of, rows[k].of) == 0)
+        family(to, rows, count, j);
+  }
+  free(rows);
+}
+
 static void values(const struct manual *to) {
   char text[1024];
   section(to, "Numbers, units and expressions");
@@ -567,7 +617,7 @@ static bool find(const struct manual *to, const char *word, struct nb_guess *gue
     void (*write)(const struct manual *to);
   } topics[] = {{"expect", expectations},
                 {"gnuplot", figures},
-                {"quantities", quantities},
+                {"quantities", families},
                 {"expressions", values},
                 {"contact-test", contact_tests}};
   for (size_t k = 0; k < sizeof topics / sizeof *topics; k++)
@@ -613,7 +663,9 @@ bool nb_manual_word(FILE *out, const char *text, char *hint) {
   const void *shown[2048] = {NULL}; /* more rows than all tables have */
   const struct manual to = {out, false, true, shown};
   struct nb_guess guess = nb_guess_begin(text);
-  const bool found = words_help(&to, text, &guess);
+  const size_t topic = strlen("quantities ");
+  const bool family = strncmp(text, "quantities ", topic) == 0;
+  const bool found = family ? find_quantity(&to, text + topic, &guess, true) : words_help(&to, text, &guess);
   snprintf(hint, NB_HINT_SIZE, "%s", nb_guess_found(&guess) ? guess.best : "");
   return found;
 }
