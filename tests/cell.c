@@ -239,7 +239,8 @@ static void sheared_cells_are_set_upright(void) {
   }
 }
 
-/* `gap` counts images of particles, and pairs that are not listed but have approached since the search. */
+/* `gap` is the smallest distance of all pairs. It includes the images of particles, and pairs that are not listed but
+ * have approached since the search. */
 static void the_gap_is_that_of_the_nearest_two(void) {
   struct words flies = {0};
   struct written it;

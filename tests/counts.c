@@ -69,7 +69,7 @@ static void within_in_95_percent(void) {
   free(draws);
 }
 
-/* Of the twenty draws of a kind two miss the tolerance, then three; without one answer, three of nineteen do. */
+/* First two of the twenty draws of a kind miss the tolerance, then three. */
 static void within_in_90_percent_of_each_kind(void) {
   struct draw *draws = make_draws();
   whole(&draws[40])->error = whole(&draws[41])->error = 2;
@@ -85,7 +85,8 @@ static void within_in_90_percent_of_each_kind(void) {
   free(draws);
 }
 
-/* Draws without an answer count among those that some setting meets, and only there. */
+/* The fraction of answers is taken over the draws for which some setting meets the tolerance (`met`). A draw without an
+ * answer lowers this fraction and no other. */
 static void answers_to_70_percent(void) {
   struct draw *draws = make_draws();
   for (size_t k = 0; k < 30; k++)

@@ -1,6 +1,6 @@
 /* Long runs of one particle and of one contact: the growth of rounding errors over up to 1e9 cycles.
  *
- * endurance -o TABLE [CYCLES]   writes the drifts against the number of cycles, 1e9 by default; `make extremes` does
+ * endurance -o TABLE [CYCLES]   writes the drifts against the number of cycles, 1e9 by default (`make extremes`)
  * endurance                     tests the first million cycles, also with planted errors that must be detected
  *
  *   oscillation  A disc between two walls that never opens a contact. The scheme then has the exact solution
@@ -218,7 +218,8 @@ static bool holds(const struct series *series, const struct sample samples[], si
   return true;
 }
 
-/* Prints whether each drift is within its bound, as tests from this number on. Returns how many exceed it. */
+/* Prints whether each drift is within its bound, as tests from number `from` + 1 on. Returns how many drifts exceed
+ * their bounds. */
 static int report(const struct sample samples[], size_t count, int from) {
   int exceeded = 0;
   for (int k = 0; k < SERIES; k++) {

@@ -72,8 +72,9 @@ static void work_closes(void) {
   }
 }
 
-/* With a sixteenth of the step a residual of second order falls to 1/256. A residual with parts of first order falls at
- * least to 1/8; here contacts rotate, form, open and lose their friction. A wrong or missing term does not fall. */
+/* With a sixteenth of the step a residual of second order falls to 1/256, and one of first order to about 1/16. Here
+ * contacts rotate, form, open and lose their friction, so the residual has parts of first order; the test requires less
+ * than 1/8. With a wrong or missing term the residual does not fall. */
 static void energy_closes(void) {
   static const struct {
     const char *damping, *stages;
@@ -200,8 +201,8 @@ static void by_friction(void) {
   written_free(&it);
 }
 
-/* A law without stored energy is refused where a quantity needs its stored energy; `energy.residual` then uses its
- * work, `energy.shear`. */
+/* A shear law without stored energy is refused if the page records a quantity that needs it. `energy.residual` does not
+ * need it: with such a law it uses the work of the shear forces, `energy.shear`, instead. */
 static void a_law_without_stored_energy(void) {
   struct written it;
   struct nb_error error;
@@ -250,8 +251,8 @@ static void a_law_without_stored_energy_later(void) {
   }
 }
 
-/* With a normal law without stored energy no energy balances, also where nobody asks for the stored one; the work of
- * all forces does. */
+/* If the normal law has no stored energy, the energy balance cannot close, even on a page that does not record
+ * `energy.stored`. The work balance closes. */
 static void a_normal_law_without_stored_energy(void) {
   static const struct {
     const char *record, *words; /* NULL: no error */
@@ -296,7 +297,6 @@ static void no_balance_unless_asked_for(void) {
   written_free(&it);
 }
 
-/* The momenta, with rotation and with centres away from the origin. The fixed disc does not count. */
 /* Four discs that touch nothing, under a boundary stress and damping of all particles. The work of a kick is exact. The
  * kinetic energy at t_N, of the mean of two velocities, has an error of the order (dt/t)^2 = 4e-4. */
 static void a_boundary_stress_with_damping(void) {
@@ -323,6 +323,7 @@ static void a_boundary_stress_with_damping(void) {
   }
 }
 
+/* The momenta, with rotation and with centres away from the origin. The fixed disc does not count. */
 static void momentum(void) {
   struct written it;
   struct nb_model *model = made(&it, "units none\nmaterial m density 3\ndisc 1 2 radius 1 m velocity 3 5 spin 7\n"

@@ -63,7 +63,9 @@ static void unsolvable_networks_are_refused(void) {
   free(many);
 }
 
-/* Beyond 45 degrees the discs form a chain again, but without links on opposite sides of a disc. */
+/* phi is the angle between the contacts and the axis of the zigzag. The reference refuses phi >= 45 degrees. The
+ * contacts are then close enough to the direction of the major stress for a chain, but no two of them lie on opposite
+ * sides of a disc (zigzag.c). */
 static void steep_zigzags_are_refused(void) {
   for (int degrees = 43; degrees <= 55; degrees += 2) {
     const double phi = degrees / 45. * atan(1);

@@ -1,6 +1,6 @@
-/* Assemblies that continue from a saved state: with a boundary, imposed affine motion, a servo, a cell, a box. Every
- * stage is followed by a stage that only changes the step, so the state must have everything that the first stage has
- * set.
+/* Assemblies that continue from a saved state: with a boundary, imposed affine motion, a servo, a cell, a box. Most
+ * stages are followed by a stage `...-on` that changes little but the step. So the state must have everything that the
+ * first of the two stages has set.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

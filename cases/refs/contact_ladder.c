@@ -10,8 +10,8 @@
  * A branch that returns to where the previous branch began is erased together with the previous branch.
  * mindlin_deresiewicz keeps all branches; randall keeps three and moves back and forth on the third. So does
  * randall_literal, but [R89 4.24] as printed has T*, the T at which the second branch began, in place of T**, the T at
- * which the third one began. With u the distance of t from T* over mu N, and u0 its value at the beginning of the
- * branch, the third branch of randall_literal is
+ * which the third one began. With t* = (T*)/(mu N), u = |t - t*|, and u0 the value of u at the beginning of the branch,
+ * the third branch of randall_literal is
  *
  *   (1 + u/2)^(2/3) = (1 + u0/2)^(2/3) - |d - d0|/2     which is stiffer than a contact that sticks everywhere
  *
@@ -72,8 +72,9 @@ static double end_of(const struct state *s) {
 }
 
 /* Moves beyond the end of a branch. After the first branch the contact slides. After the second one, virgin loading in
- * the other direction follows. After a later one, the path continues on the branch before the previous one, which is
- * shifted where the third branch of randall_literal ended elsewhere. */
+ * the other direction follows. After a later one, the path continues on the branch before the previous one. The third
+ * branch of randall_literal need not end at the d at which the second branch began. The first branch, on which the path
+ * continues, is then shifted by the difference. */
 static void erase(struct state *s, double end, double d) {
   struct branch *b = &s->branches[s->count - 1];
   if (s->count == 1) {
@@ -132,7 +133,7 @@ static bool walk_path(struct state *s, const struct path_contact *contact, doubl
   struct path_walk walk = path_walk(scene);
   struct path_point now = {0};
   struct path_target target;
-  double limit = 0, scale = 0, done = 0; /* mu N, N; A, m; work, mu N A */
+  double limit = 0, scale = 0, done = 0; /* mu N in newtons; A in metres; work in units of mu N A */
   for (size_t k = 1; path_next(&walk, now, &target); k++) {
     const double approach = target.normal_force ? path_overlap(contact, target.normal) : target.normal;
     if (fabs(approach - now.approach) > 1e-9 * now.approach) {

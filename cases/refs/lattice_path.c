@@ -31,7 +31,8 @@
 enum { INCREMENTS = 1000, ATTEMPTS = 60, OPEN = 2 }; /* increments of each stage */
 static const double weak = 1e-10, rounding = 1e-10;
 
-/* The state of the network, and workspace. */
+/* The state of the network, and workspace. K has the derivatives of the contact forces with respect to the overlaps and
+ * slips, by the rules above. */
 struct walk {
   const struct lattice *lattice;
   int *slides;                     /* per contact: -1, 0, 1; OPEN */
@@ -39,7 +40,7 @@ struct walk {
   gsl_vector *forces, *next;       /* before the increment and after it */
   gsl_vector *imposed, *stretches; /* increments of overlap and slip: by the walls alone, and in all */
   gsl_vector *load, *du;
-  gsl_matrix *forces_of_u, *a; /* law stretch; stretch^T law stretch */
+  gsl_matrix *forces_of_u, *a; /* K stretch; stretch^T K stretch */
   gsl_permutation *order;
 };
 

@@ -13,8 +13,9 @@
  *
  *   S_i/m_i + S_j/m_j  <=  L        and        h (S_i (1/m_i + R_i^2/I_i) + S_j (1/m_j + R_j^2/I_j))  <=  L
  *
- * L minus the left side is the remainder of a contact, and each of its two particles gets half of it. The smallest of
- * these halves at a particle is divided equally among all its contacts. So q of a contact may increase by
+ * L minus the larger of the two left sides is the remainder of a contact, and each of its two particles gets half of
+ * it. The smallest of these halves at a particle is divided equally among all its contacts. So q of a contact may
+ * increase by
  *
  *   min over its particles of  (smallest half)/n / max(1/m, h (1/m + R^2/I))
  *
@@ -22,7 +23,8 @@
  * reaches this limit. pass/deep.c compares the overlaps with it. The first contact above its limit triggers a new
  * check, before its force has moved a particle.
  *
- * h is k_s/k_n = 4 G* / E* without dashpots; with dashpots of sqrt(M* k) it lies between k_s/k_n and sqrt(k_s/k_n).
+ * h is k_s/k_n = 4 G* / E* without dashpots. With dashpots proportional to sqrt(M* k), where M* is the effective mass,
+ * it lies between k_s/k_n and sqrt(k_s/k_n).
  *
  * Range     normal laws whose stiffness increases with the overlap, except Hertz's law by increments, whose stiffness
  *           follows from the force; and shear laws of elastic spheres, or no shear law: k_s of other shear laws is not

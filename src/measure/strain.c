@@ -17,10 +17,11 @@
  *   v = u - c,   c = L (x - x_0)
  *
  *   u   velocity at t_N, m/s      c   imposed velocity at t_N, the mean over both half steps, m/s; 0 if none
+ *   L   imposed strain rate, 1/s  x, x_0  positions of the particle and of the centre of the motion, m (core/affine.h)
  *
- * R89 calls v the perturbation velocity and c the fixed imposed velocity. `speed.ratio` is mean |v| over mean |c|. With
- * `accumulated`, c is added to the stored velocity in every cycle, but v is still u - c. So the measure is the same for
- * both interpretations of R89.
+ * R89 calls v the perturbation velocity and c the fixed imposed velocity. `speed.ratio` is mean |v| over mean |c|. R89
+ * can be read in two ways: c is stored apart from the particle's own velocity, or c is added to that velocity in every
+ * cycle (`accumulated`). v is u - c in both.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "core/affine.h"
