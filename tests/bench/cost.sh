@@ -329,9 +329,9 @@ complete() {
 # Prints the lines that page $1 executed of features that it does not use, and those of its features that it did not execute.
 #
 # The compiler moves some instructions of an inlined function, such as the computation of an address, out of its condition. These
-# instructions are executed once for each batch of 128 particles. Up to 12 of them are allowed for each batch.
+# instructions are executed once for each batch of 256 particles. Up to 24 of them are allowed for each batch.
 violations() {
-  features | $awk -v page="$1" -v uses="cycle $(field "$1" 3)" -v allowed=$((12 * cycles * (side * side + 127) / 128)) '
+  features | $awk -v page="$1" -v uses="cycle $(field "$1" 3)" -v allowed=$((24 * cycles * (side * side + 255) / 256)) '
     FILENAME == "-" {
       for (k = 1; $k != ":"; k++) if (!index(feature_of[""], " " $k " ")) feature_of[""] = feature_of[""] " " $k " "
       owners = $0; sub(/ : .*/, "", owners); sub(/^.* : /, "")
@@ -606,7 +606,7 @@ $(record_rows $records)
 says to which features each file of the simulator belongs. No page executes a line of a file that belongs only to
 features that the page does not use. Every page executes lines of each feature that it uses. Some features are
 functions in a shared loop, such as the rotation in [motion.c](../src/core/motion.c). The compiler may move the computation
-of an address out of the condition of such a function. Up to 12 such instructions are allowed for each batch of 128
+of an address out of the condition of such a function. Up to 24 such instructions are allowed for each batch of 256
 particles.
 
 **No cost of declarations.** A page that declares something without using it executes exactly as many instructions as
