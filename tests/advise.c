@@ -148,8 +148,10 @@ static void claims_follow_from_the_values(void) {
 }
 
 /* The anchor of a setting is at least two levels finer. The quantity is the step itself, whose limit is 0 and which has
- * an error of first order. Let x be the step at the anchor of level 3, and 6.2 x the tolerance. Level 1 exceeds it:
- * 5/4 (4 x - x) + 3 x = 6.75 x. Level 2 has the anchor of level 4: 5/4 (2 x - x/2) + 3 x/2 = 3.375 x. */
+ * an error of first order. Let x be the step of level 3; the tolerance is 6.2 x. A claim is 5/4 of the difference from
+ * the anchor, plus the uncertainty of the anchor, which is 3 times its step here. Level 1, with its anchor at level 3,
+ * exceeds the tolerance: 5/4 (4 x - x) + 3 x = 6.75 x. Level 2, with its anchor at level 4, does not:
+ * 5/4 (2 x - x/2) + 3 x/2 = 3.375 x. */
 static void the_anchor_is_two_levels_finer(void) {
   struct nb_advice advice;
   struct nb_error error = {0};

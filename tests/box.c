@@ -150,7 +150,7 @@ static void walls_follow_until_they_are_moved(void) {
   CU_ASSERT_DOUBLE_EQUAL(row(&result, 4)[1], 4 - 0.025, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(row(&result, 5)[1], (4 - 0.025) * 1.001, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(row(&result, 6)[0], wanted[4] + 0.025, 1e-12);
-  CU_ASSERT(row(&result, 7)[0] < row(&result, 6)[0]); /* neither that velocity nor the earlier strain rate is left */
+  CU_ASSERT(row(&result, 7)[0] < row(&result, 6)[0]); /* the motions of the stages e and f have ended */
   CU_ASSERT_DOUBLE_EQUAL(row(&result, 7)[1] / row(&result, 6)[1], row(&result, 7)[0] / row(&result, 6)[0], 1e-12);
   nb_result_free(&result);
 }
@@ -216,8 +216,8 @@ static void porosity_of_the_box(void) {
 
 /* Heavy discs press on the walls of a box of 10 by 8. The forces are 100 and 50 on south, at -3 and 2 from its middle
  * along the wall; 20 and 50 on east, at 2 and -2; 80 on north; 10 on west. Then east moves tangentially by 0.004, which
- * causes a shear force of 4 on each of its discs; friction would allow 10 and 25. The wall `free` is given about an end
- * and carries 100 at 2 from its middle; it is no wall of the box. */
+ * causes a shear force of 4 on each of its discs; friction would allow 10 and 25. The wall `free` is no wall of the
+ * box. It carries 100 at 2 from its middle, and its moment is that about the point (14, 3). */
 static void forces_on_walls(void) {
   static const struct {
     const char *name;

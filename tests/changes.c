@@ -57,8 +57,8 @@ static void a_particle_falls(void) {
   CU_ASSERT_EQUAL(after(damped, "F.vy"), 1);
 }
 
-/* An acceleration below 0 acts away from its point, from a stage on and in a ramp: as the one above 0 towards the point
- * on the other side. */
+/* A negative acceleration acts away from its point, constant or in a ramp. It has the same effect as the positive one
+ * towards the opposite point. */
 static void gravity_acts_away_from_a_point(void) {
 #define AT_REST "material m density 1 kn 1\ndisc 0 0 radius 3 m\nmonitor D disc 1\nrecord D.y\nstep 0.25\nstage a\n"
   CU_ASSERT_EQUAL(after(AT_REST "gravity centripetal -2 about 0 8\ncycles 8\n", "D.y"), -4);

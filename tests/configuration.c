@@ -159,7 +159,7 @@ static void slides(void) {
       CU_ASSERT_DOUBLE_EQUAL(part, written_cell(particles, 0, "moved_x") + 0.1 * written_cell(particles, 0, "turned"),
                              1e-12);
   }
-  CU_ASSERT_DOUBLE_EQUAL(sum, slid, 1e-4 * way); /* without the cycle before them and the one after */
+  CU_ASSERT_DOUBLE_EQUAL(sum, slid, 1e-4 * way); /* without the cycles of `all` and `last` */
   CU_ASSERT(sum < slid);
   nb_result_free(&result);
   written_free(&it);

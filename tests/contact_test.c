@@ -56,7 +56,8 @@ static void segments_go_along_straight_lines(void) {
   done(&result, &it);
 }
 
-/* Work is stored or dissipated, and what was dissipated stays so: over loops of the slip, the sums since the start. */
+/* The work since the start is the sum of the stored and the dissipated energy, also over loops of the slip. The
+ * dissipated energy never decreases. */
 static void work_is_stored_or_dissipated(void) {
   struct written it;
   struct nb_result result;

@@ -113,8 +113,9 @@ static void dashpots_see_the_strain(void) {
   }
 }
 
-/* A circle that has shrunk to a fifth takes in a disc in the first cycle that begins with its centre on the circle or
- * outside, wherever on its way the last search was. So it lists what is closer than the skin at its present size. */
+/* A disc joins a circle that has shrunk to a fifth in the first cycle that begins with the centre of the disc on the
+ * circle or outside. This does not depend on the size of the circle at the last search. So a search must list the discs
+ * that are closer than the skin to the circle at its present size. */
 static void a_circle_that_has_shrunk_takes_in_a_disc(void) {
   enum { SHRINKS = 160, RESTS = 200 };
   for (int s = 0; s < 10; s++) {

@@ -235,8 +235,9 @@ static void twice(struct nb_result *result, double x, const char *law, const cha
 }
 
 /* A compression e per cycle. The distance D_0 = 1.9 becomes D_1 = (1 - e) D_0 and then D_2 = D_1 - e (D_0 + D_1). The
- * increments are D_0 - D_1 + e D_1 and D_1 - D_2 + e D_2. The first force is that of 4.11, the second that of 4.12 with
- * the contact radius a = (R* dn_1)^(1/2) of the first. Other normal forces do not change, their dashpots do. */
+ * increments are D_0 - D_1 + e D_1 and D_1 - D_2 + e D_2. The first force is that of [R89 4.11], the second that of
+ * [R89 4.12] with the contact radius a = (R* dn_1)^(1/2) of the first. The force of a linear spring follows from the
+ * overlap and does not change. The force of its dashpot changes. */
 static void normal_increment_with_affine_motion_twice(void) {
   const double e = 1e-3, d0 = 1.9, d1 = (1 - e) * d0, d2 = d1 - e * (d0 + d1);
   const double dn1 = d0 - d1 + e * d1, dn2 = d1 - d2 + e * d2;

@@ -97,7 +97,7 @@ static void increments_separate_before_the_surfaces(void) {
 
 struct stuck {
   const struct nb_law *law;
-  double radius, force, work; /* m, N, J of slip */
+  double radius, force, work; /* m; N; J, the work of the slip */
   double m[NB_HISTORY];
 };
 

@@ -5,10 +5,11 @@
  *
  *   oscillation  A disc between two walls that never opens a contact. The scheme then has the exact solution
  *           x_n = A cos(n theta), v_n = -(A sin(theta)/dt) sin(n theta), with 2 sin(theta/2) = omega dt.
- *           Phase: the angle of (x_n, -v_n dt/sin(theta)), minus n theta. Amplitude: their squares over A^2, minus 1.
- *   bounce  A disc that bounces on a floor. The error of the energy in a bounce is the error of the scheme; it depends on
- *           the moments, within a step, at which the contact begins and ends, and it changes its sign. The work balance
- *           has only rounding errors.
+ *           Phase: the angle of (x_n, -v_n dt/sin(theta)), minus n theta. Amplitude: the sum of their squares over
+ *           A^2, minus 1.
+ *   bounce  A disc that bounces on a floor. The error of the energy in a bounce is the error of the scheme; it
+ *           depends on the moments, within a step, at which the contact begins and ends, and it changes its sign. The
+ *           work balance has only rounding errors.
  *   loop    A closed loop of the tangential displacement of two spheres, 40 steps, under constant normal force, by the
  *           exact and by the linear law: the force at the end of each loop, over mu N, minus that of the first.
  *

@@ -69,7 +69,8 @@ static void what_is_not_finite_has_no_estimate(void) {
   }
 }
 
-/* Means 1.5 and 3: U = 3 (3 - 1.5) + (2 - 1). */
+/* The mean over the phases is 1.5, with twice the step it is 3, and the phases differ by 2 - 1. The uncertainty is
+ * U = 3 (3 - 1.5) + (2 - 1). */
 static void the_anchor_has_an_uncertainty(void) {
   const double fine[] = {1, 2}, coarse[] = {2, 4};
   const struct nb_anchor anchor = nb_estimate_anchor(fine, coarse, 2);
@@ -87,7 +88,7 @@ static void a_claim_is_that_of_the_worst_phase(void) {
     double n[] = {1, 1, 1}, n2[] = {1, 1, 1}, n4[] = {1, 1, 1};
     n[worst] = 0.5;
     CU_ASSERT_EQUAL(nb_estimate_claim(&step, n, n2, n4, 3, halved, (struct nb_anchor){1, 0.125}),
-                    0.75); /* 1.25 0.5 + U */
+                    0.75); /* 1.25 times the difference 0.5, plus 0.125 */
     NEAR(step, 0.5 * 4 / 3, 1e-14);
     CU_ASSERT_EQUAL(nb_estimate_claim(&step, n, n2, n4, 3, halved, (struct nb_anchor){1, 0}), step);
     n[worst] = n2[worst] = 1, n4[worst] = 3;

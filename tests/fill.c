@@ -260,7 +260,7 @@ static void quantities_of_gradings(void) {
 static void across_the_edge_by_rounding(void) {
   static const struct {
     double from, radius, to;
-    bool low; /* the edge */
+    bool low; /* the lower edge is the nearer one */
   } cases[] = {{5, 0.27, 5.54, true}, {0.7, 0.61, 1.92, false}};
   for (size_t k = 0; k < 2; k++)
     for (int upright = 0; upright < 2; upright++) {

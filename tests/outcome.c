@@ -224,7 +224,8 @@ static void warnings_of_servos(void) {
  * servo ran at the largest rate all the time; a stage that does not end says so. */
 static void servos_at_the_largest_rate(void) {
   static const struct {
-    const char *servo, *end, *found; /* found: a part of the message, or NULL; at first of the warning */
+    /* found: a part of the warning (first three rows) or of the error; NULL: it does not mention the largest rate */
+    const char *servo, *end, *found;
   } rows[] = {
       {"xx 4 on cell through cell at most 1e-9 per cycle", "cycles 5", "; its servo (line 11) ran at the largest rate"},
       {"xx 4 on cell through cell at most 1 per cycle", "cycles 5", NULL},

@@ -387,7 +387,7 @@ run 0 explain from-slowed.md
 out '  mass-proportional damping 2, line 2'
 verdict 'explain'
 
-# The clock alone ends all stages but `some`, so their lengths are known, or bounds behind `some`.
+# The clock alone ends all stages but `some`. So their lengths are known; after `some` only bounds of them are known.
 cat >clock.md <<'END'
 # Stages that end by the clock
 ```scene
@@ -448,7 +448,7 @@ for line in 'remove disc 2' 'material m kn 2'; do
   run 0 explain about.md
   out '  on, about '
 done
-# Nor is a stage known that ends by the clock behind such a stage, whatever its own step.
+# The length of a stage that ends by the clock is not known either if it follows such a stage, whatever its own step.
 sed 's/step 0.5/step 0.2 of stable/; s/^until cycle above 20.*/step 0.25\nuntil time above 9 at most 70 cycles/' clock.md >behind.md
 run 0 explain behind.md
 out '  more, about '

@@ -33,7 +33,8 @@ static void slip_to(struct rings *r, double alpha, double delta) {
   for (int k = 0; k + 1 < r->count; k++, side = -side)
     inner += side * (r->fronts[k + 1] - r->fronts[k]);
   double *front = &r->fronts[r->count - 1], *before = r->count > 1 ? front - 1 : NULL;
-  /* delta/(mu kappa) = inner' + side (alpha - front); the ring before the last one ends at the front */
+  /* delta/(mu kappa) = others - side (front - before) + side (alpha - front): the ring before the last one slips in the
+   * other direction and ends at the front */
   const double others = before ? inner - -side * (*front - *before) : 0, want = delta / slope();
   *front = before ? (want - others - side * alpha - side * *before) / (-2 * side) : alpha - want;
   r->alpha = alpha;

@@ -8,8 +8,8 @@
 #include "spheres.h"
 #include "suites.h"
 
-/* A random segment with slip to this side: N constant, N rising more slowly than the slip, or N falling. While N falls,
- * there may also be no slip, or slip to the other side that is slower than the fall of N. */
+/* A random segment with slip in the direction `side`: N constant, N rising more slowly than the slip, or N falling.
+ * While N falls, there may also be slip in either direction that is slower than the fall of N. */
 static struct segment segment_by(struct chance *chance, double at, double side, bool first) {
   const int kind = (int)chance_between(chance, 0, 4);
   const double slip = side * chance_between(chance, 0.05, 0.8);

@@ -262,7 +262,7 @@ static void friction_and_cohesion_at_a_wall(void) {
   it.materials[0].line = 12, it.materials[1].line = 13, it.walls[0].material = 1;
   for (int b = 0; b < 2;
        b++) /* b = 0: a rule for the two materials; b = 1: a rule for the wall's material with itself */
-    for (int wall = 0; wall < 2; wall++) { /* the material of the particle, or the other one */
+    for (int wall = 0; wall < 2; wall++) { /* the wall has the material of the particle, or the other one */
       int lines[NB_FEATURES];
       it.rules[0] = (struct nb_pair_rule){.a = 1, .b = b, .kn = NAN, .ks = NAN, .friction = 0.5, .cohesion = 1};
       it.walls[0].material = wall;

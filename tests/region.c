@@ -430,8 +430,8 @@ static void regions_with_rings(void) {
   written_free(&it);
 }
 
-/* A contact that slides, one with friction that bears no shear force, and one without friction, which has no limit: the
- * fractions that slide are of all three, the mean obliquity is that of two. */
+/* A contact that slides, one with friction that bears no shear force, and one without friction, which has no limit. The
+ * sliding fractions count all three contacts. The mean obliquity counts the two that have a limit. */
 static void sliding_fractions_are_of_all_contacts(void) {
   struct words page = {0};
   struct written it;
@@ -471,12 +471,13 @@ static void obliquity_with_cohesion(void) {
   written_free(&it);
 }
 
-/* Contacts in one direction alone: a = 2, with which a density would be negative. Then a_n and a_t have no meaning. In
- * the directions of a square a = 0, and without contacts all are 0. */
+/* Contacts in one direction alone have the anisotropy a = 2. The density 1 + a cos 2 theta of their directions would be
+ * negative for some angles, so the anisotropies a_n and a_t of the forces are undefined. In a square lattice a = 0, and
+ * without contacts all three are 0. */
 static void directions_without_a_density(void) {
   static const struct {
     const char *lattice;
-    double a, normal; /* NAN: not a number */
+    double a, normal; /* normal: also of the other measures; NAN: undefined */
   } rows[] = {{"2 by 1 m radius 1 spacing 1.9", 2, NAN},
               {"3 by 1 m radius 1 spacing 1.9", 2, NAN},
               {"2 by 2 m radius 1 spacing 1.9", 0, 0},

@@ -28,9 +28,9 @@
 
 enum { KEPT = 13, GONE = 23, ALL = 35 };
 static const char *const names[ALL] = {
-    /* unchanged */
+    /* unchanged by the removal */
     "A.vx", "A.vy", "A.spin", "C.vx", "C.vy", "C.spin", "D.vx", "D.vy", "D.spin", "B.x", "B.y", "B.angle", "E.x",
-    /* 0 */
+    /* 0 after the removal */
     "B.vx", "B.vy", "B.spin", "B.fx", "B.moment", "P.normal", "P.shear", "S.normal", "P.overlap", "B.vx.half",
     /* others */
     "V.vx", "energy.kinetic", "energy.stored", "energy.frictional", "energy.shear", "energy.damped", "energy.walls",

@@ -213,12 +213,12 @@ static void bits_of_expectations(void) {
       printf("# %s: %d\n", rows[k].expectation, bits);
   }
   nb_outcome_free(&other);
-  planted_page(&other, "", list.text), planted_rows(&other, 0, 4, x); /* a stage that ends earlier */
+  planted_page(&other, "", list.text), planted_rows(&other, 0, 4, x); /* stage two ends earlier in the other mode */
   CU_ASSERT(nb_expected_bits(&other.runs[0], &nearest.runs[0], 0) == 53);
   CU_ASSERT(nb_expected_bits(&other.runs[0], &nearest.runs[0], 1) == 0);
-  CU_ASSERT(nb_expected_bits(&nearest.runs[0], &other.runs[0], 1) == 0); /* or later */
+  CU_ASSERT(nb_expected_bits(&nearest.runs[0], &other.runs[0], 1) == 0); /* or later than to nearest */
   nb_outcome_free(&other);
-  planted_page(&other, "", list.text), planted_rows(&other, 0, 3, x); /* one that records nothing */
+  planted_page(&other, "", list.text), planted_rows(&other, 0, 3, x); /* stage two records nothing */
   CU_ASSERT(nb_expected_bits(&other.runs[0], &nearest.runs[0], 3) == 53);
   CU_ASSERT(nb_expected_bits(&other.runs[0], &nearest.runs[0], 2) == 0);
   nb_outcome_free(&other), nb_outcome_free(&nearest);

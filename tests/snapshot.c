@@ -91,7 +91,7 @@ static void rings(void) {
                            1e-14);
   }
   CU_ASSERT_DOUBLE_EQUAL(written_cell(table, 3, "porosity"), 0,
-                         0.02); /* rim of the large sphere; overlaps count twice */
+                         0.02); /* the ring at the edge of the large sphere; overlaps count twice */
   nb_result_free(&result);
   written_free(&it);
 }

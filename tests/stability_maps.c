@@ -808,7 +808,8 @@ enum {
   PACKING = 2
 };
 
-/* Largest values below the limit, least and largest ones in the soft zone; imbalance only with damping. */
+/* Largest values below the limit; least and largest values above it, up to soft_zone (forces: force_zone) times the
+ * limit. Imbalance only with damping. */
 struct soft {
   double energy_below, energy[2], imbalance_below, imbalance[2], force[2];
   bool stopped;

@@ -59,16 +59,16 @@ static const struct {
   char kind;
   const char *refused[9];
 } kinds[] = {
-    {'w', {"", "x!"}},                                                                  /* a word or a name */
-    {'t', {""}},                                                                        /* a word */
-    {'g', {"x", "-", "inf", "-inf", "nan", "0x1p+0x"}},                                 /* finite, or none */
-    {'f', {"", "x", "-", "inf", "-inf", "nan", "0x1p+0x"}},                             /* finite */
-    {'n', {"", "x", "-", "inf", "-inf", "nan", "-0x1p+0"}},                             /* 0 or more */
-    {'p', {"", "x", "-", "inf", "-inf", "nan", "-0x1p+0", "0x0p+0"}},                   /* above 0 */
-    {'m', {"", "x", "-inf", "nan", "-0x1p+0"}},                                         /* 0 or more, or none */
-    {'y', {"", "x", "-", "-inf", "nan", "-0x1p+0"}},                                    /* E */
-    {'v', {"", "x", "-", "inf", "nan", "-0x1p+0", "0x1.00001p-1"}},                     /* Poisson's ratio */
-    {'u', {"", "x", "-", "inf", "nan", "0x1.0000001p+0"}},                              /* of a unit vector */
+    {'w', {"", "x!"}},                                                /* a word or a name */
+    {'t', {""}},                                                      /* a word */
+    {'g', {"x", "-", "inf", "-inf", "nan", "0x1p+0x"}},               /* finite, or none */
+    {'f', {"", "x", "-", "inf", "-inf", "nan", "0x1p+0x"}},           /* finite */
+    {'n', {"", "x", "-", "inf", "-inf", "nan", "-0x1p+0"}},           /* 0 or more */
+    {'p', {"", "x", "-", "inf", "-inf", "nan", "-0x1p+0", "0x0p+0"}}, /* above 0 */
+    {'m', {"", "x", "-inf", "nan", "-0x1p+0"}},                       /* 0 or more, or none */
+    {'y', {"", "x", "-", "-inf", "nan", "-0x1p+0"}},                  /* Young's modulus: 0 or more, or infinite */
+    {'v', {"", "x", "-", "inf", "nan", "-0x1p+0", "0x1.00001p-1"}},   /* Poisson's ratio */
+    {'u', {"", "x", "-", "inf", "nan", "0x1.0000001p+0"}},            /* of a unit vector */
     {'c', {"", "x", "-", "-1", "+1", "1x", "1000000000001", "99999999999999999999"}},   /* a whole number */
     {'o', {"", "x", "-", "-1", "+1", "1x", "0", "1000000000001"}},                      /* a number of cycles */
     {'k', {"", "x", "-", "-1", "+1", "1x", "0", "4000000000", "99999999999999999999"}}, /* from 1 on */

@@ -92,7 +92,7 @@ static void a_file_of_columns(void) {
       {"b/km\tc/m\n1\t2\n", 1, 0, 3000, false},                                   /* the other name */
       {"# first\n\n  a/m  c/m\n 1 2\n# between\n\n  3   4\n", 2, 0, 6004, false}, /* blanks */
       {"a/-\tc/-\n1\t2\n", 1, 0, 2001, true},
-      {"a/m\tc/m\n1\t2\n", 0, 1, 0, true}, /* a scene without units wants none */
+      {"a/m\tc/m\n1\t2\n", 0, 1, 0, true}, /* not allowed in a scene without units */
       {"a/-\tc/-\n1\t2\n", 0, 1, 0, false},
       {"a/mm\ta/kN\tc/m\n1\t9\t2\n", 1, 0, 2000.001, false}, /* `a` of another kind does not change the unit */
       {"a/N\tc/m\n1\t2\n", 0, 1, 0, false},

@@ -36,7 +36,7 @@ struct instant {
   double time;                                 /* t V_N/alpha* */
 };
 
-/* t V_N/alpha* of loading up to theta, minus that of the instant. */
+/* t V_N/alpha* of loading up to theta, minus `time` of the instant `data`. */
 static double time_difference(double theta, void *data) {
   const struct instant *instant = data;
   const double *x = gsl_integration_fixed_nodes(instant->rule), *w = gsl_integration_fixed_weights(instant->rule);

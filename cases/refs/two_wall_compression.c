@@ -9,7 +9,7 @@
  * X_0 = X_1 = Y_0 = Y_1 = 0, because the discs are at rest during the first step of the walls. So each displacement is
  * a polynomial in p, q, r, s with integer coefficients, which are computed exactly; the first are
  *     a_1 = 1, b_1 = 0              (1)
- *     a_2 = 2 - p, b_2 = p + s, c_2 = 2 - s      CS79 (5) to (7), which are increments, each added to the
+ *     a_2 = 2 - p, b_2 = p + s, c_2 = 2 - s      CS79 (5) to (7), which are increments, each added to
  *                                                the value of CS79 (1)
  * Rounding occurs only when a polynomial is evaluated. A program that stores positions x differs by the relative error
  * rounding(x)/overlap.

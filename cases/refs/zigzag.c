@@ -11,8 +11,8 @@
  * is no chain. The discs that load the ends are fixed; they are not particles of the chain.
  *
  * Returns, for A that monitors a region of all particles:   A.chains, A.chains.length, A.chains.fraction, A.chains.bend
- * Accepts phi < 45 degrees. Beyond, the contacts of discs lie within 45 degrees of the major stress again, but no two
- * links lie on opposite sides of a disc. Exact where |phi - 30 degrees| is above the order of overlap over radius.
+ * Accepts phi < 45 degrees. At larger angles the contacts of discs lie within 45 degrees of the major stress, but no
+ * two links lie on opposite sides of a disc. Exact where |phi - 30 degrees| is above the order of overlap over radius.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
