@@ -20,7 +20,7 @@ for page in tests/aborted/*.md; do
   result $? "$page"
 done
 
-# Messages about signals: tests/checkpoint.sh.
+# tests/checkpoint.sh tests the messages about signals.
 unheard='^stopped by a signal'
 for source in $(grep -l 'NB_BROKEN' src/core/*.c src/measure/*.c src/loading/*.c src/run/*.c); do
   awk -v speaks=NB_BROKEN -f tests/messages.awk "$source" | while IFS='	' read -r line text; do

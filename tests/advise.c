@@ -199,7 +199,7 @@ static void laws_are_equal_in_every_run(void) {
         (strcmp(variant->shear, "mindlin") != 0 && strcmp(variant->shear, "none") != 0))
       continue;
     CU_ASSERT_EQUAL(variant->equal,
-                    strcmp(variant->shear, "none") == 0); /* `linear`, before it, has no stiffness here */
+                    strcmp(variant->shear, "none") == 0); /* equal to `linear`, which has no stiffness here */
     others++;
   }
   CU_ASSERT_EQUAL(others, 2);

@@ -73,8 +73,8 @@ static void circles_that_barely_intersect(void) {
   CU_ASSERT_DOUBLE_EQUAL(nb_area_of_lens(1, 1, 1), 2 * pi / 3 - sqrt(3) / 2, 1e-15);
   CU_ASSERT_DOUBLE_EQUAL(nb_area_of_lens(2, 2, 1e-30), 4 * pi, 1e-14);
   CU_ASSERT_DOUBLE_EQUAL(nb_area_of_lens(2, 2 + 1e-15, 3e-15), 4 * pi, 1e-13);
-  /* A lens of thickness h between equal circles has the half-chord sqrt(h (1 - h/4)); its area is 4/3 h times that,
-   * to first order in h. */
+  /* The lens of thickness h that two circles of radius 1 have in common has the half-chord sqrt(h (1 - h/4)). To first
+   * order in h its area is 4/3 h times the half-chord. */
   const double h = 1e-6, chord = sqrt(h * (1 - h / 4));
   CU_ASSERT_DOUBLE_EQUAL(nb_area_of_lens(1, 1, 2 - h) / (4. / 3 * h * chord), 1, 1e-5);
 }

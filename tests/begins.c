@@ -2,7 +2,8 @@
  * mass-proportional damping, walls, laws, the stress on a boundary, particles that a boundary releases or takes. Each
  * scene is run with a step, with half of it and with a quarter of it. When the step is halved, a second-order error
  * falls by the factor 4, a first-order error by 2. The tests require the factor 3.5 for the energy residual, and where
- * nothing else is of first order, also for the difference between the kinetic energies of two steps.
+ * nothing else is of first order, also for the difference between the kinetic energies of two steps. t_0 is the time at
+ * which the second stage begins.
  *
  * The linear springs have no shear stiffness, and contacts open or close only where a boundary releases particles:
  * friction on rotating contacts is of first order by itself (docs/METHOD.md).

@@ -1,8 +1,9 @@
 /* A box whose walls follow a strain rate or a servo.
  *
  * A disc of radius 1 and mass M is in the middle of a square box of side W. At each wall F = k (1 - W/2), so the
- * stress is p = F/W. With l = W/2 from the centre to a wall the servo has B = 4 k (W/2)^2/(4 W^2) = k/4 and T = W
- * (M/(W^2 B))^(1/2) (docs/METHOD.md). The disc does not move, so W follows a recursion.
+ * stress is p = F/W. The distance from the centre to a wall is W/2. So the servo has the bulk stiffness
+ * B = 4 k (W/2)^2/(4 W^2) = k/4 and the time T = W (M/(W^2 B))^(1/2) (docs/METHOD.md). The disc does not move, so W
+ * follows a recursion.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

@@ -142,7 +142,7 @@ static void the_limit_is_reached(void) {
             "steps\n");
   CU_ASSERT_DOUBLE_EQUAL(cell(&result, 4, 4), 23.1, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(cell(&result, 7, 4), -23.1, 1e-12);
-  const double way = 3 * 23.1 / 16 / (1 / (2 * 2 * 1.3 * 1.7 / 210e9)); /* slip at the limit times a */
+  const double way = 3 * 23.1 / 16 / (1 / (2 * 2 * 1.3 * 1.7 / 210e9)); /* slip at the friction limit, times a */
   const double a = sqrt(7.5e-3 * cell(&result, 1, 1));
   CU_ASSERT_DOUBLE_EQUAL(cell(&result, 4, 2), way / a, 1e-9 * way / a);
   done(&result, &it);

@@ -418,7 +418,7 @@ static void many_particles(void) {
   for (int r = 0; r < RUNS; r++) {
     const struct nb_table *table = &outcome.runs[r].result.table;
     CU_ASSERT_EQUAL_FATAL(table->row_count, 3);
-    NEAR(table->values[2], -0.125 * (r + 1), 1e-14); /* rounding of weights over masses */
+    NEAR(table->values[2], -0.125 * (r + 1), 1e-14); /* rounding of the weight over the mass */
     CU_ASSERT((outcome.runs[r].scene.particles == NULL) == (r >= KEPT));
   }
   nb_outcome_free(&outcome);

@@ -136,7 +136,7 @@ static void mean_amplitude_and_frequency(void) {
   double unit = force_unit(&it), f = 0.12, sum = 0, rate = 0;
   for (int sign = -1; sign <= 1; sign += 2) {
     double square = 4 + sign * sqrt(2), phase = 2 * asin(sqrt(square) * f);
-    double fraction = (1 - sign * sqrt(2)) / 2 / square; /* of a static force 3/7 */
+    double fraction = (1 - sign * sqrt(2)) / 2 / square; /* the part of the mode in the static force 3/7 */
     sum += fabs(fraction * 2 * sin(20 * phase) / sin(phase)) / 40;
     if (sign < 0)
       rate = phase / (2 * M_PI);

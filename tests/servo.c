@@ -1,8 +1,9 @@
 /* The servo on an assembly with known stiffness: six discs in a ring around a seventh. [R89 sec. 4.1]
  *
- * All particles follow the strain, so the radius R of the ring follows a recursion. With the springs k between the
- * ring and the middle disc, and the radius r of a disc: F = k (2r - R), A = 3 sqrt(3)/2 R^2, p = 3 F R/A, B = 3 k
- * R^2/(2 A), T = 2 R (M/(A B))^(1/2) (docs/METHOD.md).
+ * All particles follow the strain, so the radius R of the ring follows a recursion. k is the stiffness of the springs
+ * between the ring and the middle disc, r the radius of a disc, M the mass of all discs and A the area of the hexagon.
+ * The force F of a spring, the stress p, and the servo's bulk stiffness B and time T (docs/METHOD.md) are
+ * F = k (2r - R), A = 3 sqrt(3)/2 R^2, p = 3 F R/A, B = 3 k R^2/(2 A), T = 2 R (M/(A B))^(1/2).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

@@ -2,9 +2,10 @@
  *
  *   m* alpha'' = -K alpha^(3/2) - 2 beta (m* 2 E* a)^(1/2) alpha'     [R89 4.13, sec. 6.4.3]
  *
- * with beta = 1 where alpha > f 2 min(R_1, R_2), f the fraction in `damping critical beyond overlap`, and the damping
- * ratio of the page elsewhere. hertz_motion.c solves it piece by piece for s = alpha/alpha*. Integration with s as the
- * independent variable finds the times at which s crosses the limit or is 0 again.
+ * in the symbols of hertz.h, with beta = 1 where alpha > f 2 min(R_1, R_2) and the damping ratio of the page elsewhere.
+ * f is the fraction in `damping critical beyond overlap`. hertz_motion.c solves the equation piece by piece for
+ * s = alpha/alpha*. Integration with s as the independent variable finds the times at which s crosses the limit or is 0
+ * again.
  *
  * Returns, for C that monitors the contact:  C.overlap max;  impact.duration, impact.restitution.
  *

@@ -2,8 +2,9 @@
  *
  *   N <- N + 2 E* a dn,   a = (3 N R* / (4 E*))^(1/3) from before the step                           [R89 4.12, 4.14]
  *
- * (dn the normal increment) is Euler's rule for dN/d(alpha) = c N^(1/3), c = 2 E* (3 R* / (4 E*))^(1/3). To the next
- * order Euler's rule solves another equation: with v = |alpha'|
+ * in the symbols of hertz.h, with the normal force N, the overlap alpha, the contact radius a and the normal increment
+ * dn. This is Euler's rule for dN/d(alpha) = c N^(1/3), c = 2 E* (3 R* / (4 E*))^(1/3). To the next order Euler's rule
+ * solves another equation: with v = |alpha'|
  *
  *   dN/d(alpha) = c N^(1/3) -+ (dt v/2) (c^2/3) N^(-1/3)            - in loading, + in unloading
  *

@@ -1,8 +1,8 @@
 /* Reference: a particle without friction hits the end of a wall, which moves at a constant velocity.
  *
  * In the frame that moves with the end the force is central: k (R - r) along r, the vector from the end to the centre.
- * v is the relative speed, and the impact parameter b is the distance between the end and the line on which the centre
- * arrives. Energy and angular momentum give
+ * R is the radius of the particle, m its mass and k the stiffness. v is the relative speed, and the impact parameter b
+ * is the distance between the end and the line on which the centre arrives. Energy and angular momentum give
  *
  *   r'^2 = v^2 (1 - b^2/r^2) - (k/m) (R - r)^2,          r^2 theta' = b v
  *

@@ -3,6 +3,8 @@
  *   N_1 n_1 + N_2 n_2 + m g = 0          n_i: unit normal of wall i, from the wall to the centre
  *   n_i (c - P_i) = R - N_i/k_i          c: the centre; P_i: a point of wall i; k_i: the stiffness of the contact
  *
+ * The particle has the mass m and the radius R, and N_i is the force of wall i.
+ *
  * The stiffness matrix k_1 n_1 n_1^T + k_2 n_2 n_2^T has no eigenvalue above its trace k_1 + k_2, so the calculation
  * cycle is stable up to 2 (m/(k_1 + k_2))^(1/2) in a wedge of any angle.
  *
