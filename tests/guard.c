@@ -65,7 +65,8 @@ static void overlap_at_the_start(void) {
     CU_ASSERT(has(&error, "smaller radius, 1:"));
   }
   struct nb_error error;
-  unsigned long done; /* two fixed particles form no contact */
+  unsigned long done;
+  /* Two fixed particles form no contact. */
   CU_ASSERT_EQUAL(
       outcome(&error, HEAD "disc 0 0 radius 1 m fixed\ndisc 0 0 radius 1 m fixed\ndisc 9 9 radius 1 m", 1, &done),
       NB_OK);

@@ -88,7 +88,7 @@ static void compare(const struct bench *it, int c, const long double q[2], const
   const long double e1 = dx / distance, e2 = dy / distance, t1 = e2, t2 = -e1;
   const long double rx = v.x - u[0], ry = v.y - u[1], dt = it->model.previous_step;
   const long double overlap = surface.radius + other - distance;
-  const double blur = 2000 / (double)distance; /* error of coordinates of 1e3 over the distance */
+  const double blur = 2000 / (double)distance; /* size of the coordinates, which are rounded, over the distance */
   CU_ASSERT(near(it->f[NB_OVERLAP][c], overlap > 0 ? overlap : 0, 2000));
   CU_ASSERT(near(it->f[NB_EX][c], e1, blur) && near(it->f[NB_EY][c], e2, blur));
   const long double dn = (rx * e1 + ry * e2) * dt, slip = (rx * t1 + ry * t2 - (surface.speed + turning)) * dt;
