@@ -178,6 +178,39 @@ static void warnings_of_ends(void) {
   }
 }
 
+/* A warning of a stage with a servo proposes a stress; one of a strain says from when it counts. */
+static void warnings_of_ends_propose(void) {
+  static const char scene[] = "units none\nmaterial m density 1 kn 1000\ncell 0 0 to 9 9\ndisc 1 1 radius 1 m\n"
+                              "disc 5 1 radius 1 m\nstep 0.001\nregion M all\nrecord time\nstage one\n"
+                              "cell strain 0 -1\ncycles 20\nstage two\n%s  at most 9 cycles";
+  static const struct {
+    const char *end, *warning;
+  } rows[] = {
+      {"servo isotropic 10 on cell through cell at most 1e-9 per cycle\nuntil unbalanced.max below 1",
+       "add a condition such as `and cell.stress.xx above 9`"},
+      {"servo yy -10 on M through cell at most 1e-9 per cycle\nuntil unbalanced.max below 1",
+       "add a condition such as `and M.stress.yy below -9`"},
+      {"servo xy 10 on cell through cell at most 1e-9 per cycle\nuntil unbalanced.max below 1",
+       "add a condition such as `and cell.stress.xy above 9`"},
+      {"until unbalanced.max below 1", "add a condition such as `and contacts above 0`"},
+      {"until cell.strain.yy below -0.01",
+       "; this strain counts from time 0, `stage.time` from the start of the stage"},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct nb_outcome outcome;
+    char text[1024];
+    snprintf(text, sizeof text, scene, rows[k].end);
+    carry_out(&outcome, text, "report time", NULL);
+    if (outcome.warnings.count != 1)
+      printf("# %zu: %zu warnings, %s\n", k, outcome.warnings.count, outcome.error.text);
+    CU_ASSERT_EQUAL_FATAL(outcome.warnings.count, 1);
+    CU_ASSERT_PTR_NOT_NULL(strstr(outcome.warnings.list[0].text, rows[k].warning));
+    if (!strstr(outcome.warnings.list[0].text, rows[k].warning))
+      printf("# %zu: %s\n", k, outcome.warnings.list[0].text);
+    nb_outcome_free(&outcome);
+  }
+}
+
 /* A row of three discs in a periodic cell. Each of the three overlaps of 0.01 has the force 10, so the stress along the row
  * is 10 over the height of the cell, 4.5. At most 1e-9 per cycle the servo changes next to nothing. */
 static void warnings_of_servos(void) {
@@ -627,6 +660,7 @@ void suite_outcome(void) {
   CU_add_test(suite, "progress and notes of several runs", progress);
   CU_add_test(suite, "a note of the memory size that changes", note_of_memory_size);
   CU_add_test(suite, "warnings of stages that end at once", warnings_of_ends);
+  CU_add_test(suite, "warnings of stages that end too early propose a condition", warnings_of_ends_propose);
   CU_add_test(suite, "warnings of stages that end far from the target of a servo", warnings_of_servos);
   CU_add_test(suite, "servos at the largest rate", servos_at_the_largest_rate);
   CU_add_test(suite, "units of reported values", units);

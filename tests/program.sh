@@ -358,6 +358,13 @@ out ' c12 2e-05, c21 0, yy -0.0001 per cycle: simple shear, the engineering shea
 sed 's/shear 2e-5 per cycle/c12 2e-5 per cycle c21 1e-5 per cycle/' "$pages/drives.md" >turned.md
 run 0 explain turned.md
 out ': shear with rotation, the engineering shear rate is 3e-05 per cycle'
+out '    line 15: xx +0.0001 per cycle: extension in x; yy -0.0001 per cycle: compression in y'
+printf '```scene\nunits si\nmaterial a density 1 g/cm3 kn 1 N/m\ncell 0 m 0 m to 9 m 9 m\ndisc 1 m 1 m radius 1 m a\nstep 1 us\nrecord time\nstage shear\ncell strain 0 1/s 0 1/s c12 0.1 1/s\nuntil cell.strain.xy above 10 %% at most 9 cycles\n```\n' >half.md
+run 0 explain half.md
+out 'half the engineering shear strain; a shear strain of 10 % within this stage is `stage.time above 1 s`'
+sed 's,0.1 1/s,1e-3 per cycle,; s,0 1/s 0 1/s,0 per cycle 0 per cycle,' half.md >half-cycles.md
+run 0 explain half-cycles.md
+out 'a shear strain of 10 % within this stage is `cycles 100`'
 sed 's/shear 2e-5 per cycle//' "$pages/drives.md" >straight.md
 run 0 explain straight.md
 grep -q 'line 15: strain rate' out && echo 'a strain without shear has an engineering shear rate' >>why

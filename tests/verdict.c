@@ -325,6 +325,34 @@ static void parts_of_the_message(void) {
   }
 }
 
+/* A residual has both signs. If its largest value passes and the smallest would not, the text says so, unless the page
+ * checks the smallest one, too. */
+static void one_sign_of_a_residual(void) {
+  static const struct {
+    const char *expectation;
+    double x[3];
+    bool noted;
+  } rows[] = {
+      {"energy.residual max below 1", {-3, -2, 0}, true},
+      {"energy.residual max below 1", {-0.5, -0.2, 0}, false},
+      {"energy.residual min above -1", {0, 2, 0}, true},
+      {"energy.residual max expected 0 within 1  [t]", {-3, -2, 0}, true},
+      {"energy.residual max within 1", {-3, -2, 0}, true},
+      {"energy.residual max within 1", {-1, 0.5, 0}, false},
+      {"energy.residual max within 1\nenergy.residual min within 1", {-3, -2, 0}, false},
+      {"A.x max below 1", {-3, -2, 0}, false},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct nb_outcome outcome;
+    planted_page(&outcome, "", rows[k].expectation);
+    planted_rows(&outcome, 0, 3, rows[k].x);
+    planted_is(&outcome, NB_PASS);
+    const bool noted = strstr(outcome.checks[0].message, "; but a residual has both signs: `m");
+    CU_ASSERT_EQUAL(noted, rows[k].noted);
+    nb_outcome_free(&outcome);
+  }
+}
+
 void suite_verdict(void) {
   CU_pSuite suite = CU_add_suite("verdict", NULL, NULL);
   CU_add_test(suite, "within: both edges of every kind of tolerance", within);
@@ -337,5 +365,6 @@ void suite_verdict(void) {
   CU_add_test(suite, "the text of a check", words);
   CU_add_test(suite, "the parts of the text", parts_of_the_message);
   CU_add_test(suite, "values of a reference for one stage", reference_of_a_stage);
+  CU_add_test(suite, "a residual is checked with one sign only", one_sign_of_a_residual);
   CU_add_test(suite, "checks are counted by their marks", counted);
 }

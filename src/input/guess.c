@@ -23,6 +23,9 @@ bool nb_item(const char **list, char item[NB_NAME_SIZE]) {
   "box 0 m 0 m to 0.2 m 0.2 m mixed MATERIAL seed 1 attempts 1000 else stop` (in a periodic cell `cell` in place of `box … to …`); " \
   "there is no target porosity: compress with `walls inward 1 mm/s` and `until box.porosity below 0.16 at most 1000000 cycles`"
 #define ONE_SERVO "write `servo isotropic 50 kPa on box through box at most 0.1 1/s`; `xx P`, `yy P`, `xy P` or `mean P` control one component"
+#define SERVO_WALLS \
+  "the servo moves opposite walls alike: `servo isotropic 50 kPa on walls through box at most 0.1 1/s`. A biaxial test is `box strain 0 1/s -0.01 1/s` " \
+  "with `servo xx 50 kPa on walls through box at most 0.1 1/s`"
 #define SIMPLE_SHEAR \
   "simple shear at the rate G = 0.1 1/s is `cell strain 0 1/s 0 1/s  c12 0.1 1/s`, where c12 is the velocity in x per unit of y. The clause " \
   "`shear EXY` is pure shear, c12 = c21 = EXY, with the engineering shear rate 2 EXY"
@@ -44,26 +47,26 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"damp viscosity dashpot gamma gamma_n dp_nratio dp_sratio beta", "damping, ratio, stiffness"}, {"neighbor verlet cutoff", "skin"},
     {"local nonviscous", "mass, ratio", "there is no local damping; write `damping mass 50 1/s`, a rate at which velocities decay as exp(-50 t), or `damping ratio 0.2` at contacts"}, {"viscous", "ratio", "a fraction of critical damping at contacts is `damping ratio 0.1`"},
     {"dump", "record, snapshot"}, {"plot graph figure", "gnuplot"},
-    {"restitution cor", "ratio, impact.restitution", "restitution is a result, not an input; for 0.7 with linear springs write `damping ratio (-log(0.7)/hypot(pi, log(0.7)))`"},
+    {"restitution cor", "ratio, impact.restitution", "restitution is a result, not an input; for 0.7 write `damping ratio (-log(0.7)/hypot(pi, log(0.7)))` with `normal linear`, `damping ratio (-sqrt(5/6)*log(0.7)/hypot(pi, log(0.7)))` with `normal hertz`"},
     {"rolling rolling_friction rolling_resistance", "rotation off", "there is no rolling resistance"},
     {"history hist track trace thermo output print probe", "record, monitor", "`record` lists quantities; `monitor` names the particle or contact that has them"}, {"measure measurement range", "region"}, {"group", "monitor, region", "there are no groups: `monitor A disc 1` names a particle, `region M all` what is averaged over"},
     {"run solve go iterate cycle", "cycles, until"}, {"equilibrium converge unbal", "until, unbalanced.max"},
-    {"unbalanced unbalanced_force mech_ratio", "unbalanced.max", "PFC's ratio of averages is `M.unbalanced.mean`, with `region M all`"},
+    {"unbalanced unbalanced_force mech_ratio", "unbalanced.max", "`unbalanced.max` is the largest unbalanced force over the largest contact force [CS79]; `M.unbalanced.mean`, with `region M all`, is PFC's ratio of the means"},
     {"ratio", "unbalanced.max, damping, poisson"}, {"critical", "ratio, single-contact"}, {"no_contact separation", "contacts"}, {"coordination_number cn Z", "coordination"}, {"voidratio", "void_ratio"}, {"solid_fraction packing_fraction volume_fraction", "porosity", "the porosity is 1 minus the solid fraction"},
     {"contact", "damping, monitor, region"}, {"all", "region", "`region M all` measures all particles and contacts"},
     {"calm relax quench", "zero velocities"}, {"fix freeze clamp", "fixed", "a particle with `fixed` does not move: `disc X Y radius R MATERIAL fixed`; `rotation off` prevents rotation"},
     {"apply load", "gravity, boundary stress, servo, wall"}, {"confine confining confinement membrane pressure", "servo, boundary stress, stress.mean"}, {"goal target", "servo"},
     {"simple_shear shear_rate simple_shear_rate shearing pure_shear engineering_shear", "cell strain, boundary strain, affine strain", SIMPLE_SHEAR},
     {"deform strain strain_rate rate", "cell strain, box strain, boundary strain, affine strain", "in a cell write `cell strain 0 1/s 0 1/s c12 0.1 1/s` for simple shear, between walls `box strain 0 1/s -0.1 1/s`; `nineball --help strain` compares the four statements"},
-    {"compress compression", "box strain, cell strain, boundary strain, walls, servo"}, {"shear_strain", "strain.xy, strain.deviator"},
+    {"compress compression", "box strain, cell strain, boundary strain, walls, servo"}, {"shear_strain engineering_shear_strain engineering_strain", "strain.xy, strain.deviator"},
     {"vertical_strain strain_vertical axial_strain", "strain.yy"}, {"vertical_stress stress_vertical axial_stress", "stress.yy"},
     {"vertical axial", "y, fy, stress.yy, strain.yy, yy", "y points up"}, {"horizontal lateral", "x, fx, stress.xx, strain.xx, xx", "x points to the right"},
     {"move displace", "wall, walls, transform"}, {"delete kill erase", "remove"},
-    {"save checkpoint write_restart continue resume", "start, nineball state", "nothing has to be saved: a second page begins with `start THIS-PAGE stage NAME` and continues with all velocities and contact histories"}, {"restore restart read_restart read_data import", "start, packing"},
+    {"save checkpoint write_restart continue resume", "start, nineball state", "nothing has to be saved: a second page begins with `start THIS-PAGE stage NAME` and continues with all velocities and contact histories"}, {"restore restart read_restart", "start", "no state file is read: a second page begins with `start PAGE stage NAME`, which runs that page if need be"}, {"read_data import", "start, packing"},
     {"assert compare equals equal is = ==", "expected, within"}, {"tolerance agree", "within"},
     {"maximum largest peak", "max"}, {"tangential", "shear, ks, slip"}, {"end final", "last"}, {"rises rise grows", "increases"}, {"falls fall drops", "decreases"}, {"same unchanged", "constant"}, {"conserved", "amplitude, constant", "constant in time is `momentum.x amplitude in all  expected 0 kg.m/s within 1e-12 of momentum.x max in all [SOURCE]`"}, {"between", "above, below", "write two lines, one with `above` and one with `below`"}, {"less < <=", "below"}, {"greater more > >=", "above"},
     {"force contact_force forces", "normal, shear, fx, fy"}, {"position pos", "x, y"}, {"displacement disp", "slip, x, y"}, {"shear_displacement tangential_displacement", "slip"}, {"vel velocity speed", "velocity, vx, vy", "a velocity is given by `velocity VX VY` and recorded as `A.vx` and `A.vy`"},
-    {"kinetic kinetic_energy ke", "energy.kinetic"}, {"elastic elastic_energy strain_energy energy.elastic energy.strain potential_energy energy.potential", "energy.stored"},
+    {"kinetic kinetic_energy ke", "energy.kinetic"}, {"elastic elastic_energy strain_energy energy.elastic energy.strain potential_energy energy.potential", "energy.stored"}, {"energy.dissipated energy.dissipation energy.lost energy.loss dissipated_energy", "energy.damped, energy.frictional", "the dissipated energy is `energy.damped` plus `energy.frictional`, by dashpots and by friction; record both"},
     {"total total_energy energy.total balance energy.balance energy.error", "energy.residual", "the error of the energy balance is `energy.residual`; check `energy.residual max in all` and `energy.residual min in all`, each with `within 0.1 % of energy.kinetic max in all`"},
     {"void voids", "void_ratio"}, {"3d three_dimensions", "disc, sphere", "the simulation is in the plane, x to the right and y up; spheres move in the plane, too"}, {"hertz_mindlin hertzian hertz_material mindlin_rescale", "normal hertz, shear mindlin"},
     {"hooke hookean", "normal linear, shear linear"}, {"SI", "units", "`units none`: all numbers are in SI, without units; `units si`: each number has its unit, `5 mm`"}, {"degree degrees", "deg"},
@@ -92,6 +95,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"remove_wall", "wall", "a wall stays, but it can move away: `wall NAME velocity VX VY`"}, {"step_auto", "stable", "write `step 0.3 of stable`, with elastic spheres `step 0.2 of rayleigh`"},
     {"cycles_s cycles_ms cycles_us cycles_second cycles_seconds", "until", "a stage of 2 s ends with `until stage.time above 2 s at most 1000000 cycles`"},
     {"monitor_contact", "monitor", "a contact is named by its two partners: `monitor C disc 1 with disc 2`"},
+    {"servo_walls servo_west servo_east servo_north servo_south servo_left servo_right servo_sides servo_lateral servo_box", "servo", SERVO_WALLS},
     {"wall_servo walls_servo wall_force", "servo", "for example `servo yy 100 kPa on walls through box at most 1e-6 per cycle`"},
     {"stop_wall stop_walls stop_all stop_box", "wall, walls", "in a stage write `walls stop`, or for one wall `wall NAME velocity 0 m/s 0 m/s`"},
     {"until_equals until_equal until_= until_== until_is until_reaches until_at until_to until_until", "until", "a condition has `above` or `below`: `until stage.time above 0.1 s at most 1000000 cycles`"},
@@ -117,6 +121,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     /* expect_WORD: a word in any place of an expectation */
     {"expect_approx expect_approximately expect_about expect_~ expect_= expect_== expect_equals expect_equal", "expected", "write `C.normal max  expected 3 N within 1 % [SOURCE]`"},
     {"expect_average expect_avg", "mean", "the mean of the rows is `mean`: `C.normal mean in load  below 3 N`"},
+    {"expect_first expect_initial expect_begin expect_start", "expected", "the first row of the run is `at 0 cycles`; `nineball --help expect` lists all such words"},
     {"expect_stage", "in", "`in` is followed by the name alone: `C.normal max in load`"},
     {"expect_expected", "expected", "the quantity comes first: `C.shear last in load  expected 0.1 N within 1 % [SOURCE]`, or, for a value in another stage, `expected 1 of C.shear last in unload within 1 % [SOURCE]`"},
     {"expect_abs expect_magnitude expect_absolute expect_mag expect_norm expect_absmax", "above, below", "a magnitude below X is two lines: `C.shear max below X` and `C.shear min above -X`"},

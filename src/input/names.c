@@ -365,13 +365,17 @@ static bool is_of_earlier_family(size_t k) {
 /* Writes "`c` is a contact; its quantities are overlap, normal, …": the first parts of all names. */
 static const char *list_quantities(char *hint, const struct nb_scene *scene, int w) {
   const char *const name = scene->monitors[w].name, *between = "";
+  char first[2 * NB_NAME_SIZE];
+  struct nb_quantity quantity;
   *hint = '\0';
   for (size_t k = 0; kind_at(k); k++) {
     if (!applies(kind_at(k), scene, w) || is_of_earlier_family(k))
       continue;
     if (!*hint)
       snprintf(hint, NB_HINT_SIZE, "`%s` is %s; its quantities are ", name, owner_of(kind_at(k)->monitors)->of);
-    nb_append(hint, NB_HINT_SIZE, "%s%.*s", between, (int)strcspn(kind_at(k)->name, "."), kind_at(k)->name);
+    snprintf(first, sizeof first, "%s.%.*s", name, (int)strcspn(kind_at(k)->name, "."), kind_at(k)->name);
+    nb_append(hint, NB_HINT_SIZE, "%s%s%s", between, first + strlen(name) + 1,
+              nb_quantity_find(&quantity, scene, first) ? "" : ".…"); /* `speed` alone is no quantity */
     between = ", ";
   }
   nb_append(hint, NB_HINT_SIZE, ": see `nineball --help quantities`");
@@ -581,6 +585,9 @@ const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const cha
   const int owner = text[stem] && nb_pair_synonym("quantity", text + stem + 1) ? monitor_named(scene, text, stem) : -1;
   if (owner >= 0) /* `A.w` means the spin, not `A.x` */
     return owned_by_hint(hint, scene, text, owner);
-  return strchr(text, '(') ? strcpy(hint, "`max`, `mean` and other reducers follow the quantity: `A.x max`")
-                           : hint_of(hint, scene, text);
+  if (strchr(text, '('))
+    return strcpy(hint, "`max`, `mean` and other reducers follow the quantity: `A.x max`");
+  if (strstr(hint_of(hint, scene, text), "strain.xy`"))
+    nb_append(hint, NB_HINT_SIZE, " (xy is half the engineering shear strain, since the start of the run)");
+  return hint;
 }

@@ -29,8 +29,8 @@
   VALUE("Y", NB_UNIT_LENGTH, NB_ANY, at + 1, "y of this corner."), \
   CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, other, 2, NULL, "The opposite corner.")
 #define STRAIN_SIDES \
-  VALUE("EXX", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_XX, "Strain rate in x; extension is positive."), \
-  VALUE("EYY", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_YY, "Strain rate in y.")
+  VALUE("EXX", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_XX, "Strain rate in x: above 0 extension, below 0 compression; a stress is above 0 in compression."), \
+  VALUE("EYY", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_YY, "Strain rate in y: above 0 extension, below 0 compression.")
 #define STRAIN \
   STRAIN_SIDES, \
   CLAUSE("shear", "EXY", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_XY, 1, "0", "Pure shear: c_12 = c_21 = EXY, without rotation. The engineering shear rate is 2 EXY; simple shear is `c12 G`."), \

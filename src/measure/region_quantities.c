@@ -116,7 +116,8 @@ const struct nb_quantity_kind nb_region_kinds[] = {
          "mean magnitude of the unbalanced force on a free particle"),
 
     STRAIN("strain", NB_TENSOR, "1", strain,
-           "strain fitted to the displacements of the particles by least squares, extension positive"),
+           "strain fitted to the displacements of the particles by least squares, extension positive; xy is "
+           "half the engineering shear strain"),
     STRAIN("strain.volumetric", NB_SCALAR, "1", volumetric, "volumetric strain xx + yy, expansion positive"),
     STRAIN("strain.rotation", NB_SCALAR, "rad", rotation, "mean rigid rotation of the region, small, counterclockwise"),
 

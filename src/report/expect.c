@@ -313,10 +313,28 @@ static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene
          take_source(reader, expectation);
 }
 
+/* Refuses `below 0.1 % of MEASURE`, and proposes `expected 0 J within 0.1 % of MEASURE [why]`. */
+static bool fraction_mistake(struct nb_reader *reader, const struct nb_scene *scene, const struct nb_measure *measure) {
+  const struct nb_token *const number = nb_token_peek(reader);
+  const size_t from = reader->next;
+  char hint[NB_HINT_SIZE];
+  snprintf(hint, sizeof hint, "write `%s expected 0%s%s within", measure->label, reader->unitless ? "" : " ",
+           reader->unitless ? "" : measure->unit);
+  for (size_t k = from; k < reader->count && reader->tokens[k].text[0] != '['; k++)
+    nb_append(hint, sizeof hint, " %s",
+              strcmp(reader->tokens[k].text, "first") ? reader->tokens[k].text : "at 0 cycles");
+  if (reader->count == from + 2)
+    nb_append(hint, sizeof hint, " of %s", scene->contact_test ? "normal max" : "energy.kinetic max in all");
+  nb_append(hint, sizeof hint, " [SOURCE]`; a line with `below` compares with a number or with another measure");
+  return nb_token_mistake(reader, number, hint, "expected a number with its unit, or a measure, found a percentage");
+}
+
 static bool take_other(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
   const struct nb_token *token = nb_token_peek(reader);
   double number;
   expectation->has_number = token && nb_number_read(&number, token->text, 0) != NB_NO_NUMBER;
+  if (expectation->has_number && is_before(reader, "%") && strcmp(expectation->measure.unit, "1") != 0)
+    return fraction_mistake(reader, scene, &expectation->measure);
   if (expectation->has_number)
     return nb_take_in_unit(reader, expectation->measure.unit, &expectation->number);
   return take_measure_like(reader, scene, expectation->measure.unit, &expectation->other);

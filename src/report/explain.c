@@ -441,10 +441,26 @@ static void explain_gain(FILE *out, const struct nb_model *model, const struct n
     fputs("B is the bulk stiffness, T the travel time of a wave across the assembly; there are no contacts yet\n", out);
 }
 
+/* Prints the normal components of a strain rate in words, since a stress has the other sign. */
+static void explain_growth(FILE *out, int line, const struct nb_strain_rate *rate, const char *unit) {
+  const double rates[] = {rate->xx, rate->yy};
+  const char *between = "";
+  for (int k = 0; k < 2 && line; k++) {
+    if (rates[k] == 0)
+      continue;
+    fprintf(out, *between ? "%s" : "%s    line %d: ", between, line);
+    fprintf(out, "%s %+g%s: %s in %c", k ? "yy" : "xx", rates[k], unit, rates[k] > 0 ? "extension" : "compression",
+            k ? 'y' : 'x');
+    between = "; ";
+  }
+  fputs(*between ? "\n" : "", out);
+}
+
 /* Prints the strain rate of a line as a tensor, if it has a shear: c12 and c21 are easily mistaken for one another. */
 static void explain_strain_rate(FILE *out, const struct nb_scene *scene, int line, const struct nb_strain_rate *rate) {
   const char *const unit = rate->per_cycle ? " per cycle" : nb_unit(scene, " 1/s");
   const double sum = rate->xy + rate->yx;
+  explain_growth(out, line, rate, unit);
   if (!line || (rate->xy == 0 && rate->yx == 0))
     return;
   fprintf(out, "    line %d: strain rate xx %g, c12 %g, c21 %g, yy %g%s: ", line, rate->xx, rate->xy, rate->yx,
@@ -457,10 +473,37 @@ static void explain_strain_rate(FILE *out, const struct nb_scene *scene, int lin
             rate->xy == 0 || rate->yx == 0 ? "simple shear" : "shear with rotation", sum, unit);
 }
 
+/* Prints how long a stage with shear lasts for a shear strain, if it ends by a component xy of a strain, which is half the
+ * shear strain. */
+static void explain_shear_end(FILE *out, const struct nb_scene *scene, const struct nb_stage *stage) {
+  static const char xy[] = ".strain.xy";
+  const struct nb_strain_rate *const rate = stage->cell_line       ? &stage->cell
+                                            : stage->boundary.line ? &stage->boundary.strain
+                                                                   : &stage->affine.strain;
+  const double sum = rate->xy + rate->yx;
+  for (size_t k = 0; k < stage->condition_count && sum != 0; k++) {
+    const struct nb_condition *const condition = &stage->conditions[k];
+    const size_t length = strlen(condition->name), tail = strlen(xy);
+    if (length < tail || strcmp(condition->name + length - tail, xy) != 0)
+      continue;
+    fprintf(
+        out,
+        "    line %d: `%s` is the component of the tensor, half the engineering shear strain; a shear strain of %g %% "
+        "within this stage is ",
+        condition->line, condition->name, 100 * condition->value);
+    if (rate->per_cycle)
+      fprintf(out, "`cycles %.0f`\n", ceil(fabs(condition->value / sum)));
+    else
+      fprintf(out, "`stage.time above %g%s`\n", fabs(condition->value / sum), nb_unit(scene, " s"));
+  }
+}
+
 static void explain_strain_rates(FILE *out, const struct nb_scene *scene, const struct nb_stage *stage) {
+  explain_strain_rate(out, scene, stage->box_line, &stage->box);
   explain_strain_rate(out, scene, stage->cell_line, &stage->cell);
   explain_strain_rate(out, scene, stage->boundary.line, &stage->boundary.strain);
   explain_strain_rate(out, scene, stage->affine.line, &stage->affine.strain);
+  explain_shear_end(out, scene, stage);
 }
 
 static void explain_stages(FILE *out, const struct nb_model *model, const struct nb_cost *cost) {

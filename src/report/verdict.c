@@ -145,6 +145,28 @@ const char *nb_check_unit(char *text, const struct nb_page_run *run, const struc
   return unit_suffix(text, run, e->has_scale ? "1" : e->measure.unit);
 }
 
+/* Notes that the largest value of a residual passes and the smallest one would not, or the other way round: then the
+ * check says nothing about the error. */
+static void note_other_sign(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e,
+                            double allowed) {
+  struct nb_measure other = e->measure;
+  struct nb_error error;
+  double value;
+  other.reducer = other.reducer == NB_MAX ? NB_MIN : NB_MAX;
+  for (size_t k = 0; k < run->expectations.count; k++) {
+    const struct nb_measure *const its = &run->expectations.list[k].measure;
+    if (its->column == other.column && its->reducer == other.reducer && its->stage == other.stage)
+      return; /* the page checks it */
+  }
+  if (check->mark != NB_PASS || !e->measure.is_residual || e->has_scale ||
+      (e->measure.reducer != NB_MAX && e->measure.reducer != NB_MIN) ||
+      !nb_measure_value(&value, &other, nb_run_table(run), &error) || !(fabs(value) > allowed))
+    return;
+  char unit[NB_NAME_SIZE];
+  nb_append(check->message, sizeof check->message, "; but a residual has both signs: `%s` is %.3g%s, check it too",
+            other.reducer == NB_MIN ? "min" : "max", value, nb_check_unit(unit, run, e));
+}
+
 /* Compares a value with the reference, or with the number that the page gives. */
 static void check_value(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
   const bool expected = e->kind == NB_EXPECTED;
@@ -156,6 +178,8 @@ static void check_value(struct nb_check *check, const struct nb_page_run *run, c
   else if (nb_check_computed(&computed, check, run, e) && find_scale(&scale, *reference, check, run, &e->tolerance))
     compare(check, &e->tolerance, computed, *reference, scale, nb_check_unit(unit, run, e),
             expected ? "expected" : "reference");
+  if (reference && *reference == 0 && check->mark == NB_PASS)
+    note_other_sign(check, run, e, e->tolerance.value * (e->tolerance.kind == NB_ABSOLUTE ? 1 : fabs(scale)));
 }
 
 /* Reports a curve that the reference does not return, with those that it returns. */
@@ -215,9 +239,10 @@ static void check_measures(struct nb_check *check, const struct nb_page_run *run
   }
   nb_check_result(check, e->kind == NB_LESS ? one < other : one > other, "computed %.*g%s", digit_count(one, other),
                   one, nb_check_unit(unit, run, e));
-  if (!reported)
+  if (!reported) {
     nb_append(check->message, sizeof check->message, " and %.*g%s", digit_count(one, other), other, unit);
-  else
+    note_other_sign(check, run, e, fabs(other));
+  } else
     check->mark = NB_NOTE;
 }
 

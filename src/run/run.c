@@ -136,11 +136,36 @@ static const char *met_without_contact(const struct nb_model *model, const struc
   return NULL;
 }
 
-static bool waits_for_time(const struct nb_stage *stage) {
-  for (size_t k = 0; k < stage->condition_count; k++)
-    if (strcmp(stage->conditions[k].quantity.kind->name, "time") == 0)
-      return true;
-  return false;
+/* Why a condition of the stage may have been met before the stage: its quantity counts from an earlier time. */
+static const char *counts_from(const struct nb_stage *stage) {
+  static const char strain[] = "strain";
+  for (size_t k = 0; k < stage->condition_count; k++) {
+    const char *const name = stage->conditions[k].quantity.kind->name, *const part = strstr(name, strain);
+    if (strcmp(name, "time") == 0)
+      return "; `time` counts from the start of the run, `stage.time` from that of the stage";
+    if (part == name)
+      return "; this strain counts from the start of the run, with `region … from STAGE` from that of the stage; "
+             "`stage.time` counts from that of the stage, too";
+    if (part && part[-1] == '.')
+      return "; this strain counts from time 0, `stage.time` from the start of the stage";
+  }
+  return "";
+}
+
+/* "`and contacts above 0`"; with a servo a condition on a stress that it controls, "`and cell.stress.xx above 900 Pa`". */
+static void propose(char *text, size_t size, const struct nb_scene *scene, const struct nb_servo *servo) {
+  static const int part[] = {0, 3, 1}; /* of xx, yy and xy in the four measured components */
+  const double near = 0.9;
+  int k = 0;
+  while (k < 3 && !(servo->controlled[k] && servo->stress[k] != 0))
+    k++;
+  snprintf(text, size, "`and contacts above 0`");
+  if (!servo->line || k == 3)
+    return;
+  const struct nb_quantity stress = servo->quantity[part[k]];
+  snprintf(text, size, "`and %s%s%s.%s %s %g%s`", stress.monitor < 0 ? "" : scene->monitors[stress.monitor].name,
+           stress.monitor < 0 ? "" : ".", stress.kind->name, stress.suffix ? stress.suffix->name : "",
+           servo->stress[k] > 0 ? "above" : "below", near * servo->stress[k], scene->unitless ? "" : " Pa");
 }
 
 /* If the relative difference of a controlled stress from the target of its servo is larger than this, the end of a stage
@@ -157,17 +182,15 @@ static void warn_of_end(const struct run *run, const struct nb_stage *stage) {
   const char *const unbalanced = met_without_contact(model, stage);
   char text[256], servo[160];
   if (unbalanced) {
+    propose(text, sizeof text, run->scene, &stage->servo);
     nb_warn(&model->warnings, stage->line,
-            "stage `%s` ended in cycle %lu without a contact force, where `%s` is 0; add a condition such as `and "
-            "contacts above 0`",
-            stage->name, model->stage_cycle, unbalanced);
+            "stage `%s` ended in cycle %lu without a contact force, where `%s` is 0; add a condition such as %s",
+            stage->name, model->stage_cycle, unbalanced, text);
   } else if (run->met_before && model->stage_cycle <= stage->check_interval) {
     list_conditions(text, sizeof text, stage, model, ",");
     nb_warn(&model->warnings, stage->line,
             "stage `%s` ended in cycle %lu, because its condition was met before the stage began: %s%s", stage->name,
-            model->stage_cycle, text,
-            waits_for_time(stage) ? "; `time` counts from the start of the run, `stage.time` from that of the stage"
-                                  : "");
+            model->stage_cycle, text, counts_from(stage));
   } else if ((stage->condition_count > 0 || *servo_limit(servo, sizeof servo, model)) && is_last_servo(run, stage) &&
              nb_servo_error(model) > servo_tolerance) {
     nb_warn(&model->warnings, stage->line,
