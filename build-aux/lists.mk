@@ -621,6 +621,8 @@ INPUT = \
   src/input/state_file.h \
   src/input/statement.c \
   src/input/statement.h \
+  src/input/text.c \
+  src/input/text.h \
   src/input/units.c \
   src/input/units.h \
   src/input/value.c

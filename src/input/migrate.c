@@ -13,12 +13,11 @@ static int block_of(const char *info) {
                                              [NB_BLOCK_CONTACT_TEST] = NB_OLD_STATEMENTS,
                                              [NB_BLOCK_EXPECT] = NB_OLD_EXPECTATIONS,
                                              [NB_BLOCK_GNUPLOT] = NB_OLD_GNUPLOT};
-  const char *word = nb_old_kind(info);
-  const int kind = nb_page_kind(word, strcspn(word, " \t\r"));
+  const int kind = nb_page_kind(info, strcspn(info, " \t\r"));
   return kind < 0 ? -1 : (int)blocks[kind];
 }
 
-void nb_migrate(FILE *out, char *page, const char *path, FILE *warnings) {
+void nb_migrate(struct nb_text *text, char *page, const char *path, FILE *warnings) {
   size_t number = 1;
   size_t open = 0; /* length of the fence of the open block; 0: the line is outside blocks */
   char sign = 0, s, *end;
@@ -28,17 +27,17 @@ void nb_migrate(FILE *out, char *page, const char *path, FILE *warnings) {
     end = line + strcspn(line, "\n");
     const char ending[] = {*end, '\0'};
     *end = '\0';
-    const size_t fence = nb_fence(line, &s, &info);
+    const size_t fence = nb_fence(line, &s, &info), start = text->length;
     const bool closes = open && fence >= open && s == sign && info[strspn(info, "\r")] == '\0';
     const bool words = open && !closes && block >= 0, opens = !open && fence;
     const enum nb_old_block kind = words ? (enum nb_old_block)block : opens ? NB_OLD_OPENING : NB_OLD_PROSE;
-    nb_old_line(out, line, kind);
+    nb_old_line(text, line, kind);
     nb_old_warn(warnings, path, number++, line, kind);
-    if (opens)
+    if (opens && !text->failed && nb_fence(text->at + start, &s, &info))
       open = fence, sign = s, block = block_of(info);
     else if (closes)
       open = 0;
-    fputs(ending, out);
+    nb_text_add(text, "%s", ending);
     *end = ending[0];
   }
 }

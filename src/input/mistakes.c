@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "reader.h"
+#include "text.h"
 
 enum { MISTAKES_MAX = 1000 };
 
@@ -60,25 +61,25 @@ static int bytes_of(const char *c, int n) {
 
 /* Adds the line of the page, and a caret below `column`. Tabs are copied, so that line and caret stay aligned. Only the
  * part of a long line around the caret is shown. */
-static void add_line(FILE *out, const char *line, size_t number, int column, int length) {
+static void add_line(struct nb_text *text, const char *line, size_t number, int column, int length) {
   enum { WIDEST = 110 };
   int first = column > WIDEST - 30 ? column - 60 : 1;
   const char *shown = line + bytes_of(line, first - 1);
   int bytes = bytes_of(shown, WIDEST);
   bool before = shown > line, after = shown[bytes] != '\0';
   if (number)
-    fprintf(out, "%5zu | ", number);
+    nb_text_add(text, "%5zu | ", number);
   else
-    fputs("      | ", out);
-  fprintf(out, "%s%.*s%s\n      | %s", before ? "…" : "", bytes, shown, after ? "…" : "", before ? " " : "");
+    nb_text_add(text, "      | ");
+  nb_text_add(text, "%s%.*s%s\n      | %s", before ? "…" : "", bytes, shown, after ? "…" : "", before ? " " : "");
   for (int i = first; i < column; i++) {
-    fputc(*shown == '\t' ? '\t' : ' ', out);
+    nb_text_add(text, "%c", *shown == '\t' ? '\t' : ' ');
     shown += bytes_of(shown, 1);
   }
-  fputc('^', out);
+  nb_text_add(text, "^");
   for (int i = 1; i < length && column + i < first + WIDEST; i++)
-    fputc('~', out);
-  fputc('\n', out);
+    nb_text_add(text, "~");
+  nb_text_add(text, "\n");
 }
 
 /* The position at which to insert a message: after the messages of other pages, and after those of this page for
@@ -95,13 +96,13 @@ static size_t position_of(const struct nb_mistakes *mistakes, const char *path, 
   return at;
 }
 
-static void insert(struct nb_mistakes *mistakes, const char *path, size_t line, int column, const char *message,
-                   size_t length) {
+static void insert(struct nb_mistakes *mistakes, const char *path, size_t line, int column,
+                   const struct nb_text *message) {
   struct nb_mistakes_inside *internals = inside(mistakes);
   size_t count = mistakes->count, at = internals ? position_of(mistakes, path, line, column) : 0;
   size_t end = mistakes->text ? strlen(mistakes->text) : 0;
   struct position *positions = internals ? nb_array_reserve(internals->positions, count, 1, sizeof *positions) : NULL;
-  char *text = positions ? realloc(mistakes->text, end + length + 1) : NULL;
+  char *text = positions ? realloc(mistakes->text, end + message->length + 1) : NULL;
   if (positions)
     internals->positions = positions;
   if (!text) {
@@ -110,13 +111,13 @@ static void insert(struct nb_mistakes *mistakes, const char *path, size_t line, 
   }
   const size_t start = at < count ? positions[at].start : end;
   mistakes->text = text;
-  memmove(text + start + length, text + start, end - start);
-  memcpy(text + start, message, length);
-  text[end + length] = '\0';
+  memmove(text + start + message->length, text + start, end - start);
+  memcpy(text + start, message->at, message->length);
+  text[end + message->length] = '\0';
   memmove(positions + at + 1, positions + at, (count - at) * sizeof *positions);
   positions[at] = (struct position){start, line, column};
   for (size_t i = at + 1; i <= count; i++)
-    positions[i].start += length;
+    positions[i].start += message->length;
   mistakes->count++;
 }
 
@@ -126,43 +127,35 @@ enum nb_status nb_mistakes_status(const struct nb_mistakes *mistakes, size_t bef
   return mistakes->no_memory ? NB_NO_MEMORY : mistakes->total > before ? NB_BAD_USE : NB_OK;
 }
 
-static void __attribute__((format(printf, 7, 0)))
-write_message(FILE *out, const struct nb_page *page, size_t line, int column, int length, const char *hint,
-              const char *format, va_list list) {
-  const bool in_file = page->kind_of != NULL;
-  fputs(page->path, out);
-  if (line && in_file)
-    fprintf(out, ":%zu:%d", line, column);
-  fputs(": error: ", out);
-  vfprintf(out, format, list);
-  fputc('\n', out);
-  if (line && line <= page->line_count)
-    add_line(out, page->lines[line - 1], in_file ? line : 0, column, length);
-  if (hint && hint[0])
-    fprintf(out, "  hint: %s\n", hint);
-}
-
 void nb_mistake(struct nb_mistakes *mistakes, const struct nb_page *page, size_t line, int column, int length,
                 const char *hint, const char *format, ...) {
-  const bool last = mistakes->count == MISTAKES_MAX;
-  char *text = NULL;
-  size_t size;
   mistakes->total++;
   if (mistakes->count > MISTAKES_MAX)
     return;
-  FILE *out = open_memstream(&text, &size);
+  struct nb_text message = {0};
+  bool in_file = page->kind_of != NULL;
+  if (line && in_file)
+    nb_text_add(&message, "%s:%zu:%d: error: ", page->path, line, column);
+  else
+    nb_text_add(&message, "%s: error: ", page->path);
   va_list list;
   va_start(list, format);
-  if (out && last)
-    fprintf(out, "%s: error: more than %d mistakes; the others are not shown\n", page->path, MISTAKES_MAX);
-  else if (out)
-    write_message(out, page, line, column, length, hint, format, list);
+  nb_text_add_list(&message, format, list);
   va_end(list);
-  if (out && fclose(out) == 0)
-    insert(mistakes, page->path, last ? page->line_count + 1 : line, column, text, size);
-  else
+  nb_text_add(&message, "\n");
+  if (line && line <= page->line_count)
+    add_line(&message, page->lines[line - 1], in_file ? line : 0, column, length);
+  if (hint && hint[0])
+    nb_text_add(&message, "  hint: %s\n", hint);
+  if (!message.failed && mistakes->count == MISTAKES_MAX) {
+    line = page->line_count + 1, message.length = 0;
+    nb_text_add(&message, "%s: error: more than %d mistakes; the others are not shown\n", page->path, MISTAKES_MAX);
+  }
+  if (message.failed)
     mistakes->no_memory = true;
-  free(text);
+  else
+    insert(mistakes, page->path, line, column, &message);
+  free(message.at);
 }
 
 /* ---- names ---- */

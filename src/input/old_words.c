@@ -21,6 +21,7 @@
 #include "old_words.h"
 
 #include <ctype.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "reader.h"
@@ -219,19 +220,21 @@ static bool is_part(const struct nb_old_word *row, const char *name, size_t at, 
   return true;
 }
 
-/* Writes a rewritten name, unless `out` is NULL; returns a row that has changed it, or NULL. */
-static const struct nb_old_word *add_name(FILE *out, const char *name, size_t length, char dot) {
+/* Adds a rewritten name; returns a row that has changed it, or NULL. */
+static const struct nb_old_word *add_name(struct nb_text *text, const char *name, size_t length, char dot) {
   const struct nb_old_word *found = NULL;
   for (size_t at = 0; at < length;) {
     const struct nb_old_word *row = nb_old_words();
     while (row->old && !is_part(row, name, at, length, dot))
       row++;
-    if (!row->old && out)
-      fputc(name[at], out);
-    for (const char *c = row->old ? row->now + (*row->now == '.') : ""; *c && out; c++)
-      fputc(*c == '.' || (*c == '-' && dot == '_') ? dot : *c, out);
-    at += row->old ? strlen(row->old) - (*row->old == '.') : 1;
-    found = row->old ? row : found;
+    if (!row->old) {
+      nb_text_add(text, "%c", name[at++]);
+      continue;
+    }
+    for (const char *c = row->now + (*row->now == '.'); *c; c++)
+      nb_text_add(text, "%c", *c == '.' || (*c == '-' && dot == '_') ? dot : *c);
+    at += strlen(row->old) - (*row->old == '.');
+    found = row;
   }
   return found;
 }
@@ -277,37 +280,37 @@ static const struct nb_old_word *row_of(enum nb_old_kind kind, const char *word,
   return row->old ? row : NULL;
 }
 
-/* Writes a run of letters. The run is rewritten if it is a quoted column with a unit, or a variable such as
+/* Adds a run of letters. The run is rewritten if it is a quoted column with a unit, or a variable such as
  * known_C_normal. */
-static void add_run(FILE *out, const char *run, size_t length, bool quoted) {
+static void add_run(struct nb_text *text, const char *run, size_t length, bool quoted) {
   const struct nb_old_word *column = quoted && run[length] != '/' ? NULL : row_of(NB_OLD_COLUMN, run, length);
   if (column) {
-    fputs(column->now, out);
+    nb_text_add(text, "%s", column->now);
     return;
   }
   const struct nb_old_word *row = figure_row(run, length, quoted);
   if (row) {
-    fputs(row->now, out);
+    nb_text_add(text, "%s", row->now);
     run += strlen(row->old), length -= strlen(row->old);
   }
   if (quoted ? has_unit(run + length) : memchr(run, '_', length) != NULL)
-    add_name(out, run, length, quoted ? '.' : '_');
+    add_name(text, run, length, quoted ? '.' : '_');
   else
-    fprintf(out, "%.*s", (int)length, run);
+    nb_text_add(text, "%.*s", (int)length, run);
 }
 
-static void add_figure(FILE *out, const char *line) {
+static void add_figure(struct nb_text *text, const char *line) {
   char quote = 0;
   for (const char *c = line; *c;) {
     size_t n = 0;
     while (isalnum((unsigned char)c[n]) || c[n] == '_' || c[n] == '.')
       n++;
     if (n)
-      add_run(out, c, n, quote && !(c > line && (c[-1] == '$' || c[-1] == '@')));
+      add_run(text, c, n, quote && !(c > line && (c[-1] == '$' || c[-1] == '@')));
     else if (*c == '\'' || *c == '"')
       quote = quote ? quote == *c ? 0 : quote : *c;
     if (n == 0)
-      fputc(*c, out);
+      nb_text_add(text, "%c", *c);
     c += n ? n : 1;
   }
 }
@@ -325,46 +328,48 @@ static const struct nb_old_word *rewrite_line(struct line *line, enum nb_old_kin
   return first;
 }
 
-/* Writes the spaces before a word; `start` is the position of its line in the file. If there are more than `few`, their number is changed to keep the column of the word,
+/* Adds the spaces before a word. If there are more than `few`, their number is changed to keep the column of the word,
  * if possible. */
-static void add_blanks(FILE *out, long start, const struct word *word, size_t few) {
-  const size_t now = (size_t)(ftell(out) - start);
+static void add_blanks(struct nb_text *text, size_t start, const struct word *word, size_t few) {
+  const size_t now = text->length - start;
   size_t gap = word->gap;
   if (word->spaces && memchr(word->spaces, '\t', gap)) {
-    fprintf(out, "%.*s", (int)gap, word->spaces);
+    nb_text_add(text, "%.*s", (int)gap, word->spaces);
     return;
   }
   if (gap > few)
     gap = word->column > now + few ? word->column - now : few;
-  fprintf(out, "%*s", (int)gap, "");
+  nb_text_add(text, "%*s", (int)gap, "");
 }
 
-/* Writes a rewritten line of a block, unless `out` is NULL; returns the first row that has changed it, or NULL. */
-static const struct nb_old_word *add_words(FILE *out, const char *text_line, enum nb_old_block block) {
+/* Adds a rewritten line of a block; returns the first row that has changed it, or NULL. */
+static const struct nb_old_word *add_words(struct nb_text *text, const char *text_line, enum nb_old_block block) {
   struct line line;
   const bool whole = split(&line, text_line, block);
   const struct nb_old_word *row =
       whole ? rewrite_line(&line, block == NB_OLD_EXPECTATIONS ? NB_OLD_EXPECT : NB_OLD_STATEMENT) : NULL;
-  for (size_t w = 0; whole && w < line.count && !row; w++)
-    if (may_be_quantity(&line, w, block))
-      row = add_name(NULL, line.words[w].at, line.words[w].length, '.');
-  if (!out)
-    return row;
+  struct nb_text names = {0};
+  for (size_t w = 0; whole && w < line.count; w++) {
+    const struct nb_old_word *by =
+        may_be_quantity(&line, w, block) ? add_name(&names, line.words[w].at, line.words[w].length, '.') : NULL;
+    row = row ? row : by;
+  }
+  free(names.at);
   if (!row) {
-    fputs(text_line, out);
+    nb_text_add(text, "%s", text_line);
     return NULL;
   }
-  const long start = ftell(out);
+  const size_t start = text->length;
   for (size_t w = 0; w < line.count; w++) {
     const struct word *word = &line.words[w];
-    add_blanks(out, start, word, w == 1 ? 1 : 2);
+    add_blanks(text, start, word, w == 1 ? 1 : 2);
     if (may_be_quantity(&line, w, block))
-      add_name(out, word->at, word->length, '.');
+      add_name(text, word->at, word->length, '.');
     else
-      fprintf(out, "%.*s", (int)word->length, word->at);
+      nb_text_add(text, "%.*s", (int)word->length, word->at);
   }
-  add_blanks(out, start, &line.rest, 1);
-  fputs(line.rest.at, out);
+  add_blanks(text, start, &line.rest, 1);
+  nb_text_add(text, "%s", line.rest.at);
   return row;
 }
 
@@ -374,23 +379,17 @@ static const struct nb_old_word *fence_row(const char *line, size_t *at) {
   return row_of(NB_OLD_FENCE, line + *at, strcspn(line + *at, " \t\r"));
 }
 
-const char *nb_old_kind(const char *info) {
-  size_t at;
-  const struct nb_old_word *row = fence_row(info, &at);
-  return row ? row->now : info;
-}
-
-void nb_old_line(FILE *out, const char *line, enum nb_old_block block) {
+void nb_old_line(struct nb_text *text, const char *line, enum nb_old_block block) {
   size_t at;
   const struct nb_old_word *fence = block == NB_OLD_OPENING ? fence_row(line, &at) : NULL;
   if (fence)
-    fprintf(out, "%.*s%s%s", (int)at, line, fence->now, line + at + strlen(fence->old));
+    nb_text_add(text, "%.*s%s%s", (int)at, line, fence->now, line + at + strlen(fence->old));
   else if (block == NB_OLD_OPENING || block == NB_OLD_PROSE)
-    fputs(line, out);
+    nb_text_add(text, "%s", line);
   else if (block == NB_OLD_GNUPLOT)
-    add_figure(out, line);
+    add_figure(text, line);
   else
-    add_words(out, line, block);
+    add_words(text, line, block);
 }
 
 /* ---- hints and help ---- */
@@ -414,7 +413,10 @@ const char *nb_old_hint(char *hint, const struct nb_page *page, size_t number) {
   if (equals)
     *equals = ' ';
   const bool expect = page->kind_of && page->kind_of[number - 1] == 1 + NB_BLOCK_EXPECT;
-  return hint_of(hint, add_words(NULL, line, expect ? NB_OLD_EXPECTATIONS : NB_OLD_STATEMENTS));
+  struct nb_text text = {0};
+  const struct nb_old_word *row = add_words(&text, line, expect ? NB_OLD_EXPECTATIONS : NB_OLD_STATEMENTS);
+  free(text.at);
+  return hint_of(hint, row);
 }
 
 const char *nb_old_fence(char *hint, const char *line) {
@@ -422,7 +424,12 @@ const char *nb_old_fence(char *hint, const char *line) {
   return hint_of(hint, fence_row(line, &at));
 }
 
-const char *nb_old_name(char *hint, const char *name) { return hint_of(hint, add_name(NULL, name, strlen(name), '.')); }
+const char *nb_old_name(char *hint, const char *name) {
+  struct nb_text text = {0};
+  const struct nb_old_word *row = add_name(&text, name, strlen(name), '.');
+  free(text.at);
+  return hint_of(hint, row);
+}
 
 static bool has_word(const char *pattern, const char *word, size_t length) {
   return index_of(pattern, word, length) < index_of(pattern, "", 1);

@@ -3,9 +3,8 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #pragma once
 
-#include <stdio.h>
-
 #include "core/guess.h"
+#include "text.h"
 
 /* What a row renames. */
 enum nb_old_kind {
@@ -25,12 +24,10 @@ struct nb_old_word {
 };
 const struct nb_old_word *nb_old_words(void); /* the last row has no words */
 
-/* The kind of a line. nb_old_line writes the rewritten line. It keeps spacing and comments, and columns if
+/* The kind of a line. nb_old_line adds a rewritten line to the text. It keeps spacing and comments, and columns if
  * possible; it does not change a line without old words. */
 enum nb_old_block { NB_OLD_STATEMENTS, NB_OLD_EXPECTATIONS, NB_OLD_GNUPLOT, NB_OLD_OPENING, NB_OLD_PROSE };
-/* The kind of block that this word of an opening fence means now. */
-const char *nb_old_kind(const char *info);
-void nb_old_line(FILE *out, const char *line, enum nb_old_block block);
+void nb_old_line(struct nb_text *text, const char *line, enum nb_old_block block);
 /* Writes the hint for the old word in a line of a page, which may be the first line of a block, to a text of
  * NB_HINT_SIZE. NULL: the line has no old word. */
 const char *nb_old_hint(char *hint, const struct nb_page *page, size_t line);
@@ -43,5 +40,5 @@ bool nb_old_help(FILE *out, const char *word);
 /* Prints a warning for each old word that no row can rewrite, because it is a value of a `let` or `sweep`. */
 void nb_old_warn(FILE *out, const char *path, size_t number, const char *line, enum nb_old_block block);
 
-/* migrate.c: writes the rewritten page. The function changes the characters of `page` while it runs. */
-void nb_migrate(FILE *out, char *page, const char *path, FILE *warnings);
+/* migrate.c: adds the rewritten page to the text. The function changes the characters of `page` while it runs. */
+void nb_migrate(struct nb_text *text, char *page, const char *path, FILE *warnings);

@@ -16,6 +16,7 @@
 #include "core/clean.h"
 #include "laws/law.h"
 #include "reader.h"
+#include "text.h"
 
 /* Tolerated error of the length of a unit vector: rounding errors accumulate while a wall rotates. */
 static const double unit_error = 1e-9;
@@ -24,8 +25,8 @@ enum { CONTACTS_MAX = 1 << 30 };
 
 struct stream {
   struct nb_saved *saved;
-  FILE *out; /* NULL: the state is read */
-  size_t k;  /* index of the record among those of its kind, while writing */
+  struct nb_text *out; /* NULL: the state is read */
+  size_t k;            /* index of the record among those of its kind, while writing */
   /* While reading: */
   const char *path;
   const char *line, *end; /* beginning and end of the current record */
@@ -102,9 +103,9 @@ enum range { FINITE, FROM_0, ABOVE_0, FROM_0_OR_UNDEFINED }; /* the last one all
 static void number(struct stream *stream, double *value, enum range range) {
   char field[NB_STATE_FIELD], *end = field;
   if (stream->out && isnan(*value)) {
-    fprintf(stream->out, " -");
+    nb_text_add(stream->out, " -");
   } else if (stream->out) {
-    fprintf(stream->out, " %a", *value);
+    nb_text_add(stream->out, " %a", *value);
   } else {
     take_field(stream, field, "a number");
     const bool given = strcmp(field, "-") != 0;
@@ -135,7 +136,7 @@ static void tensor_of(struct stream *stream, struct nb_tensor *value) {
 static unsigned long whole_number(struct stream *stream, unsigned long now, unsigned long low, unsigned long high) {
   char field[NB_STATE_FIELD], *end;
   if (stream->out)
-    return fprintf(stream->out, " %lu", now), now;
+    return nb_text_add(stream->out, " %lu", now), now;
   take_field(stream, field, "a whole number");
   const unsigned long value = strtoul(field, &end, 10);
   if (high < low) /* the number of a particle, for which there is no record */
@@ -150,7 +151,7 @@ static unsigned long whole_number(struct stream *stream, unsigned long now, unsi
 static int one_of(struct stream *stream, int now, const char *const words[]) {
   char field[NB_STATE_FIELD], list[NB_STATE_FIELD] = "";
   if (stream->out)
-    return fprintf(stream->out, " %s", words[now]), now;
+    return nb_text_add(stream->out, " %s", words[now]), now;
   for (int w = 0; words[w]; w++)
     nb_append_item(list, sizeof list, words[w], !words[w + 1]);
   take_field(stream, field, list);
@@ -167,7 +168,7 @@ static bool one_of_two(struct stream *stream, bool now, const char *no, const ch
 static void name(struct stream *stream, char own[NB_NAME_SIZE], const char *what) {
   char field[NB_STATE_FIELD];
   if (stream->out) {
-    fprintf(stream->out, " %s", own);
+    nb_text_add(stream->out, " %s", own);
     return;
   }
   take_field(stream, field, what);
@@ -201,7 +202,7 @@ static void new_name(struct stream *stream, char *own, const void *things, size_
 /* The rest of the line, with spaces. */
 static void rest_of_line(struct stream *stream, char *text, size_t size) {
   if (stream->out) {
-    fprintf(stream->out, " %s", text);
+    nb_text_add(stream->out, " %s", text);
     return;
   }
   stream->taken = stream->at;
@@ -242,7 +243,7 @@ static void centre(struct stream *stream) { vector(stream, &stream->saved->centr
 static void hash(struct stream *stream) {
   char field[NB_STATE_FIELD], *end;
   if (stream->out) {
-    fprintf(stream->out, " %016llx", stream->saved->hash);
+    nb_text_add(stream->out, " %016llx", stream->saved->hash);
     return;
   }
   take_field(stream, field, "16 hexadecimal digits");
@@ -402,7 +403,7 @@ static void members(struct stream *stream) {
   struct nb_saved *saved = stream->saved;
   stream->members = true;
   for (size_t k = 0; stream->out && k < saved->ring.member_count; k++)
-    fprintf(stream->out, " %d", saved->ring.members[k] + 1);
+    nb_text_add(stream->out, " %d", saved->ring.members[k] + 1);
   while (!ended(stream) && !stream->bad) {
     const int member = (int)whole_number(stream, 0, 1, saved->particle_count) - 1;
     if (saved->particle_count == 0 || saved->particles[member].member)
@@ -441,7 +442,7 @@ static void fields(struct stream *stream) {
 
 static void write_history(struct stream *stream, const char *word, struct nb_saved_history it) {
   if (it.count > 0)
-    fprintf(stream->out, "\n%s", word);
+    nb_text_add(stream->out, "\n%s", word);
   for (int m = 0; m < it.count; m++)
     number(stream, &stream->saved->history[it.at + (size_t)m], FINITE);
 }
@@ -505,7 +506,7 @@ static void shear(struct stream *stream) { read_history(stream, true); }
 static void any_number(struct stream *stream, double *value) {
   char field[NB_STATE_FIELD], *end;
   if (stream->out) {
-    fprintf(stream->out, " %a", *value);
+    nb_text_add(stream->out, " %a", *value);
     return;
   }
   take_field(stream, field, "a number");
@@ -586,24 +587,19 @@ char *nb_saved_text(const struct nb_saved *saved, size_t *size) {
   const size_t many[COUNT] = {RECORDS(ROW)};
 #undef ROW
   struct nb_saved copy = *saved;
-  char *text = NULL;
-  FILE *out = open_memstream(&text, size);
-  struct stream stream = {.saved = &copy, .out = out};
-  if (!out)
-    return NULL;
-  fputs(head, out);
+  struct nb_text text = {0};
+  struct stream stream = {.saved = &copy, .out = &text};
+  nb_text_add(&text, "%s", head);
   for (size_t r = 0; r < COUNT; r++)
     for (stream.k = 0; stream.k < many[r]; stream.k++) {
-      fputs(records[r].word, out);
+      nb_text_add(&text, "%s", records[r].word);
       records[r].walk(&stream);
-      fputc('\n', out);
+      nb_text_add(&text, "\n");
     }
-  if (fflush(out) == 0)
-    fprintf(out, "end %016llx\n", nb_hash(NB_HASH_BEGIN, text, *size));
-  const bool failed = ferror(out);
-  if (fclose(out) != 0 || failed)
-    free(text), text = NULL;
-  return text;
+  if (!text.failed)
+    nb_text_add(&text, "end %016llx\n", nb_hash(NB_HASH_BEGIN, text.at, text.length));
+  *size = text.length;
+  return text.at;
 }
 
 static void read_record(struct stream *stream) {

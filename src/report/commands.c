@@ -278,9 +278,9 @@ enum nb_status nb_command_state(const struct nb_call *call) {
 
 /* Rewrites a page in the words of this version, into its own file or to standard output. */
 static enum nb_status migrate(const char *path, bool in_place, struct nb_error *error) {
-  char *text = NULL;
+  struct nb_text text = {0};
   struct nb_save save;
-  size_t size, length;
+  size_t size;
   char *page = nb_file_read(path, NB_PAGE_MAX, &size, error);
   if (!page)
     return error->status;
@@ -288,19 +288,16 @@ static enum nb_status migrate(const char *path, bool in_place, struct nb_error *
     free(page);
     return nb_error_set(error, NB_BAD_USE, "expected a page, found a file that is no text");
   }
-  FILE *out = open_memstream(&text, &length);
-  if (out)
-    nb_migrate(out, page, path, stderr);
-  const bool failed = !out || ferror(out);
-  enum nb_status status = !out || fclose(out) != 0 || failed ? nb_error_memory(error) : NB_OK;
+  nb_migrate(&text, page, path, stderr);
+  enum nb_status status = text.failed ? nb_error_memory(error) : NB_OK;
   if (!status && !in_place) {
-    fputs(text, stdout);
-  } else if (!status && strcmp(text, page) != 0) {
+    fputs(text.at ? text.at : "", stdout);
+  } else if (!status && text.at && strcmp(text.at, page) != 0) {
     status = nb_save_replace_begin(&save, path, error);
     if (!status)
-      fputs(text, save.file), status = nb_save_end(&save, error);
+      fputs(text.at, save.file), status = nb_save_end(&save, error);
   }
-  free(text), free(page);
+  free(text.at), free(page);
   return status;
 }
 
