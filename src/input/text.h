@@ -1,4 +1,5 @@
 /* A text that grows. If memory runs out, the text becomes empty and `failed`, and later additions have no effect.
+ * A stream of open_memstream drops characters in this case, and reports no error (glibc 2.36).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #pragma once

@@ -11,6 +11,7 @@
 #include "core/array.h"
 #include "core/clean.h"
 #include "input/reader.h"
+#include "input/text.h"
 #include "report.h"
 
 enum { LIST_BYTES = 100000, FILE_BYTES = 300000 }; /* largest size of all links of a page; of a file that is copied */
@@ -123,18 +124,14 @@ static const char *next_target(const char **line, char *target, size_t size) {
 }
 
 char *nb_report_links(struct nb_report *report, const struct nb_report_page *page, const char *top, bool verdicts) {
-  char *text = NULL, target[1000], address[1000], verdict[1000];
+  char target[1000], address[1000], verdict[1000];
   const char *class;
-  size_t size;
-  FILE *list = open_memstream(&text, &size);
+  struct nb_text list = {0};
   const struct nb_page *content = &page->outcome.page;
-  for (size_t k = 0; list && page->real && k < content->line_count && ftell(list) < LIST_BYTES; k++)
+  nb_text_add(&list, "%s", ""); /* an empty list is not NULL */
+  for (size_t k = 0; !list.failed && page->real && k < content->line_count && list.length < LIST_BYTES; k++)
     for (const char *at = content->lines[k]; content->kind_of[k] == 0 && next_target(&at, target, sizeof target);)
       if (resolve(report, page, target, address, &class, verdict, sizeof address))
-        fprintf(list, "%s\t%s%s\t%s\t%s\n", target, top, address, class, verdicts ? verdict : "");
-  if (!list || fclose(list) != 0) {
-    free(text);
-    return NULL;
-  }
-  return text;
+        nb_text_add(&list, "%s\t%s%s\t%s\t%s\n", target, top, address, class, verdicts ? verdict : "");
+  return list.at;
 }

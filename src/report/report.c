@@ -13,6 +13,7 @@
 #include "core/clean.h"
 #include "core/clock.h"
 #include "input/reader.h"
+#include "input/text.h"
 #include "sandbox.h"
 
 /* The largest sizes, in bytes, of a table or script that a report keeps, of a drawing that it keeps, and of
@@ -80,14 +81,14 @@ static bool has_unique_names(const struct nb_report *report) {
 /* ---- large files ---- */
 
 /* Removes a file that the program has written if the file is large, and writes its name to `names`. */
-static void drop_if_large(struct nb_report_page *page, FILE *names, const char *folder, const char *name) {
+static void drop_if_large(struct nb_report_page *page, struct nb_text *names, const char *folder, const char *name) {
   char path[8192];
   struct stat status;
   const off_t most = strcmp(strrchr(name, '.'), ".svg") == 0 ? DRAWING_BYTES : TABLE_BYTES;
   snprintf(path, sizeof path, "%s/%s", folder, name);
   if (lstat(path, &status) != 0 || !S_ISREG(status.st_mode) || status.st_size <= most || remove(path) != 0)
     return;
-  fprintf(names, "%s%s", ftell(names) ? ", " : "", name);
+  nb_text_add(names, "%s%s", names->length > 0 ? ", " : "", name);
   if (page->drawn && strcmp(name, page->figure) == 0)
     strcpy(strrchr(page->figure, '.'), ".png");
 }
@@ -100,17 +101,16 @@ static bool is_output(const struct nb_report_page *page, const char *name) {
 }
 
 /* Removes large tables, scripts and drawings, so that the report stays small. The figure is then the PNG. */
-static void drop_large_files(struct nb_report_page *page, const char *folder) {
-  size_t size;
-  FILE *names = open_memstream(&page->dropped, &size);
+static enum nb_status drop_large_files(struct nb_report_page *page, const char *folder, struct nb_error *error) {
+  struct nb_text names = {0};
   DIR *entries = opendir(folder);
-  for (struct dirent *entry; names && entries && (entry = readdir(entries));)
+  for (struct dirent *entry; !names.failed && entries && (entry = readdir(entries));)
     if (is_output(page, entry->d_name))
-      drop_if_large(page, names, folder, entry->d_name);
+      drop_if_large(page, &names, folder, entry->d_name);
   if (entries)
     closedir(entries);
-  if (names)
-    fclose(names);
+  page->dropped = names.at;
+  return names.failed ? nb_error_memory(error) : NB_OK;
 }
 
 /* ---- a page ---- */
@@ -385,7 +385,8 @@ static enum nb_status run(const struct nb_call *call, struct nb_report *report, 
     snprintf(page->figure, sizeof page->figure, "%s.svg", page->name);
     if (error.status)
       add_message(page, &error);
-    drop_large_files(page, folder);
+    if (drop_large_files(page, folder, &error))
+      add_message(page, &error);
   }
   for (size_t r = 0; r < outcome->run_count; r++)
     page->seconds += outcome->runs[r].result.seconds;
