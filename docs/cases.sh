@@ -36,18 +36,19 @@ chapter_list() {
   echo
 }
 
-# The chapters: title and first sentence of their README.md, and their cases.
+# The chapters: title and first paragraph of their README.md, and their cases.
 chapters() {
   printf '\n## Chapters\n\n| chapter | cases |\n| --- | --- |\n'
   for chapter in cases/[1-9]-*; do
     name=${chapter#cases/}
     title=$(sed -n '1s/^# //p' "$chapter/README.md")
+    about=$(awk 'NR > 2 && !NF { exit } NR > 2 { printf "%s%s", separator, $0; separator = " " }' "$chapter/README.md")
     links=
     for page in $(cases_of "$chapter"); do
       case=${page##*/}
       links="$links${links:+, }[${case%.md}]($name/$case)"
     done
-    echo "| [${name%%-*}. $title]($name/README.md): $(sed -n 3p "$chapter/README.md") | $links |"
+    echo "| [${name%%-*}. $title]($name/README.md): $about | $links |"
   done
 }
 
