@@ -13,6 +13,9 @@ strong(from, to) = (f = sqrt(column(14)**2 + column(15)**2) / force_mean, f > fr
 array from[4] = [0, 0.5, 1, 2]
 array to[4] = [0.5, 1, 2, 1e9]
 array width[4] = [0.3, 0.8, 1.8, 3.5]
+# the range of the axes follows from the centres, so the outermost circles need room
+set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05
 # the line begins at the centre of the first particle; x, y is the middle of the overlap, which is too small to matter here
 plot @particles using 2:3:4 with circles lc rgb '#bbbbbb' lw 0.3 fs empty, \
      for [k = 1:4] @contacts using (strong(from[k], to[k]) ? $4 - $6 * $8 : NaN):($5 - $6 * $9):(($6 + $7) * $8):(($6 + $7) * $9) with vectors nohead lw width[k] lc rgb '#0072b2'
+set offsets 0, 0, 0, 0
