@@ -94,7 +94,7 @@ awk -F '\t' '
     print "  The motion adds a small displacement to a large coordinate, and the overlap is the small difference of two such coordinates. The bits of a"
     print "  force are at most those of a coordinate less log2(coordinate/overlap)."
     printf "- In %d cases some check fails in another mode. Most of these checks demand equality to the last bit, such as the\n", failing
-    print "  mirror image of a run. Rounding up is not symmetric, so the mirror image rounds the other way; towards zero is symmetric.\n"
+    print "  mirror image of a run. Rounding up is not symmetric, so the mirror image is rounded the other way. Rounding towards zero is symmetric.\n"
     if ("invariance-far" in geometry)
       printf "**Far from the origin**, at 1 km, [invariance-far](../cases/5-numerics/invariance-far.md) keeps fewer bits than the same scene at the\norigin. With the geometry alone in another mode it keeps %d bits. So a motion without rounding errors, such as one with two-part\ncoordinates, would leave %d bits as long as the geometry is computed from rounded coordinates.\n\n**Two-part coordinates** were tried: a second double for each coordinate of a particle or wall, with the part that rounding cuts\noff, and both parts in the geometry. At 1 km this scene kept 27 bits instead of 19, and near the origin 37 instead of 29.\nForty bits are out of reach in doubles: the overlap is $2^{-12}$ of the distance of two centres, so at most 41 of 53 bits are\nleft in a single step. So two-part coordinates are not in the program.\n\n", geometry["invariance-far"], geometry["invariance-far"]
     print "| case | bits | expectation with the fewest | checks that fail in the other modes |"

@@ -269,10 +269,11 @@ static bool write_means(FILE *out, const struct results *results) {
   const bool good = write_mean_controls(out, results);
   fprintf(
       out,
-      "\nThe guaranteed stable step differs between realizations. So advice needs a margin, which METHOD defines. With "
-      "the\n"
-      "settings of %zu draws one of the %d other realizations stops with an error, because the step is too long for "
-      "it.\n"
+      "\nThe guaranteed stable step differs between realizations. So advice needs a margin, which METHOD defines. For "
+      "%zu of\n"
+      "the draws the advised settings stop at least one of the %d other realizations with an error, because the step "
+      "is too\n"
+      "long for it.\n"
       "This counts as an error above the tolerance.\n"
       "\nThe estimated error over the true one is %.2g in the median, and %.2g at 5 %%. The advice costs %.2g of the\n"
       "page as it is, in the median.\n",
