@@ -14,9 +14,9 @@
 
 enum { NB_BLOCK_SIZE = 64 };
 
-/* The parameters that a contact law reads, for two materials x and y. Values of the page's `pair` come first. Otherwise
- * a stiffness is the harmonic mean 2ab/(a+b) of the stiffnesses a and b of the materials, and friction and cohesion are
- * the smaller ones [CS79 19]. R_x and R_y are the radii of the two particles, m. */
+/* The parameters that a contact law reads, for two materials x and y. Values of the page's `pair` take precedence.
+ * Otherwise a stiffness is the harmonic mean 2ab/(a+b) of the stiffnesses a and b of the materials, and friction and
+ * cohesion are the smaller ones [CS79 19]. R_x and R_y are the radii of the two particles, m. */
 struct nb_pair {
   NB_PAIR_ROWS(NB_PAIR_MEMBER)
   double young;  /* E* = 1/((1 - nu_x^2)/E_x + (1 - nu_y^2)/E_y), Pa; 0 where a material has none [R89 4.7] */

@@ -9,10 +9,10 @@
 struct nb_ring {
   bool exists, held;             /* there is a boundary; its particles follow its strain rate */
   double radius;                 /* of the circle when the boundary began, m */
-  struct nb_tensor shape;        /* deformation of the circle since then, 1: x = centre + shape X with |X| = radius */
+  struct nb_tensor shape;        /* deformation of the circle since then: x = centre + shape X with |X| = radius */
   int *member;                   /* slots of its particles, counterclockwise; capacity for all */
   size_t count;                  /* number of its particles */
-  int *candidates;               /* slots of particles that may soon cross the circle, by number; capacity for all */
+  int *candidates;               /* slots, by number, of particles that may soon cross the circle; capacity for all */
   size_t candidate_count;        /* number of candidates */
   struct nb_tensor listed_shape; /* shape when the candidates were listed */
   unsigned long long listed_search; /* number of searches when the candidates were listed; 0: list them again */

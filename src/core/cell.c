@@ -12,12 +12,12 @@
  * particle. So positions and velocities never jump, contact histories stay valid, and the time of a search changes no
  * bit of the results. Figures show the image inside the cell.
  *
- * A pair has at most one contact if all images of a particle are farther apart than twice the range of a contact, which
- * is the largest diameter plus the skin. A sheared cell is equivalent to the reduced one with the same images
- * (Lagrange, Gauss), so the height of the reduced cell must be at least that large.
+ * A pair has at most one contact if all images of a particle are farther apart than twice the range of a contact. The
+ * range is the largest diameter plus the skin. A sheared cell is equivalent to the reduced one with the same images
+ * (Lagrange, Gauss), so the height of the reduced cell must be at least twice the range.
  *
- * Let d be the vector between two particles that the last search did not list, m, F the deformation gradient since that
- * search, and D the largest diameter, m. The vector is now F d plus the two displacements relative to the affine
+ * Let d (m) be the vector between two particles that the last search did not list, F the deformation gradient since
+ * that search, and D (m) the largest diameter. The vector is now F d plus the two displacements relative to the affine
  * motion. So strain alone requires a search only when ||F - 1|| (D + skin) reaches the skin.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */

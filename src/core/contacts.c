@@ -32,7 +32,7 @@ static void keep_doubles(double now[], const double old[], const int from[], siz
     now[c] = from[c] >= 0 ? old[from[c]] : now[c];
 }
 
-/* Copies the fields whose values of the last step the energy balance still needs. */
+/* Copies the values of the last step that the energy balance still needs. */
 static void keep_energy_fields(struct nb_contacts *now, const struct nb_contacts *old, const int from[]) {
   static const enum nb_field fields[] = {NB_OVERLAP, NB_SHEAR_BEFORE, NB_SHEAR_STIFFNESS_BEFORE};
   for (size_t f = 0; f < sizeof fields / sizeof *fields; f++)

@@ -18,7 +18,7 @@ struct nb_incidence {
   size_t batch_size, batches; /* particles in a batch, the last of which may be smaller; number of batches */
   int *batch;                 /* for each batch the index of its first group; one element more than there are batches */
   struct nb_incidence_group {
-    int particles, seconds, firsts; /* particles of a batch; entries of each as the second and as the first one */
+    int particles, seconds, firsts; /* numbers of particles, and of the entries of each as second and as first one */
   } * group;
 };
 
@@ -31,7 +31,7 @@ struct nb_contacts {
   int *suppressed;         /* 1 where another wall's contact replaces this one (wall_vertices.c); NULL: nowhere */
   struct nb_vec *image;    /* integers m: the second particle's image is at x + H m (cell.h); NULL without a cell */
   struct nb_vec *force;    /* force on the first particle, including dashpots, N */
-  double *kept[NB_FIELDS]; /* the fields that are kept after the pass; else NULL */
+  double *kept[NB_FIELDS]; /* fields that are kept after the pass; NULL: not kept */
   size_t wall_from;        /* first contact with a wall; all later ones are with walls */
   struct nb_incidence incidence; /* the contacts of each particle */
   struct nb_history normal_history, shear_history;

@@ -15,6 +15,6 @@ static inline enum nb_status nb_worse(enum nb_status a, enum nb_status b) { retu
  * NB_NO_MEMORY if memory ran out. */
 enum nb_status nb_error_system(struct nb_error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Adds a warning that is not yet in the list. */
+/* Adds a warning unless the list already has it. */
 void nb_warn(struct nb_warnings *warnings, int line, const char *format, ...) __attribute__((format(printf, 3, 4)));
 void nb_warnings_add(struct nb_warnings *warnings, const struct nb_warning *warning);

@@ -17,7 +17,7 @@ const struct nb_synonym *nb_synonym(const char *word); /* NULL: not a term of an
 /* Writes "`ball` of other programs is `disc` or `sphere` here: …" to `hint`, which has NB_HINT_SIZE bytes, and returns
  * it. NULL: the word is no term of another program. */
 const char *nb_synonym_hint(char *hint, const char *word);
-/* Both for two words: `contact model`, or a statement or a place and a word in it. */
+/* The same two functions for two words: `contact model`, or a word after its statement or place. */
 const struct nb_synonym *nb_pair_synonym(const char *first, const char *second);
 const char *nb_pair_hint(char *hint, const char *first, const char *second);
 /* Copies the next item of a list like "disc, sphere" and advances the list; false: the list is empty. */
@@ -29,8 +29,8 @@ struct nb_guess {
   const struct nb_synonym *synonym; /* keywords with the meaning of the word; NULL: none */
   unsigned marked;                  /* bit i: keyword i of `synonym->ours` has been offered */
   char best[2 * NB_NAME_SIZE];      /* the most similar keyword so far */
-  int distance;                     /* edits between the word and `best`; 1 if `best` begins or ends with the word */
-  int related_count;                /* number of keywords that begin or end with the word; `related` has the first */
+  int distance;                     /* edits from the word to `best`; 1 if the word is a part of `best` between dots */
+  int related_count;                /* number of keywords of which the word is such a part; `related` has the first */
   char related[NB_HINT_SIZE / 2 - 8];
 };
 struct nb_guess nb_guess_begin(const char *word);

@@ -5,7 +5,7 @@
  *
  * The sums of different particles are independent, so the particles may have any order. Those of a batch are sorted into
  * groups with the same numbers of contacts as the second and as the first particle. The loops over a group have constant
- * lengths, which the processor predicts. Without groups, a wrong prediction of each end of a loop took half the time of
+ * lengths, which the processor predicts. Without groups, wrong predictions of the ends of loops took half the time of
  * the motion of 70 000 particles (docs/PERFORMANCE.md).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -90,7 +90,7 @@ bool nb_incidence_fill(struct nb_contacts *contacts, const struct nb_neighbour_p
   struct nb_incidence *of = &contacts->incidence;
   struct nb_owner *owner = &contacts->owner;
   const size_t n = model->particles.count, share = n / (size_t)model->machine.threads + 1;
-  of->batch_size = share < NB_BATCH_SIZE ? share : NB_BATCH_SIZE; /* each thread has a batch */
+  of->batch_size = share < NB_BATCH_SIZE ? share : NB_BATCH_SIZE; /* few particles are also shared among the threads */
   of->batches = (n + of->batch_size - 1) / of->batch_size;
   of->first = nb_own(owner, n, sizeof(int)), of->middle = nb_own(owner, n, sizeof(int));
   of->end = nb_own(owner, n, sizeof(int)), of->order = nb_own(owner, n, sizeof(int));

@@ -26,7 +26,7 @@ static struct extent extent_of(const struct nb_model *model, double width) {
 
 /* Largest number of boxes per particle, because empty boxes cost time too. */
 static const double most_boxes = 4;
-/* Coordinates beyond this many box widths are rounded to multiples of a box: grid.h. */
+/* Largest coordinate, in box widths; it is far below 2^53, beyond which grid.h cannot distinguish boxes. */
 static const double farthest = 0x1p50;
 
 static bool fits(struct extent it, size_t items) {

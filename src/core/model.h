@@ -104,14 +104,14 @@ struct nb_plan {
   enum nb_field total_shear; /* field of the total shear force: NB_TOTAL_SHEAR, or NB_SHEAR without dashpots */
   struct {
     int normal, shear, slip_sum;
-  } history;         /* doubles per contact: histories of the two laws, tangential displacement for configuration.c */
+  } history;         /* doubles per contact: histories of the two laws, sliding displacements for configuration.c */
   bool keep_all;     /* keep all fields that a saved state contains */
   bool elastic;      /* the normal law is for elastic spheres */
   bool has_friction; /* some material pair has a shear law now */
   bool rotates;      /* in this stage some particle rotates, or may begin to */
   unsigned dashpots; /* enum nb_dashpot_kind of pass/pass.h; 0: no contact damping */
   bool centred;      /* these dashpots use the velocity at t_N */
-  bool affine_twice; /* the affine part is added to relative velocities twice: pass/affine_twice.c */
+  bool affine_twice; /* the affine part is added to relative velocities again: pass/affine_twice.c */
 };
 
 /* Stiffnesses of a contact, N/m, and dashpot coefficients, N s/m. */
@@ -180,7 +180,8 @@ struct nb_hooks {
   } list[NB_HOOKS];
 };
 
-/* A run. A member is changed only by the file that its comment names. */
+/* A run. A member is changed only by the file that its comment names; "FILE, to `x`" names the file for all members
+ * down to x. */
 struct nb_model {
   const struct nb_scene *scene;
   struct nb_owner owner; /* of all memory that lives as long as the model */
@@ -364,7 +365,7 @@ void nb_forces(struct nb_model *model);
 
 /* ---- contacts ---- */
 
-/* Sort key of b among the partners of a: its number, walls last. */
+/* Sort key of b among the partners of a: the number of b, walls last. */
 static inline int nb_partner_rank(const struct nb_model *model, struct nb_neighbour_pair pair) {
   return model->material_pairs[pair.material_pair].wall ? INT_MAX / 2 + pair.b : model->particles.number[pair.b];
 }
@@ -389,7 +390,7 @@ static inline struct nb_vec nb_contacts_branch(const struct nb_model *model, siz
   return model->cell ? vec_add(branch, tensor_times(model->cell->h, contacts->image[contact])) : branch;
 }
 
-/* At the current positions, m; below 0: a gap. */
+/* The overlap at the current positions, m; below 0: a gap. */
 static inline double nb_overlap(const struct nb_model *model, size_t contact) {
   const bool wall = nb_with_wall(model, contact);
   const struct nb_particles *particles = &model->particles;

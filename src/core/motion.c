@@ -59,7 +59,7 @@ static inline NB_FORM void sum_forces(struct batch *batch, const struct nb_conta
   }
 }
 
-/* A function of its own for each instruction set: within `move` the compiler has too few registers for it. */
+/* A function of its own sums the forces for each instruction set, because registers are scarce within `move`. */
 typedef void sum_function(struct batch *batch, const struct nb_contact_forces *by, const struct nb_incidence *all,
                           size_t which, size_t from);
 #define SUM_FORM(isa, target)                                                                                          \
@@ -97,7 +97,7 @@ static void add_boundary_force(struct batch *batch, const struct nb_vec *boundar
 
 /* The arguments of one thread. */
 struct task {
-  struct nb_particles particles; /* a copy, which stores to particle data cannot change */
+  struct nb_particles particles; /* a copy, so that the compiler knows that writing particle data does not change it */
   const struct nb_incidence *incidence;
   sum_function *sum;
   struct nb_kick_factors factors;

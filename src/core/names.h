@@ -55,7 +55,7 @@ extern const struct nb_quantity_kind nb_contact_test_kinds[];
 /* Writes a hint what to type instead of a name that is no quantity of the scene: the nearest name, or a list. */
 const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const char *text);
 bool nb_is_quantity(const char *name); /* a quantity of any monitor, or of a scene, has this name */
-bool nb_quantity_never(const struct nb_condition *condition); /* the quantity has a bound, so this never holds */
+bool nb_quantity_never(const struct nb_condition *condition); /* false for all values that the quantity can have */
 bool nb_quantity_is_residual(struct nb_quantity quantity);    /* the quantity is a residual, 0 by definition */
 /* Fills a row with the k-th quantity, for the manual; false past the last one. */
 struct nb_quantity_row {

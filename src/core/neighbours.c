@@ -180,7 +180,8 @@ static bool neighbour_copies(struct nb_neighbour_pairs *pairs, struct nb_model *
   return true;
 }
 
-/* Tests item p of the mesh against those in [from, to). First all distances, so that no branch depends on them. */
+/* Tests item `it` of the mesh against the items from `from` to `to` - 1. All distances of a batch are computed first,
+ * because a loop without branches is faster. */
 static bool neighbours_among(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct nb_mesh *mesh,
                              const struct nb_mesh_item *it, int from, int to) {
   enum { BATCH = 64 };
@@ -203,7 +204,7 @@ static bool neighbours_among(struct nb_neighbour_pairs *pairs, struct nb_model *
   return true;
 }
 
-/* Each particle against the later ones of its box, and those of half the boxes around it: each pair once. */
+/* Tests each particle against the later ones of its box and those of half the boxes around it: each pair once. */
 static bool neighbours_in_mesh(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct nb_mesh *mesh) {
   for (size_t p = 0; p < mesh->count; p++) {
     const struct nb_mesh_item *it = &mesh->item[p];

@@ -2,8 +2,8 @@
  * of a cycle is a round: the caller announces the work, does part 0, and waits until all members are done.
  *
  * A member that waits looks at the number of the round for some microseconds, because on an idle machine the next round
- * begins within this time. Then it sleeps. So a member that the system has stopped does not make the others occupy a
- * processor, which it needs to go on.
+ * begins within this time. Then it sleeps. So when the system has stopped a member, the waiting ones do not occupy the
+ * processor that this member needs to go on.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "team.h"
@@ -13,7 +13,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-enum { LOOKS = 200 }; /* before a member sleeps; with the pause between two of them 2 to 10 us */
+enum { LOOKS = 200 }; /* looks at the number before a member sleeps; they take 2 to 10 us, with pauses between them */
 
 struct member {
   struct nb_team *team;

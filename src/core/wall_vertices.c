@@ -11,8 +11,8 @@
  * wall to the other, the contact that becomes suppressed passes its history to the one that becomes active. So neither
  * the normal nor the shear force jumps at a vertex of a straight line or at an outer corner.
  *
- * Two ends form a vertex while their distance is at most `coincidence_limit` of the radius plus the rounding of
- * coordinates far from the origin. Two ends that are farther apart at time 0 never form a vertex.
+ * Two ends form a vertex while their distance is at most `coincidence_limit` times the radius, plus the rounding error
+ * of the coordinates. Two ends that are farther apart at time 0 never form a vertex.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
