@@ -96,10 +96,10 @@ enum nb_shape {
 };
 
 /* The properties of a contact between two materials. A row has: the property's keyword, which is also its name in the
- * structures below; its value as the manual shows it, unit and range; the default of `material`; the rule that combines
- * two materials (properties.c); and the help text. A new property needs only a new row: reading, changes in stages,
- * ramps, saved states and the manual use this table. Law files read the property NAME as p.NAME, which is 0 if the page
- * gives no value. */
+ * structures below; the letter that stands for its value in the manual; its unit and range; the default of `material`;
+ * the rule that combines two materials (properties.c); and the help text. A new property needs only a new row: reading,
+ * changes in stages, ramps, saved states and the manual use this table. Law files read the property NAME as p.NAME,
+ * which is 0 if the page gives no value. */
 #define NB_PAIR_ROWS(ROW)                                                                                              \
   ROW(kn, "K", STIFFNESS, NOT_NEGATIVE, "0", series, "Normal stiffness of a contact [CS79 16].")                       \
   ROW(ks, "K", STIFFNESS, NOT_NEGATIVE, "0", series, "Shear stiffness of a contact [CS79 17].")                        \
@@ -159,7 +159,7 @@ struct nb_fill {
                          * 0: the cell is not filled */
   int grading;
   unsigned long seed;
-  unsigned long attempts;           /* at most, for each particle */
+  unsigned long attempts;           /* largest number of attempts for each particle */
   bool skip;                        /* true: a size that does not fit is skipped; false: it is an error */
   size_t first, count;              /* index of its first particle; number of its particles */
   unsigned long long attempts_made; /* attempts for all its particles */
@@ -173,13 +173,14 @@ struct nb_packing {
   int line;
 };
 
-/* A wall is the segment from P + h1 e to P + h2 e [CS79 figure 4]. It acts on particles on both sides. */
+/* A wall is the segment from P + h0 l + h1 e to P + h0 l + h2 e, with l to the left of e; [CS79 figure 4] has h0 = 0.
+ * It acts on particles on both sides. */
 struct nb_wall {
   char name[NB_NAME_SIZE];
   double x, y;     /* P, m */
   double ex, ey;   /* e, unit vector */
   double h1, h2;   /* m */
-  double h0;       /* distance of the wall's line from P, to the left of e, m; 0 for walls of [CS79 figure 4] */
+  double h0;       /* distance of the wall's line from P, m; positive to the left of e */
   double inx, iny; /* unit normal into the box that the wall belongs to; 0, 0: no box */
   double vx, vy;   /* velocity of P at time 0, m/s */
   double spin;     /* angular velocity about P at time 0, rad/s, counterclockwise */
@@ -208,11 +209,11 @@ enum nb_global_damping {
 };
 struct nb_damping {
   enum nb_contact_damping contact_kind;
-  double contact; /* s or 1 */
+  double contact; /* beta, s or 1 */
   int contact_line;
   bool walls_separate; /* contacts with walls have their own damping, which the next three members give */
   enum nb_contact_damping walls_kind;
-  double walls; /* s or 1 */
+  double walls; /* beta, s or 1 */
   int walls_line;
   double deep; /* overlap beyond which a contact is critically damped, as a fraction of the smaller diameter; 0: none */
   int deep_line;
@@ -220,7 +221,7 @@ struct nb_damping {
   bool centred;
   int centred_line;
   enum nb_global_damping global_kind;
-  double global; /* 1/s or 1 */
+  double global; /* alpha, 1/s; or CON1, 1 */
   int global_line;
 };
 /* Returns the kind of damping of a contact with a wall, or of one between particles, and sets `value` to its
@@ -287,7 +288,7 @@ struct nb_gravity {
   double x, y;             /* m/s2 */
   double central;          /* acceleration towards the point, m/s2 */
   double about_x, about_y; /* the point, m */
-  bool ramp;               /* changed linearly, reached at the end of the stage */
+  bool ramp;               /* changes linearly and reaches these values at the end of the stage */
   int line;                /* line of the page; 0: not given here */
 };
 
@@ -295,7 +296,7 @@ struct nb_gravity {
 struct nb_change {
   int a, b;                    /* materials; b is -1 for a change of material a itself, not of the pair */
   NB_PAIR_ROWS(NB_PAIR_MEMBER) /* as in struct nb_material */
-  bool ramp;                   /* changed linearly, reached at the end of the stage */
+  bool ramp;                   /* the values change linearly and are reached at the end of the stage */
   int line;
 };
 
@@ -315,7 +316,7 @@ struct nb_wall_motion {
   int wall;      /* index */
   double vx, vy; /* velocity of P, m/s */
   double spin;   /* angular velocity about P, rad/s, counterclockwise */
-  bool ramp;     /* changed linearly, reached at the end of the stage */
+  bool ramp;     /* the motion changes linearly and is reached at the end of the stage */
   int line;
 };
 
@@ -378,7 +379,8 @@ struct nb_circle {
   int line;            /* 0: no boundary begins */
 };
 
-/* Loading of the boundary, and affine motion of the free particles, until another stage changes it. */
+/* The next two structures: the loading of the boundary, and the affine motion of the free particles. Each stays until
+ * another stage changes it. */
 enum nb_control { NB_CONTROL_STRAIN, NB_CONTROL_STRESS, NB_CONTROL_NONE };
 struct nb_boundary {
   enum nb_control control;
@@ -404,8 +406,8 @@ struct nb_servo {
   bool mean;                      /* only the mean (xx + yy)/2 is controlled */
   bool affine;                    /* adjusts the affine motion of the boundary and of the free particles */
   bool cell;                      /* adjusts the strain rate of the cell */
-  bool box;                       /* adjusts the strain rate of the box; if none of the three: of the boundary only */
-  bool ramp;                      /* target changed linearly, reached at the end of the stage */
+  bool box;                       /* adjusts the strain rate of the box; if all three are false: of the boundary only */
+  bool ramp;                      /* the target changes linearly and is reached at the end of the stage */
   double max_rate;                /* largest component of the added strain rate, 1/s; if per_cycle, 1 */
   bool per_cycle;                 /* max_rate is a strain per cycle */
   unsigned long every;            /* cycles between two adjustments */
@@ -443,9 +445,9 @@ struct nb_stage {
   struct nb_step step;           /* as the scene's, unless the stage gives its own */
   bool allow_unstable;           /* the stability of the step is not checked in this stage */
   struct nb_damping damping;     /* as in the stage before, unless the stage gives its own */
-  struct nb_laws laws;           /* as in the stage before where empty */
+  struct nb_laws laws;           /* an empty name: the law of the stage before */
   unsigned long long hash;       /* of the page up to the end of this stage, without statements that only record */
-  struct nb_segment segment;     /* of a contact test: `cycles` are its steps */
+  struct nb_segment segment;     /* of a contact test; `cycles` is its number of steps */
   int line;
 };
 
@@ -606,7 +608,7 @@ struct nb_snapshot {
 struct nb_stage_cost {
   unsigned long cycles;
   unsigned long long updates; /* contact updates */
-  double step, seconds;       /* s; processor time of the cycles, with tests of conditions and rows */
+  double step, seconds;       /* time step, s; processor time of the cycles, with tests of conditions and rows, s */
 };
 struct nb_result {
   struct nb_table table;
