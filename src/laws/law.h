@@ -4,11 +4,12 @@
  *   struct nb_normal normal_NAME(struct nb_pair p, double overlap, double dn, double m[])
  *   struct nb_shear  shear_NAME(struct nb_pair p, struct nb_normal n, double ds, double m[])
  *
- * overlap, m, is never negative. It is 0 without contact; force and stiffness must then be 0. With plastic flow the
- * force may be 0 while particles overlap, if the overlap was larger before; the stable step uses the greatest stiffness
- * that can follow (measure/stable_step.c). dn and ds are the normal and tangential increments of this step, m. m is the
- * history of this contact: as many doubles as the law declares, 0 at first touch. The law updates them for the next
- * step. Forces are elastic; the dashpots are added later, from the stiffnesses that the laws return.
+ * overlap, m, is never negative. It is 0 without contact; force and stiffness must then be 0. With plastic flow a
+ * law may return the force 0 while the particles overlap, if the overlap was larger before; the stable step uses the
+ * greatest stiffness that can follow (measure/stable_step.c). dn and ds are the normal and tangential increments of
+ * this step, m. m is the history of this contact: as many doubles as the law declares, 0 at first touch. The law
+ * updates them for the next step. Forces are elastic; the dashpots are added later, from the stiffnesses that the laws
+ * return.
  *
  * Straight-line laws, which have no branches, use only + - x / sqrt fabs copysign, ?: and nb_where, so that the
  * compiler vectorises their loop.
@@ -61,7 +62,7 @@ struct nb_law {
   unsigned needs;         /* set of fields that the law reads besides overlap, normal force and normal stiffness */
   bool elastic;           /* for elastic spheres: uses E*, G* and R* instead of k_n and k_s */
   bool branching;         /* has loops or calls: its loop need not vectorise */
-  bool cohesionless;      /* does not support cohesion: a page with some is invalid */
+  bool cohesionless;      /* does not support cohesion: a page with cohesion is invalid */
   bool dissipative;       /* dissipates energy before gross sliding, and returns this energy */
   bool non_conservative;  /* may create energy in a closed path; its file says how much */
   /* Adds an increment to the previous force: the returned stiffness is the one of the next step, and the force may be 0

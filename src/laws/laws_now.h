@@ -16,7 +16,7 @@ bool nb_laws_elastic(const struct nb_scene *scene);  /* in some stage the normal
 bool nb_laws_shear(const struct nb_scene *scene);    /* in some stage there is a shear law */
 bool nb_laws_friction(const struct nb_scene *scene); /* in some stage some contact has friction or cohesion */
 /* The first law without stored energy that a stage makes active: by a change of the law, or by friction or cohesion for
- * contacts that had none. NULL: no stage does. */
+ * contacts that had none. `normal`: among the normal laws; otherwise among the shear laws. NULL: no stage does. */
 const struct nb_law *nb_laws_unstored(const struct nb_scene *scene, bool normal);
 void nb_laws_change(struct nb_model *model); /* makes the next laws the current ones */
 

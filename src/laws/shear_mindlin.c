@@ -9,7 +9,7 @@
  * Source     the stiffness of a contact that sticks everywhere [R89 3.27; 3.94 with theta = 1], with Coulomb's limit
  *            for the whole contact. Widely used; it neglects the slip that begins at the edge.
  * Order      exact at constant N. While N changes, the law is of first order in the step, because it uses the radius at
- *            the end of the step: the error of T is half a step of 8 G* Int (da/dt) ds.
+ *            the end of the step: the error of T is half a step times 8 G* Int (da/dt) ds.
  * Range      as in normal_hertz.c.
  * History    m[0]  T, N.
  * Creates    energy, because T is kept when N falls, although a part of the contact area that carried T has separated.

@@ -145,8 +145,8 @@ static int append_or_merge(struct corner at[], int k, double x, const struct pie
   return k;
 }
 
-/* The energy lost in a step, in the unit of Int t du, at the slip front and by sliding. The front passes all pieces
- * outside the piece before the new one, and the end of that piece. For a displacement in the sense s the front is at
+/* The energy lost in a step, in the unit of Int t du, at the slip front and by sliding. The front passes the outer part
+ * of the piece before the new one, and all pieces outside that piece. For a displacement in the sense s the front is at
  * the y where y - s u(y) equals g, the value of x - s u at the edge. g decreases during the step; when g is below 0 the
  * contact slides. */
 static double energy_loss(const struct corner at[], int pieces, double x, double u, int index,
@@ -182,8 +182,8 @@ static NB_COLD int advance(struct corner at[], int pieces, double x, double u, i
   return append_or_merge(at, index, x, &piece, max_pieces, dissipated);
 }
 
-/* Computes the path again for another friction. The old corners are replaced in place, because a step adds at most one
- * piece. Returns the energy lost. */
+/* Computes the path again for another friction. The new corners can replace the old ones in the same array, because a
+ * step adds at most one piece. Returns the energy lost. */
 static NB_COLD double rebuild(struct corner at[], double *count, double fraction, int max_pieces) {
   const int pieces = (int)*count;
   const double before = fraction * fraction * stored_energy(at, pieces);

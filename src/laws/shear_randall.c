@@ -30,7 +30,7 @@
  *   - T* is deleted when reloading reaches T*, when unloading reaches -T*, or when a falling N brings T* to T. T** is
  *     deleted when unloading reaches T**, or when a falling N brings T** to T. Virgin loading has the sense of T, also
  *     if T changed its sign while N fell.
- *   - theta is never negative. Sliding means |T| > mu N, or no sticking region; it resets the history.
+ *   - theta is never negative. Sliding means |T| > mu N, or no sticking region; sliding resets the history.
  *
  * Source     [R89 3.94-3.98, 4.15-4.25], FORD and THETA.
  * Order      first in the step, relative to the law's own limit of small steps, because theta is the value at the
@@ -100,7 +100,7 @@ static inline struct nb_shear shear_randall(struct nb_pair p, struct nb_normal n
     h.cdf = ds > 0 ? 1 : ds < 0 ? -1 : 0;
   if (h.cdf != 0) {
     double along =
-        along_virgin(&h, h.branch == UNLOADING || h.branch == REUNLOADING ? -ds : ds); /* in the sense of its motion */
+        along_virgin(&h, h.branch == UNLOADING || h.branch == REUNLOADING ? -ds : ds); /* in the sense of the branch */
     if (along < 0 && -along > -critical)
       reverse(&h), along = -along;
     fraction = along > critical + h.deficit ? theta(&h, rise, limit) : 1;

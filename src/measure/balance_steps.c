@@ -111,8 +111,8 @@ static double normal_energy_change(const struct nb_model *model) {
   return sum.sum + sum.rest;
 }
 
-/* U_s of all contacts after a change by the stage, J. A larger stiffness makes U_s smaller; U_s is 0 if the stage
- * removes friction or changes the law. */
+/* U_s of all contacts, J; called before and after a change by the stage. A larger stiffness makes U_s smaller; U_s is 0
+ * if the stage removes friction or changes the law. */
 static double shear_energy(const struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
   struct nb_sum sum = {0};

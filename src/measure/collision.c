@@ -7,8 +7,8 @@
  *
  *   v = sqrt(w^2 - (w x d)^2/s^2)
  *
- * A particle hits a wall along the wall's normal, or hits its end like a particle without radius. A pair that already
- * touches approaches at v = w.d/|d|.
+ * A particle hits the face of a wall along the wall's normal, and an end of a wall like a particle without radius. A
+ * pair that already touches approaches at v = w.d/|d|.
  *
  * Walls move as in the first stage. The prediction neglects gravity, the rotation of walls before the collision, and
  * particles in between. It tests every moving particle with every other particle once, so a gas of a million particles

@@ -103,11 +103,11 @@ enum nb_measure { NB_MEASURE_ROWS(NB_MEASURE_NUMBER) NB_MEASURES };
 struct nb_region_state {
   const struct nb_region *definition;
   struct nb_vec centre;
-  double radius;              /* radius of a circle, m; 0: a box, or `inside` without a boundary */
-  struct nb_vec corners[4];   /* counterclockwise, m */
-  double area, thickness;     /* m2; m */
-  unsigned long placed_cycle; /* number of the cycle of this geometry, plus 1; 0: not computed yet */
-  unsigned long measured[NB_MEASURES];
+  double radius;                       /* radius of a circle, m; 0: a box, or `inside` without a boundary */
+  struct nb_vec corners[4];            /* counterclockwise, m */
+  double area, thickness;              /* m2; m */
+  unsigned long placed_cycle;          /* number of the cycle of this geometry, plus 1; 0: not computed yet */
+  unsigned long measured[NB_MEASURES]; /* the same for each measure */
   struct nb_stress stress;
   struct nb_fabric fabric;
   struct nb_directions directions;

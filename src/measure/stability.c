@@ -161,7 +161,7 @@ static void set_update_limit(struct nb_model *model) {
 static const double proposed_fraction = 0.8;
 
 /* Writes a step below the stable one to `text`, in the form in which the page gives its step. */
-static void proposed_step(char *text, size_t size, const struct nb_model *model, double stable_overlap) {
+static void proposed_step(char *text, size_t size, const struct nb_model *model, double stable_step) {
   static const char *const of[] = {[NB_STEP_TIME] = " s",
                                    [NB_STEP_SINGLE_CONTACT] = " of single-contact",
                                    [NB_STEP_STABLE] = " of stable",
@@ -171,7 +171,7 @@ static void proposed_step(char *text, size_t size, const struct nb_model *model,
                                    [NB_STEP_RAYLEIGH_FIT] = " of rayleigh-fit",
                                    [NB_STEP_RAYLEIGH_FIT_MEAN] = " of rayleigh-fit-mean"};
   const struct nb_step *step = model->stage ? &model->stage->step : &model->scene->step;
-  const double value = proposed_fraction * step->value * stable_overlap / model->step;
+  const double value = proposed_fraction * step->value * stable_step / model->step;
   if (step->kind == NB_STEP_COLLISION)
     snprintf(text, size, "step %.0f%s", ceil(1 / value), of[step->kind]);
   else

@@ -42,7 +42,7 @@
  * for the first contact that forms. The bound neglects the rotation of contacts, an effect of the order of overlap over
  * radius, and the smaller stiffness of sliding contacts.
  *
- * The computation of the bound costs as much as a few cycles; with elastic spheres as much as up to a dozen.
+ * The computation of the bound costs as much as a few cycles, with elastic spheres up to a dozen cycles.
  * stability.c decides when to compute it.
  *
  * Source     the element bound of finite elements (Irons and Treharne 1971).

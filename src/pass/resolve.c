@@ -1,7 +1,7 @@
 /* Components of the contact forces.                                  [CS79, The force-displacement law, figure 3]
  *
  * F_n and F_s, which include the dashpot forces, act on the first particle along -e and -t, and on the second particle
- * along e and t. The force on the first particle is
+ * along e and t. The components of the force on the first particle are
  *
  *   F_1 = -(F_n e1 + F_s t1),   F_2 = -(F_n e2 + F_s t2),   t = (e2, -e1)
  *
