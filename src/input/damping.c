@@ -6,7 +6,7 @@
 static const struct nb_argument no_fields[] = {END};
 
 static const struct damping_word {
-  enum nb_contact_damping contact_kind; /* a damping of contacts; or, for all particles: */
+  enum nb_contact_damping contact_kind; /* damping of contacts; the next member: damping of all particles */
   enum nb_global_damping global_kind;
   enum nb_unit_kind unit;
   enum nb_range range;

@@ -173,7 +173,7 @@ const char *nb_synonym_hint(char *hint, const char *word) {
   return hint;
 }
 
-/* A number as second word is NUMBER. */
+/* Joins two words as in `synonyms`; a number as the second word becomes NUMBER. */
 static const char *pair_of(char pair[2 * NB_NAME_SIZE], const char *first, const char *second) {
   snprintf(pair, 2 * NB_NAME_SIZE, "%.63s_%.63s", first, isdigit((unsigned char)*second) ? "NUMBER" : second);
   return pair;

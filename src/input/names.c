@@ -278,8 +278,8 @@ static bool is_one_of(const char *names, const char *name) {
   return at != NULL;
 }
 
-/* Rows whose quantities are 0 or more, and rows whose quantities are at most 1; of families each of them is. Energies that
- * are sums over time, and differences, have no bound. */
+/* Rows whose quantities are all 0 or more, and rows whose quantities are all at most 1. Energies that are sums over
+ * time, and differences, have no bound. */
 static const char not_negative[] =
     "cycle time stage.time contacts contacts.deep unbalanced.max energy.kinetic overlap normal sliding step "
     "step.single-contact step.stable step.fracc step.rayleigh step.rayleigh-mean step.rayleigh-fit "

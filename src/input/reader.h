@@ -128,7 +128,8 @@ bool nb_line_mistake(struct nb_reader *reader, size_t line, const char *hint, co
 /* Reports "expected WHAT, found `token`" at the next token. */
 bool nb_expected(struct nb_reader *reader, const char *hint, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-/* Reports that no word of the line begins like this one, at the end of the line, which may have another mistake. */
+/* Reports at the end of the line that it lacks a word that begins with `begin`, unless it has one. The line may already
+ * have another mistake. */
 void nb_line_needs(struct nb_reader *reader, const char *begin, const char *hint, const char *what);
 /* Writes the hint for syntax of another language or a word processor to `hint`, a text of NB_HINT_SIZE; NULL: none. */
 const char *nb_syntax_hint(const struct nb_reader *reader, char *hint, const char *text);
@@ -177,7 +178,7 @@ enum {
   NB_IN_RAMP = 8, /* in a line after the word `ramp` */
   NB_IN_CONTACT_TEST = 16,
   NB_IN_SEGMENT = 32,
-  NB_IN_CELL = 64,     /* with one of the first two: not in a scene with walls, such as the manual's page */
+  NB_IN_CELL = 64,     /* with one of the first two: the scene has a cell and no walls, unlike the manual's page */
   NB_IN_START = 128,   /* after `start`, before the first stage */
   NB_OWN_EXAMPLE = 256 /* for the manual: the example of the row is a page of its own */
 };

@@ -1,6 +1,6 @@
 /* Changes a scene to one with a shorter step, or with softer contacts.
  *
- * `--set refine=R`: the page with its time step divided by R, otherwise the same in time.
+ * `--set refine=R` divides the time step by R and keeps all times:
  *
  *   step                        divided by R, whatever its unit
  *   cycles N, in N steps        N R
@@ -25,7 +25,7 @@
 #include "core/names.h"
 #include "statement.h"
 
-static const double rounding = 1e-9; /* relative rounding of R in the way it is written */
+static const double rounding = 1e-9; /* relative error of R, which is written with a limited number of digits */
 
 bool nb_refined_is_whole(double product, double *whole) {
   *whole = nearbyint(product);

@@ -156,7 +156,7 @@ static void find_columns(struct nb_scene_reading *reading) {
   }
 }
 
-/* True if the stage has no end that should be reported. A repeated stage is reported once. */
+/* True if the stage has no end, and this should be reported. A repeated stage is reported once. */
 static bool lacks_end(const struct nb_scene *scene, const struct nb_mistakes *mistakes, size_t stage) {
   size_t first = 0;
   while (scene->stages[first].line != scene->stages[stage].line)

@@ -44,7 +44,7 @@ struct nb_scene_reading {
   const struct nb_scene_reading *parent; /* the page that starts from this one, or NULL */
   size_t first_line;                     /* line of the first statement other than `units`, `let` and `sweep` */
   bool start_failed;                     /* `start` has a mistake: the rest of the page is not read */
-  /* After `start`: the last stage of the scene is the first stage of this page, without name. */
+  /* After `start`: the last stage of the scene is the first stage of this page, which has no name yet. */
   bool before_first_stage;
   unsigned long long hash; /* hash of the statements read so far */
   int units_line;
@@ -72,7 +72,8 @@ struct nb_stage *nb_current_stage(const struct nb_scene *scene);
 bool nb_given_twice(struct nb_reader *reader, int line);
 bool nb_too_many(struct nb_reader *reader, size_t count, int most, const char *what); /* count has reached most */
 bool nb_too_many_particles(struct nb_reader *reader, const struct nb_scene *scene, size_t more);
-bool nb_exists(struct nb_reader *reader, const struct nb_token *name, const char *what, int line); /* 0: no */
+/* The name is taken. line: the line that defines it; 0: it is not taken. */
+bool nb_exists(struct nb_reader *reader, const struct nb_token *name, const char *what, int line);
 /* The first corner of a box has not the smaller x and y. */
 bool nb_corners_swapped(struct nb_reader *reader, double x, double y, double x1, double y1);
 /* A statement that defines particles has a mistake, so numbers of particles cannot be checked. */
@@ -125,11 +126,11 @@ void nb_stage_name(struct nb_stage *stage, const struct nb_scene_reading *readin
 
 /* The line, among the settings, of the last --set of this name; 0: none. */
 size_t nb_setting_find(const struct nb_scene_reading *reading, const char *name);
-/* nb_settings_read applies the settings of the laws and the step, and reports settings of unknown names. On a page with
- * `start` the second function applies the setting of the step, when the units of the other page are known. */
+/* nb_settings_read applies the settings that are not values of a `let` or `sweep`, and reports unknown names. On a page
+ * with `start` the second function applies the setting of the step, when the units of the other page are known. */
 void nb_settings_read(struct nb_scene_reading *reading);
 void nb_setting_read_step(struct nb_scene_reading *reading);
-/* Number of runs that the sweeps read so far give. */
+/* Number of runs that follows from the sweeps read so far. */
 size_t nb_run_count(const struct nb_scene_reading *reading);
 /* The hash of everything on which a state depends. It begins with the settings; nb_hash_line then adds each
  * statement. */

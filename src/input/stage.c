@@ -47,7 +47,7 @@ NB_APPLY(apply_stage) {
     nb_exists(reader, name, "stage", same < 0 ? 0 : scene->stages[same].line);
   nb_too_many(reader, scene->stage_count, NB_NAMED_MAX, "stages");
   if (scene->stage_count < NB_NAMED_MAX && NB_APPEND(reader, scene->stages, scene->stage_count, one))
-    reading->here = scene->contact_test ? NB_IN_SEGMENT : NB_IN_STAGE; /* a contact test with a mistake */
+    reading->here = scene->contact_test ? NB_IN_SEGMENT : NB_IN_STAGE; /* a `stage` in a contact test is a mistake */
 }
 
 /* ---- end of a stage: either `cycles` or one `until` ---- */

@@ -91,7 +91,7 @@ static bool copy_scene(struct nb_scene *to, const struct nb_scene *from, int lin
   LINES(pair_rules, pair_rule_count);
   LINES(particles, particle_count);
   LINES(walls, wall_count);
-  /* Set by --set, which applies to the stages of this page. */
+  /* Laws that --set gives apply to the stages of this page only. */
   const bool normal_set = to->normal[0], shear_set = to->shear[0];
   struct nb_laws set = {.pieces = to->pieces};
   snprintf(set.normal, sizeof set.normal, "%s", normal_set ? to->normal : "");
@@ -105,7 +105,7 @@ static bool copy_scene(struct nb_scene *to, const struct nb_scene *from, int lin
   to->circle = from->circle, to->circle.line = replaced_line(to->circle.line, line);
   to->origin_x = from->origin_x, to->origin_y = from->origin_y;
   const struct nb_stage *last = &to->stages[to->stage_count - 1];
-  struct nb_stage *first_stage = &to->stages[to->stage_count]; /* the first `stage` gives its name */
+  struct nb_stage *first_stage = &to->stages[to->stage_count]; /* the first `stage` of this page names it */
   *first_stage = (struct nb_stage){.record_interval = 1,
                                    .check_interval = 1,
                                    .snapshot_from = -1,
@@ -285,8 +285,8 @@ void nb_start_free(struct nb_start *start) {
 
 /* ---- hash of everything on which a state depends ---- */
 
-/* Begins with the program and the settings that override statements. Settings of values need no place of their own:
- * their values are in the statements that use them. */
+/* The hash begins with the version of the program and the settings that override statements. Values that --set gives to
+ * names are not added here, because the statements that use them contain them. */
 unsigned long long nb_hash_settings(nb_settings settings) {
   static const char *const statements[] = {"normal=", "shear=", "step=", "damping=", "refine=", "soften="};
   unsigned long long hash = nb_hash(NB_HASH_BEGIN, NB_VERSION, sizeof NB_VERSION);

@@ -129,8 +129,8 @@ const char *nb_example_hint(char *hint, const struct nb_reader *reader) {
     lines += own;
   }
   snprintf(hint, NB_HINT_SIZE, "for example `%.*s`", (int)strcspn(best, "\n"), best);
-  return most > (lines > 1) ? hint
-                            : NULL; /* if the example has several lines, one that has more words than the first */
+  /* if the example has several lines, one common word, the first one, is not enough to choose a line */
+  return most > (lines > 1) ? hint : NULL;
 }
 
 /* Reports a line whose first words match some rows and whose next word matches none of them: `fill sphres`. Returns one
@@ -474,8 +474,8 @@ static int values_around(const struct nb_reader *reader, size_t k, bool forward)
   return count;
 }
 
-/* The hint for a third coordinate: the third of three values, unless a clause word is left out before it, which then
- * does not follow either. NULL: it is none. */
+/* The hint for the third of three values. It is a third coordinate if no clause is missing, or if the word of the
+ * missing clause follows. Otherwise this word may have been left out before the value. NULL: no third coordinate. */
 static const char *third_coordinate(char *hint, const struct nb_reader *reader, const struct nb_argument *missing) {
   const struct nb_argument *field = reader->keyword->arguments;
   char example[NB_HINT_SIZE];
@@ -493,8 +493,8 @@ static const char *third_coordinate(char *hint, const struct nb_reader *reader, 
   return hint;
 }
 
-/* The syntax of the statement, with an example at the end of the line; or the clause word that is left out before a
- * number. */
+/* Writes the syntax of the statement, at the end of the line also an example; or, before a number, the word of the
+ * clause that is missing. */
 static void usage_hint(const struct nb_reader *reader, char *hint, const struct nb_token *token,
                        const struct nb_argument *missing) {
   char example[NB_HINT_SIZE];

@@ -27,7 +27,8 @@ static const struct nb_argument transform_fields[] = {
 };
 /* clang-format on */
 
-/* The number of quarter turns, if the angle is the double of `90 deg`, `180 deg` … or the nearest one in radians. */
+/* The number of quarter turns in the angle, rad. *exact: the angle is a multiple of 90 deg; the two ways to compute
+ * such a multiple round differently. */
 static int quarters_of(double angle, bool *exact) {
   const double degree = NB_PI / 180;
   for (int n = -4; n <= 4; n++) {

@@ -1,6 +1,6 @@
 /* The boundary of an assembly, a ring of its own particles; and `rotation`.            [R89 sec. 6.4.1, sec. 6.5.1]
  *
- * A circle defines the boundary when it begins: the free particles whose centres are on the circle or outside it. While
+ * When a boundary begins, a circle defines its particles: all free ones with centres on the circle or outside it. While
  * these particles are held, they follow the boundary's strain rate L, 1/s (affine.c), and have no velocity of their
  * own. Their mass counts as infinite, they do not rotate, and there is no force between two of them. Their centres move
  * as

@@ -45,7 +45,7 @@ double nb_box_porosity(const struct nb_model *model);             /* areal, of a
 struct nb_vec nb_box_initial_sides(const struct nb_scene *scene); /* width and height at time 0, m */
 struct nb_tensor nb_box_stress(const struct nb_model *model);     /* stress of the box, Pa (box.c) */
 struct nb_tensor nb_walls_stress(const struct nb_model *model);   /* mean traction of opposite walls, Pa */
-/* Stress on the east and the west wall over that on the south and the north wall, from normal forces, 1. */
+/* Normal force on the east and the west wall over the normal force on the south and the north wall, 1. */
 double nb_walls_ratio(const struct nb_model *model);
 double nb_walls_residual(const struct nb_model *model); /* magnitude of the sum of the forces of the four walls, N */
 
