@@ -36,7 +36,7 @@
 
 enum { PARTICLES_MAX = 50 };
 static const double anchor_fraction = 0.5; /* largest uncertainty of the anchor, as a fraction of the tolerance */
-static const double variant_distance = 2;  /* a variant farther from the anchor, over the tolerance, is left out */
+static const double variant_distance = 2;  /* largest distance of a variant from the anchor, over the tolerance */
 static const double confidence = 0.95;     /* confidence level of a mean over realizations */
 static const double runnable = 0.998;      /* two-sided level: one further realization in a thousand stops */
 static const double softer[] = {10, 100, 1000};
@@ -240,8 +240,9 @@ static const struct nb_variant *equal_variant(const struct nb_advice *advice, co
 }
 
 /* True if the variant is near enough to the anchor to be tried. It is run with the longest step, from this level on,
- * with which it can be run. Means over realizations are known only after all trials, because a quantity such as a
- * number of contacts can be equal by chance in one trial. Softer contacts that change nothing allow a longer step. */
+ * with which it can be run. A mean over realizations is known only after all trials: a quantity such as a number of
+ * contacts can be equal by chance in one trial. Softer contacts that change nothing are not left out, because they
+ * allow a longer step. */
 static bool is_near(struct nb_advice *advice, struct nb_variant *variant, int level, int highest) {
   while (!nb_trials_run(advice, variant, level, 0, 1, 1) && level < highest && !advice->exhausted)
     level++;

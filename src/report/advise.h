@@ -148,5 +148,5 @@ bool nb_trials_run(struct nb_advice *advice, struct nb_variant *variant, int lev
                    size_t count);
 /* The time of the first trial, s. The trial is run once more, and no value is stored. NaN: the trial fails. */
 double nb_trials_time(struct nb_advice *advice, struct nb_variant *variant, int level);
-/* Memory that runs out ends the search; other failures belong to the candidate. Returns false. */
+/* Records that memory ran out, which ends the search; other failures only exclude a setting. Returns false. */
 bool nb_advice_no_memory(struct nb_advice *advice);

@@ -1,10 +1,10 @@
 /* `nineball advise --all`: the cheapest settings of many pages. Writes a table with one row for each search, and a
  * figure for each page.
  *
- * The command searches for settings for up to three quantities that a page expects, in the middle run of the sweeps;
- * with --quantity for these quantities, in all runs. It tries the tolerances in their order and stops at the first
- * tolerance without advice. If a value is near 0, or too uncertain for a relative tolerance, the absolute tolerance of
- * the page is used.
+ * The command searches for settings for up to three quantities that a page expects, in the middle run of the sweeps.
+ * With --quantity it does so for the quantities that the option names, in all runs. It tries the tolerances in their
+ * order and stops at the first tolerance without advice. If a value is near 0, or too uncertain for a relative
+ * tolerance, the absolute tolerance of the page is used.
  *
  * Every row is written when its search ends, and a later call adds the missing rows to the table. So a call that was
  * interrupted can be repeated.
@@ -43,7 +43,8 @@ struct search_all {
 
 /* A quantity of a page. */
 struct wanted {
-  char measure[4 * NB_NAME_SIZE], condition[TEXT_SIZE], absolute[NB_NAME_SIZE]; /* tolerance of the page, or empty */
+  char measure[4 * NB_NAME_SIZE], condition[TEXT_SIZE];
+  char absolute[NB_NAME_SIZE]; /* tolerance of the page, or empty */
   const char *kind;
   const char **settings; /* NULL-terminated; owned */
 };

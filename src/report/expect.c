@@ -468,7 +468,7 @@ static void apply_expectation(struct nb_reader *reader, const struct nb_record *
   struct nb_expectations *expectations = reading->expectations;
   struct nb_expectation expectation = {.line = (int)reader->line};
   (void)record;
-  bool compared = false; /* with a number */
+  bool compared = false; /* the line compares the measure with a number, by `expected` */
   for (size_t k = 0; k < reader->count; k++)
     compared = compared || strcmp(reader->tokens[k].text, "expected") == 0;
   if (!take_measure(reader, reading->scene, &expectation.measure)) {

@@ -143,8 +143,8 @@ static void argument(const struct manual *to, const struct nb_argument *field) {
   part(to, name, NULL, text);
 }
 
-/* The lines of a help after the first one, "NAME: TEXT", are parts of the statement's tail. `word`: only parts with
- * this word in their names, or NULL. Returns whether there are any. */
+/* Prints the parts of a statement's tail: the lines of its help after the first one, "NAME: TEXT". `word`: prints only
+ * parts with this word in their names; NULL: all. Returns true if there was one. */
 static bool tail_parts(const struct manual *to, const char *help, const char *word) {
   bool found = false;
   for (const char *line = strchr(help, '\n'); line; line = strchr(line, '\n')) {
@@ -490,7 +490,7 @@ static const struct nb_argument *clause_of(const struct nb_keyword *row, const c
   return field;
 }
 
-/* Prints the syntax, and the arguments that begin with the word; if there are none, the help. */
+/* Prints the syntax, and the arguments whose clause has the word; if there are none, the help. */
 static void statement_part(const struct manual *to, const struct nb_keyword *row, const char *syntax,
                            const char *word) {
   const struct nb_argument *field = clause_of(row, word);
@@ -644,7 +644,7 @@ static bool words_help(const struct manual *to, const char *text, struct nb_gues
   if (found) {
     strains(to);
   } else if (synonym && nb_synonym_hint(hint, text)) {
-    const char *const see = strstr(hint, " see `nineball"); /* a hint that names a help itself has none */
+    const char *const see = strstr(hint, " see `nineball"); /* a hint that has its own reference to a help has none */
     fprintf(to->out, "  %.*s\n", see ? (int)(see - 1 - hint) : NB_HINT_SIZE, hint);
   }
   for (const char *list = synonym ? synonym->ours : ""; nb_item(&list, item);)

@@ -126,7 +126,7 @@ static void report_run_note(void *data, const char *message) {
   this->progress->note(this->progress->data, text);
 }
 
-/* The key of a checkpoint: the settings of the page, and the number of the run in its sweeps. */
+/* The options of a run. The key of its checkpoint is a hash of the settings and of the number of the run. */
 static struct nb_options options_of_run(const struct nb_outcome *outcome, const struct nb_options *options,
                                         size_t run) {
   struct nb_options own = options ? *options : (struct nb_options){.threads = 1};

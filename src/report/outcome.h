@@ -92,7 +92,7 @@ void nb_outcome_free_runs(struct nb_outcome *outcome); /* keeps page, checks, wa
 /* ---- spool.c: results of runs that are not in memory ---- */
 
 /* Writes the tables that the run has recorded to the file of the spool, unless the results in memory have fewer than
- * options->results.bytes. After an error the result stays in memory. */
+ * limit->bytes. After an error the result stays in memory. */
 enum nb_status nb_spool_put(struct nb_spool *spool, struct nb_page_run *run, const struct nb_results_kept *limit,
                             struct nb_error *error);
 /* The first function returns the table of a run, the second one the result with its snapshots. They are valid until one

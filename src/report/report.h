@@ -56,6 +56,6 @@ char *nb_report_links(struct nb_report *report, const struct nb_report_page *pag
 
 /* ---- convert.c ---- */
 
-/* Writes the text of the page as HTML, with the text `checks` in the place of the expect block. */
+/* Writes the text of the page as HTML, with the table of checks in the place of the expect block or at the end. */
 enum nb_status nb_report_convert(FILE *out, struct nb_report *report, const struct nb_report_page *page,
                                  const char *top, bool verdicts, struct nb_error *error);

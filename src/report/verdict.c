@@ -156,7 +156,7 @@ static void note_other_sign(struct nb_check *check, const struct nb_page_run *ru
   for (size_t k = 0; k < run->expectations.count; k++) {
     const struct nb_measure *const its = &run->expectations.list[k].measure;
     if (its->column == other.column && its->reducer == other.reducer && its->stage == other.stage)
-      return; /* the page checks it */
+      return; /* the page checks the other extreme value, too */
   }
   if (check->mark != NB_PASS || !e->measure.is_residual || e->has_scale ||
       (e->measure.reducer != NB_MAX && e->measure.reducer != NB_MIN) ||

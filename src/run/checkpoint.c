@@ -128,7 +128,7 @@ static void store_pairs(struct nb_store *store, const struct nb_model *model) {
 }
 
 void nb_model_store(struct nb_store *store, struct nb_model *model) {
-  if (!store->restoring) /* nb_neighbours_restore restores them */
+  if (!store->restoring) /* nb_neighbours_restore restores the pairs */
     store_pairs(store, model);
   store_contacts(store, &model->contacts);
   store_search(store, model);

@@ -147,7 +147,7 @@ static bool find_displacement(double *place, double *reached, struct nb_contact_
   if (*reached == target)
     return true;
   const double sign = target > *reached ? 1 : -1;
-  const double largest = 2 * smaller_radius(contact_test->scene); /* no contact goes farther, m */
+  const double largest = 2 * smaller_radius(contact_test->scene); /* largest displacement that is tried, m */
   const double stiffness = unknown->shear ? contact_test->trial.s.stiffness : contact_test->trial.n.stiffness;
   double width = stiffness > 0 ? fabs(target - *reached) / stiffness : 0;
   if (!(width > 1e-12 * largest && width < largest))

@@ -11,8 +11,8 @@ enum { NB_STATE_PATH = 4096 };
 struct nb_lock {
   char path[NB_STATE_PATH + 8];
   int file;
-  /* What the process that holds the file does, for messages; the option that selects another folder, NULL: the process
-   * waits. */
+  /* For the message if another process holds the file: what that process does (NULL: wait for its end instead), and the
+   * option that selects another folder. */
   const char *use, *option;
 };
 /* Acquires the lock without waiting. NB_BAD_USE if another process holds it. */

@@ -437,7 +437,7 @@ enum nb_status nb_run_to(struct nb_saved *saved, const struct nb_scene *scene, c
   whole.keep_all = true;
   whole.rounding = (struct nb_rounding){
       NB_TO_NEAREST, NULL}; /* a saved state does not depend on the rounding mode of the run that reads it */
-  /* The same for all pages and runs that need the state. */
+  /* This key is the same for all pages and runs that need the state. */
   whole.checkpoint.key = scene->stages[scene->stage_count - 1].hash;
   const enum nb_status status = run_scene(&run, &whole, saved, error);
   nb_result_free(&result);
