@@ -1,4 +1,5 @@
-/* Reference: particles without contacts in an imposed affine strain, added to the velocities or accumulated in them.
+/* Reference: particles without contacts in an affine strain of the rate L. Its velocity L x moves the particles in
+ * addition to their own velocities, or is accumulated in these velocities.
  *
  * x is the position along an axis of the strain, x_N after N cycles, and e = L dt the strain of a cycle, at the strain
  * rate L. `affine strain`, from rest:

@@ -37,13 +37,14 @@ struct chain {
   double *velocity; /* of mode j = 1 to n at time 0, m/s; owned */
 };
 
-/* The data of a curve, in one allocation: rest + sum over modes of shape s_n, or of shape (s_n - s_(n-1))/dt. */
+/* The data of a curve, in one allocation: `rest` plus the sum over the modes of sin(q l) s_n, or, for a velocity, of
+ * sin(q l) (s_n - s_(n-1))/dt. */
 struct mode_sum {
-  double rest, step, unit; /* unit: one cycle on the axis, 1 or the step */
+  double rest, step, unit; /* unit: the length of one cycle on the axis, 1 or the step */
   bool velocity;
   size_t count;
   struct mode {
-    double amplitude; /* shape v dt */
+    double amplitude; /* sin(q l) v dt */
     double half;      /* omega dt/2 */
   } modes[];
 };

@@ -14,8 +14,9 @@
  *   s   tangential displacement since the shear law or its memory size changed, m. A stage that repeats the law, or
  *       changes the normal law alone, does not reset it. The stage from t_0 to t_N has the forces at t_0 < t <= t_N
  *   s_1 tangential displacement of the first step after that change, m. The law takes a contact without history as
- *       formed in that step, with overlap and s growing in proportion. Spring x of the contact, of stiffness dK, takes
- *       up displacement from the overlap x on, until it slides at A (alpha - x). With s_1 = 0 this is
+ *       formed in that step, with overlap and s growing in proportion. The contact consists of springs side by side.
+ *       The one that begins to touch at the overlap x has the stiffness dK and is displaced by s - s_1 x/alpha, until
+ *       it slides at the displacement A (alpha - x). With s_1 = 0 this is
  *       T = mu N (1 - (1 - s/(A alpha))^(3/2)) [R89 3.25]
  *
  * Returns, for C that monitors the contact:   C.normal, C.shear along time, N

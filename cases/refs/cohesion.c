@@ -1,8 +1,8 @@
 /* Reference: a disc between two plates that move it against a frictionless stop: the force at which it slips.
  *
  * A plate that has approached by d exerts F_n = k_n d/2, because two equal springs are in series. Then both plates move
- * along themselves by s = v t. Each exerts F_s = k_s (s - u), where u is the displacement of the disc into the stop,
- * k_stop u = 2 F_s. The two moments cancel:
+ * in x, the direction in which they lie, by s = v t. Each exerts F_s = k_s (s - u), where u is the displacement of the
+ * disc into the stop, k_stop u = 2 F_s. The two moments cancel:
  *
  *   F_s = min(k_s s/(1 + 2 k_s/k_stop),  F_n tan phi + c)        c, tan phi: the smaller ones of both materials
  *                                                                [CS79 19]
@@ -12,10 +12,10 @@
  * Returns, for L and U that monitor the contacts with the first (lower) and second (upper) wall:
  *   L.normal, L.shear, U.normal, U.shear in the stage that moves both plates; the two F_s have opposite signs
  *   U.normal, U.shear in the last stage
- * Accepts one free disc. The first two walls lie along x, one below and one above it, and just touch it; the third one
- * lies along y, just touches it, and has neither friction nor cohesion. The stages in order: one that moves the second
- * wall only, any number that move nothing, one that moves the first two equally along x, one that moves the second wall
- * away. Error: inertia is neglected; its effect is small when the motion is slow.
+ * Accepts one free disc. The first two walls lie along x, one below and one above the disc, and just touch it. The
+ * third wall lies along y, just touches the disc, and has neither friction nor cohesion. The stages are, in this order:
+ * one that moves the second wall only, any number that move nothing, one that moves the first two walls equally along
+ * x, one that moves the second wall away. Error: inertia is neglected; its effect is small when the motion is slow.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>

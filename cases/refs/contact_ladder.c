@@ -15,7 +15,8 @@
  *
  *   (1 + u/2)^(2/3) = (1 + u0/2)^(2/3) - |d - d0|/2     which is stiffer than a contact that sticks everywhere
  *
- * linear, mindlin and mindlin_scaled are t = k d between -1 and 1; k = 3/2, and k_s A/mu N for `linear`.
+ * linear, mindlin and mindlin_scaled are t = k d between -1 and 1, with k = k_s A/(mu N) for `linear` and k = 3/2 for
+ * the other two.
  *
  * Returns shear (N) and work.shear (J) at each step and at the end of each segment, and `psi2 error`. This is the
  * largest error of the law in the rebound of an oblique impact (impact_laws.c, impact_springs.c) for 0.1 <= psi1 <= 6,
@@ -163,7 +164,8 @@ static double psi2_of(const char *law, double chi, double psi1) {
   return psi2;
 }
 
-/* Of a solid sphere on a wall of its own material [R89 5.14]; `linear` with k_s = 8 G* a at the largest overlap. */
+/* The largest error of psi2 for a solid sphere that strikes a wall of its own material [R89 5.14]. `linear` has the
+ * stiffness k_s = 8 G* a of the largest overlap. */
 static double psi2_error(const char *law, double kappa) {
   const double chi = 3.5 / (2 * kappa);
   double largest = 0;

@@ -1,7 +1,8 @@
 /* The features of a scene on which the validity of a reference depends.
  *
  * A reference lists in `accepts` the features that its theory covers, and in `needs` those without which it has no
- * solution. All others are refused, so every reference refuses a new feature until it lists it.
+ * solution. A scene with any other feature is refused. So a new feature is refused by every reference that does not yet
+ * list it.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #pragma once
@@ -31,7 +32,7 @@ enum nb_feature {
   HAS_STIFFNESS_DAMPING,
   HAS_R89_FRACTION_DAMPING,
   HAS_RATIO_DAMPING,
-  HAS_WALL_DAMPING, /* walls have other dashpots than contacts between particles */
+  HAS_WALL_DAMPING, /* contacts with walls have other dashpots than contacts between particles */
   HAS_CRITICAL_DAMPING,
   HAS_CENTRED_DASHPOTS,
   HAS_MASS_DAMPING,
@@ -72,7 +73,8 @@ enum nb_feature {
 /* The words of the page language. */
 const char *nb_feature_name(enum nb_feature feature);
 
-/* lines[f]: the line of the page that asks for feature f; 0: no line asks for it; -1: the scene does not have it. */
+/* lines[f]: the line of the page that asks for feature f; 0: the scene has the feature, but no line asks for it; -1:
+ * the scene does not have it. */
 void nb_features(int lines[NB_FEATURES], const struct nb_scene *scene);
 
 /* NB_BAD_USE when the scene has a feature that the reference does not accept, or lacks one that it needs. The error

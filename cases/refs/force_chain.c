@@ -1,8 +1,8 @@
 /* Reference: a straight row of equal discs between two walls, compressed by the force F.
  *
  * All contacts have the same overlap a, also those of the outer discs with the walls, and the same force F = k_n a. Let
- * a region of the volume V (m3; discs are 1 m thick) contain the row and end at the walls, at the distance L from each
- * other. With the unit vector u along the row, stress, fabric and mobilized friction are
+ * a region of the volume V (m3; discs are 1 m thick) contain the row and end at the walls, whose distance is L. With
+ * the unit vector u along the row, stress, fabric and mobilized friction are
  *
  *   sigma_ij = F L u_i u_j/V          Phi_ij = u_i u_j,  Phi_xxxx = u_x^4          sin Phi = 1
  *

@@ -26,7 +26,7 @@ enum { NODES = 256 }; /* stored states, from which a point of a curve is integra
 
 struct impact {
   struct hertz hertz;
-  double end, rebound;                /* t at which s is 0 again, and -s' then; infinite and 0: never */
+  double end, rebound;                /* t at which s is 0 again, and -s' then; INFINITY and 0: no end */
   double largest, largest_time;       /* s and its t */
   double last;                        /* t of the last node */
   double node[NODES][HERTZ_UNKNOWNS]; /* equally spaced in t, from 0 */

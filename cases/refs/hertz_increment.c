@@ -1,6 +1,6 @@
 /* Reference: the error of Hertz's force by increments in an impact, to first order in the step.
  *
- *   N <- N + 2 E* a dn,   a = (3 N R* / (4 E*))^(1/3) from before the step                           [R89 4.12, 4.14]
+ *   N <- N + 2 E* a dn,   a = (3 N R* / (4 E*))^(1/3) with N before the step                         [R89 4.12, 4.14]
  *
  * in the symbols of hertz.h, with the normal force N, the overlap alpha, the contact radius a and the normal increment
  * dn. This is Euler's rule for dN/d(alpha) = c N^(1/3), c = 2 E* (3 R* / (4 E*))^(1/3). To the next order Euler's rule

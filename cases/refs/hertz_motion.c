@@ -40,7 +40,7 @@ bool hertz_integrate(double y[], double beta, int along, double to) {
 }
 
 bool hertz_rebound(double y[], double beta, double end, double longest, double deepest[]) {
-  const double tick = 0.05; /* short compared with the impact, 2.94 */
+  const double tick = 0.05; /* short compared with the duration 2.94 of the impact, in units of alpha* / V_N */
   while (y[HERTZ_TIME] < longest) {
     double before[HERTZ_UNKNOWNS];
     memcpy(before, y, sizeof before);

@@ -5,8 +5,9 @@
  *
  *   sum (F/K_c)^(2/3) = sum 2 R_i - L,     K_c = (4/3) E* sqrt(R*)              [Hertz; R89 5.5]
  *
- * The stiffness of a contact is k_c = (3/2) K_c^(2/3) F^(1/3), and S_i = (k left + k right of i)/m_i; S of a wall is 0.
- * Let w^2 be the largest sum S_i + S_j over the contacts of i and j. It is an upper bound of the largest eigenvalue.
+ * The stiffness of a contact is k_c = (3/2) K_c^(2/3) F^(1/3). S_i is the sum of the stiffnesses of the two contacts of
+ * sphere i, divided by its mass m_i; S of a wall is 0. Let w^2 be the largest sum S_i + S_j over the contacts of i and
+ * j. It is an upper bound of the largest eigenvalue.
  *
  * Returns:
  *   C.normal, C.overlap    for C that monitors the contact of two spheres

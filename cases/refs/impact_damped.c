@@ -18,7 +18,7 @@
 /* Duration of the contact in units of alpha_max/V_N; NAN: it does not end, or GSL failed. */
 static double duration(double beta) {
   double y[HERTZ_UNKNOWNS] = HERTZ_FIRST_CONTACT, deepest[HERTZ_UNKNOWNS];
-  const double longest = 1000; /* near critical damping it is a few times the undamped one */
+  const double longest = 1000; /* near critical damping a contact lasts a few times as long as without damping, 2.94 */
   return hertz_rebound(y, beta, 0, longest, deepest) && !(y[HERTZ_OVERLAP] > 0) ? y[HERTZ_TIME] : NAN;
 }
 

@@ -30,7 +30,7 @@ struct history {
   double sense;   /* direction of the virgin loading, R89's CDF: 1 or -1; 0: none yet */
   bool unloading; /* R89's UFL = -1; reloading does not occur in an impact and counts as loading */
   double star;    /* T*, the force at the reversal, updated as N changes */
-  double deficit; /* R89's DD, the displacement that rings which stick still lack to slip */
+  double deficit; /* R89's DD, the displacement after which the rings that still stick begin to slip */
 };
 
 static double none(struct step s, struct history *m) { return (void)m, 0 * s.f; }
@@ -49,10 +49,10 @@ static double randall(struct step s, struct history *m) {
   if (m->sense == 0)
     m->sense = s.dd < 0 ? -1 : 1;
   if (m->unloading)
-    m->star += m->sense * s.dn; /* 4.20 */
+    m->star += m->sense * s.dn; /* [R89 4.20] */
   double slip = (m->unloading ? -m->sense : m->sense) * s.dd;
-  if (slip < 0 &&
-      -slip > -s.dxi) { /* a reversal: while N decreases, slip continues unless the motion reverses faster */
+  /* A reversal. While N decreases, the contact slips on in its direction unless the reverse displacement is faster. */
+  if (slip < 0 && -slip > -s.dxi) {
     m->unloading = !m->unloading;
     m->star = s.f + m->sense * s.dn;
     m->deficit = 0;
@@ -67,7 +67,8 @@ static double randall(struct step s, struct history *m) {
   return s.f + 1.5 * s.root * theta * s.dd + (m->unloading ? -1 : 1) * m->sense * (1 - theta) * s.dn;
 }
 
-/* Drops history: by sliding, by a reversal that is fully undone, or by one whose ring has left the contact. */
+/* Drops history that has no effect any more. Sliding erases all of it. A reversal is erased when f has reached -T*, has
+ * come back to T*, or when T* has become 0 because N decreased. */
 static void drop_history(struct history *m, double f, bool slides) {
   if (slides)
     *m = (struct history){.sense = copysign(1, f)};
@@ -116,7 +117,7 @@ static bool run(struct impact_path *path, int which, double spring, double chi, 
   return true;
 }
 
-/* Two runs: 2 b - a has no first-order error. */
+/* Two runs, with half of the steps (result a) and with all of them (result b): 2 b - a has no first-order error. */
 bool impact_law(struct impact_path *path, const char *law, double spring, double chi, double psi1, int steps) {
   struct impact_path coarse;
   const int which = index_of(law);

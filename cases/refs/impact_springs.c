@@ -8,8 +8,8 @@
  *
  * The state of the springs is the only history; Cattaneo's and Mindlin's solutions follow from it for any path of xi
  * and d. If both change linearly in a step, clipping u + dd at the end of the step is exact; a spring that begins to
- * touch in the step takes the fraction of dd that comes after. The springs stand at the middles of equal cells, and the
- * integration is leapfrog: both errors are of second order.
+ * touch in the step takes only the part of dd that follows the first touch. The springs stand at the middles of equal
+ * cells, and the integration is leapfrog: both errors are of second order.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "impact_springs.h"
@@ -101,7 +101,7 @@ bool impact_springs(struct impact_path *path, double chi, double psi1, int steps
   return made;
 }
 
-/* Richardson: (4 b - a)/3 has no second-order error. */
+/* Richardson: with the results a and b of the coarse and the fine run, (4 b - a)/3 has no second-order error. */
 static double extrapolated(double coarse, double fine) { return fine + (fine - coarse) / 3; }
 
 bool impact_exact(struct impact_path *path, double chi, double psi1, int steps) {

@@ -14,7 +14,8 @@
 
 #include <stdbool.h>
 
-#define IMPACT_DURATION 2.9432751843247047 /* of xi > 0: (4 sqrt(pi)/5) Gamma(2/5)/Gamma(9/10) [R89 5.12] */
+/* The time during which xi > 0: (4 sqrt(pi)/5) Gamma(2/5)/Gamma(9/10) [R89 5.12] */
+#define IMPACT_DURATION 2.9432751843247047
 
 /* From first contact to separation in equal time steps; steps + 1 entries each. Owns its arrays. */
 struct impact_path {
@@ -31,9 +32,10 @@ bool impact_path_create(struct impact_path *path, int steps);
  * 1e-13. Free with free(). */
 double *impact_approach(int steps);
 
-/* The exact contact; then a simplified law. False: out of memory. Call impact_path_free in any case. */
+/* impact_springs computes the exact contact, impact_law a simplified law. False: out of memory. Call impact_path_free
+ * in any case. */
 bool impact_springs(struct impact_path *path, double chi, double psi1, int steps);
-/* spring: only for `linear`, k_s kappa alpha_max/N_max, which is 3/2 for k_s = 8 G* a at alpha_max. */
+/* spring: k_s kappa alpha_max/N_max, used by `linear` only. It is 3/2 if k_s equals 8 G* a at alpha_max. */
 bool impact_law(struct impact_path *path, const char *law, double spring, double chi, double psi1, int steps);
 /* The exact contact without its second-order error, extrapolated from half of the steps and all of them. */
 bool impact_exact(struct impact_path *path, double chi, double psi1, int steps);

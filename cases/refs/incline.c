@@ -30,7 +30,7 @@ struct plane {
   double p[STAGES][2], n[STAGES][2]; /* at the beginning and the end of each stage, m/s2 */
 };
 
-/* Integral from the beginning of a stage to a fraction of it, over its length. */
+/* The integral of p or n from the beginning of a stage to a fraction of it, divided by the length of the stage. */
 static double integral(const double ends[2], double fraction) {
   return fraction * (ends[0] + (ends[1] - ends[0]) * fraction / 2);
 }

@@ -9,7 +9,7 @@
 
 #include "core/vec.h"
 
-/* Up to this gap over radius there is a contact, because coordinates on pages are rounded. */
+/* The largest ratio of gap to radius at which two particles count as touching: pages round coordinates. */
 static const double touch = 1e-9;
 
 /* The unit vector from a particle to the nearest point of a wall, and the gap between them. */

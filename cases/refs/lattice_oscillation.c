@@ -153,7 +153,7 @@ double oscillation_at(const void *data, double x) {
   return force;
 }
 
-/* The lines n - start add up to a constant once the walls are at rest. */
+/* The straight lines, size (n - start), add up to a constant once the walls are at rest. */
 double oscillation_mean(const struct oscillation *oscillation) {
   double mean = 0;
   for (size_t i = 0; i < oscillation->count; i++)

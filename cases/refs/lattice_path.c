@@ -28,7 +28,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { INCREMENTS = 1000, ATTEMPTS = 60, OPEN = 2 }; /* increments of each stage */
+enum { INCREMENTS = 1000, ATTEMPTS = 60 }; /* increments of each stage; iterations of the contact states in one */
+enum { OPEN = 2 };                         /* a value of walk.slides */
 static const double weak = 1e-10, rounding = 1e-10;
 
 /* The state of the network, and workspace. K has the derivatives of the contact forces with respect to the overlaps and

@@ -18,8 +18,8 @@
  * cos(w t).
  *
  * Returns, for D that monitors a particle:   D.vx, D.vy, D.spin along time
- * Exact in continuous time for small amplitudes; terms of the order of u/s are neglected. The phase of a run is ahead
- * by w t (w dt)^2/24.
+ * Exact in continuous time for small amplitudes; terms of the order of u/s are neglected. A run of step dt is ahead of
+ * this solution by the phase w t (w dt)^2/24.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_eigen.h>

@@ -149,7 +149,8 @@ double limit_radius(const struct limit *limit, double step) {
   return radius;
 }
 
-/* The largest stable step by bisection, from powers of two of the single-contact step; NAN: none is found. */
+/* The largest stable step, by bisection between two steps that are the single-contact step times consecutive powers of
+ * two; NAN: none is found. */
 static double bisect(const struct limit *limit, bool (*stable)(const struct limit *, const struct nb_scene *, double),
                      const struct nb_scene *scene, int times) {
   double high = limit->single_contact, low;
@@ -196,8 +197,9 @@ static double total_hardness(const struct limit *limit, const struct nb_scene *s
   return sum * step * (which ? radius * radius : 1);
 }
 
-/* The largest eigenvalue of dt^2 K + 2 dt C of one contact whose particles have only their fractions of mass and moment
- * of inertia. Each degree of freedom in the rows of `stretch` of the contact is divided by the root of its fraction. */
+/* The largest eigenvalue of dt^2 K + 2 dt C of one contact. Its particles have only the fractions of their masses and
+ * moments of inertia that belong to this contact (method 3 of limit.h). Each degree of freedom in the rows of `stretch`
+ * of the contact is divided by the root of its fraction. */
 static double contact_eigenvalue(const struct limit *limit, const struct nb_scene *scene, size_t c, double step) {
   const struct lattice *lattice = &limit->lattice;
   const struct lattice_contact *contact = &lattice->contacts[c];

@@ -15,7 +15,7 @@
  *   all components of A.stress, A.stress.contacts, A.fabric, A.fabric.normal; A.fabric.kk
  *   A.particles, contacts, coordination, coordination.mechanical, rattlers, normal.mean, max, min
  *   A.porosity, porosity.volume, thickness
- * Error: rounding; of the porosity 1e-11, the tolerance of the quadrature.
+ * Error: rounding; of the area of a particle in a region 1e-12, the relative tolerance of the quadrature.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_eigen.h>
@@ -48,7 +48,7 @@ struct cut {
   double x, y, radius; /* of the particle, in the axes of the region, from the region's centre */
 };
 
-/* The length of the line at height y that lies in both. */
+/* The length of the part of the line at height y that lies in the region and in the particle. */
 static double common_length(double y, void *data) {
   const struct cut *cut = data;
   const double up = y - cut->y, a = sqrt(fmax(0, cut->radius * cut->radius - up * up));
@@ -125,7 +125,7 @@ static void add_tensor(struct nb_solution *solution, const char *region, const c
 struct sums {
   double stress[3], fabric[3], weighted[3]; /* xx, xy, yy */
   double particles, ends, contacts, force, radius, covered, volume;
-  double mean, largest, smallest; /* of the contact forces, N; mean is the sum */
+  double mean, largest, smallest; /* of the contact forces, N; `mean` is their sum until it is divided */
 };
 
 static void add(double t[3], double weight, double x, double y) {

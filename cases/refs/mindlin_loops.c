@@ -33,7 +33,7 @@
 enum { BRANCHES = 1000 };
 
 struct branch {
-  double shear, slip, lost, work; /* at its begin: T/mu N, delta/A, energies over mu N A */
+  double shear, slip, lost, work; /* at its beginning: T/mu N, delta/A, energies over mu N A */
   double sense;                   /* 1 or -1, of its slip */
   double size;                    /* 1: the first loading; 2: any other */
 };
@@ -80,10 +80,10 @@ static struct branch *branch_to(struct loops *loops, double shear, double slip, 
     top = &loops->branches[loops->count++];
     *top = (struct branch){loops->shear, loops->slip, loops->lost, loops->work, sense, loops->count == 1 ? 1 : 2};
   }
-  /* A branch that returns is erased together with the one on which it began. After the first loading this happens at
-   * the same T with the opposite sign. */
+  /* A branch that returns to the T at which the previous branch began is erased together with it. The second branch,
+   * which began at some T of the first loading, ends at -T. */
   while (loops->count > 1) {
-    if (sense != top->sense) { /* no branch is free: back along this one, at most to its begin */
+    if (sense != top->sense) { /* all branches are in use: back along this one, at most to its beginning */
       const double end = top->shear, lost = top->lost, work = top->work;
       if (!(sense * ((force ? shear : slip) - (force ? end : top->slip)) > 0))
         break;

@@ -61,7 +61,7 @@ static double at(const void *data, double x) {
 
 static enum nb_status make_traces(struct recorder *recorder, const struct lattice *lattice, struct nb_error *error) {
   const struct nb_scene *scene = recorder->scene;
-  const size_t capacity = 1001 * scene->stage_count;
+  const size_t capacity = 1001 * scene->stage_count; /* lattice_path adds 1001 points per stage */
   recorder->traces = calloc(2 * scene->monitor_count + 1, sizeof *recorder->traces);
   recorder->rows = calloc(2 * scene->monitor_count + 1, sizeof *recorder->rows);
   recorder->begin = calloc(scene->stage_count + 1, sizeof *recorder->begin);

@@ -1,15 +1,16 @@
 /* Reference: touching discs between walls that approach slowly, with friction: the forces in equilibrium [CS79 19].
  *
  * Returns the values of nine_discs_statics. Slow means that oscillations cause no sliding that the growing load alone
- * would not cause. The difference between a run and these values is proportional to its speed, with damping or without.
- * At finite speed the equilibrium depends on the path.
+ * would not cause. The difference between a run and these values is proportional to the speed of the walls, with
+ * damping or without. At finite speed the equilibrium depends on the path.
  *
  * For nine equal discs, in the symbols of nine_discs_statics.c, with f = tan phi: the corner discs slide on the walls
  * when r d_c > f (1 - d_c) in the solution without sliding. Then
  *
  *   (1 - f) (1 - d_c) - d_c - r (d_c - d_m) = 0,   1 - 2 d_m - 2 r (d_m - d_c) = 0
  *
- * At phi = 15 degrees the centre contact carries 0.46999 (r = 1) and 0.47486 (r = 2/3); at 30 degrees nothing slides.
+ * At phi = 15 degrees the centre contact carries the force 0.46999 k_n d if r = 1, and 0.47486 k_n d if r = 2/3. At 30
+ * degrees nothing slides.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "lattice_values.h"

@@ -95,7 +95,7 @@ static void put_particle(struct pair *pair, double y[], const struct nb_scene *s
   pair->radius[k] = particle->radius;
 }
 
-/* Of all stages, s; 0: unknown, because a stage changes something. */
+/* The duration of all stages, s; 0: unknown, because a stage changes something. */
 static double duration(const struct nb_scene *scene) {
   double time = 0;
   for (size_t s = 0; s < scene->stage_count; s++) {
@@ -170,7 +170,7 @@ static enum nb_status solve_equations(struct pair *pair, double y[], double end,
   double fastest = radius / timescale * 1e-6, scale[UNKNOWNS];
   for (int k = 0; k < 2; k++)
     fastest = fmax(fastest, hypot(y[k * SECOND + VX], y[k * SECOND + VY]) + fabs(y[k * SECOND + SPIN]) * radius);
-  for (int k = 0; k < 2; k++) { /* the scale of each for the error control */
+  for (int k = 0; k < 2; k++) { /* the scale of each unknown, for the error control */
     double *s = scale + k * SECOND;
     s[X] = s[Y] = timescale * fastest, s[VX] = s[VY] = fastest, s[ANGLE] = timescale * fastest / radius,
     s[SPIN] = fastest / radius;

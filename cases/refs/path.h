@@ -36,7 +36,7 @@ struct path_point {
 struct path_walk {
   const struct nb_scene *scene;
   int segment;
-  unsigned long step;      /* of the segment, the next one, from 1 */
+  unsigned long step;      /* the next step of the segment, counted from 1 */
   struct path_point begin; /* of the segment */
 };
 struct path_walk path_walk(const struct nb_scene *scene);

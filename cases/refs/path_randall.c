@@ -20,7 +20,8 @@
  *
  * `randall_literal` follows the text of FORD and THETA. With d(delta) = 0, T is constant for any N. Reloading and
  * re-unloading have u = 1 - (T - T*)/2 mu N [R89 4.24]. There is no deficit, because the text uses it only where delta
- * and N change at once. The T* of its first unloading step has no effect in the limit.
+ * and N change at once. The value that it gives T* in the first step of unloading has no effect in the limit of small
+ * steps.
  *
  * Returns slip (delta), shear (T) and work.shear at each step and at the end of each segment.
  * Accepts paths on which mu N is not reached, T* is positive, and T does not reach -T*.
@@ -142,7 +143,7 @@ static bool apply_overlap(struct contact *it, double alpha) {
     if (end >= alpha)
       it->sense = it->sense == RELOADING ? UNLOADING : LOADING;
   }
-  if (it->sense == RELOADING && it->force < it->star2) /* the literal text */
+  if (it->sense == RELOADING && it->force < it->star2) /* `randall_literal`: T is constant while T** increases */
     it->sense = UNLOADING;
   if (it->sense != LOADING && it->force >= it->star)
     it->sense = LOADING, it->deficit = 0;

@@ -7,8 +7,8 @@
  *   m, r   of the small sphere, kg, m      R   radius of the two, m      V   speed of each, m/s
  *   E* = E/(2 (1 - nu^2)),  R* = R r/(R + r)
  *
- * integrated by the method of Prince and Dormand at 1e-12 until the contacts end. Repeated steps, the last of them
- * shorter than 1e-18 s, find this time.
+ * integrated by the method of Prince and Dormand at 1e-12 until the contacts end. To find this time, the step in which
+ * they end is repeated with a quarter of its length, until it is shorter than 1e-18 s.
  *
  * Returns:
  *   D.vy               after separation, for D that monitors the small sphere

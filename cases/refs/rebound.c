@@ -1,11 +1,12 @@
 /* Reference: velocities and spins after oblique impact of a spinning sphere or disc on a wall or another particle.
  *
  * The impulses J_n along the normal and J_t against the tangential velocity of the contact follow from V_N, and from
- * the tangential velocities V_T and V_T' before and after,
+ * the tangential velocities V_T before the impact and V_T' after it:
  *
  *   J_n = (1 + e) M V_N,    J_t = (V_T - V_T')/B,    1/M = sum 1/m,    B = sum (1/m + R^2/I)
  *
- * and change each particle by  dv = (J_n n -+ J_t t)/m,  dw = -+ R J_t/I.  The unknowns are e and V_T'.
+ * With V_T, V_T' and J_t counted along the tangent t, they change the first particle by dv = (J_n n - J_t t)/m and
+ * dw = -R J_t/I. The second particle changes by the opposite impulse, and by the same dw. The unknowns are e and V_T'.
  *
  *   e     With a dashpot of the damping ratio beta: exp(-pi z/(1 - z^2)^(1/2)), where z = beta for a linear spring and
  *         z = (6/5)^(1/2) beta for Hertz's law. Without a dashpot: 1. J_n is also the impulse of the elastic force,

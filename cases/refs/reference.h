@@ -1,6 +1,7 @@
-/* A reference solution: theory's values and curves for one run, computed from the scene alone and named as the page's
- * checks name them. It never uses a number that the simulator computed. The methods are closed forms, quadrature, root
- * finding, ordinary differential equations and eigenvalues. Only cases/refs uses GSL.
+/* A reference solution: the values and curves that theory predicts for one run. They are computed from the scene alone
+ * and have the names that the checks of the page use. A reference never uses a number that the simulator computed. The
+ * methods are closed forms, quadrature, root finding, ordinary differential equations and eigenvalues. Only cases/refs
+ * uses GSL.
  *
  * To add one, write the file, whose last lines define `const struct nb_reference reference_NAME`, and add its path to
  * REFERENCES in build-aux/lists.mk.
@@ -12,7 +13,7 @@
 #include "coverage.h"
 #include "matter.h"
 
-/* A curve: the reference value at x. `data` is what the reference computed once. */
+/* A curve: `at` returns the reference value at x. `data` holds what the reference computed in advance for `at`. */
 struct nb_solution_curve {
   char name[2 * NB_NAME_SIZE];  /* `C.normal` */
   char along[2 * NB_NAME_SIZE]; /* `time`, `cycle`: the quantity that x is, SI */
@@ -58,7 +59,7 @@ struct nb_reference {
   enum nb_status (*solve)(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error);
 };
 
-/* From then on GSL returns a status instead of aborting the program. If GSL cannot allocate memory, the program ends
+/* After this call GSL returns a status instead of aborting the program. If GSL cannot allocate memory, the program ends
  * with NB_NO_MEMORY, so references do not check its allocations. To be called before any reference; more than once is
  * allowed. */
 void nb_references_prepare(void);

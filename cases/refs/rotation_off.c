@@ -43,7 +43,7 @@ static void advance(struct motion *m, double time) {
   m->time += time;
 }
 
-/* Applies what the stage changes at its begin. False: it changes something that the reference does not cover. */
+/* Applies what the stage changes at its beginning. False: it changes something that the reference does not cover. */
 static bool begin_stage(struct motion *m, const struct nb_stage *stage) {
   if (stage->rotation == NB_ROTATION_OFF) {
     m->removed += m->rotates ? m->inertia * m->w * m->w / 2 : 0;

@@ -41,7 +41,7 @@ struct piece {
   double from, rate; /* controlled: s0 at the beginning, Pa, and q, Pa/s; not controlled: s and s' */
   bool controlled;
   double initial;        /* e at the beginning, Pa */
-  double slope, limited; /* e' while the rate is limited, Pa/s, and how long it is, s */
+  double slope, limited; /* e' while the rate is limited, Pa/s; the time for which it is limited, s */
   double complex a, b, u, v;
 };
 
@@ -81,7 +81,7 @@ static void solve_equations(struct piece *it, const struct lattice *lattice, dou
   it->b = e - it->a;
 }
 
-/* Solves one stage for xx, yy and xy, which are s, Pa, at its beginning. */
+/* Solves one stage for xx, yy and xy; s has these stresses at its beginning, Pa. */
 static void advance(struct piece *const now[3], const struct lattice *lattice, const struct nb_stage *stage,
                     struct nb_strain_rate strain, double begin, const double s[3]) {
   const struct nb_servo *servo = &stage->servo;

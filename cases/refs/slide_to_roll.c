@@ -77,7 +77,7 @@ static double x_at(const void *data, double t) {
   return f->x0 + (s + f->q * f->u0 * t) / (1 + f->q);
 }
 
-/* The begin and the end of sliding. False: s' is 0 before the spring reaches its limit, so the particle never
+/* Finds the beginning and the end of sliding. False: s' is 0 before the spring reaches its limit, so the particle never
  * slides. */
 static bool find_sliding(struct slide *f) {
   double low = 0, high = atan2(f->damped, f->b) / f->damped, rate;

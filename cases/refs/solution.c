@@ -7,8 +7,8 @@
 
 #include "reference.h"
 
-/* The array with space for one more element of `size` bytes; it doubles when the count reaches a power of two. NULL:
- * out of memory, and the old array is still valid. */
+/* The array with space for one more element of `size` bytes. The space doubles when the count reaches a power of two.
+ * NULL: out of memory; the old array is still valid. */
 static void *one_more(void *array, size_t count, size_t size) {
   if (count & (count - 1))
     return array;

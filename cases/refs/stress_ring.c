@@ -8,9 +8,10 @@
  *   N_01 + 2 N_12 (d_1 - d_2/2)/s = p h d_2 3^(1/2)/2           and the same with 1 and 2 exchanged
  *   N = 4/3 E* R*^(1/2) (R_x + R_y - distance)^(3/2)            or 0 without overlap
  *
- * h is the mean diameter. A particle carries p on half of its two sides of the polygon. The chord of these halves is
- * half of the distance between its two neighbours, which is 3^(1/2) d_2 for a particle 1. If all spheres are equal,
- * N = 3^(1/2)/4 p d h. d_1 and d_2 are found by Powell's hybrid method (GSL, hybrids). The boundary has
+ * h is the mean diameter. p acts on the sides of the hexagon of the six centres. A particle carries the half next to it
+ * of each of its two sides. The chord of these two halves is half of the distance between its two neighbours, which is
+ * 3^(1/2) d_2 for a particle 1. If all spheres are equal, N = 3^(1/2)/4 p d h. d_1 and d_2 are found by Powell's hybrid
+ * method (GSL, hybrids). The boundary has
  *
  *   radius = (d_1 + d_2)/2,   roughness = |d_1 - d_2|/(d_1 + d_2),   area = 3/2 3^(1/2) d_1 d_2,   mean stress p
  *
@@ -54,7 +55,7 @@ static bool solve_equations(struct ring *ring, double *d1, double *d2) {
   gsl_multiroot_fsolver *solver = gsl_multiroot_fsolver_alloc(gsl_multiroot_fsolver_hybrids, 2);
   gsl_multiroot_function function = {residuals, 2, ring};
   gsl_vector *at = gsl_vector_alloc(2);
-  const double force = ring->load * ring->radius[0]; /* about half of the load on each */
+  const double force = ring->load * ring->radius[0]; /* the contact force if all spheres are equal */
   const double guess = pow(force / (4 / 3. * ring->young * sqrt(ring->radius[0] / 2)), 2 / 3.) / ring->radius[0];
   gsl_vector_set_all(at, guess);
   gsl_multiroot_fsolver_set(solver, &function, at);

@@ -3,6 +3,6 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #pragma once
 
-/* The half width of the confidence interval of the mean of n values, in s/sqrt(n), with their standard deviation s;
- * infinite for n = 1. */
+/* The half width of the confidence interval of the mean of n values, in units of s/sqrt(n), where s is the standard
+ * deviation of the values; infinite for n = 1. */
 double student_quantile(double n, double confidence);
