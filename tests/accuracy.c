@@ -1,9 +1,10 @@
 /* Calibration of `nineball advise`, run by `make accuracy`: how often the true error of the advice is within the
  * tolerance, and what the advice costs.
  *
- * accuracy FOLDER [-o DOCUMENT ROWS] PAGE… [--means PAGE…]  several times for each page, chooses a quantity, a
- * condition and a tolerance at random (a draw), asks for advice, and computes
- *   - the true error: the largest difference, over all phases and runs, from the limit of the page for a small step;
+ * Usage: accuracy FOLDER [-o DOCUMENT ROWS] PAGE… [--means PAGE…]. For each page the program makes several draws. In a
+ * draw it chooses a quantity, a condition and a tolerance at random, asks for advice, and computes
+ *   - the true error: the largest difference, over all phases and runs, between the values of the advised setting and
+ *     those of the page in the limit of small steps;
  *   - the cheapest setting whose true error is within the tolerance, in a grid of all laws, four stiffnesses, centred
  *     dashpots, and steps that differ by factors of 2^(1/2);
  *   - the same for estimators from which a part is missing, the negative controls.
@@ -26,7 +27,8 @@
 #include "calibration/results.h"
 #include "calibration/runs.h"
 
-/* All budgets use the processor time of this process, so that other programs on the machine change no result. */
+/* Replaces the function of the C library: all budgets then count the processor time of this process, so that other
+ * programs on the machine change no result. */
 int timespec_get(struct timespec *time, int base) { return clock_gettime(CLOCK_PROCESS_CPUTIME_ID, time) ? 0 : base; }
 
 /* ---- the error of a step ---- */
@@ -94,7 +96,7 @@ static void compare(struct draw *draw, struct nb_advice *advice, struct nb_advis
   const double fewest = cheapest(advice, truth, most);
   draw->met = isfinite(fewest);
   const bool exhaustive = !advice->exhausted;
-  /* a smaller step, so that the error of the advice is known */
+  /* refines the step of the true value until the error of the advice is known */
   const double coarse_change = truth->change;
   for (int level = truth->level + 1;
        level <= NB_LEVEL_HIGH && draw->choices[WHOLE].error < truth_margin * truth->change; level++) {

@@ -26,7 +26,7 @@ static bool run_trial(struct nb_advice *advice, size_t variant, int level, size_
   return nb_trials_run(advice, &advice->variants[variant], level, trial, 1, 1);
 }
 
-/* A page in a file, removed by forget; no expect block. */
+/* A page without an expect block, in a file that `finish` removes. */
 struct page {
   char path[64];
 };
@@ -104,13 +104,14 @@ static void a_phase_of_an_impact_is_a_moment_of_first_touch(void) {
   finish(&advice, &page);
 }
 
-/* The anchor of a run of the page's own laws: the mean over its two phases. */
+/* The anchor of a run is the value, with the page's own laws at a fine step, from which errors are counted. Here it is
+ * the mean over its two phases. */
 static double anchor(const struct nb_advice *advice, size_t run) {
   const double *values = advice->variants[0].points[advice->anchor - NB_LEVEL_LOW].values + run * NB_TRIALS;
   return (values[0] + values[NB_PHASES / 2]) / 2;
 }
 
-/* Anchor, tolerance, claims and distances, from the values alone. */
+/* The tolerance and the claimed errors, computed a second time from the values of the trials alone. */
 static void claims_follow_from_the_values(void) {
   struct nb_advice advice;
   struct nb_advise_query query;
@@ -174,8 +175,8 @@ static void the_anchor_is_two_levels_finer(void) {
   finish(&advice, &page);
 }
 
-/* Laws that give the same values in one run and others in another are not equal. Head-on there is no shear force; the
- * second run is oblique. */
+/* Two laws are equal only if they give the same values in every run. In the first run, which is head-on, there is no
+ * shear force; the second run is oblique. */
 static void laws_are_equal_in_every_run(void) {
   char scene[2048];
   struct nb_advice advice;
@@ -245,7 +246,8 @@ static void a_variant_stores_what_both_its_laws_store(void) {
   finish(&advice, &page);
 }
 
-/* Other laws are compared with the anchor of the page at the level of its own laws. */
+/* The distance of other laws is the difference between their value, at the first level at which they have been run, and
+ * the anchor of the page. */
 static void laws_have_a_distance_from_the_anchor(void) {
   struct nb_advice advice;
   struct nb_advise_query query;
@@ -401,7 +403,7 @@ static void the_time_of_a_setting_that_cannot_run(void) {
   finish(&advice, &page);
 }
 
-/* Softer contacts save nothing if every stage has its step from the collision, in single runs of an impact. */
+/* Softer contacts save nothing in single runs of an impact in which every stage takes its step from the collision. */
 static void when_softness_is_useless(void) {
   for (int k = 0; k < 32; k++) {
     struct nb_stage stages[3] = {{.cycles = 1}};
@@ -475,7 +477,8 @@ static void a_trial_of_a_mean_is_a_realization(void) {
   finish(&advice, &page);
 }
 
-/* Anchor, tolerance and claim are those of the mean and of its paired differences. */
+/* For a mean over realizations, the tolerance is relative to the mean of the anchor. The claim is the mean of the
+ * paired differences from the anchor, plus its confidence interval. */
 static void claims_of_a_mean_follow_from_its_realizations(void) {
   struct nb_advice advice;
   struct nb_advise_query query;
@@ -507,7 +510,7 @@ static void claims_of_a_mean_follow_from_its_realizations(void) {
   finish(&advice, &page);
 }
 
-/* Laws are variants too, if the page asks for them; all combinations with the values. */
+/* The variants are all combinations of the values of `trade` with the laws, if the page asks for other laws. */
 static void variants_are_all_combinations(void) {
   static const struct {
     const char *trade;
@@ -699,8 +702,9 @@ static void the_next_cheaper_and_the_most_accurate_setting(void) {
   CU_ASSERT_PTR_NULL(nb_advice_most_accurate(&it.advice));
 }
 
-/* The page's step is divided by the next larger number that leaves whole numbers of cycles: 120 and 90 cycles, and an
- * expectation at 60, have the common divisor 30. Below the level -5 no step is longer than that of the next level. */
+/* A level refines the page's step by 2^level, rounded up to a multiple of 1/30, so that all numbers of cycles stay
+ * whole: 120 and 90 cycles, and an expectation at 60, have the common divisor 30. The levels below -5 have the step of
+ * level -5. */
 static void levels_divide_all_numbers_of_cycles(void) {
   static const double refine[] = {1 / 30.0, 1 / 30.0, 1 / 30.0, 2 / 30.0, 4 / 30.0, 8 / 30.0, 0.5, 1, 2, 4};
   struct nb_advice advice = {.divisor = 30};
@@ -774,7 +778,8 @@ static void words_of_steps_and_of_failure(void) {
                          "the budget was used up: choose a larger --budget or a larger tolerance");
 }
 
-/* Values 1 to 4; 0, 0, 0, 6; and four zeros: sample standard deviations (5/3)^(1/2), 3 and 0. */
+/* Three runs have the values 1, 2, 3, 4; 0, 0, 0, 6; and four zeros. Their sample standard deviations are (5/3)^(1/2),
+ * 3 and 0. */
 static void the_scatter_is_that_of_the_worst_run(void) {
   static const double zero[SETTINGS] = {0};
   double values[3 * NB_TRIALS] = {1, 2, 3, 4};

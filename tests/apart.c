@@ -76,8 +76,8 @@ static void pairs_that_may_meet(void) {
   CU_ASSERT_DOUBLE_EQUAL(step, 1 / sqrt(80. / 9), 1e-15);
 }
 
-/* A removed particle meets no other one, although it was the only one of its material: omega^2 = 16 of the two discs that
- * are left, and pi/4 for their collision. */
+/* A removed particle meets no other one, although it was the only one of its material. The two discs that are left have
+ * omega^2 = 16, so the stable step is 1/2, and the duration of their collision is pi/4. */
 static void a_removed_particle_meets_none(void) {
   static const struct {
     const char *step;

@@ -63,8 +63,8 @@ static void the_servo_follows_the_recursion(void) {
 }
 
 /* The sum of the proportional and the integral part stays within `at most`: if it would exceed this limit, the integral
- * part begins again. With an error of 0.19 in the stress the proportional part is 0.19/(2 B T) = 0.0024, which is 0.3
- * of the limit of 1e-4 per cycle. The integral part is set to 0.6 and to 0.9 of the limit. */
+ * part begins again. With an error of 0.19 in the stress the proportional part is 0.19/(2 B T) = 0.0024 1/s. This is
+ * 0.3 of the limit of 1e-4 per cycle, which is 0.008 1/s. The integral part is set to 0.6 and to 0.9 of the limit. */
 static void both_parts_of_the_servo_stay_within_the_limit(void) {
   static const double integrals[] = {0.6, 0.9};
   for (int k = 0; k < 2; k++) {

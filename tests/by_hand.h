@@ -62,7 +62,7 @@ static inline void by_hand_cut(struct by_hand *it, double x) {
 static inline void by_hand_slip(struct by_hand *it, double x, double target, double s) {
   while (it->count > 0) {
     const struct ring inner = by_hand_ring(it, it->count - 2);
-    const double beyond = x - inner.end - s * (target - inner.u); /* >= 0: the front is in this ring or at its begin */
+    const double beyond = x - inner.end - s * (target - inner.u); /* >= 0: front in this ring or at its inner end */
     if (beyond >= 0) {
       by_hand_cut(it, inner.end + beyond / (1 - s * it->ring[it->count - 1].d));
       break;

@@ -1,5 +1,5 @@
-/* The changes that stages make to gravity, materials and pairs and velocities, with and without ramps; and the effect
- * of these changes on contact forces and histories.
+/* The changes that stages make to gravity, materials, pairs and velocities, with and without ramps, and the effect of
+ * these changes on contact forces and histories.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -68,7 +68,8 @@ static void gravity_acts_away_from_a_point(void) {
                   after(AT_REST "ramp gravity centripetal 2 about 0 -8\ncycles 8\n", "D.y"));
 }
 
-/* A stage cannot move the point: the kick at its beginning would need both directions. After zero gravity it can. */
+/* A stage cannot move the point of central gravity: the kick at the beginning of the stage would need the directions to
+ * both points. After a stage with zero gravity it can. */
 static void the_point_of_central_gravity_stays(void) {
   static const struct {
     const char *between;

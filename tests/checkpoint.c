@@ -173,9 +173,9 @@ static const char *const scenes[] = {
     "stage stop\nwalls stop\ncycles 20\nsnapshot from slide\n",
 };
 
-/* Elastic spheres. The first overlaps are beyond the range of their theory. Others grow so slowly that between two
- * searches, at cycles 315 and 420, the stability of the step must be checked again: the run is interrupted at cycle
- * 330, before that, and at cycle 370. */
+/* Elastic spheres. In the first scene the overlaps are beyond the range of the theory. In the second one they grow so
+ * slowly that the stability of the step must be checked again between two searches, at cycles 315 and 420. This run is
+ * interrupted at cycle 330, before the check, and at cycle 370. */
 static const char elastic[] =
     "units none\nmaterial m density 3 young 5000 poisson 0.2 friction 0.3\nnormal hertz\nshear mindlin\n"
     "record time energy.residual\n";
@@ -189,7 +189,8 @@ static const char *const spheres[] = {
     "stop\ncycles 290\n",
 };
 
-/* The page may change where it does not record something else: a run that is continued has all rows and snapshots. */
+/* The page may change before its run is continued, but not in what it records: the continued run has all rows and
+ * snapshots. */
 static void other_records_are_refused(void) {
   struct words words = {0};
   struct written it;

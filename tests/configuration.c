@@ -178,7 +178,8 @@ static void rolls(void) {
   written_free(&it);
 }
 
-/* A disc that bounces: after the second impact `slid` is the distance of this contact, without the first one. */
+/* A disc that bounces: during its second impact `slid` is the sliding distance of this impact alone, without that of
+ * the first one. */
 static void comes_back(void) {
   struct words page = {0};
   struct written it;

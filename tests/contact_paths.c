@@ -1,4 +1,5 @@
-/* Every contact law on random paths, and the exact law against a list of all rings, written by `make paths`.
+/* Tests every contact law on random paths, and compares the exact law with a list of all rings. `make paths` writes the
+ * document.
  *
  * contact_paths -o DOCUMENT FOLDER   writes docs/PATHS.md, and tables into the folder: ten million steps of each pair of
  *                                    laws on each kind of path
@@ -174,7 +175,7 @@ static void run_tests(void) {
     result(is_allowed(&errors, number), "the exact law with each memory", name_of(number));
   }
   for (int k = 0; k < PLANTED; k++)
-    result(is_seen(&planted[k]), planted[k].what, "is seen");
+    result(is_seen(&planted[k]), planted[k].what, "is detected");
   printf("1..%d\n", tests);
 }
 

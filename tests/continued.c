@@ -32,7 +32,8 @@ static char *text_of(const struct nb_model *model) {
   return text;
 }
 
-/* What the page records, now; the caller frees it. A state alone would not show a field that is always captured as 0. */
+/* The present values of the columns of the page, which the caller frees. They are compared too, because a comparison of
+ * states would not find a variable that every state stores as 0. */
 static double *recorded(const struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
   double *values = calloc(scene->column_count + 1, sizeof *values);

@@ -6,7 +6,7 @@
 #include "../src/run/state.h"
 #include "written.h"
 
-void continued_stages(struct nb_model *model, size_t from, size_t to); /* runs stages from to to - 1 */
+void continued_stages(struct nb_model *model, size_t from, size_t to); /* runs the stages `from` ... `to` - 1 */
 /* Runs all stages, and continues from the state at the end of each stage with three sets of options. All runs must
  * end in the same state. */
 void continued_same(struct written *written, const char *what);

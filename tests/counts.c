@@ -56,7 +56,7 @@ static void all_criteria_hold(void) {
   free(draws);
 }
 
-/* One answer in each kind misses the tolerance: 95 of 100; then one more. */
+/* One answer in each of the five kinds misses the tolerance, so 95 of 100 are within it. Then one more misses it. */
 static void within_in_95_percent(void) {
   struct draw *draws = make_draws();
   for (size_t k = 0; k < COUNT; k += PER_KIND)
@@ -146,7 +146,7 @@ static void halves_are_counted_apart(void) {
   free(draws);
 }
 
-static void the_share_that_is_enough(void) {
+static void the_fraction_that_is_enough(void) {
   CU_ASSERT(is_enough(19, 20));
   CU_ASSERT(!is_enough(18, 19));
   CU_ASSERT(is_enough(0, 0));
@@ -192,7 +192,7 @@ void suite_counts(void) {
   CU_ADD_TEST(suite, costs_in_the_median_and_at_90_percent);
   CU_ADD_TEST(suite, claims_in_the_median_and_at_5_percent);
   CU_ADD_TEST(suite, halves_are_counted_apart);
-  CU_ADD_TEST(suite, the_share_that_is_enough);
+  CU_ADD_TEST(suite, the_fraction_that_is_enough);
   CU_ADD_TEST(suite, names_of_pages_decide_the_half);
   CU_ADD_TEST(suite, failures_are_written);
 }

@@ -31,8 +31,8 @@ static double after(const char *statements, const char *name) {
 #define ONE                                                                                                            \
   "disc 13 -6 radius 1 m velocity 7 5 spin 3\nmonitor D disc 1\nrecord D.x D.y D.vx D.vy D.angle boundary.particles\n"
 
-/* A particle of the boundary moves as x_N - x_0 = (1 + L dt)^N (x - x_0) to rounding, for any velocity gradient L. Its
- * initial velocity has no effect, and it does not rotate. */
+/* A particle of the boundary moves as x_N - c = (1 + L dt)^N (x_0 - c) to rounding, with the centre c of the circle and
+ * any velocity gradient L. Its initial velocity has no effect, and it does not rotate. */
 static void the_boundary_follows_exactly(void) {
   const struct nb_tensor rate = tensor(-0.01, 0.03, 0.005, 0.02);
   const char *page = ONE "boundary circle 3 4 radius 14\nstage s\naffine strain 0.3 0.4\n"
@@ -86,8 +86,8 @@ static void accumulated_strain_grows(void) {
   CU_ASSERT_DOUBLE_EQUAL(after(page, "D.y"), -6 * (sin(101 * p) - sin(100 * p)) / sin(p), 1e-9);
 }
 
-/* Dashpots between two particles without own velocities, under imposed affine motion, have the relative velocity L
- * z: beta k_n e.L z and beta k_s t.L z [R89 4.42]. */
+/* Dashpots between two particles without own velocities, under imposed affine motion, have the relative velocity L z,
+ * where z is the vector between the centres. Their forces are beta k_n e.L z and beta k_s t.L z [R89 4.42]. */
 static void dashpots_see_the_strain(void) {
   static const char *const pairs[] = {"stage s\naffine strain -0.3 0.1 shear 0.2\n",
                                       "boundary circle 1 2 radius 3\nstage s\naffine strain -0.3 0.1 shear 0.2\n"
@@ -113,9 +113,9 @@ static void dashpots_see_the_strain(void) {
   }
 }
 
-/* A disc joins a circle that has shrunk to a fifth in the first cycle that begins with the centre of the disc on the
- * circle or outside. This does not depend on the size of the circle at the last search. So a search must list the discs
- * that are closer than the skin to the circle at its present size. */
+/* A circle shrinks to a fifth of its size. A disc joins it in the first cycle that begins with the centre of the disc
+ * on the circle or outside. This cycle does not depend on the size of the circle at the last search. So a search must
+ * list the discs that are closer than the skin to the circle at its present size. */
 static void a_circle_that_has_shrunk_takes_in_a_disc(void) {
   enum { SHRINKS = 160, RESTS = 200 };
   for (int s = 0; s < 10; s++) {
@@ -194,8 +194,8 @@ static void any_order_of_numbers(void) {
   }
 }
 
-/* Of the distances 5, 6, 5 and 8 the mean is 6, and the standard deviation is (3/2)^(1/2), which does not depend on the
- * size of the boundary when it is taken over the mean. */
+/* Of the distances 5, 6, 5 and 8 the mean is 6, and the standard deviation is (3/2)^(1/2). Divided by the mean, it does
+ * not depend on the size of the boundary. */
 static void roughness_is_relative(void) {
   for (double size = 1; size < 9; size *= 2) {
     struct words page = {0};
@@ -427,7 +427,7 @@ void suite_drive(void) {
   CU_add_test(suite, "per cycle", per_cycle);
   CU_add_test(suite, "damping acts on the own velocity only", damping_acts_on_own_velocity);
   CU_add_test(suite, "accumulated affine strain grows", accumulated_strain_grows);
-  CU_add_test(suite, "dashpots see the strain", dashpots_see_the_strain);
+  CU_add_test(suite, "dashpot forces include the imposed velocity", dashpots_see_the_strain);
   CU_add_test(suite, "particles that reach the boundary join it", particles_join_the_boundary);
   CU_add_test(suite, "a shrinking circle takes in discs at rest", a_shrinking_circle_takes_in_discs_at_rest);
   CU_add_test(suite, "the same bits", the_same_bits);

@@ -222,8 +222,8 @@ static void affine_strain_after_accumulated(void) {
   nb_result_free(&result);
 }
 
-/* The scene of two spheres along x at x and -x, too heavy to be moved by forces. `twice` adds L z to their
- * relative velocity, in the first cycle and in the second. */
+/* Runs two spheres on the x axis, at x and -x, which are too heavy to be moved by forces. `accumulated-twice` adds L z,
+ * with the vector z between the centres, to their relative velocity, in the first cycle and in the second. */
 static void twice(struct nb_result *result, double x, const char *law, const char *strain, int cycles) {
   char page[512];
   snprintf(page, sizeof page,

@@ -148,7 +148,7 @@ static void stuck_is_of_first_order(void) {
     }
 }
 
-/* A fraction 1e-4 below the friction limit T = 8 G* a s; above the limit T is the limit. */
+/* At 0.9999 of the friction limit T = 8 G* a s. At 1.0001 of it T is equal to the limit. */
 static void stuck_up_to_the_limit(void) {
   const double radius = 1e-3, limit = pair.friction * normal("hertz", radius * radius / pair.radius, 0, NULL).force;
   static const char *const laws[] = {"mindlin", "mindlin_scaled"};

@@ -25,8 +25,8 @@ static void richardson_finds_the_error_of_a_power(void) {
   }
 }
 
-/* Steps that are not halved: the estimate is never below the error, and at most 1.71 times as large, its value for the
- * order 2 and three steps of the ratio 1.5. */
+/* Steps that are not halved: the estimate is never below the error, and at most 1.71 times as large, which is its value
+ * for the order 2 and three steps of the ratio 1.5. */
 static void other_ratios_give_no_smaller_estimate(void) {
   for (double p = 0.5; p <= 2; p += 0.25)
     for (double first = 1.5; first <= 2; first += 0.125)
@@ -38,7 +38,8 @@ static void other_ratios_give_no_smaller_estimate(void) {
       }
 }
 
-/* The order that d_1 = 1 and d_2 give is limited: order 3 counts as order 2, order 0.2 as order 0.5. */
+/* The order follows from the differences d_1 = 1 and d_2 of successive values, within limits: order 3 counts as order
+ * 2, and order 0.2 as order 0.5. */
 static void the_order_is_limited(void) {
   NEAR(nb_estimate_step(0, 1, 1 + exp2(-3), halved), 4.0 / 3, 1e-14);
   NEAR(nb_estimate_step(0, 1, 1 + exp2(-0.2), halved), sqrt(2) / (sqrt(2) - 1), 1e-14);
@@ -115,7 +116,8 @@ static void the_error_of_a_mean(void) {
 }
 
 /* Realizations that share most of their scatter, with a difference of 0.3 between the means. The interval is two-sided
- * and the claim one-sided, so at least 95 % of the claims hold; 0.004: four standard errors of this share. */
+ * and the claim one-sided, so at least 95 % of the claims hold. The tolerance 0.004 is 2.6 standard errors of a
+ * fraction of 0.95 of 20000. */
 static void most_claims_of_a_mean_hold(void) {
   enum { SAMPLES = 20000, COUNT = 8 };
   gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);

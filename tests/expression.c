@@ -75,7 +75,7 @@ static void values(void) {
       {"2 - +3", -1, 0, 0, 0},
       {"--2", 2, 0, 0, 0},
       {"-2 m + 3 m", 1, 60, 0, 0},
-      {"2 m^2", 4, 120, 0, 0},     /* a unit binds before a power */
+      {"2 m^2", 4, 120, 0, 0},     /* the unit comes before the power: (2 m)^2 */
       {"(1 m)^99", 1, 5940, 0, 0}, /* the largest powers */
       {"(1 kg)^-99", 1, 0, -5940, 0},
       {"(1 s)^99", 1, 0, 0, 5940},

@@ -334,7 +334,8 @@ static void no_overlap_across_edges(void) {
   }
 }
 
-/* Nor do images of particles overlap whose radii are a sixth of the cell, whichever side of the cell is longer. */
+/* No two images of large particles overlap, whichever side of the cell is longer. Their radii are up to a sixth of its
+ * shorter side. */
 static void no_overlap_of_large_particles(void) {
   for (int seed = 1; seed <= 10; seed++) {
     const bool upright = seed % 2;

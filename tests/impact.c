@@ -75,7 +75,7 @@ static void psi1_is_of_the_contact(void) {
   }
 }
 
-/* Unequal spheres of two materials, the second pair of three spheres; a fixed sphere has infinite mass. */
+/* Two unequal spheres of two materials, which are the spheres 2 and 3 of three; a fixed sphere has infinite mass. */
 #define TWO                                                                                                            \
   "units none\nnormal %s\nmaterial a density 0.25 kn 400 ks 320 friction 0.3 young 0.5 poisson 0.1\n"                  \
   "material b density 2 kn 100 ks 0.8 friction 0.2 young 7e3 poisson 0.4\n"                                            \

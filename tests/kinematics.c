@@ -1,4 +1,4 @@
-/* The kinematics of contacts, compared with [CS79 8-15] computed in long double, and its signs.
+/* The kinematics of contacts, compared with [CS79 8-15] computed in long double, and the signs of its results.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

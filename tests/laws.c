@@ -31,7 +31,7 @@ static void pushes_and_never_pulls(struct contact it, struct chance *chance) {
   for (int k = 0; k < 20; k++) {
     /* An incremental law sums its force from the first overlap on, which must not be too small. */
     const double overlap = chance_scale(chance, it.normal->incremental ? 1e-100 : 1e-300, 1e3);
-    /* if apart, the force may be 0; then the stiffness is 0 too */
+    /* apart: the overlap was larger before, so the force may be 0; then the stiffness is 0 too */
     const bool apart = it.normal->incremental ? overlap < it.overlap : it.normal->history > 0 && overlap < deepest;
     deepest = overlap > deepest ? overlap : deepest;
     contact_go(&it, overlap, 0);

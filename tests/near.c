@@ -137,8 +137,8 @@ static void touching_pairs_are_listed(void) {
   written_free(&it);
 }
 
-/* Discs of similar size: alone they are sorted by box (core/mesh.h),
- * with one more disc far away they are not. Both find all pairs, and measure the same number of distances. */
+/* Discs of similar size. Alone they are sorted by box (core/mesh.h); with one more disc far away they are not. Both
+ * searches find all pairs, and measure the same number of distances. */
 static void similar_sizes(void) {
   enum { ALIKE = 400 };
   static const double places[][2] = {{0, 0}, {-1e6, 3e5}};

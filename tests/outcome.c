@@ -70,7 +70,8 @@ static void make(struct nb_outcome *outcome, const char *sweep, const char *expe
   carry_out(outcome, scene, expectations, progress);
 }
 
-/* The fraction is that of all runs together. Progress and notes name the run if there are several. */
+/* The fraction in a progress report is that of all runs together. Progress reports and notes name the run if there are
+ * several. */
 static void progress(void) {
   static const struct {
     const char *sweep, *stage, *note;
@@ -127,8 +128,8 @@ static void note_of_memory_size(void) {
   }
 }
 
-/* Warnings of stages that end although nothing was loaded: without contact forces, where the unbalanced force is 0; with
- * conditions that were met before the stage; and far from the target of a servo. In other scenes there is no warning. */
+/* Warnings of stages that end too early: without contact forces, where `unbalanced.max` is 0, or because their
+ * conditions were met before the stage began. In other scenes there is no warning. */
 static void warnings_of_ends(void) {
   static const char one[] = "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m fixed\n"
                             "disc %s 0 radius 1 m velocity 1 0\nmonitor A disc 2\nrecord time A.x\nstep 0.1\n"
@@ -178,7 +179,8 @@ static void warnings_of_ends(void) {
   }
 }
 
-/* A warning of a stage with a servo proposes a stress; one of a strain says from when it counts. */
+/* The warning of a stage with a servo proposes a condition on the controlled stress. The warning of a condition on a
+ * strain says from which time this strain counts. */
 static void warnings_of_ends_propose(void) {
   static const char scene[] = "units none\nmaterial m density 1 kn 1000\ncell 0 0 to 9 9\ndisc 1 1 radius 1 m\n"
                               "disc 5 1 radius 1 m\nstep 0.001\nregion M all\nrecord time\nstage one\n"
@@ -212,7 +214,7 @@ static void warnings_of_ends_propose(void) {
 }
 
 /* A row of three discs in a periodic cell. Each of the three overlaps of 0.01 has the force 10, so the stress along the row
- * is 10 over the height of the cell, 4.5. At most 1e-9 per cycle the servo changes next to nothing. */
+ * is 10 over the height of the cell, 4.5. With a rate of at most 1e-9 per cycle the servo changes next to nothing. */
 static void warnings_of_servos(void) {
   static const char scene[] =
       "units none\nmaterial m density 1 kn 1000\ncell 0 0 to 5.97 4.5\ndisc 1 1 radius 1 m\n"
@@ -328,8 +330,8 @@ static void stages_without_rows(void) {
   nb_outcome_free(&outcome);
 }
 
-/* Deep contacts are counted over all runs, in 9 cycles and at the start of each. The first one is named, with its run
- * if there are several runs. At a distance of 1.9 the contact is not deep. */
+/* Deep contacts are counted over all runs, in the 9 cycles of each run and at its start. The first one is named, with
+ * its run if there are several runs. At a distance of 1.9 the contact is not deep. */
 static void deep_overlaps_of_all_runs(void) {
   static const struct {
     const char *distances, *where;
@@ -634,7 +636,7 @@ static void interrupted_with(nb_settings own, nb_settings other) {
   unlink(path);
 }
 
-/* Every setting counts, not the last one alone. */
+/* Locks and checkpoints depend on every setting, not only on the last one. */
 static void locks_and_checkpoints(void) {
   interrupted_with(NULL, (const char *const[]){"w=2", NULL});
   interrupted_with((const char *const[]){"w=3", "refine=1", NULL}, (const char *const[]){"w=2", "refine=1", NULL});

@@ -286,7 +286,8 @@ static void every_keyword_is_in_a_list(void) {
     }
 }
 
-/* A computed value has a dimension and not the unit of an angle: 1/s is a spin, rad/s a rate, a number an angle. */
+/* A computed value has a dimension, in which an angle does not count: 1/s is accepted as a spin, rad/s as a rate, and a
+ * number as an angle. */
 static void computed_angles_and_numbers(void) {
   struct words page = {0};
   struct written it;

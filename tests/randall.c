@@ -205,12 +205,12 @@ static void the_history(void) {
     CU_ASSERT(near(it.s.stiffness, 8 * G * sqrt(R * x[0]), 8 * G * R) && m[M_CDF] == 0);
     expect_step(&it, x[0], 0.2 * a, 1, 1);
     CU_ASSERT(m[M_CDF] == side && m[M_BRANCH] == 0 && m[M_DEFICIT] == 0);
-    /* rings that stick: slip below ds_c, and none */
+    /* rings that stick: slip below ds_c, then no slip */
     expect_step(&it, x[1], 0.25 * critical[0], 1, 1);
     CU_ASSERT(near(m[M_DEFICIT], 0.75 * fabs(critical[0]), a));
     expect_step(&it, x[2], 0, 1, 1);
     CU_ASSERT(near(m[M_DEFICIT], 0.75 * fabs(critical[0]) + fabs(critical[1]), a));
-    /* A ring opens while the slip is reversed: DD + ds_c - ds, ds_c and ds negative. */
+    /* A ring opens while the slip is reversed: DD becomes DD + ds_c - ds, with negative ds_c and ds. */
     expect_step(&it, x[1], 0.1 * critical[2], 1, 1);
     CU_ASSERT(near(m[M_DEFICIT], 0.75 * fabs(critical[0]) + fabs(critical[1]) - 0.9 * fabs(critical[2]), a));
     const double made_up = side * m[M_DEFICIT];

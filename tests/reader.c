@@ -256,7 +256,8 @@ static void table(void) {
   }
 }
 
-/* A known word is suggested for a word with at most one wrong letter of 3 to 5, two of 6 to 9, three of more. */
+/* A known word is suggested if the word has at most one wrong letter in 3 to 5 letters, two in 6 to 9, or three in
+ * more. */
 static void suggested_words(void) {
   static const char word[] = "bcdfghjklmnp";
   for (size_t length = 1; length <= 12; length++)

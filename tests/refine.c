@@ -10,8 +10,8 @@
 #include "suites.h"
 #include "written.h"
 
-/* Adds a page in which the step, in seconds, the numbers of cycles and the strains per cycle are multiplied by 1/r, r
- * and 1/r. Strains are in units of 1/8192. */
+/* Adds a page in which the step, in seconds, is divided by r, the numbers of cycles are multiplied by r, and the
+ * strains per cycle are divided by r. RATE(x, r) is a strain of x/8192 per cycle, divided by r. */
 typedef void add_page(struct words *page, double r);
 
 #define RATE(x, r) ((x) / 8192.0 / (r))

@@ -127,8 +127,8 @@ static void dashpot_is_that_of_r89(void) {
   solution_free(&ode);
 }
 
-/* The step error e has the period 1 in the phase a, because zeta(-3/2, a + 1) = zeta(-3/2, a) - a^(3/2). Its bounds are
- * -0.0315 and 0.0241. */
+/* The error of e by the step has the period 1 in the phase a, because zeta(-3/2, a + 1) = zeta(-3/2, a) - a^(3/2). From
+ * a = 0 to 1 zeta(-3/2, a) lies between -0.0315 and 0.0241. */
 static void step_error_is_periodic(void) {
   struct refs_scene it;
   double first = 0, least = 1, most = 1;
@@ -149,7 +149,8 @@ static void step_error_is_periodic(void) {
   solution_free(&solution);
 }
 
-/* (1/4) B(3/5, 3/2) 2.9432751843247047 = 0.92797, and the recursion of the law: e = 0.99769 with 400 steps. */
+/* With n steps per collision 1 - e is (1/4) B(3/5, 3/2) 2.9432751843247047/n = 0.92797/n. The recursion of the law
+ * gives e = 0.99769 with 400 steps. */
 static void energy_lost_by_increments(void) {
   struct refs_scene it;
   make_impact(&it, true, 0);
@@ -168,7 +169,8 @@ static void energy_lost_by_increments(void) {
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_increment", &it).text, "hertz_increment"));
 }
 
-/* Two spheres of different size between two walls that have approached by s = 2 (y0 - y). */
+/* Two spheres of different size between two walls. When the upper wall has moved from y0 down to y, the walls have
+ * approached by s = 2 (y0 - y). */
 static void make_column(struct refs_scene *it) {
   memset(it, 0, sizeof *it);
   it->materials[0] = (struct nb_material){.name = "a", .density = 7800, .young = 210e9, .poisson = 0.3};

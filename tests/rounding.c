@@ -19,8 +19,7 @@ static struct nb_options options_of(int mode, const char *part, int threads) {
   return (struct nb_options){.threads = threads, .rounding = {.mode = mode, .part = part}};
 }
 
-/* A free disc and a wall: x_(N+1) = x_N + v dt, with two roundings each. The test computes the sums in the same
- * mode. */
+/* A free disc: x_(N+1) = x_N + v dt, with two roundings in x and two in y. The test adds in the same mode. */
 static void motion_rounds_as_asked(void) {
   enum { CYCLES = 200 };
   static const char *const parts[] = {NULL, "motion", "search"};
@@ -166,7 +165,7 @@ static void bits_are_counted(void) {
   CU_ASSERT(nb_common_bits(2, 2, 2) == 53 && nb_common_bits(0, 0, 0) == 53);
   CU_ASSERT(nb_common_bits(1 + 0x1p-10, 1, 1) == 10 && nb_common_bits(1 - 0x1p-10, 1, 1) == 10);
   CU_ASSERT(nb_common_bits(1 + 1.01 * 0x1p-10, 1, 1) == 9 && nb_common_bits(1 + 0.99 * 0x1p-10, 1, 1) == 10);
-  CU_ASSERT(nb_common_bits(4 + 0x1p-10, 4, 4) == 12); /* relative to the scale */
+  CU_ASSERT(nb_common_bits(4 + 0x1p-10, 4, 4) == 12); /* relative to the scale 4 */
   CU_ASSERT(nb_common_bits(1 + 0x1p-52, 1, 1) == 52 && nb_common_bits(0x1p-70, 0, 1) == 53);
   CU_ASSERT(nb_common_bits(3, 1, 1) == 0 && nb_common_bits(1, 0, 0) == 0);
   CU_ASSERT(nb_common_bits(NAN, 1, 1) == 0 && nb_common_bits(1, 1.5, NAN) == 0 && nb_common_bits(INFINITY, 1, 1) == 0);
@@ -183,7 +182,7 @@ static void bits_of_expectations(void) {
       {"A.x versus time in two within 1 % of peak", 16}, /* 2^-13 in row 3, not those of stage one */
       {"A.x within 1 %", 16},                            /* 2^-14 of 4 */
       {"A.x at 10 cycles expected 2 within 1 % [t]", 12},
-      {"A.x at 0 cycles expected 1 within 1 [t]", 13}, /* absolute: of the largest value */
+      {"A.x at 0 cycles expected 1 within 1 [t]", 13}, /* an absolute tolerance: relative to the largest value */
       {"A.x within 1 % of A.x max in one", 17},        /* of 8 */
       {"A.x expected -1 of A.vx within 1 % [t]", 16},
       {"A.x expected -1 of A.vx within 0.01 [t]", 16}, /* a ratio is its own scale */
@@ -216,7 +215,7 @@ static void bits_of_expectations(void) {
   planted_page(&other, "", list.text), planted_rows(&other, 0, 4, x); /* stage two ends earlier in the other mode */
   CU_ASSERT(nb_expected_bits(&other.runs[0], &nearest.runs[0], 0) == 53);
   CU_ASSERT(nb_expected_bits(&other.runs[0], &nearest.runs[0], 1) == 0);
-  CU_ASSERT(nb_expected_bits(&nearest.runs[0], &other.runs[0], 1) == 0); /* or later than to nearest */
+  CU_ASSERT(nb_expected_bits(&nearest.runs[0], &other.runs[0], 1) == 0); /* or ends later */
   nb_outcome_free(&other);
   planted_page(&other, "", list.text), planted_rows(&other, 0, 3, x); /* stage two records nothing */
   CU_ASSERT(nb_expected_bits(&other.runs[0], &nearest.runs[0], 3) == 53);

@@ -66,8 +66,8 @@ static void walls_keep_their_velocity(void) {
   written_free(&it);
 }
 
-/* The time since the start, the time of the stage, and their end: a stage of 1 s has four steps of 0.25 s, or two of
- * 0.5 s. */
+/* The time since the start and the time of the stage, which can end the stage: a stage of 1 s has four steps of 0.25 s,
+ * or two of 0.5 s. */
 static void time_of_a_stage(void) {
   struct words page = {0};
   struct written it;

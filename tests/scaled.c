@@ -164,7 +164,8 @@ static void scale_stage(struct nb_stage *stage) {
   scale_step(&stage->step), scale_damping(&stage->damping), scale_segment(&stage->segment);
 }
 
-/* True if the scene needs the duration of an impact. Its overlap is a power 0.4, which does not scale exactly. */
+/* True if the scene needs the duration of an impact. The overlap in an impact is a power 0.4, which does not scale
+ * exactly. */
 static bool requests_duration(const struct nb_scene *scene) {
   bool asks = scene->impact.line || scene->step.kind == NB_STEP_COLLISION;
   for (size_t s = 0; s < scene->stage_count; s++)

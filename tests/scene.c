@@ -159,7 +159,7 @@ static void stages(void) {
   done(&read);
 }
 
-/* Names of which one is the beginning of another are told apart. */
+/* Two names are distinguished even if one is the beginning of the other. */
 static void monitors_whose_names_begin_alike(void) {
   struct words page = {0};
   struct written it;
@@ -211,7 +211,7 @@ static void hash_of_a_stage(void) {
 
 void suite_scene(void) {
   CU_pSuite suite = CU_add_suite("scene", NULL, NULL);
-  CU_add_test(suite, "a lattice is numbered from the south-west", lattice);
+  CU_add_test(suite, "a lattice is numbered from its lower left corner", lattice);
   CU_add_test(suite, "particles, their mass and inertia", particles);
   CU_add_test(suite, "walls and boxes", walls);
   CU_add_test(suite, "pairs of materials", pairs);

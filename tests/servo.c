@@ -125,8 +125,8 @@ static void a_ramp_is_followed(void) {
   nb_result_free(&result);
 }
 
-/* Under a steady dilatation no offset remains, and the error has the two decay rates of the theory. P alone would
- * leave the offset B T e_v, with the dilatation rate e_v. */
+/* Under a steady dilatation no offset of the stress remains, and the error has the two decay rates of the theory. The
+ * proportional part alone would leave the offset B T e_v, with the dilatation rate e_v. */
 static void no_offset_under_a_dilatation(void) {
   struct nb_result result;
   run(&result,
@@ -144,8 +144,8 @@ static void no_offset_under_a_dilatation(void) {
     const double off = -b * d * (exp(-slow * time) - exp(-fast * time)) / (fast - slow);
     worst = fmax(worst, fabs(at[1] - 9 - off));
   }
-  CU_ASSERT(b * t * d > 0.005 * 9);    /* the offset that P alone would leave */
-  CU_ASSERT(worst < 0.04 * b * t * d); /* dt/T is 0.036, F/kR 0.008 */
+  CU_ASSERT(b * t * d > 0.005 * 9);    /* the offset of the proportional part alone */
+  CU_ASSERT(worst < 0.04 * b * t * d); /* the theory neglects dt/T = 0.036 and F/(k R) = 0.008 */
   CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "boundary.stress.mean"), 9, 1e-3 * b * t * d);
   nb_result_free(&result);
 }

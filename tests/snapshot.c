@@ -203,7 +203,7 @@ static void columns_are_the_quantities(void) {
       CU_ASSERT_DOUBLE_EQUAL(written_cell(contacts, k, "x"), written_last(&result, "P1.x") + arm * ex, 1e-14);
       CU_ASSERT_DOUBLE_EQUAL(written_cell(contacts, k, "y"), written_last(&result, "P1.y") + arm * ey, 1e-14);
     }
-    static const double ends[2][5] = {{1, -5, -0.99, 5, -0.99}, {2, 8.1, -2.95, 8.1, 5.05}}; /* after 0.1 */
+    static const double ends[2][5] = {{1, -5, -0.99, 5, -0.99}, {2, 8.1, -2.95, 8.1, 5.05}}; /* after 0.1 s */
     static const char *const of_wall[] = {"wall", "x1", "y1", "x2", "y2"};
     for (size_t w = 0; w < 2; w++)
       for (size_t q = 0; q < 5; q++)

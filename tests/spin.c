@@ -132,7 +132,7 @@ static void surface_after_zero_velocities(void) {
 void suite_spin(void) {
   CU_pSuite suite = CU_add_suite("spin", NULL, NULL);
   CU_add_test(suite, "moments rotate particles, damped or not", moments_rotate_particles);
-  CU_add_test(suite, "surface speed and particle", surface_speed_of_the_particle);
+  CU_add_test(suite, "the surface speed is that of the particle", surface_speed_of_the_particle);
   CU_add_test(suite, "reversal", reversal);
   CU_add_test(suite, "surface speed after zero velocities", surface_after_zero_velocities);
 }

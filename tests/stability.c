@@ -141,8 +141,8 @@ static struct nb_normal yields(struct nb_pair p, double overlap, double dn, doub
   return n;
 }
 
-/* The limit follows from the largest stiffness. This has the same value at a quarter of the overlap, which the program
- * finds by halving. */
+/* The stable overlap follows from the largest stiffness of the law, which is here twice the stiffness of Hertz. It
+ * therefore reaches the same value at a quarter of the overlap, which the program finds by halving. */
 static void stiffer_unloading_lowers_the_limit(void) {
   struct nb_law law = *nb_law_find("normal", "hertz");
   double stable_overlap[2];
@@ -204,7 +204,8 @@ static void the_limit_is_kept_to_a_millionth(void) {
   }
 }
 
-/* The stiffness that a very short step allows, 4/dt^2 M*, has a square that is infinite; so is the limit. */
+/* A very short step allows the stiffness (4/dt^2) M*. Its square is beyond the largest number, so the stable overlap is
+ * infinite. */
 static void a_step_without_a_limit(void) {
   struct words page = {0};
   struct written it;
@@ -219,8 +220,9 @@ static void a_step_without_a_limit(void) {
   written_free(&it);
 }
 
-/* A contact that may become deep must be stable with the dashpot of a deep contact. The mass is M* = 1/2 and the
- * pair may use q = 2, so its stiffness k satisfies dt^2 k + 2 dt max(2 ratio, 2) (M* k)^(1/2) = 2. */
+/* A contact that may become deep must be stable with the dashpot of a deep contact. The mass is M* = 1/2, and the sum q
+ * = dt^2 k + 2 dt c of the pair may be at most 2. So the largest stiffness k satisfies dt^2 k + 2 dt max(2 ratio, 2)
+ * (M* k)^(1/2) = 2. */
 static void a_contact_may_become_deep(void) {
   static const double ratios[] = {0.3, 1.5};
   for (size_t n = 0; n < 2; n++) {

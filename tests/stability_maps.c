@@ -65,13 +65,13 @@ struct column {
 };
 
 static void materials(FILE *page, double mass) {
-  /* Discs of a have the mass 1, those of b the given one. */
+  /* Discs of material a have the mass 1, those of material b the given one. */
   const double pi = 3.14159265358979323846;
   fprintf(page, "material a density %.17g kn 1 ks $ratio friction 1\n", 1 / pi);
   fprintf(page, "material b density %.17g kn 1 ks $ratio friction 1\n", mass / pi);
 }
 
-/* A square lattice between four walls, all overlaps equal; discs are alternately of a and b. */
+/* A square lattice between four walls. All overlaps are equal, and the discs are alternately of materials a and b. */
 static void write_lattice(FILE *page, int nx, int ny, double mass) {
   const double d = 2 - overlap;
   materials(page, mass);
@@ -809,7 +809,7 @@ enum {
 };
 
 /* Largest values below the limit; least and largest values above it, up to soft_zone (forces: force_zone) times the
- * limit. Imbalance only with damping. */
+ * limit. The imbalance is used only with damping. */
 struct soft {
   double energy_below, energy[2], imbalance_below, imbalance[2], force[2];
   bool stopped;
@@ -1154,9 +1154,9 @@ static void run_tests(void) {
     double limit, bound;
   } tests[] = {
       {"runs, eigenvalues and bound agree", 1, 1},
-      {"a limit that is 2 % too long is seen", 1.02, 1},
-      {"a limit that is 2 % too short is seen", 0.98, 1},
-      {"a bound that is 2.2 times as long is seen", 1, 2.2},
+      {"a limit that is 2 % too long is detected", 1.02, 1},
+      {"a limit that is 2 % too short is detected", 0.98, 1},
+      {"a bound that is 2.2 times as long is detected", 1, 2.2},
   };
   enum { TESTS = sizeof tests / sizeof *tests };
   printf("1..%d\n", (int)(TESTS * SYSTEMS));

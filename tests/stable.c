@@ -61,8 +61,7 @@ static void lattices_equal_closed_forms(void) {
       {"nine discs", "box 0 0 to 6 6 rough\nlattice discs 3 by 3 radius 1 rough\n", 0.20412414523193151,
        0.26709262251211030},
       {"nine discs, without shear", "box 0 0 to 6 6 smooth\nlattice discs 3 by 3 radius 1 smooth\n",
-       0.35355339059327379, 0.54119610014619698}, /* three in
-       a row, both ends held: omega^2 = (2 + sqrt 2) k/m */
+       0.35355339059327379, 0.54119610014619698}, /* rows of three: omega^2 = (2 + sqrt 2) k/m */
   };
   for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
     struct words page = {0};
@@ -97,8 +96,8 @@ static void margins_stated_in_step_limit(void) {
   CU_ASSERT_DOUBLE_EQUAL(damped, 0.56, 0.005);
 }
 
-/* Nine discs that cannot rotate: omega^2 = 2 (2 + sqrt 2) k/m, from rows and columns together. With rotation it is
- * twice as large. */
+/* Nine discs that cannot rotate: omega^2 = 2 (2 + sqrt 2) k/m, from rows and columns together. With rotation it is 2.05
+ * times as large. */
 static void rotation_lowers_the_limit(void) {
   struct words page = {0};
   struct written it;

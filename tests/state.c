@@ -326,7 +326,8 @@ static void contacts_that_are_apart_do_not_fit(void) {
   written_free(&it);
 }
 
-/* Without dashpots the total forces are those of the laws. A page that continues with dashpots reads them. */
+/* Without dashpots the total forces are those of the laws. A page that continues the state with dashpots reads the
+ * total forces. */
 static void contact_forces_without_dashpots(void) {
   struct written it;
   struct nb_saved saved;

@@ -61,14 +61,14 @@ static const struct {
 } kinds[] = {
     {'w', {"", "x!"}},                                                /* a word or a name */
     {'t', {""}},                                                      /* a word */
-    {'g', {"x", "-", "inf", "-inf", "nan", "0x1p+0x"}},               /* finite, or none */
+    {'g', {"x", "-", "inf", "-inf", "nan", "0x1p+0x"}},               /* finite; the field may be missing */
     {'f', {"", "x", "-", "inf", "-inf", "nan", "0x1p+0x"}},           /* finite */
     {'n', {"", "x", "-", "inf", "-inf", "nan", "-0x1p+0"}},           /* 0 or more */
     {'p', {"", "x", "-", "inf", "-inf", "nan", "-0x1p+0", "0x0p+0"}}, /* above 0 */
-    {'m', {"", "x", "-inf", "nan", "-0x1p+0"}},                       /* 0 or more, or none */
+    {'m', {"", "x", "-inf", "nan", "-0x1p+0"}},                       /* 0 or more, or `-` for none */
     {'y', {"", "x", "-", "-inf", "nan", "-0x1p+0"}},                  /* Young's modulus: 0 or more, or infinite */
     {'v', {"", "x", "-", "inf", "nan", "-0x1p+0", "0x1.00001p-1"}},   /* Poisson's ratio */
-    {'u', {"", "x", "-", "inf", "nan", "0x1.0000001p+0"}},            /* of a unit vector */
+    {'u', {"", "x", "-", "inf", "nan", "0x1.0000001p+0"}},            /* a component of a unit vector */
     {'c', {"", "x", "-", "-1", "+1", "1x", "1000000000001", "99999999999999999999"}},   /* a whole number */
     {'o', {"", "x", "-", "-1", "+1", "1x", "0", "1000000000001"}},                      /* a number of cycles */
     {'k', {"", "x", "-", "-1", "+1", "1x", "0", "4000000000", "99999999999999999999"}}, /* from 1 on */
@@ -241,6 +241,6 @@ void suite_state_records(void) {
   CU_add_test(suite, "invalid fields are refused at their place", every_field);
   CU_add_test(suite, "fields at their limits", fields_at_their_limits);
   CU_add_test(suite, "missing and doubled records", every_record);
-  CU_add_test(suite, "no particle, no line end at the end", without_particles);
+  CU_add_test(suite, "no particles, or no line end after the last line", without_particles);
   CU_add_test(suite, "largest numbers of records and of numbers", at_most);
 }

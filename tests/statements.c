@@ -170,7 +170,8 @@ static const char *rightly(unsigned where, unsigned here) {
                                       : "before the first `segment`";
 }
 
-/* The line of the row's example that the row reads, with any number of blanks between its words. */
+/* The line of the row's example that begins with the word of the row. The example may have any number of blanks between
+ * the words. */
 static void example_line(char *line, size_t size, const struct nb_keyword *row) {
   char words[128] = "";
   for (const char *at = row->example; *at && strcmp(words, row->word) != 0;

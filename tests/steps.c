@@ -88,7 +88,8 @@ static void duration_of_collisions(void) {
        hertz(1, 1, 1, 0.1) / 20, 1e-14);
   NEAR(step_of(SPHERES "sphere 3 1.5 radius 1 m\nwall w -90 0 to 90 0 r spin 0.1\nstep 20 per collision\n"),
        hertz(1, 1, 1, 0.3) / 20, 1e-14);
-  /* the face of a wall is hit where the sphere is at first touch, at 7 or -7, before its centre would reach the line */
+  /* whether the face of a wall is hit depends on the place of the first touch, x = 7 or -7, not on where the centre
+   * would reach the line */
   NEAR(step_of(SPHERES "sphere 0 3 radius 1 m velocity 0.35 -0.1\nwall w -90 0 to 9 0 r\nstep 20 per collision\n"),
        hertz(1, 1, 1, 0.1) / 20, 1e-14);
   NEAR(step_of(SPHERES "sphere 0 3 radius 1 m velocity -0.35 -0.1\nwall w -9 0 to 90 0 r\nstep 20 per collision\n"),
@@ -123,8 +124,8 @@ static void duration_of_collisions(void) {
        hertz(1. / 3, 0.75, 1, 1), 1e-14);
 }
 
-/* The step of the scene counts the motion that the first stage gives a wall, velocity and spin, but not that of a ramp,
- * which begins at the wall's own. */
+/* The step of the scene uses the velocity and the spin that the first stage gives a wall. It does not use those of a
+ * ramp, because a ramp begins at the wall's own motion. */
 static void walls_of_the_first_stage(void) {
   static const struct {
     const char *motion;
@@ -283,7 +284,7 @@ static void a_step_above_the_limit_stops_the_run(void) {
   unsigned long cycles;
   struct nb_error error;
   CU_ASSERT_EQUAL(ends(COMING("0.45", ""), &cycles, &error), NB_BROKEN);
-  CU_ASSERT(cycles >= 80 && cycles <= 85); /* listed at the first search with a gap below 0.1 */
+  CU_ASSERT(cycles >= 80 && cycles <= 85); /* the pair is listed at the first search with a gap below 0.1 */
   says(&error, "particle 1 (line 4)");
   says(&error, "normal motion of particles 1 and 2");
   says(&error, "the step 0.45 is");
@@ -333,8 +334,9 @@ static void the_step_of_the_first_stage(void) {
   }
 }
 
-/* A run without searches. The limit of three discs in a row, 3 k = 4/0.4^2, is exceeded at k = 8.33, after 2424 cycles,
- * and the next check finds this. The limit of a pair, 2 k, is not exceeded; otherwise the stage would not begin. */
+/* A run without searches. Three discs in a row have omega^2 = 3 k, and the step 0.4 requires omega^2 <= 4/0.4^2. This
+ * limit is exceeded at k = 8.33, after 2424 cycles, and the next check finds it. A pair has omega^2 = 2 k, which stays
+ * below the limit; otherwise the stage would not begin. */
 static void a_check_every_1000_cycles(void) {
   unsigned long cycles;
   struct nb_error error;

@@ -44,7 +44,8 @@ static void random_steps(void) {
     const double spin = trial % 3 ? chance_between(&chance, -0.6, 0.6) / dt : trial % 2;
     const double h0 = walls->h0[0] = trial % 5 ? size * chance_between(&chance, -1, 1) : 0;
     const double h1 = walls->h1[0] = -size * chance_between(&chance, 0.5, 2), h2 = walls->h2[0] = h1 + 3 * size;
-    /* The crossing point near one of the ends; the heights before and after the step, on two sides or on one. */
+    /* The crossing point is near one of the ends. The heights before and after the step are on the same side of the
+     * wall or on both sides. */
     const double at = (chance_between(&chance, 0, 1) < 0.5 ? h1 : h2) + size * by(&chance);
     const double y0 = size * by(&chance), y1 = size * by(&chance), drift = size * by(&chance);
     const double fraction = y0 / (y0 - y1), x0 = at - fraction * drift, x1 = x0 + drift;
@@ -112,7 +113,7 @@ static void on_the_line(void) {
   CU_ASSERT(crosses(0, 0, 0, -1, 1));
   CU_ASSERT_FALSE(crosses(-1, 0, 0.5, 0, 0.5));
   CU_ASSERT_FALSE(crosses(-1, 0, -0.5, 0, -0.5));
-  CU_ASSERT(crosses(-1, 0, 0, 0.5, 0)); /* along it */
+  CU_ASSERT(crosses(-1, 0, 0, 0.5, 0)); /* it moves along the line */
 }
 
 /* The message names the radius. It advises a smaller step if the displacement exceeds half the radius, otherwise a

@@ -73,7 +73,7 @@ static void kinds(void) { /* every unit that a message lists exists, and has the
       CU_ASSERT(nb_dimension_same(first.dimension, unit.dimension) && first.angle == unit.angle);
     }
     CU_ASSERT(first.shift == 0 && first.factor == 1);
-    nb_dimension_unit(words, sizeof words, first.dimension); /* the text of the unit reads back */
+    nb_dimension_unit(words, sizeof words, first.dimension); /* the text of the unit can be read again */
     CU_ASSERT(k == NB_UNIT_ANGLE ? !*words
                                  : nb_unit_read(&unit, words) && nb_dimension_same(unit.dimension, first.dimension));
   }

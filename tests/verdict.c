@@ -9,11 +9,11 @@
 #include "planted.h"
 #include "suites.h"
 
-/* The given x is exactly at the tolerance and passes. With x[which] changed by 1e-12 in the direction `outwards` it
- * fails. */
+/* The given values x are exactly at the tolerance, and the expectation passes. With x[which] changed by 1e-12 in the
+ * direction `outwards` the expectation fails. */
 struct edge {
   const char *expectation;
-  double reference[6]; /* of A.x; of a curve row by row */
+  double reference[6]; /* of A.x; for a curve, one per row */
   int count;
   double x[6];
   int which, outwards;
@@ -147,7 +147,7 @@ static void versus(void) {
   edges(list, COUNT(list));
 }
 
-/* The message names the worst row, whatever rows come before it, also if one of them has twice the value 0. */
+/* The message names the worst row, whatever rows come before it, also if both values of one of them are 0. */
 static void worst_row(void) {
   static const struct {
     const char *expectation, *words;

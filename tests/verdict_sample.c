@@ -36,7 +36,7 @@ static void samples(void) {
   pairs("A.x constant with T over seed within 3", 3 - HALF + near, 0, NB_FAIL);
   pairs("A.x constant with T over seed within 3", HALF - 3 + near, 0, NB_PASS);
   pairs("A.x constant with T over seed within 3", HALF - 3 - near, 0, NB_FAIL);
-  pairs("A.x constant with T over seed within 25 %", 3 - HALF - near, 12, NB_PASS); /* of the level */
+  pairs("A.x constant with T over seed within 25 %", 3 - HALF - near, 12, NB_PASS); /* 3 is 25 % of the level 12 */
   pairs("A.x constant with T over seed within 25 %", 3 - HALF + near, 12, NB_FAIL);
   pairs("A.x constant with T over seed within 25 %", HALF - 3 + near, -12, NB_PASS);
   pairs("A.x constant with T over seed within 25 %", HALF - 3 - near, -12, NB_FAIL);
@@ -69,7 +69,7 @@ static void samples(void) {
        NB_FAIL,
        "it is nan"},
       {"sweep T 1 2\nsweep s 1 2", "A.x increases with T over s", {0, INFINITY, 1, 11}, NB_FAIL, "it is inf"},
-      /* in the first of several pairs, before and after */
+      /* NaN in the first of several pairs, in the first or the second run of the pair */
       {"sweep T 1 2\nsweep s 1 2 3", "A.x increases with T over s", {NAN, 10, 20, 1, 11, 21}, NB_FAIL, "it is nan"},
       {"sweep T 1 2\nsweep s 1 2 3", "A.x increases with T over s", {0, 10, 20, NAN, 11, 21}, NB_FAIL, "it is nan"},
       {"sweep T 1 2\nsweep s 1 2\nlet b = T",

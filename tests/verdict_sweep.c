@@ -78,7 +78,7 @@ static void constant(void) {
   planted_sweeps(list, COUNT(list));
 }
 
-/* Errors h^s at h = 1, 2, 4, where s is at the edge except for rounding. */
+/* Errors h^s at h = 1, 2, 4. Because of rounding, s is not exactly at the edge but 1e-9 inside or outside. */
 #define ERRORS(s)                                                                                                      \
   { 1, exp2(s), exp2(2 * (s)) }
 
@@ -94,7 +94,8 @@ static void orders(void) {
       {"sweep h 1 2 4", "A.x order -2 in h within 25 %", ERRORS(-2.5 - 1e-9), NB_FAIL, ""},
       {"sweep h 1 2 4", "A.x order 2 in h within 1e-9", {-1, 4, -16}, NB_PASS, ""}, /* an error has no sign */
       {"sweep h 3 1 2", "A.x order 1 in h within 1e-9", {6, 2, 4}, NB_PASS, ""},
-      /* log2 of the errors 0, 1, 4 over 0, 1, 2: the best line has the slope 2 and misses all three */
+      /* log2 of the errors is 0, 1, 4 at log2(h) = 0, 1, 2: the best line has the slope 2 and passes through none of
+       * the points */
       {"sweep h 1 2 4", "A.x order 2 in h within 1e-9", {1, 2, 16}, NB_PASS, ""},
       {"sweep h 1 2 4", "energy.residual order 2 in h within 1e-9", {1, 4, 16}, NB_PASS, ""},
       {"sweep h 1 2 4",

@@ -120,8 +120,8 @@ static void a_wall_that_moves_away_has_a_contact_at_once(void) {
   written_free(&it);
 }
 
-/* The force of wall b on a disc near the end 0 of wall a, at the end of two stages. In stage k the end of b moves to
- * `to[k]` in `cycles[k]` cycles. The walls c and d, far away, have a common end. */
+/* The force of wall b on a disc near the end (0, 0) of wall a, after each of two stages. In stage k the end of b moves
+ * to (to[k], 0) in `cycles[k]` cycles. The walls c and d, far away, have a common end. */
 static void move_end(double from, const double to[2], const int cycles[2], const double wanted[2], const char *skin) {
   struct words page = {0};
   struct written it;
@@ -144,7 +144,7 @@ static void move_end(double from, const double to[2], const int cycles[2], const
 }
 
 /* Ends that are apart at time 0 never become common. Ends that coincide at time 0 are common when they meet again. In
- * the second call the last search has the end of b at 0.04, where the ends do not coincide. */
+ * the second call the end of b is at 0.04 at the last search, so the ends do not coincide then. */
 static void common_ends_are_those_of_time_0(void) {
   const double at_end = 400 * (1 - hypot(0.2, 0.95));
   const int equal[2] = {10, 10}, unequal[2] = {15, 3};

@@ -35,8 +35,9 @@ static void a_wave_is_a_sine_from_the_centre(void) {
   written_free(&it);
 }
 
-/* Sets `slow` and `fast` to rho c^2 of the two waves in the direction `angle`: rho density, c speed, wave number q and
- * spacing s with q s = 1e-3. The finite wavelength changes rho c^2 by a fraction of about (q s)^2/12. */
+/* Sets `slow` and `fast` to rho c^2 of the two waves in the direction `angle`, with the density rho and the speed c.
+ * The wave number q and the spacing s satisfy q s = 1e-3. The finite wavelength changes rho c^2 by a fraction of about
+ * (q s)^2/12. */
 static void speeds(bool hexagonal, bool turns, double angle, double ks, double *slow, double *fast) {
   const double s = 2, q = 1e-3 / s, density = 4 / (s * s * (hexagonal ? sqrt(0.75) : 1));
   const struct waves_lattice lattice = {
@@ -69,8 +70,8 @@ static void long_waves_follow_from_the_moduli(void) {
   CU_ASSERT_DOUBLE_EQUAL(slow, kn / 2, 1e-5);
 }
 
-/* At the edge of the Brillouin zone neighbours move against each other, w^2 = 4 k_n/m. At q = 0 all discs rotate in the
- * same way, w^2 = 16 k_s/m. */
+/* At the edge of the Brillouin zone neighbours move against each other with omega^2 = 4 k_n/m. At q = 0 all discs
+ * rotate in the same way with omega^2 = 16 k_s/m. */
 static void short_waves(void) {
   const struct waves_lattice lattice = {
       .kn = 7, .ks = 3, .mass = 4, .inertia = 2, .radius = 1, .spacing = 2, .rotates = true};
