@@ -2,7 +2,7 @@
 # force. Its length is the sum of the two radii, its width is proportional to the force. Before loading, the page sets
 #
 #   particles = '$rest_particles'; walls = '$rest_walls'; contacts = '$rest_contacts'    # snapshots, named by stage
-#   widest = 20                                                                    # width of the largest force, in units of length
+#   widest = 20                                                                    # largest width, in units of length
 set size ratio -1
 unset border
 unset tics

@@ -1,5 +1,5 @@
-# Porosity against the distance from the centre of a region with `rings` [R89 figure 6.5]: boxes for the rings, a line for the
-# circle inside each radius. Before loading, the page sets
+# Porosity against the distance from the centre of a region with `rings` [R89 figure 6.5]: boxes for the rings, and a line for the
+# whole circle within each radius. Before loading, the page sets
 #
 #   rings = '$rest_rings'
 set key

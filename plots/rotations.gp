@@ -3,7 +3,7 @@
 #   particles = '$rest_particles'    # of `snapshot from STAGE`
 #   turns = 'size'             # orange counterclockwise, blue clockwise; the deepest colour is the largest rotation
 #   turns = 'direction'        # the two colours only
-#   turns = 'vector'; longest = 0.001    # arrows, up counterclockwise, down clockwise; length of the largest rotation, in units of length
+#   turns = 'vector'; longest = 0.001    # arrows: up if counterclockwise, down if clockwise; length of the longest arrow
 set size ratio -1
 unset border
 unset tics

@@ -10,7 +10,7 @@ pages=$(pwd)/tests/pages
 cases=$(pwd)/cases
 cd "$work" || exit 1
 
-# rows TABLE: the rows of a table without its first lines.
+# rows TABLE: the rows of a table, without the comments and the line of names above them.
 rows() { grep -v '^#' "$1" | tail -n +2; }
 
 # ---- claims against Hertz's duration of an impact: closed form, not used by the search ----
@@ -27,7 +27,7 @@ run 0 advise "$hertz" --set pair=equal --set h=0.04 --quantity impact.duration -
     awk -v claim="${before#* }" '/ estimated error: / { d = $3 / claim - 1; found = d * d < 0.01 } END { exit !found }'
 result $? 'the next cheaper setting and its error'
 
-# The largest true error of each setting over eight phases of the first touch, beside its claim.
+# The claim of each setting and its true error at eight phases of the first touch.
 rows duration/advice.tsv | cut -f 3,8,10 >settings
 : >errors
 while read -r refine claim verdict; do
@@ -49,7 +49,7 @@ result $? 'the chosen setting is within the tolerance'
 # at most twice as coarse.
 awk '{ worst[$1] = worst[$1] > $4 ? worst[$1] : $4 } $3 == "chosen" { chosen = $1 }
   END { for (r in worst) if (worst[r] <= 0.0005 && r + 0 < chosen / 2) exit 1; exit !(chosen > 0) }' errors
-result $? 'the chosen step is at most half as long as the longest one that would do'
+result $? 'the chosen step is at least half as long as the longest one that is within the tolerance'
 test -s duration/advice.svg && test -s duration/advice.png && grep -q '^plot \$variant0 using 5:' duration/advice.gp &&
   grep -q "title 'the advice'" duration/advice.gp && grep -q "^     0.05 with lines .* title 'tolerance'" duration/advice.gp &&
   test "$(sed -n '/^\$variant0 /,/^EOD/p' duration/advice.gp | grep -c '^hertz')" -eq "$(rows duration/advice.tsv | wc -l)"
@@ -71,7 +71,7 @@ grep -q '^# left out: normal hertz, shear none: ' oblique/advice.tsv &&
   grep -q '^# left out: normal hertz, shear mindlin: its value differs from that of the page by .* times the tolerance' oblique/advice.tsv &&
   ! rows oblique/advice.tsv | cut -f 2 | grep -qxE 'none|mindlin'
 result $? 'laws with other values are left out'
-# A law that needs as many updates may store less, so it is tried at the step that the page needs.
+# A law that needs the same number of updates may need less memory, so it is tried at the step that the law of the page needs.
 run 0 advise "$oblique" --set poisson=0.3 --set psi1=3.7 --quantity impact.psi2 --within '6 %' -o late
 rows late/advice.tsv | cut -f 2,3,10 | tee "$why" |
   awk '$1 == "mindlin_deresiewicz" && $3 != "misses" { own = $2 } $1 == "mindlin" { other[$2] = 1 } END { exit !(own && own in other) }'
@@ -127,7 +127,7 @@ until D.vx below 0 at most 100000 cycles
 ```
 EOF
 run 1 advise still.md --quantity D.vy --within '1 %' && said 'is not known well enough' && said 'an absolute tolerance if the value is near 0'
-result $? 'a percentage of a quantity that has no limit other than 0'
+result $? 'a percentage of a quantity whose limit is 0'
 run 1 advise "$cases/5-numerics/changed-law.md" --quantity 'C.normal max in steps' --within '10 %' && said 'the value is 0, and a percentage of 0 allows no error' &&
   ! grep -q nan "$why"
 result $? 'a percentage of a quantity that is 0 with each step'
@@ -157,7 +157,7 @@ run 0 advise cycles.md --quantity D.vx --within '1 %' -o cycles && said '--set r
   said 'the next longer step cannot be run: a longer step does not divide the stages of the page into whole numbers of cycles' &&
   run 0 run cycles.md --set refine=0.1428571429 -o cycles && said '  1 cycles, '
 result $? 'a page with a number of cycles that is no power of two'
-# Linear springs a hundred times as soft allow ten times the step, if the quantity does not depend on the springs.
+# Linear springs that are 1000 times as soft allow 1000^(1/2) = 32 times the step, if the quantity does not depend on the springs.
 sed 's/^until.*/until time above 1 at most 100000 cycles/; s/kn 1$/kn 1e4/' still.md >soft.md
 run 0 advise soft.md --quantity D.vx --within '1 %' -o soft && said 'the cheapest setting within the tolerance: --set soften=1000 --set refine=' &&
   said 'stiffness divided by 1000'
@@ -208,7 +208,8 @@ grep -qx '# energy.kinetic within 10 %, mean over seed = 1 to 8' gas/advice.tsv 
   test "$(rows gas/advice.tsv | cut -f 12 | sort -u | tr '\n' ' ')" = '- rate=0.005 rate=0.02 ' &&
   test "$(rows gas/advice.tsv | cut -f 1,2 | sort -u)" = "$(printf 'linear\tlinear')"
 result $? 'traded values are tried, laws are not'
-# The setting in the table gives the mean whose difference from the mean with half the step is printed.
+# The table has the relative difference between the mean of a setting and the mean of the page with half its step. Single runs
+# with these settings must give the same difference.
 rows gas/advice.tsv | awk -F '\t' '$12 == "rate=0.02" { print $3, $9 }' | head -n 1 >setting
 mean() {
   for seed in 1 2 3 4 5 6 7 8; do
@@ -328,7 +329,7 @@ run 1 advise --all folder/a.md -o cut && said '8 searches, 7 with advice, 4 of t
 result $? 'a later call continues an interrupted one'
 echo >>folder/a.md
 run 1 advise --all folder/a.md -o cut && said '8 searches, 7 with advice; look' && test "$(rows cut/trades.tsv | wc -l)" -eq 16
-result $? 'not with another page'
+result $? 'a later call does not continue the table of a page that has changed'
 echo mine >cut/trades.tsv
 run 2 advise --all folder/a.md -o cut && said 'is not a table that this version wrote' && test "$(cat cut/trades.tsv)" = mine
 result $? 'another file is not overwritten'

@@ -45,7 +45,7 @@ again() {
 same() {
   diff -rq "$work/whole" "$work/out" >>"$why"
 }
-# last: the checkpoints. checkpoints N: waits until the last run has saved N checkpoints.
+# last: prints the names of the checkpoints. until_saved: waits until the last process has saved a checkpoint or has ended.
 last() { ls "$states"/*.checkpoint 2>/dev/null; }
 until_saved() { while kill -0 $! 2>/dev/null && [ -z "$(last)" ]; do sleep 0.01; done; }
 
@@ -184,7 +184,7 @@ rm -rf "$work/out"
 "$nineball" run "$page" -o "$work/out" --jobs 1 2>"$why" | true
 said 'the output could not be written' && same
 result $? 'a closed pipe: an error, and the tables are written'
-# limits: memory limits from ample to too small, kB. At some of them memory runs out, and the checkpoints stay.
+# Limits of the memory in kB, from ample to too small. At some of them memory runs out, and the checkpoints stay.
 rm -rf "$states" && cp -r "$work/kept" "$states"
 for limit in 400000 100000 60000 40000 30000 24000 20000 17000 15000 13000 11000 9000 5000; do
   (ulimit -v $limit && "$nineball" check "$page" --states "$states" --jobs 1 --resume --checkpoint=9 >"$work/printed" 2>>"$work/limits") 2>>"$work/limits" && cp -r "$work/kept/." "$states"
@@ -221,11 +221,12 @@ while kill -0 $first 2>/dev/null && [ $refused -lt 20 ]; do
   refused=$((refused + 1))
 done
 wait $first && same && test $refused -gt 0
-result $? 'nor is it between two runs of a sweep'
+result $? 'a second process is refused between two runs of a sweep, too'
 
 # ---- the memory of a sweep ----
 
-# 20 runs with 25000 rows of 32 numbers each need 132 MB. Up to 32 MB stay in memory, and the program alone needs less than 60 MB.
+# 20 runs with 25000 rows of 32 numbers of 8 bytes need 128 MB. Up to 32 MB stay in memory, and the program alone needs less than
+# 60 MB.
 awk 'BEGIN { print "```scene\nunits none"; printf "sweep g"; for (k = 1; k <= 20; k++) printf " %d", k
   print "\nmaterial m density 1 kn 1\ngravity 0 -$g\nstep 1e-3"
   for (k = 1; k <= 8; k++) printf "disc %d 0 radius 1 m\nmonitor D%d disc %d\nrecord D%d.x D%d.y D%d.vx D%d.vy\n", 3 * k, k, k, k, k, k, k

@@ -26,7 +26,7 @@ home=$work/home
 printf '1 2 TOPSECRET\n' >"$home/secret"
 printf "system('touch $work/harm')\n" | tee "$home/.gnuplot" "$home/evil.gp" >plots/style.gp
 
-# page NAME: writes a page with the gnuplot lines of standard input. A folder beside it is called plots.
+# page NAME: writes cases/NAME with the gnuplot lines of standard input. The folder plots is beside cases, as in the source tree.
 page() {
   mkdir -p cases
   {

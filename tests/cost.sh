@@ -18,10 +18,10 @@ if [ $status -eq 77 ]; then
 fi
 result $status "the smallest page executes no line of an optional feature"
 sh "$top/tests/bench/cost.sh" --proof linear dashpots >"$why" 2>&1
-result $? "neither do pages with friction or dashpots, apart from theirs"
+result $? "pages with friction or dashpots execute no line of any other optional feature"
 
 sh "$top/tests/bench/cost.sh" --proof later-dashpots later-affine later-cell >"$why" 2>&1
-result $? "neither do pages of which only a later stage uses a feature"
+result $? "pages of which only a later stage uses a feature execute no line of it before"
 
 # A page uses a feature that it does not declare: the proof must find it.
 sed 's/^base | - | | frame discs | |/base | - | | frame discs | | gravity 0 m\/s2 -1 m\/s2/; s/^linear | base | rotation/linear | base | walls rotation/' \
@@ -31,5 +31,5 @@ test $? -eq 1 && grep -q '^page base executes src/core/motion.c:add_weight, a fi
 result $? "gravity on the smallest page is found"
 sh "$work/wrong.sh" --proof linear >"$why" 2>&1
 test $? -eq 1 && grep -q '^page linear executes nothing of walls$' "$why"
-result $? "a feature without a line is found"
+result $? "a declared feature of which no line is executed is found"
 echo "1..$n"

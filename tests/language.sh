@@ -85,7 +85,7 @@ result $? 'nineball --help begins with what a newcomer looks for, and with each 
 test "$("$nineball" --help strain | grep -cE '^ *(cell|box|boundary|affine) strain: moves ')" -eq 4
 result $? 'nineball --help strain compares the four statements'
 
-# Words of other programs: `nineball --help` of each of them must show all words of the page language in its row.
+# Words of other programs: `nineball --help` of such a word must show all words of the page language that are in the same row.
 grep '^    {"' src/input/guess.c | tr '{' '\n' | sed -n 's/^"\([^"]*\)", "\([^"]*\)".*$/\1|\2/p' >"$work/synonyms"
 test "$(wc -l <"$work/synonyms")" -gt 30 && cut -d '|' -f 1 "$work/synonyms" | tr ' ' '\n' | sort | uniq -d >"$work/said" &&
   test ! -s "$work/said"

@@ -26,7 +26,7 @@ ls "$srcdir"/src/*/*.[ch] | sed 's|/[^/]*$||; s|.*/||' | sort -u >"$work/folders
 sort "$work/order" | diff - "$work/folders" >"$work/said"
 result $? "every folder of src is a module in the lists"
 
-# FILE MODULE MODULE2 HEADER: the includes of a file.
+# One line `FILE MODULE MODULE2 HEADER` for each include: FILE of MODULE includes HEADER of MODULE2.
 (cd "$srcdir/src" && grep -n '^#include "' */*.[ch]) | sed 's|^\([a-z]*\)/\([^:]*\):[0-9]*:#include "\(.*\)"|\1/\2 \1 \3|' |
   awk '{ split($3, p, "/"); print $1, $2, (p[2] ? p[1] : $2), $3 }' >"$work/includes"
 upward() {

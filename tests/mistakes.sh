@@ -130,7 +130,7 @@ page '' >"$work/$(many 64 n).md"
 result $? 'letters in the name of a file'
 tail -n 1 "$work/heard" >"$work/why"
 grep -q 'expected a file name shorter than 64 bytes' "$work/heard"
-result $? 'and the message'
+result $? 'letters in the name of a file: the message'
 
 "$nineball" explain "$work/none.md" 2>>"$work/heard"
 tail -n 1 "$work/heard" >"$work/why"

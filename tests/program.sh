@@ -160,7 +160,7 @@ if command -v script >/dev/null; then # both streams are the same terminal
   verdict 'warnings: once on a terminal, twice if standard output is a file'
 fi
 
-for page in 5-numerics/rayleigh-mean:gap='1e300 mm' 8-published/chung-ooi-6:beta=1e9; do # the solution must end
+for page in 5-numerics/rayleigh-mean:gap='1e300 mm' 8-published/chung-ooi-6:beta=1e9; do # the references must not run forever
   run 2 check "$cases/${page%%:*}.md" --set "${page#*:}"
   said "$cases/${page%%:*}.md: error: "
 done
@@ -394,7 +394,8 @@ run 0 explain from-slowed.md
 out '  mass-proportional damping 2, line 2'
 verdict 'explain'
 
-# The clock alone ends all stages but `some`. So their lengths are known; after `some` only bounds of them are known.
+# The clock alone ends all stages but `some`. So the lengths of the stages before `some` are known; after it only bounds are
+# known.
 cat >clock.md <<'END'
 # Stages that end by the clock
 ```scene
@@ -433,7 +434,7 @@ sed 's/step 0.5/step 0.2 of stable/; s/^stage some/stage never/; s/D.x above 3/t
 run 0 explain never.md
 out '  on, about 6 cycles'
 out '  never, does not end: the condition on line 19 does not hold within 10 cycles'
-sed '/^stage last/,$s/100 cycles/40 cycles/' clock.md >late.md # with the earliest clock the condition is never met
+sed '/^stage last/,$s/100 cycles/40 cycles/' clock.md >late.md # if `some` takes one cycle, 40 cycles are too few
 run 0 explain late.md
 out '  last, 34 to 40 cycles: the condition on line 21 decides'
 sed '/^stage last/,$s/100 cycles/34 cycles/' clock.md >last.md # the condition holds at the last cycle of the stage
@@ -455,7 +456,8 @@ for line in 'remove disc 2' 'material m kn 2'; do
   run 0 explain about.md
   out '  on, about '
 done
-# The length of a stage that ends by the clock is not known either if it follows such a stage, whatever its own step.
+# If the step of a stage is not known, the length of a later stage that ends by the clock is not known either, whatever step it
+# has.
 sed 's/step 0.5/step 0.2 of stable/; s/^until cycle above 20.*/step 0.25\nuntil time above 9 at most 70 cycles/' clock.md >behind.md
 run 0 explain behind.md
 out '  more, about '
@@ -463,7 +465,7 @@ sed '/^stage some/,/^until/d; /^stage last/,/^until/d' clock.md >fixed.md
 run 0 run fixed.md
 out '  21 cycles, '
 grep -q '; expected' out && echo 'a fixed number of cycles is compared' >>why
-# One cycle each: the forces at the start belong to no cycle.
+# Pages of one cycle: the contact updates at the start of a run belong to no cycle.
 for page in 6-lattices/lattice-stress 4-oblique/traction; do
   run 0 explain "$cases/$page.md"
   expected=$(sed -n 's/^  \([0-9]* [a-z]*, [^ ]* contact updates\), .* s$/\1/p' out | tail -n 1)
@@ -615,7 +617,7 @@ out 'from 1 to 2: mean difference +2.5, 95 % confidence 0.4457 to 4.554, mean 4.
 out '2 of 2 checks passed, 6 noted'
 run 0 check "$pages/sample.md" --tap
 out 'ok 3 - D.x expected 0.5 of D.x max over seed [a share, 1 in all] (T=1, n=8) # SKIP noted, not checked'
-run 1 check "$pages/sample.md" --set push=-2 # all distances smaller by 3: the interval contains 0 and ends below 4.6
+run 1 check "$pages/sample.md" --set push=-2 # all differences are smaller by 3: the interval contains 0 and ends below 4.6
 out 'FAIL  D.x increases with T over seed'
 out 'from 1 to 2: mean difference -0.5, 95 % confidence -2.554 to 1.554'
 run 1 check "$pages/sample.md" --set push=0.1
@@ -757,7 +759,7 @@ if command -v gnuplot >/dev/null; then
   grep -q "^[$]table << EOD" drawn/given.gp || echo 'there are several runs' >>why
   verdict 'a page gets all variables of --help gnuplot'
 
-  # The blocks of a sweep have numbers, even if --set leaves one value, so that the figure still works.
+  # The names of the data blocks of a sweep end in numbers, even if --set leaves one value, so that the figure still works.
   {
     sed '/^```gnuplot/,/^```$/d; s/^let .*/sweep v 0.5 1/; s/^cycles .*/&\nsnapshot/' "$pages/passes.md"
     printf '```gnuplot\nprint "numbered:", D_x_1 > 0 && |$flight_particles_1| == 2 && !exists("D_x")\n'

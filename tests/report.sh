@@ -64,10 +64,10 @@ cp one/page.md keep.md
 run 2 state one/page.md -o keep.md && said 'keep.md is not a state' && cmp -s one/page.md keep.md
 result $? 'state -o does not overwrite a page'
 run 0 state one/page.md -o made.state && run 0 state one/page.md -o made.state
-result $? 'but it overwrites a state'
+result $? 'state -o overwrites a state'
 ln -s keep.md link.state
 run 2 state one/page.md -o link.state && cmp -s one/page.md keep.md && test -h link.state
-result $? 'it does not follow or replace a link'
+result $? 'state -o does not follow or replace a link'
 
 # The name of a temporary file contains the process number: links are made for all numbers that the process can get.
 mkdir links
@@ -95,7 +95,7 @@ run 3 report "$pages/never-ends.md" "$pages/passes.md" -o some && said 'did not 
   sed '/<h2>All pages/,$d; /id="pages-of/,$d' some/index.html | grep -q 'never-ends/index.html'
 result $? 'report: an aborted run is status 3, and its tables are written'
 run 2 report none.md "$pages/passes.md" -o some && grep -q '>none</a>' some/index.html
-result $? 'report: a page that cannot be read has a line'
+result $? 'report: a page that cannot be read has a line in the index'
 run 0 report "$pages/hidden.md" -o some && said '2 checks, 0 failed' &&
   grep -q '<td class="pass">2 checks passed</td>' some/index.html &&
   grep -q '2 checks, 0 failed, 0 noted, 6 skipped' some/hidden/index.html
@@ -177,7 +177,7 @@ if command -v gnuplot >/dev/null; then
   printf '\n```gnuplot\nplot $table using "time/-":"D.x/-" with points\n```\n' | cat "$pages/fails.md" - >failed.md
   run 0 figure failed.md -o some && said 'look at some/failed.svg' && ! said 'up to where' &&
     ! grep -q INCOMPLETE some/failed.svg && ! grep -q INCOMPLETE some/failed.gp
-  result $? 'figure: a page that fails is complete'
+  result $? 'figure: a page with a failed check is drawn as complete'
   # If the first run of a sweep is aborted, the others are not started and have no tables.
   run 3 figure "$pages/../../cases/8-published/chung-ooi-3.md" --set 'step=1 s' --jobs 1 -o some &&
     said 'look at some/chung-ooi-3.svg, up to where the run was stopped'

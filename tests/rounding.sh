@@ -8,9 +8,9 @@
 top=$(pwd)
 cd "$work" || exit 1
 
-# Positions that are binary fractions are the same in each mode; v dt is not a binary fraction. Its sum over 2^12 cycles differs by
-# at most 2^12 half units in the last place of a number below 2^13, and by at least 1/2^5 of this. So x keeps between 53-13 and 53-6
-# bits.
+# Positions that are binary fractions are the same in each mode; v dt is not a binary fraction. Each of the 2^12 additions to x
+# differs by at most one unit in the last place, so x keeps at least 53-13 bits. Errors of directed rounding have one sign: they
+# amount to at least 2^12/2^7 units, so x keeps at most 53-6 bits.
 page() {
   cat <<'PAGE'
 # Free discs
@@ -63,7 +63,7 @@ run 0 check spheres.md --rounding parts && said '    53  stability check of stif
   said '    53  count of deep overlaps' && said '    53  FRACC'
 result $? 'each of several parts after the forces'
 
-# If x is rounded up, it exceeds the x rounded to nearest by more than the tolerance.
+# If sums are rounded up, x exceeds the expected value by more than the tolerance.
 sed 's/within 1e-9/within 1e-10/' free.md >tight.md
 run 1 check tight.md --rounding all && said 'rounding up    3 of 4 checks passed'
 result $? 'a check that fails in another mode'
@@ -85,13 +85,13 @@ result $? 'a value of zero has no bits'
 run 2 check free.md --rounding sideways && said 'expected `--rounding all` or `parts`, found `sideways`'
 result $? 'an unknown word'
 run 2 check free.md --rounding all --tap && said 'without --tap'
-result $? 'not as TAP'
+result $? '--rounding is refused with --tap'
 run 2 run free.md --rounding all && said 'which is an option of: check'
-result $? 'an option of check'
+result $? '--rounding is an option of check only'
 sed 's/^step/stop/' free.md >wrong.md
 run 2 check wrong.md --rounding all && said 'wrong.md:9:1' && ! said 'bits that'
 result $? 'a mistake in the page'
-# A run that is aborted in the modes as well as to nearest.
+# A run that is aborted in every mode.
 sed 's/^disc 8 100 .*/disc 1000 0 radius 1 a velocity -0.25 0/; s/cycles 4096/cycles 9000/; s/^step 0.5/step 8/; s/^units none/units none\nallow unstable/' free.md >broken.md
 run 3 check broken.md --rounding all && ! said 'bits that'
 result $? 'a run that is aborted'
@@ -106,13 +106,14 @@ test $? -eq 0 && grep -q '^| \[free\](../cases/9-free/free.md) | 42 | `B.x expec
   grep -q '^- The median over 3 cases is 4[0-9] bits. 0 cases keep fewer than 30' rounding.md && grep -q 'In 3 of them the motion costs the most bits' rounding.md &&
   grep -q '^- In 1 cases some check' rounding.md
 result $? 'docs/rounding.sh: a row for each page'
-# A guard that only rounding up passes: 4096 roundings carry the disc beyond the position at which it stops the run.
+# A condition that does not hold with rounding up: 4096 roundings carry the disc beyond the position below which the stage ends,
+# so the run is aborted.
 sed '/^stage s/,$d; s/velocity 0.7 0/velocity 0.7 0/' free.md >9-free/stops.md
 printf 'stage s\ncycles 4095\nstage t\nuntil B.x below %s at most 1 cycles\n```\n```expect\nB.y expected 100 within 0 [rest]\n```\n' 1441.59999999995 >>9-free/stops.md
 document 9-free/stops.md
 test $? -eq 1 && grep -q '^| \[stops\](.*) | 0 | `rounding up aborts the run` |  |$' rounding.md
 result $? 'docs/rounding.sh: a run that a mode aborts'
-# Few bits: a position near 0 that is the difference of large ones, relative to itself.
+# Few bits: a position near 0 that is the difference of large numbers. The bits are relative to the small position.
 sed 's/^disc 8 100 radius 1 a velocity 0.7 0/disc -1433.6 100 radius 1 a velocity 0.7 0/; s/^B.x expected 1441.6 within 1e-9/B.x expected 1e-9 of A.x within 1/' free.md |
   sed 's/^B.x above A.x/B.x below A.x/' >9-free/few.md
 document 9-free/few.md
@@ -121,7 +122,8 @@ result $? 'docs/rounding.sh: few bits without a reason'
 printf '\nFew bits depend on the rounding\nmode here.\n' >>9-free/few.md
 document 9-free/few.md
 result $? 'docs/rounding.sh: few bits with a reason'
-# The committed document has a row for each short case, except those whose checks have no bits: all of them compare with zero.
+# The committed document has a row for each short case, except those whose checks have no bits because all of these checks compare
+# with zero.
 without_bits='periodic-shear'
 sed -n '/^PAGES =/,/[^\\]$/s/^ *\(cases[^ ]*\).*/\1/p' "$top/build-aux/lists.mk" | sed 's,.*/,,; s/[.]md$//' | while read -r name; do
   case " $without_bits " in *" $name "*) continue ;; esac

@@ -37,7 +37,7 @@ result $? 'the results with an existing state are the same'
 "$nineball" explain "$pages/saved-stage.md" --states "$states" >"$work/said" && grep -q 'state: present$' "$work/said"
 result $? 'explain says that the state is present'
 run threads "$pages/saved-stage.md" --threads 3 --isa plain && cmp "$work/now/table.tsv" "$work/threads/table.tsv"
-result $? 'the same with other threads and another instruction set'
+result $? 'the results with other threads and another instruction set are the same'
 
 # ---- chains ----
 
@@ -83,7 +83,7 @@ step=$(sed -n '/^step$/{n;p}' "$work/out")
 "$nineball" run "$pages/smoother.md" --states "$states" -o "$work/smoother" >"$work/out" 2>"$work/said"
 plan "$pages/smoother.md" >"$work/after" && test "$(grep -c 'tan(phi) 0' "$work/after")" -eq 2 && diff "$work/before" "$work/after" >"$work/said" &&
   "$nineball" explain "$pages/smoother.md" --states "$states" | grep -q "^$step, line"
-result $? 'the plan is that which it shows when the state exists'
+result $? 'explain shows the same plan when the state exists'
 
 # A page with `impact`, a second page that starts from it, and a third page that starts from the second; each runs with and without
 # saved states.
@@ -283,7 +283,7 @@ result $? 'the state of a changed page is out of date'
 run changed "$pages/saved-stage.md"
 test "$(made)" -eq 1 && ! cmp -s "$work/now/table.tsv" "$work/changed/table.tsv" &&
   test "$(ls "$states" | grep -c '^nine-discs-load-')" -eq 1
-result $? 'it is computed again, and the old state is removed'
+result $? 'the state of a changed page is computed again, and the old state is removed'
 cp cases/3-nine-discs/nine-discs.md "$pages"
 run back "$pages/saved-stage.md" && test "$(made)" -eq 1 &&
   sed 's/^walls     inward 0.12/walls     inward 0.12   # as ever/; s/^cycles    4000/cycles    7/; s/^record .*/record time/' \
@@ -357,7 +357,7 @@ stage     go
   cycles  $n
 ```
 END
-# from FILE SETTINGS: writes the page FILE, which starts from this page with the settings.
+# from FILE SETTINGS: writes the page FILE, which starts from `counted` with the settings.
 from() { printf '# From\n```scene\nstart counted stage go %s\nmonitor D disc 1\nrecord cycle D.vx\nstage more\n  cycles 1\n```\n' "$2" >"$pages/$1.md"; }
 from with-1 ''
 from with-2 'with n=5'
@@ -408,7 +408,7 @@ END
 printf '# On\n```scene\nstart changed stage go\nmonitor D disc 1\nrecord cycle D.x D.vx D.vy D.spin\nstage more\n  cycles 20\n```\n' >"$pages/on.md"
 run whole "$pages/changed.md" && run on "$pages/on.md" && grep '^more' "$work/whole/table.tsv" >"$work/wanted" &&
   grep '^more' "$work/on/table.tsv" | tail -n 20 | diff "$work/wanted" - >>"$work/said" && test "$(wc -l <"$work/wanted")" -eq 20
-result $? 'what stages have changed holds'
+result $? 'what stages have changed holds in the page that starts from them'
 
 # A state that takes some time to compute.
 sed 's/^cycles    40$/cycles    800000/; s/inward 0.12/inward 1e-5/; s/^record .*/record time/; s/^stage     load/&\nrecord none/' cases/3-nine-discs/nine-discs.md >"$pages/nine-discs.md"
@@ -435,7 +435,7 @@ result $? 'a killed process leaves no state'
 touch "$states/$(basename "$(ls "$states"/*.lock)" .lock).12345.new" # a temporary file that the process could have left
 run after-kill "$pages/saved-stage.md" && test "$(made)" -eq 1 && ! grep -q waits "$work/said" &&
   cmp "$work/after-kill/table.tsv" "$work/at-once-1/table.tsv" && test "$(ls "$states" | wc -l)" -eq 1
-result $? 'and no process waits for it'
+result $? 'after a killed process no process waits for it'
 
 # ---- damaged states and failures of writing ----
 
@@ -495,13 +495,13 @@ test "$(cycle_of "$root/cases/2-two/page.md")" = 6
 result $? 'a page in the same folder is found first'
 on far >"$root/cases/2-two/page.md"
 test "$(cycle_of "$root/cases/2-two/page.md")" = 4
-result $? 'else a page below `cases`, in any folder'
+result $? 'otherwise a page in any folder below `cases` is found'
 (cd "$root/cases/2-two" && test "$(cycle_of page.md)" = 4) && (cd "$root/cases" && test "$(cycle_of ./2-two/page.md)" = 4) &&
   (cd "$root/outside" && test "$(cycle_of ../cases/1-one/../2-two/page.md)" = 4) && (cd "$root" && test "$(cycle_of cases/2-two/page.md)" = 4)
-result $? 'for any working folder'
+result $? 'a page is found from any working folder'
 on deeper/far.md >"$root/cases/2-two/page.md"
 test "$(cycle_of "$root/cases/2-two/page.md")" = 4
-result $? 'a name with a folder'
+result $? 'a page is found by its name with a folder'
 on twice >"$root/cases/2-two/page.md"
 no "$root/cases/2-two/page.md" "page.md:3:7: error: expected one file of this name, found \`$root/cases/1-one/deeper/twice.md\` and \`$root/cases/1-one/twice.md\`"
 result $? 'an ambiguous name is an error that names both files'

@@ -59,9 +59,10 @@ laws() {
 #
 # NAME | page it is compared with | features it uses | particles | clauses of the material | lines of the scene | lines of the stage |
 # lines after the stage | text of the table
-#
-# In lines, `;` separates statements. $M and $E are the middle and the edge of the lattice, mm. If a page has the
-# same features as the page it is compared with, it declares something that the measured stage does not use.
+# In lines, `;` separates statements. $M and $E are the middle and the edge of the lattice, mm; $C and $D are the corners of the
+# cell, and $R is the radius of a circle inside the lattice. $P and $Q are the numbers of two neighbours in the middle, and $T is
+# the time at which the measured stage ends. If a page has the same features as the page it is compared with, it declares
+# something that the measured stage does not use.
 pages() {
   cat <<'PAGES'
 base | - | | frame discs | | | | | base page
@@ -326,7 +327,8 @@ complete() {
       END { for (file in listed) if (!(file in there) && file !~ /^input/) print "src/" file " of tests/bench/cost.sh is not there" }' "$work/listed" -
 }
 
-# Prints the lines that page $1 executed of features that it does not use, and those of its features that it did not execute.
+# Prints the lines that page $1 executed of features that it does not use, and the features of the page of which it executed no
+# line.
 #
 # The compiler moves some instructions of an inlined function, such as the computation of an address, out of its condition. These
 # instructions are executed once for each batch of 256 particles. Up to 24 of them are allowed for each batch.
@@ -417,7 +419,7 @@ document=$2
 
 # ---- the document ----
 
-# The processor time of a cycle of page $1, us: a trial run takes some milliseconds of these cycles.
+# The processor time of a cycle of page $1, us, which `explain` measures in a trial run of some milliseconds.
 time_cycle() {
   write_page "$1" 100000 >"$work/page.md"
   "$nineball" explain "$work/page.md" --isa avx2 >"$work/$1.plan" 2>"$work/said" || stop "page $1 cannot be explained"

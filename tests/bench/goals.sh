@@ -1,13 +1,12 @@
 #!/bin/bash
-# Measures what the goals of docs/PERFORMANCE.md say besides the comparison with LAMMPS, and writes the table FILE.
+# Measures the quantities for which docs/PERFORMANCE.md has goals, except the comparison with LAMMPS, and writes the table FILE.
 #
 #   goals.sh -o FILE
 #
 #   NINEBALL   the program, built with -g -O3        REPEATS   repeats, 5; the table has the median, the least and the greatest
 #   ONLY       the rows to measure, "nine exact threads million"
-#
-# Each line of the table: goal, number of particles, the quantity and its unit, median, least, greatest. Other rows stay. The
-# packings are those of packing.awk. Exit status: 0, 2 wrong use or a failed run.
+# Each line of the table: goal, number of particles, the quantity and its unit, median, least, greatest. Rows that are not
+# measured stay. The packings are those of packing.awk. Exit status: 0, 2 wrong use or a failed run.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 set -euo pipefail
@@ -29,7 +28,8 @@ keep() {
   grep -v "^$1	$2	" "$table" >rest || :
   cat rest line >"$table"
 }
-# cycle_time: the time of a cycle of page.md without reading and start, ns; $1 the command that writes it for some cycles.
+# cycle_time WRITE CYCLES: the time of a cycle in ns, without reading and start. The command `WRITE N` writes page.md with N
+# cycles.
 cycle_time() {
   "$1" 1 && clock %U --threads 1 >short
   "$1" "$2" && clock %U --threads 1 | $awk -v short="$(cat short)" -v cycles="$2" '{ print ($1 - short) / cycles * 1e9 }'

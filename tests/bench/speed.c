@@ -30,7 +30,7 @@ static void make_scene(struct nb_scene *scene, int side, double friction, double
     scene->particles[k] = (struct nb_particle){.x = radius + 2 * radius * (k % side) + (k / side % 2 ? radius : 0),
                                                .y = radius + sqrt(3) * radius * (k / side),
                                                .radius = radius};
-  const double v = 1 / (0.0076 * (double)cycles); /* total displacement 1, radius 50 */
+  const double v = 1 / (0.0076 * (double)cycles); /* the step is 0.0076, so each wall moves by 1 in all cycles */
   scene->walls[0] = (struct nb_wall){.x = width / 2, .ex = 1, .h1 = -width / 2, .h2 = width / 2, .vy = v};
   scene->walls[1] =
       (struct nb_wall){.x = width, .y = height / 2, .ey = 1, .h1 = -height / 2, .h2 = height / 2, .vx = -v};

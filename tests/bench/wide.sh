@@ -13,7 +13,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 # Prints "FUNCTION BYTES" for each function of file $1 with a vectorised loop. The compiler must not replace loops by calls of
-# memset before.
+# memset, because the report does not have such loops.
 ask_gcc() {
   : >"$work/account"
   $CC $FLAGS -fno-tree-loop-distribute-patterns -fdump-tree-vect-optimized="$work/account" -c -o "$work/law.o" "$1"

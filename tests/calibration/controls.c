@@ -53,8 +53,8 @@ static double control_ratio(struct nb_advice *advice, enum estimator control, st
   return largest;
 }
 
-/* Finds the coarsest level that the control accepts, unless it costs more than `most`. Without an anchor the control
- * has no value of the page's own laws to compare with. */
+/* Finds the coarsest level that the control accepts, unless it costs more than `most`. The control NO_ANCHOR accepts a
+ * level only if it also does so with all phases. */
 static bool search_levels(struct chosen *chosen, struct nb_advice *advice, enum estimator control,
                           struct nb_variant *variant, double most) {
   const int highest = advice->anchor > FINEST ? advice->anchor : FINEST;

@@ -35,7 +35,7 @@ extern const double quantile_fractions[QUANTILES]; /* 5 %, 50 %, 90 % */
 struct score {
   size_t draws, answered, within; /* number of draws; of answers; of answers whose true error is within the tolerance */
   size_t met, met_answered;
-  double worst_fraction; /* fraction of `within` of the kind of page with the smallest one; 1 without answers */
+  double worst_fraction; /* smallest fraction of answers within the tolerance of a kind of page; 1: no answers */
   char worst_kind[64];
   size_t costs, claims; /* answers whose cost over the cheapest, and whose true error, is known */
   double cost[QUANTILES], claim[QUANTILES];

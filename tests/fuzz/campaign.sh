@@ -86,7 +86,7 @@ longest() {
 # A row of sessions.tsv from what libFuzzer prints at its end.
 row() {
   awk -v reader="$1" -v date="$(date +%F)" -v OFS='\t' '
-    /^[0-9]+m[0-9.]+s [0-9]+m[0-9.]+s$/ { processor = 0 # of the last line
+    /^[0-9]+m[0-9.]+s [0-9]+m[0-9.]+s$/ { processor = 0 # the last such line counts
       for (k = 1; k <= 2; k++) { split($k, time, "m"); processor += 60 * time[1] + time[2] } }
     / cov: / { for (k = 1; k < NF; k++) { if ($k == "cov:") edges = $(k + 1); if ($k == "corp:") inputs = $(k + 1) } }
     /^stat::number_of_executed_units:/ { executions = $2 }

@@ -8,7 +8,8 @@
 #include "../../src/report/expect.h"
 #include "fuzz.h"
 
-/* Vigna, An experimental exploration of Marsaglia's xorshift generators, ACM TOMS 42 (2016) 30. */
+/* The generator xorshift64*: Vigna, An experimental exploration of Marsaglia's xorshift generators, ACM TOMS 42 (2016)
+ * 30. */
 unsigned long long fuzz_chance(unsigned long long *chance) {
   *chance ^= *chance >> 12;
   *chance ^= *chance << 25;

@@ -1,4 +1,4 @@
-/* The reader of expressions. A value is finite, and the text of a number reads back to the same bits.
+/* The reader of expressions. A value is finite, and the text of a number has the same bits when it is read again.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -44,7 +44,7 @@ static bool read_expression(const unsigned char *bytes, size_t size) {
   if (valid && !value.dimension.m && !value.dimension.kg && !value.dimension.s) {
     snprintf(line, sizeof line, "%s%s", before, value.text);
     fuzz_hold(read_line(&page, unitless, &again, &mistakes), "the text of a number can be read");
-    fuzz_hold(again.value == value.value, "the text of a number reads back to the same bits");
+    fuzz_hold(again.value == value.value, "the text of a number has the same bits when it is read again");
   }
   nb_mistakes_free(&mistakes);
   return valid;

@@ -36,7 +36,7 @@ void fuzz_hold(bool holds, const char *what) {
 static void hold_message(const char *message, const char *end) {
   static const char mark[] = ": error: ";
   const size_t length = sizeof mark - 1;
-  const char *error = message; /* not strstr, which AddressSanitizer makes read all messages for each of them */
+  const char *error = message; /* not strstr: with AddressSanitizer it reads all messages each time */
   while (error + length <= end && (*error != *mark || memcmp(error, mark, length) != 0))
     error++;
   fuzz_hold(error + length <= end && error > message, "an error has a place");

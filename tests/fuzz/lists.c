@@ -36,7 +36,7 @@ static bool read_columns(const struct nb_wanted_column *wanted, int count, bool 
   return valid;
 }
 
-/* Reads a page that names the file; `format` are its statements, with the path. */
+/* Reads a page that names the file; `format` has its statements, with %s for the path. */
 static bool read_with(struct nb_page *page, const char *format, struct nb_scene *scene) {
   struct nb_mistakes mistakes = {0};
   const char *const path = fuzz_file();

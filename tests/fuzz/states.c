@@ -1,4 +1,4 @@
-/* The readers of saved states and of checkpoints. A changed state gets its new checksum, so that its records are read.
+/* The readers of saved states and of checkpoints. A changed state gets a new checksum, so that its records are read.
  * A state that was read must be complete, and an error must have a position. If the page accepts a state, it runs for a
  * few cycles from this state: whatever the numbers are, the run must end with a status.
  *

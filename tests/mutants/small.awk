@@ -1,5 +1,5 @@
-# Prints small changes to the arithmetic of a C file, one per line: LINE, COLUMN, LENGTH and the new text, separated by
-# tabs. Only inside functions, and not in indices and counts: `[...]`, headers of `for`, `case`, `sizeof`, and
+# Prints small changes to the arithmetic of a C file, one per line: LINE, COLUMN, LENGTH and the new text, separated by tabs.
+# Changes are made only inside functions, and not in indices and counts: `[...]`, headers of `for`, `case`, `sizeof`, and
 # statements with size_t.
 #
 #   a + b       a - b, and the other way; the same with += and -=, * and /, *= and /=, && and ||
@@ -13,7 +13,7 @@
 
 function mutant(at, length_, text) { print NR "\t" at "\t" length_ "\t" text }
 
-# Whether this operator is binary.
+# True if this operator is binary.
 function between() {
   if (last == ")" || last == "]" || last ~ /^[0-9.]/) return 1
   return last ~ /^[A-Za-z_]/ && last !~ /^(return|case|sizeof|const|double|int|void|char|bool|long|unsigned|size_t|nb_both)$/ && before != "struct"

@@ -1,8 +1,8 @@
 /* A law on random paths: tests that forces are within the friction limit, numbers are finite, the history is within its
  * bounds, and no energy is created.
  *
- * Each segment of a path is led twice from the same state, in `COARSE` and in twice as many steps. The error of the
- * work is estimated from the difference, as in laws_energy.c.
+ * The contact moves along each segment of a path twice from the same state, first in `COARSE` steps and then in twice
+ * as many. The error of the work is estimated from the difference, as in laws_energy.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
@@ -11,7 +11,7 @@
 
 enum { COARSE = 4, FINE = 2 * COARSE };
 static const double rounding = 256 * DBL_EPSILON; /* relative rounding of the sum of all works of a contact */
-/* Relative rounding of mu N + c and of T, as in laws.c. */
+/* Relative rounding of mu N + c and of T, as in tests/laws.c. */
 static const double limit_rounding = 2 * DBL_EPSILON;
 /* Largest growth of the stored energy by merges of pieces, over the energy given: docs/PATHS.md. */
 static const double most_joined = 1e-3;
