@@ -1,34 +1,53 @@
 #!/bin/sh
-# Compares the speed of nineball and LAMMPS, and writes docs/PERFORMANCE.md.
+# Compares the speed of nineball with that of LAMMPS, LIGGGHTS and YADE and with the limits of the machine, and writes
+# docs/PERFORMANCE.md.
 #
-#   performance.sh -o FILE TIMES INSTRUCTIONS GOALS     measures, and writes the times to the file TIMES, and GOALS
-#   performance.sh -t FILE TIMES INSTRUCTIONS GOALS     writes the document again, from the times measured before
+#   performance.sh -o FILE FOLDER     measures, writes the tables times.tsv, others.tsv, machine.tsv and goals.tsv to FOLDER
+#   performance.sh -t FILE FOLDER     writes the document again, from the tables measured before
 #
-# INSTRUCTIONS is the table of instructions.sh, and GOALS that of goals.sh.
+# FOLDER/instructions.tsv is the table of instructions.sh.
 #
 #   NINEBALL   the program, built with -g -O3        SIDES     particles on a side, "5 32 100 280"
-#   FLAGS      its compiler and flags                REPEATS   interleaved repeats of each program, 5
+#   FLAGS      its compiler and flags                OTHERS    the same for LIGGGHTS and YADE, "32 100"
+#   MACHINE    the program of machine.c              REPEATS   interleaved repeats of each program, 5
 #
-# LAMMPS is installed with apt-get if it is missing and this user may do so. Exit status: 0, 77 LAMMPS is missing.
+# Packages of other programs are installed with apt-get if they are missing and this user may do so. Exit status: 0, 2 a run failed,
+# 77 a program is missing.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 set -eu
 export LC_ALL=C
-case $#$1 in 5-o | 5-t) ;; *) echo 'usage: performance.sh -o|-t FILE TIMES INSTRUCTIONS GOALS' >&2 && exit 2 ;; esac
+case $#$1 in 3-o | 3-t) ;; *) echo 'usage: performance.sh -o|-t FILE FOLDER' >&2 && exit 2 ;; esac
 nineball=$(cd "$(dirname "${NINEBALL:-./nineball}")" && pwd)/$(basename "${NINEBALL:-./nineball}")
-folder=$(dirname "$0") times=$3 instructions=$4 goals=$5
+folder=$(dirname "$0") tables=$3
+times=$tables/times.tsv others=$tables/others.tsv machine=$tables/machine.tsv instructions=$tables/instructions.tsv goals=$tables/goals.tsv
+version() { echo "$1 $(dpkg-query -W -f '${Version}' "$1" 2>/dev/null || echo unknown)"; }
+# compare FILE SIDES KINDS PROGRAM ...: the rows of interleaved.sh.
+compare() {
+  file=$1 sides=$2 kinds=$3
+  shift 3
+  bash "$folder/interleaved.sh" "$sides" "$kinds" "linear hertz" "${REPEATS:-5}" "$@" >"$file-rows"
+  tr ' ' '\t' <"$file-rows" >>"$file-t"
+  rm "$file-rows"
+  mv "$file-t" "$file"
+}
 if test "$1" = -o; then
-  command -v lmp >/dev/null || { apt-get update && apt-get install -y --no-install-recommends lammps; } >&2 ||
-    { echo 'performance.sh: this needs lmp, of the package lammps' >&2 && exit 77; }
+  for program in lmp liggghts yade; do
+    command -v $program >/dev/null || { apt-get update && apt-get install -y --no-install-recommends lammps liggghts yade; } >&2 ||
+      { echo "performance.sh: this needs $program, of the packages lammps, liggghts and yade" >&2 && exit 77; }
+  done
+  "${MACHINE:-tests/bench/machine}" >"$machine-t"
+  mv "$machine-t" "$machine"
   {
     printf 'machine\t%s\n' "$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1)"
     printf 'nineball\t%s\n' "${FLAGS:-flags unknown}"
-    printf 'LAMMPS\t%s\n' "$(dpkg-query -W -f '${Package} ${Version}' lammps 2>/dev/null || echo unknown)"
+    printf 'packages\t%s, %s, %s\n' "$(version lammps)" "$(version liggghts)" "$(version yade)"
     printf 'repeats\t%s\n' "${REPEATS:-5}"
-    bash "$folder/interleaved.sh" "${SIDES:-5 32 100 280}" "lattice random" "linear hertz" "${REPEATS:-5}" "$nineball" lmp |
-      tr ' ' '\t'
+    printf 'load\t%s\n' "$(cut -d ' ' -f 1 /proc/loadavg)"
   } >"$times-t"
-  mv "$times-t" "$times"
+  compare "$times" "${SIDES:-5 32 100 280}" "lattice random" "$nineball" lmp
+  : >"$others-t"
+  compare "$others" "${OTHERS:-32 100}" lattice "$nineball" lmp liggghts yade
   NINEBALL=$nineball bash "$folder/goals.sh" -o "$goals"
 fi
 told() { awk -F '\t' -v name="$1" '$1 == name { print $2 }' "$times"; }
@@ -44,6 +63,18 @@ commands_table() {
   awk '$1 + 0 { side = int(sqrt($1 / ($2 == "random" ? 0.9 : 1)) + 0.5); if ($2 == "lattice") last = side
     printf "bash tests/bench/interleaved.sh %d %s %s '"$repeats"' build/nineball lmp     # %d particles\n", last, $2, $3, $1 }' "$times"
   echo '```'
+}
+others_table() {
+  echo '| particles | packing | law | nineball | LAMMPS | ratio | LIGGGHTS | ratio | YADE | ratio |'
+  echo '| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |'
+  awk '{ printf "| %d | %s | %s | %.1f", $1, $2, $3, $4 / 1e3
+    for (p = 7; p <= NF; p += 3) printf " | %.1f | %.1f", $p / 1e3, $p / $4
+    print " |" }' "$others"
+}
+machine_table() {
+  echo '| quantity | unit | AVX2 | AVX-512 |'
+  echo '| --- | --- | --- | --- |'
+  awk -F '\t' '{ printf "| %s | %s | %s | %s |\n", $1, $2, $3, $4 }' "$machine"
 }
 instructions_table() {
   echo '| law | function | instructions a contact | instructions a particle |'
@@ -75,25 +106,30 @@ goals_table() {
 
 {
   cat <<TEXT
-# Speed of a cycle, compared with LAMMPS
+# Speed of a cycle, compared with other programs and with the machine
 
 \`make bench\` writes this document ([tests/bench/performance.sh](../tests/bench/performance.sh)).
 
 ## Method
 
-Both programs read the same spheres ([tests/bench/packing.awk](../tests/bench/packing.awk)), and make the same steps
+All programs read the same spheres ([tests/bench/packing.awk](../tests/bench/packing.awk)), and make the same steps
 with the same stiffnesses. In the packing \`lattice\` neighbours in a triangular lattice overlap by 0.5 % of the radius.
 In the packing \`random\` every tenth place is empty, the radii differ by up to 0.2 %, and the numbers are shuffled. The
 outermost spheres are fixed. The law \`linear\` is \`gran/hooke/history\` in LAMMPS, and \`hertz\` with \`shear mindlin\`
 is \`gran/hertz/history\`. Both have friction and dashpots. The dashpots of the two programs depend differently on mass
-and stiffness; the constants agree in the lattice.
+and stiffness; the constants agree in the lattice. LIGGGHTS has the models \`hooke/stiffness\` and \`hertz/stiffness\`
+with tangential history. In two dimensions its particles are discs: they get the masses of the spheres, but the moments
+of inertia of discs. YADE has \`Law2_ScGeom_ViscElPhys_Basic\` and \`Law2_ScGeom_MindlinPhys_Mindlin\`
+([tests/bench/yade.py](../tests/bench/yade.py)). In the packing \`random\` with 133 spheres, the first
+forces of all spheres were compared once with those of LAMMPS. They agree within 1e-11 of the largest force with
+LIGGGHTS, and within 5e-12 (linear) and 5e-7 (Hertz) with YADE. In LAMMPS constants are written with six digits.
 
 Times are user and system times of one thread. The time of a cycle is the difference of the times of a long
 and a short run, over the difference of their cycles, so reading and start cancel. The programs take turns. The table has medians of
-$repeats repeats, with the least and the greatest. Other programs ran on this machine at the same time, so the spread
-belongs to every number.
+$repeats repeats, with the least and the greatest.
 
-Machine: $(told machine). nineball: $(told nineball). LAMMPS: Debian's $(told LAMMPS).
+Machine: $(told machine), load $(told load) at the beginning. nineball: $(told nineball). The others are Debian's packages
+$(told packages).
 
 ## Times of a cycle
 
@@ -103,6 +139,15 @@ TEXT
   times_table
   printf '\nThe commands of the rows, which print nanoseconds:\n\n'
   commands_table
+  cat <<TEXT
+
+## Other programs
+
+The same with LIGGGHTS and YADE, for the lattice. Times are in microseconds; each ratio is the median of the program on its
+left over that of nineball. The command is that of the rows above, with \`lmp liggghts yade\` instead of \`lmp\`.
+
+TEXT
+  others_table
   printf '\n## Goals\n\nThese are goals of the design. The table has medians. The commands need `NINEBALL=build/nineball`.\n\n'
   goals_table
   cat "$folder/goals.md"
@@ -123,6 +168,15 @@ is the number of instructions that it could execute at this rate in an eighth of
 
 TEXT
   rate_table
+  cat <<TEXT
+
+## Limits of the machine
+
+The greatest rates of one core, from [tests/bench/machine.c](../tests/bench/machine.c). Bandwidth is that of arrays of this
+size: 32 KiB are in the first cache, 1 MiB in the second, and 512 MiB in memory.
+
+TEXT
+  machine_table
   cat "$folder/tried.md"
 } >"$2-t"
 mv "$2-t" "$2"
