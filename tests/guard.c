@@ -278,6 +278,33 @@ static void friction_without_effect(void) {
   }
 }
 
+/* A condition that only a law of one's own with tensile forces can meet, or fail, is legal and gets a warning. */
+static void conditions_on_tensile_forces(void) {
+  static const struct {
+    const char *condition, *wanted;
+  } cases[] = {
+      {"C.normal below 0", "9: `C.normal below 0` never holds, unless the contact law is one of your own with tensile "
+                           "forces: `C.normal` is 0 or more with all laws of nineball\n"},
+      {"C.normal above -1",
+       "9: `C.normal above -1` always holds, unless the contact law is one of your own with tensile "
+       "forces: `C.normal` is 0 or more with all laws of nineball\n"},
+      {"C.normal above 0", ""},
+      {"C.normal below 1e-9", ""},
+      {"C.dashpot.normal below 0", ""},
+      {"C.shear below 0", ""},
+  };
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    char text[2000], statements[256];
+    snprintf(statements, sizeof statements,
+             "material m density 1 kn 1\ndisc 0 0 radius 1 m\ndisc 3 0 radius 1 m\nmonitor C disc 1 with disc 2\nstep "
+             "1e-6\nstage a\nuntil %s  at most 9 cycles",
+             cases[k].condition);
+    if (strcmp(warned(text, statements), cases[k].wanted) != 0)
+      printf("# %s: %s\n", cases[k].condition, text);
+    CU_ASSERT_STRING_EQUAL(text, cases[k].wanted);
+  }
+}
+
 /* A page that records rows without a quantity gets a warning, because the rows would be empty. */
 static void empty_rows(void) {
   static const struct {
@@ -377,6 +404,7 @@ void suite_guard(void) {
   CU_add_test(suite, "overlap during the run", overlap_during_the_run);
   CU_add_test(suite, "friction without effect", friction_without_effect);
   CU_add_test(suite, "rows without a quantity", empty_rows);
+  CU_add_test(suite, "conditions that only a tensile law can meet", conditions_on_tensile_forces);
   CU_add_test(suite, "resolution of coordinates", resolution_of_coordinates);
   CU_add_test(suite, "resolution that gets coarse", resolution_that_gets_coarse);
   CU_add_test(suite, "resolution and mean overlap", resolution_and_mean_overlap);

@@ -234,6 +234,24 @@ static void note_quantities(const struct nb_scene *scene) {
     }
 }
 
+/* Every recorded value is within the bounds that its quantity states. */
+static bool within_bounds(const struct nb_scene *scene, const struct nb_table *table, const char *name) {
+  size_t outside = 0;
+  for (size_t c = 0; c < table->column_count; c++) {
+    const unsigned bounds = nb_quantity_bounds(scene->columns[c].quantity);
+    const bool from_0 = bounds & (NB_AT_LEAST_0 | NB_AT_LEAST_0_BY_LAW), up_to_1 = bounds & NB_AT_MOST_1;
+    for (size_t r = 0; r < table->row_count; r++) {
+      const double value = table->values[r * table->column_count + c];
+      if (!((from_0 && value < 0) || (up_to_1 && value > 1)))
+        continue;
+      printf("# %s: %s is %g at cycle %.0f\n", name, scene->columns[c].name, value, table->cycle[r]);
+      outside++;
+      break;
+    }
+  }
+  return outside == 0;
+}
+
 static void same_in_other_units(struct nb_scene *scene, const char *name) {
   struct nb_result small, large;
   struct nb_error error = {NB_OK, ""};
@@ -243,6 +261,7 @@ static void same_in_other_units(struct nb_scene *scene, const char *name) {
   note_quantities(scene);
   scene->unitless = false; /* so that tables have units */
   const enum nb_status first = nb_run(&small, scene, &as_ever, NULL, &error);
+  CU_ASSERT(within_bounds(scene, &small.table, name));
   scale(scene);
   const enum nb_status second = nb_run(&large, scene, &otherwise, NULL, &error);
   if (first || second)

@@ -18,26 +18,26 @@ enum {
   SPREAD = 1 << NB_STATISTICS
 };
 static const struct nb_suffix suffixes[] = {
-    {COMPONENTS, "xx", "component", 0, NULL, NULL},
-    {COMPONENTS, "xy", "component", 1, NULL, NULL},
-    {COMPONENTS, "yx", "component", 2, NULL, NULL},
-    {COMPONENTS, "yy", "component", 3, NULL, NULL},
-    {TENSORS, "major", "major principal value [R89 4.52]", 0, major, NULL},
-    {TENSORS, "minor", "minor principal value [R89 4.53]", 0, minor, NULL},
+    {COMPONENTS, "xx", "component", 0, NULL, NULL, 0},
+    {COMPONENTS, "xy", "component", 1, NULL, NULL, 0},
+    {COMPONENTS, "yx", "component", 2, NULL, NULL, 0},
+    {COMPONENTS, "yy", "component", 3, NULL, NULL, 0},
+    {TENSORS, "major", "major principal value [R89 4.52]", 0, major, NULL, 0},
+    {TENSORS, "minor", "minor principal value [R89 4.53]", 0, minor, NULL, 0},
     {TENSORS & ~FABRICS, "deviator", "major minus minor principal value. It has no sign; yy minus xx has one", 0,
-     deviator, NULL},
-    {FABRICS, "anisotropy", "major minus minor principal value", 0, deviator, NULL},
+     deviator, NULL, NB_AT_LEAST_0},
+    {FABRICS, "anisotropy", "major minus minor principal value", 0, deviator, NULL, NB_AT_LEAST_0},
     {TENSORS, "angle", "from x to the major principal axis [R89 4.54]", 0, angle, "rad"},
-    {STRESSES, "mean", "(xx + yy)/2", 0, mean, NULL},
-    {FOURTH, "xxxx", "component", 0, NULL, NULL},
-    {FOURTH, "xxxy", "component", 1, NULL, NULL},
-    {FOURTH, "xxyy", "component", 2, NULL, NULL},
-    {FOURTH, "xyyy", "component", 3, NULL, NULL},
-    {FOURTH, "yyyy", "component", 4, NULL, NULL},
-    {SPREAD, "mean", "mean", 0, NULL, NULL},
-    {SPREAD, "max", "the largest", 1, NULL, NULL},
-    {SPREAD, "min", "the smallest", 2, NULL, NULL},
-    {SPREAD, "std", "standard deviation", 3, NULL, NULL},
+    {STRESSES, "mean", "(xx + yy)/2", 0, mean, NULL, 0},
+    {FOURTH, "xxxx", "component", 0, NULL, NULL, 0},
+    {FOURTH, "xxxy", "component", 1, NULL, NULL, 0},
+    {FOURTH, "xxyy", "component", 2, NULL, NULL, 0},
+    {FOURTH, "xyyy", "component", 3, NULL, NULL, 0},
+    {FOURTH, "yyyy", "component", 4, NULL, NULL, 0},
+    {SPREAD, "mean", "mean", 0, NULL, NULL, 0},
+    {SPREAD, "max", "the largest", 1, NULL, NULL, 0},
+    {SPREAD, "min", "the smallest", 2, NULL, NULL, 0},
+    {SPREAD, "std", "standard deviation", 3, NULL, NULL, NB_AT_LEAST_0},
 };
 
 const struct nb_suffix *nb_suffix(enum nb_quantity_family family, size_t k) {
@@ -45,6 +45,10 @@ const struct nb_suffix *nb_suffix(enum nb_quantity_family family, size_t k) {
     if (suffixes[s].families & 1u << family && k-- == 0)
       return &suffixes[s];
   return NULL;
+}
+
+unsigned nb_quantity_bounds(struct nb_quantity quantity) {
+  return quantity.kind->bounds | (quantity.suffix ? quantity.suffix->bounds : 0);
 }
 
 double nb_quantity_now(struct nb_quantity quantity, const struct nb_model *model) {

@@ -18,6 +18,14 @@ enum nb_quantity_family {
 };
 enum { NB_COMPONENTS_MAX = 5 }; /* largest number of numbers from which a family is computed */
 
+/* Bounds of a quantity, which its row or its suffix states. A condition or an expectation that they decide is a
+ * mistake. */
+enum nb_bound {
+  NB_AT_LEAST_0 = 1,
+  NB_AT_MOST_1 = 2,
+  NB_AT_LEAST_0_BY_LAW = 4, /* 0 or more with all laws of this program; a law of one's own may be tensile */
+};
+
 /* A row of the table: one quantity, or a family. */
 struct nb_quantity_kind {
   const char *name;
@@ -27,6 +35,7 @@ struct nb_quantity_kind {
   unsigned fields; /* contact fields that the quantity reads; in a contact test, what it requires of the laws */
   double (*value)(const struct nb_model *model, const struct nb_monitor *monitor);
   const char *help;
+  unsigned bounds; /* set of enum nb_bound: in every state of every scene; of a family, those of all its quantities */
 
   enum nb_quantity_family family;
   /* Computes the numbers of a family, or of a quantity of a region; `value` is then NULL. */
@@ -54,9 +63,8 @@ extern const struct nb_quantity_kind nb_contact_test_kinds[];
 /* input/names.c */
 /* Writes a hint what to type instead of a name that is no quantity of the scene: the nearest name, or a list. */
 const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const char *text);
-bool nb_is_quantity(const char *name); /* a quantity of any monitor, or of a scene, has this name */
-bool nb_quantity_never(const struct nb_condition *condition); /* false for all values that the quantity can have */
-bool nb_quantity_is_residual(struct nb_quantity quantity);    /* the quantity is a residual, 0 by definition */
+bool nb_is_quantity(const char *name);                     /* a quantity of any monitor, or of a scene, has this name */
+bool nb_quantity_is_residual(struct nb_quantity quantity); /* the quantity is a residual, 0 by definition */
 /* Fills a row with the k-th quantity, for the manual; false past the last one. */
 struct nb_quantity_row {
   const void *key; /* identifies the quantity */
@@ -73,8 +81,10 @@ struct nb_suffix {
   int part;                                      /* index of the number that is the value, if `function` is NULL */
   double (*function)(const struct nb_tensor *t); /* computes the value from the tensor; NULL: see `part` */
   const char *unit;                              /* NULL: the unit of the family */
+  unsigned bounds;                               /* as in struct nb_quantity_kind */
 };
 const struct nb_suffix *nb_suffix(enum nb_quantity_family family, size_t k); /* the k-th; NULL past the last one */
+unsigned nb_quantity_bounds(struct nb_quantity quantity);                    /* set of enum nb_bound */
 double nb_quantity_now(struct nb_quantity quantity, const struct nb_model *model); /* current value, SI */
 
 /* Defines a function for one quantity, or for one tensor. */

@@ -177,10 +177,10 @@ NB_APPLY(apply_segment) {
 /* ---- quantities ---- */
 
 const struct nb_quantity_kind nb_contact_test_kinds[] = {
-#define ROW(function, name, unit, needs, help) {name, NB_OF_CONTACT_TEST, unit, needs, NULL, help},
+#define ROW(function, name, unit, needs, bounds, help) {name, NB_OF_CONTACT_TEST, unit, needs, NULL, help, bounds},
     NB_CONTACT_TEST_QUANTITIES(ROW)
 #undef ROW
-        {NULL, 0, NULL, 0, NULL, NULL}};
+        {NULL, 0, NULL, 0, NULL, NULL, 0}};
 
 /* ---- checks at the end of the page ---- */
 

@@ -5,6 +5,7 @@
  * at the last half step end in `.half`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -106,17 +107,20 @@ enum {
 };
 
 static const struct nb_quantity_kind kinds[] = {
-    {"cycle", 0, "1", NB_REQUEST_CLOCK, cycle, "calculation cycles since the start"},
-    {"time", 0, "s", NB_REQUEST_CLOCK, time_, "time since the start"},
-    {"stage.time", 0, "s", NB_REQUEST_CLOCK, stage_time, "time since the stage began"},
-    {"contacts", 0, "1", NB_BIT(NB_OVERLAP), touching_count, "number of contacts with an overlap"},
+    {"cycle", 0, "1", NB_REQUEST_CLOCK, cycle, "calculation cycles since the start", NB_AT_LEAST_0},
+    {"time", 0, "s", NB_REQUEST_CLOCK, time_, "time since the start", NB_AT_LEAST_0},
+    {"stage.time", 0, "s", NB_REQUEST_CLOCK, stage_time, "time since the stage began", NB_AT_LEAST_0},
+    {"contacts", 0, "1", NB_BIT(NB_OVERLAP), touching_count, "number of contacts with an overlap", NB_AT_LEAST_0},
     {"contacts.deep", 0, "1", 0, deep_count,
      "contacts of elastic spheres that overlap by more than 7 % of the smaller diameter, summed over all cycles [R89 "
-     "sec. 6.4.3]"},
+     "sec. 6.4.3]",
+     NB_AT_LEAST_0},
     {"unbalanced.max", 0, "1", 0, unbalanced_max,
      "largest unbalanced force on a particle over largest contact force, dF/F of [CS79 table 1]; infinite without "
-     "contacts, 0 where no force acts"},
-    {"energy.kinetic", 0, "J", 0, kinetic_energy, "kinetic energy of all free particles, rotation included"},
+     "contacts, 0 where no force acts",
+     NB_AT_LEAST_0},
+    {"energy.kinetic", 0, "J", 0, kinetic_energy, "kinetic energy of all free particles, rotation included",
+     NB_AT_LEAST_0},
     {"energy.stored", 0, "J", NB_OF_STORED | NB_REQUEST_STORED, stored_energy,
      "elastic energy of all contacts, from the laws' state functions"},
     {"energy.frictional", 0, "J", NB_OF_BALANCE | NB_REQUEST_STORED, frictional_dissipation,
@@ -157,14 +161,16 @@ static const struct nb_quantity_kind kinds[] = {
     {"fx", PARTICLE, "N", 0, particle_fx, "sum of the contact forces, dashpots included"},
     {"fy", PARTICLE, "N", 0, particle_fy, "sum of the contact forces"},
     {"moment", PARTICLE, "N.m", 0, particle_moment, "sum of the moments of the contact forces, counterclockwise"},
-    {"overlap", PAIR, "m", NB_BIT(NB_OVERLAP), pair_overlap, "overlap of the particles"},
+    {"overlap", PAIR, "m", NB_BIT(NB_OVERLAP), pair_overlap, "overlap of the particles", NB_AT_LEAST_0},
     {"normal", PAIR, "N", NB_BIT(NB_NORMAL), pair_normal,
-     "elastic normal force F_n without the dashpot; the whole normal force is `normal` plus `dashpot.normal`"},
+     "elastic normal force F_n without the dashpot; the whole normal force is `normal` plus `dashpot.normal`",
+     NB_AT_LEAST_0_BY_LAW},
     {"shear", PAIR, "N", NB_BIT(NB_SHEAR), pair_shear,
      "elastic shear force F_s without the dashpot, `dashpot.shear`; above 0 if it pushes the first particle to the "
      "left, seen towards the second one or the "
      "wall"},
-    {"sliding", PAIR, "1", NB_BIT(NB_SLIDING), pair_sliding, "1 while F_s is at its limit, else 0"},
+    {"sliding", PAIR, "1", NB_BIT(NB_SLIDING), pair_sliding, "1 while F_s is at its limit, else 0",
+     NB_AT_LEAST_0 | NB_AT_MOST_1},
     {"dashpot.normal", PAIR, "N", NB_BIT(NB_NORMAL) | NB_BIT(NB_TOTAL_NORMAL), pair_dashpot_normal,
      "normal force of the dashpot, D_n [CS79 26]"},
     {"dashpot.shear", PAIR, "N", NB_BIT(NB_SHEAR) | NB_BIT(NB_TOTAL_SHEAR), pair_dashpot_shear,
@@ -270,29 +276,44 @@ bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene
 
 /* ---- bounds ---- */
 
-static bool is_one_of(const char *names, const char *name) {
-  const size_t length = strlen(name);
-  const char *at = names;
-  while ((at = strstr(at, name)) && !((at == names || at[-1] == ' ') && (at[length] == ' ' || !at[length])))
-    at++;
-  return at != NULL;
+/* What bounds decide about `below` or `above` a value. */
+enum decision { OPEN, NEVER, ALWAYS };
+static enum decision decide(unsigned bounds, enum nb_relation relation, double value) {
+  const double least = bounds & NB_AT_LEAST_0 ? 0 : -INFINITY, most = bounds & NB_AT_MOST_1 ? 1 : INFINITY;
+  if (relation == NB_BELOW)
+    return value <= least ? NEVER : value > most ? ALWAYS : OPEN;
+  return value >= most ? NEVER : value < least ? ALWAYS : OPEN;
 }
 
-/* Rows whose quantities are all 0 or more, and rows whose quantities are all at most 1. Energies that are sums over
- * time, and differences, have no bound. */
-static const char not_negative[] =
-    "cycle time stage.time contacts contacts.deep unbalanced.max energy.kinetic overlap normal sliding step "
-    "step.single-contact step.stable step.fracc step.rayleigh step.rayleigh-mean step.rayleigh-fit "
-    "step.rayleigh-fit-mean boundary.particles boundary.radius boundary.area boundary.roughness box.width box.height "
-    "walls.force.residual wanted placed dropped attempts stress.residual boundary.stress.residual area particles "
-    "coordination coordination.mechanical rattlers sliding.near unbalanced.mean unbalanced.force speed.mean speed.max "
-    "speed.imposed speed.ratio chains chains.length chains.fraction chains.bend contacts.lost contacts.new";
-static const char at_most_one[] = "sliding sliding.near porosity chains.fraction";
+bool nb_comparison_is_open(struct nb_reader *reader, const struct nb_comparison *it, const char *what) {
+  const enum decision decision = decide(it->bounds, it->relation, it->value);
+  const bool below = it->relation == NB_BELOW, never = decision == NEVER, zero = below == never; /* the bound is 0 */
+  const bool number = strcmp(it->unit, "1") == 0 || reader->unitless;
+  const char *const relation = below ? "below" : "above";
+  char hint[NB_HINT_SIZE];
+  snprintf(hint, sizeof hint, "`%s` is never %s %d: write a number %s, such as `%s %s %s%s%s`", it->name,
+           zero ? "below" : "above", !zero,
+           never  ? zero ? "above 0" : "below 1"
+           : zero ? "of 0 or more"
+                  : "of 1 or less",
+           it->name, relation,
+           never  ? zero ? "1e-9" : "0.999"
+           : zero ? "0"
+                  : "1",
+           number ? "" : " ", number ? "" : it->unit);
+  return decision == OPEN || nb_token_mistake(reader, it->token, hint, "expected %s that can %s, found `%s %s %s`",
+                                              what, never ? "hold" : "fail", it->name, relation, it->token->text);
+}
 
-bool nb_quantity_never(const struct nb_condition *condition) {
-  const bool below = condition->relation == NB_BELOW;
-  return is_one_of(below ? not_negative : at_most_one, condition->quantity.kind->name) &&
-         (below ? condition->value <= 0 : condition->value >= 1);
+void nb_comparison_warn(struct nb_warnings *warnings, int line, const struct nb_comparison *it) {
+  const bool by_law = (it->bounds & (NB_AT_LEAST_0 | NB_AT_LEAST_0_BY_LAW)) == NB_AT_LEAST_0_BY_LAW;
+  const enum decision decision = decide(by_law ? NB_AT_LEAST_0 : 0, it->relation, it->value);
+  if (decision != OPEN)
+    nb_warn(warnings, line,
+            "`%s %s %s` %s, unless the contact law is one of your own with tensile forces: `%s` is 0 or more with all "
+            "laws of nineball",
+            it->name, it->relation == NB_BELOW ? "below" : "above", it->token->text,
+            decision == NEVER ? "never holds" : "always holds", it->name);
 }
 
 double nb_quantity_value(struct nb_quantity quantity, const struct nb_model *model) {

@@ -154,6 +154,19 @@ const char *nb_range_words(enum nb_range range);
 bool nb_take_number(struct nb_reader *reader, enum nb_unit_kind kind, enum nb_range range, double *value); /* SI */
 /* Takes a number in a unit of the same dimension as `si_unit`, such as "N" or "kg.m/s". */
 bool nb_take_in_unit(struct nb_reader *reader, const char *si_unit, double *value);
+
+/* names.c: a quantity or a measure `below` or `above` a number. */
+struct nb_comparison {
+  const char *name, *unit;
+  unsigned bounds; /* set of enum nb_bound (core/names.h) */
+  enum nb_relation relation;
+  double value;                 /* SI */
+  const struct nb_token *token; /* of the value */
+};
+/* False with a mistake if the bounds decide the comparison. `what`: "a condition". */
+bool nb_comparison_is_open(struct nb_reader *reader, const struct nb_comparison *comparison, const char *what);
+/* Warns if only a law of one's own can decide the comparison otherwise. */
+void nb_comparison_warn(struct nb_warnings *warnings, int line, const struct nb_comparison *comparison);
 bool nb_take_count(struct nb_reader *reader, unsigned long low, unsigned long high, unsigned long *value);
 bool nb_take_count_of(struct nb_reader *reader, const char *one, unsigned long *value); /* `1 cycle`, `5 cycles` */
 bool nb_take_word(struct nb_reader *reader, const char *word);                          /* takes this word */

@@ -65,19 +65,6 @@ NB_APPLY(apply_cycles) {
     stage->cycles = (unsigned long)record->value[AT_CYCLES].number;
 }
 
-/* Reports a condition that can never hold, because the quantity has a bound. */
-static bool never_holds(struct nb_reader *reader, const struct nb_condition *condition, const struct nb_token *value) {
-  const bool below = condition->relation == NB_BELOW, number = strcmp(nb_quantity_unit(condition->quantity), "1") == 0;
-  char hint[NB_HINT_SIZE];
-  snprintf(hint, sizeof hint, "`%s` is never %s %d: write a number %s %d, such as `%s %s %s%s%s`", condition->name,
-           below ? "below" : "above", !below, below ? "above" : "below", !below, condition->name,
-           below ? "below" : "above", below ? "1e-9" : "0.999", number || reader->unitless ? "" : " ",
-           number || reader->unitless ? "" : nb_quantity_unit(condition->quantity));
-  return nb_quantity_never(condition) &&
-         !nb_token_mistake(reader, value, hint, "expected a condition that can hold, found `%s %s %s`", condition->name,
-                           below ? "below" : "above", value->text);
-}
-
 /* Takes a condition: QUANTITY above|below VALUE. */
 static bool take_condition(struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_condition *condition) {
   struct nb_requested requested;
@@ -88,9 +75,14 @@ static bool take_condition(struct nb_scene_reading *reading, struct nb_reader *r
     return nb_fail_silently(reader);
   snprintf(condition->name, sizeof condition->name, "%s", requested.name);
   condition->relation = nb_take_choice(reader, "above|below") == 0 ? NB_ABOVE : NB_BELOW;
-  const struct nb_token *const value = nb_token_peek(reader);
-  return nb_take_in_unit(reader, nb_quantity_unit(condition->quantity), &condition->value) &&
-         !never_holds(reader, condition, value);
+  struct nb_comparison comparison = {.name = condition->name, .token = nb_token_peek(reader)};
+  comparison.relation = condition->relation, comparison.unit = nb_quantity_unit(condition->quantity);
+  comparison.bounds = nb_quantity_bounds(condition->quantity);
+  if (!nb_take_in_unit(reader, comparison.unit, &condition->value))
+    return false;
+  comparison.value = condition->value;
+  nb_comparison_warn(&reading->scene->warnings, condition->line, &comparison);
+  return nb_comparison_is_open(reader, &comparison, "a condition");
 }
 
 NB_APPLY(apply_until) {

@@ -45,19 +45,22 @@ NB_QUANTITY(walls_residual, nb_walls_residual(model))
   { .name = called, .family = kind, .monitors = of, .unit = in, .parts = tensor, .help = what }
 
 const struct nb_quantity_kind nb_loading_kinds[] = {
-    {"boundary.particles", 0, "1", 0, boundary_particles, "number of particles of the boundary"},
+    {"boundary.particles", 0, "1", 0, boundary_particles, "number of particles of the boundary", NB_AT_LEAST_0},
     {"boundary.radius", 0, "m", 0, boundary_radius,
-     "mean distance of the boundary particles' centres from the centre of the circle"},
-    {"boundary.area", 0, "m2", 0, boundary_area, "area of the polygon through the boundary particles' centres"},
+     "mean distance of the boundary particles' centres from the centre of the circle", NB_AT_LEAST_0},
+    {"boundary.area", 0, "m2", 0, boundary_area, "area of the polygon through the boundary particles' centres",
+     NB_AT_LEAST_0},
     {"boundary.roughness", 0, "1", 0, boundary_roughness,
-     "standard deviation of the distances whose mean is boundary.radius, over boundary.radius [R89 sec. 6.4.1]"},
+     "standard deviation of the distances whose mean is boundary.radius, over boundary.radius [R89 sec. 6.4.1]",
+     NB_AT_LEAST_0},
     TENSOR(
         "boundary.stress", 0, "Pa", NB_STRESSES, boundary_stress,
         "stress: sum of F_i X_j over the boundary's particles (F contact force, X position), divided by the polygon's "
         "area and the thickness; compression positive"),
     {"boundary.stress.residual", 0, "Pa", 0, boundary_residual,
      "largest difference between boundary.stress and the stress from all contacts over the same volume; 0 while the "
-     "particles inside are in equilibrium"},
+     "particles inside are in equilibrium",
+     NB_AT_LEAST_0},
 
     TENSOR("cell", NB_OF_CELL, "m", NB_COMPONENTS, cell_sides,
            "vectors of the sides of the cell: xx and yx of the side along x on the page, xy and yy of the other side"),
@@ -73,10 +76,11 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
     {"cell.strain.volumetric", NB_OF_CELL, "1", 0, cell_strain_volume,
      "relative change of the cell's area since time 0, expansion positive"},
 
-    {"box.width", NB_OF_BOX, "m", 0, box_width, "distance from the box's wall `west` to `east`"},
-    {"box.height", NB_OF_BOX, "m", 0, box_height, "distance from the box's wall `south` to `north`"},
+    {"box.width", NB_OF_BOX, "m", 0, box_width, "distance from the box's wall `west` to `east`", NB_AT_LEAST_0},
+    {"box.height", NB_OF_BOX, "m", 0, box_height, "distance from the box's wall `south` to `north`", NB_AT_LEAST_0},
     {"box.porosity", NB_OF_BOX, "1", 0, box_porosity,
-     "areal porosity of the box: 1 minus the area of all particles over width times height; overlaps count twice"},
+     "areal porosity of the box: 1 minus the area of all particles over width times height; overlaps count twice",
+     NB_AT_MOST_1},
     {"box.void_ratio", NB_OF_BOX, "1", 0, box_void_ratio, "void ratio e = n/(1 - n), n = box.porosity"},
     TENSOR("box.stress", NB_OF_BOX, "Pa", NB_STRESSES, box_stress,
            "stress: sum of F_i X_j over wall contacts (F force on the wall with dashpots, X contact point), divided by "
@@ -91,6 +95,6 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
     {"walls.ratio", NB_OF_BOX, "1", 0, walls_ratio,
      "normal force on `east` and `west` over the normal force on `south` and `north`: F_H/F_V of [CS79 tables 1-3]"},
     {"walls.force.residual", NB_OF_BOX, "N", 0, walls_residual,
-     "magnitude of the sum of the forces of the four walls; 0 at rest without gravity"},
+     "magnitude of the sum of the forces of the four walls; 0 at rest without gravity", NB_AT_LEAST_0},
     {.name = NULL},
 };

@@ -12,14 +12,14 @@ static void parts_of(double parts[], const struct nb_quantity_kind *kind, const 
          count * sizeof *parts);
 }
 
-#define OF(called, of, in, reads, by, member, what)                                                                    \
+#define OF(called, of, in, bound, reads, by, member, what)                                                             \
   {                                                                                                                    \
     .name = called, .family = of, .monitors = NB_OF_REGION, .unit = in, .fields = reads, .parts = parts_of,            \
-    .measure = by, .at = offsetof(struct nb_region_state, member), .help = what                                        \
+    .measure = by, .at = offsetof(struct nb_region_state, member), .help = what, .bounds = bound                       \
   }
-#define ENDS(called, of, in, by, member, what) OF(called, of, in, NB_READS_ENDS, by, member, what)
+#define ENDS(called, of, in, by, member, what) OF(called, of, in, 0, NB_READS_ENDS, by, member, what)
 #define FABRIC(called, of, in, member, what)                                                                           \
-  OF(called, of, in, NB_READS_ENDS | NB_READS_LOADS, NB_FABRIC, fabric.member, what)
+  OF(called, of, in, 0, NB_READS_ENDS | NB_READS_LOADS, NB_FABRIC, fabric.member, what)
 #define PART(called, which, of_what)                                                                                   \
   ENDS(called, NB_STRESSES, "Pa", NB_STRESS_PARTS, stress.part[which].stress, "stress carried by " of_what),           \
       ENDS(called ".fraction", NB_SCALAR, "1", NB_STRESS_PARTS, stress.part[which].fraction,                           \
@@ -27,17 +27,18 @@ static void parts_of(double parts[], const struct nb_quantity_kind *kind, const 
 #define DIRECTIONS(called, member, what)                                                                               \
   ENDS(called, NB_SCALAR, "1", NB_DIRECTIONS, directions.member, what " [Rothenburg and Bathurst 1989]")
 #define MODULUS(called, member, what)                                                                                  \
-  OF(called, NB_SCALAR, "Pa", NB_READS_ENDS | NB_BIT(NB_STIFFNESS) | NB_BIT(NB_SHEAR_STIFFNESS), NB_MODULI,            \
+  OF(called, NB_SCALAR, "Pa", 0, NB_READS_ENDS | NB_BIT(NB_STIFFNESS) | NB_BIT(NB_SHEAR_STIFFNESS), NB_MODULI,         \
      moduli.member, what)
 #define COUNT(called, member, what)                                                                                    \
-  OF(called, NB_SCALAR, "1", NB_READS_TOUCH, NB_COORDINATION, coordination.member, what)
-#define LOAD(called, of, in, member, what) OF(called, of, in, NB_READS_LOADS, NB_LOADS, loads.member, what)
-#define STRAIN(called, of, in, member, what) OF(called, of, in, NB_REQUEST_STRAIN, NB_STRAIN, strain.member, what)
-#define SPEED(called, in, member, what) OF(called, NB_SCALAR, in, 0, NB_SPEEDS, speeds.member, what)
-#define CHAIN(called, in, member, what)                                                                                \
-  OF(called, NB_SCALAR, in, NB_READS_ENDS | NB_REQUEST_CHAINS, NB_CHAINS, chains.member, what)
-#define CHANGED_CONTACTS(called, of, member, what)                                                                     \
-  OF(called, of, "1", NB_READS_TOUCH | NB_REQUEST_CHANGED_CONTACTS, NB_CHANGED_CONTACTS, member, what)
+  OF(called, NB_SCALAR, "1", NB_AT_LEAST_0, NB_READS_TOUCH, NB_COORDINATION, coordination.member, what)
+#define LOAD(called, of, in, bound, member, what)                                                                      \
+  OF(called, of, in, bound, NB_READS_LOADS, NB_LOADS, loads.member, what)
+#define STRAIN(called, of, in, member, what) OF(called, of, in, 0, NB_REQUEST_STRAIN, NB_STRAIN, strain.member, what)
+#define SPEED(called, in, member, what) OF(called, NB_SCALAR, in, NB_AT_LEAST_0, 0, NB_SPEEDS, speeds.member, what)
+#define CHAIN(called, in, bound, member, what)                                                                         \
+  OF(called, NB_SCALAR, in, bound, NB_READS_ENDS | NB_REQUEST_CHAINS, NB_CHAINS, chains.member, what)
+#define CHANGED_CONTACTS(called, of, bound, member, what)                                                              \
+  OF(called, of, "1", bound, NB_READS_TOUCH | NB_REQUEST_CHANGED_CONTACTS, NB_CHANGED_CONTACTS, member, what)
 
 const struct nb_quantity_kind nb_region_kinds[] = {
     ENDS("stress", NB_STRESSES, "Pa", NB_STRESS, stress.total, "stress by particles, compression positive"),
@@ -48,9 +49,9 @@ const struct nb_quantity_kind nb_region_kinds[] = {
     PART("stress.shear", NB_STRESS_SHEAR, "shear forces"),
     PART("stress.fabric", NB_STRESS_FABRIC, "the mean normal force at every contact"),
     PART("stress.variation", NB_STRESS_VARIATION, "normal forces minus their mean"),
-    ENDS("stress.residual", NB_SCALAR, "Pa", NB_STRESS_PARTS, stress.residual,
-         "largest difference between stress by particles and by contacts, and between parts and what they sum to: "
-         "rounding"),
+    OF("stress.residual", NB_SCALAR, "Pa", NB_AT_LEAST_0, NB_READS_ENDS, NB_STRESS_PARTS, stress.residual,
+       "largest difference between stress by particles and by contacts, and between parts and what they sum to: "
+       "rounding"),
 
     FABRIC("fabric", NB_FABRICS, "1", plain.second, "structural anisotropy Phi [R89 4.48]"),
     FABRIC("fabric.fourth", NB_FOURTH, "1", plain.xxxx, "structural anisotropy of fourth order [R89 4.48]"),
@@ -75,15 +76,15 @@ const struct nb_quantity_kind nb_region_kinds[] = {
             "shear modulus for a shear along x and y, deviator over twice the difference of the strains: an upper "
             "bound, as modulus.bulk"),
 
-    OF("area", NB_SCALAR, "m2", 0, NB_POROSITY, area, "area of the region"),
-    OF("porosity", NB_SCALAR, "1", 0, NB_POROSITY, porosity.areal,
+    OF("area", NB_SCALAR, "m2", NB_AT_LEAST_0, 0, NB_POROSITY, area, "area of the region"),
+    OF("porosity", NB_SCALAR, "1", NB_AT_MOST_1, 0, NB_POROSITY, porosity.areal,
        "areal porosity: fraction of the area that no particle covers; particles cut by the edge count with the part "
        "inside. The area of `all` is a rectangle around the particles; that between the walls of a box is "
        "box.porosity"),
-    OF("porosity.volume", NB_SCALAR, "1", 0, NB_POROSITY, porosity.volume,
+    OF("porosity.volume", NB_SCALAR, "1", NB_AT_MOST_1, 0, NB_POROSITY, porosity.volume,
        "porosity by volume; the volume is the area times the thickness: mean diameter of spheres, 1 m for discs [R89 "
        "sec. 4.4]"),
-    OF("void_ratio", NB_SCALAR, "1", 0, NB_POROSITY, porosity.void_ratio,
+    OF("void_ratio", NB_SCALAR, "1", 0, 0, NB_POROSITY, porosity.void_ratio,
        "void ratio e = n/(1 - n), n the areal porosity"),
 
     COUNT("particles", particles, "number of particles whose centre is inside"),
@@ -93,26 +94,29 @@ const struct nb_quantity_kind nb_region_kinds[] = {
     COUNT("rattlers", rattlers,
           "number of free particles inside with fewer than two contacts, contacts with rattlers not counted"),
 
-    OF("constraint_ratio", NB_SCALAR, "1", NB_READS_TOUCH | NB_BIT(NB_SLIDING), NB_CONSTRAINTS, constraint_ratio,
+    OF("constraint_ratio", NB_SCALAR, "1", NB_AT_LEAST_0, NB_READS_TOUCH | NB_BIT(NB_SLIDING), NB_CONSTRAINTS,
+       constraint_ratio,
        "constraints over degrees of freedom of the free particles, rattlers not counted; 1: statically determinate "
        "[Cundall and Strack 1983]"),
 
-    LOAD("normal", NB_STATISTICS, "N", normal, "elastic normal force of the contacts"),
-    LOAD("shear", NB_STATISTICS, "N", shear, "magnitude of the elastic shear force of the contacts"),
-    LOAD("contact_stress", NB_STATISTICS, "Pa", pressure, "normal force over contact area [R89 sec. 4.6]"),
-    LOAD("contact_shear", NB_STATISTICS, "Pa", traction,
+    LOAD("normal", NB_STATISTICS, "N", NB_AT_LEAST_0_BY_LAW, normal, "elastic normal force of the contacts"),
+    LOAD("shear", NB_STATISTICS, "N", NB_AT_LEAST_0, shear, "magnitude of the elastic shear force of the contacts"),
+    LOAD("contact_stress", NB_STATISTICS, "Pa", NB_AT_LEAST_0_BY_LAW, pressure,
+         "normal force over contact area [R89 sec. 4.6]"),
+    LOAD("contact_shear", NB_STATISTICS, "Pa", NB_AT_LEAST_0, traction,
          "magnitude of the shear force over contact area [R89 sec. 4.6]"),
-    LOAD("contact_ratio", NB_STATISTICS, "1", ratio,
+    LOAD("contact_ratio", NB_STATISTICS, "1", NB_AT_LEAST_0, ratio,
          "radius of the contact over that of the smaller particle [R89 sec. 4.6]"),
-    LOAD("obliquity", NB_STATISTICS, "1", obliquity, "shear force over its limit, of contacts that have one"),
-    LOAD("sliding", NB_SCALAR, "1", sliding,
+    LOAD("obliquity", NB_STATISTICS, "1", NB_AT_LEAST_0, obliquity,
+         "shear force over its limit, of contacts that have one"),
+    LOAD("sliding", NB_SCALAR, "1", NB_AT_LEAST_0 | NB_AT_MOST_1, sliding,
          "sliding fraction: contacts whose shear force is at its limit, over all contacts"),
-    LOAD("sliding.near", NB_SCALAR, "1", near_sliding,
+    LOAD("sliding.near", NB_SCALAR, "1", NB_AT_LEAST_0 | NB_AT_MOST_1, near_sliding,
          "fraction of the contacts whose shear force is 0.99 of its limit or more"),
-    LOAD("unbalanced.mean", NB_SCALAR, "1", unbalanced_mean,
+    LOAD("unbalanced.mean", NB_SCALAR, "1", NB_AT_LEAST_0, unbalanced_mean,
          "mean unbalanced force on a free particle over the mean normal force of the contacts; infinite without "
          "contacts"),
-    LOAD("unbalanced.force", NB_SCALAR, "N", unbalanced_force,
+    LOAD("unbalanced.force", NB_SCALAR, "N", NB_AT_LEAST_0, unbalanced_force,
          "mean magnitude of the unbalanced force on a free particle"),
 
     STRAIN("strain", NB_TENSOR, "1", strain,
@@ -126,18 +130,20 @@ const struct nb_quantity_kind nb_region_kinds[] = {
     SPEED("speed.imposed", "m/s", imposed, "mean speed of the imposed motion of the free particles inside"),
     SPEED("speed.ratio", "1", ratio, "speed.mean over speed.imposed [R89 sec. 6.5.1]; 0 without imposed motion"),
 
-    CHAIN("chains", "1", count,
+    CHAIN("chains", "1", NB_AT_LEAST_0, count,
           "number of force chains: three particles or more, of major stress above the mean, in contact along their "
           "major axes"),
-    CHAIN("chains.length", "1", length, "mean number of particles of a force chain"),
-    CHAIN("chains.fraction", "1", fraction, "fraction of the free particles inside that are in force chains"),
-    CHAIN("chains.bend", "rad", bend, "mean angle between successive links of force chains: 0 is straight"),
+    CHAIN("chains.length", "1", NB_AT_LEAST_0, length, "mean number of particles of a force chain"),
+    CHAIN("chains.fraction", "1", NB_AT_LEAST_0 | NB_AT_MOST_1, fraction,
+          "fraction of the free particles inside that are in force chains"),
+    CHAIN("chains.bend", "rad", NB_AT_LEAST_0, bend,
+          "mean angle between successive links of force chains: 0 is straight"),
 
-    CHANGED_CONTACTS("contacts.lost", NB_SCALAR, lost.count,
+    CHANGED_CONTACTS("contacts.lost", NB_SCALAR, NB_AT_LEAST_0, lost.count,
                      "number of contacts lost since the stage that `from` names, else the start"),
-    CHANGED_CONTACTS("contacts.new", NB_SCALAR, gained.count,
+    CHANGED_CONTACTS("contacts.new", NB_SCALAR, NB_AT_LEAST_0, gained.count,
                      "number of contacts gained since the stage that `from` names, else the start"),
-    CHANGED_CONTACTS("fabric.lost", NB_FABRICS, lost.phi, "Phi of the contacts that contacts.lost counts"),
-    CHANGED_CONTACTS("fabric.new", NB_FABRICS, gained.phi, "Phi of the contacts that contacts.new counts"),
+    CHANGED_CONTACTS("fabric.lost", NB_FABRICS, 0, lost.phi, "Phi of the contacts that contacts.lost counts"),
+    CHANGED_CONTACTS("fabric.new", NB_FABRICS, 0, gained.phi, "Phi of the contacts that contacts.new counts"),
     {.name = NULL},
 };

@@ -67,6 +67,6 @@ const struct nb_quantity_kind nb_wall_kinds[] = {
      "distance of the resultant normal force from the wall's middle, over half its length; positive towards its second "
      "end: e/(L/2) of [CS79 tables 1-3]"},
     {"obliquity", WALL, "1", NB_READS_LOADS, wall_obliquity,
-     "shear force over its limit, the largest of the wall's contacts; 0 without friction"},
+     "shear force over its limit, the largest of the wall's contacts; 0 without friction", NB_AT_LEAST_0},
     {.name = NULL},
 };

@@ -9,6 +9,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "expect.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -159,6 +160,8 @@ static bool take_measure(struct nb_reader *reader, const struct nb_scene *scene,
     nb_append(measure->label, sizeof measure->label, " %s", row->word);
   measure->unit = measure->reducer == NB_FREQUENCY ? "1/s" : nb_quantity_unit(quantity);
   measure->is_residual = nb_quantity_is_residual(quantity);
+  measure->bounds = measure->reducer == NB_AMPLITUDE || measure->reducer == NB_FREQUENCY ? NB_AT_LEAST_0
+                                                                                         : nb_quantity_bounds(quantity);
   if (!row->word && nb_token_skip(reader, "at"))
     return take_time(reader, scene, measure) && take_stage(reader, scene, measure);
   return take_stage(reader, scene, measure);
@@ -285,6 +288,26 @@ static bool take_versus(struct nb_reader *reader, const struct nb_scene *scene, 
          take_tolerance(reader, scene, expectation->measure.unit, &expectation->tolerance);
 }
 
+/* Reports a number that the measure cannot have within the tolerance, and a tolerance that all its values are within. */
+static bool is_decided(struct nb_reader *reader, const struct nb_token *token, const struct nb_expectation *e) {
+  const double least = e->measure.bounds & NB_AT_LEAST_0 ? 0 : -INFINITY;
+  const double most = e->measure.bounds & NB_AT_MOST_1 ? 1 : INFINITY;
+  const double allowed = e->tolerance.value * (e->tolerance.kind == NB_ABSOLUTE ? 1 : fabs(e->number));
+  const double from = e->number - allowed, to = e->number + allowed;
+  char hint[NB_HINT_SIZE];
+  if (e->has_scale || e->sample[0] || e->tolerance.kind == NB_OF_MEASURE ||
+      (to >= least && from <= most && (from > least || to < most)))
+    return false;
+  const bool never = to < least || from > most;
+  snprintf(hint, sizeof hint,
+           never ? "`%s` is never %s"
+                 : "`%s` is from 0 to 1, so every value is within the tolerance: write a smaller one",
+           e->measure.label, to < least ? "below 0" : "above 1");
+  nb_token_mistake(reader, token, hint, "expected an expectation that can %s, found `%s`", never ? "hold" : "fail",
+                   token->text);
+  return true;
+}
+
 static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
   const char *unit = expectation->measure.unit;
   const struct nb_token *const token = nb_token_peek(reader);
@@ -310,7 +333,7 @@ static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene
   return take_sample(reader, scene, expectation) &&
          (expectation->sample[0] ||
           take_tolerance_of(reader, scene, unit, expectation->number == 0, &expectation->tolerance)) &&
-         take_source(reader, expectation);
+         !is_decided(reader, token, expectation) && take_source(reader, expectation);
 }
 
 /* Refuses `below 0.1 % of MEASURE`, and proposes `expected 0 J within 0.1 % of MEASURE [why]`. */
@@ -335,8 +358,15 @@ static bool take_other(struct nb_reader *reader, const struct nb_scene *scene, s
   expectation->has_number = token && nb_number_read(&number, token->text, 0) != NB_NO_NUMBER;
   if (expectation->has_number && is_before(reader, "%") && strcmp(expectation->measure.unit, "1") != 0)
     return fraction_mistake(reader, scene, &expectation->measure);
-  if (expectation->has_number)
-    return nb_take_in_unit(reader, expectation->measure.unit, &expectation->number);
+  if (expectation->has_number) {
+    struct nb_comparison comparison = {.name = expectation->measure.label, .unit = expectation->measure.unit};
+    comparison.relation = expectation->kind == NB_LESS ? NB_BELOW : NB_ABOVE;
+    comparison.bounds = expectation->measure.bounds, comparison.token = token;
+    if (!nb_take_in_unit(reader, expectation->measure.unit, &expectation->number))
+      return false;
+    comparison.value = expectation->number;
+    return nb_comparison_is_open(reader, &comparison, "an expectation");
+  }
   return take_measure_like(reader, scene, expectation->measure.unit, &expectation->other);
 }
 

@@ -18,6 +18,7 @@ struct nb_measure {
   size_t bare_length;           /* length of the label without ` in STAGE` */
   size_t column;                /* index of the column of the table */
   const char *unit;             /* NULL: unknown, because of a mistake in the scene */
+  unsigned bounds;              /* set of enum nb_bound (core/names.h) */
   enum nb_reducer reducer;
   double at;        /* for NB_AT_CYCLE the number of the cycle, for NB_AT_TIME the time, s */
   int stage;        /* index; -1: the last stage that has rows; NB_STAGE_ALL: `in all` */

@@ -104,7 +104,7 @@ ON_CONTACT_TEST(dissipated, contact_test->dissipated)
 ON_CONTACT_TEST(pieces, history_of(contact_test).count)
 
 double nb_contact_test_value(struct nb_quantity quantity, const struct nb_contact_test *contact_test) {
-#define ROW(function, name, unit, requested, help) function,
+#define ROW(function, name, unit, requested, bounds, help) function,
   static double (*const values[])(const struct nb_contact_test *contact_test) = {NB_CONTACT_TEST_QUANTITIES(ROW)};
 #undef ROW
   return values[quantity.kind - nb_contact_test_kinds](contact_test);
