@@ -190,6 +190,14 @@ run 0 run reports.md -o reports
 test "$(column 'D.x max/-' reports/values.tsv)" = 1 || echo 'a reported measure is not in values.tsv' >>why
 verdict 'a page without expectations does not pass but can be run; `report` is not an expectation'
 
+# A curve has no column in values.tsv. It does not take the column of a value of the same quantity either.
+sed 's/^cycles .*/cycles 500/; s/^D.y versus.*/&\nreport D.y\nD.y max above -1 m/; /^C.overlap max/d' \
+  "$cases/1-two-discs/free-fall.md" >curves.md
+"$nineball" run curves.md -o curves >out 2>said
+head=$(grep -v '^#' curves/values.tsv | head -n 1 | tr '\t' ' ')
+test "$head" = 'e/- off/- run D.y/m reference D.y/m D.y max/m reference D.y max/m' || echo "columns: $head" >>why
+verdict 'values.tsv has a column for each value and none for a curve'
+
 run 1 check --tap "$pages/fails.md"
 out '1..2'
 out 'not ok 1 - D.x expected 1.6'

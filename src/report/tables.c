@@ -105,10 +105,11 @@ static void write_all_runs(FILE *out, const struct nb_outcome *outcome) {
 
 /* ---- values ---- */
 
-/* True if the measure is the first one with its label. Only this one gets a column. */
+/* True if the measure is the first one with its label that has one value. Only this one gets a column. */
 static bool first_of_its_name(const struct nb_expectations *expectations, size_t index) {
   for (size_t k = 0; k < index; k++)
-    if (strcmp(expectations->list[k].measure.label, expectations->list[index].measure.label) == 0)
+    if (expectations->list[k].kind != NB_VERSUS &&
+        strcmp(expectations->list[k].measure.label, expectations->list[index].measure.label) == 0)
       return false;
   return expectations->list[index].kind != NB_VERSUS;
 }
