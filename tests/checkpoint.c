@@ -3,6 +3,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -216,6 +217,50 @@ static void other_records_are_refused(void) {
   written_free(&it);
 }
 
+/* Removes a variable from the last checkpoint, as an earlier program would have written it; returns its value. */
+static double without_variable(const struct nb_scene *scene, const char *name) {
+  struct nb_saved saved;
+  struct nb_error error;
+  char path[256];
+  double value = NAN;
+  snprintf(path, sizeof path, "%s/%s-%016llx.checkpoint", folder, scene->page->name, 1ULL);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_read(&saved, path, &error), NB_OK);
+  struct nb_store *const store = &saved.store;
+  size_t k = 0;
+  while (k < store->part_count && strcmp(store->parts[k].name, name) != 0)
+    k++;
+  CU_ASSERT_FATAL(k < store->part_count && store->parts[k].count == 1);
+  value = store->values[store->parts[k].at];
+  memmove(&store->parts[k], &store->parts[k + 1], (--store->part_count - k) * sizeof *store->parts);
+  CU_ASSERT_EQUAL(nb_saved_write(&saved, path, &error), NB_OK);
+  nb_saved_free(&saved);
+  return value;
+}
+
+/* Each variable of a run is a record of its own: a checkpoint that lacks one is refused, whatever the others are. */
+static void missing_variables_are_refused(void) {
+  static const struct {
+    const char *name;
+    double value;
+  } rows[] = {{"met_before", 1}, {"stage_ended", 0}, {"first_cycle", 0}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct words words = {0};
+    struct written it;
+    struct nb_result result;
+    struct nb_error error = {NB_OK, ""};
+    words_add(&words, "%s%s", head, scenes[4]);
+    written_scene(&it, &words);
+    CU_ASSERT_EQUAL(session(&result, &it.scene, 0, 20, 1, &error), NB_BROKEN);
+    nb_result_free(&result);
+    CU_ASSERT_EQUAL(without_variable(&it.scene, rows[k].name), rows[k].value);
+    CU_ASSERT_EQUAL(session(&result, &it.scene, 20, 0, 1, &error), NB_BAD_USE);
+    CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "is not a checkpoint of this page"));
+    nb_result_free(&result);
+    remove_checkpoint(&it.scene, 1);
+    written_free(&it);
+  }
+}
+
 static void interrupted_in_the_middle(void) {
   const size_t count = sizeof scenes / sizeof *scenes;
   for (size_t k = 0; k < count + sizeof spheres / sizeof *spheres; k++) {
@@ -241,6 +286,7 @@ static int remove_folder(void) { return rmdir(folder); }
 void suite_checkpoint(void) {
   CU_pSuite suite = CU_add_suite("checkpoint", make_folder, remove_folder);
   CU_add_test(suite, "other records are refused", other_records_are_refused);
+  CU_add_test(suite, "checkpoints that lack a variable are refused", missing_variables_are_refused);
   CU_add_test(suite, "ramps, a servo and references interrupted", interrupted_in_the_middle);
   CU_add_test(suite, "every page interrupted and continued", every_page_interrupted);
 }

@@ -248,15 +248,12 @@ static void store_snapshots(struct nb_store *store, struct run *run) {
   }
 }
 
-enum { STAGE_ENDED = 1, MET_BEFORE = 2 };
-
 /* Stores everything that the run keeps: its model, and what it has recorded. */
 static void store_run(struct nb_store *store, struct run *run) {
   double seconds = nb_clock() - run->reporter.began, stage_seconds = nb_processor_clock() - run->reporter.stage_began;
-  int stage_now = (run->stage_ended ? STAGE_ENDED : 0) | (run->met_before ? MET_BEFORE : 0);
   nb_model_store(store, run->model);
-  NB_STORE_INTEGERS(store, "stage_ended", &stage_now, 1);
-  run->stage_ended = stage_now & STAGE_ENDED, run->met_before = stage_now & MET_BEFORE;
+  NB_STORE_INTEGERS(store, "stage_ended", &run->stage_ended, 1);
+  NB_STORE_INTEGERS(store, "met_before", &run->met_before, 1);
   NB_STORE_INTEGERS(store, "first_cycle", &run->first_cycle, 1);
   NB_STORE_INTEGERS(store, "updates_before", &run->updates, 1);
   NB_STORE(store, "seconds", &seconds, 1);
