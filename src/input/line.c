@@ -310,6 +310,22 @@ static void operator_hint(const struct nb_reader *reader, char *hint, const char
            text[1] && !(token && token->name) ? text : "2 * 3");
 }
 
+/* Writes the hint for `O.dt=1e-5`: the line to write for a word of another program; false: there is no such line. */
+static bool program_hint(char *hint, const char *text, size_t length) {
+  char word[NB_NAME_SIZE];
+  snprintf(word, sizeof word, "%.*s", (int)length, text);
+  const struct nb_synonym *const synonym = nb_synonym(word);
+  return synonym && synonym->note && nb_synonym_hint(hint, word);
+}
+
+/* Writes the hint for `kn=10`; `length` is that of the part before the `=`. */
+static void equals_hint(const struct nb_reader *reader, bool let, char *hint, const char *text, size_t length) {
+  if (!reader->keyword && program_hint(hint, text, length))
+    return;
+  snprintf(hint, NB_HINT_SIZE, let ? "put spaces around `=`: `%.*s = %.80s`" : "write `%.*s %.80s`, without `=`",
+           length < 80 ? (int)length : 80, text, text + length + 1);
+}
+
 /* Writes the hint for `kn=10`, `//` and arithmetic. */
 static bool sign_hint(const struct nb_reader *reader, char *hint, const char *text) {
   const char *const verb = reader->count ? reader->tokens[0].text : "";
@@ -320,8 +336,7 @@ static bool sign_hint(const struct nb_reader *reader, char *hint, const char *te
   else if (strcmp(text, "=") == 0 && !let && reader->here != NB_IN_EXPECT)
     snprintf(hint, NB_HINT_SIZE, "leave out the `=`");
   else if (name > 0 && text[name] && text[name + 1])
-    snprintf(hint, NB_HINT_SIZE, let ? "put spaces around `=`: `%.*s = %.80s`" : "write `%.*s %.80s`, without `=`",
-             name < 80 ? (int)name : 80, text, text + name + 1);
+    equals_hint(reader, let, hint, text, name);
   else if (has_operator(reader, text))
     operator_hint(reader, hint, text);
   else
