@@ -428,7 +428,8 @@ SHELL_TESTS = \
   tests/language.sh \
   tests/migrate.sh \
   tests/layers.sh \
-  tests/hacking.sh
+  tests/hacking.sh \
+  tests/memory.sh
 
 # Plot recipes, and the style of figures.
 PLOTS = \
