@@ -409,7 +409,9 @@ static void mistakes_of_all_runs(void) {
     CU_ASSERT_EQUAL(outcome.run_count, wrong ? 1 : 2);
     if (!wrong)
       CU_ASSERT_STRING_EQUAL(outcome.error.text,
-                             "the reference `free_fall` does not cover `velocity` (line 4) (run v=1)");
+                             "the reference `free_fall` does not cover `velocity` (line 4); it covers `disc`, "
+                             "`sphere`, `wall`, `gravity`, `damping stiffness`, `damping r89-fraction`, `damping "
+                             "ratio`, `damping walls`, `until` (run v=1)");
     nb_outcome_free(&outcome);
   }
 }

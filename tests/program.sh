@@ -300,7 +300,7 @@ run 0 --help cell strain
 out 'The engineering shear rate is 2 EXY'
 run 0 --help 'periodic cell'
 out 'cell      0 mm 0 mm to 80 mm 80 mm'
-out '`periodic` of other programs is `cell` here'
+out "periodic boundaries are \`cell 0 m 0 m to 1 m 1 m\`"
 run 0 --help max unbalanced
 out 'unbalanced.max, quantity of the scene'
 out 'max, after the quantity of an expectation'
@@ -684,7 +684,7 @@ verdict 'a folder that cannot be created'
 
 sed 's/^stage .*/&\n  rotation off/' "$pages/../../cases/8-published/chung-ooi-6.md" >held.md
 run 2 check held.md
-said "held.md: error: the reference \`rebound\` does not cover \`rotation off\` (line $(sed -n '/^  rotation off/=' held.md))"
+said "held.md: error: the reference \`rebound\` does not cover \`rotation off\` (line $(sed -n '/^  rotation off/=' held.md)); it covers \`disc\`, \`sphere\`, "
 verdict 'a feature that a reference does not cover is refused, with its line'
 
 run 0 run "$pages/same-bits.md" -o kept

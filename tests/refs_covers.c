@@ -227,22 +227,35 @@ static void scene_with(struct refs_scene *it, const struct nb_reference *referen
     add(it, feature, 1);
 }
 
+/* The features that a reference covers, in the order of enum nb_feature; a list of more than 200 bytes is cut. */
+static void list_features(char *list, size_t size, const struct nb_reference *reference) {
+  size_t used = 0;
+  *list = '\0';
+  for (enum nb_feature f = HAS_NOTHING + 1; f < NB_FEATURES; f++)
+    if (covered(reference, f))
+      used += (size_t)snprintf(list + used, size - used, "%s`%s`", used ? ", " : "", nb_feature_name(f));
+}
+
 static void unlisted_features_are_refused(void) {
   for (const struct nb_reference *const *it = nb_references(); *it; it++)
     for (enum nb_feature feature = HAS_NOTHING; feature < NB_FEATURES; feature++) {
       struct refs_scene scene;
       struct nb_error error = {0};
-      char expected[512];
+      char expected[512], features[512];
       scene_with(&scene, *it, feature);
       const enum nb_status status = nb_reference_covers(*it, &scene.scene, &error);
       const bool fits = feature == HAS_NOTHING || covered(*it, feature);
-      snprintf(expected, sizeof expected, "the reference `%s` does not cover `%s` (line %d)", (*it)->name,
-               nb_feature_name(feature), LINE);
-      if (status != (fits ? NB_OK : NB_BAD_USE) || (!fits && strcmp(error.text, expected) != 0))
+      list_features(features, sizeof features, *it);
+      snprintf(expected, sizeof expected, "the reference `%s` does not cover `%s` (line %d); it covers %s", (*it)->name,
+               nb_feature_name(feature), LINE, features);
+      const char *const cut = strstr(error.text, ", …");
+      const size_t compared = cut ? (size_t)(cut - error.text) : sizeof expected;
+      const bool as_expected = strncmp(error.text, expected, compared) == 0 && (!cut || strlen(features) > 150);
+      if (status != (fits ? NB_OK : NB_BAD_USE) || (!fits && !as_expected))
         printf("# %s, %s: %s\n", (*it)->name, nb_feature_name(feature), error.text);
       CU_ASSERT_EQUAL(status, fits ? NB_OK : NB_BAD_USE);
       if (!fits)
-        CU_ASSERT_STRING_EQUAL(error.text, expected);
+        CU_ASSERT(as_expected);
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include <string.h>
 
+#include "core/clean.h"
 #include "reference.h"
 
 static const char *const names[NB_FEATURES] = {
@@ -218,13 +219,33 @@ static bool lists_law(const char *laws, const char *law) {
   return false;
 }
 
+/* Lists what the reference covers: its laws of this kind, "normal " or "shear ", otherwise its features. A list that does
+ * not fit ends in "…". */
+static void list_covered(char *list, size_t size, const struct nb_reference *reference, const char *kind) {
+  const char *const laws = *kind == 'n' ? reference->normal : *kind == 's' ? reference->shear : "";
+  const char *between = "";
+  *list = '\0';
+  for (const char *at = laws; *at; at += strcspn(at, " "), at += strspn(at, " "), between = ", ")
+    nb_append(list, size, "%s`%s%.*s`", between, kind, (int)strcspn(at, " "), at);
+  for (enum nb_feature f = HAS_NOTHING + 1; f < NB_FEATURES && !*kind; f++) {
+    if (!lists(reference->needs, f) && !lists(reference->accepts, f))
+      continue;
+    if (strlen(list) + strlen(names[f]) + sizeof ", ``, …" > size) {
+      nb_append(list, size, ", …");
+      return;
+    }
+    nb_append(list, size, "%s`%s`", between, names[f]), between = ", ";
+  }
+}
+
 static enum nb_status refuse(const struct nb_reference *reference, const char *kind, const char *what, int line,
                              struct nb_error *error) {
-  char where[32] = "";
+  char where[32] = "", covered[200];
   if (line > 0)
     snprintf(where, sizeof where, " (line %d)", line);
-  return nb_error_set(error, NB_BAD_USE, "the reference `%s` does not cover `%s%s`%s", reference->name, kind, what,
-                      where);
+  list_covered(covered, sizeof covered, reference, kind);
+  return nb_error_set(error, NB_BAD_USE, "the reference `%s` does not cover `%s%s`%s; it covers %s", reference->name,
+                      kind, what, where, covered);
 }
 
 static enum nb_status covers_laws(const struct nb_reference *reference, const char *normal, int normal_line,

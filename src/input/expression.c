@@ -275,6 +275,9 @@ static struct quantity named_value(struct parser *p) {
   const char *near = nb_syntax_hint(reader, hint, name);
   near = near ? near : NB_NEAREST(hint, name, reader->bindings, reader->binding_count);
   near = near || !nb_unit_read(&unit, name) ? near : "a unit follows a number";
+  if (!near && reader->here == NB_IN_EXPECT)
+    near = "an expression has numbers and names of `let` and `sweep`, and no quantities; a ratio of two measures is "
+           "`A.vx max expected 0.5 of B.vx max within 1 % [SOURCE]`";
   mistake(p, from, length, near, "expected a name that a `let` or `sweep` above defines, found `%s`", name);
   nb_suppress_name(reader->mistakes, name);
   return (struct quantity){0};

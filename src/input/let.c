@@ -54,13 +54,19 @@ static bool take_value(struct nb_reader *reader, struct nb_binding *value, const
 static void bind(struct nb_scene_reading *reading, struct nb_reader *reader, const struct nb_token *name,
                  struct nb_binding value) {
   struct nb_scene *scene = reading->scene;
+  char hint[NB_HINT_SIZE];
   if (nb_name_reserved(name->text) || strchr(name->text, '-'))
     nb_token_mistake(reader, name,
                      strchr(name->text, '-') ? "write `_` instead of `-`, which is a minus sign in expressions"
                                              : "this name is a function or a constant of expressions",
                      "expected a valid name for a value, found `%s`", name->text);
-  if (NB_FIND(scene->bindings, scene->binding_count, name->text) >= 0)
-    nb_token_mistake(reader, name, NULL, "expected a new name, `%s` already has a value", name->text);
+  const int before = NB_FIND(scene->bindings, scene->binding_count, name->text);
+  snprintf(hint, sizeof hint,
+           "keep one of the two lines: a `let` gives one value, a `sweep` a run for each of its values; `--set "
+           "%.60s=VALUE` replaces either",
+           name->text);
+  if (before >= 0)
+    nb_token_mistake(reader, name, hint, "expected a new name, `%s` already has a value", name->text);
   if (nb_too_many(reader, scene->binding_count, NB_NAMED_MAX, "names for values"))
     return;
   snprintf(value.name, sizeof value.name, "%s", name->text);

@@ -557,6 +557,13 @@ static bool lacks_owner(const struct nb_scene *scene, const char *text) {
   return kind_at(k) && !scene->contact_test;
 }
 
+/* Writes the line to write for another name of a quantity, which stands in the table of words with its note:
+ * `box.strain.xx`, and `duration` of `C.duration`. False: there is no such line. */
+static bool meant_line(char *hint, const char *text) {
+  const struct nb_synonym *const synonym = nb_pair_synonym("quantity", text);
+  return synonym && synonym->note && nb_pair_hint(hint, "quantity", text);
+}
+
 /* Writes "did you mean `M.coordination`?" for `M.cn`, whose second part is a word of other programs; otherwise a list
  * of the quantities of the owner. */
 static const char *owned_by_hint(char *hint, const struct nb_scene *scene, const char *text, int owner) {
@@ -575,7 +582,9 @@ static const char *owned_by_hint(char *hint, const struct nb_scene *scene, const
       nb_append(hint, NB_HINT_SIZE, "%s`%s`", found ? " or " : "did you mean ", name), found = true;
   }
   nb_append(hint, NB_HINT_SIZE, "?");
-  return found ? hint : list_quantities(hint, scene, owner);
+  return found                                                   ? hint
+         : synonym && synonym->note && meant_line(hint, dot + 1) ? hint
+                                                                 : list_quantities(hint, scene, owner);
 }
 
 static const char *hint_of(char *hint, const struct nb_scene *scene, const char *text) {
@@ -606,6 +615,8 @@ const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const cha
   const int owner = text[stem] && nb_pair_synonym("quantity", text + stem + 1) ? monitor_named(scene, text, stem) : -1;
   if (owner >= 0) /* `A.w` means the spin, not `A.x` */
     return owned_by_hint(hint, scene, text, owner);
+  if (!scene->contact_test && meant_line(hint, text))
+    return hint;
   if (strchr(text, '('))
     return strcpy(hint, "`max`, `mean` and other reducers follow the quantity: `A.x max`");
   if (strstr(hint_of(hint, scene, text), "strain.xy`"))

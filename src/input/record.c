@@ -15,7 +15,12 @@ bool nb_take_requested(struct nb_scene_reading *reading, struct nb_reader *reade
   char hint[NB_HINT_SIZE];
   if (nb_phrase_hint(hint, reading->scene, &reader->tokens[reader->next], reader->count - reader->next))
     return nb_expected(reader, hint, QUANTITY);
-  const struct nb_token *token = nb_take_token(reader, QUANTITY);
+  const struct nb_token *token = nb_token_peek(reader);
+  struct nb_quantity quantity;
+  if (token && strcmp(reader->tokens[0].text, "until") == 0 &&
+      !nb_quantity_find(&quantity, reading->scene, token->text) && nb_pair_hint(hint, "until", token->text))
+    return nb_expected(reader, hint, QUANTITY);
+  token = nb_take_token(reader, QUANTITY);
   if (token && strlen(token->text) >= sizeof requested->name)
     nb_token_mistake(reader, token, NULL, "expected a name shorter than %zu bytes", sizeof requested->name);
   if (reader->bad)

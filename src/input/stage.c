@@ -65,6 +65,26 @@ NB_APPLY(apply_cycles) {
     stage->cycles = (unsigned long)record->value[AT_CYCLES].number;
 }
 
+/* True if the next tokens are a fraction of something, such as `1e-6 of max`. */
+static bool is_fraction(const struct nb_reader *reader) {
+  const struct nb_token *const token = &reader->tokens[reader->next];
+  const size_t left = reader->count - reader->next;
+  return (left > 1 && strcmp(token[1].text, "of") == 0) ||
+         (left > 2 && strcmp(token[1].text, "%") == 0 && strcmp(token[2].text, "of") == 0);
+}
+
+/* Refuses `until QUANTITY below 1e-6 of max`: the largest value is not known before the end of the run. */
+static bool fraction_mistake(struct nb_reader *reader, const struct nb_condition *condition, const char *unit) {
+  char hint[NB_HINT_SIZE];
+  const bool number = reader->unitless || strcmp(unit, "1") == 0;
+  snprintf(hint, sizeof hint,
+           "write the value, `until %s %s 1e-9%s%s at most 1000000 cycles`; for rest write `until unbalanced.max below "
+           "1e-4 and contacts above 0 at most 1000000 cycles`",
+           condition->name, condition->relation == NB_BELOW ? "below" : "above", number ? "" : " ", number ? "" : unit);
+  return nb_token_mistake(reader, nb_token_peek(reader), hint,
+                          "expected a number with its unit, found a fraction of another value");
+}
+
 /* Takes a condition: QUANTITY above|below VALUE. */
 static bool take_condition(struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_condition *condition) {
   struct nb_requested requested;
@@ -78,6 +98,8 @@ static bool take_condition(struct nb_scene_reading *reading, struct nb_reader *r
   struct nb_comparison comparison = {.name = condition->name, .token = nb_token_peek(reader)};
   comparison.relation = condition->relation, comparison.unit = nb_quantity_unit(condition->quantity);
   comparison.bounds = nb_quantity_bounds(condition->quantity);
+  if (is_fraction(reader))
+    return fraction_mistake(reader, condition, comparison.unit);
   if (!nb_take_in_unit(reader, comparison.unit, &condition->value))
     return false;
   comparison.value = condition->value;

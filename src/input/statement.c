@@ -531,8 +531,20 @@ static void list_clauses(const struct nb_reader *reader, char *list, size_t size
   }
 }
 
+/* Goes back to a word that was read as a name, but is a word of another program: in `lattice discs 10 by 10 triangular
+ * radius 5 mm rock` `triangular` is wrong, and not `rock`. */
+static void return_to_foreign_word(struct nb_reader *reader) {
+  for (size_t k = reader->next; k-- > 1;)
+    if (nb_is_name(reader->tokens[k].text) && nb_pair_synonym(reader->tokens[0].text, reader->tokens[k].text)) {
+      reader->next = k;
+      return;
+    }
+}
+
 /* Reports all missing fields at the end of the line; or a word that is not a clause, with the possible clauses. */
 static void expected_fields(struct nb_reader *reader) {
+  if (nb_token_peek(reader) && !nb_pair_synonym(reader->tokens[0].text, nb_token_peek(reader)->text))
+    return_to_foreign_word(reader);
   const struct nb_token *token = nb_token_peek(reader);
   char list[512] = "", hint[NB_HINT_SIZE];
   const struct nb_argument *const missing = list_missing(reader, list, sizeof list);

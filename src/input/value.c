@@ -246,14 +246,25 @@ static bool unit_mistake(struct nb_reader *reader, const struct nb_token *unit, 
              : number_mistake(reader, number, unit, unit_hint(hint, reader, number, unit, it), what);
 }
 
+/* Writes the hint for a name that a `let` or a `sweep` defines, `R` or `-R`, in place of its value; NULL: it is none. */
+static const char *bare_name_hint(char *hint, const struct nb_reader *reader, const struct nb_token *token) {
+  const char *const sign = token && strchr("+-", token->text[0]) ? "-" : "", *const name = token ? token->text : "";
+  const char *const bare = name + (*sign && *name);
+  if (!*bare || NB_FIND(reader->bindings, reader->binding_count, bare) < 0)
+    return NULL;
+  snprintf(hint, NB_HINT_SIZE, "write `%s$%.60s`; in an expression the name has no `$`: `(2*%.60s)`",
+           *name == '-' ? "-" : "", bare, bare);
+  return hint;
+}
+
 static bool take_quantity(struct nb_reader *reader, const struct wanted *it, enum nb_range range, double *value) {
-  char what[256];
+  char what[256], hint[NB_HINT_SIZE];
   struct nb_unit unit;
   const struct nb_token *number = nb_token_peek(reader);
   *value = 1;
   if (!number || nb_number_read(value, number->text, 0) == NB_NO_NUMBER) {
     expected_text(what, sizeof what, reader, it);
-    return nb_expected(reader, NULL, "%s", what);
+    return nb_expected(reader, bare_name_hint(hint, reader, number), "%s", what);
   }
   const bool matches = unit_fits(&unit, reader, it);
   const struct nb_token *behind = matches || meant_as_unit(reader, it) ? token_after(reader, 1) : NULL;
@@ -305,6 +316,8 @@ static bool take_count(struct nb_reader *reader, unsigned long low, unsigned lon
   const struct nb_token *const unit = token_after(reader, 1);
   snprintf(what, sizeof what, "%s from %lu to %lu", counted, low, high);
   if (!hint && unit && nb_pair_hint(text, reader->tokens[0].text, unit->text))
+    hint = text;
+  if (token && !is_number(token) && bare_name_hint(text, reader, token))
     hint = text;
   return is_number(token) ? number_mistake(reader, token, NULL, hint, what) : nb_expected(reader, hint, "%s", what);
 }

@@ -93,6 +93,38 @@ static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, 
   return nb_token_mistake(reader, token, hint, "expected a quantity that the page records, found `%s`", token->text);
 }
 
+static bool begins_expectation(const char *word) {
+  const struct nb_expectation_row *row = nb_expectation_rows();
+  while (row->word && strcmp(row->word, word) != 0)
+    row++;
+  return row->word;
+}
+
+/* Writes the hint for arithmetic with measures, `A.x max / B.x max`: `label` is the first measure, `first` the first word
+ * of the second one, which goes on at the next tokens. */
+static const char *ratio_hint(char *hint, const struct nb_reader *reader, const char *label, const char *first) {
+  char other[4 * NB_NAME_SIZE];
+  snprintf(other, sizeof other, "%s", first);
+  for (size_t k = reader->next; k < reader->count && !begins_expectation(reader->tokens[k].text); k++)
+    nb_append(other, sizeof other, "%s%s", *other ? " " : "", reader->tokens[k].text);
+  snprintf(
+      hint, NB_HINT_SIZE,
+      "a line has no arithmetic with measures; a ratio is a fraction of the second measure: `%.120s expected 0.5 of "
+      "%.120s within 1 %% [SOURCE]`",
+      label, *other ? other : "MEASURE");
+  return hint;
+}
+
+/* The hint for an unknown stage; for `rest/A.x` that for a ratio. */
+static const char *stage_hint(char *hint, const struct nb_reader *reader, const struct nb_scene *scene,
+                              const char *label, const char *text) {
+  const char *const slash = strchr(text, '/');
+  char measure[4 * NB_NAME_SIZE];
+  snprintf(measure, sizeof measure, "%s in %.*s", label, slash ? (int)(slash - text) : 0, text);
+  return slash && slash[1] ? ratio_hint(hint, reader, measure, slash + 1)
+                           : NB_NEAREST(hint, text, scene->stages, scene->stage_count);
+}
+
 /* Takes the optional words `in STAGE`. */
 static bool take_stage(struct nb_reader *reader, const struct nb_scene *scene, struct nb_measure *measure) {
   char hint[NB_HINT_SIZE];
@@ -110,7 +142,7 @@ static bool take_stage(struct nb_reader *reader, const struct nb_scene *scene, s
   if (measure->stage == -1)
     return nb_name_suppressed(reader->mistakes, "repeat")
                ? nb_fail_silently(reader)
-               : nb_unknown_name(reader, token, NB_NEAREST(hint, token->text, scene->stages, scene->stage_count), what);
+               : nb_unknown_name(reader, token, stage_hint(hint, reader, scene, measure->label, token->text), what);
   nb_append(measure->label, sizeof measure->label, " in %s", token->text);
   return true;
 }
@@ -167,12 +199,25 @@ static bool take_measure(struct nb_reader *reader, const struct nb_scene *scene,
   return take_stage(reader, scene, measure);
 }
 
+/* True if the next token is a reducer without a quantity, `max` of `within 1e-6 of max`, or `peak`. */
+static bool is_bare_reducer(const struct nb_reader *reader) {
+  const char *const after = reader->next + 1 < reader->count ? reader->tokens[reader->next + 1].text : "[";
+  const struct nb_reducer_row *row = reducers;
+  while (row->word && !nb_token_is(reader, row->word))
+    row++;
+  return (row->word || nb_token_is(reader, "peak") || nb_token_is(reader, "maximum")) &&
+         (*after == '[' || strcmp(after, "within") == 0);
+}
+
 /* Takes a measure to compare with one in `unit`: it must have the same dimension, unless the page has `units none`. */
 static bool take_measure_like(struct nb_reader *reader, const struct nb_scene *scene, const char *unit,
                               struct nb_measure *measure) {
   const struct nb_token *token = nb_token_peek(reader);
   struct nb_unit wanted = {0}, found = {0};
-  char wanted_words[NB_NAME_SIZE], found_words[NB_NAME_SIZE];
+  char wanted_words[NB_NAME_SIZE], found_words[NB_NAME_SIZE], hint[NB_HINT_SIZE];
+  snprintf(hint, sizeof hint, "write the quantity before the word: `%.80s max in all`", reader->tokens[0].text);
+  if (is_bare_reducer(reader))
+    return nb_expected(reader, hint, "a quantity that the page records");
   if (!take_measure(reader, scene, measure))
     return false;
   nb_unit_read(&wanted, unit), nb_unit_read(&found, measure->unit);
@@ -228,12 +273,14 @@ static bool take_tolerance_of(struct nb_reader *reader, const struct nb_scene *s
   const size_t at = reader->next + 1;
   if (!take_tolerance(reader, scene, unit, tolerance))
     return false;
-  return !zero || tolerance->kind != NB_RELATIVE ||
-         nb_token_mistake(reader, &reader->tokens[at],
-                          "give an absolute tolerance with its unit, or a fraction of another quantity: `within 1 % of "
-                          "energy.kinetic max`",
-                          "expected an absolute tolerance, because the reference value is 0, found `%s`",
-                          tolerance->text);
+  return !zero || (tolerance->kind != NB_RELATIVE && tolerance->kind != NB_OF_PEAK) ||
+         nb_token_mistake(
+             reader, &reader->tokens[at],
+             strcmp(unit, "1") == 0
+                 ? "give a number, `within 1e-6`"
+                 : "give an absolute tolerance with its unit, or a fraction of another quantity: `within 1 % of "
+                   "energy.kinetic max`",
+             "expected an absolute tolerance, because the reference value is 0, found `%s`", tolerance->text);
 }
 
 /* ---- the expectation ---- */
@@ -308,6 +355,16 @@ static bool is_decided(struct nb_reader *reader, const struct nb_token *token, c
   return true;
 }
 
+/* Refuses `expected 0.5 * A.x max`. */
+static bool multiple_mistake(struct nb_reader *reader) {
+  const struct nb_token *const number = nb_token_peek(reader);
+  char hint[NB_HINT_SIZE];
+  snprintf(hint, sizeof hint, "a multiple of another measure is `expected %.40s of %.80s … within 1 %% [SOURCE]`",
+           number->text, reader->next + 2 < reader->count ? number[2].text : "MEASURE");
+  reader->next++;
+  return nb_expected(reader, hint, "`of` and a measure");
+}
+
 static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
   const char *unit = expectation->measure.unit;
   const struct nb_token *const token = nb_token_peek(reader);
@@ -327,8 +384,13 @@ static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene
       return nb_expected(reader, "a fraction of another quantity: `15 % of C.normal mean`", "`of` and a quantity");
     if (!take_measure_like(reader, scene, expectation->measure.unit, &expectation->other))
       return false;
+  } else if (is_before(reader, "*")) {
+    return multiple_mistake(reader);
   } else if (!nb_take_in_unit(reader, unit, &expectation->number)) {
     return false;
+  } else if (nb_token_is(reader, "of")) {
+    snprintf(hint, sizeof hint, "a number before `of` has no unit: `expected %.40s of`", token->text);
+    return nb_expected(reader, hint, "`within`");
   }
   return take_sample(reader, scene, expectation) &&
          (expectation->sample[0] ||
@@ -336,28 +398,46 @@ static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene
          !is_decided(reader, token, expectation) && take_source(reader, expectation);
 }
 
-/* Refuses `below 0.1 % of MEASURE`, and proposes `expected 0 J within 0.1 % of MEASURE [why]`. */
-static bool fraction_mistake(struct nb_reader *reader, const struct nb_scene *scene, const struct nb_measure *measure) {
-  const struct nb_token *const number = nb_token_peek(reader);
-  const size_t from = reader->next;
-  char hint[NB_HINT_SIZE];
-  snprintf(hint, sizeof hint, "write `%s expected 0%s%s within", measure->label, reader->unitless ? "" : " ",
-           reader->unitless ? "" : measure->unit);
-  for (size_t k = from; k < reader->count && reader->tokens[k].text[0] != '['; k++)
-    nb_append(hint, sizeof hint, " %s",
+/* Appends the tokens up to the source or the token `end`; `first` of other programs becomes `at 0 cycles`. */
+static void append_words(char *hint, const struct nb_reader *reader, size_t from, size_t end) {
+  for (size_t k = from; k < end && reader->tokens[k].text[0] != '['; k++)
+    nb_append(hint, NB_HINT_SIZE, " %s",
               strcmp(reader->tokens[k].text, "first") ? reader->tokens[k].text : "at 0 cycles");
-  if (reader->count == from + 2)
+}
+
+/* Refuses `below 0.1 % of MEASURE` and `below 1e-6 of MEASURE`, and proposes `expected 0 J within 0.1 % of MEASURE
+ * [why]`. Without a measure, `below 1e-6 of max`, it proposes the largest value of the quantity. */
+static bool fraction_mistake(struct nb_reader *reader, const struct nb_scene *scene,
+                             const struct nb_expectation *expectation) {
+  const struct nb_token *const number = nb_token_peek(reader);
+  const struct nb_measure *const measure = &expectation->measure;
+  const size_t from = reader->next, of = from + (is_before(reader, "of") ? 1 : 2); /* `of`: the index of this word */
+  const bool less = expectation->kind == NB_LESS;
+  const char *const unit = reader->unitless || strcmp(measure->unit, "1") == 0 ? "" : measure->unit;
+  char hint[NB_HINT_SIZE];
+  reader->next = of + 1;
+  const bool bare = is_bare_reducer(reader);
+  reader->next = from;
+  snprintf(hint, sizeof hint, "write `%s expected", measure->label);
+  if (less)
+    nb_append(hint, sizeof hint, " 0%s%s within", *unit ? " " : "", unit);
+  append_words(hint, reader, from, bare ? of + 1 : reader->count);
+  if (bare)
+    nb_append(hint, sizeof hint, " %.80s max in all", reader->tokens[0].text);
+  else if (reader->count == from + 2)
     nb_append(hint, sizeof hint, " of %s", scene->contact_test ? "normal max" : "energy.kinetic max in all");
-  nb_append(hint, sizeof hint, " [SOURCE]`; a line with `below` compares with a number or with another measure");
-  return nb_token_mistake(reader, number, hint, "expected a number with its unit, or a measure, found a percentage");
+  nb_append(hint, sizeof hint, "%s [SOURCE]`; a line with `%s` compares with a number or with another measure",
+            less ? "" : " within 1 %", less ? "below" : "above");
+  return nb_token_mistake(reader, number, hint, "expected a number with its unit, or a measure, found a fraction");
 }
 
 static bool take_other(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
   const struct nb_token *token = nb_token_peek(reader);
   double number;
   expectation->has_number = token && nb_number_read(&number, token->text, 0) != NB_NO_NUMBER;
-  if (expectation->has_number && is_before(reader, "%") && strcmp(expectation->measure.unit, "1") != 0)
-    return fraction_mistake(reader, scene, &expectation->measure);
+  if (expectation->has_number &&
+      (is_before(reader, "of") || (is_before(reader, "%") && strcmp(expectation->measure.unit, "1") != 0)))
+    return fraction_mistake(reader, scene, expectation);
   if (expectation->has_number) {
     struct nb_comparison comparison = {.name = expectation->measure.label, .unit = expectation->measure.unit};
     comparison.relation = expectation->kind == NB_LESS ? NB_BELOW : NB_ABOVE;
@@ -448,6 +528,7 @@ static struct nb_reader *reader_of(const struct nb_page *page, const struct nb_s
   if (!reader)
     return nb_mistake_memory(mistakes), NULL;
   reader->page = page, reader->mistakes = mistakes, reader->unitless = scene->unitless;
+  reader->here = NB_IN_EXPECT;
   return reader;
 }
 
@@ -477,6 +558,11 @@ static bool take_kind(struct nb_reader *reader, const struct reading *reading, s
     else
       again = again || nb_token_is(reader, row->word);
   nb_guess_offer(&guess, "in");
+  if (token && strchr("+-*/", token->text[0]) && !token->text[1]) {
+    reader->next++;
+    ratio_hint(hint, reader, expectation->measure.label, "");
+    return nb_expected_at(reader, token, hint, words);
+  }
   return nb_expected(reader,
                      again   ? "one line has one of `max`, `min`, `mean` …: write a line for each"
                      : token ? nb_guess_hint(&guess, hint)
