@@ -305,6 +305,41 @@ static void conditions_on_tensile_forces(void) {
   }
 }
 
+/* With friction at the walls the stress of a box is not the traction of its walls. A stage whose servo controls one of
+ * them and whose condition is on the other gets a warning, which has the line of the condition. */
+static void conditions_on_another_stress_than_the_servo(void) {
+  static const struct {
+    const char *friction, *shear, *later, *on, *condition, *wanted; /* the first words of the warning */
+  } cases[] = {
+      {"0.5", "linear", "", "walls", "box.stress.mean",
+       "11: the servo of stage `a` controls `walls.stress`, and this "
+       "condition is on `box.stress.mean`"},
+      {"0.5", "linear", "", "box", "walls.stress.xx",
+       "11: the servo of stage `a` controls `box.stress`, and this "
+       "condition is on `walls.stress.xx`"},
+      {"0", "linear", "material m friction 0.5", "walls", "box.stress.mean", "11: the servo of stage `a` controls"},
+      {"0.5", "linear", "", "walls", "walls.stress.mean", ""},
+      {"0.5", "linear", "", "box", "box.stress.mean", ""},
+      {"0", "linear", "", "walls", "box.stress.mean", ""},
+      {"0.5", "linear", "", "walls", "box.width", ""},
+      {"0.5", "linear", "", "M", "box.stress.xx", ""},
+      {"0.5", "linear", "shear none", "walls", "box.stress.xx", ""},
+  };
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    char text[2000], statements[512];
+    snprintf(statements, sizeof statements,
+             "material m density 1 kn 1 ks 1 friction %s\nshear %s\nbox 0 0 to 2 2 m\ndisc 1 1 radius 1 m\nregion M "
+             "all\nstep 1e-6\nstage a\nservo isotropic 1 on %s through box at most 1\nuntil %s above 0.5 at most 9 "
+             "cycles\n%s",
+             cases[k].friction, cases[k].shear, cases[k].on, cases[k].condition, cases[k].later);
+    warned(text, statements);
+    const size_t compared = *cases[k].wanted ? strlen(cases[k].wanted) : sizeof text;
+    if (strncmp(text, cases[k].wanted, compared) != 0)
+      printf("# case %zu: %s\n", k, text);
+    CU_ASSERT(strncmp(text, cases[k].wanted, compared) == 0);
+  }
+}
+
 /* A page that records rows without a quantity gets a warning, because the rows would be empty. */
 static void empty_rows(void) {
   static const struct {
@@ -405,6 +440,8 @@ void suite_guard(void) {
   CU_add_test(suite, "friction without effect", friction_without_effect);
   CU_add_test(suite, "rows without a quantity", empty_rows);
   CU_add_test(suite, "conditions that only a tensile law can meet", conditions_on_tensile_forces);
+  CU_add_test(suite, "conditions on another stress than the servo controls",
+              conditions_on_another_stress_than_the_servo);
   CU_add_test(suite, "resolution of coordinates", resolution_of_coordinates);
   CU_add_test(suite, "resolution that gets coarse", resolution_that_gets_coarse);
   CU_add_test(suite, "resolution and mean overlap", resolution_and_mean_overlap);

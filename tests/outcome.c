@@ -437,6 +437,39 @@ static void warnings_of_all_runs(void) {
   }
 }
 
+/* Quantities of a removed particle and of its contacts are 0, which the outcome says once, with the line that removes the
+ * particle. The position is the last one, and a page that expects 0 needs no warning. */
+static void warnings_of_removed_particles(void) {
+  static const struct {
+    const char *quantity, *expectation, *wanted; /* the quantity of the warning; NULL: no warning */
+  } cases[] = {
+      {"A.vx", "A.vx in one below 3", "`A.vx` is 0 from stage `two` on"},
+      {"C.normal", "report C.normal", "`C.normal` is 0 from stage `two` on"},
+      {"F.normal", "report F.normal", "a value before is `F.normal in one`"},
+      {"C.normal", "C.normal expected 0 within 0 [t]", NULL},
+      {"A.x", "report A.x", NULL},
+      {"B.vx", "report B.vx", NULL},
+      {"W.fx", "report W.fx", NULL},
+  };
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    struct nb_outcome outcome;
+    char scene[512];
+    snprintf(
+        scene, sizeof scene,
+        "units none\nsweep v 1 2\nmaterial m density 1 kn 1\nwall floor -9 0 to 9 0 m\ndisc 3 1 radius 1 m\n"
+        "disc 0 1 radius 1 m velocity $v 0\nmonitor B disc 1\nmonitor A disc 2\nmonitor C disc 1 with disc 2\n"
+        "monitor F disc 2 with wall floor\nmonitor W wall floor\nstep 0.001\nrecord cycle %s\nstage one\ncycles 5\n"
+        "stage two\nremove disc 2\ncycles 5",
+        cases[k].quantity);
+    carry_out(&outcome, scene, cases[k].expectation, NULL);
+    CU_ASSERT_EQUAL(outcome.status, NB_OK);
+    CU_ASSERT_EQUAL_FATAL(outcome.warnings.count, cases[k].wanted ? 1 : 0);
+    if (cases[k].wanted)
+      CU_ASSERT_PTR_NOT_NULL(strstr(outcome.warnings.list[0].text, cases[k].wanted));
+    nb_outcome_free(&outcome);
+  }
+}
+
 /* 102 runs of 10,000 discs that fall freely, each with another gravity. To save memory only the first 100 runs keep
  * their particles after the page is read. The others read them again when they begin, and their results are correct. */
 static void many_particles(void) {
@@ -672,6 +705,7 @@ void suite_outcome(void) {
   CU_add_test(suite, "error of a run", error_of_a_run);
   CU_add_test(suite, "mistakes in all runs, and the error of a reference", mistakes_of_all_runs);
   CU_add_test(suite, "warnings of all runs", warnings_of_all_runs);
+  CU_add_test(suite, "warnings of removed particles", warnings_of_removed_particles);
   CU_add_test(suite, "many particles in many runs", many_particles);
   CU_add_test(suite, "a file that is removed during the runs", a_file_that_is_removed);
   CU_add_test(suite, "folders that cannot be made", folders_that_cannot_be_made);

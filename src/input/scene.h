@@ -149,6 +149,8 @@ void nb_cell_check(struct nb_scene_reading *reading);
 void nb_ramps_check(struct nb_scene_reading *reading);
 /* Walls that follow the strain of a box have no other motion. */
 void nb_box_check(struct nb_scene_reading *reading);
+/* Warns of a condition on another stress than the servo controls, with friction at the walls. */
+void nb_servo_check(struct nb_scene_reading *reading);
 /* Imposed motion is not reversed; a cell has no boundary. */
 void nb_imposed_motion_check(struct nb_scene_reading *reading);
 /* A contact test has a contact and a segment. The function also applies `--set follow=FILE`. */

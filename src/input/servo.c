@@ -2,6 +2,12 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 
+#include <string.h>
+
+#include "core/model.h"
+#include "core/names.h"
+#include "laws/laws_now.h"
+#include "loading/loading.h"
 #include "statement.h"
 
 enum { AT_ISOTROPIC, AT_MEAN, AT_XX, AT_YY, AT_XY, AT_ON, AT_THROUGH, AT_AFFINE, AT_MOST };
@@ -81,10 +87,55 @@ NB_APPLY(apply_servo) {
     stage->servo = servo;
 }
 
+/* True if a particle has friction with the walls of the box, by the present properties. */
+static bool rubs(const struct nb_scene *scene, const struct nb_properties *now, const struct nb_law *shear) {
+  const int first = nb_box_first_wall(scene);
+  bool found = false;
+  for (size_t k = 0; k < scene->particle_count && first >= 0 && strcmp(shear->name, "none") != 0; k++)
+    found = found || nb_properties_pair(now, scene->particles[k].material, scene->walls[first].material).friction > 0;
+  return found;
+}
+
+/* The condition of the stage on the other stress than its servo controls, the box's or the walls'; NULL: there is
+ * none. */
+static const struct nb_condition *other_stress(const struct nb_stage *stage, const char *controlled) {
+  const bool walls = strcmp(controlled, "walls.stress") == 0, box = strcmp(controlled, "box.stress") == 0;
+  for (size_t k = 0; k < stage->condition_count && (walls || box); k++)
+    if (stage->conditions[k].quantity.monitor < 0 &&
+        strncmp(stage->conditions[k].name, walls ? "box.stress." : "walls.stress.", walls ? 11 : 13) == 0)
+      return &stage->conditions[k];
+  return NULL;
+}
+
+void nb_servo_check(struct nb_scene_reading *reading) {
+  struct nb_scene *const scene = reading->scene;
+  struct nb_active_laws laws = nb_laws_initial(scene);
+  struct nb_properties now = {0};
+  if (!nb_properties_create(&now, scene)) {
+    nb_no_memory(&reading->reader);
+    return;
+  }
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *const stage = &scene->stages[s];
+    const char *const controlled =
+        stage->servo.box && stage->servo.quantity[0].monitor < 0 ? stage->servo.quantity[0].kind->name : "";
+    const struct nb_condition *const condition = other_stress(stage, controlled);
+    laws = nb_laws_of(stage, laws);
+    nb_properties_end_stage(&now, stage);
+    if (condition && rubs(scene, &now, laws.shear))
+      nb_warn(
+          &scene->warnings, condition->line,
+          "the servo of stage `%s` controls `%s`, and this condition is on `%s`: with friction at the walls the two "
+          "differ, and the condition may never hold; write `on %s` in the servo",
+          stage->name, controlled, condition->name, strcmp(controlled, "box.stress") == 0 ? "walls" : "box");
+  }
+  nb_properties_free(&now);
+}
+
 /* clang-format off */
 NB_STATEMENTS(servo) = {
   {"servo", NB_IN_STAGE | NB_IN_RAMP, servo_fields, "{every N cycles}", 0, false, apply_servo,
-   "Controls a stress in this stage: the stress of a region, on the boundary, in the cell or on the box, or the mean traction of the box's walls. The servo adds a strain rate to that of the boundary, the cell or the box. Components that are not named are not controlled. The program computes the gain from the stiffness of the contacts.\n"
+   "Controls a stress in this stage: the stress of a region, on the boundary, in the cell or on the box, or the mean traction of the box's walls. The servo adds a strain rate to that of the boundary, the cell or the box. Components that are not named are not controlled. The stress of the box is computed from all forces on its walls, the traction of the walls from the normal forces: with friction at the walls the two differ. The program computes the gain from the stiffness of the contacts.\n"
    "every N cycles: a whole number, 1 or more; without it: 10. How often the added strain rate is updated.",
    "stage     walled\n  servo   isotropic 1 kPa  on box  through box  at most 1e-6 per cycle\n  cycles  10\n"
    "stage     even\n  servo   isotropic 1 kPa  on boundary  through boundary affine  at most 1e-6 per cycle\n  cycles  10\n"

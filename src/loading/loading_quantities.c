@@ -70,9 +70,8 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
         "the volume. The volume is the area times 1 m for discs, times the mean diameter for spheres. Compression "
         "is positive: `c12` above 0 makes xy negative"),
     TENSOR("cell.strain", NB_OF_CELL, "1", NB_COMPONENTS, cell_strain,
-           "strain of the cell since time 0, not since the stage began; extension positive. xy is half the engineering "
-           "shear "
-           "strain, half the change of the right angle, for small strains"),
+           "strain of the cell relative to its sides at time 0, extension positive. For small strains xy is half the "
+           "engineering shear strain. In a cell that was compressed before, the latter is cell.xy over cell.yy"),
     {"cell.strain.volumetric", NB_OF_CELL, "1", 0, cell_strain_volume,
      "relative change of the cell's area since time 0, expansion positive"},
 

@@ -121,7 +121,7 @@ const struct nb_quantity_kind nb_region_kinds[] = {
 
     STRAIN("strain", NB_TENSOR, "1", strain,
            "strain fitted to the displacements of the particles by least squares, extension positive; xy is "
-           "half the engineering shear strain"),
+           "half the engineering shear strain. The strain of walls is box.strain.width and box.strain.height"),
     STRAIN("strain.volumetric", NB_SCALAR, "1", volumetric, "volumetric strain xx + yy, expansion positive"),
     STRAIN("strain.rotation", NB_SCALAR, "rad", rotation, "mean rigid rotation of the region, small, counterclockwise"),
 

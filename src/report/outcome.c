@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "core/clock.h"
+#include "core/names.h"
 #include "input/hash.h"
 #include "input/reader.h"
 #include "run/checkpoint.h"
@@ -43,6 +44,56 @@ static void read_again(const struct nb_outcome *outcome, struct nb_page_run *run
   nb_mistakes_free(&mistakes);
 }
 
+/* ---- quantities of removed particles ---- */
+
+/* The index of the first stage that removes particle `i`, and *line that of the statement; -1: none does. */
+static int removal_of(const struct nb_scene *scene, int i, int *line) {
+  for (size_t s = 0; i >= 0 && s < scene->stage_count; s++)
+    for (size_t k = 0; k < scene->stages[s].removal_count; k++) {
+      const struct nb_removal *it = &scene->stages[s].removals[k];
+      *line = it->line;
+      if (it->from <= (size_t)i && (size_t)i <= it->to)
+        return (int)s;
+    }
+  return -1;
+}
+
+/* True if the page expects 0 of the column, so its author knows that the value is 0. */
+static bool is_expected_0(const struct nb_expectations *expectations, size_t column) {
+  for (size_t k = 0; k < expectations->count; k++) {
+    const struct nb_expectation *it = &expectations->list[k];
+    if (it->kind == NB_EXPECTED && it->number == 0 && it->measure.column == column)
+      return true;
+  }
+  return false;
+}
+
+/* As removal_of, for the particles of a monitor. Regions, walls and gradings have none. */
+static int removal_of_monitor(const struct nb_scene *scene, const struct nb_monitor *monitor, int *line) {
+  const bool pair = monitor->kind == NB_MONITOR_PARTICLE_PARTICLE;
+  if (!pair && monitor->kind != NB_MONITOR_PARTICLE && monitor->kind != NB_MONITOR_PARTICLE_WALL)
+    return -1;
+  const int stage = removal_of(scene, monitor->a, line);
+  return stage < 0 && pair ? removal_of(scene, monitor->b, line) : stage;
+}
+
+/* Warns of recorded quantities that are 0 because a stage removes their particle. The position stays the last one. */
+static void warn_removed(struct nb_outcome *outcome, const struct nb_page_run *run) {
+  const struct nb_scene *const scene = &run->scene;
+  for (size_t c = 0; c < scene->column_count; c++) {
+    const struct nb_quantity *const quantity = &scene->columns[c].quantity;
+    const char *const name = quantity->kind->name, *const column = scene->columns[c].name;
+    int line = 0;
+    const int stage =
+        quantity->monitor < 0 ? -1 : removal_of_monitor(scene, &scene->monitors[quantity->monitor], &line);
+    if (stage < 0 || strcmp(name, "x") == 0 || strcmp(name, "y") == 0 || is_expected_0(&run->expectations, c))
+      continue;
+    nb_warn(&outcome->warnings, line,
+            "`%s` is 0 from stage `%s` on, because this line removes its particle; a value before is `%s in %s`",
+            column, scene->stages[stage].name, column, stage > 0 ? scene->stages[stage - 1].name : "STAGE");
+  }
+}
+
 /* Reads all runs of the page, up to the first run with mistakes, because most mistakes would be in every run. */
 static void read_runs(struct nb_outcome *outcome, nb_settings settings, size_t particles_kept) {
   size_t particles = 0;
@@ -56,6 +107,7 @@ static void read_runs(struct nb_outcome *outcome, nb_settings settings, size_t p
     nb_expectations_read(&run->expectations, &outcome->page, &run->scene, &outcome->mistakes);
     nb_sweep_label(run->label, sizeof run->label, run, NULL);
     add_warnings(outcome, &run->scene.warnings);
+    warn_removed(outcome, run);
     particles += run->scene.particle_count;
     if (particles > particles_kept)
       release_particles(run);
