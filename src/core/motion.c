@@ -40,23 +40,77 @@ struct batch {
       travel[2 * NB_BATCH_SIZE]; /* x and y of each particle in turn */
 };
 
-/* Sums the forces on the particles of batch `which`, whose first slot is `from`: group by group (incidence.c). */
+/* The sums of one thread: group by group (incidence.c). */
+struct sums {
+  struct batch *batch;
+  size_t from;             /* first slot of the batch */
+  const int *slot, *entry; /* of the next particle */
+  struct nb_contact_forces contact_forces;
+};
+
+/* Sums the forces on the particles of a group. */
+static inline NB_FORM void sum_group(struct sums *sums, int particles, int seconds, int firsts, bool rotates) {
+  const int *slot = sums->slot, *entry = sums->entry;
+  for (int p = 0; p < particles; p++, entry += seconds + firsts) {
+    const struct nb_force sum = nb_contact_force_sum(sums->contact_forces, entry, seconds, firsts, rotates);
+    const size_t k = (size_t)slot[p] - sums->from;
+    sums->batch->force[k] = sum.force;
+    sums->batch->moment[k] = sum.moment;
+  }
+  sums->slot = slot + particles, sums->entry = entry;
+}
+
+/* Where `seconds` and `firsts` are constants, the compiler unrolls the loops over the contacts of a particle. */
+static inline NB_FORM void sum_firsts(struct sums *sums, int particles, int seconds, int firsts, bool rotates) {
+  switch (firsts) {
+  case 0:
+    sum_group(sums, particles, seconds, 0, rotates);
+    break;
+  case 1:
+    sum_group(sums, particles, seconds, 1, rotates);
+    break;
+  case 2:
+    sum_group(sums, particles, seconds, 2, rotates);
+    break;
+  case 3:
+    sum_group(sums, particles, seconds, 3, rotates);
+    break;
+  case 4:
+    sum_group(sums, particles, seconds, 4, rotates);
+    break;
+  default:
+    sum_group(sums, particles, seconds, firsts, rotates);
+  }
+}
+static inline NB_FORM void sum_seconds(struct sums *sums, struct nb_incidence_group group, bool rotates) {
+  switch (group.seconds) {
+  case 0:
+    sum_firsts(sums, group.particles, 0, group.firsts, rotates);
+    break;
+  case 1:
+    sum_firsts(sums, group.particles, 1, group.firsts, rotates);
+    break;
+  case 2:
+    sum_firsts(sums, group.particles, 2, group.firsts, rotates);
+    break;
+  case 3:
+    sum_firsts(sums, group.particles, 3, group.firsts, rotates);
+    break;
+  case 4:
+    sum_firsts(sums, group.particles, 4, group.firsts, rotates);
+    break;
+  default:
+    sum_group(sums, group.particles, group.seconds, group.firsts, rotates);
+  }
+}
+
+/* Sums the forces on the particles of batch `which`, whose first slot is `from`. */
 static inline NB_FORM void sum_forces(struct batch *batch, const struct nb_contact_forces *by,
                                       const struct nb_incidence *all, size_t which, size_t from, bool rotates) {
-  const struct nb_contact_forces contact_forces = *by;
-  const int *slot = all->order + from, *entry = all->entry + all->first[*slot];
-  const struct nb_incidence_group *group = all->group + all->batch[which], *end = all->group + all->batch[which + 1];
-  for (; group < end; group++) {
-    const int particles = group->particles, seconds = group->seconds, firsts = group->firsts;
-    for (int p = 0; p < particles; p++) {
-      const struct nb_contact_range its = {entry, entry + seconds, entry + seconds + firsts};
-      const struct nb_force sum = nb_contact_force_sum(contact_forces, its, rotates);
-      const size_t k = (size_t)*slot++ - from;
-      batch->force[k] = sum.force;
-      batch->moment[k] = sum.moment;
-      entry = its.end;
-    }
-  }
+  const int *slot = all->order + from;
+  struct sums sums = {batch, from, slot, all->entry + all->first[*slot], *by};
+  for (int g = all->batch[which]; g < all->batch[which + 1]; g++)
+    sum_seconds(&sums, all->group[g], rotates);
 }
 
 /* A function of its own sums the forces for each instruction set, because registers are scarce within `move`. */

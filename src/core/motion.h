@@ -68,21 +68,23 @@ static inline struct nb_contact_forces nb_contact_forces_of(const struct nb_mode
                                     model->plan.has_friction ? model->contacts.kept[model->plan.total_shear] : NULL};
 }
 
-/* The sum of the contact forces on a particle. The stored force acts on the contact's first particle; its opposite acts
- * on the second one. The moment of the shear force F_s is counterclockwise on both particles [CS79, The
+/* The sum of the contact forces on a particle. Its entries are `seconds` contacts in which it is the second particle, then
+ * `firsts` contacts in which it is the first one. The stored force acts on the contact's first particle; its opposite
+ * acts on the second one. The moment of the shear force F_s is counterclockwise on both particles [CS79, The
  * force-displacement law]; `moment` is the sum of F_s, N, which the caller multiplies by the radius. */
-static inline NB_FORM struct nb_force nb_contact_force_sum(struct nb_contact_forces contact_forces,
-                                                           struct nb_contact_range its, bool rotates) {
+static inline NB_FORM struct nb_force nb_contact_force_sum(struct nb_contact_forces contact_forces, const int *entry,
+                                                           int seconds, int firsts, bool rotates) {
   struct nb_force sum = {.moment = 0};
   nb_both both = {0, 0};
-  const int *c = its.first;
-  for (; c < its.middle; c++) {
-    both -= vec_both(&contact_forces.force[*c]);
-    sum.moment += rotates ? contact_forces.total_shear[*c] : 0;
+  for (int k = 0; k < seconds; k++) {
+    const int c = entry[k];
+    both -= vec_both(&contact_forces.force[c]);
+    sum.moment += rotates ? contact_forces.total_shear[c] : 0;
   }
-  for (; c < its.end; c++) {
-    both += vec_both(&contact_forces.force[*c]);
-    sum.moment += rotates ? contact_forces.total_shear[*c] : 0;
+  for (int k = seconds; k < seconds + firsts; k++) {
+    const int c = entry[k];
+    both += vec_both(&contact_forces.force[c]);
+    sum.moment += rotates ? contact_forces.total_shear[c] : 0;
   }
   vec_put(&sum.force, both);
   return sum;

@@ -5,8 +5,9 @@
 
 struct nb_force nb_force_on(const struct nb_model *model, size_t slot) {
   const struct nb_contact_forces contact_forces = nb_contact_forces_of(model);
-  struct nb_force sum = nb_contact_force_sum(contact_forces, nb_contact_range(&model->contacts.incidence, slot),
-                                             contact_forces.total_shear != NULL);
+  const struct nb_contact_range its = nb_contact_range(&model->contacts.incidence, slot);
+  struct nb_force sum = nb_contact_force_sum(contact_forces, its.first, (int)(its.middle - its.first),
+                                             (int)(its.end - its.middle), contact_forces.total_shear != NULL);
   sum.moment *= model->particles.surface[slot].radius;
   return sum;
 }
