@@ -8,6 +8,7 @@
 
 #include "../src/core/model.h"
 #include "../src/measure/step.h"
+#include "../src/run/plan.h"
 #include "continued.h"
 #include "suites.h"
 #include "written.h"
@@ -124,6 +125,41 @@ static void coefficients(void) {
     nb_model_free(model);
     written_free(&it);
   }
+}
+
+/* The coefficients of `damping ratio` follow the stiffness in a stage that changes k_n or k_s in every cycle. */
+static void coefficients_under(const char *ramp, bool of_kn) {
+  struct words page = {0};
+  struct written it;
+  words_add(
+      &page,
+      "units none\nmaterial m density 3 kn 400 ks 250 friction 10\nshear linear\ndisc 0 0 radius 1 m velocity "
+      "0.5 0.25 spin 0.5\ndisc 2.9 0.5 radius 2 m spin 0.25\ndamping ratio 0.1\nstep 0.001\nmonitor A disc 1\n"
+      "monitor B disc 2\nmonitor C disc 1 with disc 2\nrecord A.vx.half A.vy.half A.spin.half B.vx.half B.vy.half "
+      "B.spin.half A.x A.y B.x B.y C.dashpot.normal C.dashpot.shear\nstage s\nramp material m %s\ncycles 20\n",
+      ramp);
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  struct nb_error error;
+  const double a = pi * 3, b = pi * 4 * 3, mass = a * b / (a + b);
+  double kn = 400, ks = 250;
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  for (int cycle = 0; cycle < 20; cycle++) {
+    double dn, slip;
+    written_cycles(model, 1);
+    rates(model, &dn, &slip);
+    const struct nb_pair *pair = &model->material_pairs[model->contacts.material_pair[0]].values;
+    CU_ASSERT((pair->kn > kn) == of_kn && (pair->ks < ks) != of_kn && fabs(dn) > 0.1 && fabs(slip) > 0.1);
+    kn = pair->kn, ks = pair->ks;
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.dashpot.normal"), 0.2 * sqrt(mass * kn) * dn, 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.dashpot.shear"), 0.2 * sqrt(mass * ks) * slip, 1e-12);
+  }
+  nb_model_free(model);
+  written_free(&it);
+}
+static void coefficients_under_a_ramp(void) {
+  coefficients_under("kn 500", true);
+  coefficients_under("ks 200", false);
 }
 
 /* `damping centred`: the dashpot force at t_N is that of the velocity at t_(N-1/2) plus half of its last change. At
@@ -343,6 +379,7 @@ void suite_damping(void) {
   CU_add_test(suite, "equal dampings", equal_dampings);
   CU_add_test(suite, "the step of first touch", first_touch);
   CU_add_test(suite, "coefficients of the three conventions", coefficients);
+  CU_add_test(suite, "coefficients under a ramp of the stiffness", coefficients_under_a_ramp);
   CU_add_test(suite, "centred dashpots", centred);
   CU_add_test(suite, "the stable step of centred dashpots", stable_step_of_centred_dashpots);
   CU_add_test(suite, "an impact with centred dashpots continues in any cycle", continued_impact);

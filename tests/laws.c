@@ -54,6 +54,17 @@ static void stiffness_is_the_slope(struct contact it, struct chance *chance) {
   CU_ASSERT(fabs(slope - stiffness) <= tolerance);
 }
 
+/* A law that declares its stiffness constant returns that of the pair, or 0: dashpots store what they compute from it. */
+static void constant_stiffness_is_that_of_the_pair(struct contact it, struct chance *chance) {
+  for (int k = 0; k < 20; k++) {
+    contact_go(&it, k % 5 ? chance_scale(chance, 1e-9, 1e-3) : 0, chance_between(chance, -1e-4, 1e-4));
+    if (it.normal->constant)
+      CU_ASSERT(it.n.stiffness == (it.overlap > 0 ? it.pair.kn : 0));
+    if (it.shear->constant)
+      CU_ASSERT(it.s.stiffness == 0 || it.s.stiffness == it.pair.ks);
+  }
+}
+
 /* After any history, no step up or down is steeper than the largest stiffness that the law returns. The step is so
  * short that the stiffness of elastic spheres changes by the fraction 2^-17. */
 static void never_stiffer_than_stated(struct contact it, struct chance *chance) {
@@ -221,6 +232,7 @@ OF_NORMAL(pushes_and_never_pulls)
 OF_NORMAL(stiffness_is_the_slope)
 OF_NORMAL(never_stiffer_than_stated)
 OF_SHEAR(nothing_at_zero_overlap)
+OF_SHEAR(constant_stiffness_is_that_of_the_pair)
 OF_SHEAR(shear_stiffness_is_the_slope)
 OF_SHEAR(shear_stiffness_is_the_slope_at_stick)
 OF_SHEAR(shear_stays_below_its_limit)
@@ -235,6 +247,7 @@ void suite_laws(void) {
   CU_add_test(suite, "normal: pushes and never pulls", normal_pushes_and_never_pulls);
   CU_add_test(suite, "normal: stiffness is the slope", normal_stiffness_is_the_slope);
   CU_add_test(suite, "normal: never stiffer than the largest stiffness", normal_never_stiffer_than_stated);
+  CU_add_test(suite, "constant stiffness is that of the pair", shear_constant_stiffness_is_that_of_the_pair);
   CU_add_test(suite, "shear: stiffness is the slope", shear_shear_stiffness_is_the_slope);
   CU_add_test(suite, "shear: stiffness is the slope at stick", shear_shear_stiffness_is_the_slope_at_stick);
   CU_add_test(suite, "shear: stays below its limit", shear_shear_stays_below_its_limit);

@@ -44,6 +44,8 @@ enum nb_field {
   NB_RADIUS_SUM,             /* R_x + R_y, m; this and the next two are constant while a pair is listed */
   NB_MASS,                   /* M*, reduced mass, kg [R89 4.6] */
   NB_REDUCED,                /* R*, effective radius, m [R89 4.5] */
+  NB_NORMAL_ROOT,            /* sqrt(M* k_n), kg/s, for the k_n of the material pair: pass/dashpots.c */
+  NB_SHEAR_ROOT,             /* sqrt(M* k_s), kg/s */
   NB_DEEP,                   /* 1 where the overlap is beyond the range of Hertz theory, else 0 */
   NB_STABLE_OVERLAP,         /* overlap up to which the step is guaranteed stable, m: stability.c */
   NB_SHEAR_BEFORE,           /* F_s one step earlier, N, for the energy balance only */
@@ -134,6 +136,11 @@ const double *nb_history_read(const struct nb_history *history, size_t contact, 
 
 struct nb_material_pair;
 
+/* The stiffnesses for which a block stores NB_NORMAL_ROOT and NB_SHEAR_ROOT, N/m; 0 in a new block, whose roots are 0. */
+struct nb_rooted {
+  double kn, ks;
+};
+
 /* The arguments of a pass. All arrays have n entries; fields that the plan does not need are NULL. */
 struct nb_block {
   size_t n;
@@ -143,6 +150,7 @@ struct nb_block {
   struct nb_vec *force;       /* on the first particle, N */
   struct nb_history normal_history, shear_history;
   unsigned long *deep;                      /* counter of deep contacts: pass/deep.c */
+  struct nb_rooted *rooted;                 /* pass/dashpots.c; NULL: no roots are stored */
   struct nb_stable_overlap *stable_overlap; /* stability.c */
   const struct nb_material_pair *material_pair;
 };

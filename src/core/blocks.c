@@ -67,6 +67,7 @@ enum nb_status nb_blocks_create(struct nb_model *model, struct nb_error *error) 
   model->blocks.coefficients = nb_own(owner, contacts->count, sizeof *model->blocks.coefficients);
   size_t *start = nb_own(owner, max_blocks + 1, sizeof *start);
   const size_t n = start ? find_starts(start, contacts) : 0;
+  struct nb_rooted *rooted = contacts->kept[NB_NORMAL_ROOT] ? nb_own(owner, n, sizeof *rooted) : NULL;
   if (owner->failed || !create_counters(model, n))
     return nb_error_memory(error);
   for (size_t v = 0; v < n; v++) {
@@ -76,6 +77,7 @@ enum nb_status nb_blocks_create(struct nb_model *model, struct nb_error *error) 
     model->blocks.list[v] =
         block_of(model, start[v], start[v + 1], model->blocks.scratch + thread * NB_FIELDS * NB_BLOCK_SIZE);
     model->blocks.list[v].stable_overlap = model->blocks.stable_overlap ? model->blocks.stable_overlap + v : NULL;
+    model->blocks.list[v].rooted = rooted ? rooted + v : NULL;
     model->blocks.list[v].deep = model->deep.counts ? model->deep.counts + v * NB_DEEP_STRIDE : NULL;
   }
   model->blocks.count = n;

@@ -39,14 +39,14 @@ static void keep_energy_fields(struct nb_contacts *now, const struct nb_contacts
     keep_doubles(now->kept[fields[f]], old->kept[fields[f]], from, now->count);
 }
 
-/* Copies all fields except M*, which changes when a particle becomes part of a boundary, because its mass is then
- * infinite. */
+/* Copies all fields except M* and its roots, which change when a particle becomes part of a boundary, because its mass
+ * is then infinite. */
 static void keep_all_fields(struct nb_contacts *now, const struct nb_contacts *old, const int from[]) {
   for (size_t c = 0; c < now->count; c++)
     if (from[c] >= 0)
       now->force[c] = old->force[from[c]];
   for (int f = 0; f < NB_FIELDS; f++)
-    if (f != NB_MASS)
+    if (f != NB_MASS && f != NB_NORMAL_ROOT && f != NB_SHEAR_ROOT)
       keep_doubles(now->kept[f], old->kept[f], from, now->count);
 }
 
@@ -88,7 +88,7 @@ static void find_constants(struct nb_contacts *contacts, size_t c, const struct 
   const double radius = particles->surface[a].radius;
   contacts->kept[NB_RADIUS_SUM][c] = radius + (wall ? 0 : particles->surface[b].radius);
   if (contacts->kept[NB_MASS])
-    contacts->kept[NB_MASS][c] = 1 / (particles->inverse_mass[a] + (wall ? 0 : particles->inverse_mass[b]));
+    contacts->kept[NB_MASS][c] = nb_reduced_mass(particles, a, wall ? -1 : b);
   if (contacts->kept[NB_REDUCED])
     contacts->kept[NB_REDUCED][c] = wall ? radius : nb_reduced_radius(radius, particles->surface[b].radius);
 }

@@ -50,6 +50,11 @@ struct nb_particles {
   bool *removed;                       /* removed from the scene (remove.c); NULL when no stage removes any */
 };
 
+/* M*, the reduced mass of the particles in the slots i and j, kg [R89 4.6]; j < 0: of particle i and a wall. */
+static inline double nb_reduced_mass(const struct nb_particles *particles, int i, int j) {
+  return 1 / (particles->inverse_mass[i] + (j < 0 ? 0 : particles->inverse_mass[j]));
+}
+
 /* A pass of the force calculation, compiled for each instruction set. */
 struct nb_pass {
   const char *name;

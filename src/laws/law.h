@@ -61,6 +61,7 @@ struct nb_law {
   int piece, pieces;      /* doubles for each piece; default number of pieces */
   unsigned needs;         /* set of fields that the law reads besides overlap, normal force and normal stiffness */
   bool elastic;           /* for elastic spheres: uses E*, G* and R* instead of k_n and k_s */
+  bool constant;          /* the stiffness is k_n or k_s of the pair, or 0: what depends on it can be stored */
   bool branching;         /* has loops or calls: its loop need not vectorise */
   bool cohesionless;      /* does not support cohesion: a page with cohesion is invalid */
   bool dissipative;       /* dissipates energy before gross sliding, and returns this energy */

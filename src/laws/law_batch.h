@@ -11,6 +11,7 @@
  *   #define NEEDS   NB_BIT(NB_NORMAL_INCREMENT)   fields that it reads besides those every law gets (optional)
  *   #define STORED  shear_linear_stored     function that returns the stored elastic energy, J (optional)
  *   #define ELASTIC                         for elastic spheres: reads p.young, p.shear and p.radius (optional)
+ *   #define CONSTANT                        returns the stiffness p.kn, or p.ks for a shear law, or 0 (optional)
  *   #define DISSIPATIVE                     returns the energy lost to micro-slip and sliding (optional)
  *   #define COHESIONLESS                    does not support cohesion (optional)
  *   #define PREFETCH  ..._prefetch          function that prefetches the part of a row which the law reads (optional)
@@ -162,6 +163,9 @@ const struct nb_law LAW_JOIN(law_, LAW) = {
 #endif
 #ifdef ELASTIC
     .elastic = true,
+#endif
+#ifdef CONSTANT
+    .constant = true,
 #endif
 #ifdef BRANCHING
     .branching = true,

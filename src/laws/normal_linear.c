@@ -25,6 +25,7 @@ static double normal_linear_stored(struct nb_pair p, struct nb_normal n, const d
 
 #define LAW normal_linear
 #define NORMAL
+#define CONSTANT
 #define TITLE "linear spring, F_n = k_n overlap"
 #define SOURCE "[CS79 16, 18]"
 #define PARAMETERS "kn"

@@ -35,6 +35,7 @@ static double shear_linear_stored(struct nb_pair p, struct nb_normal n, const do
 
 #define LAW shear_linear
 #define SHEAR
+#define CONSTANT
 #define TITLE "linear spring with Coulomb's limit, F_s += k_s ds, |F_s| <= F_n tan(phi) + c"
 #define SOURCE "[CS79 17-19]"
 #define PARAMETERS "ks, friction, cohesion"

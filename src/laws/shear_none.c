@@ -18,6 +18,7 @@ static double shear_none_stored(struct nb_pair p, struct nb_normal n, const doub
 
 #define LAW shear_none
 #define SHEAR
+#define CONSTANT
 #define TITLE "no shear force"
 #define SOURCE "-"
 #define PARAMETERS ""

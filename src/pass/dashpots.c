@@ -13,7 +13,8 @@
  *
  * Contacts with walls may have their own beta.
  *
- * Scenes without damping ratios keep no M* and compute no square roots.
+ * Scenes without damping ratios keep no M* and compute no square roots. If the laws have constant stiffnesses, the roots
+ * are stored for each contact instead of M*, and computed again when the pair's k_n or k_s changes.
  *
  * The stiffnesses are those that the laws returned in this cycle. D_s is 0 while the contact slides [CS79, Damping];
  * F_n + D_n may be tensile. ds/dt is the mean over the whole last step, even if the contact began in it and the law
@@ -58,10 +59,14 @@ struct dashpots {
   struct nb_dashpot dashpot;
   bool uses_damping_ratio, critical; /* some coefficients contain sqrt(M* k); deep contacts are damped critically */
   const double *mass, *deep;
+  const double *normal_root, *shear_root; /* sqrt(M* k) of the contacts with k > 0; NULL: not stored */
 };
 
-static inline NB_FORM double coefficient(const struct dashpots *spec, double stiffness, size_t c) {
-  const double oscillation = spec->uses_damping_ratio ? sqrt(spec->mass[c] * stiffness) : 0; /* sqrt(M* k) */
+/* `root`: spec->normal_root or spec->shear_root. */
+static inline NB_FORM double coefficient(const struct dashpots *spec, double stiffness, const double *root, size_t c) {
+  const double oscillation = !spec->uses_damping_ratio ? 0
+                             : root                    ? nb_where(stiffness > 0, root[c])
+                                                       : sqrt(spec->mass[c] * stiffness); /* sqrt(M* k) */
   return spec->critical && spec->deep[c] > 0 ? 2 * oscillation
                                              : spec->dashpot.time * stiffness + spec->dashpot.ratio * oscillation;
 }
@@ -127,7 +132,7 @@ static double end_force(const struct dashpots *spec, const struct nb_model *mode
     return 0;
   const struct nb_pair values = nb_contact_constants(model, contact, block->material_pair->values);
   const double k = law->normal(values, before, before, history).stiffness;
-  return (weight(spec, law, -before / dn) - 1) * coefficient(spec, k, c) * dn / model->previous_step;
+  return (weight(spec, law, -before / dn) - 1) * coefficient(spec, k, spec->normal_root, c) * dn / model->previous_step;
 }
 
 /* Multiplies the forces of the dashpots of contact c by w. */
@@ -181,7 +186,7 @@ static inline NB_FORM void add_tangential(const struct dashpots *spec, const str
   NB_WIDE
   for (size_t c = 0; c < block->n; c++) {
     const double slip = slip_rate(block, changes, c, ds[c], rate);
-    total_shear[c] = shear[c] + (1 - sliding[c]) * (coefficient(spec, shear_stiffness[c], c) * slip);
+    total_shear[c] = shear[c] + (1 - sliding[c]) * (coefficient(spec, shear_stiffness[c], spec->shear_root, c) * slip);
     began += nb_touch_began(overlap[c], dn[c]);
   }
   for (size_t c = 0; c < block->n && began > 0; c++) { /* new contacts, whose ds is not that of the whole step */
@@ -189,17 +194,25 @@ static inline NB_FORM void add_tangential(const struct dashpots *spec, const str
                  displacement = fraction > 0 ? ds[c] / fraction : ds[c],
                  whole = slip_rate(block, changes, c, displacement, rate);
     if (nb_touch_began(overlap[c], dn[c]))
-      total_shear[c] = shear[c] + (1 - sliding[c]) * (coefficient(spec, shear_stiffness[c], c) * whole);
+      total_shear[c] =
+          shear[c] + (1 - sliding[c]) * (coefficient(spec, shear_stiffness[c], spec->shear_root, c) * whole);
   }
 }
 
-static inline NB_FORM void add_dashpots(const struct nb_model *model, const struct nb_block *block,
-                                        enum nb_dashpot_kind form, bool centred) {
-  const struct dashpots spec = {.dashpot = nb_dashpot(model, block->material_pair->wall),
-                                .uses_damping_ratio = form >= NB_DASHPOTS_RATIO,
-                                .critical = form == NB_DASHPOTS_DEEP && model->damping.deep > 0,
-                                .mass = block->f[NB_MASS],
-                                .deep = block->f[NB_DEEP]};
+/* Computes the roots of a block for the stiffnesses that its material pair has now. */
+static NB_COLD void renew_roots(const struct nb_model *model, const struct nb_block *block) {
+  const struct nb_pair *pair = &block->material_pair->values;
+  *block->rooted = (struct nb_rooted){pair->kn, pair->ks};
+  for (size_t c = 0; c < block->n; c++) {
+    const double mass = nb_reduced_mass(&model->particles, block->a[c], block->material_pair->wall ? -1 : block->b[c]);
+    block->f[NB_NORMAL_ROOT][c] = sqrt(mass * pair->kn);
+    if (block->material_pair->shear)
+      block->f[NB_SHEAR_ROOT][c] = sqrt(mass * pair->ks);
+  }
+}
+
+static inline NB_FORM void add_forces(const struct dashpots *spec, const struct nb_model *model,
+                                      const struct nb_block *block, bool centred) {
   const double *normal = block->f[NB_NORMAL], *stiffness = block->f[NB_STIFFNESS];
   const double *dn = block->f[NB_NORMAL_INCREMENT], *overlap = block->f[NB_OVERLAP];
   const double *ex = block->f[NB_EX], *ey = block->f[NB_EY];
@@ -214,16 +227,35 @@ static inline NB_FORM void add_dashpots(const struct nb_model *model, const stru
     double approach_rate = dn[c] * rate;
     if (centred)
       approach_rate += vec_dot(changes.approach[c], vec(ex[c], ey[c]));
-    total_normal[c] = normal[c] + coefficient(&spec, stiffness[c], c) * approach_rate;
+    total_normal[c] = normal[c] + coefficient(spec, stiffness[c], spec->normal_root, c) * approach_rate;
     if (centred)
       ends += just_began(overlap[c], dn[c]) || (!(overlap[c] > 0) && dn[c] < 0);
   }
   if (block->material_pair->shear)
-    add_tangential(&spec, block, rate, centred ? &changes : NULL);
+    add_tangential(spec, block, rate, centred ? &changes : NULL);
   if (ends > 0)
-    correct_touches(&spec, model, block);
+    correct_touches(spec, model, block);
   if (centred && !(rate > 0))
     defer_touches(model, block, &changes);
+}
+
+static inline NB_FORM void add_dashpots(const struct nb_model *model, const struct nb_block *block,
+                                        enum nb_dashpot_kind form, bool centred) {
+  struct dashpots spec = {.dashpot = nb_dashpot(model, block->material_pair->wall),
+                          .uses_damping_ratio = form >= NB_DASHPOTS_RATIO,
+                          .critical = form == NB_DASHPOTS_DEEP && model->damping.deep > 0,
+                          .mass = block->f[NB_MASS],
+                          .deep = block->f[NB_DEEP]};
+  if (form == NB_DASHPOTS_RATIO && block->rooted) {
+    const struct nb_pair *pair = &block->material_pair->values;
+    if (block->rooted->kn != pair->kn || block->rooted->ks != pair->ks)
+      renew_roots(model, block);
+    spec.normal_root = block->f[NB_NORMAL_ROOT], spec.shear_root = block->f[NB_SHEAR_ROOT];
+    add_forces(&spec, model, block, centred);
+  } else {
+    spec.normal_root = spec.shear_root = NULL;
+    add_forces(&spec, model, block, centred);
+  }
 }
 
 NB_PASS_FORM(stiffness_proportional, add_dashpots(model, block, NB_DASHPOTS_TIME, false))

@@ -72,7 +72,9 @@ static void plan_material_pair(struct nb_model *model, struct nb_material_pair *
   material_pair->pass_count = 0;
   if (stiffens(normal, shear))
     model->plan.kept |= NB_BIT(NB_STABLE_OVERLAP);
-  if (model->plan.dashpots >= NB_DASHPOTS_RATIO)
+  if (model->plan.dashpots == NB_DASHPOTS_RATIO && normal->constant && shear->constant)
+    model->plan.kept |= NB_BIT(NB_NORMAL_ROOT) | (material_pair->shear ? NB_BIT(NB_SHEAR_ROOT) : 0);
+  else if (model->plan.dashpots >= NB_DASHPOTS_RATIO)
     model->plan.kept |= NB_BIT(NB_MASS);
   const struct nb_pass *geometry = geometry_pass(model, material_pair);
   const struct nb_pass *resolve = &nb_pass_resolve[material_pair->shear != NULL];
