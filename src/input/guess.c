@@ -80,7 +80,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"disc_at disc_velocity", "disc", "a statement `disc` takes no number and no word `at`; particles are numbered in the order of their lines. Begin with x and y of the centre: `disc 0 m 0 m radius 5 mm MATERIAL velocity 1 m/s 0 m/s`"},
     {"sphere_at sphere_velocity", "sphere", "a statement `sphere` takes no number and no word `at`; particles are numbered in the order of their lines. Begin with x and y of the centre: `sphere 0 m 0 m radius 5 mm MATERIAL velocity 1 m/s 0 m/s`"},
     {"wall_generate wall_create wall_box wall_block", "wall, box", "four walls are `box 0 m 0 m to 1 m 1 m MATERIAL`; one wall is `wall floor 0 m 0 m to 1 m 0 m MATERIAL`"},
-    {"region_block region_prism region_sphere region_cylinder", "region", "a region is `region M box 0 m 0 m to 1 m 1 m`, or `region M circle 40 mm 40 mm radius 30 mm`; it only measures, and particles are placed by `fill` or `lattice`"},
+    {"region_NUMBER region_block region_prism region_sphere region_cylinder", "region", "a region is `region M box 0 m 0 m to 1 m 1 m`, or `region M circle 40 mm 40 mm radius 30 mm`; it only measures, and particles are placed by `fill` or `lattice`"},
     {"lattice_triangular lattice_triangle lattice_hex lattice_hcp lattice_sq", "hexagonal, square", "the rows of a lattice are `square`, or `hexagonal`, which is triangular: `lattice discs hexagonal 10 by 10 radius 5 mm MATERIAL`"},
     {"lattice_at", "lattice", "the centre of the first particle is `from X Y`"},
     {"wall_at wall_normal", "wall", "a wall is a line in the plane between two ends, without `at` and `normal`: `wall floor -1 m 0 m to 1 m 0 m MATERIAL`"},
