@@ -1,4 +1,5 @@
-/* The history of contacts: one field per variable if there are few variables, one row per contact if there are many.
+/* The history of contacts: one field per variable if there are few variables, one row per contact if there are many. And
+ * arrays that stay when others of their owner are freed.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -101,10 +102,32 @@ static void fields_and_rows(void) {
   }
 }
 
+/* Only listed arrays stay, as pointers of the owner too. An address sanitizer sees if one is freed twice or never. */
+static void listed_arrays_stay(void) {
+  struct nb_owner owner = {NULL};
+  double *array[4];
+  for (int k = 0; k < 4; k++)
+    array[k] = nb_own(&owner, 100, sizeof(double));
+  CU_ASSERT_FATAL(!owner.failed);
+  array[1][99] = 7, array[3][99] = 9;
+  void *const kept[] = {array[3], NULL, array[1]};
+  nb_owner_keep(&owner, kept, sizeof kept / sizeof *kept);
+  CU_ASSERT_PTR_NULL(owner.list[0]);
+  CU_ASSERT_PTR_EQUAL(owner.list[1], array[1]);
+  CU_ASSERT_PTR_NULL(owner.list[2]);
+  CU_ASSERT_PTR_EQUAL(owner.list[3], array[3]);
+  CU_ASSERT_EQUAL(array[1][99] + array[3][99], 16);
+  nb_owner_keep(&owner, NULL, 0);
+  CU_ASSERT_PTR_NULL(owner.list[1]);
+  nb_owner_free(&owner);
+  CU_ASSERT_EQUAL(owner.count, 0);
+}
+
 void suite_memory(void) {
   CU_pSuite suite = CU_add_suite("memory", NULL, NULL);
   CU_add_test(suite, "few variables", few);
   CU_add_test(suite, "many variables", many);
   CU_add_test(suite, "different lengths", different_lengths);
   CU_add_test(suite, "fields and rows", fields_and_rows);
+  CU_add_test(suite, "listed arrays stay", listed_arrays_stay);
 }

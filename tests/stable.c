@@ -218,6 +218,35 @@ static void storage_changes_no_bit(void) {
   written_free(&it);
 }
 
+/* The coefficients of contacts that are not kept, because there are many contacts or no memory, are computed again. */
+static void kept_coefficients_are_those_computed(void) {
+  struct chance chance = chance_begin(11);
+  struct words page = {0};
+  struct written it;
+  network(&page, &chance, 6, 6);
+  words_add(&page, "damping ratio 0.3\nstep 1 of stable\nrecord step\nstage s\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  struct nb_element kept[1000];
+  const size_t n = model->contacts.count;
+  CU_ASSERT_FATAL(n > 30 && n < sizeof kept / sizeof *kept);
+  nb_stable_step_begin(model);
+  CU_ASSERT_PTR_NOT_NULL(model->stability->coefficients);
+  for (size_t c = 0; c < n; c++)
+    kept[c] = nb_element_of(model, c);
+  nb_stable_step_end(model);
+  CU_ASSERT_PTR_NULL(model->stability->coefficients);
+  for (size_t c = 0; c < n; c++) {
+    const struct nb_element computed = nb_element_of(model, c);
+    CU_ASSERT_EQUAL(computed.own.kn, kept[c].own.kn);
+    CU_ASSERT_EQUAL(computed.own.ks, kept[c].own.ks);
+    CU_ASSERT_EQUAL(computed.own.cn, kept[c].own.cn);
+    CU_ASSERT_EQUAL(computed.own.cs, kept[c].own.cs);
+  }
+  nb_model_free(model);
+  written_free(&it);
+}
+
 /* A law that may unload forty times as stiffly as it loads. */
 static struct nb_normal yields(struct nb_pair p, double overlap, double dn, double m[]) {
   (void)dn, (void)m;
@@ -284,4 +313,5 @@ void suite_stable(void) {
   CU_add_test(suite, "stiffer unloading counts", stiffer_unloading_counts);
   CU_add_test(suite, "discs apart count as they touch", discs_apart_count_as_they_touch);
   CU_add_test(suite, "storage changes no bit", storage_changes_no_bit);
+  CU_add_test(suite, "kept coefficients are those computed", kept_coefficients_are_those_computed);
 }

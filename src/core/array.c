@@ -63,3 +63,18 @@ void nb_owner_free(struct nb_owner *owner) {
   free(owner->list);
   *owner = (struct nb_owner){0};
 }
+
+static bool listed(const void *array, void *const list[], size_t count) {
+  for (size_t k = 0; k < count; k++)
+    if (list[k] == array)
+      return true;
+  return false;
+}
+
+void nb_owner_keep(struct nb_owner *owner, void *const kept[], size_t count) {
+  for (size_t k = 0; k < owner->count; k++)
+    if (!listed(owner->list[k], kept, count)) {
+      free(owner->list[k]);
+      owner->list[k] = NULL;
+    }
+}

@@ -27,3 +27,5 @@ struct nb_owner {
 /* Returns an array as nb_array does, which is freed with its owner. */
 void *nb_own(struct nb_owner *owner, size_t count, size_t size);
 void nb_owner_free(struct nb_owner *owner);
+/* Frees all arrays of the owner except those listed; an entry of `kept` may be NULL. */
+void nb_owner_keep(struct nb_owner *owner, void *const kept[], size_t count);

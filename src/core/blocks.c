@@ -64,7 +64,6 @@ enum nb_status nb_blocks_create(struct nb_model *model, struct nb_error *error) 
   size_t max_blocks = contacts->count / NB_BLOCK_SIZE + model->material_pair_count + 1;
   struct nb_owner *owner = &model->contacts.owner;
   model->blocks.list = nb_own(owner, max_blocks, sizeof *model->blocks.list);
-  model->blocks.coefficients = nb_own(owner, contacts->count, sizeof *model->blocks.coefficients);
   size_t *start = nb_own(owner, max_blocks + 1, sizeof *start);
   const size_t n = start ? find_starts(start, contacts) : 0;
   struct nb_rooted *rooted = contacts->kept[NB_NORMAL_ROOT] ? nb_own(owner, n, sizeof *rooted) : NULL;

@@ -32,21 +32,25 @@ static void keep_doubles(double now[], const double old[], const int from[], siz
     now[c] = from[c] >= 0 ? old[from[c]] : now[c];
 }
 
-/* Copies the values of the last step that the energy balance still needs. */
-static void keep_energy_fields(struct nb_contacts *now, const struct nb_contacts *old, const int from[]) {
-  static const enum nb_field fields[] = {NB_OVERLAP, NB_SHEAR_BEFORE, NB_SHEAR_STIFFNESS_BEFORE};
-  for (size_t f = 0; f < sizeof fields / sizeof *fields; f++)
-    keep_doubles(now->kept[fields[f]], old->kept[fields[f]], from, now->count);
+/* The fields whose values stay with a contact. If forces are kept, these are all except M* and its roots, which
+ * change when a particle becomes part of a boundary, because its mass is then infinite. Otherwise they are the values of
+ * the last step that the energy balance still needs. */
+static unsigned fields_that_stay(const struct nb_model *model) {
+  if (model->search.keep_forces)
+    return (NB_BIT(NB_FIELDS) - 1) & ~(NB_BIT(NB_MASS) | NB_BIT(NB_NORMAL_ROOT) | NB_BIT(NB_SHEAR_ROOT));
+  return model->plan.requested & NB_REQUEST_ENERGY
+             ? NB_BIT(NB_OVERLAP) | NB_BIT(NB_SHEAR_BEFORE) | NB_BIT(NB_SHEAR_STIFFNESS_BEFORE)
+             : 0;
 }
 
-/* Copies all fields except M* and its roots, which change when a particle becomes part of a boundary, because its mass
- * is then infinite. */
-static void keep_all_fields(struct nb_contacts *now, const struct nb_contacts *old, const int from[]) {
-  for (size_t c = 0; c < now->count; c++)
+static void keep_fields(struct nb_contacts *now, const struct nb_contacts *old, const int from[],
+                        const struct nb_model *model) {
+  const unsigned fields = fields_that_stay(model);
+  for (size_t c = 0; c < now->count && model->search.keep_forces; c++)
     if (from[c] >= 0)
       now->force[c] = old->force[from[c]];
   for (int f = 0; f < NB_FIELDS; f++)
-    if (f != NB_MASS && f != NB_NORMAL_ROOT && f != NB_SHEAR_ROOT)
+    if (fields & NB_BIT(f))
       keep_doubles(now->kept[f], old->kept[f], from, now->count);
 }
 
@@ -70,10 +74,7 @@ static void copy_histories(const struct nb_model *model, const struct nb_contact
                            const int from[]) {
   for (size_t c = 0; c < now->count && now->suppressed && old->suppressed; c++)
     now->suppressed[c] = from[c] >= 0 ? old->suppressed[from[c]] : now->suppressed[c];
-  if (model->search.keep_forces)
-    keep_all_fields(now, old, from);
-  else if (model->plan.requested & NB_REQUEST_ENERGY)
-    keep_energy_fields(now, old, from);
+  keep_fields(now, old, from, model);
   nb_history_keep(&now->normal_history, &old->normal_history, from, now->count);
   nb_history_keep(&now->shear_history, &old->shear_history, from, now->count);
   nb_history_keep(&now->slip_sum, &old->slip_sum, from, now->count);
@@ -101,11 +102,11 @@ static void find_images(struct nb_contacts *contacts, const struct nb_model *mod
     contacts->image[c] = nb_wrap_image(&wrap, vec_sub(x[contacts->b[c]], x[contacts->a[c]]));
 }
 
+/* Creates the arrays that the search does not fill. */
 static void create_arrays(struct nb_contacts *contacts, const struct nb_model *model) {
   const size_t n = contacts->count;
   struct nb_owner *owner = &contacts->owner;
-  contacts->a = nb_own(owner, n, sizeof(int)), contacts->b = nb_own(owner, n, sizeof(int));
-  contacts->material_pair = nb_own(owner, n, sizeof(int)), contacts->force = nb_own(owner, n, sizeof *contacts->force);
+  contacts->force = nb_own(owner, n, sizeof *contacts->force);
   if (model->cell)
     contacts->image = nb_own(owner, n, sizeof *contacts->image);
   if (model->vertices.any)
@@ -134,38 +135,86 @@ static bool number_contacts(int contact[], const struct nb_neighbour_pairs *pair
   return true;
 }
 
-static bool contacts_create(struct nb_contacts *contacts, const struct nb_model *model,
-                            const struct nb_neighbour_pairs *pairs) {
-  *contacts = (struct nb_contacts){.count = pairs->count};
-  int *contact = nb_array(pairs->count, sizeof *contact);
-  create_arrays(contacts, model);
-  const bool made = contact && !contacts->owner.failed && number_contacts(contact, pairs, model) &&
-                    nb_incidence_fill(contacts, pairs, contact, model);
-  for (size_t p = 0; p < pairs->count && made; p++) {
+/* Sets the particles and the material pair of each contact; contact[p] is the index of pair p. False: out of memory. */
+static bool enter_pairs(struct nb_contacts *contacts, const struct nb_model *model,
+                        const struct nb_neighbour_pairs *pairs, int contact[]) {
+  const size_t n = pairs->count;
+  struct nb_owner *owner = &contacts->owner;
+  *contacts = (struct nb_contacts){.count = n};
+  contacts->a = nb_own(owner, n, sizeof(int)), contacts->b = nb_own(owner, n, sizeof(int));
+  contacts->material_pair = nb_own(owner, n, sizeof(int));
+  if (owner->failed || !contact || !number_contacts(contact, pairs, model))
+    return false;
+  for (size_t p = 0; p < n; p++) {
     const struct nb_neighbour_pair *pair = &pairs->list[p];
     const int c = contact[p];
     contacts->a[c] = pair->a, contacts->b[c] = pair->b, contacts->material_pair[c] = pair->material_pair;
     contacts->wall_from += !model->material_pairs[pair->material_pair].wall;
-    find_constants(contacts, (size_t)c, model);
   }
-  free(contact);
-  if (made && model->cell)
-    find_images(contacts, model);
-  return made;
+  return true;
 }
 
-bool nb_contacts_renew(struct nb_model *model, const struct nb_neighbour_pairs *pairs) {
+/* Sets the constants of the contacts, after their arrays have been created. */
+static void set_constants(struct nb_contacts *contacts, const struct nb_model *model) {
+  for (size_t c = 0; c < contacts->count; c++)
+    find_constants(contacts, c, model);
+  if (model->cell)
+    find_images(contacts, model);
+}
+
+static size_t list_history(void *list[], const struct nb_history *history) {
+  for (int m = 0; m < NB_HISTORY; m++)
+    list[m] = history->field[m];
+  list[NB_HISTORY] = history->rows;
+  return NB_HISTORY + 1;
+}
+
+/* Frees the arrays of the old list, except those from which values are copied. */
+static void free_unneeded(struct nb_contacts *old, const struct nb_model *model) {
+  void *needed[NB_FIELDS + 2 + 3 * (NB_HISTORY + 1)];
+  const unsigned fields = fields_that_stay(model);
+  size_t n = 0;
+  needed[n++] = old->suppressed;
+  needed[n++] = model->search.keep_forces ? old->force : NULL;
+  for (int f = 0; f < NB_FIELDS; f++)
+    needed[n++] = fields & NB_BIT(f) ? old->kept[f] : NULL;
+  n += list_history(needed + n, &old->normal_history);
+  n += list_history(needed + n, &old->shear_history);
+  n += list_history(needed + n, &old->slip_sum);
+  nb_owner_keep(&old->owner, needed, n);
+}
+
+/* Makes the new list. Frees pairs and old arrays as soon as they are not needed any more, because this is where a run
+ * needs the most memory. */
+static bool make_contacts(struct nb_contacts *now, struct nb_contacts *old, const struct nb_model *model,
+                          struct nb_neighbour_pairs *pairs, int contact[], int from[]) {
+  find_old(from, model, old, now);
+  free_unneeded(old, model);
+  if (!nb_incidence_fill(now, pairs, contact, model))
+    return false;
+  free(pairs->list);
+  pairs->list = NULL;
+  create_arrays(now, model);
+  if (now->owner.failed)
+    return false;
+  set_constants(now, model);
+  copy_histories(model, old, now, from);
+  return true;
+}
+
+bool nb_contacts_renew(struct nb_model *model, struct nb_neighbour_pairs *pairs) {
   struct nb_contacts now;
-  int *from = nb_array(pairs->count, sizeof *from);
-  const bool made = contacts_create(&now, model, pairs) && from;
-  if (made) {
-    find_old(from, model, &model->contacts, &now);
-    copy_histories(model, &model->contacts, &now, from);
+  int *contact = nb_array(pairs->count, sizeof *contact), *from = nb_array(pairs->count, sizeof *from);
+  const bool made = enter_pairs(&now, model, pairs, contact) && from &&
+                    make_contacts(&now, &model->contacts, model, pairs, contact, from);
+  free(contact), free(from);
+  nb_owner_free(&model->contacts.owner);
+  if (!made) {
+    nb_owner_free(&now.owner);
+    now = (struct nb_contacts){0};
+    model->blocks.count = 0; /* the blocks belonged to the old list */
   }
-  free(from);
-  nb_owner_free(made ? &model->contacts.owner : &now.owner);
-  if (made)
-    model->contacts = now;
+  model->contacts = now;
   return made;
 }
 

@@ -130,11 +130,10 @@ struct nb_blocks {
   size_t count;
   double *scratch; /* NB_FIELDS * NB_BLOCK_SIZE doubles for each thread */
   struct nb_stable_overlap {
-    double overlap;                     /* smallest NB_STABLE_OVERLAP of the block, m */
-    unsigned long above;                /* number of contacts that overlap by more than their NB_STABLE_OVERLAP */
-    double padding[6];                  /* two threads must not write to the same cache line */
-  } * stable_overlap;                   /* for each block; NULL: no checked contact stiffens with overlap */
-  struct nb_coefficients *coefficients; /* for each contact: working memory of measure/stable_step.c */
+    double overlap;      /* smallest NB_STABLE_OVERLAP of the block, m */
+    unsigned long above; /* number of contacts that overlap by more than their NB_STABLE_OVERLAP */
+    double padding[6];   /* two threads must not write to the same cache line */
+  } * stable_overlap;    /* for each block; NULL: no checked contact stiffens with overlap */
 };
 
 /* Two particles, as slots, and their overlap, m. */

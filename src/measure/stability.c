@@ -123,10 +123,10 @@ static void set_update_limit(struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   const struct nb_contacts *contacts = &model->contacts;
   const double dt = model->step, limit = nb_stability_limit(&model->damping), h = max_stiffness_ratio(model);
-  double *stable_overlap = contacts->kept[NB_STABLE_OVERLAP];
+  double *stable_overlap = contacts->kept[NB_STABLE_OVERLAP], *remainder = model->stability->remainder;
   int slots[2];
   for (size_t i = 0; i < particles->count; i++)
-    model->stability->sums[i].remainder = INFINITY;
+    remainder[i] = INFINITY;
   for (size_t c = 0; c < contacts->count; c++) {
     const struct nb_element element = nb_element_of(model, c);
     const int n = free_particles(model, c, slots);
@@ -134,8 +134,7 @@ static void set_update_limit(struct nb_model *model) {
     const double left = limit - (shear > normal ? shear : normal);
     const bool apart = !(element.own.kn > 0) && !(left > 0); /* a check follows as soon as the pair touches */
     for (int k = 0; k < n && !apart; k++)
-      model->stability->sums[slots[k]].remainder =
-          smaller(model->stability->sums[slots[k]].remainder, left > 0 ? left / n : 0);
+      remainder[slots[k]] = smaller(remainder[slots[k]], left > 0 ? left / n : 0);
     stable_overlap[c] = apart ? -INFINITY : dt * dt * element.own.kn + 2 * dt * element.own.cn; /* q at first */
   }
   for (size_t v = 0; v < model->blocks.count; v++)
@@ -148,8 +147,8 @@ static void set_update_limit(struct nb_model *model) {
         const int i = slots[k];
         const double inverse = particles->inverse_mass[i], radius = particles->surface[i].radius;
         const double shear_factor = h * (inverse + radius * radius * particles->inverse_inertia[i]);
-        const double per_contact = model->stability->sums[i].remainder /
-                                   (double)(model->contacts.incidence.end[i] - model->contacts.incidence.first[i]);
+        const double per_contact =
+            remainder[i] / (double)(model->contacts.incidence.end[i] - model->contacts.incidence.first[i]);
         increase = smaller(increase, per_contact / (shear_factor > inverse ? shear_factor : inverse));
       }
       stable_overlap[c] = overlap_with_stiffness(model, c, stiffness_of(model, c, stable_overlap[c] + increase));
@@ -200,13 +199,13 @@ static enum nb_status check_step(const struct nb_model *model, const struct nb_s
 enum nb_status nb_stability_check(struct nb_model *model, struct nb_error *error) {
   if (model->stability->allow_unstable || model->contacts.count == 0)
     return NB_OK;
-  const struct nb_stable stable = nb_stable_step(model);
+  const struct nb_stable stable = nb_stable_step_begin(model);
   model->stability->checks++;
-  if (check_step(model, &stable, error))
-    return error->status;
-  if (model->blocks.stable_overlap)
+  const enum nb_status status = check_step(model, &stable, error);
+  if (!status && model->blocks.stable_overlap)
     set_update_limit(model);
-  return NB_OK;
+  nb_stable_step_end(model);
+  return status;
 }
 
 enum nb_status nb_stability_begin(struct nb_model *model, const struct nb_stable *apart, struct nb_error *error) {

@@ -51,6 +51,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "laws/laws_now.h"
@@ -59,9 +60,11 @@
 bool nb_stability_create(struct nb_model *model) {
   struct nb_stability *it = model->stability = nb_own(&model->owner, 1, sizeof *it);
   struct nb_particle_sums *sums = nb_own(&model->owner, model->particles.count, sizeof *sums);
+  const bool stiffens = nb_laws_initial(model->scene).normal && nb_laws_elastic(model->scene);
+  double *remainder = stiffens ? nb_own(&model->owner, model->particles.count, sizeof *remainder) : NULL;
   if (model->owner.failed)
     return false;
-  *it = (struct nb_stability){.step_line = -1, .sums = sums};
+  *it = (struct nb_stability){.step_line = -1, .sums = sums, .remainder = remainder};
   return true;
 }
 
@@ -236,14 +239,31 @@ struct nb_stable nb_stable_step_stage(const struct nb_model *model) {
 struct nb_element nb_element_of(const struct nb_model *model, size_t c) {
   const struct nb_particles *particles = &model->particles;
   const int i = model->contacts.a[c], j = model->contacts.b[c];
-  struct nb_element element = {.own = model->blocks.coefficients[c]};
+  const struct nb_coefficients *kept = model->stability->coefficients;
+  struct nb_element element = {.own = kept ? kept[c] : coefficients_of(model, c)};
   add_particle(&element, &model->stability->sums[i], particles->inverse_mass[i], particles->inverse_inertia[i]);
   if (!nb_with_wall(model, c))
     add_particle(&element, &model->stability->sums[j], particles->inverse_mass[j], particles->inverse_inertia[j]);
   return element;
 }
 
-struct nb_stable nb_stable_step(const struct nb_model *model) {
+/* The coefficients of elastic spheres are kept during the check, unless memory ran out. So are those of linear springs if
+ * there are few contacts. With more contacts they are computed twice, because they would need a fifth of the memory. */
+enum { MOST_KEPT = 300000 };
+static void keep_coefficients(const struct nb_model *model) {
+  struct nb_stability *stability = model->stability;
+  nb_stable_step_end(model);
+  const size_t n = model->contacts.count;
+  if (n <= MOST_KEPT || model->next_laws.normal->elastic || model->next_laws.shear->elastic)
+    stability->coefficients = nb_array(n, sizeof *stability->coefficients);
+}
+
+void nb_stable_step_end(const struct nb_model *model) {
+  free(model->stability->coefficients);
+  model->stability->coefficients = NULL;
+}
+
+struct nb_stable nb_stable_step_begin(const struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_particles *particles = &model->particles;
   const double limit = nb_stability_limit(&model->damping);
@@ -251,10 +271,13 @@ struct nb_stable nb_stable_step(const struct nb_model *model) {
   if (contacts->count == 0)
     return nb_stable_step_apart(model);
   update_next_properties(model);
+  keep_coefficients(model);
   memset(model->stability->sums, 0, particles->count * sizeof *model->stability->sums);
   for (size_t c = 0; c < contacts->count; c++) { /* in the order of particle numbers, whatever the storage */
     const int i = contacts->a[c], j = contacts->b[c];
-    const struct nb_coefficients k = model->blocks.coefficients[c] = coefficients_of(model, c);
+    const struct nb_coefficients k = coefficients_of(model, c);
+    if (model->stability->coefficients)
+      model->stability->coefficients[c] = k;
     add(&model->stability->sums[i], &k, particles->surface[i].radius);
     if (!nb_with_wall(model, c))
       add(&model->stability->sums[j], &k, particles->surface[j].radius);
@@ -265,5 +288,11 @@ struct nb_stable nb_stable_step(const struct nb_model *model) {
       keep_smaller(&stable, &element, limit, contacts->a[c], contacts->b[c],
                    &model->material_pairs[contacts->material_pair[c]]);
   }
+  return stable;
+}
+
+struct nb_stable nb_stable_step(const struct nb_model *model) {
+  const struct nb_stable stable = nb_stable_step_begin(model);
+  nb_stable_step_end(model);
   return stable;
 }

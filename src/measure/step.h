@@ -8,21 +8,22 @@
 
 /* State of the stability check: step.c, stable_step.c, stability.c. */
 struct nb_stability {
-  int step_line;                 /* line of the statement that has set the step; -1: none yet */
-  double stable_step;            /* guaranteed stable step at the beginning of the current stage, s */
-  bool allow_unstable;           /* no check in this stage */
-  bool damped;                   /* contacts have dashpots at the next force calculation */
-  struct nb_dashpot dashpots[2]; /* these dashpots: of contacts of two particles, and of contacts with walls */
-  unsigned long checks;          /* number of checks so far */
-  double largest;                /* largest ratio of the step to the guaranteed stable step in these checks, 1 */
-  struct nb_particle_sums *sums; /* workspace of stable_step.c, per slot */
+  int step_line;                        /* line of the statement that has set the step; -1: none yet */
+  double stable_step;                   /* guaranteed stable step at the beginning of the current stage, s */
+  bool allow_unstable;                  /* no check in this stage */
+  bool damped;                          /* contacts have dashpots at the next force calculation */
+  struct nb_dashpot dashpots[2];        /* these dashpots: of contacts of two particles, and of contacts with walls */
+  unsigned long checks;                 /* number of checks so far */
+  double largest;                       /* largest ratio of the step to the guaranteed stable step in these checks, 1 */
+  struct nb_particle_sums *sums;        /* workspace of stable_step.c, per slot */
+  double *remainder;                    /* workspace of stability.c, per slot; NULL: no contact stiffens with overlap */
+  struct nb_coefficients *coefficients; /* of each contact, during a check; NULL: computed when needed */
 };
 bool nb_stability_create(struct nb_model *model); /* false: no memory */
 
 /* stable_step.c */
 struct nb_particle_sums {
   double kn, ks, cn, cs; /* sums over a particle's contacts of k_n, k_s R^2, c_n and c_s R^2 */
-  double remainder;      /* the smallest half of the remainders of the particle's contacts: stability.c */
 };
 /* The guaranteed stable step for the current contacts and damping, and the contact that limits it. */
 struct nb_stable {
@@ -33,6 +34,9 @@ struct nb_stable {
   const struct nb_material_pair *material_pair; /* material pair of the contact */
 };
 struct nb_stable nb_stable_step(const struct nb_model *model);
+/* The same, and keeps the coefficients of the contacts until nb_stable_step_end, if there is memory for them. */
+struct nb_stable nb_stable_step_begin(const struct nb_model *model);
+void nb_stable_step_end(const struct nb_model *model);
 /* The guaranteed stable step of pairs that could collide later: the lightest particles of every two materials, as if
  * they touched. */
 struct nb_stable nb_stable_step_apart(const struct nb_model *model);
@@ -45,8 +49,9 @@ struct nb_element {
   double a, d; /* A, 1/s2; A with c_n instead of k_n, 1/s */
   double q, p; /* Q_i/I_i + Q_j/I_j, 1/s2; this sum with c_s instead of k_s, 1/s */
 };
-double nb_inverse_mass(const struct nb_model *model, size_t contact);          /* 1/M*, 1/kg */
-struct nb_element nb_element_of(const struct nb_model *model, size_t contact); /* valid after nb_stable_step */
+double nb_inverse_mass(const struct nb_model *model, size_t contact); /* 1/M*, 1/kg */
+/* Valid from nb_stable_step_begin to nb_stable_step_end. */
+struct nb_element nb_element_of(const struct nb_model *model, size_t contact);
 static inline double nb_element_normal(const struct nb_element *element, double dt) {
   return dt * (dt * element->a + 2 * element->d);
 }
