@@ -372,6 +372,7 @@ SUITES = \
   tests/removal.c \
   tests/properties.c \
   tests/memory.c \
+  tests/team.c \
   tests/fill.c \
   tests/run.c \
   tests/hooks.c \

@@ -49,7 +49,7 @@ static bool create_counters(struct nb_model *model, size_t blocks) {
          (!check_stable || stable_overlap_begin(model, blocks));
 }
 
-/* Of n blocks, thread t of T computes those from n t/T to n (t+1)/T - 1, in its own scratch memory. */
+/* Of n blocks, part p of P consists of those from n p/P to n (p+1)/P - 1. It has its own scratch memory. */
 enum nb_status nb_blocks_create(struct nb_model *model, struct nb_error *error) {
   const struct nb_contacts *contacts = &model->contacts;
   /* a thread with fewer contacts waits longer than it computes */
@@ -61,6 +61,7 @@ enum nb_status nb_blocks_create(struct nb_model *model, struct nb_error *error) 
     model->machine.team = nb_team_sized(model->machine.team, model->machine.threads_used);
   if (!model->machine.team)
     model->machine.threads_used = 1;
+  const size_t parts = nb_parts(model->machine.threads_used);
   size_t max_blocks = contacts->count / NB_BLOCK_SIZE + model->material_pair_count + 1;
   struct nb_owner *owner = &model->contacts.owner;
   model->blocks.list = nb_own(owner, max_blocks, sizeof *model->blocks.list);
@@ -69,12 +70,11 @@ enum nb_status nb_blocks_create(struct nb_model *model, struct nb_error *error) 
   struct nb_rooted *rooted = contacts->kept[NB_NORMAL_ROOT] ? nb_own(owner, n, sizeof *rooted) : NULL;
   if (owner->failed || !create_counters(model, n))
     return nb_error_memory(error);
-  for (size_t v = 0; v < n; v++) {
-    size_t thread = 0;
-    while (n * (thread + 1) / (size_t)model->machine.threads_used <= v)
-      thread++;
+  for (size_t v = 0, part = 0; v < n; v++) {
+    while (n * (part + 1) / parts <= v)
+      part++;
     model->blocks.list[v] =
-        block_of(model, start[v], start[v + 1], model->blocks.scratch + thread * NB_FIELDS * NB_BLOCK_SIZE);
+        block_of(model, start[v], start[v + 1], model->blocks.scratch + part * NB_FIELDS * NB_BLOCK_SIZE);
     model->blocks.list[v].stable_overlap = model->blocks.stable_overlap ? model->blocks.stable_overlap + v : NULL;
     model->blocks.list[v].rooted = rooted ? rooted + v : NULL;
     model->blocks.list[v].deep = model->deep.counts ? model->deep.counts + v * NB_DEEP_STRIDE : NULL;

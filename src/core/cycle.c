@@ -5,8 +5,9 @@
  *   Contacts   If something has moved far enough, a search renews the list of contacts.
  *   Forces     The force-displacement laws give the forces at t_(N+1) from positions and velocities.
  *
- * Forces and positions of a cycle belong to the same time. Threads get fixed ranges of blocks, then of particles. Each
- * contact and each particle is computed by one thread alone, so the number of threads changes no bit.
+ * Forces and positions of a cycle belong to the same time. A team of threads (team.c) computes parts of the blocks, then
+ * of the particles. Each contact and each particle is computed by one thread alone, so neither the number of threads nor
+ * the thread that does a part changes a bit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "model.h"
@@ -22,9 +23,9 @@ static void forces_of_block(const struct nb_model *model, const struct nb_block 
 
 static void forces_part(void *data, int part) {
   const struct nb_model *model = data;
-  const int parts = model->machine.threads_used;
+  const size_t parts = nb_parts(model->machine.threads_used);
   const size_t n = model->blocks.count;
-  for (size_t v = n * (size_t)part / (size_t)parts; v < n * ((size_t)part + 1) / (size_t)parts; v++)
+  for (size_t v = n * (size_t)part / parts; v < n * ((size_t)part + 1) / parts; v++)
     forces_of_block(model, &model->blocks.list[v]);
   nb_rounding_begin(&model->machine.rounding, NULL);
 }
@@ -32,20 +33,20 @@ static void forces_part(void *data, int part) {
 void nb_forces(struct nb_model *model) {
   if (model->vertices.count)
     nb_vertices_suppress(model);
-  nb_team_run(model->machine.team, model->machine.threads_used, forces_part, model);
+  nb_team_run(model->machine.team, (int)nb_parts(model->machine.threads_used), forces_part, model);
   model->updates += model->contacts.count;
 }
 
 struct moved {
   struct nb_model *model;
-  int out[NB_THREADS]; /* of each part: number of particles that require a new search */
+  int out[NB_MOST_PARTS]; /* of each part: number of particles that require a new search */
 };
 
 static void motion_part(void *data, int part) {
   struct moved *moved = data;
   struct nb_model *model = moved->model;
   nb_rounding_begin(&model->machine.rounding, "motion");
-  moved->out[part] = nb_motion_part(model, part, model->machine.threads_used);
+  moved->out[part] = nb_motion_part(model, part, (int)nb_parts(model->machine.threads_used));
   nb_rounding_begin(&model->machine.rounding, NULL);
 }
 
@@ -58,8 +59,8 @@ static int motion(struct nb_model *model) {
   nb_rounding_begin(&model->machine.rounding, NULL);
   struct moved moved;
   moved.model = model;
-  nb_team_run(model->machine.team, model->machine.threads_used, motion_part, &moved);
-  for (int part = 0; part < model->machine.threads_used; part++)
+  nb_team_run(model->machine.team, (int)nb_parts(model->machine.threads_used), motion_part, &moved);
+  for (int part = 0; part < (int)nb_parts(model->machine.threads_used); part++)
     out += moved.out[part];
   return out;
 }

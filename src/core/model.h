@@ -61,6 +61,7 @@ struct nb_pass {
   nb_run_pass *run[NB_ISAS];
 };
 enum { NB_PASSES = 7, NB_THREADS = 256, NB_CONTACTS_PER_THREAD = 128 };
+enum { NB_PARTS_PER_THREAD = 4, NB_MOST_PARTS = NB_THREADS * NB_PARTS_PER_THREAD }; /* of the work of a cycle: team.c */
 
 /* The contacts between two materials, or between particles and walls of two materials: their parameters and passes. */
 struct nb_material_pair {
@@ -102,6 +103,10 @@ struct nb_machine {
   struct nb_rounding rounding;
 };
 
+/* Number of parts of the work of a cycle: several for each thread, so that a thread can take over those of another. */
+static inline size_t nb_parts(int threads) { return threads > 1 ? (size_t)threads * NB_PARTS_PER_THREAD : 1; }
+static inline size_t nb_most_parts(const struct nb_machine *machine) { return nb_parts(machine->threads); }
+
 /* What the current stage requires of the contacts; run/plan.c determines it. */
 struct nb_plan {
   unsigned requested;        /* fields and NB_REQUEST_ bits that columns and conditions read */
@@ -128,7 +133,7 @@ struct nb_coefficients {
 struct nb_blocks {
   struct nb_block *list; /* one per block */
   size_t count;
-  double *scratch; /* NB_FIELDS * NB_BLOCK_SIZE doubles for each thread */
+  double *scratch; /* NB_FIELDS * NB_BLOCK_SIZE doubles for each part of the work of a cycle */
   struct nb_stable_overlap {
     double overlap;      /* smallest NB_STABLE_OVERLAP of the block, m */
     unsigned long above; /* number of contacts that overlap by more than their NB_STABLE_OVERLAP */

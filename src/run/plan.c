@@ -137,7 +137,7 @@ enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
   }
   plan->kept = needed_fields(plan->kept | (plan->has_friction ? NB_BIT(plan->total_shear) : 0), dissipative, plan);
   free(model->blocks.scratch);
-  model->blocks.scratch = nb_array((size_t)model->machine.threads * NB_FIELDS * NB_BLOCK_SIZE, sizeof(double));
+  model->blocks.scratch = nb_array(nb_most_parts(&model->machine) * NB_FIELDS * NB_BLOCK_SIZE, sizeof(double));
   return model->blocks.scratch ? NB_OK : nb_error_memory(error);
 }
 
