@@ -4,9 +4,10 @@
 #   goals.sh -o FILE
 #
 #   NINEBALL   the program, built with -g -O3        REPEATS   repeats, 5; the table has the median, the least and the greatest
-#   ONLY       the rows to measure, "nine exact threads million"
+#   ONLY       the rows to measure, "nine exact threads moving million sample"
 # Each line of the table: goal, number of particles, the quantity and its unit, median, least, greatest. Rows that are not
-# measured stay. The packings are those of packing.awk. Exit status: 0, 2 wrong use or a failed run.
+# measured stay. The packings are those of packing.awk, and the sample is that of the page preparation-price. Exit status: 0,
+# 2 wrong use or a failed run.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 set -euo pipefail
@@ -25,7 +26,7 @@ clock() { command time -f "$1" -o clock "$program" figure page.md --jobs 1 "${@:
 # keep GOAL PARTICLES QUANTITY: the line of the table from the numbers of the input.
 keep() {
   sort -n | $awk -v head="$1	$2	$3" '{ x[NR] = $1 } END { printf "%s\t%.4g\t%.4g\t%.4g\n", head, x[int((NR + 1) / 2)], x[1], x[NR] }' >line
-  grep -v "^$1	$2	" "$table" >rest || :
+  grep -vF "$1	$2	$3	" "$table" >rest || :
   cat rest line >"$table"
 }
 # cycle_time WRITE CYCLES: the time of a cycle in ns, without reading and start. The command `WRITE N` writes page.md with N
@@ -40,8 +41,36 @@ nine_discs() {
   printf 'stage oscillate\nrecord none\nwalls stop\ncycles %d\n```\n' "$1" >>page.md
 }
 exact() { packing "$side" lattice exact "$1"; }
+# sheared RATE CYCLES: writes page.md, the random packing in a periodic cell, which is relaxed and then sheared at this rate, 1/s.
+sheared() {
+  packing "$side" random linear 1
+  $awk -v n="$side" -v rate="$1" -v cycles="$2" '
+    /^step/ {
+      d = 0.01995; h = d * sqrt(3) / 2
+      printf "%s\ncell %.9g m %.9g m to %.9g m %.9g m\n", $0, -d / 4, -h / 2, d * n - d / 4, h * n - h / 2
+      printf "stage relax\nrecord none\ncycles 3000\nstage run\nrecord none\n"
+      if (rate > 0) printf "cell strain 0 1/s 0 1/s c12 %g 1/s\n", rate
+      printf "cycles %d\n```\n", cycles
+      exit
+    }
+    { sub(/ fixed$/, ""); print }' page.md >moved && mv moved page.md
+}
+# update_time RATE CYCLES: the time of a contact update in the sheared packing, ns.
+update_time() {
+  for length in 1 "$2"; do
+    sheared "$1" "$length"
+    command time -f %U -o clock "$program" run page.md -o out --jobs 1 --threads 1 >said 2>&1 || { cat said >&2 && exit 2; }
+    echo "$(cat clock) $(sed -n 's/.* cycles, \([^ ]*\) contact updates.*/\1/p' said)"
+  done | $awk '{ time[NR] = $1; updates[NR] = $2 } END { print (time[2] - time[1]) / (updates[2] - updates[1]) * 1e9 }'
+}
+# sample SEED RATE PART: prepares and shears a sample with this factor on the strain rates and this step; sets `cycles`.
+sample() {
+  command time -f %U -o clock "$program" run "$folder/../../cases/7-assemblies/preparation-price.md" -o out --jobs 1 --threads 1 \
+    --set seed="$1" --set rate="$2" --set part="$3" >said 2>&1 || { cat said >&2 && exit 2; }
+  sed -n 's/^ *\([0-9]*\) cycles, .*/\1/p' said >cycles
+}
 
-for row in ${ONLY:-nine exact threads million}; do case $row in
+for row in ${ONLY:-nine exact threads moving million sample}; do case $row in
   nine) for ((k = 0; k < repeats; k++)); do cycle_time nine_discs 3000000; done | keep nine 9 "ns a cycle" ;;
   exact)
     for side in 3 32 100 265; do
@@ -58,6 +87,29 @@ for row in ${ONLY:-nine exact threads million}; do case $row in
         clock %e --threads 1 >one && clock %e --threads 2 | $awk -v one="$(cat one)" '{ print one / $1 }'
       done | keep threads $((side * side)) "times the speed of one thread"
     done ;;
+  moving) # the inertial numbers of these rates are 1e-5, 1e-3 and 1e-2 at the pressure of the lattice
+    for side in 32 100; do
+      sheared 0 1
+      count=$(grep -c ^sphere page.md)
+      for ((k = 0; k < repeats; k++)); do
+        rest=$(update_time 0 $((60000000 / count)))
+        for rate in 0.0166 1.66 16.6; do
+          update_time $rate $((60000000 / count)) | $awk -v rest="$rest" '{ print $1 / rest }' >>"rate-$rate-$count"
+        done
+      done
+      for rate in 0.0166 1.66 16.6; do
+        keep moving "$count" "times as long as at rest, sheared at $rate 1/s" <"rate-$rate-$count"
+      done
+    done ;;
+  sample)
+    for ((k = 1; k <= repeats; k++)); do sample $k 10 0.6 && cat clock; done >samples
+    keep sample 300 "s of the processor, prepared and sheared" <samples
+    command -v lmp >/dev/null || continue
+    of_lammps=$(bash "$folder/interleaved.sh" 18 random hertz "$repeats" "$program" lmp | cut -d ' ' -f 7)
+    for ((k = 1; k <= repeats; k++)); do
+      sample $k 1 0.3 && $awk -v cycles="$(cat cycles)" -v of_lammps="$of_lammps" -v own="$(sed -n ${k}p samples)" \
+        'BEGIN { print cycles * of_lammps / 1e9 / own }'
+    done | keep state 300 "times less than all cycles of the thesis with LAMMPS" ;;
   million)
     packing 1000 lattice linear 2 # a page may have 4 MiB, so the spheres are in a list
     { echo 'x/m	y/m	radius/m' && sed -n 's/^sphere \([^ ]*\) m \([^ ]*\) m radius \([^ ]*\) m.*/\1	\2	\3/p' page.md; } >list.tsv
