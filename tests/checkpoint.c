@@ -172,6 +172,8 @@ static const char *const scenes[] = {
     "cell 0 0 to 6 6\nstage press\nservo isotropic 9 on cell through cell at most 1 per cycle\ncycles 20\n",
     "box 0 0 to 6 6 m\nstage press\nwalls inward 0.5\ncycles 10\nstage slide\nwall south velocity 3 0\ncycles 60\n"
     "stage stop\nwalls stop\ncycles 20\nsnapshot from slide\n",
+    "stage pull\ngravity centripetal 2 about 3 3\ncycles 10\nstage harder\n"
+    "ramp gravity centripetal 90 about 3 3\ncycles 60\nsnapshot from harder\n",
 };
 
 /* Elastic spheres. In the first scene the overlaps are beyond the range of the theory. In the second one they grow so
@@ -188,6 +190,16 @@ static const char *const spheres[] = {
     "radius 0.5 m\n"
     "step 0.012\nstage press\nwall west velocity 0.02 0\nwall east velocity -0.02 0\ncycles 370\nstage rest\nwalls "
     "stop\ncycles 290\n",
+};
+
+/* Runs that a guard stops between two searches: two discs overlap too much at cycle 351, a disc passes through a wall at
+ * cycle 251. The first search has found that the guard must test every cycle, and no search follows the interruption.
+ * The runs record no quantity of a contact, so their checkpoints have only its force. */
+static const char soft[] = "units none\nmaterial m density 3 kn 0.001\nskin 4\nstep 0.001\nrecord time D.x\n";
+static const char *const guarded[] = {
+    "disc 0 0 radius 0.5 m velocity 1 0\ndisc 1.2 0 radius 0.5 m velocity -1 0\nmonitor D disc 1\n"
+    "stage meet\ncycles 600\n",
+    "disc 0 0 radius 0.5 m velocity 4 0\nwall w 1 -2 to 1 2 m\nmonitor D disc 1\nstage meet\ncycles 400\n",
 };
 
 /* The page may change before its run is continued, but not in what it records: the continued run has all rows and
@@ -262,20 +274,24 @@ static void missing_variables_are_refused(void) {
 }
 
 static void interrupted_in_the_middle(void) {
-  const size_t count = sizeof scenes / sizeof *scenes;
-  for (size_t k = 0; k < count + sizeof spheres / sizeof *spheres; k++) {
-    struct words words = {0};
-    struct written it;
-    char name[32];
-    snprintf(name, sizeof name, "scene %zu", k + 1);
-    if (k < count)
-      words_add(&words, "%s%s", head, scenes[k]);
-    else
-      words_add(&words, "%s%s", elastic, spheres[k - count]);
-    written_scene(&it, &words);
-    interrupt_page(&it.scene, name);
-    written_free(&it);
-  }
+  static const struct {
+    const char *head;
+    const char *const *scenes;
+    size_t count;
+  } lists[] = {{head, scenes, sizeof scenes / sizeof *scenes},
+               {elastic, spheres, sizeof spheres / sizeof *spheres},
+               {soft, guarded, sizeof guarded / sizeof *guarded}};
+  for (size_t k = 0; k < sizeof lists / sizeof *lists; k++)
+    for (size_t s = 0; s < lists[k].count; s++) {
+      struct words words = {0};
+      struct written it;
+      char name[64];
+      snprintf(name, sizeof name, "list %zu, scene %zu", k + 1, s + 1);
+      words_add(&words, "%s%s", lists[k].head, lists[k].scenes[s]);
+      written_scene(&it, &words);
+      interrupt_page(&it.scene, name);
+      written_free(&it);
+    }
 }
 
 static void every_page_interrupted(void) { every_page(interrupt_page, 400); }

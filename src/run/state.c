@@ -88,7 +88,8 @@ static void capture_contacts(struct nb_saved *saved, const struct nb_model *mode
       it.field[NB_TOTAL_NORMAL] = it.field[NB_NORMAL], it.field[NB_TOTAL_SHEAR] = it.field[NB_SHEAR];
     it.normal = capture_history(saved, &contacts->normal_history, model->laws.normal, c);
     it.shear = capture_history(saved, &contacts->shear_history, model->laws.shear, c);
-    if (it.field[NB_OVERLAP] > 0 || it.field[NB_TOTAL_NORMAL] != 0 || it.suppressed || it.normal.count ||
+    const bool loaded = it.force.x != 0 || it.force.y != 0; /* a checkpoint has only the fields that the run keeps */
+    if (it.field[NB_OVERLAP] > 0 || it.field[NB_TOTAL_NORMAL] != 0 || loaded || it.suppressed || it.normal.count ||
         it.shear.count)
       saved->contacts[saved->contact_count++] = it;
   }
