@@ -265,6 +265,11 @@ static void rotation_of_a_stage(void) {
       {"shear linear\npair m m friction 0.5\nstage a\ncycles 2\n", true, {true}},
       {"shear linear\npair m m cohesion 1\nstage a\ncycles 2\n", true, {true}},
       {"shear linear\nstage a\ncycles 2\nstage b\nmaterial m friction 1\ncycles 2\n", true, {false, true}},
+      {"shear linear\nstage a\ncycles 2\nstage b\nmaterial m cohesion 1\ncycles 2\n", true, {false, true}},
+      {"shear linear\nstage a\ncycles 2\nstage b\npair m m friction 1\ncycles 2\n", true, {false, true}},
+      {"shear linear\nstage a\ncycles 2\nstage b\npair m m cohesion 1\ncycles 2\n", true, {false, true}},
+      {"material n density 1 kn 100 friction 1\nshear linear\nstage a\ncycles 2\n", true, {false}},
+      {"material n density 1 kn 100 cohesion 1\nshear linear\nstage a\ncycles 2\n", true, {false}},
       {"pair m m friction 1\nstage a\ncycles 2\nstage b\nshear linear\ncycles 2\n", true, {false, true}},
       {"shear linear\npair m m friction 1\nstage a\nrotation off\ncycles 2\n", false, {false}},
       {"shear linear\npair m m friction 1\nstage a\nrotation off\ncycles 2\nstage b\nrotation on\ncycles 2\n"

@@ -386,6 +386,12 @@ grep -q '  a with a: ' out && echo 'the only particle of a material touches itse
 sed '/^%s$/d' pairs.md >smooth.md
 run 0 explain smooth.md
 out '  rotation (16 bytes a particle), shear forces (8 bytes a contact), dashpots, '
+# The particles of a packing are numbered after those above it.
+sed 's/^step .*/grading g 2 3 1 2\nfill discs box 10 0 to 50 40 g a seed 1 attempts 999 else skip\nfill discs box 60 0 to 99 40 g b seed 2 attempts 999 else skip\n&/; /^%s$/d' pairs.md >filled.md
+run 0 explain filled.md
+out '  box with g, seed 1: 5 of 5 particles placed in '
+out ' attempts, particles 4 to 8 (line '
+out ' attempts, particles 9 to 13 (line '
 sed 's/^%s$/damping none/; s/^step/damping mass 2\nstep/' pairs.md >slowed.md
 run 0 explain slowed.md
 out 'loading and damping of the motion, at the start of the run'
@@ -451,6 +457,13 @@ out '  last, 34 cycles'
 sed '/^stage last/,$s/100 cycles/33 cycles/' clock.md >short.md
 run 0 explain short.md
 out '  last, does not end: the condition on line 21 does not hold within 33 cycles'
+# The last cycle of a stage is tested too, whether `every N cycles` divides their number or not.
+for row in '1.4 3 8=6' '1.9 3 8=8' '1.4 10 8=8' '1.4 8 8=8' '0.9 4 9=4' '2.1 3 9=9'; do
+  set -- ${row%=*}
+  sed "/^stage fall/,/^until/s/above 2 every 3 cycles at most 100/above $1 every $2 cycles at most $3/" clock.md >every.md
+  run 0 explain every.md
+  out "  fall, ${row#*=} cycles"
+done
 sed '/^stage on/,/^until/s/time above 5/stage.time above 2/; /^stage last/,$s/time above 30/stage.time above 3/' clock.md >own.md
 run 0 explain own.md
 out '  on, 5 cycles'
@@ -557,6 +570,8 @@ run 0 run "$pages/contact-test.md" --set follow=path.tsv -o path
 test "$(column slip/m path/table.tsv | tr '\n' ' ')" = '0 0 9.9999999999999995e-08 -9.9999999999999995e-08 ' || echo 'the path was not followed' >>why
 test "$(column overlap/m path/table.tsv | tail -n 1)" = 1.9999999999999999e-06 || echo 'the unit of the path was ignored' >>why
 column stage path/table.tsv | grep -qv follow && echo 'a segment of the page is left' >>why
+there path/follow-traction.tsv
+there path/follow-pieces.tsv
 {
   sed '/^segment/,$d' "$pages/contact-test.md"
   printf 'segment user follow path.tsv\nsegment on slip by 1 um in 1 step\n```\n```expect\nslip in user expected -0.1 um within 0 um [path.tsv]\n```\n'
@@ -601,6 +616,18 @@ for r in 1 2 3; do
     x=$(column x/- "snapped/${stage%-*}-particles-$r.tsv")
     test "$x" = "$(awk -v v="$speed" -v t="${stage#*-}" 'BEGIN { print 1 + v * t }')" || echo "$stage, run $r: x = $x" >>why
   done
+done
+# Two runs leave two tables of each stage, one run leaves one without a number.
+for runs in 2 1; do
+  speeds=$(echo "0.5 1" | cut -d ' ' -f 1-$runs)
+  sed "s/^sweep .*/sweep v $speeds/" snapped.md >fewer.md
+  run 0 run fewer.md -o "snapped$runs"
+  ls "snapped$runs" | grep particles | tr '\n' ' ' >many
+  case $runs in
+  2) wanted='flight-particles-1.tsv flight-particles-2.tsv further-particles-1.tsv further-particles-2.tsv ' ;;
+  1) wanted='flight-particles.tsv further-particles.tsv ' ;;
+  esac
+  test "$(cat many)" = "$wanted" || echo "$runs runs have the tables $(cat many)" >>why
 done
 verdict 'snapshots of a sweep'
 
@@ -672,6 +699,9 @@ run 3 check ends.md --jobs 2 # the first run never ends, the others end late
 said 'D.x is 1 and should be above 1.02 (run v=0)'
 run 2 check "$pages/swept.md" --jobs 0
 said 'expected a number from 1 to 256 after --jobs, found `0`'
+run 0 check "$pages/swept.md" --jobs 256
+run 2 check "$pages/swept.md" --jobs 257
+said 'expected a number from 1 to 256 after --jobs, found `257`'
 verdict '--jobs: parallel runs, the same rows, and the first aborted run is reported'
 
 # ---- failures of writing ----

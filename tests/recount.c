@@ -184,7 +184,7 @@ static void moduli(void) {
   struct written it;
   struct nb_result result;
   struct particles all;
-  double bulk = 0, shear = 0, stress = 0, compliance = 0;
+  double bulk = 0, shear = 0, stress = 0, compliance = 0, at_walls = 0, unequal = 0;
   made(&it, &result);
   read_particles(&all, &result.snapshots[0].particles);
   const struct nb_table *table = &result.snapshots[0].contacts;
@@ -194,6 +194,8 @@ static void moduli(void) {
     const double twice = 2 * atan2(of(table, c, "ey"), of(table, c, "ex")), each = wall ? overlap : overlap / 2;
     const double arm_a = all.of[a].r - each, arm_b = wall ? 0 : all.of[b].r - each, l = arm_a + arm_b;
     const double inside = (all.of[a].inside ? arm_a : 0) + (!wall && all.of[b].inside ? arm_b : 0);
+    at_walls += wall && all.of[a].inside;
+    unequal += !wall && all.of[a].inside != all.of[b].inside && all.of[a].r != all.of[b].r;
     const double ks = kn * 2 * 0.75 / 1.75, N = of(table, c, "normal"), T = of(table, c, "shear");
     bulk += inside * l * kn;
     stress += inside * N / 2, compliance += inside / l * (N * N / kn + T * T / ks);
@@ -201,6 +203,7 @@ static void moduli(void) {
   }
   const double volume = pi * reach * reach * all.thickness;
   CU_ASSERT(bulk > shear && shear > 0);
+  CU_ASSERT(at_walls > 0 && unequal > 0);
   stress /= volume;
   CU_ASSERT(stress * stress * volume / compliance < bulk / (4 * volume));
   near_(&result, "modulus.bulk.lower", stress * stress * volume / compliance, 1);
