@@ -39,6 +39,40 @@ result $? 'explain says that the state is present'
 run threads "$pages/saved-stage.md" --threads 3 --isa plain && cmp "$work/now/table.tsv" "$work/threads/table.tsv"
 result $? 'the results with other threads and another instruction set are the same'
 
+# ---- quantities of removed particles ----
+
+cat >"$pages/less.md" <<'END'
+# A page that removes a disc
+```scene
+units   none
+material  m  density 1 kn 1
+disc    0 0 radius 1 m
+disc    9 0 radius 1 m
+step    0.01
+stage   whole
+cycles  2
+stage   half
+remove  disc 2
+cycles  2
+```
+END
+cat >"$pages/none.md" <<'END'
+# A page that starts with one disc and removes it
+```scene
+start   less stage half
+monitor   A  disc 1
+monitor   B  disc 2
+record  A.vx B.vx
+stage   none
+remove  disc 1
+cycles  2
+```
+END
+run none "$pages/none.md"
+grep -qF 'none.md:8: warning: `A.vx` is 0 in all stages, because this line removes its particle in the first one' "$work/said" &&
+  grep -qF 'none.md:3: warning: `B.vx` is 0, because stage `half` of `less` removes its particle' "$work/said"
+result $? 'a warning names the page that removes a particle'
+
 # ---- chains ----
 
 cat >"$pages/third.md" <<'END'

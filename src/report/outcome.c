@@ -77,20 +77,33 @@ static int removal_of_monitor(const struct nb_scene *scene, const struct nb_moni
   return stage < 0 && pair ? removal_of(scene, monitor->b, line) : stage;
 }
 
+/* Warns of one column. The line is that of the statement `remove`, unless it is in a page from which this one starts. */
+static void warn_of_0(struct nb_warnings *warnings, const struct nb_scene *scene, const char *column, size_t stage,
+                      int line) {
+  const char *const name = scene->stages[stage].name;
+  if (stage < scene->start.stages)
+    nb_warn(warnings, scene->start.line, "`%s` is 0, because stage `%s` of `%s` removes its particle", column, name,
+            scene->start.page->name);
+  else if (stage > scene->start.stages)
+    nb_warn(warnings, line,
+            "`%s` is 0 from stage `%s` on, because this line removes its particle; a value before is `%s in %s`",
+            column, name, column, scene->stages[stage - 1].name);
+  else
+    nb_warn(warnings, line, "`%s` is 0 in all stages, because this line removes its particle in the first one", column);
+}
+
 /* Warns of recorded quantities that are 0 because a stage removes their particle. The position stays the last one. */
 static void warn_removed(struct nb_outcome *outcome, const struct nb_page_run *run) {
   const struct nb_scene *const scene = &run->scene;
   for (size_t c = 0; c < scene->column_count; c++) {
     const struct nb_quantity *const quantity = &scene->columns[c].quantity;
-    const char *const name = quantity->kind->name, *const column = scene->columns[c].name;
+    const char *const name = quantity->kind->name;
     int line = 0;
     const int stage =
         quantity->monitor < 0 ? -1 : removal_of_monitor(scene, &scene->monitors[quantity->monitor], &line);
     if (stage < 0 || strcmp(name, "x") == 0 || strcmp(name, "y") == 0 || is_expected_0(&run->expectations, c))
       continue;
-    nb_warn(&outcome->warnings, line,
-            "`%s` is 0 from stage `%s` on, because this line removes its particle; a value before is `%s in %s`",
-            column, scene->stages[stage].name, column, stage > 0 ? scene->stages[stage - 1].name : "STAGE");
+    warn_of_0(&outcome->warnings, scene, scene->columns[c].name, (size_t)stage, line);
   }
 }
 
