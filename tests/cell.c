@@ -14,9 +14,13 @@
 
 enum { DISCS = 150 };
 
-/* A gas of different discs with friction in a cell that is strained. `wander` moves every particle to another image of
- * it. */
-static void gas(struct written *it, const char *strain, const char *more, int wander, unsigned seed) {
+/* A gas of discs of these radii with friction in a cell that is strained. `wander` moves every particle to another image
+ * of it. */
+struct radii {
+  double least, greatest;
+};
+static void gas_of(struct written *it, struct radii radii, const char *strain, const char *more, int wander,
+                   unsigned seed) {
   struct words page = {0};
   struct chance chance = chance_begin(seed), copies = chance_begin(99);
   words_add(&page,
@@ -25,7 +29,7 @@ static void gas(struct written *it, const char *strain, const char *more, int wa
             more);
   struct placed placed = {.fraction = 0.5, .side = 16};
   for (int k = 0; k < DISCS; k++) {
-    const double r = chance_scale(&chance, 0.2, 0.8), vx = chance_between(&chance, -5, 5);
+    const double r = chance_scale(&chance, radii.least, radii.greatest), vx = chance_between(&chance, -5, 5);
     const double spin = chance_between(&chance, -9, 9), vy = chance_between(&chance, -5, 5);
     placed_find(&placed, &chance, -8, 8, r);
     const double x = placed.disc[k][0], y = placed.disc[k][1];
@@ -38,6 +42,11 @@ static void gas(struct written *it, const char *strain, const char *more, int wa
             "energy.kinetic energy.residual work.residual momentum.x\nstage s\n%s\ncycles 3000\n",
             strain);
   written_scene(it, &page);
+}
+
+static const struct radii different = {0.2, 0.8}, similar = {0.35, 0.65}; /* similar discs are sorted by box: mesh.h */
+static void gas(struct written *it, const char *strain, const char *more, int wander, unsigned seed) {
+  gas_of(it, different, strain, more, wander, seed);
 }
 
 /* The gap between i and the nearest of all images of j within five sides. *count: number of images with a gap below
@@ -85,14 +94,14 @@ static size_t compare(const struct nb_model *model, double within) {
   return wanted;
 }
 
-static void all_copies_are_found(void) {
+static void copies_are_found(struct radii radii) {
   static const char *const strains[] = {"cell strain 0 0 c12 0.9", "cell strain 0.1 -0.1 shear 0.2",
                                         "cell strain -0.03 -0.05", "cell strain 0 0 c12 -0.7 c21 0.1"};
   for (unsigned s = 0; s < 4; s++)
     for (int shuffle = 0; shuffle < 2; shuffle++) {
       struct written it;
       struct nb_error error;
-      gas(&it, strains[s], "", s % 2, s + 1);
+      gas_of(&it, radii, strains[s], "", s % 2, s + 1);
       struct nb_model *model = written_model(&it, &(struct nb_options){.threads = 1, .shuffle = shuffle});
       CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
       for (int round = 0; round < 12; round++) {
@@ -110,6 +119,8 @@ static void all_copies_are_found(void) {
       written_free(&it);
     }
 }
+static void all_copies_are_found(void) { copies_are_found(different); }
+static void all_copies_of_similar_discs_are_found(void) { copies_are_found(similar); }
 
 /* Forces, velocities and angles of the particles, by number, and the shear of the cell. */
 static void outcome(const struct nb_model *model, double state[DISCS][8]) {
@@ -275,6 +286,7 @@ static void the_gap_is_that_of_the_nearest_two(void) {
 void suite_cell(void) {
   CU_pSuite suite = CU_add_suite("cell", NULL, NULL);
   CU_ADD_TEST(suite, all_copies_are_found);
+  CU_ADD_TEST(suite, all_copies_of_similar_discs_are_found);
   CU_ADD_TEST(suite, which_copy_is_named_changes_nothing);
   CU_ADD_TEST(suite, the_skin_changes_no_bit);
   CU_ADD_TEST(suite, storage_threads_and_instructions_change_no_bit);

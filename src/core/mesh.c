@@ -13,10 +13,10 @@ struct extent {
   double left, right, bottom, top;
 };
 
-static struct extent extent_of(const struct nb_model *model, double width) {
-  const struct nb_vec *x = model->particles.position;
+static struct extent extent_of(struct nb_mesh_points points, double width) {
+  const struct nb_vec *x = points.x;
   struct extent it = {INFINITY, -INFINITY, INFINITY, -INFINITY};
-  for (size_t i = 0; i < model->particles.count; i++) {
+  for (size_t i = 0; i < points.count; i++) {
     it.left = x[i].x < it.left ? x[i].x : it.left, it.right = x[i].x > it.right ? x[i].x : it.right;
     it.bottom = x[i].y < it.bottom ? x[i].y : it.bottom, it.top = x[i].y > it.top ? x[i].y : it.top;
   }
@@ -34,12 +34,11 @@ static bool fits(struct extent it, size_t items) {
          (it.right - it.left + 3) * (it.top - it.bottom + 3) <= most_boxes * (double)items;
 }
 
-/* Sorts the particles by box: counts the items of each box, sums the counts, and places the items. */
-static void sort_items(struct nb_mesh *mesh, const struct nb_model *model, double width, struct extent extent,
-                       size_t boxes, int box[]) {
-  const struct nb_particles *particles = &model->particles;
+/* Sorts the points by box: counts the items of each box, sums the counts, and places the items. */
+static void sort_items(struct nb_mesh *mesh, const struct nb_model *model, struct nb_mesh_points points, double width,
+                       struct extent extent, size_t boxes, int box[]) {
   for (size_t i = 0; i < mesh->count; i++) {
-    const struct nb_vec x = particles->position[i];
+    const struct nb_vec x = points.x[i];
     box[i] = ((int)(floor(x.y / width) - extent.bottom) + 1) * mesh->row + (int)(floor(x.x / width) - extent.left) + 1;
     mesh->start[box[i]]++;
   }
@@ -48,19 +47,21 @@ static void sort_items(struct nb_mesh *mesh, const struct nb_model *model, doubl
     const int here = mesh->start[b];
     mesh->start[b] = sum, sum += here;
   }
-  for (size_t i = 0; i < mesh->count; i++)
-    mesh->item[mesh->start[box[i]]++] =
-        (struct nb_mesh_item){particles->position[i], particles->surface[i].radius, (int)i, box[i]};
+  for (size_t i = 0; i < mesh->count; i++) {
+    const int slot = points.slot ? points.slot[i] : (int)i;
+    const double radius = model->particles.surface[nb_mesh_particle(slot)].radius;
+    mesh->item[mesh->start[box[i]]++] = (struct nb_mesh_item){points.x[i], radius, slot, box[i]};
+  }
   memmove(mesh->start + 1, mesh->start, boxes * sizeof *mesh->start);
   mesh->start[0] = 0;
 }
 
-bool nb_mesh_create(struct nb_mesh *mesh, const struct nb_model *model, double width) {
-  const struct extent extent = extent_of(model, width);
+bool nb_mesh_create(struct nb_mesh *mesh, const struct nb_model *model, struct nb_mesh_points points, double width) {
+  const struct extent extent = extent_of(points, width);
   *mesh = (struct nb_mesh){0};
-  if (!fits(extent, model->particles.count))
+  if (!fits(extent, points.count))
     return true;
-  mesh->count = model->particles.count;
+  mesh->count = points.count;
   mesh->row = (int)(extent.right - extent.left) + 3;
   const size_t boxes = (size_t)mesh->row * ((size_t)(extent.top - extent.bottom) + 3);
   mesh->start = nb_array(boxes + 1, sizeof *mesh->start);
@@ -68,7 +69,7 @@ bool nb_mesh_create(struct nb_mesh *mesh, const struct nb_model *model, double w
   int *box = nb_array(mesh->count, sizeof *box);
   const bool made = mesh->start && mesh->item && box;
   if (made)
-    sort_items(mesh, model, width, extent, boxes, box);
+    sort_items(mesh, model, points, width, extent, boxes, box);
   free(box);
   return made;
 }

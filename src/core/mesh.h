@@ -12,11 +12,21 @@
 
 #include "vec.h"
 
-/* The data of a particle that the search reads. */
+/* The data of a particle, or of an image of a particle outside the periodic cell, that the search reads. */
 struct nb_mesh_item {
   struct nb_vec x; /* m */
   double radius;   /* m */
-  int slot, box;
+  int slot;        /* of the particle; -1 - slot for an image */
+  int box;
+};
+static inline bool nb_mesh_is_image(int slot) { return slot < 0; }
+static inline int nb_mesh_particle(int slot) { return slot < 0 ? -1 - slot : slot; }
+
+/* What is sorted into the boxes. */
+struct nb_mesh_points {
+  const struct nb_vec *x; /* m */
+  const int *slot;        /* as in an item; NULL: point k is the particle in slot k */
+  size_t count;
 };
 
 struct nb_mesh {
@@ -27,6 +37,6 @@ struct nb_mesh {
 };
 
 struct nb_model;
-/* Sorts the particles into boxes of this width, m. False: out of memory. */
-bool nb_mesh_create(struct nb_mesh *mesh, const struct nb_model *model, double width);
+/* Sorts the points into boxes of this width, m. False: out of memory. */
+bool nb_mesh_create(struct nb_mesh *mesh, const struct nb_model *model, struct nb_mesh_points points, double width);
 void nb_mesh_free(struct nb_mesh *mesh);

@@ -11,7 +11,8 @@
  * surroundings are sorted by box instead (mesh.h), which finds the same pairs faster.
  *
  * In a periodic cell (cell.c) each particle is represented by its image in the cell. The search starts also from those
- * of its images that are near the cell, which finds every pair once.
+ * of its images that are near the cell. A pair across an edge of the cell is found once: between the image of the
+ * particle with the smaller number and the other particle in the cell.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -43,18 +44,75 @@ static inline struct nb_vec wrapped_position(const struct search *search, const 
   return search->wrapped ? search->wrapped[i] : model->particles.position[i];
 }
 
+/* The search for images goes beyond the range of a contact by this fraction, so that rounding (1e-16) misses none. */
+static const double image_margin = 1e-12;
+
+/* In units of the sides of the cell, images up to this distance from its centre can touch a particle in the cell. */
+static double farthest_image(const struct search *search, double width) {
+  return (0.5 + width / nb_wrap_width(&search->wrap)) * (1 + image_margin);
+}
+
+/* The particles in the periodic cell, and their images that can touch one of these. */
+struct images {
+  struct nb_vec *x; /* m */
+  int *slot;        /* as in an item of the mesh */
+  size_t count, slots;
+};
+
+static bool add_image(struct images *images, struct nb_vec x, int slot) {
+  struct nb_vec *place = NB_ARRAY_APPEND(images->x, images->count);
+  int *number = place ? NB_ARRAY_APPEND(images->slot, images->slots) : NULL;
+  if (!number)
+    return false;
+  *place = x, *number = slot;
+  return true;
+}
+
+static bool add_images(struct images *images, const struct search *search, int i, double edge) {
+  const struct nb_wrap *wrap = &search->wrap;
+  const struct nb_vec x = search->wrapped[i], at = tensor_times(wrap->inverse, vec_sub(x, wrap->centre));
+  bool ok = add_image(images, x, i);
+  for (int m = 0; m < 9 && ok; m++) {
+    const struct nb_vec moved = vec(m % 3 - 1, m / 3 - 1);
+    if (m != 4 && fabs(at.x + moved.x) <= edge && fabs(at.y + moved.y) <= edge)
+      ok = add_image(images, vec_add(x, tensor_times(wrap->h, moved)), -1 - i);
+  }
+  return ok;
+}
+
+static bool mesh_of_cell(struct search *search, const struct nb_model *model, double width) {
+  const double edge = farthest_image(search, width);
+  struct images images = {0};
+  bool ok = true;
+  for (int i = 0; i < (int)model->particles.count && ok; i++)
+    ok = add_images(&images, search, i, edge);
+  ok = ok && nb_mesh_create(&search->mesh, model, (struct nb_mesh_points){images.x, images.slot, images.count}, width);
+  free(images.x), free(images.slot);
+  return ok;
+}
+
+/* Makes the mesh if the particles are of similar size. False: out of memory. */
+static bool mesh_begin(struct search *search, const struct nb_model *model, double width) {
+  const struct nb_particles *particles = &model->particles;
+  if (!(2 * model->search.smallest_radius + model->search.skin > width / 2))
+    return true;
+  return model->cell
+             ? mesh_of_cell(search, model, width)
+             : nb_mesh_create(&search->mesh, model,
+                              (struct nb_mesh_points){.x = particles->position, .count = particles->count}, width);
+}
+
 static bool search_begin(struct search *search, const struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   double largest = 0;
   for (size_t i = 0; i < particles->count; i++)
     largest = particles->surface[i].radius > largest ? particles->surface[i].radius : largest;
   const double width = 2 * largest + model->search.skin;
-  const bool alike = 2 * model->search.smallest_radius + model->search.skin > width / 2;
-  if (alike && !model->cell && !nb_mesh_create(&search->mesh, model, width))
+  if ((model->cell && !wrap_positions(search, model)) || !mesh_begin(search, model, width))
     return false;
   if (search->mesh.count)
     return true;
-  if (!nb_grid_create(&search->grid, particles->count, width) || (model->cell && !wrap_positions(search, model)))
+  if (!nb_grid_create(&search->grid, particles->count, width))
     return false;
   for (int i = 0; i < (int)particles->count; i++)
     nb_grid_add(&search->grid, i, wrapped_position(search, model, i),
@@ -162,15 +220,12 @@ static bool neighbours_around(struct nb_neighbour_pairs *pairs, struct nb_model 
   return true;
 }
 
-/* The search for images goes beyond the range of a contact by this fraction, so that rounding (1e-16) misses none. */
-static const double image_margin = 1e-12;
-
 /* Searches from those of the nine images of particle i that are in the cell, or outside it within the range of a
  * contact. */
 static bool neighbour_copies(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct search *search,
                              int i) {
   const struct nb_wrap *wrap = &search->wrap;
-  const double edge = (0.5 + search->grid.width[0] / nb_wrap_width(wrap)) * (1 + image_margin);
+  const double edge = farthest_image(search, search->grid.width[0]);
   for (int m = 0; m < 9; m++) {
     const struct nb_vec from = vec_add(search->wrapped[i], tensor_times(wrap->h, vec(m % 3 - 1, m / 3 - 1)));
     const struct nb_vec at = tensor_times(wrap->inverse, vec_sub(from, wrap->centre));
@@ -178,6 +233,17 @@ static bool neighbour_copies(struct nb_neighbour_pairs *pairs, struct nb_model *
       return false;
   }
   return true;
+}
+
+/* Of two items that are images, neither is in the cell. Of a pair across an edge of the cell, the image is the particle
+ * with the smaller number. */
+static bool counts_once(const struct nb_model *model, int slot, int other) {
+  const bool image = nb_mesh_is_image(slot), other_image = nb_mesh_is_image(other);
+  if (!image && !other_image)
+    return true;
+  const int number = model->particles.number[nb_mesh_particle(slot)],
+            other_number = model->particles.number[nb_mesh_particle(other)];
+  return image != other_image && (image ? number < other_number : other_number < number);
 }
 
 /* Tests item `it` of the mesh against the items from `from` to `to` - 1. All distances of a batch are computed first,
@@ -198,7 +264,8 @@ static bool neighbours_among(struct nb_neighbour_pairs *pairs, struct nb_model *
       near += distance[near] < it->radius + other->radius + skin;
     }
     for (int k = 0; k < near; k++)
-      if (!near_pair(pairs, model, it->slot, slot[k], distance[k]))
+      if (counts_once(model, it->slot, slot[k]) &&
+          !near_pair(pairs, model, nb_mesh_particle(it->slot), nb_mesh_particle(slot[k]), distance[k]))
         return false;
   }
   return true;
