@@ -86,7 +86,7 @@ static void samples(void) {
   planted_sweeps(list, COUNT(list));
 }
 
-/* The percentile of an expected value among the runs is a note, never a failure. */
+/* The percentile of an expected value among the runs is a note. Only a value that is not a finite number fails. */
 static void among(void) {
   static const struct planted_sweep list[] = {
       {"sweep s 1 2 3 4",

@@ -6,7 +6,7 @@
  * Returns, for C that monitors a contact:
  *   C.normal, C.shear along cycle, linear between the points of the path, and at the end of each stage
  * Exact for small displacements and infinitely slow walls. The relative errors of a run are the ratio of overlap to
- * radius, the square of the angle over this ratio, and the effect of the speed of the walls.
+ * radius, the square of the angle of the walls, divided by this ratio, and the effect of the speed of the walls.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>

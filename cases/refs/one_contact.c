@@ -8,16 +8,17 @@
  * in continuous time, by the eighth-order method of Prince and Dormand at 1e-13. e is the unit normal and t the tangent
  * of the contact, P and Q are its normal and tangential forces with the dashpots, and F_s is the force of the shear
  * spring. alpha is the overlap, s the slip, v the relative velocity of the centres, and w an angular velocity. The time
- * step enters only through the end of the run, after all cycles of all stages, so a run differs from this solution by
- * the error of its step.
+ * step enters only through the end of the run, after all cycles of all stages, and as a factor of energy.residual. So a
+ * run differs from this solution by the error of its step.
  *
  * Returns, at the end:
  *   B.x, y, angle, vx, vy, spin    for B that monitors a particle
  *   C.overlap, normal, shear       for C that monitors the contact
  *   energy.kinetic, energy.stored, momentum.x, momentum.y, momentum.angular
- *   energy.residual                dt/2 Int F_s (v.t)(v.e)/D dt, D the distance of the centres: the first order of the
- *                                  residual. [CS79 15] takes t at the end of the step, the forces act at its two ends,
- *                                  and t rotates with the angular velocity (v.t)/D
+ *   energy.residual                h/2 Int F_s (v.t)(v.e)/D dt, h the time step, D the distance of the centres; 0 with
+ *                                  a wall. This is the residual to first order in h: [CS79 15] takes t at the end of the
+ *                                  step, but the work is computed with the forces at both ends of the step, and in
+ *                                  between t rotates with the angular velocity (v.t)/D
  *
  * The contact may open only while its shear spring is undeformed; otherwise the time of opening would have to be known.
  *

@@ -3,10 +3,11 @@
  * A particle sums the contacts with its partners in the order of their numbers, walls last. The contacts in which it is
  * the second particle come first, because their partners have smaller numbers.
  *
- * The sums of different particles are independent, so the particles may have any order. Those of a batch are sorted into
- * groups with the same numbers of contacts as the second and as the first particle. The loops over a group have constant
- * lengths, which the processor predicts. Without groups, wrong predictions of the ends of loops took half the time of
- * the motion of 70 000 particles (docs/PERFORMANCE.md).
+ * The sums of different particles are independent, so the particles may have any order. Those of a batch, up to 256
+ * consecutive slots, are sorted into groups. All particles of a group have the same number of contacts in which they are
+ * the second particle, and the same number in which they are the first. The loops over a group have constant lengths,
+ * which the processor predicts. Without groups, wrong predictions of the ends of loops took half the time of the motion
+ * of 70 000 particles (docs/PERFORMANCE.md).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "model.h"
@@ -64,7 +65,8 @@ static void make_groups(struct nb_incidence *of, size_t particles) {
   of->batch[of->batches] = groups;
 }
 
-/* Replaces the numbers of entries by the indices at which the entries of each slot begin. */
+/* Replaces the numbers in `middle` and `end` by the indices at which the slot's entries as the second particle, and those
+ * as the first particle, begin. */
 static void place_entries(struct nb_incidence *of, size_t particles) {
   int at = 0;
   for (size_t k = 0; k < particles; k++) {

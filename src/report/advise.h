@@ -87,8 +87,8 @@ static inline const struct nb_point *nb_point_at(const struct nb_advice *advice,
 }
 
 /* Searches for the cheapest setting. NB_BAD_USE: a mistake in the query or in the page; mistakes of the page are in
- * advice->page. NB_FAILED: the quantity is not known well enough. The caller frees the advice in any case; the query
- * must outlive it. */
+ * advice->page. NB_FAILED: the page cannot be run with its own step and half of it, or the uncertainty of the anchor is
+ * too large for the tolerance. The caller frees the advice in any case; the query must outlive it. */
 enum nb_status nb_advise(struct nb_advice *advice, const struct nb_advise_query *query, struct nb_error *error);
 void nb_advice_free(struct nb_advice *advice);
 
@@ -114,8 +114,8 @@ void nb_refine_text(char *text, size_t size, double refine);
 void nb_times_text(char *text, size_t size, double times[], size_t count);
 /* The text that says what to do if no setting is within the tolerance. */
 const char *nb_advice_remedy(const struct nb_advice *advice);
-/* Numbers of variants without a setting: equal to another variant, refused by the page, too far from the anchor; and
- * the nearest of the last kind, or NULL. */
+/* Numbers of variants without a setting: equal to another variant; could not be run, or not before the budget was
+ * used up; too far from the anchor. `nearest`: the nearest of the last kind, or NULL. */
 struct nb_left_out {
   size_t equal, refused, farther;
   const struct nb_variant *nearest;

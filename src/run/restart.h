@@ -7,12 +7,13 @@
 
 enum { NB_STATE_PATH = 4096 };
 
-/* A file beside a state or a checkpoint that a process holds by flock while it writes them. */
+/* The lock of a state, a checkpoint or an output folder: the file PATH.lock, which a process holds by flock while it
+ * writes there. */
 struct nb_lock {
   char path[NB_STATE_PATH + 8];
   int file;
-  /* For the message if another process holds the file: what that process does (NULL: wait for its end instead), and the
-   * option that selects another folder. */
+  /* For the message if another process holds the lock: what that process does, and the option that selects another
+   * folder. `use` is NULL for a state: nb_start_obtain waits until the state exists or the lock is free. */
   const char *use, *option;
 };
 /* Acquires the lock without waiting. NB_BAD_USE if another process holds it. */
