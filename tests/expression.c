@@ -234,7 +234,7 @@ static void mistakes(void) { /* the column, from 1, and the message */
       {"1e308 1/deg", "p:1:1: error: expected a number that a double can hold, up to 1.7e308, found `1e308`", false},
       {"1 + 5e-324 deg", "p:1:5: error: expected a number that a double can hold, from 4.9e-324", false},
       /* a name or unit that is too long is refused; its beginning is not used */
-      {LONGEST "l + 1", "p:1:1: error: expected a name that a `let` or `sweep` above defines", false},
+      {LONGEST "l + 1", "p:1:1: error: expected a name of at most 63 characters, found `" LONGEST "…`", false},
       {"2 m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.mm", "p:1:3: error: expected a unit", false},
       {"(2) m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.mm", "p:1:5: error: expected a unit",
        false},

@@ -77,7 +77,7 @@ static void other_scenes_are_refused(void) {
   struct refs_scene it;
   stack(&it, 1, 0);
   it.particles[1].x = 0.1;
-  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("stacked", &it).text, "sphere 1 under sphere 2"));
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("stacked", &it).text, "sphere 1 vertically below sphere 2"));
   stack(&it, 1, 0);
   strcpy(it.scene.normal, "hertz");
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("stacked", &it).text, "`normal hertz`"));

@@ -119,9 +119,8 @@ static enum nb_status build(struct pair *pair, double y[], const struct nb_scene
   if (strcmp(scene->normal, "linear") != 0)
     return refuse(error, "`normal linear`");
   if (!(duration(scene) > 0) || scene->gravity.line || damping->global_kind)
-    return refuse(error,
-                  "one step given as a time, stages of given cycles that change nothing, no gravity, and damping "
-                  "at contacts only");
+    return refuse(error, "the same time step, in seconds, in all stages; stages with a number of cycles that change "
+                         "nothing; no gravity; and damping at contacts only");
   for (int k = 0; k < (int)scene->particle_count; k++)
     put_particle(pair, y, scene, k);
   const int a = scene->particles[0].material;
@@ -157,7 +156,9 @@ static enum nb_status check_contact(const struct pair *pair, const double y[], s
   if (at.overlap > 0 && fabs(y[SHEAR]) > pair->values.kn * at.overlap * pair->values.friction + pair->values.cohesion)
     return refuse(error, "a contact that does not slide");
   if (!(at.overlap > 0) && y[SHEAR] != 0)
-    return refuse(error, "a contact that does not open with a deformed shear spring: end the page before that");
+    return refuse(
+        error,
+        "a contact that opens only with an undeformed shear spring: let the last stage end before the contact opens");
   const struct nb_wall *wall = pair->wall;
   const double s = wall ? (y[X] - y[SECOND + X]) * wall->ex + (y[Y] - y[SECOND + Y]) * wall->ey : 0;
   if (wall && !(s > wall->h1 && s < wall->h2))

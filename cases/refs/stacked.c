@@ -98,9 +98,10 @@ static enum nb_status build(struct stack *stack, const struct nb_scene *scene, s
   const struct nb_wall *w = scene->walls;
   if (scene->particle_count != 2 || scene->wall_count != 2 || b[0].x != b[1].x || b[0].vx != 0 || b[1].vx != 0 ||
       !(w[0].y < b[0].y && b[0].y < b[1].y && b[1].y < w[1].y) || w[0].ey != 0 || w[1].ey != 0)
-    return refuse(error, "sphere 1 under sphere 2 between a floor and a ceiling, in this order");
+    return refuse(error, "two spheres without horizontal velocity, sphere 1 vertically below sphere 2, between two "
+                         "horizontal walls, first the floor, then the ceiling");
   if (scene->gravity.x != 0)
-    return refuse(error, "gravity straight down");
+    return refuse(error, "vertical gravity");
   const int material[] = {w[0].material, b[0].material, b[1].material, w[1].material};
   const double beta = scene->damping.contact;
   const double m1 = matter_mass(scene, &b[0]), m2 = matter_mass(scene, &b[1]);

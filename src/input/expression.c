@@ -278,7 +278,11 @@ static struct quantity named_value(struct parser *p) {
   if (!near && reader->here == NB_IN_EXPECT)
     near = "an expression has numbers and names of `let` and `sweep`, and no quantities; a ratio of two measures is "
            "`A.vx max expected 0.5 of B.vx max within 1 % [SOURCE]`";
-  mistake(p, from, length, near, "expected a name that a `let` or `sweep` above defines, found `%s`", name);
+  if (length >= NB_NAME_SIZE)
+    mistake(p, from, length, near, "expected a name of at most %d characters, found `%.*s…`", NB_NAME_SIZE - 1,
+            NB_NAME_SIZE - 1, name);
+  else
+    mistake(p, from, length, near, "expected a name that a `let` or `sweep` above defines, found `%s`", name);
   nb_suppress_name(reader->mistakes, name);
   return (struct quantity){0};
 }

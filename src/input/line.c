@@ -62,8 +62,12 @@ static const struct nb_binding *binding_of(struct nb_reader *reader, const struc
     return &reader->bindings[index];
   if (nb_name_suppressed(reader->mistakes, name))
     nb_fail_silently(reader);
-  nb_token_mistake(reader, token, NB_NEAREST(hint, name, reader->bindings, reader->binding_count),
-                   "expected a $NAME that a `let` or `sweep` above defines, found `$%s`", name);
+  const char *const near = NB_NEAREST(hint, name, reader->bindings, reader->binding_count);
+  if (strlen(name) >= NB_NAME_SIZE)
+    nb_token_mistake(reader, token, near, "expected a name of at most %d characters, found `$%.*s…`", NB_NAME_SIZE - 1,
+                     NB_NAME_SIZE - 1, name);
+  else
+    nb_token_mistake(reader, token, near, "expected a $NAME that a `let` or `sweep` above defines, found `$%s`", name);
   nb_suppress_name(reader->mistakes, name);
   return NULL;
 }

@@ -102,13 +102,14 @@ NB_APPLY(apply_pair) {
 
 /* ---- in a stage ---- */
 
-/* True if two changes set the same property. */
-static bool overlap(const struct nb_change *a, const struct nb_change *b) {
-  bool both = false;
-#define ROW(name, ...) both = both || (!isnan(a->name) && !isnan(b->name));
+/* The first property that both changes set; NULL: none. */
+static const char *common_property(const struct nb_change *a, const struct nb_change *b) {
+#define ROW(name, ...)                                                                                                 \
+  if (!isnan(a->name) && !isnan(b->name))                                                                              \
+    return #name;
   NB_PAIR_ROWS(ROW)
 #undef ROW
-  return both;
+  return NULL;
 }
 
 /* An earlier change of the same property in this stage; NULL: none. */
@@ -117,7 +118,7 @@ static const struct nb_change *changed_already(const struct nb_stage *stage, con
     const struct nb_change *other = &stage->changes[i];
     const bool same = other->a == change->a && other->b == change->b;
     const bool swapped = change->b >= 0 && other->a == change->b && other->b == change->a;
-    if ((same || swapped) && overlap(other, change))
+    if ((same || swapped) && common_property(other, change))
       return other;
   }
   return NULL;
@@ -138,8 +139,9 @@ NB_APPLY(apply_change) {
   };
   const struct nb_change *other = changed_already(stage, &change);
   if (other)
-    nb_token_mistake(reader, &reader->tokens[0], "write one statement for each property in a stage",
-                     "this stage changes the same property already, on line %d", other->line);
+    nb_token_mistake(reader, &reader->tokens[0], "change each property at most once in a stage",
+                     "this stage changes `%s` of this %s already, on line %d", common_property(other, &change),
+                     record->keyword->variant ? "pair" : "material", other->line);
   if (!reader->bad)
     NB_APPEND(reader, stage->changes, stage->change_count, change);
 }

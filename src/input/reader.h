@@ -152,6 +152,8 @@ enum nb_range { NB_ANY, NB_POSITIVE, NB_NOT_NEGATIVE, NB_FRACTION, NB_HALF }; /*
 /* " above 0", ", 0 or more", " from 0 to 1", … */
 const char *nb_range_words(enum nb_range range);
 bool nb_take_number(struct nb_reader *reader, enum nb_unit_kind kind, enum nb_range range, double *value); /* SI */
+/* Takes the time after `at`; the message says that a number of cycles is possible, too. */
+bool nb_take_time_at(struct nb_reader *reader, double *value); /* s */
 /* Takes a number in a unit of the same dimension as `si_unit`, such as "N" or "kg.m/s". */
 bool nb_take_in_unit(struct nb_reader *reader, const char *si_unit, double *value);
 

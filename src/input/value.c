@@ -289,6 +289,16 @@ bool nb_take_number(struct nb_reader *reader, enum nb_unit_kind kind, enum nb_ra
   return take_quantity(reader, &it, range, value);
 }
 
+bool nb_take_time_at(struct nb_reader *reader, double *value) {
+  struct wanted it = wanted_of(NB_UNIT_TIME);
+  char what[256];
+  it.name = "a number of cycles, or a time";
+  expected_text(what, sizeof what, reader, &it);
+  if (!nb_token_peek(reader))
+    return nb_expected(reader, "for example `at 5 cycles`", "%s", what);
+  return take_quantity(reader, &it, NB_NOT_NEGATIVE, value);
+}
+
 bool nb_take_in_unit(struct nb_reader *reader, const char *si_unit, double *value) {
   enum nb_unit_kind kind;
   struct wanted it = {.name = "a number", .units = si_unit};

@@ -52,8 +52,11 @@ static const char *reducer_hint(char *hint, const struct nb_reader *reader, cons
   snprintf(name, sizeof name, "%.*s", dot ? (int)(dot - token->text) : NB_NAME_SIZE, dot ? token->text : next->text);
   if (nb_quantity_find(&quantity, scene, name))
     snprintf(hint, NB_HINT_SIZE, "write `%s %s`", name, guess.best);
-  else if (!dot) /* `max normal` may be `M.normal.max` */
+  else if (!dot) { /* `max normal` may be `M.normal.max` */
     nb_append(name, sizeof name, ".%s", guess.best), nb_quantity_hint(hint, scene, name);
+    if (!strstr(hint, name + strcspn(name, ".")))
+      snprintf(hint, NB_HINT_SIZE, "write the quantity before the reducer: `C.normal %s`", guess.best);
+  }
   return dot && !quantity.kind ? NULL : hint;
 }
 
@@ -170,7 +173,7 @@ static bool take_time(struct nb_reader *reader, const struct nb_scene *scene, st
   }
   if (nb_token_is(reader, "end"))
     reader->otherwise = "the last row is the default: write nothing, or `last`";
-  if (!nb_take_number(reader, NB_UNIT_TIME, NB_NOT_NEGATIVE, &measure->at))
+  if (!nb_take_time_at(reader, &measure->at))
     return false;
   measure->reducer = NB_AT_TIME;
   nb_append(measure->label, sizeof measure->label, reader->unitless ? " at %g" : " at %g s", measure->at);
@@ -488,7 +491,7 @@ static const struct nb_expectation_row rows[] = {
   {"expected", NB_EXPECTED, "MEASURE expected NUMBER {of MEASURE} within TOLERANCE [SOURCE]", take_expected,
    "The computed value agrees with NUMBER, which comes from SOURCE. With `of` NUMBER is a fraction of another measure. `expected NUMBER "
    "over SAMPLE [SOURCE]` reports the percentile of NUMBER in the runs of the sweep SAMPLE, which are realizations of one case; it is "
-   "noted, and cannot fail.",
+   "a note, which fails only if a value is not a finite number.",
    "time at 0 cycles  expected 0 s within 0 s  [the clock starts]\n"
    "C.normal in part  expected 0 of C.normal max in strike within 0.01  [the discs separate]"},
   {"below", NB_LESS, "MEASURE below MEASURE|NUMBER", take_other,
