@@ -113,6 +113,8 @@ static void below_and_above_a_number(void) {
   planted_one("A.x above 2", NULL, 0, 2, (double[]){0, 2 - 1e-12}, NB_FAIL, "and 2");
   planted_one("A.x above -2", NULL, 0, 2, (double[]){0, -2}, NB_FAIL, "computed -2 and -2");
   planted_one("A.x max below 2", NULL, 0, 2, (double[]){2, 0}, NB_FAIL, "computed 2 and 2");
+  planted_one("cycle below 1001 %", NULL, 0, 2, (double[]){0, 0}, NB_PASS, "computed 10 and 10.01");
+  planted_one("cycle below 1000 %", NULL, 0, 2, (double[]){0, 0}, NB_FAIL, "computed 10 and 10");
   planted_one("A.x below 2", NULL, 0, 2, (double[]){0, NAN}, NB_FAIL, "it is nan at cycle");
   planted_one("A.x above 2", NULL, 0, 2, (double[]){0, NAN}, NB_FAIL, "it is nan at cycle");
   planted_one("A.x below 2", NULL, 0, 2, (double[]){0, -INFINITY}, NB_FAIL, "it is -inf at cycle");
@@ -346,6 +348,10 @@ static void one_sign_of_a_residual(void) {
       {"energy.residual max in one within 1\nenergy.residual mean in one within 9", {-3, -2, 0}, true},
       {"energy.residual max in one within 1\nA.x min in one below 9", {-3, -2, 0}, true},
       {"energy.residual max within 1", {0, 0, 0, -3, -2, 0}, true},
+      {"energy.residual max in one within 25 % of A.y max in one", {-3, -2, 0}, true}, /* 25 % of 4 */
+      {"energy.residual max in one within 25 % of A.y max in one", {-0.5, -0.2, 0}, false},
+      {"energy.residual max in one expected 1 within 1 [t]", {-3, -2, 0}, false},
+      {"energy.residual max in one expected 0 of A.y max in one within 1 [t]", {-9, -2, 0}, false},
       {"A.x max in one below 1", {-3, -2, 0}, false},
   };
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
