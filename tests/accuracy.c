@@ -2,12 +2,14 @@
  * tolerance, and what the advice costs.
  *
  * Usage: accuracy FOLDER [-o DOCUMENT ROWS] PAGE… [--means PAGE…]. For each page the program makes several draws. In a
- * draw it chooses a quantity, a condition and a tolerance at random, asks for advice, and computes
+ * draw it chooses a quantity, one run of the sweep or all runs, and a tolerance at random, asks for advice, and computes
  *   - the true error: the largest difference, over all phases and runs, between the values of the advised setting and
  *     those of the page in the limit of small steps;
- *   - the cheapest setting whose true error is within the tolerance, in a grid of all laws, four stiffnesses, centred
- *     dashpots, and steps that differ by factors of 2^(1/2);
- *   - the same for estimators from which a part is missing, the negative controls.
+ *   - the cheapest setting whose true error is within the tolerance, in a grid of variants (the page itself,
+ *     another pair of laws, contacts that are softer by a factor of 10, 100 or 1000, or centred dashpots; each with all
+ *     traded values) and of steps that differ by factors of 2^(1/2);
+ *   - the true error and the cost of the settings that the negative controls choose: estimators from which a part is
+ *     missing.
  * The results of a page are stored in FOLDER, so a run that was interrupted can be continued. Then it writes
  * docs/ACCURACY.md and the rows of its table of errors to the files that -o names, and prints the criteria that do not
  * hold; the exit status is then 1. Pages after --means are assemblies; their draws are about means over realizations.
@@ -73,7 +75,8 @@ static bool is_met(struct nb_advice *advice, const struct truth *truth) {
 }
 
 /* Computes errors and costs of the advice and of the negative controls. The controls are not asked if there is no
- * advice. The control that takes the finest step is judged by one phase, because it fails by its cost. */
+ * advice. The true error of the control that takes the finest step is computed at one phase only, because it is the cost of
+ * this control that must fail. */
 static void compare(struct draw *draw, struct nb_advice *advice, struct nb_advise_query *query, struct truth *truth) {
   struct chosen chosen[ESTIMATORS];
   double most = INFINITY;
@@ -132,7 +135,7 @@ static size_t fix_condition(const struct nb_page_run *run, struct question *ques
   return count;
 }
 
-/* Lists the measures of the page whose value is not 0. */
+/* Lists the measures of the page's expectations, without curves and residuals. */
 static size_t list_quantities(const struct nb_page_run *run, const char *quantities[], size_t most) {
   size_t count = 0;
   for (size_t k = 0; k < run->expectations.count && count < most; k++) {

@@ -91,7 +91,7 @@ static void note_particles(int lines[], const struct nb_scene *scene) {
 }
 
 /* Friction and cohesion, only of pairs that can touch: the material of a particle with that of another particle or of a
- * wall. */
+ * wall. Changes in stages are noted for all pairs. */
 static void note_friction(int lines[], const struct nb_scene *scene) {
   for (size_t a = 0; a < scene->material_count; a++)
     for (size_t b = 0; b < scene->material_count; b++) {

@@ -5,7 +5,8 @@
 
 #include <math.h>
 
-/* Tolerance for parallel and perpendicular unit vectors, which pages round to decimals. */
+/* Tolerance for parallel and perpendicular unit vectors and, relative, for equal speeds of walls: pages give coordinates
+ * and velocities with a finite number of decimals. */
 static const double straight = 1e-9;
 
 /* Finds the contacts A, B, C. Other contacts must have no effect: perpendicular to the row and without shear. */

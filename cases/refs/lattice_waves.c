@@ -1,8 +1,8 @@
-/* Reference: a standing wave in a periodic square or hexagonal lattice of equal discs, from given initial velocities.
+/* Reference: a standing wave in a periodic square or hexagonal lattice of equal discs or spheres, from given initial velocities.
  *
- * In a wave of the wave vector q the disc at x has the displacement u = U sin(q.x) and the rotation
+ * In a wave of the wave vector q the particle at x has the displacement u = U sin(q.x) and the rotation
  * theta = psi cos(q.x). Neighbours i and j are s apart at rest, e is the unit vector from i to j, and n is e turned
- * counterclockwise. Their contact, whose normal force at rest is F, exerts on i the forces
+ * counterclockwise. The displacements change the force of their contact, whose normal force at rest is F, on i by
  *
  *   along e    k_n (u_j - u_i).e
  *   along n    k_s ((u_j - u_i).n - R (theta_i + theta_j)) - (F/s) (u_j - u_i).n

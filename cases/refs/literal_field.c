@@ -8,7 +8,7 @@
  *   R_A   radius of the region, a circle about the centre, m; particles are spread evenly over it
  *   <m>   mean mass of all particles, kg
  *
- * dt is the fraction of `step X of rayleigh-fit-mean` times pi R sqrt(rho/G)/(0.1631 nu + 0.876605) [R89 4.33, 4.34],
+ * With `step X of rayleigh-fit-mean`, dt is X times pi R sqrt(rho/G)/(0.1631 nu + 0.876605) [R89 4.33, 4.34],
  * with the mean radius R.
  *
  * Returns, for A that monitors a circular region:   A.unbalanced.force in the last stage, N

@@ -29,6 +29,7 @@ static inline struct nb_surface nb_surface(double radius, double speed) { return
 struct nb_velocities {
   struct nb_vec velocity;
   double spin;
+  double filling; /* 0, in the place that alignment leaves empty: checkpoints have the bytes of this structure */
 };
 
 struct nb_particles {

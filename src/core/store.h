@@ -23,9 +23,10 @@ void nb_store_free(struct nb_store *store);
 /* Saves `count` numbers, or restores them, as the part `name`. Parts are restored in the order in which they were
  * saved; another name or length sets store->failed. */
 void nb_store_doubles(struct nb_store *store, const char *name, double *values, size_t count);
-/* Saves or restores integers of 1, 4 or 8 bytes, whose absolute value is at most `most`. */
+/* Saves or restores integers of 1, 4 or 8 bytes. A restored number that is not an integer from -most to most, or from 0 to
+ * most for 1 byte, sets store->failed. */
 void nb_store_integers(struct nb_store *store, const char *name, void *values, size_t count, size_t size, double most);
-/* When restoring, the length of the next part if its name is `name`; otherwise `now`. */
+/* When restoring, the length of the next part, or 0 if its name is not `name`. When saving, `now`. */
 size_t nb_store_length(const struct nb_store *store, const char *name, size_t now);
 const struct nb_store_part *nb_store_find(const struct nb_store *store, const char *name); /* NULL: none */
 
