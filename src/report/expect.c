@@ -123,7 +123,7 @@ static const char *stage_hint(char *hint, const struct nb_reader *reader, const 
                               const char *label, const char *text) {
   const char *const slash = strchr(text, '/');
   char measure[4 * NB_NAME_SIZE];
-  snprintf(measure, sizeof measure, "%s in %.*s", label, slash ? (int)(slash - text) : 0, text);
+  snprintf(measure, sizeof measure, "%.120s in %.*s", label, slash ? (int)(slash - text) : 0, text);
   return slash && slash[1] ? ratio_hint(hint, reader, measure, slash + 1)
                            : NB_NEAREST(hint, text, scene->stages, scene->stage_count);
 }
