@@ -241,7 +241,7 @@ static void unlisted_features_are_refused(void) {
     for (enum nb_feature feature = HAS_NOTHING; feature < NB_FEATURES; feature++) {
       struct refs_scene scene;
       struct nb_error error = {0};
-      char expected[512], features[512];
+      char expected[1024], features[512];
       scene_with(&scene, *it, feature);
       const enum nb_status status = nb_reference_covers(*it, &scene.scene, &error);
       const bool fits = feature == HAS_NOTHING || covered(*it, feature);
