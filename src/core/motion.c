@@ -60,48 +60,37 @@ static inline NB_FORM void sum_group(struct sums *sums, int particles, int secon
   sums->slot = slot + particles, sums->entry = entry;
 }
 
-/* Where `seconds` and `firsts` are constants, the compiler unrolls the loops over the contacts of a particle. */
-static inline NB_FORM void sum_firsts(struct sums *sums, int particles, int seconds, int firsts, bool rotates) {
-  switch (firsts) {
-  case 0:
-    sum_group(sums, particles, seconds, 0, rotates);
-    break;
-  case 1:
-    sum_group(sums, particles, seconds, 1, rotates);
-    break;
-  case 2:
-    sum_group(sums, particles, seconds, 2, rotates);
-    break;
-  case 3:
-    sum_group(sums, particles, seconds, 3, rotates);
-    break;
-  case 4:
-    sum_group(sums, particles, seconds, 4, rotates);
-    break;
-  default:
-    sum_group(sums, particles, seconds, firsts, rotates);
+/* Calls F(k) with a constant k if k is at most 4: the compiler then unrolls the loop over these contacts of a particle. */
+#define WITH_CONSTANT(k, F)                                                                                            \
+  switch (k) {                                                                                                         \
+  case 0:                                                                                                              \
+    F(0);                                                                                                              \
+    break;                                                                                                             \
+  case 1:                                                                                                              \
+    F(1);                                                                                                              \
+    break;                                                                                                             \
+  case 2:                                                                                                              \
+    F(2);                                                                                                              \
+    break;                                                                                                             \
+  case 3:                                                                                                              \
+    F(3);                                                                                                              \
+    break;                                                                                                             \
+  case 4:                                                                                                              \
+    F(4);                                                                                                              \
+    break;                                                                                                             \
+  default:                                                                                                             \
+    F(k);                                                                                                              \
   }
+
+static inline NB_FORM void sum_firsts(struct sums *sums, int particles, int seconds, int firsts, bool rotates) {
+#define SUM(k) sum_group(sums, particles, seconds, k, rotates)
+  WITH_CONSTANT(firsts, SUM)
+#undef SUM
 }
 static inline NB_FORM void sum_seconds(struct sums *sums, struct nb_incidence_group group, bool rotates) {
-  switch (group.seconds) {
-  case 0:
-    sum_firsts(sums, group.particles, 0, group.firsts, rotates);
-    break;
-  case 1:
-    sum_firsts(sums, group.particles, 1, group.firsts, rotates);
-    break;
-  case 2:
-    sum_firsts(sums, group.particles, 2, group.firsts, rotates);
-    break;
-  case 3:
-    sum_firsts(sums, group.particles, 3, group.firsts, rotates);
-    break;
-  case 4:
-    sum_firsts(sums, group.particles, 4, group.firsts, rotates);
-    break;
-  default:
-    sum_group(sums, group.particles, group.seconds, group.firsts, rotates);
-  }
+#define SUM(k) sum_firsts(sums, group.particles, k, group.firsts, rotates)
+  WITH_CONSTANT(group.seconds, SUM)
+#undef SUM
 }
 
 /* Sums the forces on the particles of batch `which`, whose first slot is `from`. */
