@@ -391,6 +391,52 @@ static void a_trial_that_would_end_after_the_budget(void) {
   finish(&advice, &page);
 }
 
+/* Counts the trials, and takes away the budget before the trial with the number `last`. */
+struct end {
+  struct nb_advise_query *query;
+  unsigned trials, last;
+};
+static void end_the_budget(void *data, const char *stage, double fraction, double seconds) {
+  struct end *end = data;
+  (void)stage, (void)fraction, (void)seconds;
+  if (++end->trials == end->last)
+    end->query->budget = 0;
+}
+
+/* A search that ends before its last trial. Variants that it has not reached are counted apart from those that cannot
+ * be run: those with `normal linear`, because the material has no `kn`. */
+static void variants_after_the_budget(void) {
+  struct nb_advice advice[2];
+  struct nb_advise_query query;
+  struct nb_error error = {0};
+  struct page page;
+  struct end end = {.query = &query};
+  struct nb_left_out out[2];
+  size_t late = 0;
+  begin(&advice[0], &query, &page, "1 %");
+  nb_advice_free(&advice[0]);
+  query.progress.call = end_the_budget, query.progress.data = &end;
+  for (int k = 0; k < 2; k++) {
+    CU_ASSERT_EQUAL_FATAL(nb_advise(&advice[k], &query, &error), NB_OK);
+    out[k] = nb_advice_left_out(&advice[k]);
+    end.last = end.trials / 2, end.trials = 0;
+  }
+  CU_ASSERT(!advice[0].exhausted && advice[1].exhausted);
+  CU_ASSERT_EQUAL(out[0].too_late, 0);
+  CU_ASSERT(out[0].refused > 0);
+  for (size_t k = 1; k < advice[1].variant_count; k++) {
+    const struct nb_variant *variant = &advice[1].variants[k];
+    const bool refused = variant->reason[0] && !variant->equal && !variant->too_late && !(variant->distance > 0);
+    CU_ASSERT_EQUAL(variant->too_late, strcmp(variant->reason, "the budget was used up") == 0);
+    CU_ASSERT(!refused || strcmp(variant->reason, advice[0].variants[k].reason) == 0);
+    late += variant->too_late;
+  }
+  CU_ASSERT(late > 0);
+  CU_ASSERT_EQUAL(out[1].too_late, late);
+  nb_advice_free(&advice[0]);
+  finish(&advice[1], &page);
+}
+
 /* The time of a setting that the page refuses is NaN, so that no message calls it fast. */
 static void the_time_of_a_setting_that_cannot_run(void) {
   struct nb_advice advice;
@@ -804,7 +850,11 @@ static void variants_that_are_left_out(void) {
   CU_ASSERT_EQUAL(out.equal, 1);
   CU_ASSERT_EQUAL(out.farther, 2);
   CU_ASSERT_EQUAL(out.refused, 1);
+  CU_ASSERT_EQUAL(out.too_late, 0);
   CU_ASSERT_PTR_EQUAL(out.nearest, &it.variants[2]);
+  it.variants[4].too_late = true;
+  CU_ASSERT_EQUAL(nb_advice_left_out(&it.advice).refused, 0);
+  CU_ASSERT_EQUAL(nb_advice_left_out(&it.advice).too_late, 1);
 }
 
 void suite_advise(void) {
@@ -817,6 +867,7 @@ void suite_advise(void) {
   CU_ADD_TEST(suite, levels_divide_all_numbers_of_cycles);
   CU_ADD_TEST(suite, the_scatter_is_that_of_the_worst_run);
   CU_ADD_TEST(suite, variants_that_are_left_out);
+  CU_ADD_TEST(suite, variants_after_the_budget);
   CU_ADD_TEST(suite, laws_are_equal_in_every_run);
   CU_ADD_TEST(suite, a_variant_stores_what_both_its_laws_store);
   CU_ADD_TEST(suite, the_anchor_is_two_levels_finer);

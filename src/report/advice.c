@@ -213,12 +213,14 @@ static void print_count(size_t count, const char *one, const char *several, cons
 }
 
 /* Prints how many variants were left out because they give the values of another variant, how many because they cannot
- * be run, and how many because their values are too far from the anchor (estimate.h), with the nearest of these. */
+ * be run, how many because the budget was used up, and how many because their values are too far from the anchor
+ * (estimate.h), with the nearest of these. */
 static void print_left_out(const struct nb_advice *advice) {
   const struct nb_left_out out = nb_advice_left_out(advice);
   char name[512];
   print_count(out.equal, "gives", "give", "the same values as another variant\n");
   print_count(out.refused, "cannot", "cannot", "be run with this page\n");
+  print_count(out.too_late, "has", "have", "no result, because the budget was used up\n");
   if (nb_advice_softness_is_useless(advice))
     puts("  softer contacts save nothing in this impact: the step is a fraction of the duration of the collision, and "
          "both grow by the same factor");
@@ -227,7 +229,7 @@ static void print_left_out(const struct nb_advice *advice) {
     name_variant(name, sizeof name, advice, out.nearest);
     printf("the one with the smallest difference is %s: %s\n", name, out.nearest->reason);
   }
-  if (out.equal + out.refused + out.farther)
+  if (out.equal + out.refused + out.too_late + out.farther)
     puts("  (a variant is the page with other contact laws, or with other values of the names in its `trade` "
          "statements)");
 }

@@ -200,6 +200,13 @@ bool nb_setting_cheaper(const struct nb_advice *advice, const struct nb_setting 
   return one->soften != other->soften ? one->soften < other->soften : one->history < other->history;
 }
 
+/* Notes why a variant has no result: it cannot be run even with the finest step, or the budget was used up before. */
+static void leave_out(const struct nb_advice *advice, struct nb_variant *variant, int highest) {
+  variant->too_late = advice->exhausted;
+  snprintf(variant->reason, sizeof variant->reason, "%s",
+           variant->too_late ? "the budget was used up" : variant->points[highest - NB_LEVEL_LOW].reason);
+}
+
 /* Tries the levels of a variant from the coarsest one on, up to the first level within the tolerance. The search also
  * stops when the next level, which usually has twice the updates, would have more updates than the chosen setting. A
  * level with nearly as many updates is tried, because its laws may store less. */
@@ -219,8 +226,7 @@ static void search_levels(struct nb_advice *advice, size_t index, int highest) {
       return;
   }
   if (advice->setting_count == before && index > 0)
-    snprintf(variant->reason, sizeof variant->reason, "%s",
-             advice->exhausted ? "the budget was used up" : variant->points[highest - NB_LEVEL_LOW].reason);
+    leave_out(advice, variant, highest);
 }
 
 /* The first variant before this one that gives the same values, to the last bit and in each run, because the scene does
@@ -248,8 +254,7 @@ static bool is_near(struct nb_advice *advice, struct nb_variant *variant, int le
     level++;
   const struct nb_point *point = &variant->points[level - NB_LEVEL_LOW];
   if (!point->done) {
-    snprintf(variant->reason, sizeof variant->reason, "%s",
-             advice->exhausted ? "the budget was used up" : point->reason);
+    leave_out(advice, variant, highest);
     return false;
   }
   const struct nb_variant *other =
@@ -557,8 +562,8 @@ struct nb_left_out nb_advice_left_out(const struct nb_advice *advice) {
   struct nb_left_out out = {.nearest = NULL};
   for (size_t k = 1; k < advice->variant_count; k++) {
     const struct nb_variant *variant = &advice->variants[k];
-    out.equal += variant->equal, out.farther += variant->distance > 0;
-    out.refused += variant->reason[0] && !variant->equal && !(variant->distance > 0);
+    out.equal += variant->equal, out.too_late += variant->too_late, out.farther += variant->distance > 0;
+    out.refused += variant->reason[0] && !variant->equal && !variant->too_late && !(variant->distance > 0);
     if (variant->distance > 0 && (!out.nearest || variant->distance < out.nearest->distance))
       out.nearest = variant;
   }

@@ -33,6 +33,7 @@ struct nb_variant {
   struct nb_point points[NB_LEVELS];
   bool covered;     /* the reference solution of the page, if there is one, accepts the variant */
   bool equal;       /* the variant gives the same values as an earlier one */
+  bool too_late;    /* the budget was used up before the variant had a result */
   double distance;  /* distance from the anchor over the tolerance, if it was left out because of this; else 0 */
   char reason[512]; /* the reason why it was left out; empty: it was not left out */
 };
@@ -114,10 +115,10 @@ void nb_refine_text(char *text, size_t size, double refine);
 void nb_times_text(char *text, size_t size, double times[], size_t count);
 /* The text that says what to do if no setting is within the tolerance. */
 const char *nb_advice_remedy(const struct nb_advice *advice);
-/* Numbers of variants without a setting: equal to another variant; could not be run, or not before the budget was
- * used up; too far from the anchor. `nearest`: the nearest of the last kind, or NULL. */
+/* Numbers of variants without a setting: equal to another variant; cannot be run; have no result, because the budget
+ * was used up; too far from the anchor. `nearest`: the nearest of the last kind, or NULL. */
 struct nb_left_out {
-  size_t equal, refused, farther;
+  size_t equal, refused, too_late, farther;
   const struct nb_variant *nearest;
 };
 struct nb_left_out nb_advice_left_out(const struct nb_advice *advice);
