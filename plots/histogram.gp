@@ -8,6 +8,7 @@
 # normal contact stress [R89 figures 6.42, 6.43]. Values outside `low` to `high` are counted in the first and last bin.
 set size noratio
 set border 3
+set tics # after `unset tics` the next line alone would mirror them
 set tics nomirror
 set autoscale
 set ylabel 'contacts'

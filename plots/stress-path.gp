@@ -5,6 +5,7 @@
 unset key
 set size noratio
 set border 3
+set tics # after `unset tics` the next line alone would mirror them
 set tics nomirror
 set autoscale
 set offsets 0, 0, 0, 0
