@@ -179,6 +179,48 @@ static void warnings_of_ends(void) {
   }
 }
 
+/* A region without a particle has a warning, at the start or at the end of a stage, and so has one without a contact of
+ * which a stress is recorded. A porosity below 0 has one, too. In other regions there is no warning. */
+static void warnings_of_regions(void) {
+  static const char scene[] =
+      "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m fixed\n"
+      "disc %s 0 radius 1 m velocity 1 0\nstep 0.1\nregion A circle %s\nrecord time %s\nstage one\n"
+      "cycles 2\nstage two\ncycles 2";
+  static const struct {
+    const char *x, *region, *column, *warning;
+  } rows[] = {
+      {"5", "9 9 radius 1", "A.stress.xx",
+       "region `A` is empty: no particle centre is inside at the start, so its means and sums are 0"},
+      {"5", "9 9 radius 1", "contacts",
+       "region `A` is empty: no particle centre is inside at the start, so its means and sums are 0"},
+      {"5", "5 0 radius 0.25", "contacts",
+       "region `A` is empty: no particle centre is inside at the end of stage `two`, so its means and sums are 0"},
+      {"5", "5 0 radius 2", "A.stress.xx", "region `A` has no contact: `A.stress.xx` is 0 at the end of stage `one`"},
+      {"5", "5 0 radius 2", "A.normal.mean",
+       "region `A` has no contact: `A.normal.mean` is 0 at the end of stage `one`"},
+      {"5", "5 0 radius 2", "A.porosity", NULL},
+      {"5", "5 0 radius 2", "A.contacts", NULL},
+      {"1", "0 0 radius 2", "A.stress.xx", NULL},
+      {"1.5", "0.75 0 radius 0.8", "A.porosity",
+       "`A.porosity` is negative: -0.052 at the end of stage `one`, because the overlaps of particles count twice"},
+      {"1.5", "0.75 0 radius 0.8", "A.area", NULL},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct nb_outcome outcome;
+    char text[sizeof scene + 96];
+    snprintf(text, sizeof text, scene, rows[k].x, rows[k].region, rows[k].column);
+    carry_out(&outcome, text, "report time", NULL);
+    const struct nb_warning *const warning = outcome.warnings.list;
+    CU_ASSERT_EQUAL(outcome.status, NB_OK);
+    CU_ASSERT_EQUAL(outcome.warnings.count, rows[k].warning ? 1 : 0);
+    for (size_t w = rows[k].warning ? 1 : 0; w < outcome.warnings.count; w++)
+      printf("# %zu: %s\n", k, warning[w].text);
+    if (rows[k].warning && outcome.warnings.count == 1)
+      CU_ASSERT_STRING_EQUAL(warning->text, rows[k].warning);
+    nb_outcome_free(&outcome);
+  }
+}
+
 /* The warning of a stage with a servo proposes a condition on the controlled stress. The warning of a condition on a
  * strain says from which time this strain counts. */
 static void warnings_of_ends_propose(void) {
@@ -698,6 +740,8 @@ void suite_outcome(void) {
   CU_add_test(suite, "a note of the memory size that changes", note_of_memory_size);
   CU_add_test(suite, "warnings of stages that end at once", warnings_of_ends);
   CU_add_test(suite, "warnings of stages that end too early propose a condition", warnings_of_ends_propose);
+  CU_add_test(suite, "warnings of regions without particles or contacts, and of a negative porosity",
+              warnings_of_regions);
   CU_add_test(suite, "warnings of stages that end far from the target of a servo", warnings_of_servos);
   CU_add_test(suite, "servos at the largest rate", servos_at_the_largest_rate);
   CU_add_test(suite, "units of reported values", units);

@@ -71,13 +71,26 @@ NB_APPLY(apply_region) {
     NB_APPEND(reader, scene->regions, scene->region_count, one);
 }
 
+static bool has_boundary(const struct nb_scene *scene) {
+  bool found = scene->circle.line > 0;
+  for (size_t s = 0; s < scene->stage_count; s++)
+    found = found || scene->stages[s].circle.line > 0;
+  return found;
+}
+
 /* Finds the stage that `from` names, when all stages are known. It must be a stage of this page, not of the page from
- * which this page starts. */
+ * which this page starts. A region inside the boundary needs a boundary. */
 void nb_regions_check(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
   struct nb_reader *reader = &reading->reader;
   for (size_t r = 0; r < scene->region_count; r++) {
     struct nb_region *it = &scene->regions[r];
+    if (it->kind == NB_REGION_INSIDE && !has_boundary(scene) && !nb_statement_suppressed(reader->mistakes, "boundary"))
+      nb_line_mistake(
+          reader, (size_t)it->line,
+          "`inside F` is a part of `boundary circle X Y radius R`; in a box or a cell write `box X1 Y1 to X2 "
+          "Y2`, `circle X Y radius R` or `all`",
+          "expected a scene with a boundary, found none");
     for (size_t s = scene->start.stages; s < scene->stage_count; s++)
       if (strcmp(scene->stages[s].name, it->from) == 0)
         it->stage = (int)s;

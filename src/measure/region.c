@@ -208,6 +208,38 @@ void nb_measure_porosity(const struct nb_model *model, struct nb_region_state *r
   region->porosity.void_ratio = region->porosity.areal / (1 - region->porosity.areal);
 }
 
+/* ---- warnings ---- */
+
+/* The first recorded quantity of the monitor that is a mean or a sum over contact forces; NULL: there is none. */
+static const char *read_from_forces(const struct nb_scene *scene, size_t monitor) {
+  for (size_t c = 0; c < scene->column_count; c++)
+    if (scene->columns[c].quantity.monitor == (int)monitor &&
+        scene->columns[c].quantity.kind->fields & (NB_BIT(NB_TOTAL_NORMAL) | NB_BIT(NB_NORMAL)))
+      return scene->columns[c].name;
+  return NULL;
+}
+
+void nb_regions_warn(struct nb_model *model, const char *ended) {
+  const struct nb_scene *scene = model->scene;
+  for (size_t w = 0; w < scene->monitor_count; w++) {
+    const struct nb_monitor *monitor = &scene->monitors[w];
+    if (monitor->kind != NB_MONITOR_REGION)
+      continue;
+    const struct nb_region_state *now = nb_region_state(model, monitor->a);
+    const char *const quantity = ended ? read_from_forces(scene, w) : NULL;
+    size_t particles = 0, contacts = 0, slot;
+    for (size_t k = 0; nb_region_next(model, now, &k, &slot); particles++)
+      contacts += quantity ? (size_t)nb_coordination_number(&model->contacts, slot) : 0;
+    if (particles == 0 && now->area > 0)
+      nb_warn(&model->warnings, now->definition->line,
+              "region `%s` is empty: no particle centre is inside at the %s%s%s, so its means and sums are 0",
+              monitor->name, ended ? "end of stage `" : "start", ended ? ended : "", ended ? "`" : "");
+    else if (quantity && contacts == 0)
+      nb_warn(&model->warnings, now->definition->line, "region `%s` has no contact: `%s` is 0 at the end of stage `%s`",
+              monitor->name, quantity, ended);
+  }
+}
+
 /* ---- measures ---- */
 
 const struct nb_region_state *nb_region_measured(const struct nb_model *model, int region, enum nb_measure which) {

@@ -139,6 +139,9 @@ enum nb_status nb_regions_create(struct nb_model *model, struct nb_error *error)
 /* Called when a stage begins, or the run (stage -1): sets the references of the regions and discards what was measured
  * in this cycle. */
 enum nb_status nb_regions_stage(struct nb_model *model, int stage, struct nb_error *error);
+/* Warns of regions without a particle. `ended`: at the end of this stage, and also of regions without a contact whose
+ * stress or forces are recorded; NULL: at the start of the run. */
+void nb_regions_warn(struct nb_model *model, const char *ended);
 void nb_regions_free(struct nb_regions *regions, size_t count);
 
 struct nb_region_state *nb_region_state(const struct nb_model *model, int region);
