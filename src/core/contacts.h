@@ -55,7 +55,7 @@ struct nb_neighbour_pairs {
   struct nb_neighbour_pair *list; /* owned by the caller of the search */
   size_t count, room;             /* used, allocated */
 };
-enum { NB_BATCH_SIZE = 256 }; /* most particles in a batch */
+enum { NB_BATCH_SIZE = 128 }; /* most particles in a batch */
 /* Lists the contacts of each particle; contact[p] is the index of pair p. False: out of memory. */
 bool nb_incidence_fill(struct nb_contacts *contacts, const struct nb_neighbour_pairs *pairs, const int contact[],
                        const struct nb_model *model);
