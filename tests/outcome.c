@@ -184,7 +184,8 @@ static void warnings_of_ends(void) {
 static void warnings_of_regions(void) {
   static const char scene[] =
       "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m fixed\n"
-      "disc %s 0 radius 1 m velocity 1 0\nstep 0.1\nregion A circle %s\nrecord time %s\nstage one\n"
+      "disc %s 0 radius 1 m velocity 1 0\ndisc 0 50 radius 1 m velocity -1 0\nmonitor porosity disc 3\nstep 0.1\n"
+      "region A circle %s\nrecord time %s\nstage one\n"
       "cycles 2\nstage two\ncycles 2";
   static const struct {
     const char *x, *region, *column, *warning;
@@ -203,7 +204,10 @@ static void warnings_of_regions(void) {
       {"1", "0 0 radius 2", "A.stress.xx", NULL},
       {"1.5", "0.75 0 radius 0.8", "A.porosity",
        "`A.porosity` is negative: -0.052 at the end of stage `one`, because the overlaps of particles count twice"},
+      {"1.5", "0.75 0 radius 0.8", "A.void_ratio",
+       "`A.void_ratio` is negative: -0.050 at the end of stage `one`, because the overlaps of particles count twice"},
       {"1.5", "0.75 0 radius 0.8", "A.area", NULL},
+      {"5", "0 0 radius 2", "porosity.vx", NULL}, /* a disc with this name, which moves to the left */
   };
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
     struct nb_outcome outcome;

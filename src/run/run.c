@@ -201,12 +201,14 @@ static void warn_of_end(const struct run *run, const struct nb_stage *stage) {
   }
 }
 
-/* Warns of a recorded porosity that is below 0. */
+/* Warns of a recorded porosity or void ratio that is below 0. */
 static void warn_of_porosity(struct nb_model *model, const struct nb_stage *stage) {
   const struct nb_scene *scene = model->scene;
   for (size_t c = 0; c < scene->column_count; c++) {
     const struct nb_column *column = &scene->columns[c];
-    const double value = strstr(column->name, "porosity") ? nb_quantity_value(column->quantity, model) : 0;
+    const char *const kind = column->quantity.kind->name;
+    const bool of_pores = strstr(kind, "porosity") || strstr(kind, "void_ratio");
+    const double value = of_pores ? nb_quantity_value(column->quantity, model) : 0;
     if (value < 0)
       nb_warn(&model->warnings, 0,
               "`%s` is negative: %.3f at the end of stage `%s`, because the overlaps of particles count twice",
@@ -352,8 +354,11 @@ static enum nb_status run_stage(struct run *run, int index, bool resumed, struct
   run->result->stages[index] =
       (struct nb_stage_cost){run->model->stage_cycle, run->model->updates - run->updates, run->model->step,
                              nb_processor_clock() - run->reporter.stage_began};
-  if (outcome == ENDED && !is_trial(run))
-    warn_of_end(run, stage), nb_regions_warn(run->model, stage->name), warn_of_porosity(run->model, stage);
+  if (outcome == ENDED && !is_trial(run)) {
+    warn_of_end(run, stage);
+    nb_regions_warn(run->model, stage->name);
+    warn_of_porosity(run->model, stage);
+  }
   if (outcome == CONTINUES || !stage->snapshot)
     return status;
   struct nb_error snapshot_error;
