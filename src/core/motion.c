@@ -61,23 +61,17 @@ static inline NB_FORM void sum_group(struct sums *sums, int particles, int secon
 }
 
 /* Calls F(k) with a constant k if k is at most 4: the compiler then unrolls the loop over these contacts of a particle. */
+#define CONSTANT_CASE(k, F)                                                                                            \
+  case k:                                                                                                              \
+    F(k);                                                                                                              \
+    break;
 #define WITH_CONSTANT(k, F)                                                                                            \
   switch (k) {                                                                                                         \
-  case 0:                                                                                                              \
-    F(0);                                                                                                              \
-    break;                                                                                                             \
-  case 1:                                                                                                              \
-    F(1);                                                                                                              \
-    break;                                                                                                             \
-  case 2:                                                                                                              \
-    F(2);                                                                                                              \
-    break;                                                                                                             \
-  case 3:                                                                                                              \
-    F(3);                                                                                                              \
-    break;                                                                                                             \
-  case 4:                                                                                                              \
-    F(4);                                                                                                              \
-    break;                                                                                                             \
+    CONSTANT_CASE(0, F)                                                                                                \
+    CONSTANT_CASE(1, F)                                                                                                \
+    CONSTANT_CASE(2, F)                                                                                                \
+    CONSTANT_CASE(3, F)                                                                                                \
+    CONSTANT_CASE(4, F)                                                                                                \
   default:                                                                                                             \
     F(k);                                                                                                              \
   }

@@ -232,8 +232,7 @@ static enum nb_status set_up(struct nb_model *model, const struct nb_options *op
   if (create_contacts(model, saved, error) || initial_forces(model, saved, error) || make_measures(model, error))
     return error->status;
   nb_guard_resolution(model);
-  if (!saved || !saved->store.part_count)
-    nb_regions_warn(model, NULL);
+  nb_regions_warn(model, NULL);
   nb_hooks_plan(model);
   return NB_OK;
 }

@@ -89,6 +89,8 @@ int main(int argc, char *argv[]) {
   struct nb_model *model = nb_model_create(&scene, &options, &error);
   if (!model || nb_stage_begin(model, &scene.stages[0], &error))
     fail(error.text);
+  if (model->blocks.count == 0)
+    fail("the page has no contacts");
   for (int k = 0; k < CYCLES; k++)
     once(model, CYCLE);
   const double clock = clock_cycle();
