@@ -120,6 +120,29 @@ static void zero_velocities_is_as_at_time_0(void) {
   written_free(&it);
 }
 
+/* The first cycle after a strain ends the affine motion of the particles. The cycles after it are as fast as those of a
+ * run without affine motion, and the strain since the last search still counts for the next search. */
+static void the_affine_motion_ends(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  words_add(
+      &page,
+      "units none\nmaterial m density 1 kn 1000\nstep 1e-3\ncell -10 -10 to 10 10\ndisc 0 0 radius 1 m\n"
+      "disc 4 0 radius 1 m\nrecord time\nstage s\ncell strain -0.1 0\ncycles 1\nstage t\ncell strain 0 0\ncycles 2\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  for (size_t cycle = 0; cycle < 2; cycle++) {
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[cycle], &error), NB_OK);
+    written_cycles(model, 1);
+    CU_ASSERT_EQUAL(model->all_affine, cycle == 0);
+  }
+  const double limit = model->search.skin - 1e-4 * (2 * 1 + model->search.skin); /* cell.c */
+  CU_ASSERT_DOUBLE_EQUAL(model->cell->travel_limit, limit / 2, 1e-15);
+  nb_model_free(model);
+  written_free(&it);
+}
+
 /* Fixed particles stay, or move with the velocity that the page gives them, whatever strain is imposed. A free particle
  * follows the strain. */
 static void fixed_particles_are_not_strained(void) {
@@ -167,5 +190,6 @@ void suite_affine(void) {
   CU_add_test(suite, "a reversed strain restores the cell", a_reversed_strain_restores_the_cell);
   CU_ADD_TEST(suite, a_reversed_particle_of_a_strained_cell_returns);
   CU_ADD_TEST(suite, fixed_particles_are_not_strained);
+  CU_ADD_TEST(suite, the_affine_motion_ends);
   CU_add_test(suite, "zero velocities is as at time 0", zero_velocities_is_as_at_time_0);
 }
