@@ -174,6 +174,9 @@ static const char *const scenes[] = {
     "stage stop\nwalls stop\ncycles 20\nsnapshot from slide\n",
     "stage pull\ngravity centripetal 2 about 3 3\ncycles 10\nstage harder\n"
     "ramp gravity centripetal 90 about 3 3\ncycles 60\nsnapshot from harder\n",
+    "gravity 0 -4\ncell 0 0 to 6 6\nstage strain\ncell strain 0.4 -0.4\ncycles 40\nstage fall\ncell strain 0 0\ncycles "
+    "50\n",
+    "stage coarse\nstep 0.1\nallow unstable\ncycles 8\n",
 };
 
 /* Elastic spheres. In the first scene the overlaps are beyond the range of the theory. In the second one they grow so
@@ -194,9 +197,14 @@ static const char *const spheres[] = {
 
 /* Runs that a guard stops between two searches: two discs overlap too much at cycle 351, a disc passes through a wall at
  * cycle 251. The first search has found that the guard must test every cycle, and no search follows the interruption.
- * The runs record no quantity of a contact, so their checkpoints have only its force. */
+ * The runs record no quantity of a contact, so their checkpoints have only its force.
+ *
+ * In the first run the resolution of the coordinates is too coarse while no discs overlap, and fine enough during the
+ * overlap, when the run is interrupted. The disc that is then the farther one must not be warned of, too. */
 static const char soft[] = "units none\nmaterial m density 3 kn 0.001\nskin 4\nstep 0.001\nrecord time D.x\n";
 static const char *const guarded[] = {
+    "disc 1e10 0 radius 0.5 m\ndisc (1e10-3) 0.8 radius 0.5 m velocity 100 0\nmonitor D disc 2\nstage pass\ncycles "
+    "60\n",
     "disc 0 0 radius 0.5 m velocity 1 0\ndisc 1.2 0 radius 0.5 m velocity -1 0\nmonitor D disc 1\n"
     "stage meet\ncycles 600\n",
     "disc 0 0 radius 0.5 m velocity 4 0\nwall w 1 -2 to 1 2 m\nmonitor D disc 1\nstage meet\ncycles 400\n",

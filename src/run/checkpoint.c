@@ -44,7 +44,6 @@ static void store_search(struct nb_store *store, struct nb_model *model) {
   struct nb_search *search = &model->search;
   NB_STORE_INTEGERS(store, "search", &search->last_cycle, 1);
   NB_STORE_INTEGERS(store, "search", &search->count, 1);
-  NB_STORE_INTEGERS(store, "search", &search->candidates, 1);
   NB_STORE_INTEGERS(store, "search", &search->check_walls, 1);
   NB_STORE_INTEGERS(store, "search", &search->check_pairs, 1);
   NB_STORE_INTEGERS(store, "search", &search->coarse_warned, 1);
@@ -77,10 +76,8 @@ static void store_warnings(struct nb_store *store, struct nb_warnings *warnings)
 static void store_affine(struct nb_store *store, struct nb_affine *affine) {
   struct nb_servo_state *servo = &affine->servo_state;
   NB_STORE(store, "affine", affine->base_rate, NB_AFFINE_SOURCES);
-  NB_STORE_INTEGERS(store, "affine", affine->used, NB_AFFINE_SOURCES);
   NB_STORE_INTEGERS(store, "affine", &affine->free_before, 1);
   NB_STORE_INTEGERS(store, "affine", &affine->any_before, 1);
-  NB_STORE_INTEGERS(store, "affine", &affine->uniform, 1);
   NB_STORE(store, "servo", servo->stress, 3);
   NB_STORE(store, "servo", &servo->integral, 1);
   NB_STORE_INTEGERS(store, "servo", &servo->phase, 1);
@@ -89,10 +86,8 @@ static void store_affine(struct nb_store *store, struct nb_affine *affine) {
 static void store_stability(struct nb_store *store, struct nb_model *model) {
   struct nb_stability *stability = model->stability;
   NB_STORE_INTEGERS(store, "stability", &stability->step_line, 1);
-  NB_STORE(store, "stability", &stability->stable_step, 1);
   NB_STORE(store, "stability", &stability->largest, 1);
   NB_STORE_INTEGERS(store, "stability", &stability->allow_unstable, 1);
-  NB_STORE_INTEGERS(store, "stability", &stability->damped, 1);
   NB_STORE_INTEGERS(store, "stability", &stability->checks, 1);
   for (size_t v = 0; v < model->blocks.count && model->blocks.stable_overlap; v++)
     NB_STORE(store, "stability", &model->blocks.stable_overlap[v].overlap, 1);
@@ -139,9 +134,6 @@ void nb_model_store(struct nb_store *store, struct nb_model *model) {
   NB_STORE_INTEGERS(store, "updates", &model->updates, 1);
   NB_STORE(store, "central", &model->central, 1);
   NB_STORE(store, "walls", model->walls.point, model->walls.count);
-  NB_STORE_INTEGERS(store, "all_affine", &model->all_affine, 1);
-  if (model->all_affine && !model->affine) /* the page has no affine motion */
-    store->failed = true, model->all_affine = false;
   store_warnings(store, &model->warnings);
   nb_changes_store(store, model);
   store_stability(store, model);
