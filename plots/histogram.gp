@@ -6,10 +6,7 @@
 #
 # `of` selects the quantity: obliquity, with the sliding contacts in the first and last bin [R89 figures 6.18-6.20], or mean
 # normal contact stress [R89 figures 6.42, 6.43]. Values outside `low` to `high` are counted in the first and last bin.
-set size noratio
-set border 3
-set tics # after `unset tics` the next line alone would mirror them
-set tics nomirror
+eval diagram
 set autoscale
 set ylabel 'contacts'
 bin(v) = v < low ? 1 : v >= high ? bins : int(1.0 * (v - low) / (high - low) * bins) + 1

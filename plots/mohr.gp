@@ -4,9 +4,7 @@
 #
 #   rows = '$table'; tensor = 'A.stress'; unit = 'Pa'    # columns tensor.xx/unit, .xy, .yx, .yy; fabric: unit = '-'
 unset key
-set border 3
-set tics # after `unset tics` the next line alone would mirror them
-set tics nomirror
+eval diagram
 set size ratio -1
 set autoscale
 set offsets 0, 0, 0, 0

@@ -3,10 +3,7 @@
 #
 #   contacts = '$rest_contacts'; friction = 0.3
 unset key
-set size noratio
-set border 3
-set tics # after `unset tics` the next line alone would mirror them
-set tics nomirror
+eval diagram
 set xlabel 'N over mean N'
 set ylabel 'T over mean N'
 stats @contacts using 11 name 'normal' nooutput

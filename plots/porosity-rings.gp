@@ -3,10 +3,7 @@
 #
 #   rings = '$rest_rings'
 set key
-set size noratio
-set border 3
-set tics # after `unset tics` the next line alone would mirror them
-set tics nomirror
+eval diagram
 set autoscale
 set offsets 0, 0, 0, 0
 set xlabel 'distance from the centre'

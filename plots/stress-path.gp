@@ -3,10 +3,7 @@
 #
 #   tables = '$table'; region = 'A'; unit = 'Pa'; slope = 0.3    # recorded: region.stress.mean and .deviator
 unset key
-set size noratio
-set border 3
-set tics # after `unset tics` the next line alone would mirror them
-set tics nomirror
+eval diagram
 set autoscale
 set offsets 0, 0, 0, 0
 set xlabel 'mean stress'
