@@ -133,8 +133,7 @@ static void by_block(const struct nb_law *law, const struct nb_material_pair *ma
 static bool runs_here(enum nb_isa isa) {
 #if defined __x86_64__ && defined __GNUC__
   if (isa == NB_AVX512)
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-           __builtin_cpu_supports("avx512vl");
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
   if (isa == NB_AVX2)
     return __builtin_cpu_supports("avx2");
 #endif

@@ -11,7 +11,7 @@
 
 static enum nb_isa widest_isa(void) {
 #if defined __x86_64__ && defined __GNUC__
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
     return NB_AVX512;
   if (__builtin_cpu_supports("avx2"))
     return NB_AVX2;

@@ -48,10 +48,11 @@ int nb_motion_walls(struct nb_model *model) {
     }
     walls->angle[w] += angle;
     walls->point[w] = vec_add(walls->pivot[w], vec_scale(-walls->h0[w], vec_clockwise(walls->along[w])));
-    bool far = nb_rotates_too_far(model, w, angle); /* after a full turn the ends are at their old places */
-    for (int end = 0; end < 2; end++)
-      far = far || !(vec_length(vec_sub(nb_wall_end(walls, (int)w, end),
-                                        walls->search_position[2 * w + (size_t)end])) <= model->search.skin / 2);
+    bool far = angle != 0 && nb_rotates_too_far(model, w, angle); /* after a full turn the ends are where they were */
+    for (int end = 0; end < 2; end++) {
+      const struct nb_vec d = vec_sub(nb_wall_end(walls, (int)w, end), walls->search_position[2 * w + (size_t)end]);
+      far = far || !(4 * vec_dot(d, d) <= model->search.skin * model->search.skin);
+    }
     out += far;
   }
   return out;

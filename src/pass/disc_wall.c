@@ -9,38 +9,23 @@
  * x, R, v and w are position, radius, velocity and angular velocity of the disc.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "pass.h"
+#include "geometry.h"
 
 static inline NB_FORM void disc_wall(const struct nb_model *model, const struct nb_block *block,
                                      enum nb_approach approach) {
-  const struct nb_vec *position = model->particles.position, *velocity = model->particles.velocity;
-  const struct nb_surface *surface = model->particles.surface;
+  const struct nb_particles *particles = &model->particles;
   const struct nb_walls *walls = &model->walls;
-  double *overlap = block->f[NB_OVERLAP], *ex = block->f[NB_EX], *ey = block->f[NB_EY];
-  double *dn = block->f[NB_NORMAL_INCREMENT], *ds = block->f[NB_TANGENTIAL_INCREMENT];
-  const double dt = model->previous_step;
-  unsigned long began = 0;
-  NB_WIDE
+  struct relative_motion relative;
   for (size_t c = 0; c < block->n; c++) {
     const int i = block->a[c], w = block->b[c];
-    const struct nb_vec q = nb_wall_nearest(walls, w, position[i]);
-    const struct nb_vec apart = vec_sub(q, position[i]);
-    const double distance = vec_length(apart);
-    const double alpha = surface[i].radius - distance;
-    const struct nb_vec e = vec_scale(1 / distance, apart);
-    overlap[c] = alpha > 0 ? alpha : 0;
-    ex[c] = e.x;
-    ey[c] = e.y;
-    const struct nb_vec v = vec_sub(velocity[i], nb_wall_velocity(walls, w, q));
+    const struct nb_vec q = nb_wall_nearest(walls, w, particles->position[i]);
+    relative.apart[c] = vec_sub(q, particles->position[i]);
     if (approach >= NB_APPROACH_NORMAL)
-      dn[c] = vec_dot(v, e) * dt;
-    if (approach >= NB_APPROACH_TANGENTIAL) {
-      ds[c] = (vec_dot(v, vec_clockwise(e)) - surface[i].speed) * dt;
-      began += nb_touch_began(alpha, dn[c]);
-    }
+      relative.approach[c] = vec_sub(particles->velocity[i], nb_wall_velocity(walls, w, q));
+    if (approach >= NB_APPROACH_TANGENTIAL)
+      relative.rotation[c] = particles->surface[i].speed;
   }
-  if (began)
-    nb_tangential_since_touch(block);
+  nb_geometry(model, block, approach, &relative);
 }
 
 NB_PASS_FORM(overlap_only, disc_wall(model, block, NB_APPROACH_OVERLAP))
