@@ -77,13 +77,19 @@ static void damping_acts_on_own_velocity(void) {
 }
 
 /* `accumulated`, as R89 codes the equations: x_(N+1) - (2 + L dt) x_N + x_(N-1) = 0, with the solution x_N = x_0
- * (sinh((N + 1) q) - sinh(N q))/sinh(q), cosh q = 1 + L dt/2. */
+ * (sinh((N + 1) q) - sinh(N q))/sinh(q), cosh q = 1 + L dt/2. A particle of a boundary with the same strain rate does
+ * not accumulate. */
 static void accumulated_strain_grows(void) {
   const char *page = "disc 13 -6 radius 1 m\nmonitor D disc 1\nrecord D.x D.y\nstage s\n"
                      "affine strain 0.008 -0.016 accumulated\ncycles 100\n";
   const double q = acosh(1 + 0.008 * dt / 2), p = acos(1 - 0.016 * dt / 2);
   CU_ASSERT_DOUBLE_EQUAL(after(page, "D.x"), 13 * (sinh(101 * q) - sinh(100 * q)) / sinh(q), 1e-9);
   CU_ASSERT_DOUBLE_EQUAL(after(page, "D.y"), -6 * (sin(101 * p) - sin(100 * p)) / sin(p), 1e-9);
+  const char *both = "disc 13 -6 radius 1 m\ndisc 30 0 radius 1 m\nmonitor D disc 1\nmonitor E disc 2\nrecord D.x E.x\n"
+                     "boundary circle 0 0 radius 25\nstage s\naffine strain 0.008 -0.016 accumulated\n"
+                     "boundary strain 0.008 -0.016\ncycles 20\n";
+  CU_ASSERT_DOUBLE_EQUAL(after(both, "D.x"), 13 * (sinh(21 * q) - sinh(20 * q)) / sinh(q), 1e-9);
+  CU_ASSERT_DOUBLE_EQUAL(after(both, "E.x"), 30 * pow(1 + 0.008 * dt, 20), 1e-9);
 }
 
 /* Dashpots between two particles without own velocities, under imposed affine motion, have the relative velocity L z,
@@ -245,6 +251,21 @@ static void particles_join_the_boundary(void) {
     nb_result_free(&result);
     written_free(&it);
   }
+}
+
+/* The same for the only particle of a scene without walls, which needs no search for contacts. */
+static void the_only_particle_joins_the_boundary(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\nmaterial m density 2 kn 100\nstep 0.125\ndisc 0 0 radius 1 m velocity 8 0\n"
+                   "record boundary.particles\nboundary circle 0 0 radius 4.5\nstage s\nboundary fixed\ncycles 9\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  for (size_t n = 0; n <= 9; n++) /* the cycle that begins at x = 5 is the sixth one */
+    CU_ASSERT_EQUAL(written_cell(&result.table, n, "boundary.particles"), n > 5 ? 1 : 0);
+  nb_result_free(&result);
+  written_free(&it);
 }
 
 /* The circle shrinks by the factor 1 - 0.01 dt in each cycle. A disc at rest belongs to the boundary from the first
@@ -417,6 +438,29 @@ static void forces_of_a_boundary_stress(void) {
   written_free(&it);
 }
 
+/* Four discs without contacts on a circle, at rest. A stress s presses each of them towards the centre with the force
+ * s x, where x is its distance from the centre: the part of the square's sides that belongs to it has the width x across
+ * its axis. The stress begins at t_0 and ends at t_1, and the velocities at these times remain: x_1 = x_0 - s x_0/m
+ * dt^2/2 and v = -s (x_0 + x_1)/m dt/2 after t_1. */
+static void a_stress_begins_and_ends_at_once(void) {
+  const double pi = 3.14159265358979323846, rate = 3 / (2 * pi); /* s/m, 1/s2 */
+  const double x1 = 5 - 5 * rate * dt * dt / 2, v = -rate * (5 + x1) * dt / 2;
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\nmaterial m density 2 kn 100\nstep 0.125\ndisc 5 0 radius 1 m\ndisc 0 5 radius 1 m\n"
+                   "disc -5 0 radius 1 m\ndisc 0 -5 radius 1 m\nmonitor D disc 1\nrecord D.x\n"
+                   "boundary circle 0 0 radius 4.9\nstage wait\nboundary fixed\ncycles 1\n"
+                   "stage press\nboundary stress 3 3\ncycles 1\nstage fly\nboundary none\ncycles 3\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  const double x[] = {5, 5, x1, x1 + v * dt, x1 + 2 * v * dt, x1 + 3 * v * dt};
+  for (size_t row = 0; row < 6; row++)
+    CU_ASSERT_DOUBLE_EQUAL(written_cell(&result.table, row, "D.x"), x[row], 1e-14);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 void suite_drive(void) {
   CU_pSuite suite = CU_add_suite("drive", NULL, NULL);
   CU_add_test(suite, "discs at rest join the boundary", discs_at_rest_join_the_boundary);
@@ -429,9 +473,11 @@ void suite_drive(void) {
   CU_add_test(suite, "accumulated affine strain grows", accumulated_strain_grows);
   CU_add_test(suite, "dashpot forces include the imposed velocity", dashpots_see_the_strain);
   CU_add_test(suite, "particles that reach the boundary join it", particles_join_the_boundary);
+  CU_ADD_TEST(suite, the_only_particle_joins_the_boundary);
   CU_add_test(suite, "a shrinking circle takes in discs at rest", a_shrinking_circle_takes_in_discs_at_rest);
   CU_add_test(suite, "the same bits", the_same_bits);
   CU_add_test(suite, "the work balances", the_work_balances);
   CU_add_test(suite, "boundary stress equals the stress of the contacts", boundary_stress_equals_contact_stress);
   CU_add_test(suite, "forces of a boundary stress", forces_of_a_boundary_stress);
+  CU_ADD_TEST(suite, a_stress_begins_and_ends_at_once);
 }

@@ -15,7 +15,7 @@ struct nb_ring {
   int *candidates;               /* slots, by number, of particles that may soon cross the circle; capacity for all */
   size_t candidate_count;        /* number of candidates */
   struct nb_tensor listed_shape; /* shape when the candidates were listed */
-  unsigned long long listed_search; /* number of searches when the candidates were listed; 0: list them again */
+  unsigned long long listed_search; /* 1 + number of searches when the candidates were listed; 0: list them again */
 };
 
 struct nb_boundary_state {

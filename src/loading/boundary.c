@@ -285,12 +285,12 @@ static void list_candidates(struct nb_model *model) {
       ring->candidates[ring->candidate_count++] = i;
   }
   ring->listed_shape = ring->shape;
-  ring->listed_search = model->search.count;
+  ring->listed_search = model->search.count + 1;
 }
 
 enum nb_status nb_boundary_before_motion(struct nb_model *model, struct nb_error *error) {
   struct nb_ring *ring = &model->boundary->ring;
-  if (ring->listed_search != model->search.count ||
+  if (ring->listed_search != model->search.count + 1 ||
       !(tensor_size(tensor_sub(ring->shape, ring->listed_shape)) * ring->radius <= model->search.skin / 2))
     list_candidates(model);
   bool joins = false;
