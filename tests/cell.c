@@ -283,6 +283,37 @@ static void the_gap_is_that_of_the_nearest_two(void) {
   }
 }
 
+/* A stage that reverses the velocities and gives a strain rate has this rate, not the reversed one of the stage before. */
+static void a_reversal_with_another_strain(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\ncell -5 -5 to 5 5\nstep 0.25\n"
+                   "record cell.xx\nstage s\ncell strain 0.5 0\ncycles 1\n"
+                   "stage t\nreverse velocities\ncell strain 1 0\ncycles 1\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT_EQUAL(written_last(&result, "cell.xx"), 10 * 1.125 * 1.25);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
+/* A region that extends across the side of a cell has the images of the particles on the other side. */
+static void regions_across_the_side_of_a_cell(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc 0.5 5 radius 0.25 m\ndisc 5 5 radius 0.25 m\n"
+                   "cell 0 0 to 10 10\nregion C circle 9.5 5 radius 2\nregion B box 8 4 to 11 6\n"
+                   "record C.particles B.particles C.porosity B.porosity\nstep 0.1\nstage s\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL(written_now(model, "C.particles"), 1);
+  CU_ASSERT_EQUAL(written_now(model, "B.particles"), 1);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.porosity"), 1 - 1 / 64., 1e-15);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "B.porosity"), 1 - 3.14159265358979323846 / 16 / 6, 1e-15);
+  nb_model_free(model), written_free(&it);
+}
+
 void suite_cell(void) {
   CU_pSuite suite = CU_add_suite("cell", NULL, NULL);
   CU_ADD_TEST(suite, all_copies_are_found);
@@ -292,5 +323,7 @@ void suite_cell(void) {
   CU_ADD_TEST(suite, storage_threads_and_instructions_change_no_bit);
   CU_ADD_TEST(suite, a_strain_is_uniform);
   CU_ADD_TEST(suite, sheared_cells_are_set_upright);
+  CU_ADD_TEST(suite, a_reversal_with_another_strain);
+  CU_ADD_TEST(suite, regions_across_the_side_of_a_cell);
   CU_ADD_TEST(suite, the_gap_is_that_of_the_nearest_two);
 }

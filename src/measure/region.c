@@ -120,7 +120,7 @@ struct nb_region_state *nb_region_state(const struct nb_model *model, int region
   case NB_REGION_ALL:
     bounding_box(now, model);
     if (model->cell)
-      now->centre = model->cell->centre, now->area = nb_cell_area(model->cell);
+      now->area = nb_cell_area(model->cell);
     break;
   }
   return now;
