@@ -128,6 +128,21 @@ static void gravity_ramps(void) {
   CU_ASSERT_DOUBLE_EQUAL(after(FLIGHT "stage a\nramp gravity 0 -4\ncycles 8\nstage b\ncycles 4\n", "D.vy"), -8, 1e-15);
 }
 
+/* A stage can have several ramps, in any order. A heavy disc slides along a wall without friction. */
+static void two_ramps(void) {
+  static const char *const ramps[] = {"ramp gravity 4 0\nramp material m kn 3\n",
+                                      "ramp material m kn 3\nramp gravity 4 0\n"};
+  for (size_t k = 0; k < 2; k++) {
+    char page[512];
+    snprintf(page, sizeof page,
+             "material m density 1e30 kn 1\ndisc 0 0.75 radius 1 m\nwall w -9 0 to 99 0 m\n"
+             "monitor C disc 1 with wall w\nmonitor D disc 1\nrecord C.normal D.vx\nstep 0.25\nstage a\n%scycles 8\n",
+             ramps[k]);
+    CU_ASSERT_EQUAL(row_of(page, "C.normal", 4), 0.25 * 2);
+    CU_ASSERT_EQUAL(row_of(page, "D.vx", 4), 1);
+  }
+}
+
 #define WALL                                                                                                           \
   "material m density 1 kn 1\ndisc 0 0 radius 1 m\nwall w 5 -1 to 5 1 m velocity 1 0\nmonitor W wall w\nmonitor D "    \
   "disc "                                                                                                              \
@@ -367,6 +382,7 @@ void suite_changes(void) {
   CU_add_test(suite, "gravity acts away from a point", gravity_acts_away_from_a_point);
   CU_add_test(suite, "the point of central gravity stays", the_point_of_central_gravity_stays);
   CU_add_test(suite, "gravity ramps", gravity_ramps);
+  CU_ADD_TEST(suite, two_ramps);
   CU_add_test(suite, "a wall ramps", a_wall_ramps);
   CU_add_test(suite, "materials change", materials_change);
   CU_add_test(suite, "pairs change", pairs_change);

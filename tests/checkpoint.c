@@ -302,6 +302,21 @@ static void interrupted_in_the_middle(void) {
     }
 }
 
+/* The step 1/40 of a collision is set by --set, and the sphere has rebounded when the second stage begins. So the
+ * continued run must know that the step has been computed. */
+static void a_collision_step_that_is_set(void) {
+  static const char *const settings[] = {"step=40 per collision", NULL};
+  struct words words = {0};
+  struct written it;
+  words_add(
+      &words,
+      "units none\nmaterial m density 3 young 5000 poisson 0.2\nnormal hertz\nsphere 0 1.1 radius 1 m velocity 0 -1\n"
+      "wall w -9 0 to 9 0 m\nstep 1\nrecord time\nstage hit\ncycles 200\nstage off\nstep 2\ncycles 50\n");
+  written_scene_set(&it, &words, settings);
+  interrupt_page(&it.scene, "a collision step that is set");
+  written_free(&it);
+}
+
 static void every_page_interrupted(void) { every_page(interrupt_page, 400); }
 
 static int make_folder(void) { return mkdtemp(folder) == NULL; }
@@ -312,5 +327,6 @@ void suite_checkpoint(void) {
   CU_add_test(suite, "other records are refused", other_records_are_refused);
   CU_add_test(suite, "checkpoints that lack a variable are refused", missing_variables_are_refused);
   CU_add_test(suite, "ramps, a servo and references interrupted", interrupted_in_the_middle);
+  CU_ADD_TEST(suite, a_collision_step_that_is_set);
   CU_add_test(suite, "every page interrupted and continued", every_page_interrupted);
 }

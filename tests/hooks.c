@@ -56,6 +56,8 @@ static void a_scene_has_what_it_uses(void) {
        "3 stability check, 4 count of deep overlaps"},
       {DISC "record D.x\nbox 0 0 to 8 8 m\nstage a\nbox strain 0.1 0.1\ncycles 4\n",
        "0 walls of the box follow its strain rate, 3 stability check"},
+      {DISC "record D.x\nbox 0 0 to 8 8 m\nstage a\nservo mean 1 on box through box at most 0.1\ncycles 4\n",
+       "0 servo, 0 walls of the box follow its strain rate, 3 stability check"},
       {DISC "record D.x\nbox 0 0 to 8 8 m\nstage a\ncycles 4\nstage b\nbox strain 0.1 0.1\ncycles 4\n",
        "3 stability check"},
       {DISC "record D.x\ncell 0 0 to 9 9\nstage a\ncycles 4\n", "3 stability check"},

@@ -144,6 +144,22 @@ static void uncovered_particles_and_regions_are_refused(void) {
        "normal linear\ndamping mass 4\nbox 0 0 to 6 6 a\nlattice discs 3 by 1 from 1 1 radius 1 spacing 2 b\n"
        "lattice discs 3 by 2 from 1 3 radius 1 spacing 2 a\nstep 0.1\nstage s\nwalls inward 0.1\ncycles 9999\n",
        "equal discs", NULL},
+      {"carried",
+       "disc 1 1 radius 1 a\nmonitor D disc 1\nstep 0.1\nrecord D.x\nstage s\n"
+       "affine strain 0 per cycle 0 per cycle c12 1e-3 per cycle\ncycles 1\n",
+       "along the axes", NULL},
+      {"carried",
+       "disc 1 1 radius 1 a\nmonitor D disc 1\nstep 0.1\nrecord D.x\nstage s\n"
+       "affine strain 0 per cycle 0 per cycle c21 1e-3 per cycle\ncycles 1\n",
+       "along the axes", NULL},
+      {"wedge",
+       "gravity 0 -1\ndisc 0 1.4 radius 1 a\nwall l 0 0 to -4 4 a\nwall r 0 0 to 0.5 0.5 a\nstep 0.1\n"
+       "stage s\ncycles 1\n",
+       "on the faces of both walls", NULL},
+      {"wedge",
+       "gravity 0 -1\ndisc 0 1.4 radius 1 a\nwall l 0 0 to -4 4 a\nwall r 4 4 to 0.9 0.9 a\nstep 0.1\n"
+       "stage s\ncycles 1\n",
+       "on the faces of both walls", NULL},
       {"literal_field",
        "normal hertz\nshear mindlin\nsphere 0 0 radius 1 a\nsphere 3 0 radius 1 b\nregion R circle 0 0 radius 9\n"
        "step 0.1 of rayleigh-fit-mean\nstage s\naffine strain 1e-6 per cycle -1e-6 per cycle accumulated\ncycles 1\n",

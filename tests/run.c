@@ -290,6 +290,24 @@ static void repeated_stages(void) {
   written_free(&it), written_free(&full);
 }
 
+/* The number of a repeated stage replaces the end of a long name. */
+static void repeated_stages_with_long_names(void) {
+  char name[NB_NAME_SIZE] = "", second[NB_NAME_SIZE];
+  struct words page = {0};
+  struct written it;
+  memset(name, 'x', sizeof name - 1);
+  words_add(&page,
+            "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nstep 1\nrecord time\nstage %s\ncycles 1\n"
+            "repeat from %s 1 times\n",
+            name, name);
+  written_scene(&it, &page);
+  CU_ASSERT_EQUAL_FATAL(it.scene.stage_count, 2);
+  snprintf(second, sizeof second, "%.*s-2", (int)sizeof name - 3, name);
+  CU_ASSERT_STRING_EQUAL(it.scene.stages[0].name, name);
+  CU_ASSERT_STRING_EQUAL(it.scene.stages[1].name, second);
+  written_free(&it);
+}
+
 /* A state belongs to the statements and to the settings that replace statements. So each of these settings gives the
  * stages other hashes than those of the page, and of the page with any other such setting. */
 static void settings_change_the_hash(void) {
@@ -385,6 +403,7 @@ void suite_run(void) {
   CU_add_test(suite, "an aborted stage has no snapshot", an_aborted_stage_has_no_snapshot);
   CU_add_test(suite, "until ... every N cycles", conditions_checked_every_n_cycles);
   CU_add_test(suite, "repeated stages", repeated_stages);
+  CU_ADD_TEST(suite, repeated_stages_with_long_names);
   CU_add_test(suite, "settings change the hash", settings_change_the_hash);
   CU_add_test(suite, "packings change the hash", packings_change_the_hash);
   CU_add_test(suite, "parts of a team", parts_of_a_team);

@@ -440,6 +440,29 @@ static void a_history_that_begins_with_0(void) {
   written_free(&it);
 }
 
+/* The first row of a continued run has the single-contact step 2 (m/k_n)^(1/2) of the present stiffness, m = 2 pi. */
+static void the_single_contact_step_at_the_start(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_saved saved;
+  struct nb_error error = {NB_OK, ""};
+  const struct nb_options options = {.keep_all = true, .threads = 1};
+  words_add(&page, "units none\nmaterial m density 2 kn 100\ndisc 0 0 radius 1 m\ndisc 1.9 0 radius 1 m\nstep 1e-3\n"
+                   "record step.single-contact\nstage a\nmaterial m kn 400\ncycles 3\nstage b\ncycles 3\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, &options);
+  continued_stages(model, 0, 1);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_capture(&saved, model, &error), NB_OK);
+  nb_model_free(model);
+  it.scene.start.stages = 1;
+  model = nb_model_resume(&it.scene, &options, &saved, &error);
+  CU_ASSERT_PTR_NOT_NULL_FATAL(model);
+  NEAR(written_now(model, "step.single-contact"), 2 * sqrt(2 * 3.14159265358979323846 / 400), 1e-15);
+  nb_saved_free(&saved);
+  nb_model_free(model);
+  written_free(&it);
+}
+
 void suite_state(void) {
   CU_pSuite suite = CU_add_suite("state", NULL, NULL);
   CU_add_test(suite, "a contact that begins at a vertex", a_contact_that_begins_at_a_vertex);
@@ -457,4 +480,5 @@ void suite_state(void) {
   CU_add_test(suite, "total forces without dashpots", contact_forces_without_dashpots);
   CU_add_test(suite, "contacts of the last step continue", contacts_of_the_last_step_continue);
   CU_add_test(suite, "a history that begins with 0", a_history_that_begins_with_0);
+  CU_ADD_TEST(suite, the_single_contact_step_at_the_start);
 }

@@ -234,6 +234,23 @@ static void steps_that_spheres_do_not_have(void) {
        sqrt(5e-10 / sqrt(5e-11)), 1e-10);
 }
 
+/* An overlap of 1e-9 of the radius counts as rounding, whatever the coordinates are. */
+static void an_overlap_of_rounding_is_none(void) {
+  for (int overlaps = 0; overlaps < 2; overlaps++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error = {0};
+    words_add(&page, "%slattice spheres 2 by 1 radius 1 spacing %.17g m\nstep 0.1 of stable\nstage s\ncycles 1\n",
+              SPHERES, 2 - (overlaps ? 2e-9 : 0.5e-9));
+    written_scene(&it, &page);
+    struct nb_model *model = nb_model_create(&it.scene, NULL, &error);
+    CU_ASSERT_EQUAL(model != NULL, overlaps == 1);
+    CU_ASSERT(overlaps || strstr(error.text, "elastic spheres without overlap"));
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 /* A stage without `step` keeps the step, although no particles approach each other any more. A stage with `step`
  * computes the step again. */
 static void a_collision_step_is_kept(void) {
@@ -252,6 +269,25 @@ static void a_collision_step_is_kept(void) {
   CU_ASSERT_EQUAL(result.table.row_count, 3);
   for (size_t row = 0; row < result.table.row_count; row++)
     NEAR(result.table.values[row], hertz(1, 1, 1, row == 2 ? 2 : 1) / 40, 1e-14);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
+/* `--set step=...` replaces every `step` of a page. So no stage computes the step again, also not one with `step`, whose
+ * particle leaves the wall. */
+static void a_collision_step_that_is_set_is_kept(void) {
+  static const char *const settings[] = {"step=40 per collision", NULL};
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page,
+            "%swall w -9 0 to 9 0 r\nsphere 0 1.1 radius 1 m velocity 0 -1\nstep 1\nrecord step\n"
+            "stage hit\ncycles 60\nstage off\nstep 2\ncycles 1\n",
+            SPHERES);
+  written_scene_set(&it, &page, settings);
+  written_run(&result, &it, NULL);
+  for (size_t row = 0; row < result.table.row_count; row++)
+    NEAR(result.table.values[row], hertz(1, 1, 1, 1) / 40, 1e-14);
   nb_result_free(&result);
   written_free(&it);
 }
@@ -383,6 +419,8 @@ void suite_steps(void) {
   CU_add_test(suite, "walls of a later stage", walls_of_a_later_stage);
   CU_add_test(suite, "steps that elastic spheres do not have", steps_that_spheres_do_not_have);
   CU_add_test(suite, "a collision step is kept", a_collision_step_is_kept);
+  CU_ADD_TEST(suite, a_collision_step_that_is_set_is_kept);
+  CU_ADD_TEST(suite, an_overlap_of_rounding_is_none);
   CU_add_test(suite, "an infinite limit", an_infinite_limit);
   CU_add_test(suite, "a step above the limit stops the run", a_step_above_the_limit_stops_the_run);
   CU_add_test(suite, "the step of the first stage", the_step_of_the_first_stage);
