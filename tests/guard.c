@@ -323,6 +323,11 @@ static void conditions_on_another_stress_than_the_servo(void) {
       {"0", "linear", "", "walls", "box.stress.mean", ""},
       {"0.5", "linear", "", "walls", "box.width", ""},
       {"0.5", "linear", "", "M", "box.stress.xx", ""},
+      {"0.5", "linear", "", "walls", "M.stress.xx",
+       "11: the servo of stage `a` controls `walls.stress`, and this condition is on `M.stress.xx`: with friction at "
+       "the "
+       "walls the two differ, and the condition may never hold; write `on M` in the servo\n"},
+      {"0.5", "linear", "", "box", "M.stress.xx", ""},
       {"0.5", "linear", "shear none", "walls", "box.stress.xx", ""},
   };
   for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
@@ -337,6 +342,48 @@ static void conditions_on_another_stress_than_the_servo(void) {
     if (strncmp(text, cases[k].wanted, compared) != 0)
       printf("# case %zu: %s\n", k, text);
     CU_ASSERT(strncmp(text, cases[k].wanted, compared) == 0);
+  }
+}
+
+/* A strain rate of an earlier stage that goes on in a component that a servo controls. */
+static void strain_rates_against_a_servo(void) {
+  static const char box[] = "box 0 0 to 9 9 m", cell[] = "cell 0 0 to 9 9", ring[] = "boundary circle 0 0 radius 1";
+  static const struct {
+    const char *scene, *before, *servo, *wanted;
+  } cases[] = {
+      {box, "box strain -1 -1", "servo isotropic 1 on box through box",
+       "11: the servo of stage `b` works against the `box strain` of stage `a`, which goes on; end it by `box strain 0 "
+       "0` "
+       "in stage `b`\n"},
+      {box, "box strain -1 -1", "box strain 0 0\nservo isotropic 1 on box through box", ""},
+      {box, "box strain -1 -1", "box strain -1 -1\nservo isotropic 1 on box through box", ""},
+      {box, "box strain 0 -1", "servo xx 1 on box through box", ""},
+      {box, "box strain -1 0", "servo xx 1 on box through box", "11: the servo"},
+      {box, "box strain -1 0", "servo yy 1 on walls through box", ""},
+      {box, "wall south velocity 0 1", "servo yy 1 on walls through box", ""},
+      {cell, "cell strain 1 -1", "servo mean 1 on cell through cell", ""},
+      {cell, "cell strain 1 -2", "servo mean 1 on cell through cell", "11: the servo"},
+      {cell, "cell strain 0 0 c12 1", "servo xx 1 on cell through cell", ""},
+      {cell, "cell strain 0 0 c12 1", "servo isotropic 1 on cell through cell", "11: the servo"},
+      {"transform rotate 1.5707963267948966\ncell 0 0 to 9 9", "cell strain -1 0", "servo xx 1 on cell through cell",
+       "12: the servo"},
+      {"transform rotate 1.5707963267948966\ncell 0 0 to 9 9", "cell strain -1 0", "servo yy 1 on cell through cell",
+       ""},
+      {ring, "boundary strain -1 0", "servo xx 1 on boundary through boundary", "11: the servo"},
+      {ring, "boundary strain -1 0", "boundary fixed\nservo xx 1 on boundary through boundary", ""},
+  };
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    char text[2000], statements[512];
+    snprintf(
+        statements, sizeof statements,
+        "material m density 1 kn 1\n%s\ndisc 1 1 radius 1 m\nstep 1e-6\nstage a\n%s\ncycles 1\nstage b\n%s at most "
+        "1\ncycles 1",
+        cases[k].scene, cases[k].before, cases[k].servo);
+    warned(text, statements);
+    const bool as_wanted = *cases[k].wanted ? strncmp(text, cases[k].wanted, strlen(cases[k].wanted)) == 0 : !*text;
+    if (!as_wanted)
+      printf("# case %zu: %s\n", k, text);
+    CU_ASSERT(as_wanted);
   }
 }
 
@@ -442,6 +489,7 @@ void suite_guard(void) {
   CU_add_test(suite, "conditions that only a tensile law can meet", conditions_on_tensile_forces);
   CU_add_test(suite, "conditions on another stress than the servo controls",
               conditions_on_another_stress_than_the_servo);
+  CU_add_test(suite, "strain rates of earlier stages against a servo", strain_rates_against_a_servo);
   CU_add_test(suite, "resolution of coordinates", resolution_of_coordinates);
   CU_add_test(suite, "resolution that gets coarse", resolution_that_gets_coarse);
   CU_add_test(suite, "resolution and mean overlap", resolution_and_mean_overlap);

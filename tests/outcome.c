@@ -235,9 +235,9 @@ static void warnings_of_ends_propose(void) {
   static const struct {
     const char *end, *warning;
   } rows[] = {
-      {"servo isotropic 10 on cell through cell at most 1e-9 per cycle\nuntil unbalanced.max below 1",
+      {"cell strain 0 0\nservo isotropic 10 on cell through cell at most 1e-9 per cycle\nuntil unbalanced.max below 1",
        "add a condition such as `and cell.stress.xx above 9`"},
-      {"servo yy -10 on M through cell at most 1e-9 per cycle\nuntil unbalanced.max below 1",
+      {"cell strain 0 0\nservo yy -10 on M through cell at most 1e-9 per cycle\nuntil unbalanced.max below 1",
        "add a condition such as `and M.stress.yy below -9`"},
       {"servo xy 10 on cell through cell at most 1e-9 per cycle\nuntil unbalanced.max below 1",
        "add a condition such as `and cell.stress.xy above 9`"},
@@ -275,10 +275,17 @@ static void warnings_of_servos(void) {
     double target;
     const char *after;
     bool warned;
-  } rows[] = {{1.05, NULL, false}, {0.95, NULL, false},
-              {1.2, NULL, true},   {0.8, NULL, true},
-              {1.2, "", true},     {1.2, "servo xx 2.25 on cell through cell at most 1e-9 per cycle\n", false},
-              {1.12, NULL, true},  {1.10, NULL, false}};
+  } rows[] = {{1.05, NULL, false},
+              {0.95, NULL, false},
+              {1.2, NULL, true},
+              {0.8, NULL, true},
+              {1.2, "", true},
+              {1.2, "servo xx 2.25 on cell through cell at most 1e-9 per cycle\n", true},
+              {1.2, "ramp servo xx 2.25 on cell through cell at most 1e-9 per cycle\n", false},
+              {1.2, "servo xx 2.6666666666666665 on cell through cell at most 1e-9 per cycle\n", false},
+              {1.2, "servo yy 2.6666666666666665 on cell through cell at most 1e-9 per cycle\n", true},
+              {1.12, NULL, true},
+              {1.10, NULL, false}};
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
     struct nb_outcome outcome;
     char text[1024], after[128] = "";
@@ -287,7 +294,12 @@ static void warnings_of_servos(void) {
     snprintf(text, sizeof text, scene, rows[k].target * stress, after);
     carry_out(&outcome, text, "report cell.stress.xx", NULL);
     CU_ASSERT_EQUAL(outcome.status, NB_OK);
-    CU_ASSERT_EQUAL_FATAL(outcome.warnings.count, rows[k].warned ? 1 : 0);
+    size_t found = 0; /* stage `rest` may have one, too */
+    for (size_t w = 0; w < outcome.warnings.count; w++)
+      found += strncmp(outcome.warnings.list[w].text, "stage `press` ", 14) == 0;
+    if (found != rows[k].warned)
+      printf("# %zu: %zu warnings\n", k, outcome.warnings.count);
+    CU_ASSERT_EQUAL_FATAL(found, rows[k].warned ? 1 : 0);
     if (rows[k].warned) {
       char expected[320];
       snprintf(expected, sizeof expected,
@@ -302,15 +314,47 @@ static void warnings_of_servos(void) {
   }
 }
 
-/* The same row of discs, pressed faster or for a number of cycles. A stage of a given length has a warning only if its
- * servo ran at the largest rate all the time; a stage that does not end says so. */
+/* An expectation of another stress than the servo of its stage controls, with friction at the walls. */
+static void expectations_of_another_stress(void) {
+  static const struct {
+    const char *stress, *expectation;
+    bool warned;
+  } rows[] = {{"walls", "M.stress.xx in press expected 0 within 9 [t]", true},
+              {"walls", "box.stress.xx in press expected 0 within 9 [t]", true},
+              {"walls", "M.stress.xx expected 0 within 9 [t]", false}, /* of stage `rest`, without a servo */
+              {"walls", "walls.stress.xx in press expected 0 within 9 [t]", false},
+              {"box", "walls.stress.xx in press expected 0 within 9 [t]", true},
+              {"box", "M.stress.xx in press expected 0 within 9 [t]", false},
+              {"walls", "report M.stress.xx in press", false}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct nb_outcome outcome;
+    char text[512];
+    snprintf(
+        text, sizeof text,
+        "units none\nmaterial m density 1 kn 1 ks 1 friction 0.5\nshear linear\nbox 0 0 to 9 9 m\ndisc 1 1 radius 1 "
+        "m\nregion M all\nstep 1e-6\nrecord M.stress.xx box.stress.xx walls.stress.xx\nstage press\nservo "
+        "isotropic 0 on %s through box at most 1e-9\ncycles 1\nstage rest\ncycles 1",
+        rows[k].stress);
+    carry_out(&outcome, text, rows[k].expectation, NULL);
+    size_t found = 0;
+    for (size_t w = 0; w < outcome.warnings.count; w++)
+      found += strstr(outcome.warnings.list[w].text, ", and this expectation is on `") != NULL;
+    if (found != rows[k].warned)
+      printf("# %zu: %zu\n", k, found);
+    CU_ASSERT_EQUAL(found, rows[k].warned ? 1 : 0);
+    nb_outcome_free(&outcome);
+  }
+}
+
+/* The same row of discs, pressed faster or for a number of cycles. A stage that does not end
+ * says that its servo ran at the largest rate all the time, and so does the warning of a stage of a given length. */
 static void servos_at_the_largest_rate(void) {
   static const struct {
     /* found: a part of the warning (first three rows) or of the error; NULL: it does not mention the largest rate */
     const char *servo, *end, *found;
   } rows[] = {
       {"xx 4 on cell through cell at most 1e-9 per cycle", "cycles 5", "; its servo (line 11) ran at the largest rate"},
-      {"xx 4 on cell through cell at most 1 per cycle", "cycles 5", NULL},
+      {"xx 40 on cell through cell at most 1 per cycle", "cycles 2", "; end it by a condition on this stress"},
       {"xx 2.2 on cell through cell at most 1e-9 per cycle", "cycles 5", NULL},
       {"xx 4 on cell through cell at most 1e-9 per cycle", "until cell.stress.xx above 4 at most 5 cycles",
        "; its servo (line 11) ran at the largest rate"},
@@ -327,7 +371,8 @@ static void servos_at_the_largest_rate(void) {
                              : outcome.warnings.count ? outcome.warnings.list[0].text
                                                       : "";
     CU_ASSERT_EQUAL(outcome.status, k < 3 ? NB_OK : NB_BROKEN);
-    CU_ASSERT_EQUAL(strstr(said, "at the largest rate in all cycles") != NULL, rows[k].found != NULL);
+    CU_ASSERT_EQUAL(strstr(said, "at the largest rate in all cycles") != NULL,
+                    rows[k].found != NULL && strstr(rows[k].found, "largest"));
     CU_ASSERT_PTR_NOT_NULL(strstr(said, rows[k].found ? rows[k].found : ""));
     nb_outcome_free(&outcome);
   }
@@ -748,6 +793,8 @@ void suite_outcome(void) {
   CU_add_test(suite, "warnings of regions without particles or contacts, and of a negative porosity",
               warnings_of_regions);
   CU_add_test(suite, "warnings of stages that end far from the target of a servo", warnings_of_servos);
+  CU_add_test(suite, "warnings of expectations of another stress than the servo controls",
+              expectations_of_another_stress);
   CU_add_test(suite, "servos at the largest rate", servos_at_the_largest_rate);
   CU_add_test(suite, "units of reported values", units);
   CU_add_test(suite, "stages without rows", stages_without_rows);

@@ -360,7 +360,21 @@ out 'there are no contacts yet'
 out '  c2, 1 to 10 cycles: the condition on line 32 decides'
 out '  line 10: region A circle 1 2 radius 5 rings 3 from b: 1 particles now'
 grep -c 'line 30:' out | grep -qx 1 || echo 'a statement is shown in several stages' >>why
+! grep 'goes on' out >>why
+sed '/^  boundary fixed/d; /^  affine none/d' "$pages/drives.md" >inherited.md
+run 0 explain inherited.md
+out '    goes on from stage `a`, line 15: boundary strain 1e-4 per cycle -1e-4 per cycle shear 2e-5 per cycle'
+out '    goes on from stage `a`, line 16: affine strain 1e-2 3e-2 accumulated'
 sed 's/shear 2e-5 per/c12 2e-5 per/' "$pages/drives.md" >simple.md
+printf '```scene\nunits none\nmaterial m density 1 kn 1\nbox 0 0 to 9 9 m\ndisc 3 3 radius 1 m\nstep 1\nrecord time\nstage a\nwall east velocity 1 0\nwall west velocity 2 0\ncycles 1\nstage b\ncycles 1\nwall west velocity 0 0\nstage c\nbox strain 0 1\ncycles 1\nstage d\ncycles 1\n```\n' >moved.md
+run 0 explain moved.md
+grep 'goes on' out >goes-on
+printf '    goes on from stage `a`, line 9: wall east velocity 1 0\n    goes on from stage `c`, line 16: box strain 0 1\n' | diff - goes-on >>why
+for stage in b d; do
+  printf '```scene\nunits none\nstart moved stage %s\nrecord time\nstage e\ncycles 1\n```\n' $stage >from-moved.md
+  "$nineball" explain from-moved.md | grep 'goes on'
+done >goes-on 2>>why
+printf '    goes on from stage `a` of moved, line 9: wall east velocity 1 0\n    goes on from stage `c` of moved, line 16: box strain 0 1\n' | diff - goes-on >>why
 run 0 explain simple.md
 out ' c12 2e-05, c21 0, yy -0.0001 per cycle: simple shear, the engineering shear rate is 2e-05 per cycle'
 sed 's/shear 2e-5 per cycle/c12 2e-5 per cycle c21 1e-5 per cycle/' "$pages/drives.md" >turned.md

@@ -169,6 +169,10 @@ struct nb_comparison {
 bool nb_comparison_is_open(struct nb_reader *reader, const struct nb_comparison *comparison, const char *what);
 /* Warns if only a law of one's own can decide the comparison otherwise. */
 void nb_comparison_warn(struct nb_warnings *warnings, int line, const struct nb_comparison *comparison);
+/* Warns of a condition or an expectation, `what`, on another stress than the servo of stage `s` controls, if friction at
+ * the walls makes them differ. False: out of memory. */
+bool nb_servo_compare(struct nb_scene *scene, size_t s, struct nb_quantity quantity, const char *name, const char *what,
+                      int line);
 bool nb_take_count(struct nb_reader *reader, unsigned long low, unsigned long high, unsigned long *value);
 bool nb_take_count_of(struct nb_reader *reader, const char *one, unsigned long *value); /* `1 cycle`, `5 cycles` */
 bool nb_take_word(struct nb_reader *reader, const char *word);                          /* takes this word */

@@ -149,7 +149,7 @@ void nb_cell_check(struct nb_scene_reading *reading);
 void nb_ramps_check(struct nb_scene_reading *reading);
 /* Walls that follow the strain of a box have no other motion. */
 void nb_box_check(struct nb_scene_reading *reading);
-/* Warns of a condition on another stress than the servo controls, with friction at the walls. */
+/* Warns of an inherited strain rate against which a servo works, and of conditions: nb_servo_compare. */
 void nb_servo_check(struct nb_scene_reading *reading);
 /* Imposed motion is not reversed; a cell has no boundary. */
 void nb_imposed_motion_check(struct nb_scene_reading *reading);

@@ -96,40 +96,60 @@ static bool rubs(const struct nb_scene *scene, const struct nb_properties *now, 
   return found;
 }
 
-/* The condition of the stage on the other stress than its servo controls, the box's or the walls'; NULL: there is
- * none. */
-static const struct nb_condition *other_stress(const struct nb_stage *stage, const char *controlled) {
-  const bool walls = strcmp(controlled, "walls.stress") == 0, box = strcmp(controlled, "box.stress") == 0;
-  for (size_t k = 0; k < stage->condition_count && (walls || box); k++)
-    if (stage->conditions[k].quantity.monitor < 0 &&
-        strncmp(stage->conditions[k].name, walls ? "box.stress." : "walls.stress.", walls ? 11 : 13) == 0)
-      return &stage->conditions[k];
-  return NULL;
+/* True if friction at the walls makes the quantity differ from the stress that the servo controls. */
+static bool is_other(const char *controlled, struct nb_quantity quantity) {
+  const char *const name = quantity.kind->name;
+  const bool of_scene = quantity.monitor < 0, walls = strcmp(controlled, "walls.stress") == 0;
+  return strcmp(name, !of_scene ? "stress" : walls ? "box.stress" : "walls.stress") == 0 && (of_scene || walls);
+}
+
+bool nb_servo_compare(struct nb_scene *scene, size_t s, struct nb_quantity quantity, const char *name, const char *what,
+                      int line) {
+  const struct nb_servo *const servo = &scene->stages[s].servo;
+  const char *const controlled = servo->box && servo->quantity[0].monitor < 0 ? servo->quantity[0].kind->name : "";
+  if (!*controlled || !is_other(controlled, quantity))
+    return true;
+  struct nb_active_laws laws = nb_laws_initial(scene);
+  struct nb_properties now = {0};
+  if (!nb_properties_create(&now, scene))
+    return false;
+  for (size_t k = 0; k <= s; k++) {
+    laws = nb_laws_of(&scene->stages[k], laws);
+    nb_properties_end_stage(&now, &scene->stages[k]);
+  }
+  if (rubs(scene, &now, laws.shear))
+    nb_warn(&scene->warnings, line,
+            "the servo of stage `%s` controls `%s`, and this %s is on `%s`: with friction at the walls the two differ, "
+            "and the %s may never hold; write `on %.*s` in the servo",
+            scene->stages[s].name, controlled, what, name, what, (int)strcspn(name, "."), name);
+  nb_properties_free(&now);
+  return true;
+}
+
+/* Warns of a strain rate of an earlier stage against which the servo of the stage works. */
+static void warn_of_inherited(struct nb_scene *scene, size_t s) {
+  const struct nb_servo *const servo = &scene->stages[s].servo;
+  const enum nb_affine_source source = servo->cell ? NB_AFFINE_CELL : servo->box ? NB_AFFINE_BOX : NB_AFFINE_BOUNDARY;
+  const char *const word = servo->cell ? "cell" : servo->box ? "box" : "boundary", *rate = nb_unit(scene, " 1/s");
+  int line;
+  const int from = servo->line ? nb_affine_inherited(scene, s, source, &line) : -1;
+  if (from >= 0 && nb_servo_opposes(servo, nb_affine_given(&scene->stages[from], source, &line)))
+    nb_warn(&scene->warnings, servo->line,
+            "the servo of stage `%s` works against the `%s strain` of stage `%s`, which goes on; end it by `%s strain "
+            "0%s 0%s` in stage `%s`",
+            scene->stages[s].name, word, scene->stages[from].name, word, rate, rate, scene->stages[s].name);
 }
 
 void nb_servo_check(struct nb_scene_reading *reading) {
   struct nb_scene *const scene = reading->scene;
-  struct nb_active_laws laws = nb_laws_initial(scene);
-  struct nb_properties now = {0};
-  if (!nb_properties_create(&now, scene)) {
-    nb_no_memory(&reading->reader);
-    return;
-  }
-  for (size_t s = 0; s < scene->stage_count; s++) {
+  for (size_t s = scene->start.stages; s < scene->stage_count; s++) {
     const struct nb_stage *const stage = &scene->stages[s];
-    const char *const controlled =
-        stage->servo.box && stage->servo.quantity[0].monitor < 0 ? stage->servo.quantity[0].kind->name : "";
-    const struct nb_condition *const condition = other_stress(stage, controlled);
-    laws = nb_laws_of(stage, laws);
-    nb_properties_end_stage(&now, stage);
-    if (condition && rubs(scene, &now, laws.shear))
-      nb_warn(
-          &scene->warnings, condition->line,
-          "the servo of stage `%s` controls `%s`, and this condition is on `%s`: with friction at the walls the two "
-          "differ, and the condition may never hold; write `on %s` in the servo",
-          stage->name, controlled, condition->name, strcmp(controlled, "box.stress") == 0 ? "walls" : "box");
+    warn_of_inherited(scene, s);
+    for (size_t k = 0; k < stage->condition_count; k++)
+      if (!nb_servo_compare(scene, s, stage->conditions[k].quantity, stage->conditions[k].name, "condition",
+                            stage->conditions[k].line))
+        nb_no_memory(&reading->reader);
   }
-  nb_properties_free(&now);
 }
 
 /* clang-format off */

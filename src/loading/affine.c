@@ -54,21 +54,42 @@ static struct nb_tensor rate_of(const struct nb_model *model, const struct nb_st
   return tensor_scale(strain->per_cycle ? 1 / model->step : 1, tensor(strain->xx, strain->xy, strain->yx, strain->yy));
 }
 
+const struct nb_strain_rate *nb_affine_given(const struct nb_stage *stage, enum nb_affine_source source, int *line) {
+  const struct {
+    int line;
+    const struct nb_strain_rate *rate;
+  } given[NB_AFFINE_SOURCES] = {[NB_AFFINE_FREE] = {stage->affine.line, &stage->affine.strain},
+                                [NB_AFFINE_BOUNDARY] = {stage->boundary.line, &stage->boundary.strain},
+                                [NB_AFFINE_CELL] = {stage->cell_line, &stage->cell},
+                                [NB_AFFINE_BOX] = {stage->box_line, &stage->box}};
+  *line = given[source].line;
+  return given[source].rate;
+}
+
+int nb_affine_inherited(const struct nb_scene *scene, size_t stage, enum nb_affine_source source, int *line) {
+  for (size_t s = stage + 1; s-- > 0;) {
+    const struct nb_stage *it = &scene->stages[s];
+    const struct nb_strain_rate *rate = nb_affine_given(it, source, line);
+    if (source == NB_AFFINE_BOX && !nb_box_strained_in(scene, s))
+      return -1;
+    if (*line)
+      return s < stage && (rate->xx != 0 || rate->xy != 0 || rate->yx != 0 || rate->yy != 0) ? (int)s : -1;
+  }
+  return -1;
+}
+
 void nb_affine_begin(struct nb_model *model, const struct nb_stage *stage) {
   struct nb_affine *affine = model->affine;
   struct nb_strain_rate *requested = affine->requested, *cell = &requested[NB_AFFINE_CELL];
   if (stage->reverse_velocities)
     cell->xx *= -1, cell->xy *= -1, cell->yx *= -1, cell->yy *= -1;
-  if (stage->cell_line)
-    *cell = stage->cell;
-  if (stage->box_line)
-    requested[NB_AFFINE_BOX] = stage->box;
-  else if (!nb_box_strained_in(model->scene, (size_t)(stage - model->scene->stages)))
+  if (!nb_box_strained_in(model->scene, (size_t)(stage - model->scene->stages)))
     requested[NB_AFFINE_BOX] = (struct nb_strain_rate){.xx = 0};
-  if (stage->boundary.line)
-    requested[NB_AFFINE_BOUNDARY] = stage->boundary.strain;
+  for (int line, c = NB_AFFINE_FREE; c < NB_AFFINE_SOURCES; c++) {
+    const struct nb_strain_rate *rate = nb_affine_given(stage, c, &line);
+    requested[c] = line ? *rate : requested[c];
+  }
   if (stage->affine.line) {
-    requested[NB_AFFINE_FREE] = stage->affine.strain;
     affine->separate[NB_AFFINE_FREE] = stage->affine.accumulated ? 0 : 1;
     affine->twice = stage->affine.twice;
   }

@@ -3,6 +3,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #pragma once
 
+#include "core/affine.h"
 #include "core/boundary.h"
 
 /* ---- boundary.c: boundary of an assembly; rotation of particles ---- */
@@ -24,6 +25,11 @@ void nb_boundary_set_forces(struct nb_model *model);
 enum nb_status nb_affine_create(struct nb_model *model, struct nb_error *error);
 /* Sets the strain rates of a stage. Called after the step of the stage is set. */
 void nb_affine_begin(struct nb_model *model, const struct nb_stage *stage);
+/* The strain rate that a stage gives to the source; *line is that of its statement, 0: none. */
+const struct nb_strain_rate *nb_affine_given(const struct nb_stage *stage, enum nb_affine_source source, int *line);
+/* Index of the earlier stage whose strain rate of this source still applies in the stage and is not 0, and the line of
+ * its statement; -1: none. */
+int nb_affine_inherited(const struct nb_scene *scene, size_t stage, enum nb_affine_source source, int *line);
 /* Called before the motion. True: every particle has an imposed velocity; false: only particles of a boundary. */
 bool nb_affine_step(struct nb_model *model);
 bool nb_affine_moves(const struct nb_model *model); /* some particle moves affinely in this step or in the last one */
@@ -52,6 +58,8 @@ double nb_walls_residual(const struct nb_model *model); /* magnitude of the sum 
 /* ---- servo.c: strain rates that bring a stress to its target ---- */
 /* Begins the servo of the current stage. Called after the other statements of the stage have been applied. */
 void nb_servo_begin(struct nb_model *model);
+/* True if the strain rate is not 0 in a component that the servo controls. */
+bool nb_servo_opposes(const struct nb_servo *servo, const struct nb_strain_rate *rate);
 /* Sets b to B, Pa, and t to T, s, of servo.c, for the current contacts. False: no boundary, or no particles touch. */
 bool nb_servo_scales(const struct nb_model *model, const struct nb_servo *servo, double *b, double *t);
 /* Largest difference of a controlled stress from its target, over the largest target, 1; 0 in a stage without a servo

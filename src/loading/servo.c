@@ -85,6 +85,15 @@ static struct nb_tensor stress_error(const struct nb_model *model, const struct 
   return tensor(servo->controlled[0] ? error[0] : 0, shear, shear, servo->controlled[1] ? error[1] : 0);
 }
 
+bool nb_servo_opposes(const struct nb_servo *servo, const struct nb_strain_rate *rate) {
+  const struct nb_tensor l =
+      tensor_turned(tensor_transpose(axes(servo)), tensor(rate->xx, rate->xy, rate->yx, rate->yy));
+  const double least = 1e-9 * tensor_largest(l); /* a rotation by `transform` rounds */
+  const bool xx = fabs(l.xx) > least, yy = fabs(l.yy) > least, xy = fabs(l.xy + l.yx) > least;
+  return servo->mean ? fabs(l.xx + l.yy) > least
+                     : (servo->controlled[0] && xx) || (servo->controlled[1] && yy) || (servo->controlled[2] && xy);
+}
+
 double nb_servo_error(const struct nb_model *model) {
   const struct nb_servo *servo = &model->stage->servo;
   double target = 0;

@@ -498,6 +498,54 @@ static void explain_shear_end(FILE *out, const struct nb_scene *scene, const str
   }
 }
 
+/* The scene of the page that has the stage: this one, or one from which it starts. */
+static const struct nb_scene *scene_of(const struct nb_scene *scene, size_t stage) {
+  while (stage < scene->start.stages)
+    scene = scene->start.scene;
+  return scene;
+}
+
+/* Prints the statement of an earlier stage that still moves something. `scene` is that of its page; `here`: this page. */
+static void print_inherited(FILE *out, const struct nb_scene *scene, size_t from, int line, bool here) {
+  struct nb_reader reader;
+  if (!read_statement(&reader, scene, (size_t)line))
+    return;
+  fprintf(out, "    goes on from stage `%s`%s%s, ", scene->stages[from].name, here ? "" : " of ",
+          here ? "" : scene->page->name);
+  print_statement(out, &reader);
+  fputc('\n', out);
+}
+
+/* True if a later motion of the wall, or the strain of its box, replaces motion `m` of stage `from` in stage `s`. */
+static bool is_replaced(const struct nb_scene *scene, size_t from, const struct nb_wall_motion *m, size_t s) {
+  const int first = nb_box_first_wall(scene);
+  bool replaced = first >= 0 && m->wall >= first && m->wall < first + 4 && nb_box_strained_in(scene, s);
+  for (size_t k = from + 1; k <= s; k++)
+    for (size_t n = 0; n < scene->stages[k].motion_count; n++)
+      replaced = replaced || scene->stages[k].motions[n].wall == m->wall;
+  return replaced;
+}
+
+/* Prints the strain rates and the motions of walls that go on from earlier stages. */
+static void explain_inherited(FILE *out, const struct nb_scene *scene, size_t s) {
+  for (int line, source = NB_AFFINE_FREE; source < NB_AFFINE_SOURCES; source++) {
+    const int from = nb_affine_inherited(scene, s, source, &line);
+    if (from < 0)
+      continue;
+    const struct nb_scene *of = scene_of(scene, (size_t)from);
+    nb_affine_given(&of->stages[from], source, &line); /* `line` was that of `start` */
+    print_inherited(out, of, (size_t)from, line, of == scene);
+  }
+  for (size_t from = 0; from < s; from++) {
+    const struct nb_scene *of = scene_of(scene, from);
+    for (size_t n = 0; n < scene->stages[from].motion_count; n++) {
+      const struct nb_wall_motion *m = &scene->stages[from].motions[n];
+      if ((m->vx != 0 || m->vy != 0 || m->spin != 0) && !is_replaced(scene, from, m, s))
+        print_inherited(out, of, from, of->stages[from].motions[n].line, of == scene);
+    }
+  }
+}
+
 static void explain_strain_rates(FILE *out, const struct nb_scene *scene, const struct nb_stage *stage) {
   explain_strain_rate(out, scene, stage->box_line, &stage->box);
   explain_strain_rate(out, scene, stage->cell_line, &stage->cell);
@@ -515,6 +563,7 @@ static void explain_stages(FILE *out, const struct nb_model *model, const struct
     nb_cost_print_length(out, &cost->lengths[s], stage);
     fputc('\n', out);
     explain_statements(out, scene, s);
+    explain_inherited(out, scene, s);
     explain_strain_rates(out, scene, stage);
     if (stage->servo.line && cost->seconds.to > 0)
       explain_gain(out, model, &stage->servo);

@@ -107,6 +107,20 @@ static void warn_removed(struct nb_outcome *outcome, const struct nb_page_run *r
   }
 }
 
+/* Warns of expectations on another stress than the servo of their stage controls. False: out of memory. */
+static bool warn_of_servos(struct nb_page_run *run) {
+  struct nb_scene *const scene = &run->scene;
+  for (size_t k = 0; k < run->expectations.count; k++) {
+    const struct nb_expectation *it = &run->expectations.list[k];
+    const struct nb_column *column = &scene->columns[it->measure.column];
+    const size_t stage = it->measure.stage >= 0 ? (size_t)it->measure.stage : scene->stage_count - 1;
+    if (it->kind == NB_EXPECTED && !it->has_scale &&
+        !nb_servo_compare(scene, stage, column->quantity, column->name, "expectation", it->line))
+      return false;
+  }
+  return true;
+}
+
 /* Reads all runs of the page, up to the first run with mistakes, because most mistakes would be in every run. */
 static void read_runs(struct nb_outcome *outcome, nb_settings settings, size_t particles_kept) {
   size_t particles = 0;
@@ -118,6 +132,8 @@ static void read_runs(struct nb_outcome *outcome, nb_settings settings, size_t p
     struct nb_page_run *run = &outcome->runs[outcome->run_count++];
     nb_scene_read(&run->scene, &outcome->page, r, settings, &outcome->mistakes);
     nb_expectations_read(&run->expectations, &outcome->page, &run->scene, &outcome->mistakes);
+    if (!warn_of_servos(run))
+      nb_mistake_memory(&outcome->mistakes);
     nb_sweep_label(run->label, sizeof run->label, run, NULL);
     add_warnings(outcome, &run->scene.warnings);
     warn_removed(outcome, run);

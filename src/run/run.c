@@ -173,8 +173,14 @@ static void propose(char *text, size_t size, const struct nb_scene *scene, const
  * is doubtful. At a stress of 0 the difference is 1. */
 static const double servo_tolerance = 0.1;
 
-static bool is_last_servo(const struct run *run, const struct nb_stage *stage) {
-  return stage == &run->scene->stages[run->scene->stage_count - 1] || !stage[1].servo.line;
+/* True if the servo of the next stage goes on towards the same target, or ramps its target from the present stress. */
+static bool servo_goes_on(const struct run *run, const struct nb_stage *stage) {
+  const struct nb_servo *const now = &stage->servo, *const next = &stage[1].servo;
+  if (stage == &run->scene->stages[run->scene->stage_count - 1] || !next->line)
+    return false;
+  return next->ramp ||
+         (next->quantity->kind == now->quantity->kind && next->quantity->monitor == now->quantity->monitor &&
+          memcmp(next->stress, now->stress, sizeof now->stress) == 0);
 }
 
 /* Warns of a stage whose conditions were met without the loading that its author had in mind. */
@@ -192,12 +198,12 @@ static void warn_of_end(const struct run *run, const struct nb_stage *stage) {
     nb_warn(&model->warnings, stage->line,
             "stage `%s` ended in cycle %lu, because its condition was met before the stage began: %s%s", stage->name,
             model->stage_cycle, text, counts_from(stage));
-  } else if ((stage->condition_count > 0 || *servo_limit(servo, sizeof servo, model)) && is_last_servo(run, stage) &&
-             nb_servo_error(model) > servo_tolerance) {
+  } else if (nb_servo_error(model) > servo_tolerance && !servo_goes_on(run, stage)) {
     nb_warn(&model->warnings, stage->line,
-            "stage `%s` ended while a controlled stress differed from the target of the servo by %.3g %%; add a "
+            "stage `%s` ended while a controlled stress differed from the target of the servo by %.3g %%; %s a "
             "condition on this stress%s",
-            stage->name, 100 * nb_servo_error(model), servo_limit(servo, sizeof servo, model));
+            stage->name, 100 * nb_servo_error(model), stage->condition_count > 0 ? "add" : "end it by",
+            servo_limit(servo, sizeof servo, model));
   }
 }
 
