@@ -144,7 +144,8 @@ static const struct nb_quantity_kind kinds[] = {
      "kinetic, stored, frictional, damped and removed energy, less the initial and the supplied energy: the error of "
      "time integration"},
     {"work.residual", 0, "J", NB_REQUEST_WORK, work_residual,
-     "kinetic energy at the half step, less its initial value and the work of all forces: rounding"},
+     "kinetic energy at the half step, less its initial value and the work of all forces; it consists of rounding "
+     "errors"},
     {"momentum.x", 0, "kg.m/s", 0, momentum_x, "momentum of all free particles"},
     {"momentum.y", 0, "kg.m/s", 0, momentum_y, "momentum of all free particles"},
     {"momentum.angular", 0, "kg.m2/s", 0, momentum_angular,
@@ -362,7 +363,7 @@ bool nb_quantity_row(struct nb_quantity_row *it, size_t k) {
     for (size_t s = 0; nth_suffix(kind_at(r), s, &suffix); s++)
       if (k-- == 0) {
         name_of(it->name, sizeof it->name, kind_at(r), suffix);
-        snprintf(it->help, sizeof it->help, "%s%s%s", kind_at(r)->help, suffix ? ", " : "", suffix ? suffix->help : "");
+        snprintf(it->help, sizeof it->help, "%s%s%s", suffix ? suffix->help : "", suffix ? ": " : "", kind_at(r)->help);
         it->key = (const char *)kind_at(r) + s;
         const struct owner *const owner = owner_of(kind_at(r)->monitors);
         it->unit = unit_of(kind_at(r), suffix), it->of = owner->of;

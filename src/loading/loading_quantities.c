@@ -53,25 +53,26 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
     {"boundary.roughness", 0, "1", 0, boundary_roughness,
      "standard deviation of the distances whose mean is boundary.radius, over boundary.radius [R89 sec. 6.4.1]",
      NB_AT_LEAST_0},
-    TENSOR(
-        "boundary.stress", 0, "Pa", NB_STRESSES, boundary_stress,
-        "stress: sum of F_i X_j over the boundary's particles (F contact force, X position), divided by the polygon's "
-        "area and the thickness; compression positive"),
+    TENSOR("boundary.stress", 0, "Pa", NB_STRESSES, boundary_stress,
+           "stress on the boundary, compression positive. It is the sum of F_i X_j over the boundary's particles (F "
+           "contact force, X position), divided by the polygon's area and the thickness"),
     {"boundary.stress.residual", 0, "Pa", 0, boundary_residual,
      "largest difference between boundary.stress and the stress from all contacts over the same volume; 0 while the "
      "particles inside are in equilibrium",
      NB_AT_LEAST_0},
 
-    TENSOR("cell", NB_OF_CELL, "m", NB_COMPONENTS, cell_sides,
-           "vectors of the sides of the cell: xx and yx of the side along x on the page, xy and yy of the other side"),
     TENSOR(
-        "cell.stress", NB_OF_CELL, "Pa", NB_STRESSES, cell_stress,
-        "stress: sum of F_i l_j over the contacts (F force with dashpots, l vector from centre to centre), divided by "
-        "the volume. The volume is the area times 1 m for discs, times the mean diameter for spheres. Compression "
-        "is positive: `c12` above 0 makes xy negative"),
-    TENSOR("cell.strain", NB_OF_CELL, "1", NB_COMPONENTS, cell_strain,
-           "strain of the cell relative to its sides at time 0, extension positive. For small strains xy is half the "
-           "engineering shear strain. In a cell that was compressed before, the latter is cell.xy over cell.yy"),
+        "cell", NB_OF_CELL, "m", NB_COMPONENTS, cell_sides,
+        "vector of a side of the cell; xx and yx belong to the side along x on the page, xy and yy to the other side"),
+    TENSOR("cell.stress", NB_OF_CELL, "Pa", NB_STRESSES, cell_stress,
+           "stress in the cell, compression positive: `c12` above 0 makes xy negative. It is the sum of F_i l_j over "
+           "the contacts (F force with dashpots, l vector from centre to centre), divided by the volume. The volume is "
+           "the area times 1 m for discs, times the mean diameter for spheres"),
+    TENSOR(
+        "cell.strain", NB_OF_CELL, "1", NB_COMPONENTS, cell_strain,
+        "strain of the cell relative to its sides at time 0, extension positive. For small strains xy is half the "
+        "engineering shear strain. In a cell that was compressed before, the engineering shear strain is cell.xy over "
+        "cell.yy"),
     {"cell.strain.volumetric", NB_OF_CELL, "1", 0, cell_strain_volume,
      "relative change of the cell's area since time 0, expansion positive"},
 
@@ -82,15 +83,15 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
      NB_AT_MOST_1},
     {"box.void_ratio", NB_OF_BOX, "1", 0, box_void_ratio, "void ratio e = n/(1 - n), n = box.porosity"},
     TENSOR("box.stress", NB_OF_BOX, "Pa", NB_STRESSES, box_stress,
-           "stress: sum of F_i X_j over wall contacts (F force on the wall with dashpots, X contact point), divided by "
-           "the volume; compression positive"),
+           "stress on the box, compression positive. It is the sum of F_i X_j over wall contacts (F force on the wall "
+           "with dashpots, X contact point), divided by the volume"),
     {"box.strain.width", NB_OF_BOX, "1", 0, box_strain_width,
      "relative change of the box's width since time 0, extension positive"},
     {"box.strain.height", NB_OF_BOX, "1", 0, box_strain_height,
      "relative change of the box's height since time 0, extension positive"},
     TENSOR("walls.stress", NB_OF_BOX, "Pa", NB_STRESSES, walls_stress,
-           "mean traction of opposite walls of the box, xx that of `east` and `west`; compression positive, dashpots "
-           "included"),
+           "mean traction of opposite walls of the box, compression positive, dashpots included; xx is that of `east` "
+           "and `west`"),
     {"walls.ratio", NB_OF_BOX, "1", 0, walls_ratio,
      "normal force on `east` and `west` over the normal force on `south` and `north`: F_H/F_V of [CS79 tables 1-3]"},
     {"walls.force.residual", NB_OF_BOX, "N", 0, walls_residual,

@@ -50,8 +50,8 @@ const struct nb_quantity_kind nb_region_kinds[] = {
     PART("stress.fabric", NB_STRESS_FABRIC, "the mean normal force at every contact"),
     PART("stress.variation", NB_STRESS_VARIATION, "normal forces minus their mean"),
     OF("stress.residual", NB_SCALAR, "Pa", NB_AT_LEAST_0, NB_READS_ENDS, NB_STRESS_PARTS, stress.residual,
-       "largest difference between stress by particles and by contacts, and between parts and what they sum to: "
-       "rounding"),
+       "largest difference between the stress by particles and by contacts, or between the stress and the sum of its "
+       "parts; it consists of rounding errors"),
 
     FABRIC("fabric", NB_FABRICS, "1", plain.second, "structural anisotropy Phi [R89 4.48]"),
     FABRIC("fabric.fourth", NB_FOURTH, "1", plain.xxxx, "structural anisotropy of fourth order [R89 4.48]"),
@@ -63,9 +63,12 @@ const struct nb_quantity_kind nb_region_kinds[] = {
     FABRIC("fabric.sliding.fourth", NB_FOURTH, "1", sliding.xxxx,
            "Phi of fourth order of contacts whose shear force is 0.99 of its limit or more"),
 
-    DIRECTIONS("anisotropy.contacts", contacts, "coefficient a of the density of contacts over the directions"),
-    DIRECTIONS("anisotropy.normal", normal, "coefficient a_n of the mean normal force over the directions"),
-    DIRECTIONS("anisotropy.shear", shear, "coefficient a_t of the mean shear force over the directions"),
+    DIRECTIONS("anisotropy.contacts", contacts,
+               "coefficient a of the variation of the contact density with the direction"),
+    DIRECTIONS("anisotropy.normal", normal,
+               "coefficient a_n of the variation of the mean normal force with the direction"),
+    DIRECTIONS("anisotropy.shear", shear,
+               "coefficient a_t of the variation of the mean shear force with the direction"),
     DIRECTIONS("anisotropy.sinphi", sinphi, "sine of the mobilized friction angle that follows from a, a_n and a_t"),
     MODULUS(
         "modulus.bulk", bulk,
