@@ -100,6 +100,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"wall_fixed box_fixed", "wall, walls", "a wall does not move unless it has a `velocity`"},
     {"remove_wall", "wall", "a wall stays, but it can move away: `wall NAME velocity VX VY`"}, {"step_auto", "stable", "write `step 0.3 of stable`, with elastic spheres `step 0.2 of rayleigh`"},
     {"cycles_s cycles_ms cycles_us cycles_second cycles_seconds", "until", "a stage of 2 s ends with `until stage.time above 2 s at most 1000000 cycles`"},
+    {"monitor_box monitor_walls", "monitor", "a wall of a box is `monitor B wall south`, `east`, `north` or `west`, then `record B.fx B.fy`; the stress of the box needs no monitor: `record box.stress.xx box.stress.yy`"},
     {"monitor_contact", "monitor", "a contact is named by its two partners: `monitor C disc 1 with disc 2`"},
     {"servo_walls servo_west servo_east servo_north servo_south servo_left servo_right servo_sides servo_lateral servo_box", "servo", SERVO_WALLS},
     {"wall_servo walls_servo wall_force", "servo", "for example `servo yy 100 kPa on walls through box at most 1e-6 per cycle`"},
@@ -109,6 +110,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"until_rest until_equilibrium until_static until_steady until_settled until_quiet until_converged until_relaxed", "until, unbalanced.max", "at rest the contact forces balance: `until unbalanced.max below 1e-4 and contacts above 0 at most 1000000 cycles`"},
     {"until_cycles until_cycle", "cycles", "a number of cycles is `cycles 1000`"},
     {"until_< until_<= until_less until_under until_smaller", "below", "a condition is `QUANTITY below VALUE`"}, {"until_> until_>= until_greater until_over until_more until_exceeds", "above", "a condition is `QUANTITY above VALUE`"},
+    {"scene_report stage_report scene_expected stage_expected scene_reference stage_reference", "report, expected, reference", "a claim or a report belongs in a block `expect`, behind the block `scene`: for example `report energy.kinetic max in STAGE`"},
     {"scene_load", "start", "a page that continues from another begins with `start PAGE stage NAME`; a load on particles is `gravity`, or in a stage `boundary stress` or `servo`"},
     {"cell_xy cell_shear cell_simple_shear cell_rate cell_c12 cell_velocity cell_deform cell_engineering_shear", "cell strain", SIMPLE_SHEAR},
     {"boundary_shear boundary_c12", "boundary strain", "simple shear at the rate G = 0.1 1/s is `boundary strain 0 1/s 0 1/s  c12 0.1 1/s`; the clause `shear EXY` is pure shear, c12 = c21 = EXY"},
@@ -131,7 +133,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     /* expect_WORD: a word in any place of an expectation */
     {"expect_approx expect_approximately expect_about expect_~ expect_= expect_== expect_equals expect_equal", "expected", "write `C.normal max  expected 3 N within 1 % [SOURCE]`"},
     {"expect_average expect_avg", "mean", "the mean of the rows is `mean`: `C.normal mean in load  below 3 N`"},
-    {"expect_first expect_initial expect_begin expect_start", "expected", "the first row of the run is `at 0 cycles`; `nineball --help expect` lists all such words"},
+    {"expect_first expect_initial expect_begin expect_start", "expected", "the first row is `at 0 cycles`, but after `start` the cycles go on from those of the other page; `nineball --help expect` lists all such words"},
     {"expect_print", "report", "write `report energy.kinetic max in STAGE`"},
     {"expect_stage", "in", "`in` is followed by the name alone: `C.normal max in load`"},
     {"expect_expected", "expected", "the quantity comes first: `C.shear last in load  expected 0.1 N within 1 % [SOURCE]`, or, for a value in another stage, `expected 1 of C.shear last in unload within 1 % [SOURCE]`"},
@@ -149,6 +151,8 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"quantity_box.servo quantity_box.servo.xx quantity_box.servo.yy quantity_walls.servo.xx quantity_walls.servo.yy quantity_servo.xx quantity_servo.yy quantity_servo.stress quantity_servo.stress.xx quantity_servo.stress.yy", "box.stress.xx, walls.stress.xx", "a servo has no quantity of its own. With `on box` it controls `box.stress.xx` and `box.stress.yy`, with `on walls` `walls.stress.xx` and `walls.stress.yy`: `record box.stress.xx box.stress.yy`"},
     {"quantity_cell.shear quantity_cell.gamma quantity_cell.c12 quantity_cell.shear_strain quantity_cell.strain.shear quantity_cell.shear.strain", "cell.xy, cell.strain.xy", "the engineering shear strain of a cell is `cell.xy` over `cell.yy`: `record cell.xy cell.yy`, then `cell.xy  expected 0.1 of cell.yy within 1 % [SOURCE]`. `cell.strain.xy` is half of it in a cell that only shears"},
     {"quantity_stage.strain quantity_stage.strain.xx quantity_stage.strain.xy quantity_stage.strain.yy quantity_stage.strain.volumetric", "region", "a strain since a stage is that of a region: `region S all from STAGE`, then `record S.strain.xx S.strain.xy S.strain.yy S.strain.volumetric`"},
+    {"quantity_restitution quantity_cor quantity_coefficient_of_restitution", "impact.restitution", "a restitution is a ratio of velocities, of `monitor A sphere 1` with `record A.vx`: `A.vx last in touch  expected -0.7 of A.vx last in approach within 1 % [SOURCE]`; in a scene with `impact` it is `impact.restitution`"},
+    {"quantity_unbalanced.max quantity_unbalanced.mean", "unbalanced.max, unbalanced.mean", "`unbalanced.max` is of the whole scene, the largest unbalanced force over the largest contact force; `M.unbalanced.mean`, with `region M all`, is the ratio of the means"},
     {"quantity_duration quantity_contact_time quantity_collision_time quantity_impact_time quantity_contact_duration", "stage.time", "the duration of a contact is that of a stage: end one stage with `until C.overlap above 0 m at most 1000000 cycles`, the next one, `stage touch`, with `until C.overlap below 1e-12 m at most 1000000 cycles`, and write `record stage.time` and `report stage.time in touch`"},
     {"box_shear box_c12 box_c21", "cell strain, boundary strain", "the walls of a box do not rotate, so a box has no shear"},
   };

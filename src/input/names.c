@@ -534,14 +534,20 @@ static const char *owned_hint(char *hint, const struct nb_scene *scene, const ch
   return found;
 }
 
-/* The hint for `north.fx` of a wall and `disc1.vx`, which need a monitor; NULL: it is neither. */
+/* The hint for `north.fx` of a wall, also `box.top.fx`, and `disc1.vx`, which need a monitor; NULL: it is neither. */
 static const char *unmonitored(char *hint, const struct nb_scene *scene, const char *text) {
+  text += strncmp(text, "box.", 4) == 0 ? 4 : strncmp(text, "walls.", 6) == 0 ? 6 : 0;
   const size_t stem = strcspn(text, "."), letters = strcspn(text, ".0123456789");
   char word[NB_NAME_SIZE], of[NB_NAME_SIZE];
   snprintf(word, sizeof word, "%.*s", (int)letters, text);
   snprintf(of, sizeof of, "%.*s", (int)(stem - letters), text + letters);
-  static const struct { char name[NB_NAME_SIZE]; } of_box[] = {{"south"}, {"east"}, {"north"}, {"west"}};
-  const bool wall = NB_FIND(scene->walls, scene->wall_count, word) >= 0 || NB_FIND(of_box, 4, word) >= 0;
+  static const struct {
+    char name[NB_NAME_SIZE];
+  } sides[] = {{"south"}, {"east"}, {"north"}, {"west"}, {"bottom"}, {"right"}, {"top"}, {"left"}};
+  const int side = NB_FIND(sides, 8, word), given = NB_FIND(scene->walls, scene->wall_count, word);
+  const bool wall = given >= 0 || side >= 0;
+  if (given < 0 && side >= 0)
+    snprintf(word, sizeof word, "%s", sides[side % 4].name);
   if (wall && letters == stem)
     snprintf(of, sizeof of, "%s", word), strcpy(word, "wall");
   const struct nb_token tokens[] = {{.text = word}, {.text = of}, {.text = text + stem + (text[stem] == '.')}};
