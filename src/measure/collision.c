@@ -10,9 +10,9 @@
  * A particle hits the face of a wall along the wall's normal, and an end of a wall like a particle without radius. A
  * pair that already touches approaches at v = w.d/|d|.
  *
- * Walls move as in the first stage. The prediction neglects gravity, the rotation of walls before the collision, and
- * particles in between. It tests every moving particle with every other particle once, so a gas of a million particles
- * takes long.
+ * Walls move as in the stage that sets the step; a step of the scene belongs to the first stage. The prediction neglects
+ * gravity, the rotation of walls before the collision, and particles in between. It tests every moving particle with
+ * every other particle once, so a gas of a million particles takes long.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -42,7 +42,8 @@ static struct approach circles_approach(struct nb_vec apart, struct nb_vec relat
   return (struct approach){speed, (along / size - speed * radius_sum / size) / size};
 }
 
-/* Velocities of a wall in the first stage, even before this stage has begun. */
+/* Velocities of a wall in the stage that sets the step: the first stage has not begun yet when the step of the scene is
+ * set. */
 static struct nb_velocities wall_state(const struct nb_model *model, int wall) {
   struct nb_velocities state = {model->walls.velocity[wall], model->walls.spin[wall]};
   const struct nb_stage *first = &model->scene->stages[0];
