@@ -309,10 +309,11 @@ static int shear_mindlin_deresiewicz_pieces(struct nb_pair p, struct nb_normal n
   return (int)m[0];
 }
 
-/* Prefetches the last corners and the place of a new corner. */
+/* Prefetches the last four corners and the place of a new corner. */
 static inline void shear_mindlin_deresiewicz_prefetch(const double m[]) {
-  for (int line = -2; line < 2; line++)
-    __builtin_prefetch(&m[m[0] > 2 ? HEAD + 5 * (int)m[0] + 8 * line + 1 : 0], 1);
+  const double *from = &m[m[0] > 3 ? HEAD + 5 * ((int)m[0] - 3) : 0];
+  for (int line = 0; line < 4; line++)
+    __builtin_prefetch(&from[8 * line], 1);
 }
 
 #define LAW shear_mindlin_deresiewicz
