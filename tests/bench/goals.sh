@@ -4,7 +4,7 @@
 #   goals.sh -o FILE
 #
 #   NINEBALL   the program, built with -g -O3        REPEATS   repeats, 5; the table has the median, the least and the greatest
-#   ONLY       the rows to measure, "nine exact threads moving million sample"
+#   ONLY       the rows to measure, "nine exact threads busy moving million sample"
 # Each line of the table: goal, number of particles, the quantity and its unit, median, least, greatest. Rows that are not
 # measured stay. The packings are those of packing.awk, and the sample is that of the page preparation-price. Exit status: 0,
 # 2 wrong use or a failed run.
@@ -40,7 +40,7 @@ nine_discs() {
   printf 'lattice discs 3 by 3 radius 50 rock\nstep 0.12 of single-contact\nstage load\nrecord none\nwalls inward 0.12\ncycles 40\n' >>page.md
   printf 'stage oscillate\nrecord none\nwalls stop\ncycles %d\n```\n' "$1" >>page.md
 }
-exact() { packing "$side" lattice exact "$1"; }
+exact() { packing "$side" "$kind" exact "$1"; }
 # sheared RATE CYCLES: writes page.md, the random packing in a periodic cell, which is relaxed and then sheared at this rate, 1/s.
 sheared() {
   packing "$side" random linear 1
@@ -70,16 +70,17 @@ sample() {
   sed -n 's/^ *\([0-9]*\) cycles, .*/\1/p' said >cycles
 }
 
-for row in ${ONLY:-nine exact threads moving million sample}; do case $row in
+for row in ${ONLY:-nine exact threads busy moving million sample}; do case $row in
   nine) for ((k = 0; k < repeats; k++)); do cycle_time nine_discs 3000000; done | keep nine 9 "ns a cycle" ;;
   exact)
-    for side in 3 32 100 265; do
+    for kind in lattice random; do for side in 3 32 100 265; do
       exact 1
-      updates=$("$program" explain page.md | sed -n 's/.* cycles, \([^ ]*\) contact updates.*/\1/p')
+      count=$(grep -c ^sphere page.md) updates=$("$program" explain page.md | sed -n 's/.* cycles, \([^ ]*\) contact updates.*/\1/p')
+      test "$updates" != 0 || continue # the random packing of 9 spheres has no contact
       for ((k = 0; k < repeats; k++)); do # the forces of the start and of one cycle: two updates a contact
         cycle_time exact $((60000000 / (3 * side * side) + 1)) | $awk -v u="$updates" '{ print 1e3 * u / 2 / $1 }'
-      done | keep exact $((side * side)) "million updates a second"
-    done ;;
+      done | keep exact "$count" "million updates a second, $kind packing"
+    done; done ;;
   threads)
     for side in 100 290; do
       packing $side lattice linear $((30000000 / (side * side)))
@@ -87,6 +88,13 @@ for row in ${ONLY:-nine exact threads moving million sample}; do case $row in
         clock %e --threads 1 >one && clock %e --threads 2 | $awk -v one="$(cat one)" '{ print one / $1 }'
       done | keep threads $((side * side)) "times the speed of one thread"
     done ;;
+  busy) # beside as many programs as there are processors
+    packing 100 lattice linear 3000
+    for ((k = 0; k < $(nproc); k++)); do while :; do :; done & done
+    for ((k = 0; k < repeats; k++)); do
+      clock %e --threads 1 >one && clock %e --threads 2 | $awk -v one="$(cat one)" '{ print one / $1 }'
+    done | keep busy 10000 "times the speed of one thread, beside other programs"
+    kill $(jobs -p) ;;
   moving) # the inertial numbers of these rates are 1e-5, 1e-3 and 1e-2 at the pressure of the lattice
     for side in 32 100; do
       sheared 0 1

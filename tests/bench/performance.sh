@@ -99,7 +99,7 @@ goals_table() {
       next }
     FNR == 1 { for (size = 1000; size <= 100000; size *= 10)
         row(size, "times the speed of LAMMPS", size < 50000 ? "at least 8" : "at least 6", sprintf("%.1f to %.1f", low[size], high[size]), sprintf("%.1f", low[size]), sprintf("%.1f", high[size]), "make bench") }
-    { goal["nine"] = "at most 220"; goal["exact"] = "at least 30"; goal["threads"] = "at least 1.7, and 0.95 beside other programs"
+    { goal["nine"] = "at most 220"; goal["exact"] = "at least 30"; goal["threads"] = "at least 1.7"; goal["busy"] = "at least 0.95"
       goal["elapsed"] = "at most 3"; goal["processor"] = "-"; goal["memory"] = "at most 400"
       goal["moving"] = "at most 1.3"; goal["sample"] = "at most 4"; goal["state"] = "at least 30"
       row($2, $3, goal[$1], $4, $5, $6, "ONLY=" ($1 ~ /elapsed|processor|memory/ ? "million" : $1 == "state" ? "sample" : $1) " bash tests/bench/goals.sh -o goals.tsv") }' "$times" "$goals"
