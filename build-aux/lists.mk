@@ -373,6 +373,7 @@ SUITES = \
   tests/properties.c \
   tests/memory.c \
   tests/team.c \
+  tests/team_late.c \
   tests/fill.c \
   tests/run.c \
   tests/hooks.c \

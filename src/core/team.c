@@ -127,9 +127,9 @@ static void *live(void *argument) {
   struct nb_team *team = member->team;
   for (unsigned last = 0;;) {
     await_round(team, last);
-    if (atomic_load(&team->ends))
-      return NULL;
     last = atomic_load(&team->round);
+    if (atomic_load(&team->ends)) /* read after `round`: the last round is that of the end, and no other one follows */
+      return NULL;
     do_parts(team, member->number);
   }
 }

@@ -489,7 +489,7 @@ static const struct nb_expectation_row rows[] = {
    "largest reference value.",
    "C.normal versus time in strike  within 0.5 % of peak"},
   {"expected", NB_EXPECTED, "MEASURE expected NUMBER {of MEASURE} within TOLERANCE [SOURCE]", take_expected,
-   "The computed value agrees with NUMBER, which comes from SOURCE. With `of` NUMBER is a fraction of another measure. `expected NUMBER "
+   "The computed value agrees with NUMBER, which comes from SOURCE. With `of`, NUMBER is a fraction of another measure. `expected NUMBER "
    "over SAMPLE [SOURCE]` reports the percentile of NUMBER in the runs of the sweep SAMPLE, which are realizations of one case; it is "
    "a note, which fails only if a value is not a finite number.",
    "time at 0 cycles  expected 0 s within 0 s  [the clock starts]\n"

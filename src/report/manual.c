@@ -384,9 +384,10 @@ static void values(const struct manual *to) {
       to,
       "Dimensions are checked: both sides of `+` and `-` must have the same one, and so must the arguments of hypot, "
       "atan2, min and max. Exponents and the arguments of other functions are numbers, except those of sqrt and abs. "
-      "Where an angle or an angular velocity is wanted, a literal has its unit, `30 deg` or `2 rad/s`; an expression "
-      "may as well be a number, or one in 1/s. Expressions are computed in double, operation by operation as they are "
-      "written, functions and powers by the C library. A value that is not finite is a mistake.");
+      "An angle or an angular velocity that is written as a number has its unit, `30 deg` or `2 rad/s`. An expression "
+      "for an angle may also be without unit, and one for an angular velocity in 1/s. Expressions are computed in "
+      "double, operation by operation as they are written, functions and powers by the C library. A value that is not "
+      "finite is a mistake.");
   paragraph(to, "Units that are usual for each kind of number:");
   for (int kind = 0; kind < NB_UNIT_KINDS; kind++)
     part(to, nb_unit_kind_name((enum nb_unit_kind)kind), NULL,
