@@ -103,7 +103,7 @@ result $? 'report: skipped expectations are counted separately'
 run 2 report "$pages/passes.md" "$pages/asks-nothing.md" -o some && said '0 checks, 0 failed; nothing was checked' &&
   test "$(grep -c '<td class="fail">nothing was checked</td>' some/index.html)" -eq 2
 result $? 'report: a page on which nothing was checked has not passed'
-run 2 report "$pages/fails.md" "$pages/mistaken.md" "$pages/passes.md" -o mixed &&
+run 2 report "$pages/fails.md" "$pages/mistaken.md" "$pages/passes.md" -o mixed && said '2 checks, 1 failed' &&
   grep -q '>fails</a>' mixed/index.html && grep -q '>mistaken</a>' mixed/index.html && grep -q '>passes</a>' mixed/index.html &&
   test -s mixed/fails/table.tsv && test -s mixed/passes/table.tsv && test ! -e mixed/mistaken/table.tsv &&
   grep -q 'mistaken.md:6:16: error: expected' mixed/index.html mixed/mistaken/index.html

@@ -49,6 +49,21 @@ static void rows_are_recorded_as_requested(void) {
   written_free(&it);
 }
 
+/* Two discs touch and rest: one contact update in each cycle. */
+static void contact_updates_of_a_stage(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page,
+            "units none\nmaterial m density 1 kn 100\nstep 0.001\ndisc 0 0 radius 1 m fixed\ndisc 2 0 radius 1 m\n"
+            "record time\nstage a\ncycles 10\nstage b\ncycles 3\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT(result.stages[0].updates == 10 && result.stages[1].updates == 3);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 static void walls_keep_their_velocity(void) {
   struct words page = {0};
   struct written it;
@@ -394,6 +409,7 @@ static void threads_and_instruction_set(void) {
 void suite_run(void) {
   CU_pSuite suite = CU_add_suite("run", NULL, NULL);
   CU_add_test(suite, "rows are recorded as requested", rows_are_recorded_as_requested);
+  CU_ADD_TEST(suite, contact_updates_of_a_stage);
   CU_add_test(suite, "walls keep their velocity until a stage changes it", walls_keep_their_velocity);
   CU_add_test(suite, "a stage ends when all conditions hold", a_stage_ends_when_all_conditions_hold);
   CU_add_test(suite, "the time of a stage begins with the stage", time_of_a_stage);
