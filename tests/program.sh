@@ -132,6 +132,9 @@ run 0 check "$pages/warns.md" --tap
 out "# $pages/warns.md:4: warning: friction"
 run 0 explain "$pages/warns.md" --set shear=linear
 out 'their shear stiffness `ks` is 0'
+sed 's/friction/ks 1 MN\/m friction/; s/^cycles/shear linear\ncycles/' "$pages/warns.md" >later.md
+run 0 check later.md
+grep -q 'warning: friction' said && echo 'warning of friction, although a stage has a shear law' >>why
 verdict 'warnings: once on standard error, repeated by verdict and explain, no change of the status'
 
 for command in check run 'check --tap' explain; do

@@ -308,14 +308,13 @@ static bool take_sample(struct nb_reader *reader, const struct nb_scene *scene, 
 static const char source_hint[] = "say where the number comes from, for example `[CS79 figure 6]` or `[a guess]`";
 
 /* Takes a source such as `[CS79 figure 6]`, which may be several tokens. */
-static bool take_source(struct nb_reader *reader, struct nb_expectation *expectation) {
+static bool take_source(struct nb_reader *reader) {
   const struct nb_token *token = nb_token_peek(reader);
   if (!token || token->text[0] != '[')
     return nb_expected(reader, source_hint, "the source in brackets");
   if (strcmp(token->text, "[]") == 0)
     return nb_expected(reader, source_hint, "a source between the brackets");
   while ((token = nb_token_peek(reader))) {
-    nb_append(expectation->source, sizeof expectation->source, "%s%s", expectation->source[0] ? " " : "", token->text);
     reader->next++;
     if (token->text[strlen(token->text) - 1] == ']')
       return true;
@@ -398,7 +397,7 @@ static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene
   return take_sample(reader, scene, expectation) &&
          (expectation->sample[0] ||
           take_tolerance_of(reader, scene, unit, expectation->number == 0, &expectation->tolerance)) &&
-         !is_decided(reader, token, expectation) && take_source(reader, expectation);
+         !is_decided(reader, token, expectation) && take_source(reader);
 }
 
 /* Appends the tokens up to the source or the token `end`; `first` of other programs becomes `at 0 cycles`. */

@@ -54,8 +54,7 @@ struct nb_expectation {
   struct nb_measure other;
   bool has_scale, has_number;
   struct nb_tolerance tolerance;
-  double number;             /* NB_EXPECTED, NB_LESS, NB_GREATER: SI; NB_ORDER: the power */
-  char source[NB_NAME_SIZE]; /* "[CS79 figure 6]" */
+  double number; /* NB_EXPECTED, NB_LESS, NB_GREATER: SI; NB_ORDER: the power */
   /* NB_VERSUS: the independent variable, `time`; NB_INCREASES to NB_ORDER: the swept name */
   char against[2 * NB_NAME_SIZE];
   char sample[2 * NB_NAME_SIZE]; /* the sweep whose runs are realizations of the case; empty: none */
