@@ -183,6 +183,29 @@ static void uncovered_particles_and_regions_are_refused(void) {
   }
 }
 
+/* In an assembly of equal spheres the step of the mean radius is that of the smallest one, with the same rebound. */
+static void rayleigh_steps_of_equal_spheres(void) {
+  static const char *const steps[] = {"rayleigh", "rayleigh-mean", "rayleigh-fit", "rayleigh-fit-mean"};
+  double vx[4];
+  for (int k = 0; k < 4; k++) {
+    struct words page = {0};
+    struct written it;
+    struct refs_scene scene;
+    words_add(
+        &page,
+        "units none\nmaterial a density 1 young 1e6 poisson 0.2\nnormal hertz\nsphere 0 0 radius 1 a velocity 0.1 0\n"
+        "sphere 2.001 0 radius 1 a\nmonitor D sphere 2\nstep 0.3 of %s\nrecord D.vx\nstage s\ncycles 1\n",
+        steps[k]);
+    written_scene(&it, &page);
+    scene.scene = it.scene;
+    struct nb_solution solution = refs_solution("rayleigh_step", &scene);
+    vx[k] = refs_value(&solution, "D.vx");
+    solution_free(&solution);
+    written_free(&it);
+  }
+  CU_ASSERT(vx[0] == vx[1] && vx[2] == vx[3] && vx[0] != vx[2] && vx[0] != 0.1);
+}
+
 /* References do not check the allocations of GSL. */
 static void failed_allocation_in_gsl_ends_the_program(void) {
   int status = -1;
@@ -299,4 +322,5 @@ void suite_refs(void) {
               uncovered_particles_and_regions_are_refused);
   CU_add_test(suite, "failed allocation in GSL ends the program", failed_allocation_in_gsl_ends_the_program);
   CU_add_test(suite, "friction and cohesion of a particle and a wall", friction_and_cohesion_at_a_wall);
+  CU_ADD_TEST(suite, rayleigh_steps_of_equal_spheres);
 }
