@@ -67,8 +67,8 @@ static char *interrupted(struct written *it, size_t from, const char *state, con
   char *again = nb_saved_text(&saved, &size);
   CU_ASSERT_STRING_EQUAL(again, state);
   free(again);
-  CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it->scene, "a.state", &error), NB_OK);
   it->scene.start.stages = from;
+  CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it->scene, "a.state", &error), NB_OK);
   struct nb_model *model = nb_model_resume(&it->scene, options, &saved, &error);
   if (!model)
     printf("# %s\n", error.text);

@@ -100,6 +100,16 @@ static void away_from_a_point(void) {
        "");
 }
 
+/* A stage after the one that changed the law has this law, too. */
+static void a_changed_law(void) {
+  same("changed law",
+       "units none\nmaterial m density 3 young 1e5 poisson 0.3 friction 0.3\nnormal hertz\nshear mindlin\n"
+       "lattice spheres 3 by 3 m radius 1 spacing 1.99 from -2 -2\nwall w -5 -3 to 5 -3 m\nrecord time\n"
+       "step 0.1 of rayleigh\ngravity 3 -9\nstage a\ncycles 20\n"
+       "stage b\nshear mindlin_deresiewicz memory 8\ncycles 20\nstage c\ncycles 20\n",
+       "");
+}
+
 /* A state whose cell or boundary differs from the page is refused; `drop` selects the difference, 0 for none. */
 static void resume_with_difference(const char *statements, int drop) {
   struct words words = {0};
@@ -152,4 +162,5 @@ void suite_state_driven(void) {
   CU_add_test(suite, "continued runs have the same bits in a box", a_box);
   CU_add_test(suite, "continued runs have the same bits with gravity away from a point", away_from_a_point);
   CU_add_test(suite, "a state with another cell or boundary than the page is refused", others_are_refused);
+  CU_ADD_TEST(suite, a_changed_law);
 }
