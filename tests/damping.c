@@ -282,6 +282,22 @@ static void a_wall_has_infinite_mass(void) {
   written_free(&it);
 }
 
+/* At time 0 the dashpot of a wall that rotates about P has the velocity w x (Q - P) of the nearest point Q. */
+static void a_wall_that_rotates(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(
+      &page,
+      "units none\nmaterial m density 3 kn 400\ndisc 0 0 radius 1 m\nwall w -4 0.9 to 4 0.9 m about -2 0.9 spin -0.5\n"
+      "damping ratio 0.1\ndamping centred\nstep 0.001\nmonitor C disc 1 with wall w\nrecord C.dashpot.normal\n"
+      "stage s\ncycles 9\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.dashpot.normal"), 0.2 * sqrt(pi * 3 * 400) * 0.5 * 2, 1e-12);
+  nb_model_free(model);
+  written_free(&it);
+}
+
 /* When discs separate fast, the tension of the dashpot exceeds the force of the spring; the total normal force is
  * the sum. */
 static void total_normal_force_may_be_tensile(void) {
@@ -389,4 +405,5 @@ void suite_damping(void) {
   CU_add_test(suite, "the total normal force may be tensile", total_normal_force_may_be_tensile);
   CU_add_test(suite, "sliding: limit of the elastic force, no shear dashpot", sliding);
   CU_add_test(suite, "restitution of a disc on a wall", restitution);
+  CU_ADD_TEST(suite, a_wall_that_rotates);
 }
