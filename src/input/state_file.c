@@ -646,10 +646,10 @@ static void check_whole(struct stream *stream) {
     expected(stream, "records `boundary` and `members`, or neither");
 }
 
-static enum nb_status damaged(const char *path, const char *text, size_t size, size_t last, const char *what,
+static enum nb_status damaged(const char *path, const char *text, size_t last, const char *what,
                               struct nb_error *error) {
   size_t line = 1;
-  for (size_t i = 0; i < last && i < size; i++)
+  for (size_t i = 0; i < last; i++)
     line += text[i] == '\n';
   return nb_error_set(error, NB_BAD_USE, "%.200s:%zu:1: %s", path, line, what);
 }
@@ -659,18 +659,18 @@ enum nb_status nb_saved_read_text(struct nb_saved *saved, const char *path, cons
   char end[NB_STATE_END + 1];
   *saved = (struct nb_saved){.rotates = true};
   if (size < sizeof head - 1 || memcmp(text, head, sizeof head - 1) != 0)
-    return damaged(path, text, 0, 0,
-                   "expected `nineball state 1`: this is not a saved state, or one of another version", error);
+    return damaged(path, text, 0, "expected `nineball state 1`: this is not a saved state, or one of another version",
+                   error);
   const size_t last = size - NB_STATE_END;
   if (size < sizeof head - 1 + NB_STATE_END || memcmp(text + last, "end ", 4) != 0)
-    return damaged(path, text, size, size, "expected a last line `end` with its checksum: the file is cut off", error);
+    return damaged(path, text, size, "expected a last line `end` with its checksum: the file is cut off", error);
   snprintf(end, sizeof end, "end %016llx\n", nb_hash(NB_HASH_BEGIN, text, last));
   if (text[last - 1] != '\n' || memcmp(text + last, end, NB_STATE_END) != 0)
-    return damaged(path, text, size, last,
+    return damaged(path, text, last,
                    "expected the checksum of the lines above, found another one: the file has been changed", error);
   const char *zero = memchr(text, 0, size); /* a zero byte would end a name */
   if (zero)
-    return damaged(path, text, size, (size_t)(zero - text), "expected text, found a byte that is 0", error);
+    return damaged(path, text, (size_t)(zero - text), "expected text, found a byte that is 0", error);
 
   struct stream stream = {.saved = saved, .path = path, .number = 1, .error = error, .line = text + sizeof head - 1};
   while (stream.line < text + last && !stream.bad) {
