@@ -114,17 +114,29 @@ void nb_note(const struct nb_progress *progress, const char *message) {
     progress->note(progress->data, message);
 }
 
+/* Reads the number of the process that holds the lock. The process writes it after it has taken the lock, so a second
+ * attempt follows; without success: `?`. */
+static void read_holder(int file, char *holder, size_t size) {
+  size_t digits = 0;
+  for (int attempt = 0; attempt < 2 && digits == 0; attempt++) {
+    if (attempt > 0)
+      nanosleep(&(struct timespec){.tv_nsec = (long)(POLL_INTERVAL * 1e9)}, NULL);
+    const ssize_t n = pread(file, holder, size - 1, 0);
+    holder[n > 0 ? n : 0] = 0;
+    digits = strspn(holder, "0123456789");
+  }
+  snprintf(holder + digits, size - digits, "%s", digits > 0 ? "" : "?");
+}
+
 /* Waits until the lock is free, and reports which process holds it. */
 static enum nb_status lock_wait(struct nb_lock *lock, const struct nb_progress *progress, struct nb_error *error) {
-  char message[PATH_SIZE + 128], holder[32] = "";
+  char message[PATH_SIZE + 128], holder[32];
   const char *wait = getenv("NINEBALL_WAIT");
   const double limit = wait ? strtod(wait, NULL) : LOCK_TIMEOUT;
   if (flock(lock->file, LOCK_EX | LOCK_NB) == 0)
     return NB_OK;
   if (errno == EWOULDBLOCK) {
-    const ssize_t n = pread(lock->file, holder, sizeof holder - 1, 0);
-    const size_t digits = n > 0 ? strspn(holder, "0123456789") : 0;
-    snprintf(holder + digits, sizeof holder - digits, "%s", digits > 0 ? "" : "?");
+    read_holder(lock->file, holder, sizeof holder);
     if (lock->use)
       return nb_error_set(error, NB_BAD_USE,
                           "process %s %s, %.300s: wait for its end, or choose another folder with %s", holder,
