@@ -97,14 +97,14 @@ static inline bool shift_corner(struct corner at[], int k, double more) {
   return true;
 }
 
-/* Removes the corner with the lowest cost, here its square, because roots take long, and moves a neighbouring corner, so that delta and T keep their values. At
+/* Removes the corner with the lowest cost and moves a neighbouring corner, so that delta and T keep their values. At
  * each merge the earlier errors are multiplied by three quarters. If they were kept in full, old pieces would keep
  * corners that new pieces need. If they were set to 0, the same pieces would be merged again and again. With 64 pieces
  * these two choices give errors of 2.3e-4 and 4e-4 mu N in decaying oscillations. */
 static NB_COLD void drop_corner(struct corner at[], int pieces) {
   int k = 1;
   double lowest = INFINITY;
-  for (int i = 1; i < pieces; i++) {
+  for (int i = 1; i < pieces; i++) { /* compares the squares of the costs, which need no root */
     const double x1 = at[i].x - at[i - 1].x, x2 = at[i + 1].x - at[i].x;
     const double area = at[i - 1].e + at[i].e + kink(at[i - 1].d, at[i].d, x1, x2);
     if (area * area < lowest * at[i].x)

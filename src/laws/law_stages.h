@@ -67,7 +67,7 @@ static inline NB_FORM void LAW_LOOP(const struct nb_block *block, bool counts) {
       LAW_GIVEN(c);
       double *m = &rows[c * row];
       const size_t soon = c + NB_PREFETCH_DISTANCE, later = soon + NB_PREFETCH_DISTANCE;
-      __builtin_prefetch(&rows[later * row], 1); /* beyond the block's end it is a row of the next block */
+      __builtin_prefetch(&rows[later * row], 1); /* a row of the next block, or none: that is harmless */
       if (soon < block->n)
         PREFETCH(&rows[soon * row]);
       union law_fetched f;

@@ -331,7 +331,8 @@ complete() {
 # line.
 #
 # The compiler moves some instructions of an inlined function, such as the computation of an address, out of its condition. These
-# instructions are executed once for each batch of particles in each cycle. Up to 24 of them are allowed for every 256 particles.
+# instructions are executed once for each batch of particles in each cycle. A cycle may execute at most 24 of them per 256
+# particles.
 violations() {
   features | $awk -v page="$1" -v uses="cycle $(field "$1" 3)" -v allowed=$((24 * cycles * (side * side + 255) / 256)) '
     FILENAME == "-" {
@@ -608,8 +609,8 @@ $(record_rows $records)
 says to which features each file of the simulator belongs. No page executes a line of a file that belongs only to
 features that the page does not use. Every page executes lines of each feature that it uses. Some features are
 functions in a shared loop, such as the rotation in [motion.c](../src/core/motion.c). The compiler may move the computation
-of an address out of the condition of such a function. Up to 24 such instructions are allowed in each cycle for every
-256 particles.
+of an address out of the condition of such a function. A cycle may execute at most 24 such instructions per 256
+particles.
 
 **No cost of declarations.** A page that declares something without using it executes exactly as many instructions as
 the page without it:
