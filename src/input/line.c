@@ -303,6 +303,8 @@ static bool has_operator(const struct nb_reader *reader, const char *text) {
   const bool number = strchr("-+.0123456789()$", text[0]);
   struct nb_unit unit;
   double value;
+  if (strchr("+-", text[0]) && NB_FIND(reader->bindings, reader->binding_count, text + 1) >= 0)
+    return false; /* `-R` lacks the `$` of a name */
   return (strchr("*+^-", text[0]) || strcmp(text, "/") == 0 || strpbrk(text + 1, number ? "*/+^-" : "*/+^")) &&
          (number || reader->keyword) && nb_number_read(&value, text, 0) == NB_NO_NUMBER && !nb_unit_read(&unit, text);
 }
@@ -400,8 +402,9 @@ void nb_line_needs(struct nb_reader *reader, const char *begin, const char *hint
   for (size_t k = 0; k < reader->count; k++)
     if (strncmp(reader->tokens[k].text, begin, strlen(begin)) == 0)
       return;
-  nb_mistake(reader->mistakes, reader->page, reader->line, last->column + last->length, 1, hint,
-             "expected %s, found the end of the line", what);
+  if (!nb_mistake_hinted(reader->mistakes, reader->line, begin))
+    nb_mistake(reader->mistakes, reader->page, reader->line, last->column + last->length, 1, hint,
+               "expected %s, found the end of the line", what);
 }
 
 bool nb_expected_at(struct nb_reader *reader, const struct nb_token *token, const char *hint, const char *what) {

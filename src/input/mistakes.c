@@ -158,6 +158,12 @@ void nb_mistake(struct nb_mistakes *mistakes, const struct nb_page *page, size_t
   free(message.at);
 }
 
+bool nb_mistake_hinted(const struct nb_mistakes *mistakes, size_t line, const char *text) {
+  const struct position *const last = mistakes->count ? &mistakes->inside->positions[mistakes->count - 1] : NULL;
+  const char *const hint = last && last->line == line ? strstr(mistakes->text + last->start, "\n  hint: ") : NULL;
+  return hint && strstr(hint, text);
+}
+
 /* ---- names ---- */
 
 void nb_suppress_name(struct nb_mistakes *mistakes, const char *name) {

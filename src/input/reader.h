@@ -36,6 +36,8 @@ enum {
 void nb_mistake(struct nb_mistakes *mistakes, const struct nb_page *page, size_t line, int column, int length,
                 const char *hint, const char *format, ...) __attribute__((format(printf, 7, 8)));
 
+/* True if the last message is about this line and has a hint with the text. */
+bool nb_mistake_hinted(const struct nb_mistakes *mistakes, size_t line, const char *text);
 void nb_mistake_memory(struct nb_mistakes *mistakes); /* records that memory ran out */
 /* The status that follows from the mistakes found since mistakes->total was `before`. */
 enum nb_status nb_mistakes_status(const struct nb_mistakes *mistakes, size_t before);
@@ -128,8 +130,8 @@ bool nb_line_mistake(struct nb_reader *reader, size_t line, const char *hint, co
 /* Reports "expected WHAT, found `token`" at the next token. */
 bool nb_expected(struct nb_reader *reader, const char *hint, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-/* Reports at the end of the line that it lacks a word that begins with `begin`, unless it has one. The line may already
- * have another mistake. */
+/* Reports at the end of the line that it lacks a word that begins with `begin`, unless the line or a hint for it has one.
+ * The line may already have another mistake. */
 void nb_line_needs(struct nb_reader *reader, const char *begin, const char *hint, const char *what);
 /* Writes the hint for syntax of another language or a word processor to `hint`, a text of NB_HINT_SIZE; NULL: none. */
 const char *nb_syntax_hint(const struct nb_reader *reader, char *hint, const char *text);
