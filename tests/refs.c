@@ -63,6 +63,20 @@ static void unsolvable_networks_are_refused(void) {
   free(many);
 }
 
+/* Two walls move in, one twice as fast as the other, and two are at rest: the iteration of the contact states does not end. The message says
+ * in which increment of which stage. */
+static void a_path_without_equilibrium_is_refused(void) {
+  struct refs_scene it;
+  nb_references_prepare();
+  for (size_t stage = 0; stage < 2; stage++) {
+    refs_nine_discs(&it, 4 * kn, 0.28, 40, 40);
+    for (size_t k = 0; k < 8; k++)
+      it.motions[k].vx = k == 4 * stage + 3 ? 0.24 : 0, it.motions[k].vy = k == 4 * stage ? 0.12 : 0;
+    const struct nb_error error = refs_refused("nine_discs_distortion", &it);
+    CU_ASSERT_PTR_NOT_NULL(strstr(error.text, stage ? "increment 1 of stage 2" : "increment 1 of stage 1"));
+  }
+}
+
 /* phi is the angle between the contacts and the axis of the zigzag. The reference refuses phi >= 45 degrees. The
  * contacts are then close enough to the direction of the major stress for a chain, but no two of them lie on opposite
  * sides of a disc (zigzag.c). */
@@ -206,6 +220,43 @@ static void rayleigh_steps_of_equal_spheres(void) {
   CU_ASSERT(vx[0] == vx[1] && vx[2] == vx[3] && vx[0] != vx[2] && vx[0] != 0.1);
 }
 
+/* A disc that rolls down a plane; m = k_n = pi, so the single-contact step 2 (m/k_n)^(1/2) is 2 s, and ten steps of half
+ * of it take 10 s. The velocity grows by 2/3 of the gravity along the plane. */
+static void a_step_relative_to_a_single_contact(void) {
+  struct words page = {0};
+  struct written it;
+  struct refs_scene scene;
+  words_add(&page, "units none\nmaterial a density 1 kn 3.14159265358979323846 ks 1 friction 1\nnormal linear\n"
+                   "shear linear\ngravity 0.3 -1\ndisc 0 1 radius 1 a\nwall w -9 0 to 9 0 a\nmonitor D disc 1\n"
+                   "step 0.5 of single-contact\nrecord D.vx\nstage s\ncycles 10\n");
+  written_scene(&it, &page);
+  scene.scene = it.scene;
+  struct nb_solution solution = refs_solution("incline", &scene);
+  REFS_NEAR(refs_value(&solution, "D.vx in s"), 2, 1e-14, 2.);
+  solution_free(&solution);
+  written_free(&it);
+}
+
+/* A grading of three discs and two smaller ones: a monitor of one size counts that size only. */
+static void a_filling_counts_each_size(void) {
+  struct words page = {0};
+  struct written it;
+  struct refs_scene scene;
+  words_add(&page, "units none\nmaterial a density 1 kn 9\nnormal linear\ngrading g 1 3 0.5 2\n"
+                   "fill discs box -9 -9 to 9 9 g a seed 1 attempts 99 else stop\nmonitor G grading g\n"
+                   "monitor L grading g radius 1\nmonitor S grading g radius 0.5\nstep 1\nrecord G.placed\nstage s\n"
+                   "cycles 1\n");
+  written_scene(&it, &page);
+  scene.scene = it.scene;
+  struct nb_solution solution = refs_solution("filling", &scene);
+  CU_ASSERT_EQUAL(refs_value(&solution, "G.placed"), 5);
+  CU_ASSERT_EQUAL(refs_value(&solution, "L.placed"), 3);
+  CU_ASSERT_EQUAL(refs_value(&solution, "S.placed"), 2);
+  CU_ASSERT_EQUAL(refs_value(&solution, "S.wanted"), 2);
+  solution_free(&solution);
+  written_free(&it);
+}
+
 /* References do not check the allocations of GSL. */
 static void failed_allocation_in_gsl_ends_the_program(void) {
   int status = -1;
@@ -317,10 +368,13 @@ void suite_refs(void) {
   CU_add_test(suite, "a solution keeps its values and curves", solution_keeps_values_and_curves);
   CU_add_test(suite, "scenes outside the theory are refused", scenes_outside_the_theory_are_refused);
   CU_add_test(suite, "networks that cannot be solved are refused", unsolvable_networks_are_refused);
+  CU_ADD_TEST(suite, a_path_without_equilibrium_is_refused);
   CU_add_test(suite, "zigzags of 45 degrees and more are refused", steep_zigzags_are_refused);
   CU_add_test(suite, "particles and regions that a formula does not cover are refused",
               uncovered_particles_and_regions_are_refused);
   CU_add_test(suite, "failed allocation in GSL ends the program", failed_allocation_in_gsl_ends_the_program);
   CU_add_test(suite, "friction and cohesion of a particle and a wall", friction_and_cohesion_at_a_wall);
   CU_ADD_TEST(suite, rayleigh_steps_of_equal_spheres);
+  CU_ADD_TEST(suite, a_step_relative_to_a_single_contact);
+  CU_ADD_TEST(suite, a_filling_counts_each_size);
 }
