@@ -87,16 +87,17 @@ awk -F '\t' '
     print "IEEE 754: to nearest, up, down and towards zero. The mode holds in the cycles, in every thread. Pages,"
     print "references, recorded values and the verdict are always computed with rounding to nearest. `nineball check PAGE --rounding all` does the same for"
     print "one page.\n"
-    print "The number of bits that all modes have in common says how much of a result does not depend on rounding. A double has 53 bits."
+    print "The table gives the number of leading bits of a result that are the same in all modes. A double has 53 bits."
     print "[METHOD](METHOD.md#rounding) defines the count.\n"
     printf "- The median over %d cases is %g bits. %d cases keep fewer than 30 bits; the page of each states why.\n", pages, median(bits, n), few
     printf "- In %d cases each part of the cycle was also run alone in another mode. In %d of them the motion costs the most bits.\n", with, motion
     print "  The motion adds a small displacement to a large coordinate, and the overlap is the small difference of two such coordinates. The bits of a"
-    print "  force are at most those of a coordinate less log2(coordinate/overlap)."
-    printf "- In %d cases some check fails in another mode. Most of these checks demand equality to the last bit, such as the\n", failing
-    print "  mirror image of a run. Rounding up is not symmetric, so the mirror image is rounded the other way. Rounding towards zero is symmetric.\n"
+    print "  force are at most those of a coordinate minus log2(coordinate/overlap)."
+    printf "- In %d cases some check fails in another mode. Most of these checks require equality to the last bit, for example of a run\n", failing
+    print "  and its mirror image. Rounding up is not symmetric: where one of the two is rounded away from zero, the other one is rounded"
+    print "  towards zero. Rounding towards zero is symmetric.\n"
     if ("invariance-far" in geometry)
-      printf "**Far from the origin**, at 1 km, [invariance-far](../cases/5-numerics/invariance-far.md) keeps fewer bits than the same scene at the\norigin. With the geometry alone in another mode it keeps %d bits. So a motion without rounding errors, such as one with two-part\ncoordinates, would leave %d bits as long as the geometry is computed from rounded coordinates.\n\n**Two-part coordinates** were tried: a second double for each coordinate of a particle or wall, with the part that rounding cuts\noff, and both parts in the geometry. At 1 km this scene kept 27 bits instead of 19, and near the origin 37 instead of 29.\nForty bits are out of reach in doubles: the overlap is $2^{-12}$ of the distance of two centres, so at most 41 of 53 bits are\nleft in a single step. So two-part coordinates are not in the program.\n\n", geometry["invariance-far"], geometry["invariance-far"]
+      printf "**Far from the origin**, at 1 km, [invariance-far](../cases/5-numerics/invariance-far.md) keeps fewer bits than the same scene at the\norigin. With the geometry alone in another mode it keeps %d bits. So even if the motion had no rounding errors,\n%d bits would remain, as long as the geometry is computed from rounded coordinates.\n\n**Two-part coordinates** were tried: each coordinate of a particle or wall got a second double with the part that rounding cuts\noff, and the geometry used both parts. At 1 km this scene kept 27 bits instead of 19, and near the origin 37 instead of 29.\nForty bits cannot be reached in doubles: the overlap is $2^{-12}$ of the distance of two centres, so a single step leaves at most\n41 of 53 bits. So two-part coordinates are not in the program.\n\n", geometry["invariance-far"], geometry["invariance-far"]
     print "| case | bits | expectation with the fewest | checks that fail in the other modes |"
     print "| --- | --- | --- | --- |"
     for (k = 1; k <= n; k++) print rows[k] }' "$work/rows" | cat -s >"$work/document"

@@ -56,7 +56,7 @@ seen() {
   case $1 in
   two-wall-compression)
     echo 'The walls move with a constant speed, and the springs are linear. The error of the force is of second order: twice the updates
-leave a quarter of the error. The velocity `X.vx.half` is the velocity of half a step before, so its error is of first order, and a small error needs far more updates.' ;;
+leave a quarter of the error. `X.vx.half` is the velocity of half a step before, so its error is of first order, and a small error needs far more updates.' ;;
   mindlin-loops)
     echo 'The exact law gives the same force with any number of steps. Only the work has an error. It is the sum of mean force times slip over the
 steps, which replaces each curve by straight pieces. The error is of second order.' ;;
@@ -65,7 +65,7 @@ steps, which replaces each curve by straight pieces. The error is of second orde
 an error of first order, and the figure shows second order.' ;;
   oblique-impact)
     echo 'The tangential velocity `impact.psi2` follows from the history of micro-slip. No other law has the same limit within these tolerances over
-the whole sweep, so the figure has one curve. Restitution and duration depend less on the shear force than `impact.psi2` does.' ;;
+the whole sweep, so the figure has one curve. Restitution and duration depend less on the shear force.' ;;
   restitution-angle)
     echo 'Restitution compares speeds, and the shear force changes only a part of them. Within 1 % a law without micro-slip is enough at every angle,
 but not within 0.1 %.' ;;
@@ -324,12 +324,12 @@ FOLDER/trades.tsv, and the figure FOLDER/NAME.svg of the error against the cost.
 [METHOD](METHOD.md#the-accuracy-of-a-step) says how the error is estimated, and [ACCURACY](ACCURACY.md) how often such an estimate holds.
 
 - **Setting:** what \`--set\` changes on the page. \`refine=4\` divides the step by four, \`refine=0.25\` multiplies it by four.
-- **Cost:** the number of contact and particle updates, divided by that with the page's own setting. Where two laws need nearly
-  the same number, the one that stores less per contact is chosen.
+- **Cost:** the number of contact and particle updates, divided by the number that the page's own setting needs. Where two laws
+  need nearly the same number, the one that stores less per contact is chosen.
 - **Estimated error:** the largest error over eight moments of first touch within a step. The error is the difference from
   the *limit*: the result of the page with its own laws and a very small step. So it includes the error of other laws.
-- A dash in the last column means that no cheaper setting can be run: the step is at the stability limit, or it is
-  the longest one that divides the number of cycles.
+- A dash in the last column means that no cheaper setting can be run: the step is at the stability limit, or a longer step would
+  not give a whole number of cycles.
 
 ## Lessons
 
@@ -345,16 +345,17 @@ cost changes from 10 % to 1 %, in the median by a factor of $(cost_ratios '10 %'
 0.1 %, in the median by a factor of $(cost_ratios '1 %' '0.1 %' | decided | quantile %.2g 0.5).
 
 **The longest step that can be run is often good enough for 10 %.** For $(share "$coarsest" "$(answered '10 %')") of the quantities with advice within 10 %, no cheaper
-setting than the chosen one can be run. The step of the chosen setting is at the stability limit, or it is the longest one that
-divides the number of cycles.
+setting than the chosen one can be run. The step of the chosen setting is at the stability limit, or a longer step would not give
+a whole number of cycles.
 
 **What the pages spend.** Within 1 % the chosen setting costs $(own_cost '1 %' 0.5) of the page's own in the median, with quartiles at
 $(own_cost '1 %' 0.25) and $(own_cost '1 %' 0.75). Most pages check a theory to many digits, so their steps are shorter than an engineering
 result needs.
 
 **Where the error is of first order.** The order is the slope of the estimated error against the step, over the three finest steps
-that were tried. The table has the median, and in parentheses the quartiles and the number of quantities. The first column is for quantities of pages without dashpots and increments, the second for those with them. Dashpots use
-the velocity of half a step before, and some laws add up increments of the force (\`hertz_increment\`, \`randall\`).
+that were tried. The table has the median, and in parentheses the quartiles and the number of quantities. The first column is for
+pages that have neither dashpots nor laws that add up increments of the force (\`hertz_increment\`, \`randall\`). The second column
+is for the other pages. Dashpots use the velocity of half a step before.
 
 $(order_table)
 
@@ -363,14 +364,15 @@ $(low_order 1) with them.
 
 - A stage that ends by \`until\` ends after a whole cycle, up to one step late. The error is of first order if the quantity still
   changes there.
-- A first touch happens within a step. At a given time after it the quantity is early or late by a fraction of a step.
+- A first touch happens within a step. So the later motion is early or late by a fraction of a step, and a quantity at a given time
+  has an error of first order.
 - A largest value is sampled once per step, but the curve is flat there. The sampling error is only of second order.
 - The result of an impact does not change after the particles have separated. So its error has the order of the error of the
   forces.
 
 **Where the exact law is needed.** On cases with the exact law, \`shear mindlin_deresiewicz\`, other shear laws were tried. The table
 has the number of quantities for which another law is enough: it gives the same limit within the tolerance, with no more updates.
-A law is counted only where the reference of the case covers it.
+A law is tried only where the reference of the case is valid for it.
 Each quantity is taken at one condition. If the contact slides during the whole impact, every law with friction gives the same
 result. Over a whole sweep of angles fewer laws are enough ([below](#maws-oblique-impact)).
 
@@ -378,16 +380,16 @@ $(law_table)
 
 No other law is enough within 1 % for: $(no_other_law).
 
-The chosen setting has a law that the page does not have, for $(cheaper '10 %') of all quantities within 10 %.
+The chosen setting has another law than the page for $(cheaper '10 %') of all quantities within 10 %.
 Within 1 % this holds for $(cheaper '1 %'), and within 0.1 % for $(cheaper '0.1 %'). Of laws with equal numbers of updates the one that stores less per contact is chosen. An update with the
 exact law takes $(law_cost exact) times the instructions of one with \`mindlin\`, and an update with \`randall\` $(law_cost randall) times ([COST](COST.md)).
-In quasi-static shear of an assembly the exact law makes no difference that ten pairs of runs could show
+In quasi-static shear of an assembly, ten pairs of runs show no significant difference between the exact law and \`mindlin\`
 ([no-slip-or-exact](../cases/7-assemblies/no-slip-or-exact.md)).
 
 **Softer contacts and centred dashpots.** Softer contacts are the choice for $(chosen_with soften= '10 %') of all quantities within 10 %,
 for $(chosen_with soften= '1 %') within 1 %, and for $(chosen_with soften= '0.1 %') within 0.1 %. Most quantities of an impact depend on
-the stiffness. Where the step is a fraction of the collision, softer contacts save nothing. Centred dashpots are the choice within
-the three tolerances for $(chosen_with damping=centred '10 %'), $(chosen_with damping=centred '1 %') and $(chosen_with damping=centred '0.1 %').
+the stiffness. Where the step is given as a fraction of the duration of the collision, softer contacts save nothing. Centred
+dashpots are the choice within the three tolerances for $(chosen_with damping=centred '10 %'), $(chosen_with damping=centred '1 %') and $(chosen_with damping=centred '0.1 %').
 
 $(sh docs/trades/softness.sh)
 
@@ -397,8 +399,8 @@ $(no_advice)
 
 ## The seven named cases
 
-Each figure shows the estimated error against the cost, one curve for each set of laws. The ring is the advice, and the
-dashed line the tolerance.
+Each figure shows the estimated error against the cost, one curve for each set of laws. The ring marks the setting that the advice
+chooses, and the dashed line the tolerance.
 TEXT
   while read -r line; do section "$line"; done <"$work/named"
   echo

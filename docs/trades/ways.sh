@@ -158,14 +158,13 @@ the mean unbalanced force is $(ratio "$(local_mean local-0.7 unbalanced)" "$(loc
 realizations). With 0.85 to 0.9 of the stable step in the stages after the compression, the preparation and the shear test
 take $(plan bound) cycles instead of $(plan hand) with two steps chosen by hand. One step for all stages takes $(plan one). While
 contacts form and stiffen, the bound falls: steps of 0.75, 0.7 and 0.6 of the bound at the beginning of the compression to 100 kPa
-were too long later. The program needs no new feature: \`step F of stable\` in a stage does this.
+were too long later. The program needs no new feature: a page writes \`step F of stable\` in a stage.
 
 **Density scaling** makes small spheres heavier, so that spheres of all sizes limit the step alike ([density.tsv](trades/density.tsv), eight
 realizations). With densities proportional to \$r^{-2}\$ the step in the shear test is $density_step times as long. The test takes
 $density_cycles cycles instead of $density_plain, and the mean unbalanced force is $density_force times as large. By interpolation, a faster test without scaling has the
 same unbalanced force with $density_faster cycles, so scaling saves $density_saved %. The difference of \$\\sin \\Phi\$ is $density_sinphi.
-A larger density of all spheres alike is the same as a faster test, because only the inertial number
-changes. The program needs no new feature: a page can give each size a material of its own.
+A larger density of all spheres alike has the same effect as a faster test, because it changes only the inertial number. The program needs no new feature: a page can give each size a material of its own.
 
 **Relaxation without time** replaces the last stage of a preparation by the minimizer FIRE, towards an isotropic stress
 ([relaxation.tsv](trades/relaxation.tsv), ten realizations of each grading). It was tried after a compression with ten times the usual strain rates.
@@ -182,7 +181,7 @@ the duration needs $saved_linear updates instead of $saved_hertz. Of $((searches
 ([linear-springs-angle.tsv](trades/linear-springs-angle.tsv), [the page](trades/linear-springs-angle.md)) the duration needs
 $angle_linear_10 updates instead of $angle_hertz_10 within 10 %, and $angle_linear_01 instead of $angle_hertz_01 within 0.1 %. None of
 $angle_searches searches for the restitution and for \$\\psi_2\$ needs fewer updates with springs.
-Assemblies of springs have the right moduli at one pressure only
+Assemblies with linear springs have the right moduli at one pressure only
 ([linear-or-hertz](../cases/7-assemblies/linear-or-hertz.md)). The program needs no new feature: where a material has \$k_n\$ as well,
 \`advise\` tries the springs.
 

@@ -85,7 +85,7 @@ NB_STATEMENTS(step) = {
    "F of collision: a number above 0, as are all F below. The duration of the shortest collision; for elastic spheres that of Hertz, at the speeds of the pairs predicted to collide at their current velocities.\n"
    "F of stable: the guaranteed stable step at the beginning of the stage.\n"
    "F of single-contact: 2 sqrt(m/k) of the lightest particle and the stiffest contact [CS79, Motion].\n"
-   "F of rayleigh: the travel time of a surface wave from pole to pole of a sphere, the shortest of all [R89 4.33].\n"
+   "F of rayleigh: the travel time of a surface wave from pole to pole of a sphere, the shortest over all spheres [R89 4.33].\n"
    "F of rayleigh-mean: the same for a sphere with the mean properties.\n"
    "F of rayleigh-fit, F of rayleigh-fit-mean: the same as the last two, with R89's fit of the wave speed [R89 4.34].",
    "step      0.2 of stable"},

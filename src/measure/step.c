@@ -165,7 +165,7 @@ const struct nb_quantity_kind nb_step_kinds[] = {
     {"step.fracc", 0, "1", NB_REQUEST_FRACC, fracc,
      "FRACC, the largest of all particles in the last cycle: not a stability bound [R89 4.40]", NB_AT_LEAST_0},
     {"step.rayleigh", 0, "s", 0, rayleigh,
-     "travel time of a Rayleigh wave over half the circumference of a sphere, the shortest of all [R89 4.33]",
+     "travel time of a Rayleigh wave over half the circumference of a sphere, the shortest over all spheres [R89 4.33]",
      NB_AT_LEAST_0},
     {"step.rayleigh-mean", 0, "s", 0, rayleigh_mean, "as step.rayleigh, for a sphere with the mean properties",
      NB_AT_LEAST_0},

@@ -48,8 +48,8 @@ static double gap_between(const struct nb_model *model, const struct nb_wrap *wr
   return vec_length(nearest) - (particles->surface[i].radius + particles->surface[j].radius);
 }
 
-/* The smallest gap, m. All pairs are compared: a pair that is not listed does not touch, but it may have the smallest
- * gap. */
+/* The smallest gap, m, or the skin if that is smaller. If no listed pair overlaps, all pairs are compared: a pair that is
+ * not listed does not touch, but it may have the smallest gap. */
 static double gap(const struct nb_model *model, const struct nb_monitor *monitor) {
   (void)monitor;
   const struct nb_contacts *contacts = &model->contacts;
@@ -68,7 +68,7 @@ static double gap(const struct nb_model *model, const struct nb_monitor *monitor
 enum { GRADING = 1 << NB_MONITOR_GRADING, EITHER = 1 << NB_MONITOR_GRADING | 1 << NB_MONITOR_SIZE };
 
 const struct nb_quantity_kind nb_fill_kinds[] = {
-    {"gap", 0, "m", 0, gap, "smallest gap between two particles, up to the skin; below 0: they overlap"},
+    {"gap", 0, "m", 0, gap, "smallest gap between two particles, at most the skin; below 0: they overlap"},
     {"wanted", EITHER, "1", 0, wanted, "number of particles to be placed", NB_AT_LEAST_0},
     {"placed", EITHER, "1", 0, placed, "number of particles placed", NB_AT_LEAST_0},
     {"dropped", EITHER, "1", 0, dropped, "number of particles for which no place was found", NB_AT_LEAST_0},

@@ -375,19 +375,20 @@ static void values(const struct manual *to) {
   snprintf(
       text, sizeof text,
       "Expressions are in parentheses, after `let NAME =` and in `--set NAME=`. In them NAME without `$` is the value "
-      "that `let` or `sweep` gives to it. There is `pi`, and there are the functions %s. Operators, highest precedence "
+      "that `let` or `sweep` gives to it. The constant is `pi`, and the functions are %s. Operators, highest "
+      "precedence "
       "first: a unit; `^`, from right to left; a sign, so that -2^2 is -4; `*` and `/`; `+` and `-`. A number and a "
-      "name side by side are no product: `2 N` is two newtons, and `2*N` is twice what the name N stands for.",
+      "name side by side are not multiplied: `2 N` is two newtons, and `2*N` is twice the value of the name N.",
       nb_function_names);
   paragraph(to, text);
   paragraph(
       to,
       "Dimensions are checked: both sides of `+` and `-` must have the same one, and so must the arguments of hypot, "
       "atan2, min and max. Exponents and the arguments of other functions are numbers, except those of sqrt and abs. "
-      "An angle or an angular velocity that is written as a number has its unit, `30 deg` or `2 rad/s`. An expression "
-      "for an angle may also be without unit, and one for an angular velocity in 1/s. Expressions are computed in "
-      "double, operation by operation as they are written, functions and powers by the C library. A value that is not "
-      "finite is a mistake.");
+      "An angle or an angular velocity that is written as a number needs its unit, `30 deg` or `2 rad/s`. The value of "
+      "an expression for an angle may also be a number without unit, and the value of one for an angular velocity may "
+      "be in 1/s. Expressions are computed in double precision, operation by operation as they are written. The C "
+      "library computes functions and powers. A value that is not finite is a mistake.");
   paragraph(to, "Units that are usual for each kind of number:");
   for (int kind = 0; kind < NB_UNIT_KINDS; kind++)
     part(to, nb_unit_kind_name((enum nb_unit_kind)kind), NULL,
@@ -403,19 +404,21 @@ static void grammar(const struct manual *to) {
                 "statement is one line of words with spaces between them; `#` begins a comment.");
   paragraph(
       to, "Each section shows the syntax of a statement, what it does, where it may stand, its arguments and an "
-          "example. In the syntax CAPITALS stand for a value, `{...}` is optional, and of `a|b` one is given. Clauses "
-          "(a word and its values) may be in any order. In the list of arguments `without it` gives the default; an "
-          "argument without default is required. `$NAME` is the value that `let` or `sweep` gives to NAME above.");
+          "example. In the syntax, CAPITALS stand for a value, a part in `{...}` may be left out, and `a|b` means a or "
+          "b. Clauses (a word and its values) may be in any order. In the list of arguments, `without it` gives the "
+          "default; an argument without default is required. `$NAME` stands for the value that a line `let` or "
+          "`sweep` above gives to NAME.");
   snprintf(text, sizeof text,
-           "A name is a letter (a to z, A to Z), then letters, digits, `_` and `-`; fewer than %d characters. A number "
-           "is decimal: `-1.5e3`. A page may have %d MB, lines of %d bytes and %d words, %d runs, %d particles, %d "
-           "materials, and %d of each other thing that has a name. All mistakes of a page are reported at once, each "
+           "A name has fewer than %d characters. It begins with a letter (a to z, A to Z); letters, digits, `_` and "
+           "`-` may follow. A number is decimal: `-1.5e3`. A page may have at most %d MiB, lines of %d bytes and %d "
+           "words, %d runs, %d particles, %d materials, and %d of each other thing that has a name. All mistakes of a "
+           "page are reported at once, each "
            "with its line, what was expected and, if a known word is similar, the word that was probably meant.",
            NB_NAME_SIZE, NB_PAGE_MAX >> 20, NB_LINE_MAX, NB_TOKENS_MAX - 1, NB_RUNS_MAX, NB_PARTICLES_MAX,
            NB_MATERIALS_MAX, NB_NAMED_MAX);
   paragraph(to, text);
   paragraph(to, "`Place` says where a statement may stand. The scene is the part of the page before the first `stage`. "
-                "In a page with `start` it is short, because most of it comes from the other page. A stage is "
+                "In a page with `start` the scene is short, because most of it comes from the other page. A stage is "
                 "everything below a line `stage NAME`, up to the next `stage`; a segment of a contact test likewise.");
 }
 

@@ -117,8 +117,8 @@ All programs read the same spheres ([tests/bench/packing.awk](../tests/bench/pac
 with the same stiffnesses. In the packing \`lattice\` neighbours in a triangular lattice overlap by 0.5 % of the radius.
 In the packing \`random\` every tenth place is empty, the radii differ by up to 0.2 %, and the numbers are shuffled. The
 outermost spheres are fixed. The law \`linear\` is \`gran/hooke/history\` in LAMMPS, and \`hertz\` with \`shear mindlin\`
-is \`gran/hertz/history\`. Both have friction and dashpots. The dashpots of the two programs depend differently on mass
-and stiffness; the constants agree in the lattice. LIGGGHTS has the models \`hooke/stiffness\` and \`hertz/stiffness\`
+is \`gran/hertz/history\`. Both laws have friction and dashpots. The dashpots of nineball and LAMMPS depend differently on mass
+and stiffness; in the lattice their constants are equal. LIGGGHTS has the models \`hooke/stiffness\` and \`hertz/stiffness\`
 with tangential history. In two dimensions its particles are discs: they get the masses of the spheres, but the moments
 of inertia of discs. YADE has \`Law2_ScGeom_ViscElPhys_Basic\` and \`Law2_ScGeom_MindlinPhys_Mindlin\`
 ([tests/bench/yade.py](../tests/bench/yade.py)). The first forces on the free spheres were compared once, in the packing
@@ -127,7 +127,7 @@ Hertz's law nineball agrees within 1e-14 with YADE, within 5e-10 with LIGGGHTS a
 constants in the inputs of LIGGGHTS have nine digits, and those of LAMMPS six.
 
 Times are user and system times of one thread. The time of a cycle is the difference of the times of a long
-and a short run, over the difference of their cycles, so reading and start cancel. The programs take turns. The table has medians of
+and a short run, divided by the difference of their numbers of cycles, so reading and start cancel. The programs take turns. The table has medians of
 $repeats repeats, with the least and the greatest.
 
 Machine: $(told machine), load $(told load) at the beginning. nineball: $(told nineball). The others are Debian's packages
@@ -145,12 +145,12 @@ TEXT
 
 ## Other programs
 
-The same with LIGGGHTS and YADE, for the lattice. Times are in microseconds; each ratio is the median of the program on its
-left over that of nineball. The command is that of the rows above, with \`lmp liggghts yade\` instead of \`lmp\`.
+This table adds LIGGGHTS and YADE, for the lattice. Times are in microseconds; each ratio is the median of the program on its
+left divided by that of nineball. The command is that of the rows above, with \`lmp liggghts yade\` instead of \`lmp\`.
 
 TEXT
   others_table
-  printf '\n## Goals\n\nThese are goals of the design. The table has medians. The commands need `NINEBALL=build/nineball`.\n\n'
+  printf '\n## Goals\n\nThe goals were set for the design of the program. The table has medians. The commands need `NINEBALL=build/nineball`.\n\n'
   goals_table
   cat "$folder/goals.md"
   printf "\n## Instructions\n\n"
@@ -165,8 +165,8 @@ TEXT
   instructions_table
   cat <<TEXT
 
-The quotient of this count and the times above is the rate at which the machine executes instructions. The last column
-is the number of instructions that it could execute at this rate in an eighth of the time of LAMMPS, per particle:
+This count divided by the times above is the rate at which the machine executes instructions. The last column
+is the number of instructions per particle that it could execute at this rate in an eighth of the time of LAMMPS:
 
 TEXT
   rate_table
@@ -174,8 +174,9 @@ TEXT
 
 ## Limits of the machine
 
-The greatest rates of one core, from [tests/bench/machine.c](../tests/bench/machine.c). Bandwidth is that of arrays of this
-size: 32 KiB are in the first cache, 1 MiB in the second, and 512 MiB in memory.
+[tests/bench/machine.c](../tests/bench/machine.c) measures the greatest rates of one core. Each bandwidth is that of arrays of
+the size in its row. Arrays of 32 KiB fit into the first cache and arrays of 1 MiB into the second. Arrays of 512 MiB fit only
+into memory.
 
 TEXT
   machine_table
