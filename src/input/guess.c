@@ -133,7 +133,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     /* expect_WORD: a word in any place of an expectation */
     {"expect_approx expect_approximately expect_about expect_~ expect_= expect_== expect_equals expect_equal", "expected", "write `C.normal max  expected 3 N within 1 % [SOURCE]`"},
     {"expect_average expect_avg", "mean", "the mean of the rows is `mean`: `C.normal mean in load  below 3 N`"},
-    {"expect_first expect_initial expect_begin expect_start", "expected", "the first row is `at 0 cycles`, but after `start` the cycles go on from those of the other page; `nineball --help expect` lists all such words"},
+    {"expect_first expect_initial expect_begin expect_start", "expected", "the first row of the run is `at 0 cycles`; of a later stage, or after `start`, `at N cycles`, and `record cycle` with `report cycle min in STAGE` shows N; `nineball --help expect` lists all such words"},
     {"expect_print", "report", "write `report energy.kinetic max in STAGE`"},
     {"expect_stage", "in", "`in` is followed by the name alone: `C.normal max in load`"},
     {"expect_expected", "expected", "the quantity comes first: `C.shear last in load  expected 0.1 N within 1 % [SOURCE]`, or, for a value in another stage, `expected 1 of C.shear last in unload within 1 % [SOURCE]`"},
