@@ -18,6 +18,11 @@ for page in tests/aborted/*.md; do
   echo "status $status, expected $wanted; expected lines (-) and actual lines (+):" >"$why"
   diff -u "$work/wanted" "$work/said" >>"$why" && test $status -eq "$wanted"
   result $? "$page"
+  step=$(sed -n 's/.*write `step \([^`]*\)`, or `allow unstable`.*/\1/p' "$work/said")
+  if [ "$step" ]; then
+    "$nineball" run "$page" --set step="$step" -o "$work/results" >/dev/null 2>"$why"
+    result $? "$page: the step that the message proposes is stable"
+  fi
 done
 
 # tests/checkpoint.sh tests the messages about signals.

@@ -341,7 +341,7 @@ static void every_cycle_is_guaranteed_stable(void) {
   CU_ASSERT(ended > 10 && went > 10);
 }
 
-/* The number of steps per collision that a message proposes is rounded up, so the step is at most 0.8 of the stable
+/* The number of steps per collision that a message proposes is rounded up, so the step is at most 0.3 of the stable
  * step. */
 static void the_proposed_number_of_steps(void) {
   static const double stiffness[] = {20, 50, 75, 100, 160, 220}; /* k_s, which limits the step more than k_n */
@@ -357,7 +357,7 @@ static void the_proposed_number_of_steps(void) {
               stiffness[k]);
     written_scene(&it, &page);
     struct nb_model *model = written_model(&it, NULL);
-    const double wanted = model->step / (0.8 * nb_stable_step(model).step);
+    const double wanted = model->step / (0.3 * nb_stable_step(model).step);
     CU_ASSERT_EQUAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_BROKEN);
     snprintf(proposal, sizeof proposal, "write `step %.0f per collision`", ceil(wanted));
     CU_ASSERT_PTR_NOT_NULL(strstr(error.text, proposal));
