@@ -148,7 +148,7 @@ result $? 'a fraction of something else'
 run 2 advise "$cases/7-assemblies/thesis-isotropic-compression.md" --within '1 %' && said 'expected a page of at most 50 particles'
 result $? 'an assembly'
 run 2 advise "$hertz" --quantity impact.duration --within '1 %' --budget never && said '--budget in seconds'
-result $? 'a budget that is no time'
+result $? 'a budget that is not a time'
 sed 's/^units none/&\nlet refine = 2/' still.md >named.md
 run 2 advise named.md --quantity D.vx --within 0.1 && said 'the page has a value named `refine`'
 result $? 'a page whose own value is called refine'
@@ -156,7 +156,7 @@ sed 's/^until.*/record every 10 cycles\ncycles 7/; s/kn 1$/kn 1e-6/' still.md >c
 run 0 advise cycles.md --quantity D.vx --within '1 %' -o cycles && said '--set refine=0.1428571429' && said '7 times as long as that of the page' &&
   said 'the next longer step cannot be run: a longer step does not divide the stages of the page into whole numbers of cycles' &&
   run 0 run cycles.md --set refine=0.1428571429 -o cycles && said '  1 cycles, '
-result $? 'a page with a number of cycles that is no power of two'
+result $? 'a page with a number of cycles that is not a power of two'
 # Linear springs that are 1000 times as soft allow 1000^(1/2) = 32 times the step, if the quantity does not depend on the springs.
 sed 's/^until.*/until time above 1 at most 100000 cycles/; s/kn 1$/kn 1e4/' still.md >soft.md
 run 0 advise soft.md --quantity D.vx --within '1 %' -o soft && said 'the cheapest setting within the tolerance: --set soften=1000 --set refine=' &&
@@ -318,7 +318,7 @@ mkdir -p last
 sed '$d' all/trades.tsv >last/trades.tsv
 run 1 advise --all folder/a.md -o last
 test "$(rows last/trades.tsv | cut -f 5-8)" = "$(rows all/trades.tsv | cut -f 5-8)"
-result $? 'a call interrupted before the absolute tolerance'
+result $? 'a later call continues one that was interrupted before the absolute tolerance'
 # A table of a call that was interrupted in the fifth row.
 mkdir cut
 rows=$(wc -l <all/trades.tsv)

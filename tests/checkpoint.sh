@@ -260,7 +260,7 @@ result $? 'the run that computes a state is continued too'
 
 "$nineball" check "$page" --checkpoint=0 >"$work/printed" 2>"$why"
 test $? -eq 2 && said 'expected a number of seconds above 0'
-result $? 'an interval that is no time: an error'
+result $? 'an interval that is not a time: an error'
 "$nineball" check "$page" --checkpoint --rounding all >"$work/printed" 2>"$why"
 test $? -eq 2 && said 'takes neither --checkpoint nor --resume'
 result $? 'rounding modes have no checkpoints'

@@ -278,7 +278,8 @@ static void friction_without_effect(void) {
   }
 }
 
-/* A condition that only a law of one's own with tensile forces can meet, or fail, is legal and gets a warning. */
+/* Some conditions are always or never met, except with a law of the user's own that has tensile forces. They are allowed
+ * and cause a warning. */
 static void conditions_on_tensile_forces(void) {
   static const struct {
     const char *condition, *wanted;

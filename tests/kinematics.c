@@ -162,8 +162,8 @@ static void forms_agree(void) {
   }
 }
 
-/* Disc 1 is west of disc 2: e points east, and t, clockwise of e, points south. The tangential increment has the
- * signs of [CS79 15]. */
+/* Disc 1 is to the left of disc 2, so e points in +x, and t, clockwise of e, points in -y. The tangential increment has
+ * the signs of [CS79 15]. */
 static void signs_of_slip(void) {
   struct bench *it = bench_create(false);
   it->block.n = 4;
@@ -173,10 +173,10 @@ static void signs_of_slip(void) {
     it->position[2 * c + 1] = vec(2, 0);
     it->surface[2 * c] = nb_surface(1, 0), it->surface[2 * c + 1] = nb_surface(1, 0);
   }
-  it->velocity[0] = vec(0, -3); /* disc 1 moves south: along t */
-  it->velocity[3] = vec(0, 3);  /* disc 2 moves north: the same */
-  it->surface[4].speed = 5;     /* disc 1 turns counterclockwise: its surface moves north at the contact */
-  it->surface[7].speed = 5;     /* disc 2 turns counterclockwise: its surface moves south there */
+  it->velocity[0] = vec(0, -3); /* disc 1 moves in -y, along t */
+  it->velocity[3] = vec(0, 3);  /* disc 2 moves in +y: the same slip */
+  it->surface[4].speed = 5;     /* disc 1 rotates counterclockwise: its surface moves in +y at the contact */
+  it->surface[7].speed = 5;     /* disc 2 rotates counterclockwise: its surface moves in -y there */
   nb_pass_disc_disc[NB_APPROACH_TANGENTIAL].run[NB_PLAIN](&it->model, &it->block);
   CU_ASSERT(it->f[NB_TANGENTIAL_INCREMENT][0] == 3 && it->f[NB_TANGENTIAL_INCREMENT][1] == 3);
   CU_ASSERT(it->f[NB_TANGENTIAL_INCREMENT][2] == -5 && it->f[NB_TANGENTIAL_INCREMENT][3] == -5);

@@ -1,8 +1,7 @@
 # Makes each allocation of the whole process fail, also those of the C library, which tests/faults/run does not reach: first each
 # alone, then each with all later ones. A run may have status 0 only if its output and all its files are the same to the last byte.
-# Otherwise it has a status from 2 to 4, and a
-# message. TAP; skipped where the program has allocations of its own, as with a
-# sanitizer, and with the OpenMP of LLVM.
+# Otherwise it must have a status from 2 to 4, and a message. TAP. The test is skipped where the allocations of the program cannot
+# be replaced, as with a sanitizer, and with the OpenMP of LLVM.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 . "${srcdir:-.}/tests/tap"

@@ -345,8 +345,8 @@ static int rank_of_partner(const struct nb_model *model, int contact, int slot) 
   return a == slot ? nb_partner_rank(model, pair) : model->particles.number[a];
 }
 
-/* Two discs with 40 and 20 neighbours, more than there are places in the sort of a batch; and a row of discs, which all
- * have two neighbours, in several batches. */
+/* Two discs with 40 and 20 neighbours, numbers that share one place in the sort of a batch (incidence.c); and a row of
+ * discs, which all have two neighbours, in several batches. */
 enum { RING = 62, ROW = 700, LARGE_AND_SMALL = RING + ROW };
 static void large_and_small(struct written *it) {
   struct words page = {0};

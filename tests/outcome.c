@@ -769,8 +769,8 @@ static void locks_and_checkpoints(void) {
   interrupted_with((const char *const[]){"w=3", "refine=1", NULL}, (const char *const[]){"w=2", "refine=1", NULL});
 }
 
-/* Without --jobs there are as many runs at once as the processors have room for the threads of each, at least one, and
- * no more than there are runs. */
+/* Without --jobs the number of runs at once is the number of processors divided by the threads of each run; it is at
+ * least 1, and at most the number of runs. */
 static void runs_at_once(void) {
   const int processors = nb_job_count(&(struct nb_options){.threads = 1}, 1000000);
   CU_ASSERT(processors >= 1);

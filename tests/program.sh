@@ -59,7 +59,7 @@ verdict 'a page that passes: status 0, no files'
 
 run 0 check "$pages/filled-cell.md"
 out '5 of 5 checks passed'
-verdict 'a periodic cell that is filled across its edges, and pressed'
+verdict 'a periodic cell that is filled across its edges, and compressed'
 
 run 1 check "$pages/fails.md"
 out 'FAIL  D.x expected 1.6'
@@ -193,7 +193,8 @@ run 0 run reports.md -o reports
 test "$(column 'D.x max/-' reports/values.tsv)" = 1 || echo 'a reported measure is not in values.tsv' >>why
 verdict 'a page without expectations does not pass but can be run; `report` is not an expectation'
 
-# A curve has no column in values.tsv. It does not take the column of a value of the same quantity either.
+# An expectation of a curve has no column in values.tsv. If the page also expects a value of the same quantity, only this
+# value has a column.
 sed 's/^cycles .*/cycles 500/; s/^D.y versus.*/&\nreport D.y\nD.y max above -1 m/; /^C.overlap max/d' \
   "$cases/1-two-discs/free-fall.md" >curves.md
 "$nineball" run curves.md -o curves >out 2>said

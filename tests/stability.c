@@ -263,9 +263,10 @@ static void a_fixed_particle(void) {
   written_free(&it);
 }
 
-/* Wall - A - B with the masses 1 and 8 and normal springs only; dt^2 k is q0 at the contact A-B and q1 at the wall.
- * The wall's contact leaves 4 - (q0 + q1), the contact A-B leaves 4 - (q0 + q1) - q0/8, half for A and half for B. A
- * has two contacts, B one. */
+/* A row of a wall, sphere A of mass 1 and sphere B of mass 8, with normal springs only; q (measure/stability.c) is q0 at
+ * the contact A-B and q1 at the wall, and L = 4. So the remainder is 4 - (q0 + q1) at the wall and
+ * 4 - (q0 + q1) - q0/8 at A-B, of which A and B get half each. A divides the smaller one of its two parts among two
+ * contacts; B has only one contact. */
 static void wall_and_two_spheres_share_the_limit(void) {
   struct words page = {0};
   struct written it;

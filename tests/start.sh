@@ -148,7 +148,7 @@ result $? 'pages that start from one with an impact run again from its state'
 rm "$states"/*.state
 run again "$pages/saved-stage.md"
 
-# A state of the page with another text has another hash, even if its file has the expected name.
+# The state of a changed page is renamed to the expected name. The hash in the file still differs.
 right=$(basename "$states"/nine-discs-load-*.state)
 rm "$states/$right"
 sed 's/^walls .*inward.*/&\nallow unstable/' cases/3-nine-discs/nine-discs.md >"$pages/nine-discs.md"
@@ -303,7 +303,7 @@ run bare "$pages/bare.md" --set y=0.5
 test $? -eq 2 && test -s "$work/bare/table.tsv" && grep -q '^--set: error: expected a unit or an operator, found `m`' "$work/said"
 result $? 'a value of a page without `units` that starts from one with `units none`'
 
-# A step by `with` is a step of the other page, not of the stages of this page.
+# A step that `with` sets is the step of the other page, not of the stages of this page.
 sed 's/^start .*/start hit stage strike with step=0.01/' "$pages/bare.md" >"$pages/finer.md"
 run finer "$pages/finer.md"
 "$nineball" explain "$pages/finer.md" --states "$states" >>"$work/said" && grep -q '^  0.01, line 2$' "$work/said"
@@ -345,7 +345,7 @@ run sweep "$pages/sweep.md" --jobs 4
 test "$(made)" -eq 0 && test "$(grep -c 'where this page starts, run' "$work/said")" -eq 2 && test "$(ls "$states" | wc -l)" -eq 2
 result $? 'the runs of a sweep compute each state once'
 
-# Names that take their values together: the value of one name selects the values of the others.
+# Several names in one sweep: the value of one name selects the values of the others.
 cat >"$pages/turns.md" <<'END'
 # Two turns of two names
 ```scene
@@ -373,11 +373,11 @@ stage     more
 ```
 END
 run turn "$pages/turn.md" && test "$(cut -f 3 "$work/turn/table.tsv" | tail -n 1)" = 1.5 && grep -q '^2	more	3$' "$work/turn/table.tsv"
-result $? 'one of several names that go together selects the values of the others'
+result $? 'one of several names in a sweep selects the values of the others'
 run turns "$pages/turns.md" --set v=0.5 --set x=7 --set n=4 && test "$(tail -n 1 "$work/turns/table.tsv")" = '7	0.5	4	go	7.25'
 result $? 'a value that is not in the sweep replaces only its own name'
 
-# Settings belong to a state: those of pages with no, one and two settings stay beside each other.
+# A state belongs to its settings: the states of a page with no, one and two settings are three files that stay.
 cat >"$pages/counted.md" <<'END'
 # Two values
 ```scene
@@ -469,7 +469,7 @@ result $? 'a killed process leaves no state'
 touch "$states/$(basename "$(ls "$states"/*.lock)" .lock).12345.new" # a temporary file that the process could have left
 run after-kill "$pages/saved-stage.md" && test "$(made)" -eq 1 && ! grep -q waits "$work/said" &&
   cmp "$work/after-kill/table.tsv" "$work/at-once-1/table.tsv" && test "$(ls "$states" | wc -l)" -eq 1
-result $? 'after a killed process no process waits for it'
+result $? 'no process waits for a killed one'
 
 # ---- damaged states and failures of writing ----
 

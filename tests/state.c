@@ -150,8 +150,8 @@ static void balances_begin_anew(void) {
   }
 }
 
-/* Pair rules that a stage makes are in the state and fit the page. A state with more rules than the page can make
- * does not. */
+/* Rules for pairs that a stage makes are in the state and fit the page. A state with more rules than the page can
+ * make does not fit. */
 static void rules_of_stages_fit(void) {
   struct words page = {0};
   struct written it;

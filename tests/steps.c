@@ -108,7 +108,7 @@ static void duration_of_collisions(void) {
   NEAR(step_of(SPHERES "sphere 1.1 5 radius 1 m velocity 0 -0.2\nwall w -9 0 to 0 0 r\nwall v -9 9 to 9 9 r\n"
                        "sphere 5 8.2 radius 0.1 m velocity 0 0.001\nstep 1 of collision\n"),
        hertz(1, 0.1, 0.001, 0.001), 1e-14);
-  /* oblique: the speed along the line of centres at first touch, in both orders; a third sphere would be missed */
+  /* oblique: the speed along the line of centres at first touch, in both orders; the third sphere hits none */
   NEAR(step_of(SPHERES "sphere 0 0 radius 1 m velocity 0.3 0\nsphere 5 0.8 radius 1 m\nstep 1 of collision\n"),
        hertz(0.5, 0.5, 0.5, 0.3 * sqrt(1 - 0.16)), 1e-14);
   NEAR(step_of(SPHERES "sphere 5 -0.8 radius 1 m\nsphere 0 0 radius 1 m velocity 0.3 0\nsphere 5 9 radius 1 m velocity "
@@ -349,7 +349,7 @@ static void a_stage_is_checked_as_it_begins(void) {
   CU_ASSERT_EQUAL(cycles, 3);
   CU_ASSERT_EQUAL(ends(STAGES("", "step 0.6\nallow unstable\n"), &cycles, &error), NB_OK);
   CU_ASSERT_EQUAL(ends(STAGES("step 0.6\nallow unstable\n", ""), &cycles, &error),
-                  NB_BROKEN); /* b keeps this step, but may not use it */
+                  NB_BROKEN); /* stage b keeps the step, but `allow unstable` holds for stage a only */
   CU_ASSERT_EQUAL(cycles, 3);
   CU_ASSERT_EQUAL(ends(STAGES("", "damping ratio 0.2\n"), &cycles, &error), NB_OK);
   CU_ASSERT_EQUAL(ends(STAGES("", "damping ratio 0.3\n"), &cycles, &error), NB_BROKEN); /* the limit is 0.372 */

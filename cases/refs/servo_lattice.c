@@ -12,7 +12,7 @@
  *   e' = -f e/T - f k_n Z - c,   Z' = e/(16 k_n T^2),   c = f k_n l + q,   so   e'' + f e'/T + f e/(16 T^2) = 0
  *   e  = a exp(-u t) + b exp(-v t),   u, v = f (1 -+ (1 - 1/(4f))^(1/2))/(2T)
  *
- * a and b follow from e(0) and e'(0) at the beginning of the stage. The servo sets Z = -g e/(k_n T) there,
+ * a and b follow from e(0) and e'(0) at the beginning of the stage. There the servo sets Z = -g e/(k_n T),
  * g = (1 - (3/4)^(1/2))/2 (src/loading/servo.c). While |e| exceeds k_n T r, where r is the `at most` rate, the servo
  * limits e/(k_n T) to r and sets Z = -g r in each of its steps, so e' = -f k_n r (1 - g) - c for e > 0. A stress that
  * is not controlled follows s' = -k_n l or -k_s l. `servo mean` controls (xx + yy)/2; the difference xx - yy then

@@ -383,7 +383,8 @@ const struct nb_token *nb_take_name(struct nb_reader *reader, const char *what) 
   if (token && nb_is_name(token->text))
     return nb_take_token(reader, what);
   nb_expected(reader,
-              token ? "a name is a letter (a to z, A to Z), then letters, digits, `_` and `-`; fewer than 64 characters"
+              token ? "a name begins with a letter (a to z, A to Z); letters, digits, `_` and `-` may follow; it has "
+                      "fewer than 64 characters"
                     : NULL,
               "%s", what);
   return NULL;

@@ -13,11 +13,11 @@
  *
  *   S_i/m_i + S_j/m_j  <=  L        and        h (S_i (1/m_i + R_i^2/I_i) + S_j (1/m_j + R_j^2/I_j))  <=  L
  *
- * L minus the larger of the two left sides is the remainder of a contact, and each of its two particles gets half of
- * it. The smallest of these halves at a particle is divided equally among all its contacts. So q of a contact may
- * increase by
+ * L minus the larger of the two left sides is the remainder of a contact. Its two particles get half of it each; if only
+ * one of them is free, as at a wall, it gets all. The smallest of these parts of a particle is divided equally among all
+ * its contacts. So q of a contact may increase by
  *
- *   min over its particles of  (smallest half)/n / max(1/m, h (1/m + R^2/I))
+ *   min over its free particles of  (smallest part)/n / max(1/m, h (1/m + R^2/I))
  *
  * and the step remains stable while every contact stays below its limit. NB_STABLE_OVERLAP is the overlap at which q
  * reaches this limit. pass/deep.c compares the overlaps with it. The first contact above its limit triggers a new
