@@ -15,7 +15,7 @@
  *                value
  *   stable       neither
  *
- * The program compares the limit with the step at which runs begin to grow, with the spectral radius of the cycle as a
+ * The program compares the limit with the step at which perturbations begin to grow, with the spectral radius of the cycle as a
  * matrix, and for a disc in a wedge with a closed form. It compares the guaranteed stable step (the bound) with the
  * limit, and with a run at the bound. It prints the comparisons that fail.
  *
@@ -346,7 +346,7 @@ static double growth_of(struct written *it, double step, bool *kept) {
   return most / first;
 }
 
-/* The step, over the limit, at which runs begin to grow; it is sought between `low` and `high`, to 0.2 %. */
+/* The step, over the limit, at which perturbations begin to grow; it is sought between `low` and `high`, to 0.2 %. */
 static double boundary_of_runs(struct written *it, double limit, double low, double high) {
   bool kept;
   if (growth_of(it, low * limit, &kept) > growth_limit || !(growth_of(it, high * limit, &kept) > growth_limit))
@@ -365,7 +365,7 @@ struct mode {
   double square;     /* eigenvalue */
 };
 
-/* The largest eigenvalue of a springs + b dashpots, or the smallest that is not rounding; free `shape`. */
+/* The largest eigenvalue of a springs + b dashpots, or the smallest one that is not a rounding error; free `shape`. */
 static struct mode mode_of(const struct limit *limit, double a, double b, bool largest) {
   const gsl_matrix *stretch = limit->lattice.stretch;
   const size_t n = stretch->size2;
@@ -641,7 +641,7 @@ static void compare(const struct column *column, const struct limit *limit, cons
   const double inside = limit_radius(limit, 0.995 * result->limit),
                outside = limit_radius(limit, 1.005 * result->limit);
   if (!(fabs(result->runs - 1) <= agreement))
-    complain(column, "runs begin to grow at another fraction of the limit:", result->runs);
+    complain(column, "perturbations begin to grow at another fraction of the limit:", result->runs);
   if (!(inside <= 1 + 1e-6) || !(outside > 1 + 1e-6))
     complain(column, "the spectral radius disagrees with the limit; above it is", outside);
   if (!isnan(result->planar) && !(fabs(result->planar / result->limit - 1) < 1e-9))
@@ -685,7 +685,7 @@ enum { COMMON = 4 };
 static const double common_damping[COMMON] = {0, 0.5, 1, 2}; /* damping ratios that all systems have */
 struct map {
   size_t points[CLASSES];
-  double runs[2];          /* least and largest: step at which runs begin to grow, over the limit */
+  double runs[2];          /* least and largest: step at which perturbations begin to grow, over the limit */
   double bound[COMMON][2]; /* least and largest: the bound over the limit, for each damping */
   double planar;           /* largest difference of the closed form from the limit, over the limit */
   struct count {
@@ -868,7 +868,7 @@ static void write_soft(FILE *out, FILE *table, struct soft *soft, const struct s
   }
 }
 
-/* Largest velocity changes in each tenth of the cycles, over that in the first tenth. */
+/* Largest velocity changes in each tenth of the cycles, divided by that in the first tenth. */
 static void write_long(FILE *out, double f, unsigned long cycles) {
   const struct column column = {&systems[NINE], 1, 1, 0, 0, 0};
   struct written it;
@@ -949,7 +949,8 @@ static void write_counts(FILE *out, const struct count counts[8]) {
 
 static void write_summary(FILE *out, const struct map maps[SYSTEMS]) {
   fputs("\n## Summary\n\n"
-        "*Runs over limit* is the step at which runs begin to grow, found by bisection, over the limit.\n\n"
+        "*Runs over limit* is the step at which perturbations begin to grow in runs, found by bisection, divided by "
+        "the limit.\n\n"
         "| system | points | stable | inaccurate | unstable | runs over limit | causes | symptoms of inaccurate points "
         "| of "
         "unstable points |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
@@ -989,11 +990,12 @@ static void write_checks(FILE *out, const struct map maps[SYSTEMS]) {
       out,
       "\n## What is checked\n\n"
       "The program that makes the maps compares, in each column:\n\n"
-      "- The step at which runs begin to grow is within %g %% of the limit. The bisection resolves 0.2 %%.\n"
+      "- The step at which perturbations begin to grow in runs is within %g %% of the limit. The bisection resolves "
+      "0.2 %%.\n"
       "- The spectral radius of the cycle is 1 at 0.995 of the limit and above 1 at 1.005 of it. The cycle is written\n"
       "  as a matrix with velocity-dependent terms half a step late, and GSL computes all eigenvalues.\n"
       "- No point below the limit is unstable, and all points above it are.\n"
-      "- The bound does not exceed the limit, and a run with the bound as step does not grow.\n"
+      "- The bound does not exceed the limit, and in a run with the bound as step no perturbation grows.\n"
       "- For a disc in a wedge the limit equals a closed form. The largest relative difference is %.0e.\n\n"
       "If anything disagrees, the program prints the column and ends with status 1. `make check` runs a part of the "
       "maps. It\n"
@@ -1065,7 +1067,8 @@ static void write_above(FILE *out, const char *folder) {
       "Above the limit the vibration grows until contacts slide and open, which bounds its amplitude. The run goes\n"
       "on, and its results are wrong. With damping `unbalanced.max` shows this: below the limit it falls to rounding, "
       "above\n"
-      "the limit it stays at per cents or more. Without damping the vibrations never end, and `energy.residual` shows\n"
+      "the limit it stays at about 1 %% or more. Without damping the vibrations never end, and `energy.residual` "
+      "shows\n"
       "the growth. In the damped packing only few discs vibrate just above the limit. There the imbalance is a few "
       "per\n"
       "cent, and neither the energy nor the mean contact force shows anything. Far above the limit a run may even "
@@ -1085,7 +1088,7 @@ static void write_below(FILE *out, unsigned long cycles) {
           "\n## Just below the limit\n\n"
           "Nine discs with $k_s = k_n$ and no damping vibrate for %lu million cycles. The table has the largest "
           "velocity change in\n"
-          "five of ten parts of the run, over that in the first part. Nothing grows.\n\n"
+          "five of ten parts of the run, divided by that in the first part. Nothing grows.\n\n"
           "| step over limit | part 2 | part 4 | part 6 | part 8 | part 10 |\n| --- | --- | --- | --- | --- | --- |\n",
           cycles / 1000000);
   write_long(out, 0.99, cycles);

@@ -56,6 +56,6 @@ for law in "$@"; do
   done
 done
 if [ "$narrow" -gt 0 ]; then
-  echo "$narrow loops are not wide; see \"Straight-line laws\" in src/laws/law.h, or let the law declare BRANCHING" >&2
+  echo "$narrow loops are not vectorised; see \"Straight-line laws\" in src/laws/law.h, or let the law declare BRANCHING" >&2
   exit 1
 fi
