@@ -270,8 +270,10 @@ static struct quantity named_value(struct parser *p) {
                    reader->bindings[index].text);
   if (nb_name_suppressed(reader->mistakes, name))
     return nb_fail_silently(reader), (struct quantity){0};
-  if (peek(p) == '(')
-    return mistake(p, from, length, nb_function_names, "expected the name of a function, found `%s`", name);
+  if (peek(p) == '(') {
+    snprintf(hint, sizeof hint, "the functions are %s", nb_function_names);
+    return mistake(p, from, length, hint, "expected the name of a function, found `%s`", name);
+  }
   const char *near = nb_syntax_hint(reader, hint, name);
   near = near ? near : NB_NEAREST(hint, name, reader->bindings, reader->binding_count);
   near = near || !nb_unit_read(&unit, name) ? near : "a unit follows a number";

@@ -189,11 +189,9 @@ static void check_laws(struct nb_scene_reading *reading, const struct nb_active_
                     line ? (size_t)line : nb_setting_find(reading, "shear"), "use `normal hertz`",
                     "expected a normal law of elastic spheres for `shear %s`", laws->shear->name);
   if (laws->shear->cohesionless && cohesive > 0)
-    report(
-        reading, cohesive,
-        "remove `cohesion`, or use another law, such as `shear linear`; the friction limit of the refused law is mu N, "
-        "without cohesion",
-        "expected no cohesion for %s", law_text(text, laws->shear, stage));
+    report(reading, cohesive,
+           "remove `cohesion`, or use a law whose friction limit includes it, such as `shear linear`",
+           "expected no cohesion for %s", law_text(text, laws->shear, stage));
 }
 
 /* ---- friction without a shear force ---- */

@@ -77,10 +77,11 @@ static bool is_fraction(const struct nb_reader *reader) {
 static bool fraction_mistake(struct nb_reader *reader, const struct nb_condition *condition, const char *unit) {
   char hint[NB_HINT_SIZE];
   const bool number = reader->unitless || strcmp(unit, "1") == 0;
-  snprintf(hint, sizeof hint,
-           "write the value, `until %s %s 1e-9%s%s at most 1000000 cycles`; for rest write `until unbalanced.max below "
-           "1e-4 and contacts above 0 at most 1000000 cycles`",
-           condition->name, condition->relation == NB_BELOW ? "below" : "above", number ? "" : " ", number ? "" : unit);
+  snprintf(
+      hint, sizeof hint,
+      "write the value, `until %s %s 1e-9%s%s at most 1000000 cycles`; to wait for rest, write `until unbalanced.max "
+      "below 1e-4 and contacts above 0 at most 1000000 cycles`",
+      condition->name, condition->relation == NB_BELOW ? "below" : "above", number ? "" : " ", number ? "" : unit);
   return nb_token_mistake(reader, nb_token_peek(reader), hint,
                           "expected a number with its unit, found a fraction of another value");
 }

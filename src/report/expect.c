@@ -461,10 +461,11 @@ static bool take_constant(struct nb_reader *reader, const struct nb_scene *scene
   const struct nb_measure *const measure = &expectation->measure;
   const char *const unit = strcmp(measure->unit, "1") == 0 || reader->unitless ? "" : measure->unit;
   char hint[NB_HINT_SIZE];
-  snprintf(hint, sizeof hint,
-           "`constant with NAME` compares the runs of a sweep; constant in time is `%.80s amplitude in all  expected "
-           "0%s%s within FRACTION of %.80s max in all [SOURCE]`",
-           measure->label, *unit ? " " : "", unit, measure->label);
+  snprintf(
+      hint, sizeof hint,
+      "`constant with NAME` compares the runs of a sweep; to check that a quantity is constant in time, write `%.80s "
+      "amplitude in all  expected 0%s%s within FRACTION of %.80s max in all [SOURCE]`",
+      measure->label, *unit ? " " : "", unit, measure->label);
   if (!nb_token_is(reader, "with"))
     return nb_expected(reader, hint, "`with` and the name of a `sweep`");
   return take_trend(reader, scene, expectation) &&
