@@ -525,6 +525,7 @@ PASS = \
   src/pass/deep.c \
   src/pass/disc_disc.c \
   src/pass/disc_disc.h \
+  src/pass/disc_disc_wide.h \
   src/pass/disc_wall.c \
   src/pass/geometry.h \
   src/pass/wall_vertices.c \

@@ -3,9 +3,11 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "../src/core/model.h"
 #include "chance.h"
+#include "core/cell.h"
 #include "pass/pass.h"
 #include "suites.h"
 
@@ -162,6 +164,45 @@ static void forms_agree(void) {
   }
 }
 
+/* A pass gives the same bits with every instruction set of this machine, for any number of contacts, and writes nothing
+ * behind the last one. */
+static void instruction_sets_agree(void) {
+  static const struct nb_pass *const kinds[] = {nb_pass_disc_disc, nb_pass_periodic, nb_pass_disc_wall};
+  static struct nb_vec image[N];
+  struct nb_cell cell = {.h = tensor(3, 0.2, -0.3, 2), .image_velocity = tensor(0.1, 0.7, -0.4, 0.3)};
+  struct chance chance = chance_begin(11);
+  struct nb_error error;
+  for (int c = 0; c < N; c++)
+    image[c] = vec(floor(chance_between(&chance, -1, 2)), floor(chance_between(&chance, -1, 2)));
+  int met = 0;
+  for (int kind = 0; kind < 3; kind++) {
+    struct bench *plain = bench_create(kind == 2), *it = bench_create(kind == 2);
+    CU_ASSERT_FATAL(nb_machine_choose(&it->model, NULL, &error) == NB_OK);
+    for (int n = 1; n <= N; n++)
+      for (int approach = 0; approach <= NB_APPROACH_TANGENTIAL; approach++)
+        for (enum nb_isa isa = NB_PLAIN; isa <= it->model.machine.isa; isa++) {
+          memset(plain->f, 0x55, sizeof plain->f), memset(it->f, 0x55, sizeof it->f);
+          bench_fill(plain, (unsigned)n), bench_fill(it, (unsigned)n);
+          for (int c = 0; c < N && kind == 1; c++) { /* the second disc is near as an image */
+            const struct nb_vec moved = vec_sub(plain->position[2 * c + 1], tensor_times(cell.h, image[c]));
+            plain->position[2 * c + 1] = it->position[2 * c + 1] = moved;
+          }
+          for (int c = 0; c < N && kind < 2; c += 3) /* both orders of the two discs */
+            plain->a[c] = it->a[c] = 2 * c + 1, plain->b[c] = it->b[c] = 2 * c;
+          plain->model.cell = it->model.cell = &cell;
+          plain->block.image = it->block.image = image;
+          plain->block.n = it->block.n = (size_t)n;
+          kinds[kind][approach].run[NB_PLAIN](&plain->model, &plain->block);
+          kinds[kind][approach].run[isa](&it->model, &it->block);
+          CU_ASSERT(memcmp(plain->f, it->f, sizeof it->f) == 0);
+          for (int c = 0; c < n && approach == NB_APPROACH_TANGENTIAL; c++)
+            met += nb_touch_began(it->f[NB_OVERLAP][c], it->f[NB_NORMAL_INCREMENT][c]);
+        }
+    free(plain), free(it);
+  }
+  CU_ASSERT(met > N);
+}
+
 /* Disc 1 is to the left of disc 2, so e points in +x, and t, clockwise of e, points in -y. The tangential increment has
  * the signs of [CS79 15]. */
 static void signs_of_slip(void) {
@@ -211,6 +252,7 @@ void suite_kinematics(void) {
   CU_add_test(suite, "disc and disc", disc_disc);
   CU_add_test(suite, "disc and wall, inside and at both ends", disc_wall);
   CU_add_test(suite, "forms with fewer quantities agree", forms_agree);
+  CU_add_test(suite, "instruction sets agree", instruction_sets_agree);
   CU_add_test(suite, "signs of slip", signs_of_slip);
   CU_add_test(suite, "force in components", force_in_components);
 }

@@ -15,9 +15,9 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "disc_disc.h"
 
-NB_PASS_FORM(overlap_only, nb_disc_disc(model, block, NB_APPROACH_OVERLAP, false))
-NB_PASS_FORM(with_normal_increment, nb_disc_disc(model, block, NB_APPROACH_NORMAL, false))
-NB_PASS_FORM(with_tangential_increment, nb_disc_disc(model, block, NB_APPROACH_TANGENTIAL, false))
+NB_DISC_FORMS(overlap_only, NB_APPROACH_OVERLAP, false)
+NB_DISC_FORMS(with_normal_increment, NB_APPROACH_NORMAL, false)
+NB_DISC_FORMS(with_tangential_increment, NB_APPROACH_TANGENTIAL, false)
 
 const struct nb_pass nb_pass_disc_disc[] = {
     {"disc-disc, overlap", NB_FORMS_LIST(overlap_only)},

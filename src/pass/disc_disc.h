@@ -25,3 +25,25 @@ static inline NB_FORM void nb_disc_disc(const struct nb_model *model, const stru
   }
   nb_geometry(model, block, approach, &relative);
 }
+
+#ifdef NB_X86
+#include <immintrin.h>
+#define W 4
+#include "disc_disc_wide.h"
+#define W 8
+#include "disc_disc_wide.h"
+
+/* The forms of a pass: for W contacts at a time, where the processor can. */
+#define NB_DISC_FORMS(name, approach, copies)                                                                          \
+  static void name##_plain(const struct nb_model *model, const struct nb_block *block) {                               \
+    nb_disc_disc(model, block, approach, copies);                                                                      \
+  }                                                                                                                    \
+  NB_TARGET_AVX2 static void name##_avx2(const struct nb_model *model, const struct nb_block *block) {                 \
+    nb_disc_disc_4(model, block, approach, copies);                                                                    \
+  }                                                                                                                    \
+  NB_TARGET_AVX512 static void name##_avx512(const struct nb_model *model, const struct nb_block *block) {             \
+    nb_disc_disc_8(model, block, approach, copies);                                                                    \
+  }
+#else
+#define NB_DISC_FORMS(name, approach, copies) NB_PASS_FORM(name, nb_disc_disc(model, block, approach, copies))
+#endif

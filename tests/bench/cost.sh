@@ -145,7 +145,7 @@ features() {
   cat <<'FEATURES'
 cycle : core/cycle.c core/team.c core/team.h core/motion.c core/motion.h core/guard.c core/model.h core/block.h core/vec.h core/clock.h core/cell.h core/boundary.h core/affine.h
 cycle : run/hooks.c run/run.c run/result.c run/result.h
-cycle : pass/disc_disc.c pass/disc_disc.h pass/geometry.h pass/pass.h pass/resolve.c laws/law.h laws/law_batch.h
+cycle : pass/disc_disc.c pass/disc_disc.h pass/disc_disc_wide.h pass/geometry.h pass/pass.h pass/resolve.c laws/law.h laws/law_batch.h
 cycle : laws/normal_linear.c
 rotation : core/motion.c:rotate
 friction : pass/resolve.c:with_shear laws/shear_none.c
