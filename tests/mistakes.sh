@@ -159,7 +159,7 @@ refused() {
   test $? -eq 2 && grep -qF -e "$text" "$work/why"
   result $? "$name"
 }
-no_file='it is a pipe or a device, a regular file is expected'
+no_file='it is a pipe or a device; a regular file is expected'
 refused 'a pipe as a page' "$no_file" "$nineball" check "$work/pipe.md"
 refused 'a device as a page' "$no_file" "$nineball" check /dev/zero
 refused 'a folder as a page' 'it is a folder' "$nineball" check "$work/folder.md"

@@ -32,7 +32,8 @@ struct given {
 static enum nb_global_damping take_con1(struct nb_reader *reader) {
   static const enum nb_global_damping variants[] = {NB_GLOBAL_CON1_CS79, NB_GLOBAL_CON1_VELOCITY, NB_GLOBAL_CON1_ALL};
   if (!nb_token_skip(reader, "as"))
-    nb_expected(reader, "`nineball --help con1` explains the three", "`as cs79`, `as velocity` or `as all`");
+    nb_expected(reader, "docs/METHOD.md, section Mass-proportional damping, explains the three interpretations",
+                "`as cs79`, `as velocity` or `as all`");
   const int variant = nb_take_choice(reader, "cs79|velocity|all");
   return variants[variant < 0 ? 0 : variant];
 }

@@ -19,7 +19,7 @@ FILE *nb_file_open(const char *path, struct nb_error *error) {
     nb_error_system(error, "cannot be read");
   else if (!S_ISREG(status.st_mode))
     nb_error_set(error, NB_BAD_USE, "cannot be read: it is %s",
-                 S_ISDIR(status.st_mode) ? "a folder" : "a pipe or a device, a regular file is expected");
+                 S_ISDIR(status.st_mode) ? "a folder" : "a pipe or a device; a regular file is expected");
   else if (!(file = fdopen(descriptor, "rb")))
     nb_error_system(error, "cannot be read");
   if (descriptor >= 0 && !file)

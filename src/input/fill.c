@@ -141,7 +141,7 @@ static void take_place(struct nb_reader *reader, const struct nb_scene *scene, c
   if (!circle)
     nb_corners_swapped(reader, fill->x, fill->y, fill->x1, fill->y1);
   if (!isfinite(area(fill)))
-    nb_token_mistake(reader, &reader->tokens[0], NULL, "expected a finite area to fill, this one is too large");
+    nb_token_mistake(reader, &reader->tokens[0], NULL, "expected a finite area to fill; this one is too large");
 }
 
 NB_APPLY(apply_fill) {

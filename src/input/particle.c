@@ -93,7 +93,7 @@ NB_APPLY(apply_lattice) {
     nb_token_mistake(reader, value[AT_HEXAGONAL].token, NULL, "expected `square` or `hexagonal`, found both");
   if (!(isfinite(far_x) && isfinite(far_y)))
     nb_token_mistake(reader, &reader->tokens[0], NULL,
-                     "expected a lattice with finite coordinates, this one is too large");
+                     "expected a lattice with finite coordinates; this one is too large");
   if (!reader->bad && !nb_fill_lattice(scene, like, one))
     nb_no_memory(reader);
 }

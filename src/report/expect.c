@@ -350,7 +350,7 @@ static bool is_decided(struct nb_reader *reader, const struct nb_token *token, c
   const bool never = to < least || from > most;
   snprintf(hint, sizeof hint,
            never ? "`%s` is never %s"
-                 : "`%s` is from 0 to 1, so every value is within the tolerance: write a smaller one",
+                 : "`%s` is from 0 to 1, so every value is within the tolerance: write a smaller tolerance",
            e->measure.label, to < least ? "below 0" : "above 1");
   nb_token_mistake(reader, token, hint, "expected an expectation that can %s, found `%s`", never ? "hold" : "fail",
                    token->text);
