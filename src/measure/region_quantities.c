@@ -41,7 +41,8 @@ static void parts_of(double parts[], const struct nb_quantity_kind *kind, const 
   OF(called, of, "1", bound, NB_READS_TOUCH | NB_REQUEST_CHANGED_CONTACTS, NB_CHANGED_CONTACTS, member, what)
 
 const struct nb_quantity_kind nb_region_kinds[] = {
-    ENDS("stress", NB_STRESSES, "Pa", NB_STRESS, stress.total, "stress by particles, compression positive"),
+    ENDS("stress", NB_STRESSES, "Pa", NB_STRESS, stress.total,
+         "stress by particles, compression positive: simple shear with `c12` above 0 makes xy negative"),
     ENDS("stress.sinphi", NB_SCALAR, "1", NB_STRESS, stress.sinphi,
          "sine of the mobilized friction angle: deviator over twice the mean stress"),
     ENDS("stress.contacts", NB_STRESSES, "Pa", NB_STRESS_PARTS, stress.contacts, "stress by contacts"),

@@ -256,6 +256,9 @@ static bool is_before(const struct nb_reader *reader, const char *word) {
 /* Takes `within` and a fraction, or `within` and a number in the unit of the measure: `within 2 nm`, `within 1e-12`. */
 static bool take_tolerance(struct nb_reader *reader, const struct nb_scene *scene, const char *unit,
                            struct nb_tolerance *tolerance) {
+  if (!nb_token_peek(reader))
+    return nb_expected(reader, "a tolerance is a percentage, `within 1 %`, or a number with its unit, `within 2 mm`",
+                       "`within`");
   if (!nb_take_word(reader, "within"))
     return false;
   const size_t from = reader->next;
@@ -357,14 +360,25 @@ static bool is_decided(struct nb_reader *reader, const struct nb_token *token, c
   return true;
 }
 
-/* Refuses `expected 0.5 * A.x max`. */
-static bool multiple_mistake(struct nb_reader *reader) {
-  const struct nb_token *const number = nb_token_peek(reader);
+/* Appends the tokens up to the source or the token `end`; `first` of other programs becomes `at 0 cycles`. */
+static void append_words(char *hint, const struct nb_reader *reader, size_t from, size_t end) {
+  for (size_t k = from; k < end && reader->tokens[k].text[0] != '['; k++)
+    nb_append(hint, NB_HINT_SIZE, " %s",
+              strcmp(reader->tokens[k].text, "first") ? reader->tokens[k].text : "at 0 cycles");
+}
+
+/* Refuses `expected 0.5 * A.x max` and `expected A.x max`; the words of the other measure begin at `from`. */
+static bool multiple_mistake(struct nb_reader *reader, const struct nb_measure *measure, const char *number,
+                             size_t from, const char *what) {
   char hint[NB_HINT_SIZE];
-  snprintf(hint, sizeof hint, "a multiple of another measure is `expected %.40s of %.80s … within 1 %% [SOURCE]`",
-           number->text, reader->next + 2 < reader->count ? number[2].text : "MEASURE");
-  reader->next++;
-  return nb_expected(reader, hint, "`of` and a measure");
+  bool tolerance = false;
+  for (size_t k = from; k < reader->count; k++)
+    tolerance = tolerance || strcmp(reader->tokens[k].text, "within") == 0;
+  snprintf(hint, sizeof hint, "a multiple of another measure has the word `of`: write `%s expected %.40s of",
+           measure->label, number);
+  append_words(hint, reader, from, reader->count);
+  nb_append(hint, sizeof hint, "%s [SOURCE]`", tolerance ? "" : " within 1 %");
+  return nb_expected(reader, hint, "%s", what);
 }
 
 static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
@@ -372,11 +386,8 @@ static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene
   const struct nb_token *const token = nb_token_peek(reader);
   struct nb_quantity quantity;
   char hint[NB_HINT_SIZE];
-  if (token && nb_quantity_find(&quantity, scene, token->text)) {
-    snprintf(hint, sizeof hint,
-             "a value of another measure is a fraction of it: `expected 1 of %s … within 1 %% [SOURCE]`", token->text);
-    return nb_expected(reader, hint, "a number, or `NUMBER of MEASURE`");
-  }
+  if (token && nb_quantity_find(&quantity, scene, token->text))
+    return multiple_mistake(reader, &expectation->measure, "1", reader->next, "a number, or `NUMBER of MEASURE`");
   expectation->has_scale = is_before(reader, "of") || is_before(reader, "%");
   if (expectation->has_scale) {
     unit = "1";
@@ -387,7 +398,8 @@ static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene
     if (!take_measure_like(reader, scene, expectation->measure.unit, &expectation->other))
       return false;
   } else if (is_before(reader, "*")) {
-    return multiple_mistake(reader);
+    reader->next++;
+    return multiple_mistake(reader, &expectation->measure, token->text, reader->next + 1, "`of` and a measure");
   } else if (!nb_take_in_unit(reader, unit, &expectation->number)) {
     return false;
   } else if (nb_token_is(reader, "of")) {
@@ -398,13 +410,6 @@ static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene
          (expectation->sample[0] ||
           take_tolerance_of(reader, scene, unit, expectation->number == 0, &expectation->tolerance)) &&
          !is_decided(reader, token, expectation) && take_source(reader);
-}
-
-/* Appends the tokens up to the source or the token `end`; `first` of other programs becomes `at 0 cycles`. */
-static void append_words(char *hint, const struct nb_reader *reader, size_t from, size_t end) {
-  for (size_t k = from; k < end && reader->tokens[k].text[0] != '['; k++)
-    nb_append(hint, NB_HINT_SIZE, " %s",
-              strcmp(reader->tokens[k].text, "first") ? reader->tokens[k].text : "at 0 cycles");
 }
 
 /* Refuses `below 0.1 % of MEASURE` and `below 1e-6 of MEASURE`, and proposes `expected 0 J within 0.1 % of MEASURE

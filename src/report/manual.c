@@ -269,7 +269,9 @@ static void figures(const struct manual *to) {
   section(to, "Figures");
   paragraph(to, "The blocks `gnuplot` of a page are a gnuplot script, which `nineball figure` and `report` run. Before "
                 "the script gnuplot reads the style, plots/style.gp (colours as line types 1 to 6, tab-separated data "
-                "with a head row). These names are defined:");
+                "with a head row). Because of the head rows gnuplot leaves out the first sample of `'+'`: begin its "
+                "range one sample earlier, or plot a function. The legend is above the figure; `set key inside bottom "
+                "right vertical` moves it. These names are defined:");
   for (size_t k = 0; k < sizeof given / sizeof *given; k++)
     part(to, given[k][0], NULL, given[k][1]);
   if (to->whole)
