@@ -794,7 +794,7 @@ if command -v gnuplot >/dev/null; then
   sed "s|^plot .*|&, \$table using 'time/-':'D.y/-' with lines|" "$pages/passes.md" >tree/cases/lacks.md
   run 2 figure tree/cases/lacks.md -o lacks --trust
   said 'gnuplot refused lacks/lacks.gp: '
-  said 'no column with header "D.y/-"'
+  said 'no column with header "D.y/-" (line 23 of the page)'
   absent lacks/lacks.svg
   verdict 'a figure with a missing column'
 

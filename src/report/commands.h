@@ -133,6 +133,7 @@ enum nb_status nb_script_draw(const struct nb_script *script, const char *folder
 
 /* gnuplot.c: runs `commands`, then FOLDER/NAME.gp, which may read `recipes`. The drawing goes to `figure`, messages of
  * gnuplot to stderr if `verbose`. */
+#define NB_PAGE_LINE "# line %zu of the page:" /* the next line of the script is this line of the page */
 struct nb_gnuplot {
   const char *folder, *name, *recipes, *commands;
   int figure; /* file descriptor */

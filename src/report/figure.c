@@ -135,8 +135,11 @@ static void write_page_figure(FILE *out, const struct nb_outcome *outcome, const
   for (size_t r = 0; r < outcome->run_count; r++)
     write_run(out, outcome, r);
   for (size_t k = 0; k < page->line_count; k++)
-    if (page->kind_of[k] == 1 + NB_BLOCK_GNUPLOT)
+    if (page->kind_of[k] == 1 + NB_BLOCK_GNUPLOT) {
+      if (page->kind_of[k - 1] != page->kind_of[k]) /* a fence is above the block */
+        fprintf(out, NB_PAGE_LINE "\n", k + 1);
       fprintf(out, "%s\n", page->lines[k]);
+    }
 }
 
 static enum nb_status save_script(const struct nb_script *script, const char *folder, const char *plots,

@@ -2,23 +2,43 @@
  * files (-d).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <stdlib.h>
 #include <string.h>
 
 #include "commands.h"
+#include "core/clean.h"
 #include "tool.h"
+
+/* Appends the line of the page to a message about a line of the script, `"./NAME.gp" line 812: …`. */
+static void add_page_line(const struct nb_gnuplot *drawing, char *message, size_t size) {
+  const char *const said = strstr(message, ".gp\" line ");
+  size_t wanted, page = 0, at = 0, room = 0;
+  char path[4096], *text = NULL;
+  snprintf(path, sizeof path, "%.3000s/%s.gp", drawing->folder, drawing->name);
+  FILE *const script = said && sscanf(said, ".gp\" line %zu", &wanted) == 1 ? fopen(path, "r") : NULL;
+  for (size_t n = 1; script && n <= wanted && getline(&text, &room, script) >= 0; n++)
+    if (sscanf(text, NB_PAGE_LINE, &page) == 1)
+      at = n + 1;
+  if (at)
+    nb_append(message, size, " (line %zu of the page)", page + wanted - at);
+  free(text);
+  if (script)
+    fclose(script);
+}
 
 /* Copies the messages of gnuplot to stderr if verbose. `reason` receives the error message: the last line that is not
  * blank. For gnuplot a missing column is only a warning, but the figure then lacks a curve; so `reason` receives this
  * warning, and the function returns true. */
-static bool copy_messages(FILE *messages, bool verbose, char *reason, size_t size) {
+static bool copy_messages(const struct nb_gnuplot *drawing, FILE *messages, char *reason, size_t size) {
   char line[1024];
   bool missing_column = false;
   reason[0] = 0;
   for (int count = 0; nb_tool_message(messages, line, sizeof line); count++) {
+    add_page_line(drawing, line, sizeof line);
     if (line[strspn(line, " \t^")] && !missing_column)
       snprintf(reason, size, "%s", line + strspn(line, " \t"));
     missing_column = missing_column || strstr(line, "no column with header");
-    if (verbose && count < 200)
+    if (drawing->verbose && count < 200)
       fprintf(stderr, "%s\n", line);
   }
   return missing_column;
@@ -35,7 +55,7 @@ enum nb_status nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error 
   int code;
   enum nb_status status = nb_tool_run(&tool, &messages, &code, error);
   if (messages) {
-    const bool missing_column = copy_messages(messages, drawing->verbose, reason, sizeof reason);
+    const bool missing_column = copy_messages(drawing, messages, reason, sizeof reason);
     if (!status && (code != 0 || missing_column))
       status = nb_error_set(error, NB_BAD_USE, "gnuplot refused %.150s/%s: %s", drawing->folder, file, reason);
     fclose(messages);
