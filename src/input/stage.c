@@ -95,7 +95,12 @@ static bool take_condition(struct nb_scene_reading *reading, struct nb_reader *r
   if (!nb_requested_find(reading, &condition->quantity, &requested))
     return nb_fail_silently(reader);
   snprintf(condition->name, sizeof condition->name, "%s", requested.name);
+  char hint[NB_HINT_SIZE];
+  snprintf(hint, sizeof hint, "a condition has `above` or `below`: `until %s above VALUE at most 1000000 cycles`",
+           condition->name);
+  reader->otherwise = hint;
   condition->relation = nb_take_choice(reader, "above|below") == 0 ? NB_ABOVE : NB_BELOW;
+  reader->otherwise = NULL;
   struct nb_comparison comparison = {.name = condition->name, .token = nb_token_peek(reader)};
   comparison.relation = condition->relation, comparison.unit = nb_quantity_unit(condition->quantity);
   comparison.bounds = nb_quantity_bounds(condition->quantity);

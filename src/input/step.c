@@ -36,6 +36,8 @@ NB_APPLY(apply_step) {
              setting = reader == &reading->setting;
   struct nb_step step = {.kind = NB_STEP_TIME, .line = setting ? 0 : (int)reader->line, .set = setting};
   nb_take_number(reader, fraction || per ? NB_UNIT_NUMBER : NB_UNIT_TIME, NB_POSITIVE, &step.value);
+  if (fraction)
+    reader->otherwise = "write `step 0.2 of stable`, with elastic spheres `step 0.2 of rayleigh`";
   if (fraction && nb_take_word(reader, "of")) {
     const int kind = nb_take_choice(reader, STEP_KINDS);
     step.kind = kind < 0 ? NB_STEP_TIME : kinds[kind];
