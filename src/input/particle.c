@@ -102,7 +102,7 @@ NB_APPLY(apply_lattice) {
 NB_STATEMENTS(particle) = {
   {"disc", NB_IN_SCENE, particle_fields, NULL, NB_DISC, false, apply_particle,
    "Adds one disc, a cylinder 1 m thick. Particles are numbered from 1 in the order of the page.",
-   "disc      35.02 mm 60 mm  radius 5 mm  steel  velocity -$speed 0 m/s  spin -3 rad/s"},
+   "disc      35.02 mm 60 mm  radius 5 mm  steel  spin -3 rad/s  velocity -$speed 0 m/s"},
   {"sphere", NB_IN_SCENE, particle_fields, NULL, NB_SPHERE, false, apply_particle,
    "Adds one sphere, which moves in the plane. Particles are numbered from 1 in the order of the page.",
    "sphere    25 mm 60 mm  radius 5 mm  glass"},

@@ -128,7 +128,11 @@ const char *nb_example_hint(char *hint, const struct nb_reader *reader) {
       most = same, best = line;
     lines += own;
   }
-  snprintf(hint, NB_HINT_SIZE, "for example `%.*s`", (int)strcspn(best, "\n"), best);
+  size_t length = strcspn(best, "$\n");
+  if (best[length] == '$') /* the page may lack this name: the clause is left out, and the two spaces before it */
+    while (length > 0 && strncmp(best + length, "  ", 2) != 0)
+      length--;
+  snprintf(hint, NB_HINT_SIZE, "for example `%.*s`", (int)length, best);
   /* if the example has several lines, one common word, the first one, is not enough to choose a line */
   return most > (lines > 1) ? hint : NULL;
 }
