@@ -340,7 +340,7 @@ sed 's/kn 1  ks 1 //; s/^shear .*//' "$pages/passes.md" >soft.md
 run 0 explain soft.md
 out 'single contact: none, no contact has a stiffness'
 run 2 explain soft.md --set step='0.1 of single-contact'
-said '--set: the step is computed as inf: a fraction needs a free particle and a contact with stiffness.'
+said '--set: the step is computed as inf: a fraction needs a free particle, a partner that it could touch, and a material with'
 sed 's/^step .*/step 0.1 of single-contact/' soft.md >endless.md
 run 2 check endless.md
 said "endless.md:12:1: error: the step is computed as inf: "

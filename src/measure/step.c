@@ -136,8 +136,8 @@ enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, s
   model->stability->step_line = line;
   if (!(model->step > 0) || !isfinite(model->step)) {
     nb_error_set(error, NB_BAD_USE,
-                 "%sthe step is computed as %g%s: a fraction needs a free particle and a contact with stiffness. Give "
-                 "the material of the particle `kn`, or write `step TIME`",
+                 "%sthe step is computed as %g%s: a fraction needs a free particle, a partner that it could touch, and "
+                 "a material with `kn`. Add what is missing, or write `step TIME`",
                  source, model->step, nb_unit(model->scene, " s"));
     error->line = line;
     return NB_BAD_USE;
