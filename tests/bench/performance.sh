@@ -2,7 +2,8 @@
 # Compares the speed of nineball with that of LAMMPS, LIGGGHTS and YADE and with the limits of the machine, and writes
 # docs/PERFORMANCE.md.
 #
-#   performance.sh -o FILE FOLDER     measures, writes the tables times.tsv, others.tsv, machine.tsv and goals.tsv to FOLDER
+#   performance.sh -o FILE FOLDER     measures, writes the tables times.tsv, others.tsv, machine.tsv, passes.tsv and goals.tsv
+#                                     to FOLDER
 #   performance.sh -t FILE FOLDER     writes the document again, from the tables measured before
 #
 # FOLDER/instructions.tsv is the table of instructions.sh.
@@ -10,6 +11,7 @@
 #   NINEBALL   the program, built with -g -O3        SIDES     particles on a side, "5 32 100 280"
 #   FLAGS      its compiler and flags                OTHERS    the same for LIGGGHTS and YADE, "32 100"
 #   MACHINE    the program of machine.c              REPEATS   interleaved repeats of each program, 5
+#   PASSES     the program of passes.c
 #
 # Packages of other programs are installed with apt-get if they are missing and this user may do so. Exit status: 0, 2 a run failed,
 # 77 a program is missing.
@@ -20,7 +22,7 @@ export LC_ALL=C
 case $#$1 in 3-o | 3-t) ;; *) echo 'usage: performance.sh -o|-t FILE FOLDER' >&2 && exit 2 ;; esac
 nineball=$(cd "$(dirname "${NINEBALL:-./nineball}")" && pwd)/$(basename "${NINEBALL:-./nineball}")
 folder=$(dirname "$0") tables=$3
-times=$tables/times.tsv others=$tables/others.tsv machine=$tables/machine.tsv instructions=$tables/instructions.tsv goals=$tables/goals.tsv
+times=$tables/times.tsv others=$tables/others.tsv machine=$tables/machine.tsv instructions=$tables/instructions.tsv goals=$tables/goals.tsv passes=$tables/passes.tsv
 version() { echo "$1 $(dpkg-query -W -f '${Version}' "$1" 2>/dev/null || echo unknown)"; }
 # compare FILE SIDES KINDS PROGRAM ...: the rows of interleaved.sh.
 compare() {
@@ -31,7 +33,19 @@ compare() {
   rm "$file-rows"
   mv "$file-t" "$file"
 }
+# pass_times SIDE KIND LAW ISA: the line of passes.tsv, from the least of three runs.
+pass_times() {
+  ${AWK:-awk} -v n="$1" -v kind="$2" -v law="$3" -v cycles=1 -v folder="$work" -f "$folder/packing.awk"
+  for run in 1 2 3; do "${PASSES:-tests/bench/passes}" "$work/page.md" "$4" 2>&1; done | awk -v head="$2\t$3\t$4" '
+    /particles$/ { particles = $(NF - 1); next }
+    { name = /^disc/ ? "geometry" : /^large/ ? "large" : /^resolve/ ? "forces" : $1; sub(/,.*/, "", name)
+      if (!(name in least) || $NF < least[name]) least[name] = $NF }
+    END { if (particles) printf "%d\t%s\t%.1f\t%.1f\t%.1f\t%.1f\t%.1f\t%.1f\t%.1f\n", particles, head, least["geometry"], least["normal"],
+      least["shear"] + least["large"], least["dashpots"], least["forces"], least["motion"], least["cycle"] }'
+}
 if test "$1" = -o; then
+  work=$(mktemp -d)
+  trap 'rm -rf "$work"' EXIT
   for program in lmp liggghts yade; do
     command -v $program >/dev/null || { apt-get update && apt-get install -y --no-install-recommends lammps liggghts yade; } >&2 ||
       { echo "performance.sh: this needs $program, of the packages lammps, liggghts and yade" >&2 && exit 77; }
@@ -48,6 +62,13 @@ if test "$1" = -o; then
   compare "$times" "${SIDES:-5 32 100 280}" "lattice random" "$nineball" lmp
   : >"$others-t"
   compare "$others" "${OTHERS:-32 100}" lattice "$nineball" lmp liggghts yade
+  for row in "32 lattice linear avx2" "32 lattice linear avx512" "32 random linear avx512" "100 lattice linear avx512" \
+    "100 random linear avx512" "280 lattice linear avx512" "280 random linear avx512" "32 lattice hertz avx2" \
+    "32 lattice hertz avx512" "100 lattice hertz avx512" "280 lattice hertz avx512"; do
+    # shellcheck disable=SC2086
+    pass_times $row
+  done >"$passes-t"
+  mv "$passes-t" "$passes"
   NINEBALL=$nineball bash "$folder/goals.sh" -o "$goals"
 fi
 told() { awk -F '\t' -v name="$1" '$1 == name { print $2 }' "$times"; }
@@ -75,6 +96,11 @@ machine_table() {
   echo '| quantity | unit | AVX2 | AVX-512 |'
   echo '| --- | --- | --- | --- |'
   awk -F '\t' '{ printf "| %s | %s | %s | %s |\n", $1, $2, $3, $4 }' "$machine"
+}
+passes_table() {
+  echo '| particles | packing | law | loops | geometry | normal law | shear law | dashpots | forces | motion | whole cycle |'
+  echo '| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |'
+  awk -F '\t' '{ sub(/avx2/, "AVX2"); sub(/avx512/, "AVX-512"); gsub(/\t/, " | "); print "| " $0 " |" }' "$passes"
 }
 instructions_table() {
   echo '| law | function | instructions a contact | instructions a particle |'
@@ -180,6 +206,18 @@ into memory.
 
 TEXT
   machine_table
+  cat <<TEXT
+
+## Cycles of the processor
+
+\`tests/bench/passes PAGE\` repeats each pass of a cycle alone on the arrays of a run, and takes the least of 400 times
+([passes.c](../tests/bench/passes.c)). Other programs hardly change it. The table has the processor's clock cycles per
+contact, the least of three runs. The shear law of Hertz's rows is \`mindlin\`, and its column includes the test for
+large overlaps. \`motion\` is the sum of forces and the integration. The whole cycle is the least time of one without a
+search. A processor without AVX-512 has no such rows.
+
+TEXT
+  passes_table
   cat "$folder/tried.md"
 } >"$2-t"
 mv "$2-t" "$2"
