@@ -2,8 +2,9 @@
  *
  * For each such statement there is a short scene in which the statement matters: without its line the page has an
  * error, or particles move differently. The scene is run as it is and with several transforms; particles and walls must
- * end at the transformed places of the first run. The keywords come from the table of the language. The test fails if a
- * keyword is in neither list, or if it is listed as without a direction but takes values that have one.
+ * end at the transformed places of the first run. The keywords come from the table of the language. There are two lists:
+ * these statements, and the keywords without a direction. The test fails if a keyword is in neither of them, or if the
+ * second list has a keyword that takes values with a direction.
  *
  * Tolerance: a transformed scene differs only by rounding, 1e-16 of coordinates below 20, and the runs are so short
  * that contacts amplify this to at most 1e-10. The effect of each line is above 1e-6.

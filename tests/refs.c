@@ -178,6 +178,11 @@ static void uncovered_particles_and_regions_are_refused(void) {
        "normal hertz\nshear mindlin\nsphere 0 0 radius 1 a\nsphere 3 0 radius 1 b\nregion R circle 0 0 radius 9\n"
        "step 0.1 of rayleigh-fit-mean\nstage s\naffine strain 1e-6 per cycle -1e-6 per cycle accumulated\ncycles 1\n",
        "one material", NULL},
+      {"fracc_touch",
+       "disc 0 0 radius 1 a velocity 1 0\ndisc 2.1 0.01 radius 1 a\nstep 0.1 of single-contact\nstage s\ncycles 1\n",
+       "head-on", NULL},
+      {"fracc_touch", "disc 0 0 radius 1 a velocity 1 0\ndisc 2.1 0 radius 1 a\nstep 0.1\nstage s\ncycles 1\n",
+       "for `step F of single-contact`", NULL},
   };
   for (size_t k = 0; k < sizeof scenes / sizeof *scenes; k++) {
     struct words page = {0};

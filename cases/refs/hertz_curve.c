@@ -31,8 +31,8 @@ enum { POINTS = 16, CONTACTS = 8 };
 
 struct contact {
   double radius, young; /* R*, m; E*, Pa */
-  double fraction;      /* of s: the overlap of this contact, 1 */
-  double touch, rate;   /* y of the upper wall where all just touch, m; ds/dy as it moves down, 1 */
+  double fraction;      /* overlap of this contact over s, dimensionless */
+  double touch, rate;   /* y of the upper wall where all just touch, m; -ds/dy, dimensionless */
 };
 
 /* alpha and N of a contact circle of radius a. */

@@ -9,7 +9,7 @@
  * and velocities with a finite number of decimals. */
 static const double straight = 1e-9;
 
-/* Finds the contacts A, B, C. Other contacts must have no effect: perpendicular to the row and without shear. */
+/* Finds the contacts A, B, C. Other contacts must have no effect: perpendicular to the row, with k_s = 0. */
 static bool sort_contacts(struct lattice_row *row) {
   const struct lattice *lattice = &row->lattice;
   size_t found[3] = {0};
@@ -71,8 +71,9 @@ enum nb_status lattice_row_build(struct lattice_row *row, const struct nb_scene 
   if (status != NB_OK)
     return status;
   if (!sort_contacts(row))
-    status =
-        nb_error_set(error, NB_BAD_USE, "this reference is for two particles in contact, with one wall behind each");
+    status = nb_error_set(
+        error, NB_BAD_USE,
+        "this reference is for two particles in contact, with one wall behind each; walls beside them have no ks");
   else if (!find_motion(row, scene))
     status = nb_error_set(error, NB_BAD_USE,
                           "this reference is for two walls that approach with equal speeds from the start");

@@ -1,11 +1,11 @@
 /* Reference: an assembly at rest in an affine strain that is accumulated in the velocities [R89 4.43].
  *
- * Every cycle adds L x to the velocity of a particle at x. At rest its contact forces F cancel this:
+ * Every cycle adds L x to the velocity of a particle at x, measured from the centre of the affine motion. At rest its contact forces F cancel this:
  *
  *   sum F = -m L x/dt,   mean |sum F| = <m> (2/3) R_A e/dt^2
  *
  *   e     strain of a cycle, of opposite sign along the two axes; L = e/dt is the strain rate
- *   R_A   radius of the region, a circle about the centre, m; particles are spread evenly over it
+ *   R_A   radius of the region, a circle about the same centre, m; particles are spread evenly over it
  *   <m>   mean mass of all particles, kg
  *
  * With `step X of rayleigh-fit-mean`, dt is X times pi R sqrt(rho/G)/(0.1631 nu + 0.876605) [R89 4.33, 4.34],

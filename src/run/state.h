@@ -19,5 +19,5 @@ void nb_saved_restore(struct nb_model *model, const struct nb_saved *saved);
 enum nb_status nb_saved_restore_loading(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error);
 /* Restores forces and histories of the contacts. Called after the search has listed the contacts. */
 enum nb_status nb_saved_restore_contacts(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error);
-/* Writes the state to a file. Parses the text first, so that every written state can be read again. */
+/* Writes the state to a file as text. Before that it parses this text, so that every written state can be read again. */
 enum nb_status nb_saved_write(const struct nb_saved *saved, const char *path, struct nb_error *error);
