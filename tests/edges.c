@@ -29,6 +29,21 @@ static void a_region_at_the_corner_of_a_cell(void) {
   nb_result_free(&result), written_free(&it);
 }
 
+/* value.c, computed_count: rounding makes 1e-4/2e-7 larger than 500 and 0.3/0.1 smaller than 3. */
+static void a_count_may_be_rounded(void) {
+  struct words words = {0};
+  struct written it;
+  const volatile double large = 1e-4 / 2e-7, small = 0.3 / 0.1;
+  CU_ASSERT(large > 500 && small < 3);
+  words_add(&words, "%s",
+            "units none\nmaterial m density 1 kn 100\ndisc 0 0 radius 1 m\nstep 0.001\nrecord time\nstage s\n"
+            "record every (0.3/0.1) cycles\ncycles (1e-4/2e-7)\n");
+  written_scene(&it, &words);
+  CU_ASSERT_EQUAL(it.scene.stages[0].cycles, 500);
+  CU_ASSERT_EQUAL(it.scene.stages[0].record_interval, 3);
+  written_free(&it);
+}
+
 /* cell.c, nb_cell_check_width: the height must be at least twice the largest diameter plus the skin, 2 (2 + 0.1). The
  * height is checked at each search; the strain requires a search after 5 %. A cell of width 5 may shrink to 4.3, but
  * not to 4. */
@@ -132,6 +147,7 @@ static void a_force_deep_in_the_contact_is_found(void) {
 void suite_edges(void) {
   CU_pSuite suite = CU_add_suite("edges", NULL, NULL);
   CU_ADD_TEST(suite, a_region_at_the_corner_of_a_cell);
+  CU_ADD_TEST(suite, a_count_may_be_rounded);
   CU_ADD_TEST(suite, a_cell_stays_wide_enough_or_not);
   CU_ADD_TEST(suite, straining_reduces_the_travel_limit);
   CU_ADD_TEST(suite, without_contacts_there_is_no_search);

@@ -1,6 +1,7 @@
 /* Values of a statement: numbers with their units, whole numbers, words and names.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -314,17 +315,30 @@ bool nb_take_in_unit(struct nb_reader *reader, const char *si_unit, double *valu
 
 /* ---- whole numbers, words and names ---- */
 
+/* Each operation of an expression rounds by up to 1.1e-16 of its result, so a result this near to a whole number is one. */
+static const double rounded_share = 1e-12;
+
+/* Reads a whole number from low to high, or a computed one that is whole but for rounding. */
+static bool read_count(const struct nb_token *token, unsigned long low, unsigned long high, unsigned long *value) {
+  const size_t digits = token ? strspn(token->text, "0123456789") : 0;
+  double number;
+  if (digits > 0 && digits < 19 && token->text[digits] == '\0')
+    *value = strtoul(token->text, NULL, 10);
+  else if (token && token->computed && nb_number_read(&number, token->text, 0) == NB_READ &&
+           number < (double)high + 1 && fabs(number - round(number)) <= rounded_share * number)
+    *value = (unsigned long)round(number);
+  else
+    return false;
+  return *value >= low && *value <= high;
+}
+
 /* As nb_take_count; the message says what is counted, `a whole number` or `a number of cycles`. */
 static bool take_count(struct nb_reader *reader, unsigned long low, unsigned long high, unsigned long *value,
                        const char *hint, const char *counted) {
   const struct nb_token *token = nb_token_peek(reader);
+  if (read_count(token, low, high, value))
+    return reader->next++, true;
   *value = low;
-  size_t digits = token ? strspn(token->text, "0123456789") : 0;
-  if (token && digits > 0 && digits < 19 && token->text[digits] == '\0') {
-    *value = strtoul(token->text, NULL, 10);
-    if (*value >= low && *value <= high)
-      return reader->next++, true;
-  }
   char what[192], text[NB_HINT_SIZE];
   const struct nb_token *const unit = token_after(reader, 1);
   snprintf(what, sizeof what, "%s from %lu to %lu", counted, low, high);

@@ -367,7 +367,8 @@ static void values(const struct manual *to) {
   section(to, "Numbers, units and expressions");
   paragraph(to, "A value in a statement is a number with its sign, `$NAME` or `-$NAME`, or an expression in "
                 "parentheses; one unit may follow each. Operators and functions stand in parentheses: `radius (R/2)`, "
-                "`cycles (2*n)`, `velocity (v*cos(angle)) m/s 0 m/s`.");
+                "`cycles (2*n)`, `velocity (v*cos(angle)) m/s 0 m/s`. Where a whole number is needed, the value of an "
+                "expression may differ from it by rounding, that is by up to 1e-12 of it: `cycles (0.1 ms/dt)`.");
   paragraph(to,
             "A unit is one word after a space. It is made of m, s, g, N, Pa, J, rad and deg, with a prefix n, u or µ, "
             "m, c, k, M, G (deg has none) and powers from 1 to 9. These are joined by `.` (times) and `/` (over): `0.3 "
