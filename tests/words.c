@@ -1,7 +1,8 @@
-/* Words of a command that a shell reads.
+/* Words of a command that a shell reads, and characters that a terminal may show.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "core/clean.h"
@@ -36,9 +37,52 @@ static void apostrophes(void) {
   CU_ASSERT_STRING_EQUAL(quoted("'"), "''\\'''");
 }
 
+/* The first and the last character of each length in UTF-8, and their neighbours, which are none (RFC 3629). The first
+ * byte that is not of a character is in the second column. */
+static void characters(void) {
+  static const char *const shown[] = {"\t",
+                                      "~",
+                                      "\xC2\xA0",
+                                      "\xDF\xBF",
+                                      "\xE0\xA0\x80",
+                                      "\xED\x9F\xBF",
+                                      "\xEE\x80\x80",
+                                      "\xEF\xBF\xBF",
+                                      "\xF0\x90\x80\x80",
+                                      "\xF4\x8F\xBF\xBF"};
+  static const char *const replaced[] = {"\x1F",
+                                         "\x7F",
+                                         "\x80",
+                                         "\xC1\xBF",
+                                         "\xC2\x80",
+                                         "\xC2\x9F",
+                                         "\xC2",
+                                         "\xE0\x9F\xBF",
+                                         "\xE0\xA0",
+                                         "\xED\xA0\x80",
+                                         "\xED\xBF\xBF",
+                                         "\xF0\x8F\xBF\xBF",
+                                         "\xF4\x90\x80\x80",
+                                         "\xF8\x88\x80\x80"};
+  char text[8];
+  unsigned byte = 0;
+  for (size_t k = 0; k < sizeof shown / sizeof *shown; k++) {
+    snprintf(text, sizeof text, "a%sz", shown[k]);
+    CU_ASSERT_EQUAL(nb_clean(text, strlen(text), &byte), 0);
+    CU_ASSERT(strncmp(text + 1, shown[k], strlen(shown[k])) == 0);
+  }
+  for (size_t k = 0; k < sizeof replaced / sizeof *replaced; k++) {
+    snprintf(text, sizeof text, "a%sz", replaced[k]);
+    CU_ASSERT_EQUAL(nb_clean(text, strlen(text), &byte), 2);
+    CU_ASSERT_EQUAL(byte, (unsigned char)replaced[k][0]);
+    CU_ASSERT(text[0] == 'a' && text[1] == '?' && text[strlen(text) - 1] == 'z');
+  }
+}
+
 void suite_words(void) {
   CU_pSuite suite = CU_add_suite("words of a command", NULL, NULL);
   CU_add_test(suite, "plain words", plain_words);
   CU_add_test(suite, "words with special characters", quoted_words);
   CU_add_test(suite, "apostrophes", apostrophes);
+  CU_add_test(suite, "characters of one to four bytes", characters);
 }
