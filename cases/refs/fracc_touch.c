@@ -24,8 +24,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
       a->radius > b->radius || a->vy != 0 || a->y != b->y || scene->step.kind != NB_STEP_SINGLE_CONTACT)
     return nb_error_set(error, NB_BAD_USE,
                         "the reference `fracc_touch` is for two equal discs, the first of which strikes the second "
-                        "head-on along x, and for "
-                        "`step F of single-contact`");
+                        "head-on along x, and for `step F of single-contact`");
   const double mass = matter_mass(scene, a), k = matter_pair(scene, a->material, b->material).kn;
   const double step = scene->step.value * 2 * sqrt(mass / k), gap = b->x - a->x - a->radius - b->radius;
   const double first = (floor(gap / (a->vx * step)) + 1) * a->vx * step - gap;

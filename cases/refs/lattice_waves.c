@@ -2,7 +2,8 @@
  *
  * In a wave of the wave vector q the particle at x has the displacement u = U sin(q.x) and the rotation
  * theta = psi cos(q.x). Neighbours i and j are s apart at rest, e is the unit vector from i to j, and n is e turned
- * counterclockwise. F is the normal force of their contact at rest. The displacements change the force of this contact on i by
+ * counterclockwise. F is the normal force of their contact at rest. The displacements change the force of this contact
+ * on i by
  *
  *   along e    k_n (u_j - u_i).e
  *   along n    k_s ((u_j - u_i).n - R (theta_i + theta_j)) - (F/s) (u_j - u_i).n

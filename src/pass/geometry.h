@@ -6,7 +6,8 @@
  *   R     sum of the radii, m             w R  sum of the products of angular velocity and radius, m/s; of a wall: 0
  *
  * disc_disc.c has the other symbols. Each kind of contact gathers its vectors in a loop of its own, so that this loop
- * with the square roots vectorises.
+ * with the square roots vectorises. Discs have the same arithmetic in disc_disc_wide.h, too; tests/kinematics.c compares
+ * the bits.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #pragma once

@@ -26,6 +26,9 @@ static void add_page_line(const struct nb_gnuplot *drawing, char *message, size_
     fclose(script);
 }
 
+/* Messages that are printed. For a later one the script, which may have large tables, is not searched either. */
+enum { MESSAGES_SHOWN = 200 };
+
 /* Copies the messages of gnuplot to stderr if verbose. `reason` receives the error message: the last line that is not
  * blank. For gnuplot a missing column is only a warning, but the figure then lacks a curve; so `reason` receives this
  * warning, and the function returns true. */
@@ -34,11 +37,12 @@ static bool copy_messages(const struct nb_gnuplot *drawing, FILE *messages, char
   bool missing_column = false;
   reason[0] = 0;
   for (int count = 0; nb_tool_message(messages, line, sizeof line); count++) {
-    add_page_line(drawing, line, sizeof line);
+    if (count < MESSAGES_SHOWN)
+      add_page_line(drawing, line, sizeof line);
     if (line[strspn(line, " \t^")] && !missing_column)
       snprintf(reason, size, "%s", line + strspn(line, " \t"));
     missing_column = missing_column || strstr(line, "no column with header");
-    if (drawing->verbose && count < 200)
+    if (drawing->verbose && count < MESSAGES_SHOWN)
       fprintf(stderr, "%s\n", line);
   }
   return missing_column;

@@ -379,8 +379,8 @@ static void values(const struct manual *to) {
       text, sizeof text,
       "Expressions are in parentheses, after `let NAME =` and in `--set NAME=`. In them NAME without `$` is the value "
       "that `let` or `sweep` gives to it. The constant is `pi`, and the functions are %s. Operators, highest "
-      "precedence "
-      "first: a unit; `^`, from right to left; a sign, so that -2^2 is -4; `*` and `/`; `+` and `-`. A number and a "
+      "precedence first: a unit; `^`, from right to left; a sign, so that -2^2 is -4; `*` and `/`; `+` and `-`. A "
+      "number and a "
       "name side by side are not multiplied: `2 N` is two newtons, and `2*N` is twice the value of the name N.",
       nb_function_names);
   paragraph(to, text);
