@@ -10,10 +10,11 @@
  *     traded values) and of steps that differ by factors of 2^(1/2);
  *   - the true error and the cost of the settings that the negative controls choose: estimators from which a part is
  *     missing.
- * The results of a page are stored in FOLDER, so a run that was interrupted can be continued. Then it writes
- * docs/ACCURACY.md and the rows of its table of errors to the files that -o names, and prints the criteria that do not
- * hold; the exit status is then 1. Pages after --means are assemblies; their draws are about means over realizations.
- * A draw depends only on the name of the page and the number of the draw.
+ * The results of a page are stored in FOLDER, so a run that was interrupted can be continued. After the last page the
+ * program writes docs/ACCURACY.md and the rows of its table of errors to the files that -o names (without -o, it prints
+ * the document), and prints the criteria that do not hold. If a criterion does not hold, the exit status is 1. Pages
+ * after --means are assemblies; their draws are about means over realizations. A draw depends only on the name of the
+ * page and the number of the draw.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_rng.h>
@@ -75,8 +76,8 @@ static bool is_met(struct nb_advice *advice, const struct truth *truth) {
 }
 
 /* Computes errors and costs of the advice and of the negative controls. The controls are not asked if there is no
- * advice. The true error of the control that takes the finest step is computed at one phase only, because it is the cost of
- * this control that must fail. */
+ * advice. The true error of the control that takes the finest step is computed at one phase only, because this control
+ * must fail by its cost. */
 static void compare(struct draw *draw, struct nb_advice *advice, struct nb_advise_query *query, struct truth *truth) {
   struct chosen chosen[ESTIMATORS];
   double most = INFINITY;

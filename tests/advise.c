@@ -331,7 +331,8 @@ static void phases_of_other_pages_have_other_steps(void) {
   finish(&advice, &page);
 }
 
-/* Strains per cycle, or numbers of cycles, tie the page to its step. */
+/* A page with a strain per cycle, a number of cycles, or a damping per cycle has one phase, because such a page with
+ * another step is another case. */
 static void other_pages_have_one_phase(void) {
 #define MATERIAL "units none\nmaterial m density 3 kn 100\n"
 #define LATTICE "lattice discs 4 by 4 from 1 1 radius 1 spacing 2 m\n"
@@ -369,7 +370,7 @@ static void other_pages_have_one_phase(void) {
  * next coarser level. A trial that would end after the budget is not run. A hundred seconds have been spent before. */
 static void a_trial_that_would_end_after_the_budget(void) {
   static const struct {
-    bool done; /* trials of the level itself, or of the coarser one */
+    bool done; /* true: a trial of this level has been run; false: one of the next coarser level */
     double budget;
     bool runs;
   } rows[] = {{true, 490, false}, {true, 510, true}, {false, 890, false}, {false, 910, true}};
@@ -506,7 +507,7 @@ static double energy_of(const struct nb_variant *variant, size_t run, size_t tri
   return value_of(scene, "energy.kinetic");
 }
 
-/* Trial k is the page with the value k + 1 of the name, for each run that is left, and for each variant. */
+/* Trial k is the page with the seed k + 1, for each value of the other sweep, T, and for each variant. */
 static void a_trial_of_a_mean_is_a_realization(void) {
   struct nb_advice advice;
   struct nb_advise_query query;

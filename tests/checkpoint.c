@@ -200,7 +200,8 @@ static const char *const spheres[] = {
  * The runs record no quantity of a contact, so their checkpoints have only its force.
  *
  * In the first run the resolution of the coordinates is too coarse while no discs overlap, and fine enough during the
- * overlap, when the run is interrupted. The disc that is then the farther one must not be warned of, too. */
+ * overlap, when the run is interrupted. By then the other disc is farther from the origin; the continued run must not
+ * add a warning about this disc. */
 static const char soft[] = "units none\nmaterial m density 3 kn 0.001\nskin 4\nstep 0.001\nrecord time D.x\n";
 static const char *const guarded[] = {
     "disc 1e10 0 radius 0.5 m\ndisc (1e10-3) 0.8 radius 0.5 m velocity 100 0\nmonitor D disc 2\nstage pass\ncycles "

@@ -179,9 +179,9 @@ static void warnings_of_ends(void) {
   }
 }
 
-/* A region without a particle has a warning, at the start or at the end of a stage, and so has one without a contact of
- * which a stress is recorded. A porosity below 0 has one, too: -0.0521 and e = -0.0495 from the areas of circles. In other
- * regions there is no warning. */
+/* A region without a particle, at the start or at the end of a stage, causes a warning. So does a region without a
+ * contact if its stress or a mean over its contacts is recorded, and a negative porosity or void ratio: -0.0521 and
+ * -0.0495, from the areas of the circles. Other regions cause no warning. */
 static void warnings_of_regions(void) {
   static const char scene[] =
       "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m fixed\n"
@@ -294,7 +294,7 @@ static void warnings_of_servos(void) {
     snprintf(text, sizeof text, scene, rows[k].target * stress, after);
     carry_out(&outcome, text, "report cell.stress.xx", NULL);
     CU_ASSERT_EQUAL(outcome.status, NB_OK);
-    size_t found = 0; /* stage `rest` may have one, too */
+    size_t found = 0; /* warnings of stage `press`; stage `rest` may have one, too */
     for (size_t w = 0; w < outcome.warnings.count; w++)
       found += strncmp(outcome.warnings.list[w].text, "stage `press` ", 14) == 0;
     if (found != rows[k].warned)
@@ -314,7 +314,8 @@ static void warnings_of_servos(void) {
   }
 }
 
-/* An expectation of another stress than the servo of its stage controls, with friction at the walls. */
+/* With friction at the walls, an expectation causes a warning if its stress is not the one that the servo of its stage
+ * controls. */
 static void expectations_of_another_stress(void) {
   static const struct {
     const char *stress, *expectation;
@@ -346,8 +347,8 @@ static void expectations_of_another_stress(void) {
   }
 }
 
-/* The same row of discs, pressed faster or for a number of cycles. A stage that does not end
- * says that its servo ran at the largest rate all the time, and so does the warning of a stage of a given length. */
+/* The same row of discs. If a servo ran at its largest rate all the time, the error of a stage whose condition is not
+ * met says so, and so does the warning of a stage with a number of cycles. */
 static void servos_at_the_largest_rate(void) {
   static const struct {
     /* found: a part of the warning (first three rows) or of the error; NULL: it does not mention the largest rate */

@@ -1,8 +1,8 @@
 /* The law of R89: the curves at constant N, the slip front, N and T rising and falling, the stored history.
  *
  * Expected values come from the rings of the contact, T = mu Int D dN and delta = mu kappa Int D dx
- * (docs/CONTACT.md, i); [R89 3.25, 3.40, 3.50] are the cases of constant N. The law is of first order: its error
- * halves with the step.
+ * (docs/CONTACT.md, equation (i)); [R89 3.25, 3.40, 3.50] are the cases of constant N. The law is of first order: its
+ * error halves with the step.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -124,7 +124,7 @@ static void unloading_again_retraces_reloading(void) {
 
 /* Loading, unloading and reloading, each with N rising and falling. */
 static void all_ways_of_normal_and_tangential_force(void) {
-  static const double alpha[3][2] = {{0.3, -0.15}, {0.2, -0.1}, {0.15, -0.05}}; /* its increase, N rising or falling */
+  static const double alpha[3][2] = {{0.3, -0.15}, {0.2, -0.1}, {0.15, -0.05}}; /* increase, with N rising or falling */
   static const double slip[3][2] = {{0.8, 0.3}, {-0.5, -0.4}, {0.3, 0.1}};
   for (int ways = 0; ways < 8; ways++) {
     struct segment segments[3];

@@ -63,8 +63,8 @@ static void unsolvable_networks_are_refused(void) {
   free(many);
 }
 
-/* Two walls move in, one twice as fast as the other, and two are at rest: the iteration of the contact states does not end. The message says
- * in which increment of which stage. */
+/* Two walls move in, one twice as fast as the other, and two are at rest: the iteration of the contact states does not
+ * end. The message says in which increment of which stage. */
 static void a_path_without_equilibrium_is_refused(void) {
   struct refs_scene it;
   nb_references_prepare();
@@ -202,7 +202,8 @@ static void uncovered_particles_and_regions_are_refused(void) {
   }
 }
 
-/* In an assembly of equal spheres the step of the mean radius is that of the smallest one, with the same rebound. */
+/* If all spheres are equal, the Rayleigh step of the mean sphere equals the shortest one, so both give the same velocity
+ * after the impact. */
 static void rayleigh_steps_of_equal_spheres(void) {
   static const char *const steps[] = {"rayleigh", "rayleigh-mean", "rayleigh-fit", "rayleigh-fit-mean"};
   double vx[4];

@@ -99,7 +99,7 @@ static void hand_ends_with_the_first_motion(void) {
   solution_free(&solution);
   it.motions[1].vx *= 1.5;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("two_wall_compression", &it).text, "equal speeds"));
-  refs_row(&it, k, m, v, 6 * step, 6, 100); /* q + r = 6.5: B opens by overshoot */
+  refs_row(&it, k, m, v, 6 * step, 6, 100); /* so long a step (q + r = 6.5 in two_wall_compression.c) that B opens */
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("two_wall_compression", &it).text, "opens"));
 }
 

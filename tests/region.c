@@ -259,7 +259,7 @@ static void loads(void) {
                    "A.contact_stress.min A.contact_stress.std A.contact_ratio.max A.contact_ratio.min "
                    "A.contact_shear.max\nstage s\ncycles 1\n");
   model = model_of(&it, &page);
-  /* N/(pi a^2) = 4 E* sqrt(alpha/R*)/(3 pi), a = sqrt(R* alpha), E* = E/2(1 - nu^2) */
+  /* N/(pi a^2) = 4 E* sqrt(alpha/R*)/(3 pi), a = sqrt(R* alpha), E* = E/(2 (1 - nu^2)) */
   const double E = 1000 / (2 * (1 - 0.0625)), one = 4 * E * sqrt(0.01 / (2. / 3)) / (3 * pi);
   const double two = 4 * E * sqrt(0.02 / 2) / (3 * pi);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.contact_stress.mean"), (one + two) / 2, 1e-12 * one);
@@ -477,7 +477,7 @@ static void obliquity_with_cohesion(void) {
 static void directions_without_a_density(void) {
   static const struct {
     const char *lattice;
-    double a, normal; /* normal: also of the other measures; NAN: undefined */
+    double a, normal; /* A.anisotropy.contacts; each of the `others`, NAN: undefined */
   } rows[] = {{"2 by 1 m radius 1 spacing 1.9", 2, NAN},
               {"3 by 1 m radius 1 spacing 1.9", 2, NAN},
               {"2 by 2 m radius 1 spacing 1.9", 0, 0},

@@ -171,7 +171,7 @@ static void bits_are_counted(void) {
   CU_ASSERT(nb_common_bits(NAN, 1, 1) == 0 && nb_common_bits(1, 1.5, NAN) == 0 && nb_common_bits(INFINITY, 1, 1) == 0);
 }
 
-/* Rows 0 to 2 belong to stage one, rows 3 and 4 to stage two. Only x differs, by 2^-k in row k + 10. */
+/* Rows 0 to 2 belong to stage one, rows 3 and 4 to stage two. Only x differs, by 2^-(k + 10) in row k. */
 static void bits_of_expectations(void) {
   static const double x[] = {1, 2, 8, 2, 4};
   static const struct {

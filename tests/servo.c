@@ -52,8 +52,8 @@ static void run(struct nb_result *result, const char *stage) {
 }
 
 /* The error is the largest difference of a controlled component from its target, over the largest target. The stress of
- * the ring, with the radius R, is isotropic; uncontrolled components do not count, and a target of 0 has no error. The springs do not carry
- * tension, so with a target in tension the error is the whole target. */
+ * the ring, with the radius R, is isotropic. Components that are not controlled do not count. If all targets are 0, the
+ * error is 0. The springs do not carry tension, so with a target in tension the error is the whole target. */
 static void the_error_is_relative(void) {
   static const struct {
     const char *servo;

@@ -141,8 +141,8 @@ static struct nb_normal yields(struct nb_pair p, double overlap, double dn, doub
   return n;
 }
 
-/* The stable overlap follows from the largest stiffness of the law, which is here twice the stiffness of Hertz. It
- * therefore reaches the same value at a quarter of the overlap, which the program finds by halving. */
+/* The stable overlap follows from the largest stiffness of the law, which is here twice the stiffness of Hertz. So this
+ * stiffness reaches the allowed value at a quarter of the overlap; the program finds this overlap by halving. */
 static void stiffer_unloading_lowers_the_limit(void) {
   struct nb_law law = *nb_law_find("normal", "hertz");
   double stable_overlap[2];

@@ -10,9 +10,9 @@
  *
  *   unstable     the velocity changes of a perturbation that moves particles by about 1e-9 R in a cycle become more
  *                than `growth_limit` times as large as at first, while the same contacts are closed
- *   inaccurate   at some time in half a period, or in 2000 limits if that is shorter, the displacement in the slowest mode
- *                differs from that of a run with 1/64 of the limit by more than `displacement_tolerance` of its largest
- *                value
+ *   inaccurate   at some time in half a period, or in 2000 times the limit if that is shorter, the displacement in the
+ *                slowest mode differs from that of a run with 1/64 of the limit by more than `displacement_tolerance`
+ *                of its largest value
  *   stable       neither
  *
  * The program compares the limit with the step at which perturbations begin to grow, with the spectral radius of the cycle as a
@@ -35,7 +35,7 @@
 enum { MOST = 32, AXIS = 8, STEPS = 17, FINE = 64, GROWTH_CYCLES = 1500, LONGEST = 2000, KICK_CYCLES = 1000 };
 static const double overlap = 1e-4; /* of each contact at rest, over the radius; that of the random packing is random */
 static const double perturbation = 1e-9; /* largest displacement of the perturbation in a cycle, over the radius */
-/* Largest growth; the amplitude of a stable vibration beats by about 10 close to the limit. */
+/* Largest growth. Close to the limit the amplitude of a stable vibration rises and falls by a factor of about 10. */
 static const double growth_limit = 100;
 static const double displacement_tolerance = 0.01; /* as a fraction of the largest displacement */
 static const double agreement = 0.01;              /* largest relative difference between the limit and runs */
@@ -323,7 +323,7 @@ static double velocity_changes(const struct nb_model *model, double last[3 * MOS
   return sqrt(sum);
 }
 
-/* The factor by which the velocity changes grow; `kept`: the same contacts are closed at the end. */
+/* The factor by which the velocity changes grow; `kept`: as many contacts are closed at the end as at the start. */
 static double growth_of(struct written *it, double step, bool *kept) {
   kick(it, perturbation, step, 1);
   struct nb_model *model = model_of(it, step);
@@ -337,7 +337,7 @@ static double growth_of(struct written *it, double step, bool *kept) {
       break;
     }
     const double now = velocity_changes(model, last);
-    if (cycle == 1) /* the first kick by a force: in the cycle before, the particles left their places at rest */
+    if (cycle == 1) /* the first change of velocity: in cycle 0 the forces are still those at rest */
       first = now;
     most = cycle > 0 ? fmax(most, now) : 0;
   }
@@ -395,7 +395,8 @@ static struct mode mode_of(const struct limit *limit, double a, double b, bool l
   return mode;
 }
 
-/* The cause of the limit: the largest part of u'(dt^2 K + 2 dt C)u at the limit. */
+/* The cause of the limit, from its mode u: "damping" if more than half of u'(dt^2 K + 2 dt C)u is that of the dashpots,
+ * else "rotation" if more than half of u'u is rotation, else "normal" or "tangential", whichever part is larger. */
 static const char *cause_of(const struct limit *limit, double step) {
   struct mode mode = mode_of(limit, step * step, 2 * step, true);
   double parts[2] = {0}, dashpots = 0, rotation = 0, all = 0;
@@ -417,8 +418,8 @@ static const char *cause_of(const struct limit *limit, double step) {
 
 struct slow {
   struct mode mode;
-  double damping; /* u'Cu/(2 omega), the fraction of critical */
-  double *path;   /* displacement after each time limit/FINE */
+  double damping; /* damping ratio of the mode, u'Cu/(2 omega) */
+  double *path;   /* path[n]: displacement at the time n limit/FINE */
   size_t count;
   double largest;
 };
@@ -463,7 +464,7 @@ static void slow_begin(struct slow *slow, struct written *it, const struct limit
     slow->damping +=
         gsl_vector_get(limit->dashpots, r) * pow(gsl_vector_get(stretched, r), 2) / (2 * sqrt(slow->mode.square));
   gsl_vector_free(stretched);
-  const double period = 3.14159265358979323846 / sqrt(slow->mode.square); /* half of it */
+  const double period = 3.14159265358979323846 / sqrt(slow->mode.square); /* half a period */
   slow->count = (size_t)ceil(FINE * fmin(period / longest, LONGEST)) + 4 * FINE;
   slow->path = calloc(slow->count, sizeof *slow->path);
   slow->largest = 0;
@@ -506,8 +507,8 @@ struct symptom {
   double energy;    /* largest energy.residual over the energy at the start */
   double imbalance; /* mean of unbalanced.max over the last tenth */
   double force;     /* mean contact force over that at rest, over the last half */
-  double kinetic;   /* energy at the end over that at the start */
-  char text[64];    /* of the guard that stops the run; empty: none */
+  double kinetic;   /* kinetic energy at the end over that at the start */
+  char text[64];    /* names the guard that stops the run; empty: none does */
 };
 static const char *const kick_record = "unbalanced.max energy.residual energy.kinetic energy.stored";
 
@@ -598,8 +599,9 @@ static const char *shown(const struct symptom *symptom, const struct symptom *us
   return symptom->imbalance > visible && symptom->imbalance > 3 * usual->imbalance ? "imbalance" : "silent";
 }
 
-/* Classifies a point. The scheme shortens the period by (omega dt)^2/24, and a dashpot whose force lags acts like a
- * mass that is smaller by c dt/2. The larger of these two effects is the cause of an inaccurate point. */
+/* Classifies a point. The scheme shortens the period by the fraction (omega dt)^2/24, and a dashpot whose force lags by
+ * half a step acts like a mass that is smaller by c dt/2. The larger of these two effects is the cause of an inaccurate
+ * point. */
 static void classify(struct point *point, const struct result *result, const struct slow *slow) {
 
   point->class = point->growth > growth_limit ? UNSTABLE : point->error > displacement_tolerance ? INACCURATE : STABLE;

@@ -96,8 +96,8 @@ static void margins_stated_in_step_limit(void) {
   CU_ASSERT_DOUBLE_EQUAL(damped, 0.56, 0.005);
 }
 
-/* Nine discs that cannot rotate: omega^2 = 2 (2 + sqrt 2) k/m, from rows and columns together. With rotation it is 2.05
- * times as large. */
+/* Nine discs that cannot rotate: omega^2 = 2 (2 + sqrt 2) k/m, from rows and columns together. With rotation omega^2 is
+ * 2.05 times as large. */
 static void rotation_lowers_the_limit(void) {
   struct words page = {0};
   struct written it;
@@ -218,7 +218,8 @@ static void storage_changes_no_bit(void) {
   written_free(&it);
 }
 
-/* The coefficients of contacts that are not kept, because there are many contacts or no memory, are computed again. */
+/* The program keeps the coefficients of contacts during a computation of the stable step. Without kept coefficients, if
+ * there are too many contacts or no memory, it computes them each time. Both give the same bits. */
 static void kept_coefficients_are_those_computed(void) {
   struct chance chance = chance_begin(11);
   struct words page = {0};

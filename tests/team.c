@@ -82,8 +82,8 @@ static void a_thread_takes_over_parts(void) {
   nb_team_free(team);
 }
 
-/* Repeats rounds until both the caller and another thread have done parts of a round, whose number of parts is returned; 0
- * if the patience ends. */
+/* Repeats rounds until both the caller and the other thread have done parts of one round. Returns the number of parts
+ * that the other thread did; 0 if the patience ends. */
 static int shared_round(struct nb_team *team, double member) {
   for (const double begin = nb_clock(); nb_clock() - begin < patience;) {
     struct round round = {.member = member};
@@ -105,10 +105,10 @@ static void the_team_rests(void) {
   struct round round = {.done = 0};
   run(team, PARTS, &round);
   CU_ASSERT(atomic_load(&round.by_members) == 0 ||
-            nb_clock() - begin > 0.9); /* unless this thread was stopped so long */
+            nb_clock() - begin > 0.9); /* late: other programs have stopped this thread for most of the 1 s */
   CU_ASSERT(shared_round(team, 0) > 0);
   const double rest = nb_clock() - begin;
-  CU_ASSERT(rest > 0.5); /* 1 s minus the time from the end of that round to `begin` */
+  CU_ASSERT(rest > 0.5); /* 1 s minus the time from the end of the shared round to `begin` */
   nb_team_free(team);
 }
 

@@ -32,7 +32,7 @@ static void skipped(void) {
   nb_outcome_free(&outcome);
 }
 
-/* Blocks in quotations, lists or indented text are prose for Markdown: all their statements are reported. */
+/* Blocks in quotations, lists or indented text are prose for Markdown: their expectations are reported as skipped. */
 static void hidden(void) {
   static const struct {
     const char *text;

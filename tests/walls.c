@@ -233,7 +233,7 @@ static void one_contact_at_a_corner(void) {
     snprintf(walls, sizeof walls, "wall a %.17g %.17g to %.17g %.17g m\nwall b %.17g %.17g to %.17g %.17g m",
              a[from_a][0], a[from_a][1], a[!from_a][0], a[!from_a][1], b[from_b][0], b[from_b][1], b[!from_b][0],
              b[!from_b][1]);
-    push(walls, x - 0.9 * ey, y + 0.9 * ex, &contacts); /* at a straight joint, */
+    push(walls, x - 0.9 * ey, y + 0.9 * ex, &contacts); /* at the common end of two walls in line, */
     CU_ASSERT_EQUAL(contacts, 1);
     push(walls, x - 0.9 * ey + 0.1 * ex, y + 0.9 * ex + 0.1 * ey, &contacts); /* and a little beyond it */
     CU_ASSERT_EQUAL(contacts, 1);

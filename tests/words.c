@@ -37,8 +37,8 @@ static void apostrophes(void) {
   CU_ASSERT_STRING_EQUAL(quoted("'"), "''\\'''");
 }
 
-/* The first and the last character of each length in UTF-8, and their neighbours, which are none (RFC 3629). The first
- * byte that is not of a character is in the second column. */
+/* The first and the last character of each length in UTF-8 that a terminal may show. Control characters, and bytes that
+ * are no character (RFC 3629), are replaced: in each `text` the second byte is the first one that is replaced. */
 static void characters(void) {
   static const char *const shown[] = {"\t",
                                       "~",

@@ -4,9 +4,9 @@
  *
  *   tests/bench/passes PAGE [ISA]
  *
- * Prints a line for each pass: name, clock cycles of the processor a contact. Time is converted with the clock that a
- * chain of dependent additions shows in the same process. This is not a test: it prints, and fails only for a page that
- * does not run.
+ * Prints a line for each pass: its name, and the clock cycles of the processor per contact. The duration of a clock cycle
+ * is measured in the same process, by a chain of dependent additions. This is not a test: it prints, and fails only for
+ * a page that does not run.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdio.h>

@@ -107,7 +107,7 @@ static void write_kinds(FILE *out, const struct results *results) {
   }
 }
 
-/* One row of counts, and the verdict; returns the number of criteria that do not hold. */
+/* Writes one row of counts and the criteria that do not hold; returns their number. */
 static size_t write_score(FILE *out, const char *name, const struct score *score) {
   fprintf(out, "| %s | ", name);
   write_share(out, score->within, score->answered);
@@ -305,7 +305,7 @@ static void write_beginning(FILE *out, const struct results *results) {
 bool write_document(FILE *out, FILE *header, struct results *results) {
   const struct score whole = score_of(results->draws, results->draw_count, WHOLE, BOTH_HALVES);
   size_t zero = 0;
-  double largest = 0; /* largest of the true errors that are not known */
+  double largest = 0; /* largest true error among those too small to be known */
   for (size_t d = 0; d < results->draw_count; d++) {
     const struct choice *choice = &results->draws[d].choices[WHOLE];
     if (!isnan(choice->error) && isnan(choice->claim))

@@ -14,7 +14,8 @@ enum { DRAWS = 3, MEAN_DRAWS = 12, TRUTH_REALIZATIONS = 64, DRAWS_MAX = 4000 };
  * steps and laws, and the smallest tolerance for means. */
 static const double search_time = 2, truth_time = 1, grid_time = 3;
 static const double lowest_tolerance = 1e-4, highest_tolerance = 0.3, lowest_of_mean = 0.005;
-static const double truth_margin = 10; /* a true error is known if it is this many times the last change of the truth */
+static const double truth_margin =
+    10; /* a true error is known if it is at least this many times the truth's last change */
 
 /* Errors of quantities at one phase, by the number of steps per collision, in bins of factors of two. */
 enum { BINS = 10, ERRORS_MAX = 8000 };
