@@ -1,5 +1,5 @@
-/* Reference: particles without contacts in an affine strain of the rate L. Its velocity L x moves the particles in
- * addition to their own velocities, or is accumulated in these velocities.
+/* Reference: particles without contacts in an affine strain of the rate L. The velocity L x of this strain moves the
+ * particles in addition to their own velocities, or is accumulated in these velocities.
  *
  * x is the position along an axis of the strain, x_N after N cycles, and e = L dt the strain of a cycle, at the strain
  * rate L. `affine strain`, from rest:
@@ -15,8 +15,8 @@
  * then the particle oscillates. A + B = x_0; from rest, x_1 = (1 + e) x_0.
  *
  * Returns, for D that monitors a particle:   D.x, D.y along cycle, m
- * Accepts one or two stages with strains along the axes about the origin, one step and one damping; only the last stage
- * may be `accumulated`. Error: rounding.
+ * Accepts one or two stages with strains per cycle along the axes about the origin, one step and one damping; only the
+ * last stage may be `accumulated`. Error: rounding.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <complex.h>

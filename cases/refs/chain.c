@@ -14,9 +14,9 @@
  *
  * Returns
  *   C.normal along cycle, time              for C that monitors a contact
- *   C.normal mean, C.normal frequency       for C that monitors a contact, if a single mode moves
+ *   C.normal mean, C.normal frequency       for C that monitors a contact, if a single mode moves and is stable
  *   D.x, D.vx.half along cycle, time        for D that monitors a particle
- *   time in STAGE                           of a stage that lasts until such a curve rises above a value
+ *   time in STAGE                           of a stage that lasts until one of these quantities is above a value
  *   step.stable                             2/omega with omega^2 = 4 k/m, for N > 1
  * Exact as long as no contact opens, which is not checked: a straight row of linear springs is a linear system.
  *
@@ -125,7 +125,7 @@ static void add_contact(struct nb_solution *solution, const struct chain *chain,
   solution_value(solution, chain->k * chain->overlap, name);
 }
 
-/* `time in STAGE` of stages that last until a velocity rises above a value. */
+/* `time in STAGE` of stages that last until a quantity of a curve is above a value. */
 static void add_ends(struct nb_solution *solution, const struct nb_scene *scene, const struct chain *chain) {
   double n = 0;
   for (size_t s = 0; s < scene->stage_count; s++) {
@@ -178,7 +178,8 @@ static enum nb_status refuse(struct nb_error *error, const char *what) {
   return nb_error_set(error, NB_BAD_USE, "the reference `chain` is for %s", what);
 }
 
-/* Sets the overlap; false: not all contacts have the same one, or the particles are not numbered in the order of x. */
+/* Sets the overlap. False: the contacts do not all have the same positive overlap, the particles are not numbered in
+ * the order of x, or a wall is not normal to x. */
 static bool read_overlap(struct chain *chain, const struct nb_scene *scene) {
   const double radius = scene->particles[0].radius;
   const struct nb_wall *west = &scene->walls[0], *east = &scene->walls[1];

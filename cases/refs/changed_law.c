@@ -12,7 +12,7 @@
  *                            A = 3 mu N/(2 alpha K(alpha)),    y = (A alpha - s)/(A - s_1/alpha)
  *
  *   s   tangential displacement since the shear law or its memory size changed, m. A stage that repeats the law, or
- *       changes the normal law alone, does not reset it. The stage from t_0 to t_N has the forces at t_0 < t <= t_N
+ *       changes the normal law alone, does not reset it. At t_0 < t <= t_N the laws of the stage from t_0 to t_N hold
  *   s_1 tangential displacement of the first step after that change, m. The law takes a contact without history as
  *       formed in that step, with overlap and s growing in proportion. The contact consists of springs side by side.
  *       The one that begins to touch at the overlap x has the stiffness dK and is displaced by s - s_1 x/alpha, until
@@ -83,7 +83,8 @@ static double shear_at(const void *data, double time) {
   return strcmp(part->shear, "none") == 0 ? 0 : copysign(exact(it, part, fabs(s), normal_at(data, time)), s);
 }
 
-/* False: a stage moves the wall, has a step that is not given as a time, or makes the contact slide. */
+/* False: a stage changes the motion of the wall, has a step that is not given as a time, or makes the contact slide; or
+ * there are more than STAGES stages. */
 static bool read_stages(struct course *it, const struct nb_scene *scene) {
   const char *normal = scene->normal, *shear = scene->shear;
   int pieces = scene->pieces;

@@ -34,7 +34,8 @@
 enum { BRANCHES = 64 };
 
 struct branch {
-  double t, d, sense, size;
+  double t, d, sense; /* t0, d0, s */
+  double size;        /* 1: virgin loading; 2: any later branch */
 };
 
 struct law {

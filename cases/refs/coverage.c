@@ -90,8 +90,8 @@ static void note_particles(int lines[], const struct nb_scene *scene) {
   note(lines, HAS_START, scene->start.stages > 0, scene->start.line);
 }
 
-/* Friction and cohesion, only of pairs that can touch: the material of a particle with that of another particle or of a
- * wall. Changes in stages are noted for all pairs. */
+/* Friction and cohesion, only of pairs of materials that can touch: one is the material of a particle, the other that
+ * of any particle or wall. Changes in stages are noted for all pairs. */
 static void note_friction(int lines[], const struct nb_scene *scene) {
   for (size_t a = 0; a < scene->material_count; a++)
     for (size_t b = 0; b < scene->material_count; b++) {
@@ -219,8 +219,8 @@ static bool lists_law(const char *laws, const char *law) {
   return false;
 }
 
-/* Lists what the reference covers: its laws of this kind, "normal " or "shear ", otherwise its features. A list that does
- * not fit ends in "…". */
+/* Lists what the reference covers: its laws of this kind, "normal " or "shear ", otherwise its features. A list that
+ * does not fit ends in "…". */
 static void list_covered(char *list, size_t size, const struct nb_reference *reference, const char *kind) {
   const char *const laws = *kind == 'n' ? reference->normal : *kind == 's' ? reference->shear : "";
   const char *between = "";

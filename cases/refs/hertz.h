@@ -17,7 +17,7 @@ struct hertz {
   double depth;                           /* alpha*, the largest overlap without damping, m [R89 5.9] */
   double unit;                            /* alpha* / V_N, s */
   double duration;                        /* T_c, s [R89 5.12] */
-  double step;                            /* of the first stage, s */
+  double step;                            /* of the scene, s */
   double damping;                         /* beta of `damping ratio`, 1 [R89 4.13]; 0: none */
   const struct nb_particle *particles[2]; /* the second is NULL for a wall */
   double ex, ey;                          /* unit vector from the first to the second */
@@ -36,12 +36,14 @@ double hertz_ratio(double restitution);
 /* The normal force at an overlap, N [R89 5.5] */
 double hertz_force(const struct hertz *hertz, double overlap);
 
-/* NB_BAD_USE unless the scene is such an impact without spin; a wall, if there is one, has a constant velocity. */
+/* NB_BAD_USE unless the scene is such an impact without spin, and the step is given as a time or as a fraction of the
+ * collision. A wall must have a constant velocity. */
 enum nb_status hertz_read(struct hertz *hertz, const struct nb_scene *scene, const char *reference,
                           struct nb_error *error);
 
-/* Adds C.overlap and C.normal at the end of each stage of a given number of cycles, and their maxima: of the run, and
- * of the stage that contains the time `when` of the largest overlap `deepest`. */
+/* Adds C.overlap and C.normal at the end of each stage before the first one that ends with a condition or has another
+ * step. Also adds their maxima: of the run, and of the stage that contains the time `when` of the largest overlap
+ * `deepest`. */
 void hertz_add_stages(struct nb_solution *solution, const struct hertz *hertz,
                       double (*overlap_at)(const void *data, double t), const void *data, double deepest, double when);
 /* Add C.WHAT for the monitor of the contact, if there is one: a value, or a curve along `time` or along C.overlap.

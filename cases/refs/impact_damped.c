@@ -23,7 +23,7 @@ static double duration(double beta) {
 }
 
 /* psi2. Spring i, with the deflection u[i] = 0 at first, touches from the overlap depth[i] on. INFINITY: the contact
- * does not end. */
+ * does not end, or GSL failed. */
 static double rebound(double chi, double kappa, double beta, double psi1, int steps, double *u, const double *depth,
                       int springs) {
   const double dashpot = 1.6 * sqrt(15 * kappa / 8) * beta, dt = duration(beta) / steps;

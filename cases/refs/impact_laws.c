@@ -51,7 +51,8 @@ static double randall(struct step s, struct history *m) {
   if (m->unloading)
     m->star += m->sense * s.dn; /* [R89 4.20] */
   double slip = (m->unloading ? -m->sense : m->sense) * s.dd;
-  /* A reversal. While N decreases, the contact slips on in its direction unless the reverse displacement is faster. */
+  /* A reversal. While N decreases, the contact slips on in its direction unless the reverse displacement is larger than
+   * the decrease of xi. */
   if (slip < 0 && -slip > -s.dxi) {
     m->unloading = !m->unloading;
     m->star = s.f + m->sense * s.dn;

@@ -143,7 +143,7 @@ static void fill_matrices(struct lattice *lattice, const struct nb_scene *scene)
   }
 }
 
-/* The matrices are dense: 1000 particles take some 100 MB and minutes. */
+/* The matrices are dense: 1000 particles take several 100 MB and minutes. */
 static enum nb_status check_size(const struct nb_scene *scene, struct nb_error *error) {
   enum { MOST = 1000 };
   return scene->particle_count <= MOST

@@ -116,8 +116,8 @@ struct oscillation_modes {
 struct oscillation_modes oscillation_modes_create(const struct lattice *lattice);
 void oscillation_modes_free(struct oscillation_modes *modes);
 
-/* Force `row` (2c: normal, 2c + 1: shear of contact c), starting from rest. NULL and an error when memory runs out or
- * the step is too long. Free with free(). */
+/* Force `row` (2c: normal, 2c + 1: shear of contact c), starting from rest. NULL and an error when memory runs out, the
+ * step is too long, or the modes could not be computed. Free with free(). */
 struct oscillation *oscillation_create(const struct lattice *lattice, const struct oscillation_modes *modes, size_t row,
                                        enum oscillation_time time, double unit, struct nb_error *error);
 double oscillation_at(const void *oscillation, double x);       /* x in cycles times unit */

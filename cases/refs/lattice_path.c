@@ -30,7 +30,7 @@
 
 enum { INCREMENTS = 1000, ATTEMPTS = 60 }; /* increments of each stage; iterations of the contact states in one */
 enum { OPEN = 2 };                         /* a value of walk.slides */
-static const double weak = 1e-10, rounding = 1e-10;
+static const double weak = 1e-10, rounding = 1e-10; /* rounding: the fraction of the largest force that may be wrong */
 
 /* The state of the network, and workspace. K has the derivatives of the contact forces with respect to the overlaps and
  * slips, by the rules above. */

@@ -1,4 +1,5 @@
-/* Reference: a standing wave in a periodic square or hexagonal lattice of equal discs or spheres, from given initial velocities.
+/* Reference: a standing wave in a periodic square or hexagonal lattice of equal discs or spheres, from given initial
+ * velocities.
  *
  * In a wave of the wave vector q the particle at x has the displacement u = U sin(q.x) and the rotation
  * theta = psi cos(q.x). Neighbours i and j are s apart at rest, e is the unit vector from i to j, and n is e turned

@@ -16,7 +16,8 @@ struct limit {
   double single_contact;
 };
 
-/* Builds the network of all pairs with a gap below `largest_gap`, m, and the given damping. NB_BAD_USE: no pair. */
+/* Builds the network of all pairs with a gap below `largest_gap`, m, and the given damping. NB_BAD_USE: no pair, or
+ * no spring that moves a particle. */
 enum nb_status limit_build(struct limit *limit, const struct nb_scene *scene, const struct nb_damping *damping,
                            double largest_gap, struct nb_error *error);
 void limit_free(struct limit *limit);

@@ -1,11 +1,12 @@
-/* Reference: a sphere that bounces repeatedly on a spring and a dashpot, with its weight also during the contact.
+/* Reference: a disc or sphere that bounces repeatedly on a spring and a dashpot, with its weight also during the
+ * contact.
  *
  * In contact the overlap d obeys  m d'' + c d' + k d = m g,  with d = 0 and d' = v at first. With w^2 = k/m, the time t
  * in units of 1/w, u = w d/v, the damping ratio b, s = (1 - b^2)^(1/2) and eps = g/(w v),
  *
  *   u = exp(-b t) sin(s t)/s + eps (1 - exp(-b t) (cos s t + b/s sin s t))
  *
- * The contact ends at the first root of u after 0, with the speed -u' v, and the sphere rises by (u' v)^2/(2 g).
+ * The contact ends at the first root of u after 0, with the speed -u' v, and the particle rises by (u' v)^2/(2 g).
  * Newton's method finds the root from t = pi/s, the root without weight. To first order in eps the coefficient of
  * restitution e = -u' is
  *
@@ -22,7 +23,7 @@
 
 #include "single.h"
 
-/* The coefficient of restitution; NAN: the weight keeps the sphere on the wall. */
+/* The coefficient of restitution; NAN: the weight keeps the particle on the wall. */
 static double restitution(double b, double eps) {
   const double s = sqrt(1 - b * b);
   double t = 3.14159265358979323846 / s, slope = NAN;

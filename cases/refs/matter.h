@@ -31,4 +31,4 @@ struct matter_pair {
 };
 struct matter_pair matter_pair(const struct nb_scene *scene, int material_a, int material_b);
 
-double matter_radius(double a, double b); /* R*, m; INFINITY for a wall */
+double matter_radius(double a, double b); /* R*, m; the radius of a wall is INFINITY */

@@ -4,7 +4,7 @@
  * The network of springs (lattice_path.c) follows the path of the walls in equilibrium; contacts slide and stick again.
  *
  * Returns, for C that monitors a contact:
- *   C.normal, C.shear along cycle, linear between the points of the path, and at the end of each stage
+ *   C.normal, C.shear along cycle, linear between the points of the path, and at the end of each stage and of the run
  * Exact for small displacements and infinitely slow walls. The relative errors of a run are the ratio of overlap to
  * radius, the square of the angle of the walls, divided by this ratio, and the effect of the speed of the walls.
  *

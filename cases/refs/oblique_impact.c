@@ -1,7 +1,8 @@
 /* Reference: oblique impact of a sphere on a wall or on another sphere.
  *
  * `shear mindlin_deresiewicz` is computed as the exact contact, by independent springs (impact_springs.c). A simplified
- * law is computed in its limit for small steps (impact_laws.c). In dimensionless numbers the impact has two parameters:
+ * law is computed in its limit for small steps (impact_laws.c). In dimensionless numbers the impact has two parameters,
+ * and with `shear linear` also `spring` of impact_springs.h:
  *
  *   psi1 = V_T/(mu kappa V_N)       chi = (1 + m R^2/I)/(2 kappa)       kappa = (E* / G*)/4     [R89 5.14, 5.15]
  *
@@ -14,7 +15,7 @@
  *   energy.frictional, energy.sliding              dissipated in all, and in gross sliding, J
  *   impact.normal, .shear, .slip along impact.time
  *   impact.time, .slip in STAGE                    of a stage that ends when gross sliding begins or ends, or
- *                                                  impact.shear passes a value
+ *                                                  impact.time, .shear or .normal passes a value
  *   C.normal max, C.overlap max                    for C that monitors the contact
  *
  * Source   Maw, Barber and Fawcett (1976) for the numbers [R89 sec. 5.3.2]; Popov and Hess (2015) for the springs.
@@ -133,7 +134,7 @@ static bool holds(const struct nb_condition *condition, const struct impact_path
   return condition->relation == NB_ABOVE ? value > condition->value : value < condition->value;
 }
 
-/* The ends of stages that last until gross sliding begins or ends, or a force passes a value. */
+/* The ends of stages that last until gross sliding begins or ends, or impact.time or a force passes a value. */
 static void add_stages(struct nb_solution *solution, const struct nb_scene *scene, const struct impact_path *path,
                        double scale) {
   int k = 0;

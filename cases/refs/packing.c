@@ -91,8 +91,10 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
                         "the reference `packing` is for one `packing`, no other particles, and `normal linear`");
   FILE *file = open_state(scene);
   if (!file)
-    return nb_error_set(error, NB_BAD_USE, "the reference `packing` needs a state beside %.200s that ends in .state",
-                        scene->packings[0].path);
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "the reference `packing` needs the state that belongs to %.200s: a file of the same name that ends in .state",
+        scene->packings[0].path);
   while (fgets(line, sizeof line, file)) {
     if (begins(line, "body "))
       add_body(solution, scene, line);

@@ -13,9 +13,10 @@
  *
  * Returns, as curves along step and at the end of each segment:
  *   overlap, slip, normal, shear, traction.force (equal to shear), stored.shear, dissipated, work.shear
- * Bisection finds the slip for a prescribed force. work.shear is the sum of stored.shear and dissipated: the work
- * along the path itself, not a sum over the rows of the table. Error: with n springs the error of T is of the order of
- * mu N/n^2, 1e-7 of mu N, and the relative error of stored.shear is as small. That of dissipated is up to 1e-6 of its peak.
+ * Bisection finds the slip for a prescribed force. work.shear is the sum of stored.shear and dissipated: the work along
+ * the path itself, not a sum over the rows of the table. Error: with n springs the error of T is of the order of
+ * mu N/n^2, 1e-7 of mu N, and the relative error of stored.shear is as small. The error of dissipated is up to 1e-6 of
+ * its peak.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -28,9 +29,9 @@ enum { SPRINGS = 3000 };
 
 struct row {
   struct path_contact contact;
-  double dy;             /* m */
-  double depth[SPRINGS]; /* y^2/R*, m: overlap at which a spring begins to touch */
-  double u[SPRINGS];
+  double dy;                   /* m */
+  double depth[SPRINGS];       /* y^2/R*, m: overlap at which a spring begins to touch */
+  double u[SPRINGS];           /* m */
   double approach, slip, lost; /* m, m; energy dissipated so far, J */
 };
 

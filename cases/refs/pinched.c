@@ -39,7 +39,7 @@ static int slope(double t, const double u[], double du[], void *data) {
   return GSL_SUCCESS;
 }
 
-/* From first contact to separation: the speed then, and the largest overlap. False: GSL failed. */
+/* From time 0 to separation: the speed then, and the largest overlap. False: GSL failed. */
 static bool integrate(struct pinch *p, double y, double *speed, double *largest) {
   const gsl_odeiv2_system system = {slope, NULL, 2, p};
   gsl_odeiv2_driver *driver = gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-9, 1e-18, 1e-12);

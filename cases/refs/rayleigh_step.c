@@ -15,8 +15,8 @@
  *   D.vx, D.vy                                   at the end, for D that monitors a particle: the equal spheres 1 and 2,
  *                                                3 and 4, ... exchange their velocities, with the error of the steps
  *                                                (hertz_corner.h)
- * Error    of the steps rounding; of the velocities of the order n^(-5/2) with n steps per collision, some percent for
- *          few steps, depending on where in a step the contact begins
+ * Error    The steps have rounding errors only. The error of the velocities is of the order n^(-5/2) with n steps per
+ *          collision: some percent for few steps, depending on where in a step the contact begins.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_poly.h>

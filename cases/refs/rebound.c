@@ -20,7 +20,7 @@
  * Returns, at the end: D.vx, D.vy, D.spin for D that monitors a particle; impact.psi1, impact.psi2, impact.restitution
  * (ratio of the relative speeds of the centres); energy.kinetic. Also energy.kinetic max, the initial value.
  *
- * Error    in gross sliding rounding; of psi2 by springs 1e-6 without dashpots, 5e-4 with them
+ * Error    in gross sliding: rounding. The error of psi2 by springs is 1e-6 without dashpots, 5e-4 with them.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_math.h>
@@ -84,7 +84,7 @@ static const char *refuse(const struct nb_scene *scene) {
   return NULL;
 }
 
-/* NAN: out of memory; INFINITY: the contact does not end. */
+/* NAN: out of memory; INFINITY: the contact does not end, or GSL failed. */
 static double psi_after(const struct impact *it, double psi1) {
   if (psi1 < no_slip)
     return 0;

@@ -1,7 +1,7 @@
 /* A reference solution: the values and curves that theory predicts for one run. They are computed from the scene alone
  * and have the names that the checks of the page use. A reference never uses a number that the simulator computed. The
- * methods are closed forms, quadrature, root finding, ordinary differential equations and eigenvalues. Only cases/refs
- * uses GSL.
+ * methods are closed forms, quadrature, root finding, ordinary differential equations and eigenvalues. Outside tests/
+ * only cases/refs uses GSL.
  *
  * To add one, write the file, whose last lines define `const struct nb_reference reference_NAME`, and add its path to
  * REFERENCES in build-aux/lists.mk.
@@ -55,7 +55,7 @@ struct nb_reference {
   enum nb_feature accepts[NB_FEATURES], needs[4];
   const char *normal, *shear; /* names of laws, separated by spaces, or NB_ANY_LAW */
   /* NB_BAD_USE and an error in words when the reference does not cover the numbers or the geometry of the scene. It is
-   * called only for scenes whose features it accepts. */
+   * called only for scenes whose features and laws the reference accepts. */
   enum nb_status (*solve)(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error);
 };
 
@@ -63,8 +63,8 @@ struct nb_reference {
  * with NB_NO_MEMORY, so references do not check its allocations. To be called before any reference; more than once is
  * allowed. */
 void nb_references_prepare(void);
-/* Compares the features of the scene with those that the reference accepts, then solves. Call solution_free in any
- * case. */
+/* Compares the features and laws of the scene with those that the reference accepts, then solves. Call solution_free in
+ * any case. */
 enum nb_status nb_reference_solve(const struct nb_reference *reference, struct nb_solution *solution,
                                   const struct nb_scene *scene, struct nb_error *error);
 const struct nb_reference *nb_reference_find(const char *name); /* NULL: no reference of that name */

@@ -13,13 +13,14 @@
  * `accumulated`, R89's code for 4.43, adds L x to the velocity in every cycle and keeps it:
  * x_(N+1) = (2 + L dt) x_N - x_(N-1), x_1 = A x_0. Along an axis of L with the eigenvalue s, from rest and undamped:
  *
- *   x_N = x_0 (sinh((N+1) q) - sinh(N q))/sinh q,   cosh q = 1 + s dt/2, sinh q/2 = (s dt)^(1/2)/2
+ *   x_N = x_0 (sinh((N+1) q) - sinh(N q))/sinh q,   cosh q = 1 + s dt/2, sinh(q/2) = (s dt)^(1/2)/2
  *
  * with sin, cos and (-s dt)^(1/2) if s < 0.
  *
  * L is symmetric; its axes and eigenvalues are GSL's.
  *
- * Returns, along cycle:  D.x, D.y for D that monitors a particle, boundary.area, energy.kinetic.
+ * Returns, along cycle:  D.x, D.y for D that monitors a particle, boundary.area and, without `accumulated`,
+ * energy.kinetic.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_eigen.h>

@@ -18,7 +18,8 @@ struct single {
   const char *contact;
 };
 
-/* NB_BAD_USE unless the wall lies along x, below the particle. */
+/* NB_BAD_USE unless there are one particle and one wall along x below it, and the step is given as a time or as a
+ * fraction of single-contact. */
 enum nb_status single_read(struct single *single, const struct nb_scene *scene, struct nb_error *error);
 /* Adds `MONITOR.WHAT`, with ` in STAGE` if there is one; nothing without a monitor. */
 void single_add(struct nb_solution *solution, const char *monitor, const char *what, const char *stage, double value);

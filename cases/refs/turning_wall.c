@@ -71,7 +71,8 @@ static const char *check_start(const struct nb_scene *scene, const struct rollin
   return NULL;
 }
 
-/* The same for friction and the length of the wall until the end of the run. */
+/* NULL if, until the end of the run, the particle does not slide and does not reach an end of the wall; else what the
+ * reference is for. */
 static const char *check_run(const struct nb_scene *scene, const struct rolling *it, double friction) {
   double end = 0;
   for (size_t s = 0; s < scene->stage_count; s++) {

@@ -48,7 +48,7 @@ static double closest(const struct scatter *it) {
   return high;
 }
 
-static double turning(double s, void *data) { /* d Theta/2 / ds */
+static double turning(double s, void *data) { /* d(Theta/2)/ds */
   const struct scatter *it = data;
   const double span = it->radius - it->closest, r = it->closest + span * s * s;
   /* r'^2 with its zero at r_0 divided out: (r - r_0) times this */

@@ -18,7 +18,7 @@ enum { WAVES_MODES = 3 };
 struct waves_modes {
   int count;                               /* 3, or 2 without rotation */
   double omega[WAVES_MODES];               /* rad/s, ascending */
-  double shape[WAVES_MODES][WAVES_MODES];  /* shape[k][i]: u_x, u_y and psi in mode k, m and rad */
+  double shape[WAVES_MODES][WAVES_MODES];  /* shape[k][i]: displacements u_x, u_y and rotation psi in mode k */
   double weight[WAVES_MODES][WAVES_MODES]; /* weight[k][i]: the amount of mode k in a velocity i; shape^T weight = 1 */
 };
 struct waves_modes waves_modes(const struct waves_lattice *lattice, double qx, double qy); /* 1/m */
