@@ -149,8 +149,8 @@ paper.
 unbalanced force on a particle. The added force is a fraction of the magnitude of this component and acts against the velocity. It was tried and left out ([local-discs.tsv](trades/local-discs.tsv),
 [local-assemblies.tsv](trades/local-assemblies.tsv)). Nine discs come to rest in $(discs local-0.7) cycles with the usual fraction 0.7,
 and in $best_mass with the best of $masses values of \`damping mass\`. The fraction of local damping need not be adapted to the scene.
-Eight assemblies need $(local_mean local-0.7 cycles 1000) cycles until they are at rest with friction, where \`damping ratio 0.1\` needs
-$(local_mean contact-0.1 cycles 1000); the difference is $(local_difference cycles 1000). The differences of porosity, coordination number and
+With local damping, eight assemblies need $(local_mean local-0.7 cycles 1000) cycles on average until they are at rest with friction. With \`damping ratio 0.1\`
+they need $(local_mean contact-0.1 cycles 1000); the difference is $(local_difference cycles 1000). The differences of porosity, coordination number and
 \$\\sin \\Phi\$ are $(local_difference porosity), $(local_difference z) and $(local_difference sinphi). During the shear
 the mean unbalanced force is $(ratio "$(local_mean local-0.7 unbalanced)" "$(local_mean contact-0.1 unbalanced)") times as large.
 

@@ -624,7 +624,7 @@ after the run, is not counted:
 $(unused_rows $later)
 
 Memory is that of the whole run. The arrays of a particle that a later stage needs exist from the start, and so do the fields of
-contacts that a row or a snapshot reads in any stage. \`damping\` of a later stage needs no memory before.
+contacts that a row or a snapshot reads in any stage. \`damping\` of a later stage needs no more memory.
 
 **No cost of size.** Periodic lattices of 16, 32 and 48 discs on a side need $(cut -d '|' -f 1 "$work/line") instructions
 a cycle. Within 0.01 %, these are $(cut -d '|' -f 2 "$work/line") for N discs.

@@ -66,7 +66,7 @@ if [ "$document" ]; then
 $section
 
 \`nineball explain\` prints the cycles, contact updates and processor time that a run will take, in total over a sweep. \`nineball run\`
-prints what it has taken. The table compares them on the $count short cases whose number of cycles is fixed or follows from the clock
+prints what it has taken. The table compares them on the $count short cases whose number of cycles is fixed or follows from a condition on time
 ([expected.sh](../tests/bench/expected.sh)). The commands were called in turn, $((${REPEATS:-5})) times each, and the shortest time
 of each counts, because other programs ran on the machine. The columns are quantiles of expected over actual.
 
