@@ -1,4 +1,4 @@
-# Particles coloured by their radius, several assemblies side by side from left to right. Before loading, the page sets
+# Particles coloured by their radius, several assemblies side by side from left to right. Before it loads this recipe, the page sets
 #
 #   assemblies = '$look_particles_1 $look_particles_2'    # snapshots of particles, named by stage and run
 #   aside = 0.05                                    # distance of the origins of two neighbours, in units of length

@@ -1,5 +1,5 @@
 # Contact forces of an assembly: a line through each contact from centre to centre, in four widths. The width depends on the
-# force over the mean force: up to 0.5, up to 1, up to 2, above 2. Before loading, the page sets
+# force over the mean force: up to 0.5, up to 1, up to 2, above 2. Before it loads this recipe, the page sets
 #
 #   particles = '$rest_particles'; contacts = '$rest_contacts'    # snapshots, named by stage
 set size ratio -1

@@ -1,5 +1,6 @@
-# Force polygons: the contact forces on a particle head to tail, in the order of the contacts around it, drawn at its centre
-# [R89 sec. 4.1]. The polygon of a particle in equilibrium closes; a gap is drawn in orange. Before loading, the page sets
+# Force polygons: the contact forces on a particle, head to tail, in the order of the contacts around the particle, drawn at
+# its centre [R89 sec. 4.1]. The polygon of a particle in equilibrium closes; a gap is drawn in orange. Before it loads this
+# recipe, the page sets
 #
 #   particles = '$rest_particles'; contacts = '$rest_contacts'; longest = 0.0004    # longest side, in units of length
 #   chosen(x, y) = 1                                                          # true where polygons are drawn

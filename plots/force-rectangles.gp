@@ -1,5 +1,5 @@
 # Contact forces as Cundall and Strack draw them [CS79 figure 5b, section Units]: a rectangle through each contact along its
-# force. Its length is the sum of the two radii, its width is proportional to the force. Before loading, the page sets
+# force. Its length is the sum of the two radii, its width is proportional to the force. Before it loads this recipe, the page sets
 #
 #   particles = '$rest_particles'; walls = '$rest_walls'; contacts = '$rest_contacts'    # snapshots, named by stage
 #   widest = 20                                                                    # largest width, in units of length

@@ -1,4 +1,4 @@
-# Histogram of a quantity of contacts, for several snapshots. Before loading, the page sets
+# Histogram of a quantity of contacts, for several snapshots. Before it loads this recipe, the page sets
 #
 #   tables = '$rest_contacts $shear_contacts'; names = 'before after'    # one step line each
 #   of(c) = column('shear/N') / column('limit/N'); low = -1; high = 1; bins = 20

@@ -1,9 +1,9 @@
 # Particles with their numbers, on a grid of boxes, and the polygon of the boundary, as the program BALL plots them
-# [R89 sec. 4.2]. Before loading, the page sets
+# [R89 sec. 4.2]. Before it loads this recipe, the page sets
 #
 #   particles = '$rest_particles'
 #   box = 3                              # side of the boxes, in units of length; 0: no boxes
-#   boundary = '$rest_boundary'          # ''  : no boundary
+#   boundary = '$rest_boundary'          # '': no boundary
 set size ratio -1
 unset border
 unset tics

@@ -1,5 +1,5 @@
 # Shear force T against normal force N of each contact, both over the mean normal force, and the friction limit; contacts on
-# the line slide [R89 figure 6.19]. Before loading, the page sets
+# the line slide [R89 figure 6.19]. Before it loads this recipe, the page sets
 #
 #   contacts = '$rest_contacts'; friction = 0.3
 unset key

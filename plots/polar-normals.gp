@@ -1,5 +1,5 @@
 # Polar histogram of contact directions, ten degrees per bin; each contact counts at both of its ends
-# [R89 figures 6.15, 6.16, 6.36-6.41]. Before loading, the page sets
+# [R89 figures 6.15, 6.16, 6.36-6.41]. Before it loads this recipe, the page sets
 #
 #   contacts = '$rest_contacts'; weight = 'all'    # or 'normal': weighted by the normal force; 'sliding': sliding contacts only;
 #                                                  # 'near': those with a shear force of at least 0.99 of its limit

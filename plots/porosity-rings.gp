@@ -1,5 +1,5 @@
 # Porosity against the distance from the centre of a region with `rings` [R89 figure 6.5]: boxes for the rings, and a line for the
-# whole circle within each radius. Before loading, the page sets
+# whole circle within each radius. Before it loads this recipe, the page sets
 #
 #   rings = '$rest_rings'
 set key

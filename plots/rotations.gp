@@ -1,9 +1,10 @@
-# Rotation of particles since the reference configuration [R89 sec. 4.1, sec. 4.2]. Before loading, the page sets
+# Rotation of particles since the reference configuration [R89 sec. 4.1, sec. 4.2]. Before it loads this recipe, the page sets
 #
 #   particles = '$rest_particles'    # of `snapshot from STAGE`
 #   turns = 'size'             # orange counterclockwise, blue clockwise; the deepest colour is the largest rotation
 #   turns = 'direction'        # the two colours only
-#   turns = 'vector'; longest = 0.001    # arrows: up if counterclockwise, down if clockwise; length of the longest arrow
+#   turns = 'vector'; longest = 0.001    # arrows: up if counterclockwise, down if clockwise; longest: of the longest arrow, in
+#                                        # units of length
 set size ratio -1
 unset border
 unset tics

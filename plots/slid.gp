@@ -1,5 +1,5 @@
 # Sliding displacement of contacts since the reference configuration: a bar along the tangent of each contact [R89 sec. 4.2].
-# Before loading, the page sets
+# Before it loads this recipe, the page sets
 #
 #   particles = '$rest_particles'; contacts = '$rest_contacts'    # of `snapshot from STAGE`
 #   longest = 0.001                                               # length of the longest bar, in units of length

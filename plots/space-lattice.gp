@@ -1,5 +1,5 @@
 # Space lattice of an assembly: lines between the centres of particles in contact. Contacts that are new since the reference
-# configuration are thick and orange, lost ones dashed and blue [R89 figure 6.35]. Before loading, the page sets
+# configuration are thick and orange, lost ones dashed and blue [R89 figure 6.35]. Before it loads this recipe, the page sets
 #
 #   lattice = '$rest_lattice'    # of `snapshot from STAGE`
 set size ratio -1

@@ -1,5 +1,5 @@
 # Stress path of a region: half the difference of the principal stresses against their mean, one line per table
-# [R89 figure 6.27]. The broken line has the given slope, sin Phi. Before loading, the page sets
+# [R89 figure 6.27]. The broken line has the given slope, sin Phi. Before it loads this recipe, the page sets
 #
 #   tables = '$table'; region = 'A'; unit = 'Pa'; slope = 0.3    # recorded: region.stress.mean and .deviator
 unset key

@@ -1,4 +1,4 @@
-# Velocities of particles as arrows from their centres [R89 figure 6.31]. Before loading, the page sets
+# Velocities of particles as arrows from their centres [R89 figure 6.31]. Before it loads this recipe, the page sets
 #
 #   particles = '$rest_particles'; longest = 2    # length of the largest arrow, in units of length
 set size ratio -1

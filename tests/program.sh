@@ -387,10 +387,10 @@ out ': shear with rotation, the engineering shear rate is 3e-05 per cycle'
 out '    line 15: xx +0.0001 per cycle: extension in x; yy -0.0001 per cycle: compression in y'
 printf '```scene\nunits si\nmaterial a density 1 g/cm3 kn 1 N/m\ncell 0 m 0 m to 9 m 9 m\ndisc 1 m 1 m radius 1 m a\nstep 1 us\nrecord time\nstage shear\ncell strain 0 1/s 0 1/s c12 0.1 1/s\nuntil cell.strain.xy above 10 %% at most 9 cycles\n```\n' >half.md
 run 0 explain half.md
-out 'half the engineering shear strain; a shear strain of 10 % within this stage is `stage.time above 1 s`'
+out 'half the engineering shear strain; for an engineering shear strain of 10 % within this stage write `stage.time above 1 s`'
 sed 's,0.1 1/s,1e-3 per cycle,; s,0 1/s 0 1/s,0 per cycle 0 per cycle,' half.md >half-cycles.md
 run 0 explain half-cycles.md
-out 'a shear strain of 10 % within this stage is `cycles 100`'
+out 'an engineering shear strain of 10 % within this stage write `cycles 100`'
 sed 's/shear 2e-5 per cycle//' "$pages/drives.md" >straight.md
 run 0 explain straight.md
 grep -q 'line 15: strain rate' out && echo 'a strain without shear has an engineering shear rate' >>why
@@ -669,7 +669,7 @@ out 'pass  D.x increases with T over seed'
 out 'from 1 to 2: mean difference +2.5, 95 % confidence 0.4457 to 4.554, mean 4.75'
 out '2 of 2 checks passed, 6 noted'
 run 0 check "$pages/sample.md" --tap
-out 'ok 3 - D.x expected 0.5 of D.x max over seed [a share, 1 in all] (T=1, n=8) # SKIP noted, not checked'
+out 'ok 3 - D.x expected 0.5 of D.x max over seed [a fraction; it is 1 in all runs] (T=1, n=8) # SKIP noted, not checked'
 run 1 check "$pages/sample.md" --set push=-2 # all differences are smaller by 3: the interval contains 0 and ends below 4.6
 out 'FAIL  D.x increases with T over seed'
 out 'from 1 to 2: mean difference -0.5, 95 % confidence -2.554 to 1.554'

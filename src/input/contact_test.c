@@ -254,7 +254,7 @@ NB_STATEMENTS(contact_test) = {
    "normal|shear to|by X: a force: `to` a value, or `by` a difference; the normal force is compressive, 0 or more.\n"
    "hold normal|shear: keeps this force constant, in place of the overlap or the slip.\n"
    "in N steps: a whole number, 1 or more; without it: 100. Number of steps.\n"
-   "follow FILE: one step to each point of a file with tab-separated columns `approach/m` and `slip/m`; `nineball --help start` says where the program searches for the file.",
+   "follow FILE: one step to each point of a file. The file has the columns `approach/m` (or `overlap/m`) and `slip/m`, in any unit of length, separated by tabs or by spaces. `nineball --help start` says where the program searches for it.",
    "segment   press  overlap to 10 um  in 5 steps\nsegment   load   shear to 15 N  hold normal\n"
    "segment   back   slip by -2 um  overlap by -1 um  in 1 step"},
   {0},

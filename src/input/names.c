@@ -564,8 +564,8 @@ static bool lacks_owner(const struct nb_scene *scene, const char *text) {
   return kind_at(k) && !scene->contact_test;
 }
 
-/* Writes the line to write for another name of a quantity, which stands in the table of words with its note:
- * `box.strain.xx`, and `duration` of `C.duration`. False: there is no such line. */
+/* Writes the note of the table of words on another name of a quantity: `box.strain.xx`, and `duration` of `C.duration`.
+ * The note says what to write. False: there is no note. */
 static bool meant_line(char *hint, const char *text) {
   const struct nb_synonym *const synonym = nb_pair_synonym("quantity", text);
   return synonym && synonym->note && nb_pair_hint(hint, "quantity", text);

@@ -130,8 +130,8 @@ bool nb_line_mistake(struct nb_reader *reader, size_t line, const char *hint, co
 /* Reports "expected WHAT, found `token`" at the next token. */
 bool nb_expected(struct nb_reader *reader, const char *hint, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-/* Reports at the end of the line that it lacks a word that begins with `begin`, unless the line or a hint for it has one.
- * The line may already have another mistake. */
+/* Reports at the end of the line that no word of it begins with `begin`. No report if there is such a word, or if the
+ * last message is about this line and its hint has `begin`. The line may already have another mistake. */
 void nb_line_needs(struct nb_reader *reader, const char *begin, const char *hint, const char *what);
 /* Writes the hint for syntax of another language or a word processor to `hint`, a text of NB_HINT_SIZE; NULL: none. */
 const char *nb_syntax_hint(const struct nb_reader *reader, char *hint, const char *text);
@@ -169,7 +169,8 @@ struct nb_comparison {
 };
 /* False with a mistake if the bounds decide the comparison. `what`: "a condition". */
 bool nb_comparison_is_open(struct nb_reader *reader, const struct nb_comparison *comparison, const char *what);
-/* Warns if only a law of one's own can decide the comparison otherwise. */
+/* Warns if the comparison always or never holds with all laws of the program; a law of the user's own with tensile forces
+ * may change this. */
 void nb_comparison_warn(struct nb_warnings *warnings, int line, const struct nb_comparison *comparison);
 /* Warns of a condition or an expectation, `what`, on another stress than the servo of stage `s` controls, if friction at
  * the walls makes them differ. False: out of memory. */
@@ -199,8 +200,8 @@ enum {
   NB_IN_RAMP = 8, /* in a line after the word `ramp` */
   NB_IN_CONTACT_TEST = 16,
   NB_IN_SEGMENT = 32,
-  NB_IN_CELL = 64,     /* with one of the first two: the scene has a cell and no walls, unlike the manual's page */
-  NB_IN_START = 128,   /* after `start`, before the first stage */
+  NB_IN_CELL = 64,   /* for the manual: the example needs a scene with a cell, so it is no part of the manual's page */
+  NB_IN_START = 128, /* after `start`, before the first stage */
   NB_OWN_EXAMPLE = 256 /* for the manual: the example of the row is a page of its own */
 };
 

@@ -97,8 +97,8 @@ int nb_wall_of(const struct nb_scene *scene, struct nb_reader *reader, const str
 /* Takes NAME {radius R} after `grading`. Returns the index of the grading, or -1 with a message; *size: the index of
  * the size, or -1 if the statement names no size. */
 int nb_take_grading(const struct nb_scene *scene, struct nb_reader *reader, int *size);
-/* The hint how to define what a statement lacks; after `cell strain` and the like also where the strains are
- * compared. */
+/* The hint how to define what a statement lacks. After `cell strain`, `box strain` or `boundary strain` it also refers to
+ * the help that compares them. */
 #define NB_DEFINE(reader, how)                                                                                         \
   ((reader)->count > 1 && strcmp((reader)->tokens[1].text, "strain") == 0 ? how                                        \
        "; `nineball --help strain` compares the four statements"                                                       \
@@ -151,7 +151,7 @@ void nb_ramps_check(struct nb_scene_reading *reading);
 void nb_box_check(struct nb_scene_reading *reading);
 /* Warns of an inherited strain rate against which a servo works, and of conditions: nb_servo_compare. */
 void nb_servo_check(struct nb_scene_reading *reading);
-/* Imposed motion is not reversed; a cell has no boundary. */
+/* Imposed motion is not reversed; a scene with a cell has neither a boundary nor `affine strain`. */
 void nb_imposed_motion_check(struct nb_scene_reading *reading);
 /* A contact test has a contact and a segment. The function also applies `--set follow=FILE`. */
 void nb_contact_test_check(struct nb_scene_reading *reading);

@@ -139,7 +139,7 @@ static unsigned long whole_number(struct stream *stream, unsigned long now, unsi
     return nb_text_add(stream->out, " %lu", now), now;
   take_field(stream, field, "a whole number");
   const unsigned long value = strtoul(field, &end, 10);
-  if (high < low) /* the number of a particle, for which there is no record */
+  if (high < low) /* the number of a particle, but no record `body` stands above */
     expected(stream, "a record `body %lu` above", low);
   else if (*end || field[0] < '0' || value < low || value > high)
     expected(stream, "a whole number from %lu to %lu", low, high);

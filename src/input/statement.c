@@ -240,8 +240,8 @@ static const char *place_name(unsigned here) {
                                            : "scene";
 }
 
-/* Suppresses messages about what the statement of an unknown first word would define: that of `meant`, or the nearest
- * one. If both are unknown, particles, walls or a cell may be missing, but not in a stage, where they are not defined. */
+/* Suppresses messages about what the statement of an unknown first word would define: the statements of `meant`, else
+ * the nearest one. If both are NULL, the line may define particles, walls or a cell, except in a stage or a segment. */
 static void suppress_unknown(struct nb_reader *reader, unsigned here, const struct nb_synonym *meant,
                              const char *nearest) {
   const char *list = meant ? meant->ours : "";

@@ -81,7 +81,7 @@ NB_APPLY(apply_skin) {
 /* clang-format off */
 NB_STATEMENTS(step) = {
   {"step", NB_IN_SCENE | NB_IN_STAGE | NB_IN_START, no_fields, "TIME | N per collision | F of collision|stable|single-contact|rayleigh|rayleigh-mean|rayleigh-fit|rayleigh-fit-mean", 0, false, apply_step,
-   "Sets the time step: a time, or a fraction F of a reference time. There is no default. In a stage the step changes from this stage on. --set step=… overrides it everywhere. --set refine=R divides the step by R, multiplies all numbers of cycles by R and divides strains per cycle by R, so that the stages last as long as before.\n"
+   "Sets the time step: a time, or a fraction F of a reference time. There is no default. In a stage the step changes from this stage on. --set step=… overrides it everywhere. --set refine=R divides the step and strains per cycle by R and multiplies numbers of cycles by R, so that the stages last as long as before; `every 1 cycle` does not change.\n"
    "TIME: a time above 0.\n"
    "N per collision: a number above 0. N steps last as long as the shortest collision.\n"
    "F of collision: a number above 0, as are all F below. The duration of the shortest collision; for elastic spheres that of Hertz, at the speeds of the pairs predicted to collide at their current velocities.\n"

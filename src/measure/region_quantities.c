@@ -83,8 +83,8 @@ const struct nb_quantity_kind nb_region_kinds[] = {
     OF("area", NB_SCALAR, "m2", NB_AT_LEAST_0, 0, NB_POROSITY, area, "area of the region"),
     OF("porosity", NB_SCALAR, "1", NB_AT_MOST_1, 0, NB_POROSITY, porosity.areal,
        "areal porosity: fraction of the area that no particle covers; particles cut by the edge count with the part "
-       "inside. The area of `all` is a rectangle around the particles; that between the walls of a box is "
-       "box.porosity"),
+       "inside. Without a cell the area of `all` is that of a rectangle around the particles; the porosity between the "
+       "walls of a box is box.porosity"),
     OF("porosity.volume", NB_SCALAR, "1", NB_AT_MOST_1, 0, NB_POROSITY, porosity.volume,
        "porosity by volume; the volume is the area times the thickness: mean diameter of spheres, 1 m for discs [R89 "
        "sec. 4.4]"),

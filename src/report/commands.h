@@ -72,8 +72,8 @@ void nb_print_warnings(FILE *out, const char *before, const char *path, const st
 void nb_repeat_warnings(const char *before, const char *path, const struct nb_warnings *warnings);
 void nb_print_verdict(const struct nb_outcome *outcome);
 void nb_print_tap(const struct nb_outcome *outcome, const char *path);
-/* These print to stderr: an error that belongs to no page, and return its status; the mistakes or the error of an
- * outcome; one error of a page. */
+/* The first function prints to stderr an error that belongs to no page, and returns its status; the second one prints the
+ * mistakes or the error of an outcome, the third one an error of a page. */
 enum nb_status nb_print_plain_error(const struct nb_error *error);
 void nb_print_errors(const struct nb_outcome *outcome, const char *path);
 void nb_print_error(const struct nb_error *error, const struct nb_page *page, const char *path);

@@ -30,7 +30,7 @@ static const struct nb_reducer_row reducers[] = {
     {"at N cycles", NB_AT_CYCLE,
      "the row of that cycle, counted from the start of the run; in a contact test `at N steps`"},
     {"at TIME", NB_AT_TIME, "the value at that time, interpolated linearly between two rows"},
-    {"in all", NB_LAST, "the rows of all stages"},
+    {"in all", NB_LAST, "in place of `in STAGE`: the rows of all stages"},
     {NULL, NB_LAST, NULL},
 };
 
@@ -340,7 +340,7 @@ static bool take_versus(struct nb_reader *reader, const struct nb_scene *scene, 
          take_tolerance(reader, scene, expectation->measure.unit, &expectation->tolerance);
 }
 
-/* Reports a number that the measure cannot have within the tolerance, and a tolerance that all its values are within. */
+/* True, with a message, if the expectation can never hold or can never fail, because of the bounds of the quantity. */
 static bool is_decided(struct nb_reader *reader, const struct nb_token *token, const struct nb_expectation *e) {
   const double least = e->measure.bounds & NB_AT_LEAST_0 ? 0 : -INFINITY;
   const double most = e->measure.bounds & NB_AT_MOST_1 ? 1 : INFINITY;

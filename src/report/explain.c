@@ -473,8 +473,8 @@ static void explain_strain_rate(FILE *out, const struct nb_scene *scene, int lin
             rate->xy == 0 || rate->yx == 0 ? "simple shear" : "shear with rotation", sum, unit);
 }
 
-/* Prints how long a stage with shear lasts for a shear strain, if it ends by a component xy of a strain, which is half the
- * shear strain. */
+/* If a stage with shear ends by a component xy of a strain, which is half the engineering shear strain, prints the end that
+ * gives the engineering shear strain of this value. */
 static void explain_shear_end(FILE *out, const struct nb_scene *scene, const struct nb_stage *stage) {
   static const char xy[] = ".strain.xy";
   const struct nb_strain_rate *const rate = stage->cell_line       ? &stage->cell
@@ -488,8 +488,8 @@ static void explain_shear_end(FILE *out, const struct nb_scene *scene, const str
       continue;
     fprintf(
         out,
-        "    line %d: `%s` is the component of the tensor, half the engineering shear strain; a shear strain of %g %% "
-        "within this stage is ",
+        "    line %d: `%s` is the component of the tensor, half the engineering shear strain; for an engineering shear "
+        "strain of %g %% within this stage write ",
         condition->line, condition->name, 100 * condition->value);
     if (rate->per_cycle)
       fprintf(out, "`cycles %.0f`\n", ceil(fabs(condition->value / sum)));

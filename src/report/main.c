@@ -70,7 +70,9 @@ static const struct option_row {
      "largest error of the quantity: '1 %', or a number in its unit"},
     {"budget", "TIME", 0, TEXT, AT(budget), "advise", "time for the search, s (default: 60)"},
     {"over", "NAME", 0, TEXT, AT(over), "advise",
-     "the error of the mean over realizations, which the values 1, 2, … of the page's `let` or `sweep` NAME make"},
+     "take the error of the mean over realizations; a realization is a run with NAME = 1, 2, …, where NAME is a `let` "
+     "or "
+     "`sweep` of the page"},
     {"realizations", "N", 0, NUMBER, AT(realizations), "advise", "number of realizations, 8 to 32 (default: 8)"},
     {"jobs", "N", 0, NUMBER, AT(options.jobs), CHECKING ", advise",
      "runs of a sweep in parallel (default: the number of processors)"},

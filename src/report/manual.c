@@ -435,7 +435,7 @@ static void strains(const struct manual *to) {
       {"boundary strain", "moves the outermost particles of an assembly; contacts carry the motion inwards. For the "
                           "round assemblies of the thesis. Needs `boundary circle`."},
       {"affine strain",
-       "moves the free particles inside, in addition to their own motion. Together with `boundary strain` at the same "
+       "moves the free particles inside, in addition to their own motion. Use it with `boundary strain` at the same "
        "rate, so that the assembly deforms as a whole at once. Needs no other statement; not possible with a cell."},
   };
   section(to, "Which strain");
@@ -471,7 +471,8 @@ void nb_manual(FILE *out, bool markdown) {
           "This document lists all words of pages. The program writes it from the tables with which it reads pages; "
           "`make language` renews it. The document is itself a page: its examples, one after the other, are a scene, "
           "and `nineball explain docs/LANGUAGE.md` shows what this scene would run. On the terminal `nineball --help "
-          "scene` prints the same, and `nineball --help disc` describes one word. [GLOSSARY.md](GLOSSARY.md) explains "
+          "scene` prints a short form of it, and `nineball --help disc` describes one word. [GLOSSARY.md](GLOSSARY.md) "
+          "explains "
           "the terms of the field.\n\n",
           out);
   grammar(&to);
@@ -651,7 +652,7 @@ static bool words_help(const struct manual *to, const char *text, struct nb_gues
   if (found) {
     strains(to);
   } else if (synonym && nb_synonym_hint(hint, text)) {
-    const char *const see = strstr(hint, " see `nineball"); /* a hint that has its own reference to a help has none */
+    const char *const see = strstr(hint, " see `nineball"); /* the reference to this help is left out */
     fprintf(to->out, "  %.*s\n", see ? (int)(see - 1 - hint) : NB_HINT_SIZE, hint);
   }
   for (const char *list = synonym ? synonym->ours : ""; nb_item(&list, item);)

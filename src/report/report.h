@@ -11,16 +11,17 @@
 
 /* A page of the report. */
 struct nb_report_page {
-  const char *path;                                               /* as the caller gives it */
-  char *real;                                                     /* its real path; owned; NULL: it cannot be read */
-  char name[NB_NAME_SIZE], title[NB_NAME_SIZE * 2], message[512]; /* an error other than a failed check, or empty */
-  char figure[NB_NAME_SIZE + 8];                                  /* NAME.svg, or NAME.png */
-  char cost[256];                                                 /* one line, or empty */
-  char *dropped;                                                  /* names of large files that were removed; owned */
-  struct nb_outcome outcome;                                      /* without its runs */
-  bool document;                                                  /* it has no block of the page language */
-  bool unrun;                                                     /* the page is shown without its results */
-  bool saved, drawn;                                              /* it has tables; it has a figure */
+  const char *path;                                 /* as the caller gives it */
+  char *real;                                       /* its real path; owned; NULL: it cannot be read */
+  char name[NB_NAME_SIZE], title[NB_NAME_SIZE * 2]; /* unique in the report; first heading */
+  char message[512];                                /* an error other than a failed check, or empty */
+  char figure[NB_NAME_SIZE + 8];                    /* NAME.svg, or NAME.png */
+  char cost[256];                                   /* one line, or empty */
+  char *dropped;                                    /* names of large files that were removed; owned */
+  struct nb_outcome outcome;                        /* without its runs */
+  bool document;                                    /* it has no block of the page language */
+  bool unrun;                                       /* the page is shown without its results */
+  bool saved, drawn;                                /* it has tables; it has a figure */
   double seconds;
 };
 

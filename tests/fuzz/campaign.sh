@@ -6,8 +6,9 @@
 #   make fuzz FUZZ=~/nights                         continues what the folder has from earlier nights
 #
 # The folder $FUZZ has the inputs found so far (READER/), those that failed (failed/), the program of each reader (build/)
-# and one row for each session (sessions.tsv). The table of all sessions is printed, and written to report.md. It fails if
-# an input failed. Then repair the reader, and move the input from failed/ to tests/fuzz/corpus, with a name that describes it.
+# and one row for each session (sessions.tsv). The table of all sessions is printed, and written to report.md. The command
+# fails if an input failed. Then repair the reader, and move the input from failed/ to tests/fuzz/corpus, with a name that
+# describes the input.
 #
 #   make fuzz FUZZ_KEEP=yes                         then adds the fewest inputs that reach the same code to tests/fuzz/corpus
 #   make fuzz FUZZ_KEEP=yes FUZZ_SECONDS=0          adds them without a search
