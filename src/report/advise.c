@@ -9,11 +9,12 @@
  * The estimated error of a setting needs the results at its level, at the next two finer levels, and an anchor that is
  * at least two levels finer. Levels are tried from the coarsest one on; the first level within the tolerance is the
  * cheapest of its variant. A variant is left out if the page or its reference solution refuses it, or if it gives the
- * values of another variant. It is also left out if its values, at the level that was found for the page as it is,
- * differ from the anchor by more than twice the tolerance.
+ * values of another variant. It is also left out if, in the first trial at the level that was found for the page as it
+ * is, its values differ from the anchor by more than twice the tolerance.
  *
- * With realizations only the error of their mean is estimated. The anchor is then the page with half its step, and no
- * step is shorter than that of the page. The guaranteed stable step differs between realizations, so a setting is left
+ * With realizations only the error of their mean is estimated. The anchor is then the page with half its step, no step
+ * is shorter than that of the page, and no variant is left out because its values are equal to others or too far from
+ * the anchor. The guaranteed stable step differs between realizations, so a setting is left
  * out if another realization may stop. This is the case if
  *
  *   s + t d (1 + 1/m)^(1/2) > 1
@@ -373,7 +374,8 @@ static bool trades_softness(const struct nb_advice *advice) {
   return !scene->contact_test && scene->start.stages == 0 && !nb_advice_softness_is_useless(advice);
 }
 
-/* Adds the page with softer contacts, and with centred dashpots. */
+/* Adds the page with softer contacts, unless they save nothing, and with centred dashpots, if it has dashpots and does not
+ * say which velocity they use. */
 static void list_own_laws(struct nb_advice *advice) {
   for (size_t k = 0; k < sizeof softer / sizeof *softer && trades_softness(advice); k++)
     copy_variant(advice, 0)->soften = softer[k];
@@ -381,8 +383,9 @@ static void list_own_laws(struct nb_advice *advice) {
     copy_variant(advice, 0)->centred = true;
 }
 
-/* Lists the variants: the page as it is, with softer contacts, with centred dashpots, with each other pair of laws; and
- * each of these with all combinations of traded values. */
+/* Lists the variants: the page as it is; if the laws may change, the page with each other pair of laws and, without
+ * realizations, with softer contacts and with centred dashpots; and each of these with all combinations of traded
+ * values. */
 static enum nb_status list_variants(struct nb_advice *advice, struct nb_error *error) {
   const size_t trades = advice->page.runs[0].scene.trade_count;
   advice->variant_count = 1;

@@ -288,7 +288,7 @@ void nb_cost_print_actual(FILE *out, const struct nb_outcome *outcome, double se
       until = until || !is_clock(&scene->stages[s].conditions[k]);
   nb_cost_print(out, &actual, scene->contact_test ? " steps" : " cycles");
   const double rest = fmax(0, seconds - actual.measured.to);
-  /* The trials take only a small part of the time. */
+  /* long: the trials would take less than a twentieth of the time */
   const bool is_long = seconds - rest > 20 * trial_seconds * (double)outcome->run_count;
   if (!scene->contact_test && (until || is_long) && expect_all(&expected, outcome, until, options)) {
     if (expected.cycles.to > expected.cycles.from)

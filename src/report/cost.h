@@ -15,7 +15,7 @@ struct nb_bounds {
 };
 struct nb_length {
   struct nb_bounds cycles;
-  bool about;   /* the step of the stage depends on the state when it begins */
+  bool about;   /* a condition on the clock needs a step, of this stage or an earlier one, that is not known yet */
   bool endless; /* the conditions of the stage do not hold within the largest number of cycles */
 };
 struct nb_cost {
@@ -30,7 +30,8 @@ struct nb_cost {
  * any case. */
 enum nb_status nb_cost_expect(struct nb_cost *cost, const struct nb_page_run *run, struct nb_model *model,
                               const struct nb_options *options, struct nb_error *error);
-/* Finds only the bounds of the cycles, without a model. The clock of the first stage is then not known. */
+/* Finds only the bounds of the cycles, without a model. A stage with conditions lasts from the first cycle in which they
+ * are tested to its largest number of cycles, because the clock is not known. */
 enum nb_status nb_cost_bounds(struct nb_cost *cost, const struct nb_scene *scene, struct nb_error *error);
 void nb_cost_add(struct nb_cost *sum, const struct nb_cost *cost);
 void nb_cost_print(FILE *out, const struct nb_cost *cost, const char *cycles); /* " cycles" or " steps" */

@@ -113,8 +113,8 @@ enum nb_status nb_spool_put(struct nb_spool *spool, struct nb_page_run *run, con
   return NB_OK;
 }
 
-/* The result of a run. It is read from the file unless it was the last one that was read. `snapshots`: with its
- * snapshots. */
+/* The result of a run: the one in memory, or the one in the file, which is read unless it was the last one that was read.
+ * `snapshots`: with its snapshots. */
 static const struct nb_result *load(const struct nb_page_run *run, bool snapshots) {
   struct nb_spool *spool = run->spool;
   if (!spool)

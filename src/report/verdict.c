@@ -296,7 +296,8 @@ static bool skip(struct nb_outcome *outcome, int line, const char *format, const
   return true;
 }
 
-/* Adds skipped checks for statements of expect blocks that were not read. False when out of memory. */
+/* Adds a skipped check for each statement of an expect block that was not read, except `reference`. False when out of
+ * memory. */
 static bool skip_unread(struct nb_outcome *outcome) {
   const struct nb_page *page = &outcome->page;
   const bool followed = outcome->runs[0].scene.path_replaced;

@@ -263,7 +263,8 @@ static size_t paired_run(const struct group *group, size_t r, size_t as) {
 }
 
 /* True if the paired differences between runs with the value of `from` and runs with the value of `to` meet the
- * expectation. Appends the differences to the message. *is_defined is false if a value is undefined. */
+ * expectation. Appends the mean difference and its confidence interval to the message. *is_defined is false if a value is
+ * undefined. */
 static bool check_difference(const struct group *group, size_t from, size_t to, bool *is_defined) {
   const struct nb_expectation *e = group->e;
   struct sample d = {.count = 0}, level = {.count = 0};
