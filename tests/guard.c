@@ -241,7 +241,7 @@ static void friction_without_effect(void) {
        "3: friction between `m` and `m` has no effect: there is no `shear` law"},
       {"material m density 1 kn 1 ks 1 friction 0.5\nshear linear\nmaterial n density 1 kn 1 friction 0.5\n"
        "disc 0 0 radius 1 m\ndisc 3 0 radius 1 m\ndisc 6 0 radius 1 n",
-       "3: friction between `m` and `n` has no effect: their shear stiffness `ks` is 0\n"}, /* the smaller one */
+       "3: friction between `m` and `n` has no effect: their shear stiffness `ks` is 0\n"}, /* harmonic mean of 1 and 0 */
       {"material m density 1 kn 1\nmaterial n density 1 kn 1\npair n m friction 0.5\ndisc 0 0 radius 1 m\n"
        "wall w -9 -9 to 9 -9 n",
        "5: friction between `m` and `n`"},

@@ -177,9 +177,9 @@ static struct nb_normal stiffer(struct nb_pair p, double overlap, double dn, dou
   return n;
 }
 
-/* The stiffness at the limit exceeds what the step allows by at most 1e-6, the tolerance of stability.c. A law that is
- * stiffer by 3e-7 keeps the limit, and a law that is stiffer by 3e-6 gets half of it. With a stiffness
- * that no overlap makes small enough the limit is 0. */
+/* The stiffness at the limit exceeds what the step allows by at most the fraction 1e-6, the tolerance of stability.c. A
+ * law that is stiffer by the fraction 3e-7 keeps the limit, and a law that is stiffer by 3e-6 gets half of it. With a
+ * stiffness that no overlap makes small enough the limit is 0. */
 static void the_limit_is_kept_to_a_millionth(void) {
   static const double rows[][2] = {{1 + 3e-7, 1}, {1 + 3e-6, 0.5}, {0, 0}};
   struct nb_law law = *nb_law_find("normal", "hertz");
@@ -345,7 +345,7 @@ static void every_cycle_is_guaranteed_stable(void) {
 /* The number of steps per collision that a message proposes is rounded up, so the step is at most 0.3 of the stable
  * step. */
 static void the_proposed_number_of_steps(void) {
-  static const double stiffness[] = {20, 50, 75, 100, 160, 220}; /* k_s, which limits the step more than k_n */
+  static const double stiffness[] = {20, 50, 75, 100, 160, 220}; /* k_s; k_n is 100 */
   int rounded_up = 0;
   for (size_t k = 0; k < sizeof stiffness / sizeof *stiffness; k++) {
     struct words page = {0};

@@ -234,7 +234,7 @@ static void steps_that_spheres_do_not_have(void) {
        sqrt(5e-10 / sqrt(5e-11)), 1e-10);
 }
 
-/* An overlap of 1e-9 of the radius counts as rounding, whatever the coordinates are. */
+/* An overlap of up to 1e-9 of the radius counts as rounding; an overlap of 2e-9 does not. */
 static void an_overlap_of_rounding_is_none(void) {
   for (int overlaps = 0; overlaps < 2; overlaps++) {
     struct words page = {0};

@@ -229,8 +229,8 @@ static int line_of_pair(const struct nb_scene *scene, int a, int b) {
   return scene->materials[a].line;
 }
 
-/* Warns of friction without a shear law. This is not an error, because a page may leave out the shear law on
- * purpose. */
+/* Warns of friction that causes no shear force, because there is no shear law or the shear stiffness is 0. This is not
+ * an error, because a page may leave out the shear law on purpose. */
 static void warn_unused_friction(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
   unsigned char pairs[NB_MATERIALS_MAX][NB_MATERIALS_MAX] = {{0}};

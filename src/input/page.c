@@ -82,7 +82,7 @@ int nb_page_kind(const char *word, size_t length) {
   return kind;
 }
 
-/* The kind whose name differs from the word by one letter, or begins it; NULL: none. */
+/* The kind whose name differs from the word by one letter, or with whose name the word begins; NULL: none. */
 static const char *near_kind(const char *word) {
   struct nb_guess guess = nb_guess_begin(word);
   for (int kind = 0; kind < NB_BLOCK_KINDS; kind++) {

@@ -297,7 +297,7 @@ unsigned long long nb_hash_settings(nb_settings settings) {
   return hash;
 }
 
-/* Adds a statement, in which values have replaced names, unless the statement concerns only output. */
+/* Adds a statement, in which values have replaced names, unless the statement concerns only output or advice. */
 void nb_hash_line(struct nb_scene_reading *reading) {
   const struct nb_reader *reader = &reading->reader;
   const char *verb = reader->tokens[0].text;

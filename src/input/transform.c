@@ -27,8 +27,8 @@ static const struct nb_argument transform_fields[] = {
 };
 /* clang-format on */
 
-/* The number of quarter turns in the angle, rad. *exact: the angle is a multiple of 90 deg; the two ways to compute
- * such a multiple round differently. */
+/* The number of quarter turns in the angle, rad, from 0 to 3. *exact: the angle is a multiple of 90 deg from -360 to 360
+ * deg; the two ways to compute such a multiple round differently. */
 static int quarters_of(double angle, bool *exact) {
   const double degree = NB_PI / 180;
   for (int n = -4; n <= 4; n++) {
@@ -60,7 +60,7 @@ NB_APPLY(apply_transform) {
   };
 }
 
-/* Rotates a vector; + 0.0 turns -0 into 0. False if the result is not finite. */
+/* Mirrors and rotates a vector; + 0.0 turns -0 into 0. False if the result is not finite. */
 static bool rotate(const struct nb_transform *to, double *x, double *y) {
   const double east = to->flip_x * *x, north = to->flip_y * *y;
   *x = to->cosine * east - to->sine * north + 0.0;
