@@ -929,8 +929,8 @@ static void write_beginning(FILE *out) {
       "make up more than half of its eigenvalue. Otherwise it is *rotation* if more than half of its kinetic energy "
       "is\n"
       "rotation, else *normal* or *tangential*, whichever part is larger. The scheme shortens the *period* by\n"
-      "$(\\omega \\Delta t)^2/24$, and a dashpot lags by half a step. The larger of both for the slowest mode is the\n"
-      "cause of inaccuracy.\n\n",
+      "the fraction $(\\omega \\Delta t)^2/24$, and a dashpot lags by half a step. The larger of both for the slowest\n"
+      "mode is the cause of inaccuracy.\n\n",
       out);
   fprintf(
       out,

@@ -10,8 +10,10 @@ enum { NB_REQUEST_STORE = 1, NB_REQUEST_LOSS = 2, NB_REQUEST_PIECES = 4 };
 /* Function, name, unit, what it needs from the laws, bounds, and help. */
 #define NB_CONTACT_TEST_QUANTITIES(X)                                                                                  \
   X(step, "step", "1", 0, NB_AT_LEAST_0, "steps made since the start")                                                 \
-  X(approach, "approach", "m", 0, 0, "decrease of the distance of the centres since they touched; below 0: a gap")     \
-  X(overlap, "overlap", "m", 0, NB_AT_LEAST_0, "overlap of the particles; 0 if there is a gap")                        \
+  X(approach, "approach", "m", 0, 0,                                                                                   \
+    "decrease, since they touched, of the distance of the centres, or of centre and wall; below 0: a gap")             \
+  X(overlap, "overlap", "m", 0, NB_AT_LEAST_0,                                                                         \
+    "overlap of the particles, or of particle and wall; 0 if there is a gap")                                          \
   X(slip, "slip", "m", 0, 0, "tangential displacement since the start")                                                \
   X(normal, "normal", "N", 0, NB_AT_LEAST_0_BY_LAW, "elastic normal force")                                            \
   X(shear, "shear", "N", 0, 0, "elastic shear force, positive for positive slip")                                      \

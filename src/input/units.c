@@ -1,6 +1,6 @@
 /* Units: any product of powers of base units, with prefixes; and decimal numbers.
  *
- *   unit     `1` or factor, then `.` factor (times) or `/` factor (over), from left to right: `kg/m3`, `1/s`, `kg.m/s`
+ *   unit     factor or `1/` factor, then `.` factor (times) or `/` factor (over), from left to right: `kg.m/s`, `1/s`
  *   factor   {prefix} base unit {power from 1 to 9}
  *
  * All units except the degree are powers of ten of the SI unit. This power is added to the exponent of the decimal
