@@ -271,6 +271,7 @@ grep -Eqx 'nineball [0-9]+\.[0-9]+\.[0-9]+' out || echo 'no version' >>why
 out 'GPL-3.0-or-later'
 run 0 --help
 for word in run check figure report explain state laws list --set --stage --threads --isa 'exit status'; do out "$word"; done
+test "$(sed -n '/^usage/,/^  -/p' out | grep -c '^  [^ -]')" -eq 10 || echo 'not one line for each of the ten commands' >>why
 run 0 check --help
 out 'usage: nineball COMMAND'
 run 0 --help scene
@@ -388,6 +389,9 @@ out '    line 15: xx +0.0001 per cycle: extension in x; yy -0.0001 per cycle: co
 printf '```scene\nunits si\nmaterial a density 1 g/cm3 kn 1 N/m\ncell 0 m 0 m to 9 m 9 m\ndisc 1 m 1 m radius 1 m a\nstep 1 us\nrecord time\nstage shear\ncell strain 0 1/s 0 1/s c12 0.1 1/s\nuntil cell.strain.xy above 10 %% at most 9 cycles\n```\n' >half.md
 run 0 explain half.md
 out 'half the engineering shear strain; for an engineering shear strain of 10 % within this stage write `stage.time above 1 s`'
+sed 's/^until .*/until cell.strain.xx below -10 % at most 9 cycles/' half.md >half-no-shear.md
+run 0 explain half-no-shear.md
+grep -q 'half the engineering' out && echo 'a condition on the component xx is called one on a shear strain' >>why
 sed 's,0.1 1/s,1e-3 per cycle,; s,0 1/s 0 1/s,0 per cycle 0 per cycle,' half.md >half-cycles.md
 run 0 explain half-cycles.md
 out 'an engineering shear strain of 10 % within this stage write `cycles 100`'

@@ -44,6 +44,7 @@ static void reducers(void) {
       {"A.x frequency in all", 0.5, 6, {1, -1, 1, -1, 1, -1}},
       {"A.x frequency in all", 1 / 2.75, 6, {-3, 1, 1, -1, 1, 1}}, /* crossings at 0.75 and 3.5 only */
       {"A.x frequency in all", 1. / 3, 6, {-1, -1, 1, -1, -1, 1}}, /* successive rows below the mean */
+      {"A.x frequency in all", 1 / 2.75, 6, {5, 9, 9, 7, 9, 9}},   /* as above, around a mean of 8 */
       {"A.x at 10 cycles", 4, 3, {1, 4, 3}},
       {"A.x at 0 cycle", 1, 3, {1, 4, 3}},
       {"A.x at 0 cycles", 1, 3, {1, 4, 3}},

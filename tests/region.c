@@ -3,7 +3,9 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
 #include <math.h>
+#include <string.h>
 
+#include "../src/core/names.h"
 #include "../src/measure/region.h"
 #include "run/plan.h"
 #include "suites.h"
@@ -401,6 +403,39 @@ static void strain_without_removed_particles(void) {
   written_free(&it);
 }
 
+/* After a stage has removed all particles of a region, every quantity of the region is 0. Before, its stress, its moduli
+ * and its fabric are not, however small the region is. */
+static void a_region_without_particles(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  struct nb_quantity_row row;
+  words_add(&page,
+            "units none\nmaterial m density 1 kn 10 ks 5 friction 0.5\nshear linear\nstep 0.001\nregion M all\n"
+            "disc 0 0 radius 0.1 m velocity 0 0.01\ndisc 0.19 0 radius 0.1 m\ndisc 0.1 0.17 radius 0.1 m spin 1\n");
+  for (size_t k = 0; nb_quantity_row(&row, k); k++)
+    if (row.prefix && strcmp(row.prefix, "M.") == 0)
+      words_add(&page, "record M.%s\n", row.name);
+  words_add(&page, "stage a\ncycles 9\nstage b\nremove discs 1 to 3\ncycles 9\n");
+  struct nb_model *model = model_of(&it, &page);
+  written_cycles(model, 9);
+  CU_ASSERT(it.scene.column_count > 50);
+  CU_ASSERT(written_now(model, "M.stress.xx") > 0);
+  CU_ASSERT(written_now(model, "M.modulus.bulk") > 0);
+  CU_ASSERT(written_now(model, "M.fabric.xx") > 0);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[1], &error), NB_OK);
+  for (int cycle = 0; cycle < 2; cycle++) {
+    for (size_t c = 0; c < it.scene.column_count; c++) {
+      const double value = nb_quantity_now(it.scene.columns[c].quantity, model);
+      CU_ASSERT_EQUAL(value, 0);
+      if (value != 0)
+        printf("# %s is %g\n", it.scene.columns[c].name, value);
+    }
+    written_cycles(model, 1);
+  }
+  done(&it, model);
+}
+
 /* A disc between two walls. Each wall presses with F = k_n alpha on its face, at the distance R - alpha from the
  * centre. Both the stress by particles and the stress by contacts use this distance. */
 static void the_arm_at_a_wall_ends_at_its_face(void) {
@@ -512,6 +547,7 @@ void suite_region(void) {
   CU_add_test(suite, "fractions without the stress", fractions_without_the_stress);
   CU_add_test(suite, "the arm of the particle inside", the_arm_of_the_particle_inside);
   CU_add_test(suite, "strain without removed particles", strain_without_removed_particles);
+  CU_add_test(suite, "a region without particles", a_region_without_particles);
   CU_add_test(suite, "sin Phi in tension", tension);
   CU_add_test(suite, "contacts at equal angles: fabric of second and fourth order, stress", contacts_at_equal_angles);
   CU_add_test(suite, "rattlers, and coordination with and without them", rattlers);

@@ -74,6 +74,30 @@ static void a_servo_begins_without_the_removed(void) {
   written_free(&it);
 }
 
+/* A removed particle stays where it was, also if it had an imposed motion when it was removed. */
+static void a_removed_particle_ends_its_imposed_motion(void) {
+  static const char text[] = "units none\nmaterial m density 3 kn 1000\ndisc 3 2 radius 1 m\ndisc -3 2 radius 1 m\n"
+                             "monitor A disc 1\nmonitor B disc 2\nrecord A.x A.y B.x\nstep 0.01\n"
+                             "stage a\naffine strain 0.1 -0.2\ncycles 5\nstage b\nremove disc 1\ncycles 9\n";
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  words_add(&page, text);
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  written_cycles(model, 5);
+  const double x = written_now(model, "A.x"), y = written_now(model, "A.y"), other = written_now(model, "B.x");
+  CU_ASSERT(x > 3 && y < 2);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[1], &error), NB_OK);
+  written_cycles(model, 9);
+  CU_ASSERT_EQUAL(written_now(model, "A.x"), x);
+  CU_ASSERT_EQUAL(written_now(model, "A.y"), y);
+  CU_ASSERT(written_now(model, "B.x") < other); /* the imposed motion of the other disc goes on */
+  nb_model_free(model);
+  written_free(&it);
+}
+
 /* Values before the stage and just after it has begun: only those of removed particles change. */
 static void at_the_moment(void) {
   for (size_t n = 0; n < sizeof dampings / sizeof *dampings; n++) {
@@ -329,6 +353,7 @@ void suite_removal(void) {
   CU_pSuite suite = CU_add_suite("removal", NULL, NULL);
   CU_add_test(suite, "values at the moment of removal", at_the_moment);
   CU_add_test(suite, "a servo begins without the removed particles", a_servo_begins_without_the_removed);
+  CU_add_test(suite, "a removed particle ends its imposed motion", a_removed_particle_ends_its_imposed_motion);
   CU_add_test(suite, "removal at time 0", removed_at_time_0);
   CU_add_test(suite, "different radii", different_radii);
   CU_add_test(suite, "regions without removed particles", regions_without_removed_particles);

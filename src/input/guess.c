@@ -225,20 +225,24 @@ static int distance(const char *a, const char *b) {
   int *two = row[0], *one = row[1], *now = row[2];
   for (size_t j = 0; j <= n; j++)
     one[j] = (int)j;
+  int before_x = 0; /* the letters before x and y; 0 before the first ones, which equals no letter */
   for (size_t i = 1; i <= m; i++) {
+    const int x = tolower((unsigned char)a[i - 1]);
+    int before_y = 0;
     now[0] = (int)i;
     for (size_t j = 1; j <= n; j++) {
-      int x = tolower((unsigned char)a[i - 1]), y = tolower((unsigned char)b[j - 1]);
+      const int y = tolower((unsigned char)b[j - 1]);
       int best = one[j - 1] + (x != y);
       if (one[j] + 1 < best)
         best = one[j] + 1;
       if (now[j - 1] + 1 < best)
         best = now[j - 1] + 1;
-      bool swapped = i > 1 && j > 1 && x == tolower((unsigned char)b[j - 2]) && y == tolower((unsigned char)a[i - 2]);
-      if (swapped && x != y && two[j - 2] + 1 < best)
+      if (x == before_y && y == before_x && x != y && two[j - 2] + 1 < best)
         best = two[j - 2] + 1;
       now[j] = best;
+      before_y = y;
     }
+    before_x = x;
     int *spare = two;
     two = one;
     one = now;

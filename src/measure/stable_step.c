@@ -159,7 +159,7 @@ static double largest_step(const struct nb_element *element, double limit) {
   const double ratio = element->own.ks / element->own.kn;
   const double square = larger(element->a, element->own.ks > 0 ? ratio * element->a + element->q : 0);
   double low = 0, high = sqrt(limit / square);
-  if (!(element->own.cn > 0 || element->d > 0 || element->p > 0) || !isfinite(high))
+  if (!(element->d > 0)) /* then no contact of the two particles has a dashpot, and p is 0 too */
     return high;
   for (;;) {
     const double middle = low + (high - low) / 2;
