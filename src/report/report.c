@@ -16,8 +16,8 @@
 #include "input/text.h"
 #include "sandbox.h"
 
-/* The largest sizes, in bytes, of a table or script that a report keeps, of a drawing that it keeps, and of
- * report.css. */
+/* The largest sizes, in bytes, of a table or script that a report keeps, of a drawing that it keeps, and of report.css
+ * and report.js. */
 enum { TABLE_BYTES = 100000, DRAWING_BYTES = 300000, STYLE_BYTES = 100000 };
 
 /* ---- the pages of a report ---- */
@@ -100,7 +100,8 @@ static bool is_output(const struct nb_report_page *page, const char *name) {
                                               (strcmp(dot, ".gp") == 0 || strcmp(dot, ".svg") == 0)));
 }
 
-/* Removes large tables, scripts and drawings, so that the report stays small. The figure is then the PNG. */
+/* Removes large tables, scripts and drawings, so that the report stays small. If the SVG is removed, the figure is the
+ * PNG. */
 static enum nb_status drop_large_files(struct nb_report_page *page, const char *folder, struct nb_error *error) {
   struct nb_text names = {0};
   DIR *entries = opendir(folder);
