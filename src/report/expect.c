@@ -202,13 +202,14 @@ static bool take_measure(struct nb_reader *reader, const struct nb_scene *scene,
   return take_stage(reader, scene, measure);
 }
 
-/* True if the next token is a reducer without a quantity, `max` of `within 1e-6 of max`, or `peak`. */
-static bool is_bare_reducer(const struct nb_reader *reader) {
-  const char *const after = reader->next + 1 < reader->count ? reader->tokens[reader->next + 1].text : "[";
+/* True if token k is a reducer without a quantity, `max` of `within 1e-6 of max`, or `peak`. */
+static bool is_bare_reducer(const struct nb_reader *reader, size_t k) {
+  const char *const word = k < reader->count ? reader->tokens[k].text : "";
+  const char *const after = k + 1 < reader->count ? reader->tokens[k + 1].text : "[";
   const struct nb_reducer_row *row = reducers;
-  while (row->word && !nb_token_is(reader, row->word))
+  while (row->word && strcmp(row->word, word) != 0)
     row++;
-  return (row->word || nb_token_is(reader, "peak") || nb_token_is(reader, "maximum")) &&
+  return (row->word || strcmp(word, "peak") == 0 || strcmp(word, "maximum") == 0) &&
          (*after == '[' || strcmp(after, "within") == 0);
 }
 
@@ -219,7 +220,7 @@ static bool take_measure_like(struct nb_reader *reader, const struct nb_scene *s
   struct nb_unit wanted = {0}, found = {0};
   char wanted_words[NB_NAME_SIZE], found_words[NB_NAME_SIZE], hint[NB_HINT_SIZE];
   snprintf(hint, sizeof hint, "write the quantity before the word: `%.80s max in all`", reader->tokens[0].text);
-  if (is_bare_reducer(reader))
+  if (is_bare_reducer(reader, reader->next))
     return nb_expected(reader, hint, "a quantity that the page records");
   if (!take_measure(reader, scene, measure))
     return false;
@@ -422,9 +423,7 @@ static bool fraction_mistake(struct nb_reader *reader, const struct nb_scene *sc
   const bool less = expectation->kind == NB_LESS;
   const char *const unit = reader->unitless || strcmp(measure->unit, "1") == 0 ? "" : measure->unit;
   char hint[NB_HINT_SIZE];
-  reader->next = of + 1;
-  const bool bare = is_bare_reducer(reader);
-  reader->next = from;
+  const bool bare = is_bare_reducer(reader, of + 1);
   snprintf(hint, sizeof hint, "write `%s expected", measure->label);
   if (less)
     nb_append(hint, sizeof hint, " 0%s%s within", *unit ? " " : "", unit);
