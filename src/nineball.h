@@ -78,7 +78,7 @@ struct nb_scene;
 
 /* A quantity that can be recorded, waited for or expected: `C.normal`, `time`, `energy.kinetic`. */
 struct nb_quantity {
-  const struct nb_quantity_kind *kind; /* its row of the table in names.c; NULL: no quantity */
+  const struct nb_quantity_kind *kind; /* its row of the table of quantities (core/names.h); NULL: none */
   int monitor;                         /* index of its monitor; -1: a quantity of the whole scene */
   const struct nb_suffix *suffix;      /* its suffix in a family of quantities (families.c); NULL: no family */
 };
@@ -442,7 +442,7 @@ struct nb_stage {
   unsigned long record_interval; /* cycles between two rows; 0: no rows */
   bool snapshot;                 /* keep particles, walls and contacts at the end of the stage */
   int snapshot_from;             /* index of the stage from whose beginning a snapshot measures changes; -1: none */
-  struct nb_step step;           /* as the scene's, unless the stage gives its own */
+  struct nb_step step;           /* as in the stage before, unless the stage gives its own */
   bool allow_unstable;           /* the stability of the step is not checked in this stage */
   struct nb_damping damping;     /* as in the stage before, unless the stage gives its own */
   struct nb_laws laws;           /* an empty name: the law of the stage before */

@@ -123,7 +123,8 @@ static void the_message(void) {
   CU_ASSERT_PTR_NOT_NULL(strstr(crossing(&error, -1, false, 0, -0.25, 0, -0.5001), "try a smaller step"));
   CU_ASSERT_PTR_NOT_NULL(strstr(crossing(&error, -1, false, 0, -0.25, 0, -0.4999), "try a stiffer wall"));
   CU_ASSERT_PTR_NOT_NULL(
-      strstr(error.text, "The limit of the overlap with a wall is its radius, 1; in this step of 1 it moved 0.4999"));
+      strstr(error.text,
+             "The limit of the overlap with a wall is the particle's radius, 1; in this step of 1 it moved 0.4999"));
   CU_ASSERT_STRING_EQUAL(crossing(&error, -1, true, 0, -0.25, 0, -0.5), "");
 }
 

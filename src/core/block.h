@@ -85,8 +85,8 @@ struct nb_history {
 #endif
 
 /* Instruction sets. A pass is written once, as `static inline NB_FORM void NAME(model, block)`; NB_FORMS(NAME)
- * compiles it for each instruction set: NAME_plain, NAME_avx2, NAME_avx512. All return the same values. Without avx512vl,
- * because gcc then fuses a product and a sum of two values into vfmaddsub, also with -ffp-contract=off. */
+ * compiles it for each instruction set: NAME_plain, NAME_avx2, NAME_avx512. All return the same values. avx512vl is
+ * left out: with it gcc fuses a product and a sum of two values into vfmaddsub, even with -ffp-contract=off. */
 enum nb_isa { NB_PLAIN, NB_AVX2, NB_AVX512, NB_ISAS };
 struct nb_model;
 struct nb_block;
@@ -137,7 +137,8 @@ const double *nb_history_read(const struct nb_history *history, size_t contact, 
 
 struct nb_material_pair;
 
-/* The stiffnesses for which a block stores NB_NORMAL_ROOT and NB_SHEAR_ROOT, N/m; 0 in a new block, whose roots are 0. */
+/* The stiffnesses for which a block stores NB_NORMAL_ROOT and NB_SHEAR_ROOT, N/m; 0 in a new block, whose roots are
+ * 0. */
 struct nb_rooted {
   double kn, ks;
 };

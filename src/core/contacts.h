@@ -61,8 +61,8 @@ bool nb_incidence_fill(struct nb_contacts *contacts, const struct nb_neighbour_p
                        const struct nb_model *model);
 void nb_pairs_store(struct nb_store *store, const char *name, struct nb_neighbour_pairs *pairs,
                     const struct nb_model *model);
-/* Replaces the list by a new one, sorted by the number of a, then by partners; pairs that stay keep their history. Frees
- * the list of pairs. False: out of memory, and there are no contacts any more. */
+/* Makes a new list of contacts from `pairs`, which are sorted by the number of a, then by partners. Pairs that stay
+ * keep their history. Frees the list of pairs. False: out of memory, and there are no contacts any more. */
 bool nb_contacts_renew(struct nb_model *model, struct nb_neighbour_pairs *pairs);
 static inline bool nb_touches(const struct nb_contacts *contacts, size_t contact) {
   return contacts->kept[NB_OVERLAP][contact] > 0;

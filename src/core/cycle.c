@@ -5,9 +5,9 @@
  *   Contacts   If something has moved far enough, a search renews the list of contacts.
  *   Forces     The force-displacement laws give the forces at t_(N+1) from positions and velocities.
  *
- * Forces and positions of a cycle belong to the same time. A team of threads (team.c) computes parts of the blocks, then
- * of the particles. Each contact and each particle is computed by one thread alone, so neither the number of threads nor
- * the thread that does a part changes a bit.
+ * Forces and positions of a cycle belong to the same time. A team of threads (team.c) computes parts of the blocks,
+ * then of the particles. Each contact and each particle is computed by one thread alone, so neither the number of
+ * threads nor the thread that does a part changes a bit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "model.h"
@@ -50,7 +50,8 @@ static void motion_part(void *data, int part) {
   nb_rounding_begin(&model->machine.rounding, NULL);
 }
 
-/* Returns the number of particles and walls that require a new search. */
+/* Returns the number of particles and walls that require a new search, plus 1 if the strain of the cell requires
+ * one. */
 static int motion(struct nb_model *model) {
   nb_rounding_begin(&model->machine.rounding, "motion");
   int out = model->walls.count ? nb_motion_walls(model) : 0;

@@ -17,7 +17,7 @@ const struct nb_synonym *nb_synonym(const char *word); /* NULL: not a term of an
 /* Writes "`ball` of other programs is `disc` or `sphere` here: …" to `hint`, which has NB_HINT_SIZE bytes, and returns
  * it. NULL: the word is no term of another program. */
 const char *nb_synonym_hint(char *hint, const char *word);
-/* The same two functions for two words: `contact model`, or a word after its statement or place. */
+/* The same two functions for two words: `contact model`, or the name of a statement or place and a word in it. */
 const struct nb_synonym *nb_pair_synonym(const char *first, const char *second);
 const char *nb_pair_hint(char *hint, const char *first, const char *second);
 /* Copies the next item of a list like "disc, sphere" and advances the list; false: the list is empty. */

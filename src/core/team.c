@@ -1,14 +1,14 @@
-/* A team of threads that share the parts of a cycle. The threads live as long as the model. Each of the two parallel parts
- * of a cycle is a round of several parts for each thread: the caller announces the work, and each thread does its own
- * parts and then those that other threads have not begun. The caller goes on when all parts are done. It does not wait for
- * a thread that has begun none of them, for example because the system runs another program instead.
+/* A team of threads that share the parts of a cycle. The threads live as long as the model. Each of the two parallel
+ * parts of a cycle is a round of several parts for each thread: the caller announces the work, and each thread does its
+ * own parts and then those that other threads have not begun. The caller goes on when all parts are done. It does not
+ * wait for a thread that has begun none of them, for example because the system runs another program instead.
  *
- * A thread that waits looks for a change for some ten microseconds, because on an idle machine the next round begins within
- * this time. Then it sleeps. So it does not occupy a processor, which a thread that the system has stopped needs to go on.
+ * A thread that waits looks for a change for some ten microseconds, because on an idle machine the next round begins
+ * within this time. Then it sleeps, and its processor is free for a thread that the system has stopped.
  *
- * A thread may also be stopped within a part, for as long as other programs run. So the caller compares the time that it
- * waits with the time that it saves. While the team loses, the caller does all parts, twenty times as long as the loss.
- * Who does a part changes no result.
+ * A thread may also be stopped within a part, for as long as other programs run. So the caller compares the time that
+ * it waits with the time that it saves. If the team has lost time, the caller does all parts, for twenty times as long
+ * as the loss. Who does a part changes no result.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "team.h"
@@ -24,7 +24,8 @@
 #include "clock.h"
 
 /* Looks before a thread sleeps. With the pauses between them they take 10 to 50 us, as long as a part of a cycle of ten
- * thousand particles. With a fifth of them a thread often slept while the last part was done, and waking it took longer. */
+ * thousand particles. With a fifth of them a thread often slept while the last part was done, and waking it took
+ * longer. */
 enum { LOOKS = 1000 };
 
 /* A thread of the team; number 0 is the caller. */
@@ -32,8 +33,8 @@ struct member {
   struct nb_team *team;
   int number;
   pthread_t thread;
-  /* Its parts of the present round that nobody has begun: the end in the upper half, the first one in the lower half. The
-   * lower half may exceed the upper one. */
+  /* Its parts of the present round that nobody has begun: the end in the upper half, the first one in the lower half.
+   * The lower half may exceed the upper one. */
   _Alignas(64) _Atomic uint64_t parts; /* in a cache line of its own */
 };
 
@@ -85,8 +86,8 @@ static void await_parts(struct nb_team *team) {
   pthread_mutex_unlock(&team->lock);
 }
 
-/* The next part of a member that nobody has begun; -1: there is none. While a part that was begun is not done, the round
- * cannot end, so `work`, `data` and `parts` are those of this part. */
+/* The next part of a member that nobody has begun; -1: there is none. While a part that was begun is not done, the
+ * round cannot end, so `work`, `data` and `parts` are those of this part. */
 static int begin_part(struct member *owner) {
   const uint64_t parts = atomic_fetch_add(&owner->parts, 1);
   return (uint32_t)parts < parts >> 32 ? (int)(uint32_t)parts : -1;
@@ -177,7 +178,7 @@ struct nb_team *nb_team_sized(struct nb_team *old, int threads) {
 
 static const double most_saved = 0.02, /* s; earlier savings do not count any more */
     most_lost = 0.0002,                /* s; then the caller does all parts */
-    rests_per_loss = 20, /* duration of this over the loss: the team takes at most 1/20 longer than the caller alone */
+    rests_per_loss = 20, /* time in which the caller does all parts, over the loss: a run takes at most 1/20 longer */
     longest_rest = 1,    /* s; the clock may have been set, or the machine may have been suspended */
     growth = 1.02;       /* of the duration of a part in a round, so that an old least duration is forgotten */
 
@@ -186,8 +187,8 @@ struct times {
   double begin, announced, worked, end;
 };
 
-/* Adds what a round has saved: the time of the parts that the caller did not do, minus that of announcing and waiting. The
- * duration of a part is the least one, because the caller may have been stopped too. */
+/* Adds what a round has saved: the time of the parts that the caller did not do, minus that of announcing and waiting.
+ * The duration of a part is the least one, because the caller may have been stopped too. */
 static void add_round(struct balance *balance, const struct times *times, int own, int parts) {
   const double part = own > 0 ? (times->worked - times->announced) / own : INFINITY;
   if (part > 0)

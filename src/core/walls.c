@@ -119,8 +119,8 @@ static enum nb_status crossing_error(const struct nb_model *model, size_t i, siz
   return nb_error_set(
       error, NB_BROKEN,
       "particle %d (line %d) passed through wall `%s` (line %d) in cycle %lu, at time %g%s: its centre is now on the "
-      "other side. The limit of the overlap with a wall is its radius, %g%s; in this step of %g%s it moved %g%s "
-      "against the wall: try %s",
+      "other side. The limit of the overlap with a wall is the particle's radius, %g%s; in this step of %g%s it moved "
+      "%g%s against the wall: try %s",
       number, scene->particles[number - 1].line, scene->walls[w].name, scene->walls[w].line, model->cycle, model->time,
       s, radius, m, model->previous_step, s, displacement, m,
       displacement > radius / 2 ? "a smaller step" : "a stiffer wall, or a smaller load");

@@ -97,10 +97,10 @@ static inline bool shift_corner(struct corner at[], int k, double more) {
   return true;
 }
 
-/* Removes the corner with the lowest cost and moves a neighbouring corner, so that delta and T keep their values. At
- * each merge the earlier errors are multiplied by three quarters. If they were kept in full, old pieces would keep
- * corners that new pieces need. If they were set to 0, the same pieces would be merged again and again. With 64 pieces
- * these two choices give errors of 2.3e-4 and 4e-4 mu N in decaying oscillations. */
+/* Removes the corner with the lowest cost and moves a neighbouring corner, so that delta and T keep their values. The
+ * error e of the merged piece is multiplied by three quarters. If it were kept in full, old pieces would keep corners
+ * that new pieces need. If it were set to 0, the same pieces would be merged again and again. With 64 pieces these two
+ * choices give errors of T of 2.3e-4 and 4e-4 mu N in decaying oscillations. */
 static NB_COLD void drop_corner(struct corner at[], int pieces) {
   int k = 1;
   double lowest = INFINITY;

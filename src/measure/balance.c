@@ -15,7 +15,7 @@
  *                                                                                                     [CS79 26-36]
  *             walls       F.V tau  of walls and of fixed particles that move with the velocity V, over kicks
  *             gravity     m g.(v + c) tau  over kicks
- *             imposed     work of the imposed motion; stress on a boundary times v tau, over kicks
+ *             imposed     work of the imposed motion; force of a boundary stress times v tau, over kicks
  *             frictional  F_s (ds - dF_s/k_s)  of contacts that slide, or open with a loaded shear spring, over steps;
  *                         with micro-slip the dissipation that the law returns
  *             sliding     the part of `frictional` in steps in which the contact slides as a whole

@@ -1,8 +1,8 @@
 /* Area of the boundary of an assembly, and the stress on it.             [R89 sec. 6.4.1]
  *
- * The polygon through the centres of its particles has the area A = sum (x_i y_(i+1) - x_(i+1) y_i)/2, m2. The stress
- * of the assembly, compression positive, follows from the contact forces F on the boundary's particles at the positions
- * X relative to the boundary's centre; h is the thickness, m:
+ * The polygon through the centres of the boundary's particles has the area A = sum (x_i y_(i+1) - x_(i+1) y_i)/2, m2.
+ * The stress of the assembly, compression positive, follows from the contact forces F on the boundary's particles at
+ * the positions X relative to the boundary's centre; h is the thickness, m:
  *
  *   s_ij = sum F_i X_j / (A h)
  *

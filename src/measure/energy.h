@@ -44,6 +44,7 @@ void nb_balance_exclude(struct nb_model *model, bool before);
 /* Called after the search: finds the pairs of a released boundary that already overlap. */
 enum nb_status nb_balance_new_overlaps(struct nb_model *model, struct nb_error *error);
 
+/* The next three functions are called only if the balance that they read has been created. */
 double nb_balance_term(const struct nb_model *model, enum nb_term term); /* a term at t_N, J */
 double nb_balance_work_residual(const struct nb_model *model);           /* residual at the last half step, J */
 double nb_balance_energy_residual(const struct nb_model *model);         /* residual at t_N, J */

@@ -3,7 +3,7 @@
  *   normal, shear      F_n and |F_s| of the laws, without dashpots, N
  *   contact_stress     F_n/(pi a^2), Pa        contact_shear   |F_s|/(pi a^2), Pa          [R89 sec. 4.6]
  *   contact_ratio      a over the radius of the smaller particle, 1                        [R89 sec. 4.6]
- *   obliquity          |F_s|/(mu F_n + c), 1; 1 if a contact slides                        [R89 figure 6.18]
+ *   obliquity          |F_s|/(mu F_n + c), dimensionless; its value is 1 if a contact slides     [R89 figure 6.18]
  *   sliding            fraction of the contacts whose law reports F_s at its limit         [CS79 19]
  *   sliding.near       fraction of the contacts with |F_s| at 0.99 of the limit mu F_n + c or above
  *   unbalanced.mean    mean magnitude of the sum of the forces on a free particle, including its weight and the force

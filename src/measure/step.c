@@ -5,7 +5,8 @@
  *              scene: the limit of one mass on one spring; a particle with several contacts has a smaller limit
  *   stable     the guaranteed stable step for the contacts and the damping at the beginning of the stage:
  *              stable_step.c
- *   collision  duration of the shortest possible head-on collision of two particles without damping:
+ *   collision  duration of the shortest possible head-on collision of two particles, or of a particle and a wall,
+ *              without damping:
  *              linear springs   pi sqrt(M* / k_n), half an oscillation of the reduced mass M* = m_x m_y/(m_x + m_y) on
  *                               the spring; the shortest for the lightest particles of every two materials
  *              elastic spheres  2.943 alpha_m/v (hertz_impact.h), which depends on the speed v; the shortest of the

@@ -10,7 +10,8 @@
  *
  * The sum is over the particles that were inside when the strain began and have not been removed, wherever they are
  * now. The strain is the small strain relative to that time, e_ij = (G_ij + G_ji)/2, extension positive as in a strain
- * rate; stress is positive in compression. At least three particles that are not collinear are needed.
+ * rate; stress is positive in compression. The strain is 0 unless there are three such particles that are not
+ * collinear.
  *
  * Speeds are the speeds |v| of the free particles relative to the imposed motion:               [R89 sec. 6.5.1]
  *
