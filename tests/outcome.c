@@ -148,18 +148,18 @@ static void warnings_of_ends(void) {
       {"5", "time above 0.1  at most 4 cycles",
        "stage `two` ended in cycle 1, because its condition was met before the stage began: time is 0.3, above 0.1; "
        "`time` "
-       "counts from the start of the run, `stage.time` from that of the stage"},
+       "counts from the start of the run, `stage.time` from the start of the stage"},
       {"5", "time above 0.1 and A.x below 6  at most 4 cycles",
        "stage `two` ended in cycle 1, because its condition was met before the stage began: time is 0.3, above 0.1, "
        "A.x is "
        "5.3, "
-       "below 6; `time` counts from the start of the run, `stage.time` from that of the stage"},
+       "below 6; `time` counts from the start of the run, `stage.time` from the start of the stage"},
       {"5", "time above 0.25  at most 4 cycles", NULL}, /* met in the first cycle, but not before */
       {"5", "time above 0.1 and A.x above 5.25  at most 4 cycles", NULL},
       {"5", "time above 0.1  every 2 cycles  at most 4 cycles",
        "stage `two` ended in cycle 2, because its condition was met before the stage began: time is 0.4, above 0.1; "
        "`time` "
-       "counts from the start of the run, `stage.time` from that of the stage"},
+       "counts from the start of the run, `stage.time` from the start of the stage"},
       {"5", "time above 0.1 and A.x above 5.45  every 2 cycles  at most 4 cycles", NULL},
       {"5", "time above 0.35  at most 4 cycles", NULL},
   };

@@ -22,7 +22,7 @@
  * [R89 4.42]. Particles held by a boundary have v = 0. A scene in which only a boundary moves affinely uses the loop
  * without c.
  *
- * Dashpots that are centred [pass/dashpots.c] need the velocity at t_(N+1). Its difference from v_(N+1/2) is predicted
+ * Dashpots that are centred (pass/dashpots.c) need the velocity at t_(N+1). Its difference from v_(N+1/2) is predicted
  * from the acceleration at t_N: (v_(N+1/2) - v_(N-1/2)) dt/(2 tau), where tau is the duration of the kick.
  *
  * The velocities of a page are those at time 0; the velocities of the scheme are those at half steps. So the first kick
@@ -60,7 +60,8 @@ static inline NB_FORM void sum_group(struct sums *sums, int particles, int secon
   sums->slot = slot + particles, sums->entry = entry;
 }
 
-/* Calls F(k) with a constant k if k is at most 4: the compiler then unrolls the loop over these contacts of a particle. */
+/* Calls F(k) with a constant k if k is at most 4: the compiler then unrolls the loop over these contacts of a
+ * particle. */
 #define CONSTANT_CASE(k, F)                                                                                            \
   case k:                                                                                                              \
     F(k);                                                                                                              \

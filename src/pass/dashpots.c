@@ -13,8 +13,9 @@
  *
  * Contacts with walls may have their own beta.
  *
- * Scenes without damping ratios keep no M* and compute no square roots. If the laws have constant stiffnesses, the roots
- * are stored for each contact instead of M*, and computed again when the pair's k_n or k_s changes.
+ * If no coefficient contains sqrt(M* k), no M* is kept and no square root is computed. If the laws have constant
+ * stiffnesses and no deep contact is damped critically, the roots are stored for each contact instead of M*, and
+ * computed again when the pair's k_n or k_s changes.
  *
  * The stiffnesses are those that the laws returned in this cycle. D_s is 0 while the contact slides [CS79, Damping];
  * F_n + D_n may be tensile. ds/dt is the mean over the whole last step, even if the contact began in it and the law

@@ -2,7 +2,8 @@
  * includes this file once for each W. The results have the same bits, because each contact has the same operations.
  *
  * Loading the vectors of W contacts takes about as long as their arithmetic, which waits for a square root and a
- * division. So the loop loads W contacts before it computes those that it loaded last, and the two overlap.
+ * division. So the loop loads W contacts before it computes those that it loaded last; the processor can then do both
+ * at once.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #if W == 8

@@ -20,8 +20,8 @@ enum nb_status nb_checkpoint_lock(struct nb_lock *lock, const struct nb_scene *s
 /* NB_BAD_USE if there is a checkpoint of the run with options->checkpoint.key and the options do not resume it. */
 enum nb_status nb_checkpoint_absent(const struct nb_scene *scene, const struct nb_options *options,
                                     struct nb_error *error);
-/* Makes the folder and the path. No effect if options->checkpoint.seconds is 0. The caller holds the lock of the
- * checkpoints, or of the state that it computes. */
+/* Makes the folder and the path; NB_BAD_USE as from nb_checkpoint_absent. If options->checkpoint.seconds or its key is
+ * 0, no checkpoints are saved. The caller holds the lock of the checkpoints, or of the state that it computes. */
 enum nb_status nb_checkpoint_begin(struct nb_checkpoint *checkpoint, const struct nb_scene *scene,
                                    const struct nb_options *options, struct nb_error *error);
 /* Reads the last checkpoint, or the one before if the last one is damaged. saved->store is empty if there is none. */

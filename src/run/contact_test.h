@@ -1,4 +1,4 @@
-/* The contact test: one contact without motion or time. It calls the contact laws as the kernels of the force
+/* The contact test: one contact without motion or time. It calls the contact laws as the passes of the force
  * calculation do, step by step.
  *
  *   contact_test.c             one step, a segment, the whole test

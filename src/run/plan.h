@@ -7,7 +7,7 @@
 
 /* plan.c: the passes of each material pair, and the fields that are kept */
 enum nb_status nb_plan(struct nb_model *model, struct nb_error *error);
-bool nb_plan_is_current(const struct nb_model *model); /* false: the stage has other dashpots or friction */
+bool nb_plan_is_current(const struct nb_model *model); /* false: other dashpots, friction or `accumulated-twice` */
 
 /* hooks.c: selects the hooks; must be called again after any change on which hooks depend */
 void nb_hooks_plan(struct nb_model *model);

@@ -115,7 +115,7 @@ void nb_note(const struct nb_progress *progress, const char *message) {
 }
 
 /* Reads the number of the process that holds the lock. The process writes it after it has taken the lock, so a second
- * attempt follows; without success: `?`. */
+ * attempt follows. If it also fails, `holder` is `?`. */
 static void read_holder(int file, char *holder, size_t size) {
   size_t digits = 0;
   for (int attempt = 0; attempt < 2 && digits == 0; attempt++) {

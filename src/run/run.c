@@ -24,7 +24,7 @@ struct run {
   struct nb_reporter reporter;
   unsigned long first_cycle;  /* number of cycles done before this run */
   unsigned long until_report; /* cycles until the clock is read; a reading costs as much as a cycle of a few contacts */
-  unsigned long planned;      /* largest number of cycles of all stages */
+  unsigned long planned;      /* sum of the numbers of cycles that the stages may take */
   struct nb_checkpoint checkpoint;
   unsigned long stop_at;      /* tests: cycle after which the run stops; 0: none */
   unsigned long long updates; /* contact updates before the stage */
@@ -143,17 +143,18 @@ static const char *counts_from(const struct nb_stage *stage) {
   for (size_t k = 0; k < stage->condition_count; k++) {
     const char *const name = stage->conditions[k].quantity.kind->name, *const part = strstr(name, strain);
     if (strcmp(name, "time") == 0)
-      return "; `time` counts from the start of the run, `stage.time` from that of the stage";
+      return "; `time` counts from the start of the run, `stage.time` from the start of the stage";
     if (part == name)
-      return "; this strain counts from the start of the run, with `region … from STAGE` from that of the stage; "
-             "`stage.time` counts from that of the stage, too";
+      return "; this strain counts from the start of the run, or with `region … from STAGE` from the start of STAGE; "
+             "`stage.time` counts from the start of each stage";
     if (part && part[-1] == '.')
       return "; this strain counts from time 0, `stage.time` from the start of the stage";
   }
   return "";
 }
 
-/* "`and contacts above 0`"; with a servo a condition on a stress that it controls, "`and cell.stress.xx above 900 Pa`". */
+/* "`and contacts above 0`"; with a servo a condition on a stress that it controls, "`and cell.stress.xx above 900
+ * Pa`". */
 static void propose(char *text, size_t size, const struct nb_scene *scene, const struct nb_servo *servo) {
   static const int part[] = {0, 3, 1}; /* of xx, yy and xy in the four measured components */
   const double near = 0.9;
@@ -169,8 +170,8 @@ static void propose(char *text, size_t size, const struct nb_scene *scene, const
            servo->stress[k] > 0 ? "above" : "below", near * servo->stress[k], scene->unitless ? "" : " Pa");
 }
 
-/* If the relative difference of a controlled stress from the target of its servo is larger than this, the end of a stage
- * is doubtful. At a stress of 0 the difference is 1. */
+/* If the relative difference of a controlled stress from the target of its servo is larger than this, the end of a
+ * stage is doubtful. At a stress of 0 the difference is 1. */
 static const double servo_tolerance = 0.1;
 
 /* True if the servo of the next stage goes on towards the same target, or ramps its target from the present stress. */

@@ -379,7 +379,8 @@ static void restore_ring(struct nb_model *model, const struct nb_saved_ring *sav
     nb_boundary_set_forces(model);
 }
 
-/* True if model and state both have, or both lack, each of a cell, a boundary, affine motion and rotation. */
+/* True if the state fits the model: both or neither have a cell, in both the particles rotate or do not, and the model
+ * has an affine motion, a boundary and a stress on it if the state has them. */
 static bool same_loading(const struct nb_model *model, const struct nb_saved *saved) {
   enum nb_rotation rotation = NB_ROTATION_ON;
   for (const struct nb_stage *stage = model->scene->stages; stage <= model->stage; stage++)

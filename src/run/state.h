@@ -6,8 +6,9 @@
 #include "core/model.h"
 #include "input/state_file.h"
 
-/* Copies the state of a model, which must have been created with options.keep_all. The caller frees *saved, also after
- * an error. */
+/* Copies the state of a model. For a state from which another page starts, the model must have been created with
+ * options.keep_all; a checkpoint needs only the fields that the run keeps. The caller frees *saved, also after an
+ * error. */
 enum nb_status nb_saved_capture(struct nb_saved *saved, const struct nb_model *model, struct nb_error *error);
 /* Checks that the state belongs to the scene. NB_BAD_USE if not; the message names the state file, `path`, and the
  * difference. */
@@ -19,5 +20,6 @@ void nb_saved_restore(struct nb_model *model, const struct nb_saved *saved);
 enum nb_status nb_saved_restore_loading(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error);
 /* Restores forces and histories of the contacts. Called after the search has listed the contacts. */
 enum nb_status nb_saved_restore_contacts(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error);
-/* Writes the state to a file as text. Before that it parses this text, so that every written state can be read again. */
+/* Writes the state to a file as text. Before that it parses this text, so that every written state can be read
+ * again. */
 enum nb_status nb_saved_write(const struct nb_saved *saved, const char *path, struct nb_error *error);
