@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../src/core/names.h"
 #include "../src/loading/loading.h"
 #include "chance.h"
 #include "measure/boundary.h"
@@ -50,6 +51,56 @@ static void the_boundary_follows_exactly(void) {
   CU_ASSERT_DOUBLE_EQUAL(after(page, "D.vx"), v.x, 1e-13);
   CU_ASSERT_DOUBLE_EQUAL(after(page, "D.vy"), v.y, 1e-13);
 }
+
+/* The boundary and a particle inside have different velocity gradients. */
+static void each_has_its_own_gradient(void) {
+  const char *page = ONE "disc 2 6 radius 1 m\nmonitor E disc 2\nrecord E.x E.y\nboundary circle 3 4 radius 14\n"
+                         "stage s\naffine strain 0.03 -0.04\nboundary strain -0.01 0.02\ncycles 40\n";
+  CU_ASSERT_DOUBLE_EQUAL(after(page, "D.x"), 3 + 10 * pow(1 - 0.01 * dt, 40), 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(after(page, "D.y"), 4 - 10 * pow(1 + 0.02 * dt, 40), 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(after(page, "E.x"), 3 - pow(1 + 0.03 * dt, 40), 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(after(page, "E.y"), 4 + 2 * pow(1 - 0.04 * dt, 40), 1e-12);
+}
+
+/* After a stage with a stress, in which the particles of the boundary move freely, a strain holds them again: they move
+ * exactly with L, and the ellipse of the boundary is the circle of their mean distance from the centre. Before any
+ * boundary is defined, its quantities are 0. */
+static void held_again(int discs) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  words_add(&page, "units none\nmaterial m density 2 kn 100\nstep 0.125\ndisc 5 0 radius 1 m velocity 0.8 0\n%s",
+            discs > 1 ? "disc -5 0 radius 1 m velocity 0 0.4\ndisc 0 5 radius 1 m\ndisc 0 -5 radius 1 m\n" : "");
+  words_add(&page,
+            "monitor D disc 1\nrecord D.x D.y boundary.particles boundary.radius boundary.area boundary.roughness "
+            "boundary.stress.xx boundary.stress.xy boundary.stress.yx boundary.stress.yy boundary.stress.residual\n"
+            "stage a\ncycles 1\nstage b\nboundary circle 0 0 radius 4.5\nboundary strain 0 0\ncycles 1\n"
+            "stage c\nboundary stress 1 2\ncycles 8\nstage d\nboundary strain -0.01 0.02 c12 0.03\ncycles 3\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  for (int s = 0; s < 4; s++) {
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[s], &error), NB_OK);
+    for (size_t c = 2; c < it.scene.column_count && s == 0; c++)
+      CU_ASSERT_EQUAL(nb_quantity_now(it.scene.columns[c].quantity, model), 0);
+    if (s < 3)
+      written_cycles(model, (int)it.scene.stages[s].cycles);
+  }
+  const double radius = written_now(model, "boundary.radius");
+  CU_ASSERT_EQUAL(written_now(model, "boundary.particles"), discs);
+  CU_ASSERT(fabs(radius - 5) > 0.01);
+  CU_ASSERT_DOUBLE_EQUAL(model->boundary->ring.radius, radius, 1e-14);
+  const struct nb_tensor rate = tensor(-0.01, 0.03, 0, 0.02);
+  struct nb_vec x = vec(written_now(model, "D.x"), written_now(model, "D.y"));
+  for (int n = 0; n < 3; n++)
+    x = vec_add(x, vec_scale(dt, tensor_times(rate, x)));
+  written_cycles(model, 3);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "D.x"), x.x, 1e-13);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "D.y"), x.y, 1e-13);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+static void a_boundary_is_held_again(void) { held_again(1), held_again(4); }
 
 /* `per cycle` gives the strain of one cycle, whatever the step, in later stages too. */
 static void per_cycle(void) {
@@ -463,6 +514,8 @@ static void a_stress_begins_and_ends_at_once(void) {
 
 void suite_drive(void) {
   CU_pSuite suite = CU_add_suite("drive", NULL, NULL);
+  CU_add_test(suite, "the boundary and a particle inside have their own gradients", each_has_its_own_gradient);
+  CU_add_test(suite, "a boundary is held again", a_boundary_is_held_again);
   CU_add_test(suite, "discs at rest join the boundary", discs_at_rest_join_the_boundary);
   CU_add_test(suite, "a circle that has shrunk takes in a disc", a_circle_that_has_shrunk_takes_in_a_disc);
   CU_add_test(suite, "a boundary with any order of numbers", any_order_of_numbers);

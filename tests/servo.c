@@ -58,8 +58,8 @@ static void the_error_is_relative(void) {
   static const struct {
     const char *servo;
     double target[2]; /* in x and y, NAN: not controlled; equal for the mean */
-  } rows[] = {{"isotropic 12", {12, 12}}, {"mean 5", {5, 5}}, {"xx 12", {12, NAN}},         {"xx 6 yy 12", {6, 12}},
-              {"yy 3", {NAN, 3}},         {"xx 0", {0, NAN}}, {"isotropic -12", {-12, -12}}};
+  } rows[] = {{"isotropic 12", {12, 12}}, {"mean 5", {5, 5}}, {"xx 12", {12, NAN}},          {"xx 6 yy 12", {6, 12}},
+              {"yy 3", {NAN, 3}},         {"xx 0", {0, NAN}}, {"isotropic -12", {-12, -12}}, {"xx 0.25", {0.25, NAN}}};
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
     struct words page = {0};
     struct written it;
@@ -395,6 +395,55 @@ static void scales_of_a_box(void) {
   }
 }
 
+/* The servo adds its strain rate to that of the boundary, and with `affine` also to that of the particles inside. */
+static void the_particles_inside_have_the_added_rate(void) {
+  for (int affine = 0; affine < 2; affine++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(&page,
+              RING "stage s\nboundary strain 0.001 0\naffine strain 0 0.002\n"
+                   "servo isotropic 12 on boundary through boundary%s at most 1e-4 per cycle\ncycles 9\n",
+              affine ? " affine" : "");
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+    written_cycles(model, 2);
+    const struct nb_tensor free = model->affine->rate[NB_AFFINE_FREE], ring = model->affine->rate[NB_AFFINE_BOUNDARY];
+    CU_ASSERT(ring.yy != 0);
+    CU_ASSERT_DOUBLE_EQUAL(ring.xx - ring.yy, 0.001, 1e-15); /* the added rate is isotropic */
+    CU_ASSERT_DOUBLE_EQUAL(free.xx, affine ? ring.yy : 0, 1e-15);
+    CU_ASSERT_DOUBLE_EQUAL(free.yy, affine ? ring.yy + 0.002 : 0.002, 1e-15);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
+/* A strain rate changes the stress that a servo controls if it has a component along it. A rotation changes none. */
+static void rates_that_oppose(void) {
+  static const struct {
+    bool controlled[3], mean;
+    struct nb_strain_rate rate;
+    bool opposes;
+  } rows[] = {
+      {{true, false, false}, false, {.xx = 1}, true},
+      {{true, false, false}, false, {.yy = 1}, false},
+      {{false, true, false}, false, {.yy = -1}, true},
+      {{false, true, false}, false, {.xx = 1}, false},
+      {{false, false, true}, false, {.xy = 1}, true},
+      {{false, false, true}, false, {.xy = 1, .yx = 1}, true},
+      {{false, false, true}, false, {.xy = 1, .yx = -1}, false},
+      {{true, true, false}, true, {.xx = 1, .yy = -1}, false},
+      {{true, true, false}, true, {.xx = 1, .yy = 1}, true},
+      {{true, true, true}, false, {.xx = 0}, false},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct nb_servo servo = {.axis_x = {1, 0}, .axis_y = {0, 1}, .mean = rows[k].mean};
+    memcpy(servo.controlled, rows[k].controlled, sizeof servo.controlled);
+    CU_ASSERT_EQUAL(nb_servo_opposes(&servo, &rows[k].rate), rows[k].opposes);
+  }
+}
+
 void suite_servo(void) {
   CU_pSuite suite = CU_add_suite("servo", NULL, NULL);
   CU_add_test(suite, "the error of the stress is relative to the largest target", the_error_is_relative);
@@ -404,6 +453,8 @@ void suite_servo(void) {
   CU_add_test(suite, "servo through a cell", servo_through_a_cell);
   CU_add_test(suite, "stress of a region", stress_of_a_region);
   CU_add_test(suite, "servo through boundary affine", servo_through_boundary_affine);
+  CU_add_test(suite, "the particles inside have the added rate", the_particles_inside_have_the_added_rate);
+  CU_add_test(suite, "rates that oppose a servo", rates_that_oppose);
   CU_add_test(suite, "removed particles have no mass", removed_particles_have_no_mass);
   CU_add_test(suite, "components that are not controlled", components_that_are_not_controlled);
   CU_add_test(suite, "isotropic has no shear stress", isotropic_has_no_shear);

@@ -15,7 +15,6 @@
  * (`accumulated-twice`, pass/affine_twice.c).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include <string.h>
 
 #include "loading.h"
 
@@ -131,7 +130,8 @@ bool nb_affine_step(struct nb_model *model) {
 }
 
 void nb_affine_clear(struct nb_model *model) {
-  memset(model->particles.imposed, 0, model->particles.count * sizeof *model->particles.imposed);
+  for (size_t i = 0; i < model->particles.count; i++)
+    model->particles.imposed[i] = vec(0, 0);
 }
 
 void nb_affine_remove(struct nb_model *model, size_t slot) {

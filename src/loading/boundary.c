@@ -154,7 +154,8 @@ void nb_boundary_set_forces(struct nb_model *model) {
   struct nb_boundary_state *state = model->boundary;
   const size_t count = state->ring.count;
   const double thickness = nb_thickness(model);
-  memset(state->boundary_force, 0, model->particles.count * sizeof *state->boundary_force);
+  for (size_t i = 0; i < model->particles.count; i++)
+    state->boundary_force[i] = vec(0, 0);
   for (size_t k = 0; k < count; k++) {
     const struct nb_vec along = vec_sub(nb_boundary_position(model, k + 1), nb_boundary_position(model, k + count - 1));
     state->boundary_force[state->ring.member[k]] =

@@ -96,9 +96,7 @@ bool nb_servo_opposes(const struct nb_servo *servo, const struct nb_strain_rate 
 
 double nb_servo_error(const struct nb_model *model) {
   const struct nb_servo *servo = &model->stage->servo;
-  double target = 0;
-  for (int k = 0; k < 3; k++)
-    target = fmax(target, fabs(servo->stress[k]));
+  const double target = tensor_largest(tensor(servo->stress[0], servo->stress[2], servo->stress[2], servo->stress[1]));
   return servo->line && target > 0 ? tensor_largest(stress_error(model, servo, 1)) / target : 0;
 }
 
@@ -162,6 +160,6 @@ void nb_servo_apply(struct nb_model *model) {
       [NB_AFFINE_CELL] = servo->cell,
       [NB_AFFINE_BOX] = servo->box,
   };
-  for (int c = 0; c < NB_AFFINE_SOURCES; c++)
+  for (int c = NB_AFFINE_FREE; c < NB_AFFINE_SOURCES; c++)
     affine->rate[c] = servoed[c] ? tensor_add(affine->base_rate[c], added) : affine->base_rate[c];
 }

@@ -234,14 +234,17 @@ static enum nb_status check_stage(const struct nb_saved *saved, const struct nb_
 
 enum nb_status nb_saved_fits(const struct nb_saved *saved, const struct nb_scene *scene, const char *path,
                              struct nb_error *error) {
-  size_t rules = scene->pair_rule_count, removals = 0, k = 0;
-  for (size_t s = 0; s < scene->stage_count; s++)
-    rules += scene->stages[s].change_count, removals += scene->stages[s].removal_count;
+  size_t rules = scene->pair_rule_count, k = 0;
+  bool removes = false;
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    rules += scene->stages[s].change_count;
+    removes = removes || scene->stages[s].removal_count > 0;
+  }
   if (check_stage(saved, scene, path, error))
     return error->status;
   const bool named = same_names(saved, scene);
   while (k < saved->particle_count && k < scene->particle_count &&
-         same_particle(&saved->particles[k], &scene->particles[k], removals > 0))
+         same_particle(&saved->particles[k], &scene->particles[k], removes))
     k++;
   if (saved->impact.is != has_impact(scene))
     return nb_error_set(error, NB_BAD_USE, "%.200s: expected the state of a page %s `impact`, found one %s", path,
