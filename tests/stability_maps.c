@@ -512,6 +512,17 @@ struct symptom {
 };
 static const char *const kick_record = "unbalanced.max energy.residual energy.kinetic energy.stored";
 
+/* The guard that printed the message; a message that names none is an error. */
+static const char *guard_of(const char *text) {
+  if (strstr(text, "passed through wall"))
+    return "crossing";
+  if (strstr(text, "they overlap by"))
+    return "overlap";
+  if (!strstr(text, "it moved by"))
+    fail(text);
+  return "motion";
+}
+
 /* `distance` is the displacement of the first cycle over the mean overlap. */
 static struct symptom symptom_of(struct written *it, double step, double distance, int cycles) {
   struct symptom symptom = {0};
@@ -525,10 +536,7 @@ static struct symptom symptom_of(struct written *it, double step, double distanc
   int late = 0, half = 0;
   for (int n = 0; n < cycles; n++) {
     if (nb_cycle(model, &error)) {
-      snprintf(symptom.text, sizeof symptom.text, "%s",
-               strstr(error.text, "overlap") ? "overlap"
-               : strstr(error.text, "cross") ? "crossing"
-                                             : "motion");
+      snprintf(symptom.text, sizeof symptom.text, "%s", guard_of(error.text));
       symptom.energy = INFINITY;
       break;
     }
@@ -917,7 +925,8 @@ static void write_beginning(FILE *out) {
       "  velocity changes become more than %g times as large as at first, within %d cycles, while the same contacts\n"
       "  are closed.\n"
       "- **Inaccurate:** the displacement in the slowest mode is wrong by more than %g %% of its largest value. The\n"
-      "  comparison is a run with 1/%d of the limit, over half a period, or over %d limits if that is shorter.\n"
+      "  run is compared with one whose step is 1/%d of the limit, over half a period, or over %d limits if that is\n"
+      "  shorter.\n"
       "- **Stable:** neither of the two.\n\n",
       perturbation, growth_limit, (int)GROWTH_CYCLES, 100 * displacement_tolerance, (int)FINE, (int)LONGEST);
   fprintf(out,
@@ -929,8 +938,8 @@ static void write_beginning(FILE *out) {
       "make up more than half of its eigenvalue. Otherwise it is *rotation* if more than half of its kinetic energy "
       "is\n"
       "rotation, else *normal* or *tangential*, whichever part is larger. The scheme shortens the *period* by\n"
-      "the fraction $(\\omega \\Delta t)^2/24$, and a dashpot lags by half a step. The larger of both for the slowest\n"
-      "mode is the cause of inaccuracy.\n\n",
+      "the fraction $(\\omega \\Delta t)^2/24$, and a dashpot lags by half a step. The larger of these two effects on\n"
+      "the slowest mode is the cause of inaccuracy.\n\n",
       out);
   fprintf(
       out,
@@ -1020,7 +1029,8 @@ static void write_checks(FILE *out, const struct map maps[SYSTEMS]) {
       "$$ \\lambda = \\frac{A + B}{2} + \\sqrt{\\left( \\frac{A - B}{2} \\right)^2 + D^2}, \\qquad\n"
       "   A = \\frac{2}{m} (h_n \\sin^2 \\theta + h_s \\cos^2 \\theta), \\quad B = \\frac{2 R^2 h_s}{I}, \\quad\n"
       "   D = \\frac{2 R h_s \\cos \\theta}{\\sqrt{m I}} . $$\n\n"
-      "The limit is the step at which the larger of both eigenvalues is 4. With $c = 2 \\beta \\sqrt{m k}$ both depend "
+      "The limit is the step at which the larger of the two eigenvalues is 4. With $c = 2 \\beta \\sqrt{m k}$ both "
+      "depend "
       "on\n"
       "$\\Delta t \\sqrt{k_n/m}$, $k_s/k_n$, $\\beta$ and $\\theta$ only, as the abstract says. The runs of\n"
       "[Damped up to twice critical](#damped-up-to-twice-critical) agree with it.\n",
@@ -1044,14 +1054,17 @@ static void write_zone(FILE *out, FILE *table, int system, double ratio) {
   struct soft soft;
   fprintf(out, "\n### %s with ks/kn = %g\n\n", systems[system].title, ratio);
   write_soft(out, table, &soft, &systems[system], ratio);
-  fprintf(out,
-          "\nUp to %g times the limit %s.\n\n"
-          "- Up to %g times the limit the mean contact force is %.2f to %.2f of that at rest.\n"
-          "- `energy.residual` is at most %.1g of the initial energy below the limit, and %.1g to %.1g above it.\n"
-          "- With damping `unbalanced.max` is at most %.0e below the limit, and %.1g to %.1g above it.\n",
-          soft_zone, soft.stopped ? "a guard stops some of the runs, and the others go on" : "no guard stops a run",
-          force_zone, soft.force[0], soft.force[1], soft.energy_below, soft.energy[0], soft.energy[1],
-          soft.imbalance_below, soft.imbalance[0], soft.imbalance[1]);
+  fprintf(
+      out,
+      "\nUp to %g times the limit %s.\n\n"
+      "- Up to %g times the limit the mean contact force is %.2f to %.2f of that at rest.\n"
+      "- `energy.residual` is at most %.1g of the initial energy below the limit, and %.1g to %.1g above it, "
+      "up to %g times the limit.\n"
+      "- With damping `unbalanced.max` is at most %.0e below the limit, and %.1g to %.1g above it, up to %g times the "
+      "limit.\n",
+      soft_zone, soft.stopped ? "a guard stops some of the runs, and the others go on" : "no guard stops a run",
+      force_zone, soft.force[0], soft.force[1], soft.energy_below, soft.energy[0], soft.energy[1], soft_zone,
+      soft.imbalance_below, soft.imbalance[0], soft.imbalance[1], soft_zone);
 }
 
 static void write_above(FILE *out, const char *folder) {
@@ -1064,10 +1077,14 @@ static void write_above(FILE *out, const char *folder) {
       "of the overlap in the first cycle. The tables show what a user could record. The force is the mean of all\n"
       "contacts over the last half of the cycles, and `unbalanced.max` is averaged over the last tenth.\n"
       "`energy.residual` is the largest residual divided by the initial energy, and `energy.kinetic` the last kinetic\n"
-      "energy divided by the first. *Stopped* names the guard that stopped the run: a particle moved by more than its\n"
-      "radius in one step (*motion*), or two particles overlapped by more than the smaller radius (*overlap*).\n\n"
+      "energy divided by the first. *Stopped* names the guard that stopped the run. *motion*: a particle moved by more "
+      "than its\n"
+      "radius in one step. *overlap*: two particles overlapped by more than the smaller radius. *crossing*: the "
+      "centre\n"
+      "of a particle crossed a wall.\n\n"
       "Above the limit the vibration grows until contacts slide and open, which bounds its amplitude. The run goes\n"
-      "on, and its results are wrong. With damping `unbalanced.max` shows this: below the limit it falls to rounding, "
+      "on, and its results are wrong. With damping `unbalanced.max` shows this: below the limit it falls to rounding "
+      "errors, "
       "above\n"
       "the limit it stays at about 1 %% or more. Without damping the vibrations never end, and `energy.residual` "
       "shows\n"
@@ -1076,7 +1093,7 @@ static void write_above(FILE *out, const char *folder) {
       "cent, and neither the energy nor the mean contact force shows anything. Far above the limit a run may even "
       "come\n"
       "to rest in another arrangement with a small imbalance. Without `allow unstable` the stability check stops all\n"
-      "these runs before the first cycle.\n\n"
+      "runs above the limit before the first cycle.\n\n"
       "![Quantities that show that the step of nine discs is above the limit](stability/soft.svg)\n",
       (int)SOFT_CYCLES, kick_size);
   fputs("system\tdamping\tf\tforce\timbalance\tenergy\tkinetic\n", table);
