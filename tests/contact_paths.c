@@ -260,7 +260,7 @@ static void write_laws(struct files *files) {
       files->out,
       "\n## Every law\n\n"
       "Each combination of a normal and a shear law makes %.0e steps on each kind of path. The material of each\n"
-      "contact is random. The overlaps are 1e-9 to 1e-3 of the effective radius, and the stiffnesses span sixteen\n"
+      "contact is random. Its mean overlap is 1e-9 to 1e-3 of the effective radius, and the stiffnesses span sixteen\n"
       "decades. The friction is 0, 1e-12, 10, 1e6, or between 0.05 and 1. After each step the program checks that:\n\n"
       "- all forces, stiffnesses and history variables are finite numbers;\n"
       "- $\\lvert T \\rvert \\le \\mu N + c$ up to two roundings, with the cohesion $c$;\n"
@@ -270,9 +270,11 @@ static void write_laws(struct files *files) {
       "work than it was given since first touch, and the stored energy, where a law has one, never grows by more than\n"
       "the work. The path between two points is computed in four and in eight steps. Sixteen times the difference of\n"
       "the two works is taken as the error of the finite steps. Only energy in excess of this error counts. The path\n"
-      "*decades* is left out, because its jumps are too large for this estimate.\n\n"
+      "*decades* is left out, because its jumps are too large for this estimate. A law that joins pieces of its\n"
+      "history may store more than the work, by up to %g of the energy given.\n\n"
       "The table has the largest values of all paths. *Excess* is the part of $\\lvert T \\rvert$ beyond its\n"
-      "limit. *Created* is the energy created by a contact over the energy that it was given. *Stored beyond work* is\n"
+      "limit, divided by the limit. *Created* is the energy created by a contact over the energy that it was given. "
+      "*Stored beyond work* is\n"
       "the growth of the stored energy that is not work, also over the energy given. The last column names the check "
       "that failed, if any.\n"
       "[laws.tsv](paths/laws.tsv) has each kind of path.\n\n"
@@ -280,7 +282,7 @@ static void write_laws(struct files *files) {
       "stored beyond "
       "work | failed check |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- |\n",
-      (double)LONG);
+      (double)LONG, most_joined);
   fputs("normal\tshear\tkind\tsteps\tcontacts\texcess\tcreated\tcreated.high\tgrown\n", files->table);
   each_pair(write_pair, files);
 }

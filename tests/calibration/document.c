@@ -250,13 +250,13 @@ static bool write_means(FILE *out, const struct results *results) {
       "is\n"
       "the mean over %d other realizations, with half the step of the page. The true error is the error of the mean "
       "over\n"
-      "these realizations with the setting. The tolerance lies between the smallest and the largest true error of the "
-      "traded\n"
-      "values, with the page's step and with twice this step. It is at least %g, and at least twice the standard "
-      "error\n"
-      "with which these %d realizations resolve the step of the page. The upper end of this range is at least 8 times "
+      "these realizations with the setting. The tolerance is drawn from a range, from the smallest to the largest true "
+      "error of the\n"
+      "traded values, with the page's step and with twice this step. The lower end is at least %g, and at least twice "
       "the\n"
-      "lower end.\n"
+      "standard error of the change that half the step makes to the mean over these %d realizations. The upper end is "
+      "at least\n"
+      "8 times the lower end.\n"
       "Of the draws, ",
       pages, MEAN_DRAWS, TRUTH_REALIZATIONS, lowest_of_mean, TRUTH_REALIZATIONS);
   write_share(out, answered, results->mean_count);

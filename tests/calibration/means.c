@@ -88,8 +88,8 @@ static double mean_error(double *uncertainty, struct means *means, const struct 
 }
 
 /* Draws a tolerance between the errors of the best and of the worst setting, among the traded values and some steps.
- * The tolerance is at least twice the standard error with which these realizations resolve the step of the page. The
- * range spans at least a factor of 8, because a search with 8 realizations resolves smaller tolerances less well than
+ * The tolerance is at least twice the standard error of the change that half the step makes to the mean. The range
+ * spans at least a factor of 8, because a search with 8 realizations resolves smaller tolerances less well than
  * these 64 realizations do. */
 static double draw_tolerance(struct means *means, const struct nb_scene *page, const char *path, size_t quantity,
                              gsl_rng *random) {

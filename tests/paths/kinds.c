@@ -11,7 +11,7 @@ const char *const kind_titles[KINDS] = {
     "random walk of overlap and displacement; the contact opens now and then",
     "oblique impacts: the overlap is half a sine, the displacement a drift and an oscillation",
     "oscillation of the displacement with decreasing amplitude at constant overlap, then sliding forward and back",
-    "as ringing, and the overlap oscillates and decays too",
+    "as ringing, while the overlap also oscillates with decreasing amplitude",
     "ratcheting: cycles of overlap and displacement with a phase between them, in half of the contacts a drift",
     "rolling with micro-slip: the overlap grows and falls once, the displacement creeps and vibrates",
     "jumps of overlap and displacement over twelve decades",

@@ -13,8 +13,7 @@ enum { COARSE = 4, FINE = 2 * COARSE };
 static const double rounding = 256 * DBL_EPSILON; /* relative rounding of the sum of all works of a contact */
 /* Relative rounding of mu N + c and of T, as in tests/laws.c. */
 static const double limit_rounding = 2 * DBL_EPSILON;
-/* Largest growth of the stored energy by merges of pieces, over the energy given: docs/PATHS.md. */
-static const double most_joined = 1e-3;
+const double most_joined = 1e-3;
 
 /* The energy account of one force of a contact, J. */
 struct account {

@@ -45,6 +45,8 @@ struct findings {
 /* The findings for a normal law with a shear law. The steps of the kind DECADES are too large for an energy account. */
 struct findings law_on_paths(const struct nb_law *normal, const struct nb_law *shear, int kind, long steps);
 void findings_add(struct findings *sum, const struct findings *more);
+/* Tolerance of `grown` for a law that merges pieces of its history. */
+extern const double most_joined;
 /* The first promise that is broken, in words; NULL: none. `joins`: the law merges pieces of its history. */
 const char *broken_promise(const struct findings *findings, bool joins);
 
