@@ -119,9 +119,11 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
                       .overlap = particle->radius - fabs(away),
                       .v = side * (wall->vx * wall->ex + wall->vy * wall->ey)};
   if (!(it.overlap > 0) || fabs(wall->vy * wall->ex - wall->vx * wall->ey) > 0 || !read_stages(&it, scene))
-    return nb_error_set(error, NB_BAD_USE,
-                        "the reference `changed_law` is for a wall that moves tangentially, steps given as times, and "
-                        "a contact that does not slide");
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "the reference `changed_law` is for up to %d stages, a wall that moves tangentially at a constant "
+        "velocity, steps given as times, and a contact that does not slide",
+        STAGES);
   const double end = it.parts[it.count - 1].end, mass = matter_mass(scene, particle);
   const double most = fmax(it.pair.kn * it.overlap, 4. / 3 * it.pair.young * contact_radius(&it) * it.overlap);
   if (!(most * end * end / 2 < 1e-13 * mass * it.overlap))

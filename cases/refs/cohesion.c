@@ -67,7 +67,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (scene->particle_count != 1 || scene->wall_count != 3 || !read_stages(&loading, scene))
     return nb_error_set(
         error, NB_BAD_USE,
-        "the reference `cohesion` is for one disc between two plates that press, shear and leave it, and a stop");
+        "the reference `cohesion` is for one disc, a stop, and two plates that press, shear and then leave the disc");
   const int particle = scene->particles[0].material;
   const struct matter_pair pair = matter_pair(scene, particle, scene->walls[0].material);
   const struct matter_pair stop = matter_pair(scene, particle, scene->walls[2].material);

@@ -11,7 +11,8 @@
  *
  * Returns, for C that monitors the contact:
  *   C.overlap max, C.normal max;   C.overlap, C.normal (elastic force) and C.dashpot.normal along time
- *   C.overlap, C.normal in STAGE   at the end of a stage of a given number of cycles
+ *   C.overlap, C.normal in STAGE   at the end of each stage before the first with a condition or with another step; for
+ *                                  the stage with the largest overlap also C.overlap max, C.normal max in STAGE
  *   impact.duration, impact.restitution
  * Error    1e-13, the tolerance of the integration.
  *

@@ -15,7 +15,8 @@
  *
  * Returns, for C that monitors the contact:
  *   C.overlap max, C.normal max;   C.normal along C.overlap;   C.overlap, C.normal along time
- *   C.overlap, C.normal in STAGE   at the end of a stage of a given number of cycles
+ *   C.overlap, C.normal in STAGE   at the end of each stage before the first with a condition or with another step; for
+ *                                  the stage with the largest overlap also C.overlap max, C.normal max in STAGE
  *   impact.duration = T_c,  impact.restitution = 1
  * Exact in continuous time.
  *

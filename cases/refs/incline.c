@@ -108,7 +108,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (!read_stages(&plane, scene, particle.step) || !slides_to_the_end(&plane))
     return nb_error_set(
         error, NB_BAD_USE,
-        "the reference `incline` is for stages that only increase the inclination once the particle slides");
+        "the reference `incline` is for up to %d stages, and a particle that does not roll again after it has slid",
+        STAGES);
   for (int s = 0; s < plane.count; s++) {
     single_add(solution, particle.particle, "vx", scene->stages[s].name, vx_at(&plane, plane.begin[s + 1]));
     single_add(solution, particle.particle, "spin", scene->stages[s].name, spin_at(&plane, plane.begin[s + 1]));

@@ -66,6 +66,7 @@ static inline size_t nb_bit_count(unsigned set) {
  * law's loop vectorises. A law with more doubles has a row of them for each contact. The first double of a row is 0
  * when the history is empty; the others are then undefined. */
 #define NB_HISTORY 4 /* not an enum: the preprocessor compares it */
+/* The most pieces of a history, and the doubles of the longest row: HISTORY and PIECE of shear_mindlin_deresiewicz.c. */
 enum { NB_PIECES_MAX = 256, NB_HISTORY_MAX = 12 + 5 * NB_PIECES_MAX };
 enum { NB_PREFETCH_DISTANCE = 6 }; /* a row is prefetched this many contacts before it is used */
 struct nb_history {

@@ -61,6 +61,7 @@ struct nb_pass {
   const char *name;
   nb_run_pass *run[NB_ISAS];
 };
+/* The most passes of a material pair, the most threads, and the least number of contacts of a thread. */
 enum { NB_PASSES = 7, NB_THREADS = 256, NB_CONTACTS_PER_THREAD = 128 };
 enum { NB_PARTS_PER_THREAD = 4, NB_MOST_PARTS = NB_THREADS * NB_PARTS_PER_THREAD }; /* of the work of a cycle: team.c */
 
@@ -181,7 +182,7 @@ enum nb_when {
   NB_AFTER_FORCES,
   NB_WHENS
 };
-enum { NB_HOOKS = 8 };
+enum { NB_HOOKS = 8 }; /* the most hooks at one place of a cycle */
 struct nb_hooks {
   size_t count;
   struct nb_hook {
