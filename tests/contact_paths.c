@@ -332,7 +332,7 @@ static void write_exact(struct files *files) {
   fputs(
       "\n![Largest error of the shear force against the memory of the exact law](paths/memory.svg)\n\n"
       "**Causes.**\n\n"
-      "- A path that fills the contact with more reversals than there are pieces must lose some of them. This happens\n"
+      "- If a path has more reversals than the law has pieces, the law loses some of them. This happens\n"
       "  in *ringing*, *both* and *sheared*. The law joins the two pieces whose join changes $T$ least at the present\n"
       "  overlap.\n"
       "- In *rolling* the overlap falls to a small part of its largest value at the end. The error of inner pieces\n"
@@ -340,7 +340,7 @@ static void write_exact(struct files *files) {
       "largest "
       "error.\n"
       "- Cycles that repeat erase their own corners. So *ratchet* needs few pieces, however long it is.\n"
-      "- The contacts of *bounce* and *incline* mostly slide or vibrate with overlap and displacement in step. Their\n"
+      "- The contacts of *bounce* and *incline* mostly slide or vibrate with overlap and displacement in phase. Their\n"
       "  paths have few corners.\n",
       files->out);
 }
