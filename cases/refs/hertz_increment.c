@@ -25,7 +25,7 @@
  *
  * Returns impact.restitution and, for C that monitors the contact, C.normal max in the first stage, which must contain
  * the largest force. Errors of the largest overlap and of the duration are of the order log(n)/n, so neither is
- * returned. Error: 1/n^2.
+ * returned. Error: of the order of 1/n^2.
  *
  * Source   [R89 4.11-4.14]; e and N_max derived here.
  *

@@ -6,8 +6,8 @@
  * The sums of different particles are independent, so the particles may have any order. Those of a batch, up to
  * NB_BATCH_SIZE consecutive slots, are sorted into groups. All particles of a group have the same number of contacts in
  * which they are the second particle, and the same number in which they are the first. The loops over a group have
- * constant lengths, which the processor predicts. Without groups, wrong predictions of the ends of loops took half the
- * time of the motion of 70 000 particles (docs/PERFORMANCE.md).
+ * constant lengths, which the processor predicts. Without groups, wrong predictions of the ends of loops took two
+ * fifths of the time of the motion of 70 000 particles (docs/PERFORMANCE.md).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "model.h"
