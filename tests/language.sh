@@ -84,6 +84,12 @@ test ! -s "$work/said" && test -n "$command"
 result $? 'nineball --help begins with what a newcomer looks for, and with each command'
 test "$("$nineball" --help strain | grep -cE '^ *(cell|box|boundary|affine) strain: moves ')" -eq 4
 result $? 'nineball --help strain compares the four statements'
+"$nineball" --help strain | tr -s ' \n' '  ' >"$work/said"
+grep -qF 'With `region S all from STAGE`, `S.strain.xx`' "$work/said"
+result $? 'nineball --help strain says how a strain counts from a stage'
+"$nineball" --help material | tr -s ' \n' '  ' | grep -qF 'full `kn` and `ks`, not half of them' &&
+  "$nineball" --help until | tr -s ' \n' '  ' | grep -qF 'far above 50 kPa, and only a servo holds it'
+result $? 'nineball --help: the stiffness of equal materials, and a stress after a wait for rest'
 
 # Words of other programs: `nineball --help` of such a word must show all words of the page language that are in the same row.
 grep '^    {"' src/input/guess.c | tr '{' '\n' | sed -n 's/^"\([^"]*\)", "\([^"]*\)".*$/\1|\2/p' >"$work/synonyms"

@@ -319,6 +319,7 @@ out 'normal  linear'
 out 'shear   linear'
 out 'parameters of the materials: ks, friction, cohesion'
 out '[CS79 17-19]'
+out 'full kn and ks at their contact'
 run 0 list
 out 'nine_discs'
 verdict 'laws and list'

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/clean.h"
 #include "expression.h"
 #include "old_words.h"
 
@@ -309,10 +310,18 @@ static bool has_operator(const struct nb_reader *reader, const char *text) {
          (number || reader->keyword) && nb_number_read(&value, text, 0) == NB_NO_NUMBER && !nb_unit_read(&unit, text);
 }
 
+/* True for a function outside parentheses, in place of a value: `exp(2)`. */
+static bool is_call(const char *text) {
+  char name[NB_NAME_SIZE];
+  const size_t length = strcspn(text, "(");
+  snprintf(name, sizeof name, "%.*s", (int)length, text);
+  return text[length] && nb_name_reserved(name);
+}
+
 /* Writes a hint with the word in parentheses, unless the word is one sign, or the value of a $NAME has replaced it. */
 static void operator_hint(const struct nb_reader *reader, char *hint, const char *text) {
   const struct nb_token *const token = nb_token_peek(reader);
-  snprintf(hint, NB_HINT_SIZE, "put operators into parentheses: `(%.80s)`",
+  snprintf(hint, NB_HINT_SIZE, "put operators and functions into parentheses: `(%.80s)`",
            text[1] && !(token && token->name) ? text : "2 * 3");
 }
 
@@ -343,7 +352,7 @@ static bool sign_hint(const struct nb_reader *reader, char *hint, const char *te
     snprintf(hint, NB_HINT_SIZE, "leave out the `=`");
   else if (name > 0 && text[name] && text[name + 1])
     equals_hint(reader, let, hint, text, name);
-  else if (has_operator(reader, text))
+  else if (has_operator(reader, text) || is_call(text))
     operator_hint(reader, hint, text);
   else
     return false;
@@ -368,9 +377,26 @@ const char *nb_syntax_hint(const struct nb_reader *reader, char *hint, const cha
   return number_hint(hint, text) || sign_hint(reader, hint, text) ? hint : NULL;
 }
 
+/* Writes the line with `expected` in place of a sign: "write `C.normal max expected 3 N within 1 % [SOURCE]`". */
+static const char *compared_hint(char *hint, const struct nb_reader *reader) {
+  const struct nb_token *const tokens = reader->tokens;
+  bool within = false;
+  snprintf(hint, NB_HINT_SIZE, "write `");
+  for (size_t k = 0; k < reader->count && *tokens[k].text != '['; k++) {
+    nb_append(hint, NB_HINT_SIZE, "%s%.80s", k ? " " : "", k == reader->next ? "expected" : tokens[k].text);
+    within = within || strcmp(tokens[k].text, "within") == 0;
+  }
+  nb_append(hint, NB_HINT_SIZE, "%s%s [SOURCE]`; see `nineball --help expected`",
+            reader->next + 1 < reader->count ? "" : " VALUE", within ? "" : " within 1 %");
+  return hint;
+}
+
 /* The hint for a word of another program in this statement, `fill 200`, or in any expectation; NULL: there is none. */
 static const char *context_hint(const struct nb_reader *reader, char *hint, const struct nb_token *token) {
   const bool inside = token > reader->tokens && reader->here != NB_IN_EXPECT;
+  const struct nb_synonym *const sign = inside ? NULL : nb_pair_synonym("expect", token->text);
+  if (token > reader->tokens && sign && strstr(sign->words, "expect_="))
+    return compared_hint(hint, reader);
   return inside                         ? nb_pair_hint(hint, reader->tokens[0].text, token->text)
          : reader->here == NB_IN_EXPECT ? nb_pair_hint(hint, "expect", token->text)
                                         : NULL;

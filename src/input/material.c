@@ -149,7 +149,7 @@ NB_APPLY(apply_change) {
 /* clang-format off */
 NB_STATEMENTS(material) = {
   {"material", NB_IN_SCENE | NB_IN_CONTACT_TEST, material_fields, NULL, 0, false, apply_material,
-   "Defines a material of particles and walls. Stiffness, friction and cohesion are those of a contact between two particles of this material. --set soften=S divides `kn`, `ks` and `young` of all materials and pairs by S.",
+   "Defines a material of particles and walls. Stiffness, friction and cohesion are those of a contact between two particles of this material: the contact has the full `kn` and `ks`, not half of them as with two springs in series (PFC). --set soften=S divides `kn`, `ks` and `young` of all materials and pairs by S.",
    "material  steel  density 7.8 g/cm3  kn 10 MN/m  ks 8 MN/m  friction $grip\nmaterial  glass  density 2.5 g/cm3  kn 5 MN/m   ks 4 MN/m  friction 0.2"},
   {"pair", NB_IN_SCENE | NB_IN_CONTACT_TEST, pair_fields, NULL, 0, false, apply_pair,
    "Defines properties of contacts between two materials. A property that is not given follows from the two materials: the stiffness is the harmonic mean of their stiffnesses, and friction and cohesion are the smaller of their values.",

@@ -457,8 +457,9 @@ static bool means_particle(const char *word) {
 
 /* The kind of monitor that two words name, `disc 1` or `wall floor`, with the shape of the scene; 0: they name none. */
 static unsigned named_by(char *name, size_t size, const struct nb_scene *scene, const char *word, const char *of) {
-  const size_t number = strspn(of, "0123456789") == strlen(of) ? strtoul(of, NULL, 10) : 0;
   const bool wall = strcmp(word, "wall") == 0, sphere = strcmp(word, "sphere") == 0;
+  of = !wall && strcmp(of, "0") == 0 ? "1" : of; /* the first particle has the number 1 */
+  const size_t number = strspn(of, "0123456789") == strlen(of) ? strtoul(of, NULL, 10) : 0;
   const bool is_sphere = number - 1 < scene->particle_count ? scene->particles[number - 1].shape == NB_SPHERE : sphere;
   snprintf(name, size, "%s %.63s", wall ? "wall" : is_sphere ? "sphere" : "disc", of);
   return wall ? WALL : number && means_particle(word) ? PARTICLE : 0;

@@ -212,6 +212,8 @@ static bool is_part(const struct nb_old_word *row, const char *name, size_t at, 
     return false;
   const char *old = row->old + (*row->old == '.');
   const size_t n = strlen(old);
+  if (at == strlen("box.") && strncmp(name, "box.strain", strlen("box.strain")) == 0)
+    return false; /* the strain of a box has not been renamed */
   if (at + n > length || (at > 0 ? name[at - 1] != dot : *row->old == '.') || (at + n < length && name[at + n] != dot))
     return false;
   for (size_t k = 0; k < n; k++)

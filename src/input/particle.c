@@ -17,7 +17,7 @@ static const struct nb_argument particle_fields[] = {
   MATERIAL(AT_MATERIAL),
   VELOCITY(AT_VX, "0 0"),
   CLAUSE("spin", "W", NB_UNIT_SPIN, NB_ANY, AT_SPIN, 1, "0", "Angular velocity, counterclockwise."),
-  FLAG("fixed", AT_FIXED, "free", "The particle does not move, and its mass counts as infinite."),
+  FLAG("fixed", AT_FIXED, "free", "Forces do not move the particle, and its mass counts as infinite: it keeps its `velocity` and its `spin`. Two fixed particles have no contact."),
   END
 };
 static const struct nb_argument lattice_fields[] = {

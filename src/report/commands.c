@@ -328,6 +328,9 @@ enum nb_status nb_command_laws(const struct nb_call *call) {
            (*law)->piece > 0 ? " or as many as `memory` asks for" : "",
            (*law)->stored ? "reports its stored energy" : "does not report stored energy",
            (*law)->non_conservative ? "; may create energy" : "");
+  puts("Two particles of one material have its full kn and ks at their contact. Two materials with the stiffnesses a "
+       "and b\n"
+       "have 2ab/(a+b), twice that of two springs in series (PFC), unless `pair` gives another stiffness.");
   return NB_OK;
 }
 

@@ -445,6 +445,10 @@ static void strains(const struct manual *to) {
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
     part(to, rows[k][0], NULL, rows[k][1]);
   end(to);
+  paragraph(to, "Strains count from the start of the run. With `region S all from STAGE`, `S.strain.xx` and "
+                "`S.strain.yy` count from the beginning of STAGE. The height of a box after one stage and after an "
+                "earlier one is compared in a block `expect`: `box.height last in LATER  expected 0.98 of box.height "
+                "last in EARLIER within 1 % [SOURCE]`; `box.width` likewise.");
 }
 
 /* Prints the statements that are allowed in `here` and not in `there`. */
