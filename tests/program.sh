@@ -800,8 +800,16 @@ if command -v gnuplot >/dev/null; then
   run 2 figure tree/cases/lacks.md -o lacks --trust
   said 'gnuplot refused lacks/lacks.gp: '
   said 'no column with header "D.y/-" (line 23 of the page)'
+  said 'the data are `$table`, with a sweep `$table_1`'
   absent lacks/lacks.svg
   verdict 'a figure with a missing column'
+  sed "s|^plot .*|plot 'table.tsv'|" "$pages/passes.md" >tree/cases/lacks.md
+  run 2 figure tree/cases/lacks.md -o lacks --trust
+  said 'the data are `$table`, with a sweep `$table_1`'
+  sed "s|^plot .*|set titel 'x'|" "$pages/passes.md" >tree/cases/lacks.md
+  run 2 figure tree/cases/lacks.md -o lacks --trust
+  grep -q 'the data are' said && echo 'a mistake without data has the hint about data' >>why
+  verdict 'a figure with data that gnuplot does not find'
 
   # A page that uses all variables of --help gnuplot.
   sed '/^```gnuplot/,/^```$/d; s/^stage  *strike/stage STAGE\n  snapshot/; s/ in strike//

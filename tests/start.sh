@@ -39,6 +39,45 @@ result $? 'explain says that the state is present'
 run threads "$pages/saved-stage.md" --threads 3 --isa plain && cmp "$work/now/table.tsv" "$work/threads/table.tsv"
 result $? 'the results with other threads and another instruction set are the same'
 
+# ---- contacts of fixed particles, the time of the first page ----
+
+cat >"$pages/held.md" <<'END'
+# Fixed discs
+```scene
+units   none
+material  m  density 1 kn 1
+wall    w  -9 -1 to 9 -1  m
+disc    0 0 radius 1.1 m fixed spin 1
+disc    2 0 radius 1 m fixed
+disc    0 2 radius 1 m
+monitor A  disc 1 with wall w
+monitor B  disc 1 with disc 2
+monitor C  disc 1 with disc 3
+step    0.01
+record  time A.normal B.normal C.normal
+stage   whole
+until   time above 0.015 at most 9 cycles
+```
+END
+cat >"$pages/later.md" <<'END'
+# A page whose condition is on the time of the first page
+```scene
+start   held stage whole
+record  time
+stage   on
+until   time above 0.035 and stage.time above 0 at most 9 cycles
+```
+END
+run held "$pages/held.md" && grep -qF 'held.md:9: warning: this contact has no force: a `fixed` particle has no contact with a wall' "$work/said" &&
+  grep -qF 'held.md:10: warning: this contact has no force: a `fixed` particle has no contact with another fixed one' "$work/said" &&
+  test "$(grep -c warning "$work/said")" -eq 2 &&
+  awk -F '\t' '/^#/ { next } !head { for (k = 1; k <= NF; k++) at[$k] = k; head = 1; next }
+    { a += $(at["A.normal/-"]) + $(at["B.normal/-"]); c += $(at["C.normal/-"]) } END { exit !(head && a == 0 && c > 0) }' "$work/held/table.tsv"
+result $? 'a fixed particle has no force with a wall and with another fixed one, and the page is warned'
+run later "$pages/later.md" && grep -qF 'later.md:6: warning: `time` counts from the start of the first page, `stage.time` from that of the stage' "$work/said" &&
+  test "$(tail -n 1 "$work/later/table.tsv" | tr '\t' '\n' | grep -c '^0\.04')" -eq 1
+result $? 'a condition on `time` after `start` is warned of, and counts from the first page'
+
 # ---- quantities of removed particles ----
 
 cat >"$pages/less.md" <<'END'

@@ -52,6 +52,15 @@ static bool take_with(struct nb_reader *reader) {
              : nb_take_word(reader, "with");
 }
 
+/* Warns of a contact that has never a force: a `fixed` particle has none with a wall or another fixed particle. */
+static void warn_of_fixed(struct nb_scene *scene, const struct nb_monitor *one, int line) {
+  const bool wall = one->kind == NB_MONITOR_PARTICLE_WALL;
+  if ((wall || one->kind == NB_MONITOR_PARTICLE_PARTICLE) && scene->particles[one->a].fixed &&
+      (wall || scene->particles[one->b].fixed))
+    nb_warn(&scene->warnings, line, "this contact has no force: a `fixed` particle has no contact with %s",
+            wall ? "a wall" : "another fixed one");
+}
+
 NB_APPLY(apply_monitor) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
@@ -77,8 +86,8 @@ NB_APPLY(apply_monitor) {
     return;
   if (one.a < 0)
     nb_fail_silently(reader);
-  if (!reader->bad)
-    nb_monitor_add(scene, reader, record->value[AT_NAME].token, one);
+  if (!reader->bad && nb_monitor_add(scene, reader, record->value[AT_NAME].token, one))
+    warn_of_fixed(scene, &one, (int)reader->line);
 }
 
 /* clang-format off */

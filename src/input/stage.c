@@ -109,6 +109,9 @@ static bool take_condition(struct nb_scene_reading *reading, struct nb_reader *r
   if (!nb_take_in_unit(reader, comparison.unit, &condition->value))
     return false;
   comparison.value = condition->value;
+  if (reading->scene->start.stages > 0 && strcmp(condition->name, "time") == 0)
+    nb_warn(&reading->scene->warnings, condition->line,
+            "`time` counts from the start of the first page, `stage.time` from that of the stage");
   nb_comparison_warn(&reading->scene->warnings, condition->line, &comparison);
   return nb_comparison_is_open(reader, &comparison, "a condition");
 }

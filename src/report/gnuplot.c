@@ -48,6 +48,17 @@ static bool copy_messages(const struct nb_gnuplot *drawing, FILE *messages, char
   return missing_column;
 }
 
+/* The names of the data, for a message of gnuplot about data that it does not find; empty for other messages. */
+static const char *data_hint(const char *reason) {
+  static const char *const about[] = {"No data in plot", "undefined variable", "no datablock", "range is invalid",
+                                      "no column with header"};
+  for (size_t k = 0; k < sizeof about / sizeof *about; k++)
+    if (strstr(reason, about[k]))
+      return "; the data are `$table`, with a sweep `$table_1`, `$table_2`, …, and `$values`, one row for each run, "
+             "whose columns have names: see `nineball --help gnuplot`";
+  return "";
+}
+
 enum nb_status nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error *error) {
   char file[NB_NAME_SIZE + 8], argument[sizeof file + 2], reason[256];
   char *const words[] = {"-d", "-e", (char *)drawing->commands, argument, NULL};
@@ -61,7 +72,8 @@ enum nb_status nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error 
   if (messages) {
     const bool missing_column = copy_messages(drawing, messages, reason, sizeof reason);
     if (!status && (code != 0 || missing_column))
-      status = nb_error_set(error, NB_BAD_USE, "gnuplot refused %.150s/%s: %s", drawing->folder, file, reason);
+      status = nb_error_set(error, NB_BAD_USE, "gnuplot refused %.150s/%s: %s%s", drawing->folder, file, reason,
+                            data_hint(reason));
     fclose(messages);
   }
   return status;
