@@ -8,6 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "../src/core/clock.h"
 #include "report/outcome.h"
 #include "suites.h"
 #include "written.h"
@@ -21,7 +22,7 @@ struct reports {
 
 static void call(void *data, const char *stage, double fraction, double seconds) {
   struct reports *reports = data;
-  CU_ASSERT(seconds >= 0);
+  CU_ASSERT(seconds >= 0 && seconds < nb_clock()); /* since the runs began; the clock began earlier */
   CU_ASSERT(fraction > 0 && fraction <= 1);
   snprintf(reports->stage, sizeof reports->stage, "%s", stage);
   reports->fraction = fraction, reports->calls++;
@@ -771,6 +772,26 @@ static void interrupted_with(nb_settings own, nb_settings other) {
   unlink(path);
 }
 
+/* A page with one run has a lock, too. */
+static void lock_of_one_run(void) {
+  char path[] = "/tmp/nineball-outcome-XXXXXX", states[] = "/tmp/nineball-outcome-XXXXXX";
+  struct nb_outcome first, second;
+  write_page(path,
+             "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nmonitor A disc 1\nstep 1\nrecord A.x\n"
+             "stage s\ncycles 1",
+             "A.x expected 0 within 1 [t]");
+  struct nb_options options = {.threads = 1, .jobs = 1, .states = mkdtemp(states)};
+  options.checkpoint.seconds = 1e9;
+  CU_ASSERT_EQUAL(nb_outcome_make(&first, path, NULL, &options, NULL), NB_OK);
+  CU_ASSERT_EQUAL(nb_outcome_make(&second, path, NULL, &options, NULL), NB_BAD_USE);
+  CU_ASSERT_PTR_NOT_NULL(strstr(second.error.text, "runs this page with these settings"));
+  nb_outcome_free(&second);
+  nb_outcome_remove_checkpoints(&first, &options);
+  nb_outcome_free(&first);
+  CU_ASSERT_EQUAL(rmdir(states), 0);
+  unlink(path);
+}
+
 /* Locks and checkpoints depend on every setting, not only on the last one. */
 static void locks_and_checkpoints(void) {
   interrupted_with(NULL, (const char *const[]){"w=2", NULL});
@@ -814,6 +835,7 @@ void suite_outcome(void) {
   CU_add_test(suite, "a file that is removed during the runs", a_file_that_is_removed);
   CU_add_test(suite, "folders that cannot be made", folders_that_cannot_be_made);
   CU_add_test(suite, "locks and checkpoints of all runs", locks_and_checkpoints);
+  CU_add_test(suite, "the lock of a page with one run", lock_of_one_run);
   CU_add_test(suite, "runs at once", runs_at_once);
   CU_add_test(suite, "results of runs in a temporary file", results_in_a_file);
   CU_add_test(suite, "deep contacts of all runs together", deep_overlaps_of_all_runs);

@@ -135,6 +135,10 @@ static void nothing_to_reduce(void) {
     planted_solution(&outcome, outcome.runs[0].expectations.list[0].measure.label, 1);
     planted_is(&outcome, NB_FAIL);
     planted_says(&outcome, rows[k].words);
+    double value = 0;
+    struct nb_error error;
+    const struct nb_measure *measure = &outcome.runs[0].expectations.list[0].measure;
+    CU_ASSERT(nb_measure_value(&value, measure, &outcome.runs[0].result.table, &error) || !isfinite(value));
     nb_outcome_free(&outcome);
   }
   planted_one("A.x within 9", "A.y", 1, 1, &rows[0].x[0], NB_FAIL, "the reference does not return `A.x`");

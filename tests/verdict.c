@@ -224,6 +224,8 @@ static void words(void) {
               "computed 1.000000002, reference 1, error 2e-09");
   planted_one("A.x within 0", "A.x", -1, 1, (double[]){-1.0000000012}, NB_FAIL, /* two digits of the difference */
               "computed -1.0000000012, reference -1, error 1.2e-09");
+  planted_one("A.x within 0", "A.x", 1, 1, (double[]){1.0000000012345}, NB_FAIL, /* not more than two */
+              "computed 1.0000000012, reference 1, error 1.23");
   planted_one("A.x within 0", "A.x", 1.0000000012, 1, (double[]){1}, NB_FAIL,
               "computed 1, reference 1.0000000012, error 1.2e-09");
   planted_one("report A.x", NULL, 0, 1, (double[]){9}, NB_NOTE, "computed 9");

@@ -7,14 +7,23 @@
 #include <stdlib.h>
 #include <string.h>
 
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/asan_interface.h>
+#else
+#define ASAN_POISON_MEMORY_REGION(from, bytes) ((void)0)
+#endif
+
 void *nb_array(size_t count, size_t size) {
   const size_t line = 64; /* a cache line, and the widest vector load */
   if (size && count > (SIZE_MAX - line) / size)
     return NULL;
   const size_t bytes = (count * size + line) / line * line; /* at least one line */
   void *array = aligned_alloc(line, bytes);
-  if (array)
-    memset(array, 0, bytes);
+  if (!array)
+    return NULL;
+  memset(array, 0, bytes);
+  /* The sanitizer then reports an access past the last element. */
+  ASAN_POISON_MEMORY_REGION((char *)array + count * size, bytes - count * size);
   return array;
 }
 

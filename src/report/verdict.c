@@ -59,7 +59,7 @@ double nb_error_ratio(const struct nb_tolerance *tolerance, double computed, dou
 static int digit_count(double a, double b) {
   const double error = fabs(a - b) / fmax(fabs(a), fabs(b));
   const int needed = error > 0 ? 2 - (int)floor(log10(error)) : 0;
-  return needed < 6 ? 6 : needed > 17 ? 17 : needed;
+  return (int)fmin(fmax(needed, 6), 17);
 }
 
 void nb_check_error(struct nb_check *check, const char *what, double error, double scale,
