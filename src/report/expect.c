@@ -89,7 +89,7 @@ static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, 
              scene->contact_test ? "contact test" : "scene");
   else if (nb_number_read(&number, token->text, 0) != NB_NO_NUMBER)
     snprintf(hint, sizeof hint, "a number is compared by `expected NUMBER within TOLERANCE [SOURCE]`");
-  else if (!nb_pair_hint(hint, "expect", token->text) && !magnitude_hint(hint, scene, token->text) &&
+  else if (!magnitude_hint(hint, scene, token->text) && !nb_pair_hint(hint, "expect", token->text) &&
            !nb_phrase_hint(hint, scene, token, reader->count - (size_t)(token - reader->tokens)) &&
            !reducer_hint(hint, reader, scene, token))
     nb_quantity_hint(hint, scene, token->text);
