@@ -105,6 +105,18 @@ static void stable_step_with_damping_walls(void) {
   written_free(&it);
 }
 
+/* Two discs that are far apart count with the dashpot of their contact: omega^2 = 2 k/m, and xi is the damping ratio. */
+static void stable_step_of_discs_apart(void) {
+  struct written it;
+  struct nb_model *model = model_of(&it,
+                                    "material m density 0.31830988618379067 kn 8\ndisc 0 0 radius 1 m\n"
+                                    "disc 90 0 radius 1 m\n",
+                                    "damping ratio 0.2\nstep 0.01\nrecord step.stable\nstage s\ncycles 1\n");
+  NEAR(nb_stable_step_apart(model).step, 2 / sqrt(16) * (sqrt(1.04) - 0.2), 1e-12);
+  nb_model_free(model);
+  written_free(&it);
+}
+
 /* ---- deep contacts ---- */
 
 static void overlaps_are_counted(void) {
@@ -274,6 +286,7 @@ void suite_deep(void) {
   CU_add_test(suite, "coefficients of elastic spheres", elastic_coefficients);
   CU_add_test(suite, "damping walls", walls_separate);
   CU_add_test(suite, "the stable step uses the damping of walls", stable_step_with_damping_walls);
+  CU_add_test(suite, "the stable step of discs apart uses their damping", stable_step_of_discs_apart);
   CU_add_test(suite, "deep contacts are counted", overlaps_are_counted);
   CU_add_test(suite, "counts do not depend on searches and threads", counts_go_on);
   CU_add_test(suite, "counts are kept", counts_stay);

@@ -102,6 +102,20 @@ static void held_again(int discs) {
 
 static void a_boundary_is_held_again(void) { held_again(1), held_again(4); }
 
+/* A circle that has all particles inside: every quantity of the boundary is 0. */
+static void a_boundary_without_particles(void) {
+  static const char *const names[] = {"particles", "radius", "area", "roughness", "stress.xx", "stress.residual"};
+  for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
+    char page[512], name[64];
+    snprintf(name, sizeof name, "boundary.%s", names[k]);
+    snprintf(page, sizeof page,
+             "disc 1 0 radius 1 m\ndisc 2.9 0 radius 1 m\nboundary circle 0 0 radius 9\nrecord %s\n"
+             "stage s\nboundary strain 0 0\ncycles 1\n",
+             name);
+    CU_ASSERT_EQUAL(after(page, name), 0);
+  }
+}
+
 /* `per cycle` gives the strain of one cycle, whatever the step, in later stages too. */
 static void per_cycle(void) {
   const char *page = ONE "boundary circle 3 4 radius 14\nstage s\nboundary strain -0.01 per cycle 0.02 per cycle\n"
@@ -516,6 +530,7 @@ void suite_drive(void) {
   CU_pSuite suite = CU_add_suite("drive", NULL, NULL);
   CU_add_test(suite, "the boundary and a particle inside have their own gradients", each_has_its_own_gradient);
   CU_add_test(suite, "a boundary is held again", a_boundary_is_held_again);
+  CU_add_test(suite, "a boundary without particles", a_boundary_without_particles);
   CU_add_test(suite, "discs at rest join the boundary", discs_at_rest_join_the_boundary);
   CU_add_test(suite, "a circle that has shrunk takes in a disc", a_circle_that_has_shrunk_takes_in_a_disc);
   CU_add_test(suite, "a boundary with any order of numbers", any_order_of_numbers);

@@ -205,6 +205,20 @@ static void random_networks_stay_below_the_limit(void) {
   random_networks(60, 5, 5, false, 0.3);
 }
 
+/* The result of a run has the largest step over the stable one. */
+static void largest_ratio_is_kept(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\nmaterial m density 1 kn 100\ndisc 0 0.99 radius 1 m\nwall w -9 0 to 9 0 m\n"
+                   "step 0.5 of stable\nrecord time\nstage s\ncycles 3\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT_DOUBLE_EQUAL(result.stability, 0.5, 1e-12);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 static void storage_changes_no_bit(void) {
   struct chance chance = chance_begin(7);
   struct words page = {0};
@@ -313,6 +327,7 @@ void suite_stable(void) {
   CU_add_test(suite, "random networks stay below the limit", random_networks_stay_below_the_limit);
   CU_add_test(suite, "stiffer unloading counts", stiffer_unloading_counts);
   CU_add_test(suite, "discs apart count as they touch", discs_apart_count_as_they_touch);
+  CU_add_test(suite, "the largest step over the stable one is kept", largest_ratio_is_kept);
   CU_add_test(suite, "storage changes no bit", storage_changes_no_bit);
   CU_add_test(suite, "kept coefficients are those computed", kept_coefficients_are_those_computed);
 }
