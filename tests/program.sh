@@ -274,6 +274,8 @@ for word in run check figure report explain state laws list --set --stage --thre
 test "$(sed -n '/^usage/,/^  -/p' out | wc -l)" -eq 14 || echo 'not one line for each of the ten commands' >>why
 run 0 check --help
 out 'usage: nineball COMMAND'
+out '      --jobs N'
+grep -q -e '--quantity' out && echo 'an option that the command does not take' >>why
 run 0 --help scene
 for word in 'lattice' 'stage' 'MONITOR.NAME' 'increases with'; do out "$word"; done
 run 0 --help transform
