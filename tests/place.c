@@ -329,8 +329,28 @@ static void controlled_components(void) {
   }
 }
 
+/* Only multiples of 90 deg are rotated exactly; multiples of 91 deg are not taken for them. */
+static void angles_near_quarter_turns(void) {
+  const double degree = 3.14159265358979323846 / 180;
+  for (int n = -4; n <= 4; n++)
+    for (int order = 0; order < 2; order++) {
+      struct words page = {0};
+      struct written it;
+      const double angle = order ? n * (91 * degree) : 91 * n * degree;
+      words_add(&page,
+                "units none\nmaterial m density 1 kn 1\ntransform rotate %.17g\ndisc 5 0 radius 1 m\nstep 1\n"
+                "record time\nstage s\ncycles 1\n",
+                angle);
+      written_scene(&it, &page);
+      CU_ASSERT_DOUBLE_EQUAL(it.scene.particles[0].x, 5 * cos(angle), 1e-14);
+      CU_ASSERT_DOUBLE_EQUAL(it.scene.particles[0].y, 5 * sin(angle), 1e-14);
+      written_free(&it);
+    }
+}
+
 void suite_place(void) {
   CU_pSuite suite = CU_add_suite("place", NULL, NULL);
+  CU_add_test(suite, "angles near quarter turns", angles_near_quarter_turns);
   CU_ADD_TEST(suite, scenes_are_transformed_as_a_whole);
   CU_ADD_TEST(suite, normals_of_the_box_point_inward);
   CU_ADD_TEST(suite, every_keyword_is_in_a_list);
