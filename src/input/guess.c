@@ -130,7 +130,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"ball_attribute ball_property scene_mass disc_density disc_kn disc_friction disc_young sphere_density sphere_kn sphere_friction sphere_young species FrictMat ViscElMat LinearViscoelasticFrictionSpecies HertzianViscoelasticMindlinSpecies disc_mass sphere_mass", "material", "density and stiffness are properties of a material: `material steel density 7800 kg/m3 kn 1 MN/m ks 1 MN/m friction 0.3`"},
     {"translation disc_translation disc_x disc_y sphere_translation sphere_x sphere_y", "fixed", "no direction can be fixed alone: `fixed` in the line of a particle keeps its centre, and `rotation off` in a stage prevents all rotation"},
     {"gravity_off gravity_none", "gravity", "without gravity write `gravity 0 m/s2 0 m/s2`, or no such line"},
-    {"sweep_from sweep_to", "sweep", "a sweep lists each value: `sweep mu 0.1 0.3 0.5`"},
+    {"sweep_to", "sweep", "a sweep lists each value: `sweep mu 0.1 0.3 0.5`"},
     {"disc_force disc_moment sphere_force sphere_moment", "gravity, wall, boundary stress", "no force can be given to one particle: forces come from contacts, `gravity` and, in a stage, `boundary stress`"},
     {"disc_omega sphere_omega", "spin", "the angular velocity of a particle is `spin 1 rad/s`"},
     {"disc_name disc_id disc_group sphere_name sphere_id sphere_group", "monitor", "a particle has the number of its line, and no name: `monitor A disc 1` names the first one"},
