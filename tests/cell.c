@@ -60,7 +60,7 @@ static double nearest(const struct nb_model *model, size_t i, size_t j, double w
   for (int m = -5; m <= 5; m++)
     for (int n = -5; n <= 5; n++) {
       const struct nb_vec apart = vec_sub(vec_add(b, tensor_times(wrap.h, vec(m, n))), a);
-      const double gap = vec_length(apart) - model->particles.surface[i].radius - model->particles.surface[j].radius;
+      const double gap = vec_length(apart) - model->particles.radius[i] - model->particles.radius[j];
       least = fmin(least, gap), *count += gap < within;
     }
   return least;
@@ -71,7 +71,7 @@ static double gap_of(const struct nb_model *model, size_t c) {
   const int i = model->contacts.a[c], j = model->contacts.b[c];
   const struct nb_vec shift = tensor_times(model->cell->h, model->contacts.image[c]);
   const struct nb_vec apart = vec_add(vec_sub(model->particles.position[j], model->particles.position[i]), shift);
-  return vec_length(apart) - model->particles.surface[i].radius - model->particles.surface[j].radius;
+  return vec_length(apart) - model->particles.radius[i] - model->particles.radius[j];
 }
 
 /* Every pair with a gap less than `within` must be listed once, with the image at this gap. Returns the number of these

@@ -461,7 +461,7 @@ static void boundary_stress_equals_contact_stress(void) {
   for (size_t c = 0; c < model->contacts.count; c++) {
     const int a = model->contacts.a[c], b = model->contacts.b[c];
     const struct nb_vec l = vec_sub(model->particles.position[a], model->particles.position[b]);
-    sum = tensor_add(sum, tensor_outer(model->contacts.force[c], l));
+    sum = tensor_add(sum, tensor_outer(nb_contact_force(&model->contacts, c), l));
   }
   sum = tensor_scale(1 / nb_boundary_area(model), sum); /* discs are 1 thick */
   const struct nb_tensor ring = nb_boundary_stress(model);

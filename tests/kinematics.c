@@ -17,20 +17,24 @@ enum { N = NB_BLOCK_SIZE };
 struct bench {
   struct nb_model model;
   struct nb_vec position[2 * N], velocity[2 * N];
-  struct nb_surface surface[2 * N];
+  double radius[2 * N], surface_speed[2 * N];
   struct nb_vec pivot[N], point[N], along[N], wall_velocity[N], wall_turn[N];
   double h1[N], h2[N];
   int a[N], b[N];
   _Alignas(64) double f[NB_FIELDS][N];
   struct nb_material_pair material_pair;
   struct nb_block block;
+  bool began;
 };
 
 static struct bench *bench_create(bool wall) {
   struct bench *it = calloc(1, sizeof *it);
   CU_ASSERT_PTR_NOT_NULL_FATAL(it);
-  it->model.particles =
-      (struct nb_particles){.count = 2 * N, .position = it->position, .velocity = it->velocity, .surface = it->surface};
+  it->model.particles = (struct nb_particles){.count = 2 * N,
+                                              .position = it->position,
+                                              .velocity = it->velocity,
+                                              .radius = it->radius,
+                                              .surface_speed = it->surface_speed};
   it->model.walls = (struct nb_walls){.count = N,
                                       .pivot = it->pivot,
                                       .point = it->point,
@@ -40,7 +44,8 @@ static struct bench *bench_create(bool wall) {
                                       .velocity = it->wall_velocity,
                                       .turn = it->wall_turn};
   it->material_pair.wall = wall;
-  it->block = (struct nb_block){.n = N, .a = it->a, .b = it->b, .material_pair = &it->material_pair};
+  it->block =
+      (struct nb_block){.n = N, .a = it->a, .b = it->b, .began = &it->began, .material_pair = &it->material_pair};
   for (int f = 0; f < NB_FIELDS; f++)
     it->block.f[f] = it->f[f];
   return it;
@@ -56,11 +61,11 @@ static void bench_fill(struct bench *it, unsigned seed) {
     it->a[c] = 2 * c, it->b[c] = it->material_pair.wall ? c : 2 * c + 1;
     for (int k = 2 * c; k < 2 * c + 2; k++) {
       const double radius = chance_scale(&chance, 0.1, 10), spin = chance_between(&chance, -3, 3);
-      it->surface[k] = nb_surface(radius, spin * radius);
+      it->radius[k] = radius, it->surface_speed[k] = spin * radius;
       it->velocity[k] = vec(chance_between(&chance, -2, 2), chance_between(&chance, -2, 2));
       it->wall_velocity[c] = vec(chance_between(&chance, -2, 2), chance_between(&chance, -2, 2));
     }
-    it->f[NB_RADIUS_SUM][c] = it->surface[2 * c].radius + (it->material_pair.wall ? 0 : it->surface[2 * c + 1].radius);
+    it->f[NB_RADIUS_SUM][c] = it->radius[2 * c] + (it->material_pair.wall ? 0 : it->radius[2 * c + 1]);
     const struct nb_vec faster = vec_sub(it->velocity[2 * c], it->velocity[2 * c + 1]);
     const double dn = vec_dot(faster, vec(cos(turn), sin(turn))) * it->model.previous_step;
     const double since = chance_between(&chance, 0.1, 0.9); /* every fourth approaching pair has touched in this step */
@@ -68,7 +73,7 @@ static void bench_fill(struct bench *it, unsigned seed) {
     it->position[2 * c] = vec(x, y);
     it->position[2 * c + 1] = vec(x + apart * cos(turn), y + apart * sin(turn));
     it->along[c] = vec(-sin(turn), cos(turn));
-    const double length = it->surface[2 * c].radius, where = chance_between(&chance, -2, 2) * length;
+    const double length = it->radius[2 * c], where = chance_between(&chance, -2, 2) * length;
     it->h1[c] = -length, it->h2[c] = chance_between(&chance, 0.2, 1) * length;
     it->point[c] = vec_add(it->position[2 * c + 1], vec_scale(where, it->along[c]));
     it->pivot[c] = vec_add(it->point[c], vec_scale(chance_between(&chance, -2, 2), vec_clockwise(it->along[c])));
@@ -85,15 +90,15 @@ static bool near(double computed, long double expected, double scale) {
 static void compare(const struct bench *it, int c, const long double q[2], const long double u[2], long double other,
                     long double turning) {
   const struct nb_vec x = it->position[2 * c], v = it->velocity[2 * c];
-  const struct nb_surface surface = it->surface[2 * c];
   const long double dx = q[0] - x.x, dy = q[1] - x.y, distance = sqrtl(dx * dx + dy * dy);
   const long double e1 = dx / distance, e2 = dy / distance, t1 = e2, t2 = -e1;
   const long double rx = v.x - u[0], ry = v.y - u[1], dt = it->model.previous_step;
-  const long double overlap = surface.radius + other - distance;
+  const long double overlap = it->radius[2 * c] + other - distance;
   const double blur = 2000 / (double)distance; /* size of the coordinates, which are rounded, over the distance */
   CU_ASSERT(near(it->f[NB_OVERLAP][c], overlap > 0 ? overlap : 0, 2000));
   CU_ASSERT(near(it->f[NB_EX][c], e1, blur) && near(it->f[NB_EY][c], e2, blur));
-  const long double dn = (rx * e1 + ry * e2) * dt, slip = (rx * t1 + ry * t2 - (surface.speed + turning)) * dt;
+  const long double dn = (rx * e1 + ry * e2) * dt,
+                    slip = (rx * t1 + ry * t2 - (it->surface_speed[2 * c] + turning)) * dt;
   CU_ASSERT(near(it->f[NB_NORMAL_INCREMENT][c], dn, 8 * (1 + blur) * (double)dt));
   const bool met = overlap > 0 && overlap < dn; /* first touch in the last step: only the slip after it counts */
   const double fraction = met ? (double)(overlap / dn) : 1, share_blur = met ? 2000 / (double)dn : 0;
@@ -109,8 +114,8 @@ static void disc_disc(void) {
     nb_pass_disc_disc[NB_APPROACH_TANGENTIAL].run[NB_PLAIN](&it->model, &it->block);
     for (int c = 0; c < N; c++) {
       const struct nb_vec y = it->position[2 * c + 1], u = it->velocity[2 * c + 1];
-      const struct nb_surface surface = it->surface[2 * c + 1];
-      compare(it, c, (long double[]){y.x, y.y}, (long double[]){u.x, u.y}, surface.radius, surface.speed);
+      compare(it, c, (long double[]){y.x, y.y}, (long double[]){u.x, u.y}, it->radius[2 * c + 1],
+              it->surface_speed[2 * c + 1]);
       touching += it->f[NB_OVERLAP][c] > 0;
       met += nb_touch_began(it->f[NB_OVERLAP][c], it->f[NB_NORMAL_INCREMENT][c]);
     }
@@ -212,12 +217,13 @@ static void signs_of_slip(void) {
   for (int c = 0; c < 4; c++) {
     it->a[c] = 2 * c, it->b[c] = 2 * c + 1;
     it->position[2 * c + 1] = vec(2, 0);
-    it->surface[2 * c] = nb_surface(1, 0), it->surface[2 * c + 1] = nb_surface(1, 0);
+    it->radius[2 * c] = it->radius[2 * c + 1] = 1;
+    it->surface_speed[2 * c] = it->surface_speed[2 * c + 1] = 0;
   }
   it->velocity[0] = vec(0, -3); /* disc 1 moves in -y, along t */
   it->velocity[3] = vec(0, 3);  /* disc 2 moves in +y: the same slip */
-  it->surface[4].speed = 5;     /* disc 1 rotates counterclockwise: its surface moves in +y at the contact */
-  it->surface[7].speed = 5;     /* disc 2 rotates counterclockwise: its surface moves in -y there */
+  it->surface_speed[4] = 5;     /* disc 1 rotates counterclockwise: its surface moves in +y at the contact */
+  it->surface_speed[7] = 5;     /* disc 2 rotates counterclockwise: its surface moves in -y there */
   nb_pass_disc_disc[NB_APPROACH_TANGENTIAL].run[NB_PLAIN](&it->model, &it->block);
   CU_ASSERT(it->f[NB_TANGENTIAL_INCREMENT][0] == 3 && it->f[NB_TANGENTIAL_INCREMENT][1] == 3);
   CU_ASSERT(it->f[NB_TANGENTIAL_INCREMENT][2] == -5 && it->f[NB_TANGENTIAL_INCREMENT][3] == -5);
@@ -226,7 +232,7 @@ static void signs_of_slip(void) {
 
 /* F = -(F_n e + F_s t), with and without a shear force. [CS79, The force-displacement law] */
 static void force_in_components(void) {
-  static struct nb_vec force[N];
+  static struct nb_contact_force force[N];
   struct bench *it = bench_create(false);
   struct chance chance = chance_begin(10);
   it->block.force = force;
@@ -242,6 +248,7 @@ static void force_in_components(void) {
       const long double e1 = it->f[NB_EX][c], e2 = it->f[NB_EY][c], fn = it->f[NB_TOTAL_NORMAL][c];
       const long double fs = shear ? it->f[NB_TOTAL_SHEAR][c] : 0;
       CU_ASSERT(near(force[c].x, -(fn * e1 + fs * e2), 9) && near(force[c].y, -(fn * e2 - fs * e1), 9));
+      CU_ASSERT_EQUAL(force[c].shear, (double)fs);
     }
   }
   free(it);

@@ -42,11 +42,11 @@ static void cloud(struct written *it, double x, double y, double speed, unsigned
 static double gap(const struct nb_model *model, size_t i, size_t j, bool wall) {
   const struct nb_vec x = model->particles.position[i];
   if (!wall)
-    return vec_length(vec_sub(model->particles.position[j], x)) - model->particles.surface[i].radius -
-           model->particles.surface[j].radius;
+    return vec_length(vec_sub(model->particles.position[j], x)) - model->particles.radius[i] -
+           model->particles.radius[j];
   const struct nb_vec p = model->walls.point[j], along = model->walls.along[j];
   const double s = fmin(fmax(vec_dot(vec_sub(x, p), along), model->walls.h1[j]), model->walls.h2[j]);
-  return vec_length(vec_sub(vec_add(p, vec_scale(s, along)), x)) - model->particles.surface[i].radius;
+  return vec_length(vec_sub(vec_add(p, vec_scale(s, along)), x)) - model->particles.radius[i];
 }
 
 /* Every pair closer than `within` must be listed, with the smaller number first and with its own material pair,
@@ -374,7 +374,7 @@ static void each_particle_sums_its_contacts(void) {
     CU_ASSERT_EQUAL_FATAL(particles->count, LARGE_AND_SMALL);
     CU_ASSERT(model->contacts.incidence.batches >= (size_t)threads);
     for (size_t c = 0; c < model->contacts.count; c++)
-      model->contacts.force[c] = vec(sin((double)c), cos((double)c));
+      model->contacts.force[c] = (struct nb_contact_force){.x = sin((double)c), .y = cos((double)c)};
     for (int i = 0; i < LARGE_AND_SMALL; i++) {
       const struct nb_contact_range range = nb_contact_range(&model->contacts.incidence, (size_t)i);
       const size_t count = (size_t)(range.end - range.first);

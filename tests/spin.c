@@ -79,8 +79,8 @@ static void surface_speed_of_the_particle(void) {
   for (int cycle = 0; cycle < 9; cycle++) {
     written_cycles(model, 1);
     for (size_t i = 0; i < 2; i++)
-      CU_ASSERT_DOUBLE_EQUAL(model->particles.surface[i].speed,
-                             model->particles.spin[i] * model->particles.surface[i].radius, 1e-15);
+      CU_ASSERT_DOUBLE_EQUAL(model->particles.surface_speed[i], model->particles.spin[i] * model->particles.radius[i],
+                             1e-15);
   }
   nb_model_free(model);
   written_free(&it);

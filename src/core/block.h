@@ -12,7 +12,7 @@
 #include "error.h"
 #include "vec.h"
 
-enum { NB_BLOCK_SIZE = 64 };
+enum { NB_BLOCK_SIZE = 128 };
 
 /* The parameters that a contact law reads, for two materials x and y. Values of the page's `pair` take precedence.
  * Otherwise a stiffness is the harmonic mean 2ab/(a+b) of the stiffnesses a and b of the materials, and friction and
@@ -137,6 +137,7 @@ void nb_history_forget(struct nb_history *history, size_t contact);
 const double *nb_history_read(const struct nb_history *history, size_t contact, double buffer[NB_HISTORY]);
 
 struct nb_material_pair;
+struct nb_contact_force;
 
 /* The stiffnesses for which a block stores NB_NORMAL_ROOT and NB_SHEAR_ROOT, N/m; 0 in a new block, whose roots are
  * 0. */
@@ -150,8 +151,9 @@ struct nb_block {
   const int *a, *b; /* slots of the two particles; b is a wall's index in a pair with walls */
   double *f[NB_FIELDS];
   const struct nb_vec *image; /* as in struct nb_contacts */
-  struct nb_vec *force;       /* on the first particle, N */
+  struct nb_contact_force *force;
   struct nb_history normal_history, shear_history;
+  bool *began; /* false: no contact began in the last step (nb_touch_began); set with the tangential increments */
   unsigned long *deep;                      /* counter of deep contacts: pass/deep.c */
   struct nb_rooted *rooted;                 /* pass/dashpots.c; NULL: no roots are stored */
   struct nb_stable_overlap *stable_overlap; /* stability.c */

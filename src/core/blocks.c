@@ -4,6 +4,8 @@
 #include "model.h"
 #include "team.h"
 
+enum { CACHE_LINE = 64 }; /* bytes; two threads must not write to the same line */
+
 static bool stable_overlap_begin(struct nb_model *model, size_t blocks) {
   model->blocks.stable_overlap = nb_own(&model->contacts.owner, blocks, sizeof *model->blocks.stable_overlap);
   for (size_t v = 0; model->blocks.stable_overlap && v < blocks; v++)
@@ -66,6 +68,7 @@ enum nb_status nb_blocks_create(struct nb_model *model, struct nb_error *error) 
   struct nb_owner *owner = &model->contacts.owner;
   model->blocks.list = nb_own(owner, max_blocks, sizeof *model->blocks.list);
   size_t *start = nb_own(owner, max_blocks + 1, sizeof *start);
+  bool *began = nb_own(owner, parts, CACHE_LINE);
   const size_t n = start ? find_starts(start, contacts) : 0;
   struct nb_rooted *rooted = contacts->kept[NB_NORMAL_ROOT] ? nb_own(owner, n, sizeof *rooted) : NULL;
   if (owner->failed || !create_counters(model, n))
@@ -75,6 +78,7 @@ enum nb_status nb_blocks_create(struct nb_model *model, struct nb_error *error) 
       part++;
     model->blocks.list[v] =
         block_of(model, start[v], start[v + 1], model->blocks.scratch + part * NB_FIELDS * NB_BLOCK_SIZE);
+    model->blocks.list[v].began = began + part * CACHE_LINE;
     model->blocks.list[v].stable_overlap = model->blocks.stable_overlap ? model->blocks.stable_overlap + v : NULL;
     model->blocks.list[v].rooted = rooted ? rooted + v : NULL;
     model->blocks.list[v].deep = model->deep.counts ? model->deep.counts + v * NB_DEEP_STRIDE : NULL;

@@ -35,7 +35,7 @@ bool nb_cell_create(struct nb_model *model) {
   cell->centre = vec(from->x, from->y);
   cell->h = cell->initial_h = tensor(from->h[0], from->h[1], from->h[2], from->h[3]);
   for (size_t i = 0; i < model->particles.count; i++)
-    cell->largest_radius = fmax(cell->largest_radius, model->particles.surface[i].radius);
+    cell->largest_radius = fmax(cell->largest_radius, model->particles.radius[i]);
   nb_cell_reset_travel(cell, model->search.skin);
   return true;
 }

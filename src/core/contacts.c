@@ -86,12 +86,12 @@ static void find_constants(struct nb_contacts *contacts, size_t c, const struct 
   const struct nb_particles *particles = &model->particles;
   const int a = contacts->a[c], b = contacts->b[c];
   const bool wall = model->material_pairs[contacts->material_pair[c]].wall;
-  const double radius = particles->surface[a].radius;
-  contacts->kept[NB_RADIUS_SUM][c] = radius + (wall ? 0 : particles->surface[b].radius);
+  const double radius = particles->radius[a];
+  contacts->kept[NB_RADIUS_SUM][c] = radius + (wall ? 0 : particles->radius[b]);
   if (contacts->kept[NB_MASS])
     contacts->kept[NB_MASS][c] = nb_reduced_mass(particles, a, wall ? -1 : b);
   if (contacts->kept[NB_REDUCED])
-    contacts->kept[NB_REDUCED][c] = wall ? radius : nb_reduced_radius(radius, particles->surface[b].radius);
+    contacts->kept[NB_REDUCED][c] = wall ? radius : nb_reduced_radius(radius, particles->radius[b]);
 }
 
 /* Selects the nearest image of the second particle: the cell is so wide that no other one comes within the skin. */
@@ -106,7 +106,7 @@ static void find_images(struct nb_contacts *contacts, const struct nb_model *mod
 static void create_arrays(struct nb_contacts *contacts, const struct nb_model *model) {
   const size_t n = contacts->count;
   struct nb_owner *owner = &contacts->owner;
-  contacts->force = nb_own(owner, n, sizeof *contacts->force);
+  contacts->force = nb_own(owner, n + 1, sizeof *contacts->force); /* one more, because nb_lanes reads four numbers */
   if (model->cell)
     contacts->image = nb_own(owner, n, sizeof *contacts->image);
   if (model->vertices.any)
@@ -221,7 +221,7 @@ bool nb_contacts_renew(struct nb_model *model, struct nb_neighbour_pairs *pairs)
 struct nb_tensor nb_contacts_virial(const struct nb_model *model) {
   struct nb_tensor sum = {0, 0, 0, 0};
   for (size_t c = 0; c < model->contacts.wall_from; c++)
-    sum = tensor_sub(sum, tensor_outer(model->contacts.force[c], nb_contacts_branch(model, c)));
+    sum = tensor_sub(sum, tensor_outer(nb_contact_force(&model->contacts, c), nb_contacts_branch(model, c)));
   return sum;
 }
 

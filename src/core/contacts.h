@@ -22,21 +22,36 @@ struct nb_incidence {
   } * group;
 };
 
+/* The force of a contact on its first particle, including dashpots, N. The order of the numbers suits the sums of
+ * motion.h. */
+struct nb_contact_force {
+  double x;
+  double shear; /* F_s + D_s, on the first particle along -t */
+  double y;
+};
+/* These three numbers, and the first one of the next contact, in one register. */
+typedef double nb_lanes __attribute__((vector_size(4 * sizeof(double)), aligned(sizeof(double)), may_alias));
+
 /* Every pair closer than the skin, touching or not. Sorted by material pair, then by the number of a, then of b. */
 struct nb_contacts {
   struct nb_owner owner; /* of these arrays, and of the blocks */
   size_t count;
-  int *a, *b;              /* slots; a has the smaller number; b is a wall's index in a pair with walls */
-  int *material_pair;      /* index of the material pair */
-  int *suppressed;         /* 1 where another wall's contact replaces this one (wall_vertices.c); NULL: nowhere */
-  struct nb_vec *image;    /* integers m: the second particle's image is at x + H m (cell.h); NULL without a cell */
-  struct nb_vec *force;    /* force on the first particle, including dashpots, N */
-  double *kept[NB_FIELDS]; /* fields that are kept after the pass; NULL: not kept */
-  size_t wall_from;        /* first contact with a wall; all later ones are with walls */
+  int *a, *b;           /* slots; a has the smaller number; b is a wall's index in a pair with walls */
+  int *material_pair;   /* index of the material pair */
+  int *suppressed;      /* 1 where another wall's contact replaces this one (wall_vertices.c); NULL: nowhere */
+  struct nb_vec *image; /* integers m: the second particle's image is at x + H m (cell.h); NULL without a cell */
+  struct nb_contact_force *force;
+  double *kept[NB_FIELDS];       /* fields that are kept after the pass; NULL: not kept */
+  size_t wall_from;              /* first contact with a wall; all later ones are with walls */
   struct nb_incidence incidence; /* the contacts of each particle */
   struct nb_history normal_history, shear_history;
   struct nb_history slip_sum; /* sliding displacement since each reference stage, m: measure/configuration.c */
 };
+
+/* The force on the first particle of a contact, N. */
+static inline struct nb_vec nb_contact_force(const struct nb_contacts *contacts, size_t contact) {
+  return vec(contacts->force[contact].x, contacts->force[contact].y);
+}
 
 /* The contacts of one particle in the order in which forces are summed: by the partner's number, walls last. */
 struct nb_contact_range {

@@ -41,8 +41,8 @@ void nb_deep_end(struct nb_model *model) {
 /* True if contact c has too large an overlap. This is the same test as in pass/deep.c. */
 bool nb_is_deep(const struct nb_model *model, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
-  const double a = model->particles.surface[contacts->a[c]].radius;
-  const double b = nb_with_wall(model, c) ? a : model->particles.surface[contacts->b[c]].radius;
+  const double a = model->particles.radius[contacts->a[c]];
+  const double b = nb_with_wall(model, c) ? a : model->particles.radius[contacts->b[c]];
   return nb_overlap(model, c) > 2 * nb_deep_fraction(model) * (a < b ? a : b);
 }
 

@@ -51,7 +51,7 @@ enum nb_status nb_guard_positions(const struct nb_model *model, struct nb_error 
 
 static enum nb_status check_displacement(const struct nb_model *model, int i, struct nb_error *error) {
   const int number = model->particles.number[i];
-  const double displacement = displacement_of(model, i), radius = model->particles.surface[i].radius;
+  const double displacement = displacement_of(model, i), radius = model->particles.radius[i];
   if (!(displacement > radius) || nb_removed(model, (size_t)i))
     return NB_OK;
   const char *m = nb_unit(model->scene, " m"), *s = nb_unit(model->scene, " s");
@@ -89,7 +89,7 @@ enum nb_status nb_guard_motion(const struct nb_model *model, struct nb_error *er
 
 enum nb_status nb_guard_pair(const struct nb_model *model, struct nb_close_pair pair, struct nb_error *error) {
   const struct nb_particles *particles = &model->particles;
-  const double radius = fmin(particles->surface[pair.a].radius, particles->surface[pair.b].radius);
+  const double radius = fmin(particles->radius[pair.a], particles->radius[pair.b]);
   if (!(pair.overlap > radius))
     return NB_OK;
   const int a = particles->number[pair.a], b = particles->number[pair.b];
@@ -151,7 +151,7 @@ void nb_guard_resolution(struct nb_model *model) {
   for (size_t c = 0; c < model->contacts.count; c++) {
     const int i = model->contacts.a[c];
     const double overlap = nb_overlap(model, c);
-    if (!(overlap > touch_limit * particles->surface[i].radius))
+    if (!(overlap > touch_limit * particles->radius[i]))
       continue;
     sum += overlap, count++;
     pressed = pressed < 0 || coordinate(model, i) > coordinate(model, pressed) ? i : pressed;

@@ -20,7 +20,7 @@ double nb_thickness(const struct nb_model *model) {
     const size_t i = (size_t)particles->slot[k];
     if (nb_removed(model, i))
       continue;
-    sum += model->scene->particles[k].shape == NB_SPHERE ? 2 * particles->surface[i].radius : 1;
+    sum += model->scene->particles[k].shape == NB_SPHERE ? 2 * particles->radius[i] : 1;
     count++;
   }
   return count > 0 ? sum / count : 1;

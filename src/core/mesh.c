@@ -49,7 +49,7 @@ static void sort_items(struct nb_mesh *mesh, const struct nb_model *model, struc
   }
   for (size_t i = 0; i < mesh->count; i++) {
     const int slot = points.slot ? points.slot[i] : (int)i;
-    const double radius = model->particles.surface[nb_mesh_particle(slot)].radius;
+    const double radius = model->particles.radius[nb_mesh_particle(slot)];
     mesh->item[mesh->start[box[i]]++] = (struct nb_mesh_item){points.x[i], radius, slot, box[i]};
   }
   memmove(mesh->start + 1, mesh->start, boxes * sizeof *mesh->start);

@@ -19,12 +19,6 @@
 #include "vec.h"
 #include "walls.h"
 
-/* The data of a particle that every contact reads besides position and velocity. */
-struct nb_surface {
-  double radius, speed; /* R, m; R omega, m/s, at the time of the particle's velocity; 0 without rotation */
-};
-static inline struct nb_surface nb_surface(double radius, double speed) { return (struct nb_surface){radius, speed}; }
-
 /* Velocity, m/s, and angular velocity, rad/s, of a particle or a wall. */
 struct nb_velocities {
   struct nb_vec velocity;
@@ -38,7 +32,8 @@ struct nb_particles {
   int *slot;                              /* slot of each particle; index: its number - 1 */
   struct nb_vec *position;                /* m */
   struct nb_vec *velocity;                /* at the last half step, t_(N-1/2), m/s */
-  struct nb_surface *surface;             /* radius and surface speed */
+  double *radius;                         /* m */
+  double *surface_speed;                  /* R omega at t_(N-1/2), m/s; 0 without rotation */
   double *spin, *angle;                   /* omega at t_(N-1/2), rad/s; rotation at t_N, rad. NULL without rotation */
   double *mass, *inertia;                 /* kg; kg m2 */
   double *inverse_mass, *inverse_inertia; /* 0 for fixed particles */
@@ -111,9 +106,8 @@ static inline size_t nb_most_parts(const struct nb_machine *machine) { return nb
 
 /* What the current stage requires of the contacts; run/plan.c determines it. */
 struct nb_plan {
-  unsigned requested;        /* fields and NB_REQUEST_ bits that columns and conditions read */
-  unsigned kept;             /* set of fields that are kept for all contacts */
-  enum nb_field total_shear; /* field of the total shear force: NB_TOTAL_SHEAR, or NB_SHEAR without dashpots */
+  unsigned requested; /* fields and NB_REQUEST_ bits that columns and conditions read */
+  unsigned kept;      /* set of fields that are kept for all contacts */
   struct {
     int normal, shear, slip_sum;
   } history;         /* doubles per contact: histories of the two laws, sliding displacements for configuration.c */
@@ -407,8 +401,8 @@ static inline double nb_overlap(const struct nb_model *model, size_t contact) {
   const struct nb_particles *particles = &model->particles;
   const int i = model->contacts.a[contact], j = model->contacts.b[contact];
   if (!wall)
-    return particles->surface[i].radius + particles->surface[j].radius - vec_length(nb_contacts_branch(model, contact));
-  return particles->surface[i].radius - vec_length(nb_wall_separation(&model->walls, j, particles->position[i]));
+    return particles->radius[i] + particles->radius[j] - vec_length(nb_contacts_branch(model, contact));
+  return particles->radius[i] - vec_length(nb_wall_separation(&model->walls, j, particles->position[i]));
 }
 
 /* The parameters that a contact's laws read: those of its material pair, and its own R*. */

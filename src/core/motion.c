@@ -45,17 +45,18 @@ struct sums {
   struct batch *batch;
   size_t from;             /* first slot of the batch */
   const int *slot, *entry; /* of the next particle */
-  struct nb_contact_forces contact_forces;
+  const struct nb_contact_force *force;
 };
 
 /* Sums the forces on the particles of a group. */
-static inline NB_FORM void sum_group(struct sums *sums, int particles, int seconds, int firsts, bool rotates) {
+static inline NB_FORM void sum_group(struct sums *sums, int particles, int seconds, int firsts) {
   const int *slot = sums->slot, *entry = sums->entry;
   for (int p = 0; p < particles; p++, entry += seconds + firsts) {
-    const struct nb_force sum = nb_contact_force_sum(sums->contact_forces, entry, seconds, firsts, rotates);
     const size_t k = (size_t)slot[p] - sums->from;
-    sums->batch->force[k] = sum.force;
-    sums->batch->moment[k] = sum.moment;
+    struct nb_contact_force sum;
+    nb_contact_force_sum(&sum, sums->force, entry, seconds, firsts);
+    sums->batch->force[k] = vec(sum.x, sum.y);
+    sums->batch->moment[k] = sum.shear;
   }
   sums->slot = slot + particles, sums->entry = entry;
 }
@@ -77,36 +78,28 @@ static inline NB_FORM void sum_group(struct sums *sums, int particles, int secon
     F(k);                                                                                                              \
   }
 
-static inline NB_FORM void sum_firsts(struct sums *sums, int particles, int seconds, int firsts, bool rotates) {
-#define SUM(k) sum_group(sums, particles, seconds, k, rotates)
+static inline NB_FORM void sum_firsts(struct sums *sums, int particles, int seconds, int firsts) {
+#define SUM(k) sum_group(sums, particles, seconds, k)
   WITH_CONSTANT(firsts, SUM)
 #undef SUM
 }
-static inline NB_FORM void sum_seconds(struct sums *sums, struct nb_incidence_group group, bool rotates) {
-#define SUM(k) sum_firsts(sums, group.particles, k, group.firsts, rotates)
+static inline NB_FORM void sum_seconds(struct sums *sums, struct nb_incidence_group group) {
+#define SUM(k) sum_firsts(sums, group.particles, k, group.firsts)
   WITH_CONSTANT(group.seconds, SUM)
 #undef SUM
 }
 
-/* Sums the forces on the particles of batch `which`, whose first slot is `from`. */
-static inline NB_FORM void sum_forces(struct batch *batch, const struct nb_contact_forces *by,
-                                      const struct nb_incidence *all, size_t which, size_t from, bool rotates) {
-  const int *slot = all->order + from;
-  struct sums sums = {batch, from, slot, all->entry + all->first[*slot], *by};
-  for (int g = all->batch[which]; g < all->batch[which + 1]; g++)
-    sum_seconds(&sums, all->group[g], rotates);
-}
-
-/* A function of its own sums the forces for each instruction set, because registers are scarce within `move`. */
-typedef void sum_function(struct batch *batch, const struct nb_contact_forces *by, const struct nb_incidence *all,
+/* Sums the forces on the particles of batch `which`, whose first slot is `from`. A function of its own does it for each
+ * instruction set, because registers are scarce within `move`. */
+typedef void sum_function(struct batch *batch, const struct nb_contact_force *force, const struct nb_incidence *all,
                           size_t which, size_t from);
 #define SUM_FORM(isa, target)                                                                                          \
-  target static void sum_##isa(struct batch *batch, const struct nb_contact_forces *by,                                \
+  target static void sum_##isa(struct batch *batch, const struct nb_contact_force *force,                              \
                                const struct nb_incidence *all, size_t which, size_t from) {                            \
-    if (by->total_shear)                                                                                               \
-      sum_forces(batch, by, all, which, from, true);                                                                   \
-    else                                                                                                               \
-      sum_forces(batch, by, all, which, from, false);                                                                  \
+    const int *slot = all->order + from;                                                                               \
+    struct sums sums = {batch, from, slot, all->entry + all->first[*slot], force};                                     \
+    for (int g = all->batch[which]; g < all->batch[which + 1]; g++)                                                    \
+      sum_seconds(&sums, all->group[g]);                                                                               \
   }
 SUM_FORM(plain, )
 #ifdef NB_X86
@@ -136,6 +129,7 @@ static void add_boundary_force(struct batch *batch, const struct nb_vec *boundar
 /* The arguments of one thread. */
 struct task {
   struct nb_particles particles; /* a copy, so that the compiler knows that writing particle data does not change it */
+  const struct nb_contact_force *contact_force;
   const struct nb_incidence *incidence;
   sum_function *sum;
   struct nb_kick_factors factors;
@@ -203,24 +197,24 @@ static inline NB_FORM int drift(const struct task *task, struct batch *batch, si
 static inline NB_FORM void rotate(const struct task *task, const struct batch *batch, size_t from, size_t n) {
   const double *inertia = task->particles.inverse_inertia + from;
   double *spin = task->particles.spin + from, *angle = task->particles.angle + from;
-  struct nb_surface *surface = task->particles.surface + from;
+  const double *radius = task->particles.radius + from;
+  double *surface_speed = task->particles.surface_speed + from;
   const double dt = task->step, impulse = task->factors.impulse * task->time, damped = task->factors.keep;
   NB_WIDE
   for (size_t k = 0; k < n; k++) {
     const double keep = inertia[k] > 0 ? damped : 1;
-    const double w = keep * spin[k] + impulse * inertia[k] * (batch->moment[k] * surface[k].radius);
+    const double w = keep * spin[k] + impulse * inertia[k] * (batch->moment[k] * radius[k]);
     spin[k] = w;
     angle[k] += w * dt;
+    surface_speed[k] = w * radius[k];
   }
-  for (size_t k = 0; k < n; k++)
-    surface[k].speed = spin[k] * surface[k].radius;
 }
 
 /* Called before the kick: stores the velocities v of the particles. */
 static inline NB_FORM void begin_prediction(const struct task *task, size_t from, size_t n) {
   const struct nb_particles *particles = &task->particles;
   for (size_t k = from; k < from + n; k++)
-    particles->ahead[k] = (struct nb_velocities){particles->velocity[k], particles->surface[k].speed};
+    particles->ahead[k] = (struct nb_velocities){particles->velocity[k], particles->surface_speed[k]};
 }
 
 /* Called after the kick: replaces the stored velocities by their predicted change over half a step. */
@@ -232,7 +226,7 @@ static inline NB_FORM void end_prediction(const struct task *task, const struct 
     const struct nb_vec c = task->along ? batch->c[k - from] : vec(0, 0);
     const struct nb_vec change = vec_sub(vec_sub(particles->velocity[k], c), before.velocity);
     particles->ahead[k] =
-        (struct nb_velocities){vec_scale(fraction, change), fraction * (particles->surface[k].speed - before.spin)};
+        (struct nb_velocities){vec_scale(fraction, change), fraction * (particles->surface_speed[k] - before.spin)};
   }
 }
 
@@ -246,14 +240,13 @@ static inline NB_FORM void move_list(const struct task *task, size_t from, size_
 }
 
 /* Moves the particles of the batches from `first` to `end` - 1. */
-static inline NB_FORM int move(const struct task *task, const struct nb_contact_forces *contact_forces, size_t first,
-                               size_t end) {
+static inline NB_FORM int move(const struct task *task, size_t first, size_t end) {
   int out = 0;
   const size_t size = task->incidence->batch_size, count = task->particles.count;
   for (size_t b = first; b < end; b++) {
     const size_t from = b * size, n = count - from < size ? count - from : size;
     struct batch batch;
-    task->sum(&batch, contact_forces, task->incidence, b, from);
+    task->sum(&batch, task->contact_force, task->incidence, b, from);
     if (nb_has_gravity(task->gravity))
       add_weight(&batch, task->particles.mass + from, task->gravity, n);
     if (task->central.acceleration != 0)
@@ -277,33 +270,24 @@ static inline NB_FORM int move(const struct task *task, const struct nb_contact_
   return out;
 }
 
-static int move_plain(const struct task *task, const struct nb_contact_forces *contact_forces, size_t first,
-                      size_t end) {
-  return move(task, contact_forces, first, end);
-}
+static int move_plain(const struct task *task, size_t first, size_t end) { return move(task, first, end); }
 #ifdef NB_X86
-NB_TARGET_AVX2 static int move_avx2(const struct task *task, const struct nb_contact_forces *contact_forces,
-                                    size_t first, size_t end) {
-  return move(task, contact_forces, first, end);
+NB_TARGET_AVX2 static int move_avx2(const struct task *task, size_t first, size_t end) {
+  return move(task, first, end);
 }
-NB_TARGET_AVX512 static int move_avx512(const struct task *task, const struct nb_contact_forces *contact_forces,
-                                        size_t first, size_t end) {
-  return move(task, contact_forces, first, end);
+NB_TARGET_AVX512 static int move_avx512(const struct task *task, size_t first, size_t end) {
+  return move(task, first, end);
 }
-static int (*const moves[NB_ISAS])(const struct task *, const struct nb_contact_forces *, size_t,
-                                   size_t) = {move_plain, move_avx2, move_avx512};
+static int (*const moves[NB_ISAS])(const struct task *, size_t, size_t) = {move_plain, move_avx2, move_avx512};
 #else
-static int (*const moves[NB_ISAS])(const struct task *, const struct nb_contact_forces *, size_t,
-                                   size_t) = {move_plain, move_plain, move_plain};
+static int (*const moves[NB_ISAS])(const struct task *, size_t, size_t) = {move_plain, move_plain, move_plain};
 #endif
 
 int nb_motion_part(struct nb_model *model, int part, int parts) {
   const size_t n = model->contacts.incidence.batches;
-  struct nb_contact_forces contact_forces = nb_contact_forces_of(model);
-  if (!model->rotates)
-    contact_forces.total_shear = NULL;
   const double time = nb_kick_time(model);
   const struct task mine = {.particles = model->particles,
+                            .contact_force = model->contacts.force,
                             .incidence = &model->contacts.incidence,
                             .sum = sums[model->machine.isa],
                             .factors = nb_kick_factors(model, time, nb_kick_fraction_before(model)),
@@ -318,6 +302,5 @@ int nb_motion_part(struct nb_model *model, int part, int parts) {
                             .time = time,
                             .step = model->step,
                             .travel_limit = model->cell ? model->cell->travel_limit : model->search.skin / 2};
-  return moves[model->machine.isa](&mine, &contact_forces, n * (size_t)part / (size_t)parts,
-                                   n * ((size_t)part + 1) / (size_t)parts);
+  return moves[model->machine.isa](&mine, n * (size_t)part / (size_t)parts, n * ((size_t)part + 1) / (size_t)parts);
 }

@@ -57,37 +57,20 @@ static inline struct nb_kick_factors nb_kick_factors(const struct nb_model *mode
   return (struct nb_kick_factors){(1 - lost.old) / (1 + lost.new), (1 - lost.impulse) / (1 + lost.new)};
 }
 
-/* Arrays of the contact forces. */
-struct nb_contact_forces {
-  const struct nb_vec *force;
-  const double *total_shear; /* NULL: no shear forces */
-};
-
-static inline struct nb_contact_forces nb_contact_forces_of(const struct nb_model *model) {
-  return (struct nb_contact_forces){model->contacts.force,
-                                    model->plan.has_friction ? model->contacts.kept[model->plan.total_shear] : NULL};
-}
-
-/* The sum of the contact forces on a particle. Its entries are `seconds` contacts in which it is the second particle, then
+/* Sums the contact forces on a particle. Its entries are `seconds` contacts in which it is the second particle, then
  * `firsts` contacts in which it is the first one. The stored force acts on the contact's first particle; its opposite
  * acts on the second one. The moment of the shear force F_s is counterclockwise on both particles [CS79, The
- * force-displacement law]; `moment` is the sum of F_s, N, which the caller multiplies by the radius. */
-static inline NB_FORM struct nb_force nb_contact_force_sum(struct nb_contact_forces contact_forces, const int *entry,
-                                                           int seconds, int firsts, bool rotates) {
-  struct nb_force sum = {.moment = 0};
-  nb_both both = {0, 0};
-  for (int k = 0; k < seconds; k++) {
-    const int c = entry[k];
-    both -= vec_both(&contact_forces.force[c]);
-    sum.moment += rotates ? contact_forces.total_shear[c] : 0;
+ * force-displacement law]: `shear` is the sum of F_s, N. The moment is this sum times the radius. */
+static inline NB_FORM void nb_contact_force_sum(struct nb_contact_force *sum, const struct nb_contact_force *force,
+                                                const int *entry, int seconds, int firsts) {
+  nb_lanes both = {0, 0, 0, 0};
+  for (int k = 0; k < seconds; k++) { /* one instruction with AVX: x - x, shear + shear, y - y */
+    const nb_lanes one = *(const nb_lanes *)(const void *)&force[entry[k]], less = both - one, more = both + one;
+    both = __builtin_shufflevector(less, more, 0, 5, 2, 7);
   }
-  for (int k = seconds; k < seconds + firsts; k++) {
-    const int c = entry[k];
-    both += vec_both(&contact_forces.force[c]);
-    sum.moment += rotates ? contact_forces.total_shear[c] : 0;
-  }
-  vec_put(&sum.force, both);
-  return sum;
+  for (int k = seconds; k < seconds + firsts; k++)
+    both += *(const nb_lanes *)(const void *)&force[entry[k]];
+  *sum = (struct nb_contact_force){both[0], both[1], both[2]};
 }
 
 static inline bool nb_has_gravity(struct nb_vec gravity) { return gravity.x != 0 || gravity.y != 0; }

@@ -54,8 +54,8 @@ enum { NB_OF_REGION = 1 << NB_MONITOR_REGION };
 enum { NB_OF_STORED = NB_BIT(NB_OVERLAP) | NB_BIT(NB_NORMAL) | NB_BIT(NB_STIFFNESS) | NB_BIT(NB_RADIUS) };
 #define NB_OF_BALANCE                                                                                                  \
   (NB_OF_STORED | NB_BIT(NB_EX) | NB_BIT(NB_EY) | NB_BIT(NB_TOTAL_NORMAL) | NB_BIT(NB_TANGENTIAL_INCREMENT) |          \
-   NB_BIT(NB_SHEAR) | NB_BIT(NB_TOTAL_SHEAR) | NB_BIT(NB_SHEAR_STIFFNESS) | NB_BIT(NB_SLIDING) |                       \
-   NB_BIT(NB_DISSIPATED) | NB_BIT(NB_SHEAR_BEFORE) | NB_BIT(NB_SHEAR_STIFFNESS_BEFORE) | NB_REQUEST_ENERGY)
+   NB_BIT(NB_SHEAR) | NB_BIT(NB_SHEAR_STIFFNESS) | NB_BIT(NB_SLIDING) | NB_BIT(NB_DISSIPATED) |                        \
+   NB_BIT(NB_SHEAR_BEFORE) | NB_BIT(NB_SHEAR_STIFFNESS_BEFORE) | NB_REQUEST_ENERGY)
 
 /* Quantities of a contact test (run/contact_test_quantities.c); the last row has no name. */
 extern const struct nb_quantity_kind nb_contact_test_kinds[];

@@ -106,7 +106,7 @@ static bool search_begin(struct search *search, const struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   double largest = 0;
   for (size_t i = 0; i < particles->count; i++)
-    largest = particles->surface[i].radius > largest ? particles->surface[i].radius : largest;
+    largest = particles->radius[i] > largest ? particles->radius[i] : largest;
   const double width = 2 * largest + model->search.skin;
   if ((model->cell && !wrap_positions(search, model)) || !mesh_begin(search, model, width))
     return false;
@@ -115,8 +115,7 @@ static bool search_begin(struct search *search, const struct nb_model *model) {
   if (!nb_grid_create(&search->grid, particles->count, width))
     return false;
   for (int i = 0; i < (int)particles->count; i++)
-    nb_grid_add(&search->grid, i, wrapped_position(search, model, i),
-                2 * particles->surface[i].radius + model->search.skin);
+    nb_grid_add(&search->grid, i, wrapped_position(search, model, i), 2 * particles->radius[i] + model->search.skin);
   return true;
 }
 
@@ -160,7 +159,7 @@ static void note_too_deep(struct nb_model *model, struct nb_close_pair pair) {
  * particles would fill the memory. */
 static bool near_pair(struct nb_neighbour_pairs *pairs, struct nb_model *model, int i, int j, double distance) {
   const struct nb_particles *particles = &model->particles;
-  const double one = particles->surface[i].radius, other = particles->surface[j].radius;
+  const double one = particles->radius[i], other = particles->radius[j];
   if (!(particles->inverse_mass[i] > 0 || particles->inverse_mass[j] > 0))
     return true; /* both are fixed */
   if (nb_removed(model, (size_t)i) || nb_removed(model, (size_t)j))
@@ -180,7 +179,7 @@ static bool neighbour_pair(struct nb_neighbour_pairs *pairs, struct nb_model *mo
   const struct nb_particles *particles = &model->particles;
   model->search.candidates++;
   const double distance = vec_length(apart);
-  return !(distance < particles->surface[i].radius + particles->surface[j].radius + model->search.skin) ||
+  return !(distance < particles->radius[i] + particles->radius[j] + model->search.skin) ||
          near_pair(pairs, model, i, j, distance);
 }
 
@@ -288,7 +287,7 @@ static bool neighbour_walls(struct nb_neighbour_pairs *pairs, struct nb_model *m
   const struct nb_particles *particles = &model->particles;
   for (size_t w = 0; w < walls->count; w++) {
     const double apart = vec_length(nb_wall_separation(walls, (int)w, particles->position[i]));
-    if (!(apart < particles->surface[i].radius + model->search.skin) || !(particles->inverse_mass[i] > 0))
+    if (!(apart < particles->radius[i] + model->search.skin) || !(particles->inverse_mass[i] > 0))
       continue;
     model->search.check_walls = model->search.check_walls || !(apart > model->search.skin);
     if (!pairs_add(pairs, i, (int)w,

@@ -4,12 +4,11 @@
 #include "motion.h"
 
 struct nb_force nb_force_on(const struct nb_model *model, size_t slot) {
-  const struct nb_contact_forces contact_forces = nb_contact_forces_of(model);
   const struct nb_contact_range its = nb_contact_range(&model->contacts.incidence, slot);
-  struct nb_force sum = nb_contact_force_sum(contact_forces, its.first, (int)(its.middle - its.first),
-                                             (int)(its.end - its.middle), contact_forces.total_shear != NULL);
-  sum.moment *= model->particles.surface[slot].radius;
-  return sum;
+  struct nb_contact_force sum;
+  nb_contact_force_sum(&sum, model->contacts.force, its.first, (int)(its.middle - its.first),
+                       (int)(its.end - its.middle));
+  return (struct nb_force){vec(sum.x, sum.y), sum.shear * model->particles.radius[slot]};
 }
 
 struct nb_vec nb_weight(const struct nb_model *model, size_t slot, struct nb_vec x) {

@@ -58,7 +58,7 @@ static bool find_vertices(struct nb_model *model, int c, int d) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_wall *first = &model->scene->walls[contacts->b[c]], *second = &model->scene->walls[contacts->b[d]];
   const int i = contacts->a[c];
-  const double radius = model->particles.surface[i].radius;
+  const double radius = model->particles.radius[i];
   for (int ends = 0; ends < 4; ends++) {
     const struct nb_vec end = nb_wall_end(&model->walls, contacts->b[c], ends & 1);
     const double distance = vec_length(vec_sub(end, model->particles.position[i]));
@@ -107,7 +107,7 @@ static bool nearest_is_end(const struct nb_model *model, int contact, int end) {
   const int i = model->contacts.a[contact], w = model->contacts.b[contact];
   const struct nb_vec x = model->particles.position[i];
   const double s = vec_dot(vec_sub(x, walls->point[w]), walls->along[w]);
-  const double tolerance = coincidence_distance(x, model->particles.surface[i].radius);
+  const double tolerance = coincidence_distance(x, model->particles.radius[i]);
   return end ? s >= walls->h2[w] - tolerance : s <= walls->h1[w] + tolerance;
 }
 
@@ -116,7 +116,7 @@ static int suppressed_contact(const struct nb_model *model, const struct nb_vert
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_vec one = nb_wall_end(&model->walls, contacts->b[vertex->c], vertex->at_c);
   const struct nb_vec other = nb_wall_end(&model->walls, contacts->b[vertex->d], vertex->at_d);
-  if (!coincident(one, other, model->particles.surface[contacts->a[vertex->c]].radius))
+  if (!coincident(one, other, model->particles.radius[contacts->a[vertex->c]]))
     return -1; /* the walls have separated */
   if (nearest_is_end(model, vertex->d, vertex->at_d))
     return vertex->d; /* the contact with the first wall, at E or inside it, is kept */

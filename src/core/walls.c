@@ -109,7 +109,7 @@ static enum nb_status crossing_error(const struct nb_model *model, size_t i, siz
                                      struct nb_error *error) {
   const struct nb_scene *scene = model->scene;
   const int number = model->particles.number[i];
-  const double radius = model->particles.surface[i].radius;
+  const double radius = model->particles.radius[i];
   const char *m = nb_unit(model->scene, " m"), *s = nb_unit(model->scene, " s");
   if (model->cycle == 0)
     return nb_error_set(error, NB_BROKEN,

@@ -85,10 +85,17 @@ OF_PARTICLE(particle_moment, nb_force_on(model, i).moment)
 
 /* ---- a contact: 0 while it is not in the neighbour list ---- */
 
-static double field(const struct nb_model *model, const struct nb_monitor *monitor, enum nb_field which) {
+static long contact_of(const struct nb_model *model, const struct nb_monitor *monitor) {
   const bool wall = monitor->kind == NB_MONITOR_PARTICLE_WALL;
   const int a = model->particles.slot[monitor->a], b = wall ? monitor->b : model->particles.slot[monitor->b];
-  return nb_field_of(model, nb_contacts_find(model, a, b, wall), which);
+  return nb_contacts_find(model, a, b, wall);
+}
+static double field(const struct nb_model *model, const struct nb_monitor *monitor, enum nb_field which) {
+  return nb_field_of(model, contact_of(model, monitor), which);
+}
+static double total_shear(const struct nb_model *model, const struct nb_monitor *monitor) {
+  const long contact = contact_of(model, monitor);
+  return contact < 0 ? 0 : model->contacts.force[contact].shear;
 }
 NB_QUANTITY(pair_overlap, field(model, monitor, NB_OVERLAP))
 NB_QUANTITY(pair_normal, field(model, monitor, NB_NORMAL))
@@ -97,7 +104,7 @@ NB_QUANTITY(pair_sliding, field(model, monitor, NB_SLIDING))
 NB_QUANTITY(pair_dashpot_normal,
             model->plan.dashpots ? field(model, monitor, NB_TOTAL_NORMAL) - field(model, monitor, NB_NORMAL) : 0)
 NB_QUANTITY(pair_dashpot_shear,
-            model->plan.dashpots ? field(model, monitor, NB_TOTAL_SHEAR) - field(model, monitor, NB_SHEAR) : 0)
+            model->plan.dashpots ? total_shear(model, monitor) - field(model, monitor, NB_SHEAR) : 0)
 
 enum {
   PARTICLE = 1 << NB_MONITOR_PARTICLE,
@@ -175,8 +182,7 @@ static const struct nb_quantity_kind kinds[] = {
      NB_AT_LEAST_0 | NB_AT_MOST_1},
     {"dashpot.normal", PAIR, "N", NB_BIT(NB_NORMAL) | NB_BIT(NB_TOTAL_NORMAL), pair_dashpot_normal,
      "normal force of the dashpot, D_n [CS79 26]"},
-    {"dashpot.shear", PAIR, "N", NB_BIT(NB_SHEAR) | NB_BIT(NB_TOTAL_SHEAR), pair_dashpot_shear,
-     "shear force of the dashpot, D_s [CS79 27]"},
+    {"dashpot.shear", PAIR, "N", NB_BIT(NB_SHEAR), pair_dashpot_shear, "shear force of the dashpot, D_s [CS79 27]"},
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 

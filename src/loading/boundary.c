@@ -53,7 +53,7 @@ static bool may_join(const struct nb_model *model, size_t i) {
 static void set_spin(struct nb_particles *particles, size_t i, double spin) {
   if (particles->spin)
     particles->spin[i] = spin;
-  particles->surface[i].speed = spin * particles->surface[i].radius;
+  particles->surface_speed[i] = spin * particles->radius[i];
 }
 
 static void attach(struct nb_model *model, int slot) {

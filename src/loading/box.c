@@ -99,7 +99,7 @@ double nb_box_porosity(const struct nb_model *model) {
   double area = 0;
   for (size_t k = 0; k < particles->count; k++) {
     const size_t i = (size_t)particles->slot[k];
-    const double radius = particles->surface[i].radius;
+    const double radius = particles->radius[i];
     area += nb_removed(model, i) ? 0 : NB_PI * radius * radius;
   }
   return 1 - area / (sides.x * sides.y);
@@ -122,7 +122,7 @@ static struct nb_tensor virial(const struct nb_model *model, enum box_sides whic
       continue;
     const struct nb_vec at = nb_wall_nearest(walls, w, model->particles.position[contacts->a[c]]);
     const struct nb_vec n = vec_clockwise(walls->along[w]), x = vec_sub(at, middle);
-    sum = tensor_sub(sum, tensor_outer(contacts->force[c], at_middle ? vec_scale(vec_dot(n, x), n) : x));
+    sum = tensor_sub(sum, tensor_outer(nb_contact_force(contacts, c), at_middle ? vec_scale(vec_dot(n, x), n) : x));
   }
   return sum;
 }
@@ -155,6 +155,6 @@ double nb_walls_residual(const struct nb_model *model) {
   struct nb_vec sum = vec(0, 0);
   for (size_t c = model->contacts.wall_from; c < model->contacts.count; c++)
     if (model->contacts.b[c] >= first && model->contacts.b[c] < first + SIDES)
-      sum = vec_add(sum, model->contacts.force[c]);
+      sum = vec_add(sum, nb_contact_force(&model->contacts, c));
   return vec_length(sum);
 }

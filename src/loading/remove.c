@@ -22,15 +22,12 @@ static void end_contact(struct nb_model *model, size_t c) {
   struct nb_contacts *contacts = &model->contacts;
   const struct nb_particles *particles = &model->particles;
   const size_t a = (size_t)contacts->a[c], b = (size_t)contacts->b[c];
-  const double *total_shear = contacts->kept[model->plan.total_shear];
-  const struct nb_vec force = contacts->force[c];
-  nb_motion_offset_force(model, a,
-                         (struct nb_force){force, total_shear ? total_shear[c] * particles->surface[a].radius : 0});
+  const struct nb_vec force = nb_contact_force(contacts, c);
+  const double shear = contacts->force[c].shear;
+  nb_motion_offset_force(model, a, (struct nb_force){force, shear * particles->radius[a]});
   if (!nb_with_wall(model, c))
-    nb_motion_offset_force(
-        model, b,
-        (struct nb_force){vec_scale(-1, force), total_shear ? total_shear[c] * particles->surface[b].radius : 0});
-  contacts->force[c] = vec(0, 0);
+    nb_motion_offset_force(model, b, (struct nb_force){vec_scale(-1, force), shear * particles->radius[b]});
+  contacts->force[c] = (struct nb_contact_force){.shear = 0};
   for (int f = 0; f < NB_FIELDS; f++)
     if (contacts->kept[f])
       contacts->kept[f][c] = 0;

@@ -258,31 +258,32 @@ static void add_contacts(struct nb_sum terms[], const struct nb_model *model, st
   const double time = kick.first_half + kick.second_half;
   for (size_t c = 0; c < contacts->count; c++) {
     const struct nb_material_pair *material_pair = &model->material_pairs[contacts->material_pair[c]];
-    const struct nb_vec f = contacts->force[c]; /* centred dashpots still act in the step in which a contact ends */
+    const struct nb_vec f =
+        nb_contact_force(contacts, c); /* centred dashpots still act in the step in which a contact ends */
     if ((!model->plan.dashpots && !material_pair->wall) || (!nb_touches(contacts, c) && f.x == 0 && f.y == 0))
       continue;
     const int i = contacts->a[c], j = contacts->b[c];
     const struct nb_vec e = vec(contacts->kept[NB_EX][c], contacts->kept[NB_EY][c]);
-    const double radius = model->particles.surface[i].radius;
+    const double radius = model->particles.radius[i];
     struct nb_vec displacement = vec_add(vec_scale(time, b->particles[i].now.velocity), b->particles[i].imposed);
     double rolling = time * b->particles[i].now.spin * radius;
     if (material_pair->wall) {
       const double arm_length = radius - contacts->kept[NB_OVERLAP][c];
       const struct nb_vec wall =
           wall_displacement(model, kick, j, vec_add(b->particles[i].position, vec_scale(arm_length, e)));
-      nb_sum_add(&terms[NB_TERM_WALLS], vec_dot(contacts->force[c], wall));
+      nb_sum_add(&terms[NB_TERM_WALLS], vec_dot(nb_contact_force(contacts, c), wall));
       displacement = vec_sub(displacement, wall);
     } else {
       const struct nb_vec imposed = vec_add(b->particles[j].imposed, copy_displacement(model, c));
       displacement = vec_sub(displacement, vec_add(vec_scale(time, b->particles[j].now.velocity), imposed));
-      rolling += time * b->particles[j].now.spin * model->particles.surface[j].radius;
+      rolling += time * b->particles[j].now.spin * model->particles.radius[j];
     }
     if (!model->plan.dashpots)
       continue;
     nb_sum_add(&terms[NB_TERM_DAMPED],
                (contacts->kept[NB_TOTAL_NORMAL][c] - contacts->kept[NB_NORMAL][c]) * vec_dot(displacement, e));
     if (material_pair->shear)
-      nb_sum_add(&terms[NB_TERM_DAMPED], (contacts->kept[NB_TOTAL_SHEAR][c] - contacts->kept[NB_SHEAR][c]) *
+      nb_sum_add(&terms[NB_TERM_DAMPED], (contacts->force[c].shear - contacts->kept[NB_SHEAR][c]) *
                                              (vec_dot(displacement, vec_clockwise(e)) - rolling));
   }
 }
@@ -298,7 +299,7 @@ static void add_imposed(struct nb_sum terms[], const struct nb_model *model) {
     nb_sum_add(&terms[NB_TERM_IMPOSED], -vec_dot(force, model->balance->particles[i].imposed));
   }
   for (size_t c = 0; c < model->contacts.count && model->cell; c++)
-    nb_sum_add(&terms[NB_TERM_IMPOSED], vec_dot(model->contacts.force[c], copy_displacement(model, c)));
+    nb_sum_add(&terms[NB_TERM_IMPOSED], vec_dot(nb_contact_force(&model->contacts, c), copy_displacement(model, c)));
 }
 
 static void add_terms(struct nb_sum terms[], const struct nb_model *model, struct kick kick) {

@@ -157,8 +157,8 @@ static double normal_energy_at(const struct nb_model *model, size_t c, double ov
 
 static double overlap_of(const struct nb_model *model, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
-  const struct nb_surface *surface = model->particles.surface;
-  return surface[contacts->a[c]].radius + surface[contacts->b[c]].radius - vec_length(nb_contacts_branch(model, c));
+  const double *radius = model->particles.radius;
+  return radius[contacts->a[c]] + radius[contacts->b[c]] - vec_length(nb_contacts_branch(model, c));
 }
 
 enum nb_status nb_balance_new_overlaps(struct nb_model *model, struct nb_error *error) {

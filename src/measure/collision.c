@@ -101,27 +101,27 @@ static void try_particles(struct nb_collision *shortest, const struct nb_model *
     if (j == i || nb_removed(model, j) || !(inverse > 0) ||
         (moving(velocity[j]) && particles->number[j] < particles->number[i]))
       continue;
-    const double radius_sum = particles->surface[i].radius + particles->surface[j].radius;
+    const double radius_sum = particles->radius[i] + particles->radius[j];
     const double speed = circles_approach(vec_sub(particles->position[j], particles->position[i]),
                                           vec_sub(velocity[i], velocity[j]), radius_sum)
                              .speed;
     if (speed > 0)
-      keep_shorter(shortest, (struct nb_collision){
-                                 duration(effective_young(model, particles->material[i], particles->material[j]),
-                                          nb_reduced_radius(particles->surface[i].radius, particles->surface[j].radius),
-                                          1 / inverse, speed),
-                                 speed, (int)i, (int)j, false});
+      keep_shorter(shortest,
+                   (struct nb_collision){
+                       duration(effective_young(model, particles->material[i], particles->material[j]),
+                                nb_reduced_radius(particles->radius[i], particles->radius[j]), 1 / inverse, speed),
+                       speed, (int)i, (int)j, false});
   }
 }
 
 static void try_walls(struct nb_collision *shortest, const struct nb_model *model, struct nb_vec velocity, size_t i) {
   const struct nb_particles *particles = &model->particles;
   for (int w = 0; w < (int)model->walls.count && particles->inverse_mass[i] > 0; w++) {
-    const double speed = wall_approach(model, particles->position[i], velocity, particles->surface[i].radius, w).speed;
+    const double speed = wall_approach(model, particles->position[i], velocity, particles->radius[i], w).speed;
     if (speed > 0)
       keep_shorter(shortest, (struct nb_collision){duration(effective_young(model, particles->material[i],
                                                                             model->scene->walls[w].material),
-                                                            particles->surface[i].radius, particles->mass[i], speed),
+                                                            particles->radius[i], particles->mass[i], speed),
                                                    speed, (int)i, w, true});
   }
 }

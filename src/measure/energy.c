@@ -107,7 +107,7 @@ double nb_unbalanced_max(const struct nb_model *model) {
     sum = size > sum ? size : sum;
   }
   for (size_t c = 0; c < model->contacts.count; c++) {
-    const double size = vec_length(model->contacts.force[c]);
+    const double size = vec_length(nb_contact_force(&model->contacts, c));
     contact = size > contact ? size : contact;
   }
   return sum > 0 ? sum / contact : 0; /* infinite if forces act but all contact forces are 0 */

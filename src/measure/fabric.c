@@ -45,7 +45,7 @@ static void divide(struct nb_anisotropy *phi, double sum) {
 static double mean_radius(const struct nb_model *model, const struct nb_region_state *region) {
   double sum = 0, count = 0;
   for (size_t k = 0, i; nb_region_next(model, region, &k, &i); count++)
-    sum += model->particles.surface[i].radius;
+    sum += model->particles.radius[i];
   return count > 0 ? sum / count : 0;
 }
 

@@ -85,8 +85,8 @@ struct nb_contact_load nb_contact_load(const struct nb_model *model, size_t cont
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_material_pair *material_pair = &model->material_pairs[contacts->material_pair[contact]];
   const bool has_friction = material_pair->shear;
-  const double first = model->particles.surface[contacts->a[contact]].radius;
-  const double second = material_pair->wall ? first : model->particles.surface[contacts->b[contact]].radius;
+  const double first = model->particles.radius[contacts->a[contact]];
+  const double second = material_pair->wall ? first : model->particles.radius[contacts->b[contact]];
   const double a = contacts->kept[NB_RADIUS][contact], area = NB_PI * a * a;
   struct nb_contact_load load = {.normal = contacts->kept[NB_NORMAL][contact], .radius = a};
   load.shear = has_friction ? fabs(contacts->kept[NB_SHEAR][contact]) : 0;

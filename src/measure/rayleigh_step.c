@@ -56,8 +56,7 @@ double nb_step_rayleigh(const struct nb_model *model, bool fit, bool mean) {
     if (!(particles->inverse_mass[i] > 0 && material->young > 0 && material->young < INFINITY))
       continue;
     const double nu = material->poisson;
-    const struct sphere sphere = {particles->surface[i].radius, material->density, material->young / (2 * (1 + nu)),
-                                  nu};
+    const struct sphere sphere = {particles->radius[i], material->density, material->young / (2 * (1 + nu)), nu};
     if (!mean) {
       const double time = time_of(sphere, fit);
       shortest = time < shortest ? time : shortest;

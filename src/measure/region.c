@@ -83,7 +83,7 @@ static void bounding_box(struct nb_region_state *now, const struct nb_model *mod
     if (nb_removed(model, i))
       continue;
     const struct nb_vec x = vec(vec_dot(particles->position[i], along), vec_dot(particles->position[i], left));
-    const double r = particles->surface[i].radius;
+    const double r = particles->radius[i];
     low = vec(x.x - r < low.x ? x.x - r : low.x, x.y - r < low.y ? x.y - r : low.y);
     high = vec(x.x + r > high.x ? x.x + r : high.x, x.y + r > high.y ? x.y + r : high.y);
   }
@@ -160,7 +160,7 @@ bool nb_region_next(const struct nb_model *model, const struct nb_region_state *
 
 /* The area of a particle that is inside the region, m2. */
 static double area_inside(const struct nb_model *model, const struct nb_region_state *region, size_t slot) {
-  const double radius = model->particles.surface[slot].radius;
+  const double radius = model->particles.radius[slot];
   const struct nb_vec x = nb_region_position(model, region, slot);
   if (nb_removed(model, slot))
     return 0;
@@ -191,7 +191,7 @@ bool nb_ends_next_particle(struct nb_ends *ends) {
 /* ---- porosity ---- */
 
 double nb_region_volume(const struct nb_model *model, size_t slot) {
-  const double r = model->particles.surface[slot].radius, area = nb_area_of_disc(r);
+  const double r = model->particles.radius[slot], area = nb_area_of_disc(r);
   return model->scene->particles[model->particles.number[slot] - 1].shape == NB_SPHERE ? 4 * area * r / 3 : area;
 }
 
@@ -201,7 +201,7 @@ void nb_measure_porosity(const struct nb_model *model, struct nb_region_state *r
     const size_t i = (size_t)model->particles.slot[k];
     const double part = area_inside(model, region, i);
     area += part;
-    volume += part > 0 ? nb_region_volume(model, i) * (part / nb_area_of_disc(model->particles.surface[i].radius)) : 0;
+    volume += part > 0 ? nb_region_volume(model, i) * (part / nb_area_of_disc(model->particles.radius[i])) : 0;
   }
   region->porosity.areal = region->area > 0 ? 1 - area / region->area : 0;
   region->porosity.volume = region->area > 0 ? 1 - volume / (region->area * region->thickness) : 0;

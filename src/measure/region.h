@@ -181,7 +181,7 @@ struct nb_ends {
 static inline double nb_contact_arm(const struct nb_model *model, size_t contact, size_t slot) {
   const bool wall = nb_with_wall(model, contact);
   const double overlap = model->contacts.kept[NB_OVERLAP][contact];
-  return model->particles.surface[slot].radius - (wall ? overlap : overlap / 2);
+  return model->particles.radius[slot] - (wall ? overlap : overlap / 2);
 }
 struct nb_ends nb_ends_begin(const struct nb_model *model, const struct nb_region_state *region);
 bool nb_ends_next_particle(struct nb_ends *ends); /* goes to the next particle with listed contacts; false: no more */
@@ -203,7 +203,7 @@ static inline bool nb_ends_next(struct nb_ends *ends, struct nb_end *end) {
     end->e = vec(sign * contacts->kept[NB_EX][c], sign * contacts->kept[NB_EY][c]);
     end->arm = nb_contact_arm(model, c, ends->slot);
     end->total_normal = contacts->kept[total_normal][c];
-    end->total_shear = material_pair->shear ? contacts->kept[model->plan.total_shear][c] : 0;
+    end->total_shear = contacts->force[c].shear;
     ends->next++;
     return true;
   }
@@ -212,7 +212,7 @@ static inline bool nb_ends_next(struct nb_ends *ends, struct nb_end *end) {
 /* Fields of contacts that measures need. */
 enum {
   NB_READS_TOUCH = NB_BIT(NB_OVERLAP),
-  NB_READS_ENDS = NB_BIT(NB_OVERLAP) | NB_BIT(NB_EX) | NB_BIT(NB_EY) | NB_BIT(NB_TOTAL_NORMAL) | NB_BIT(NB_TOTAL_SHEAR),
+  NB_READS_ENDS = NB_BIT(NB_OVERLAP) | NB_BIT(NB_EX) | NB_BIT(NB_EY) | NB_BIT(NB_TOTAL_NORMAL),
   NB_READS_LOADS = NB_BIT(NB_OVERLAP) | NB_BIT(NB_NORMAL) | NB_BIT(NB_SHEAR) | NB_BIT(NB_SLIDING) | NB_BIT(NB_RADIUS)
 };
 

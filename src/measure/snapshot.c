@@ -39,7 +39,7 @@ bool nb_snapshot_row(struct nb_table *table, const struct nb_model *model, int s
   COLUMN("particle", "1", (double)k + 1)                                                                               \
   COLUMN("x", "m", x.x)                                                                                                \
   COLUMN("y", "m", x.y)                                                                                                \
-  COLUMN("radius", "m", particles->surface[i].radius)                                                                  \
+  COLUMN("radius", "m", particles->radius[i])                                                                          \
   COLUMN("angle", "rad", particles->angle ? particles->angle[i] : 0)                                                   \
   COLUMN("vx", "m/s", v.x)                                                                                             \
   COLUMN("vy", "m/s", v.y)                                                                                             \
@@ -91,8 +91,8 @@ static bool walls_table(struct nb_table *table, const struct nb_model *model, in
   COLUMN("wall", "1", wall ? b + 1 : 0)                                                                                \
   COLUMN("x", "m", x.x + arm * e.x)                                                                                    \
   COLUMN("y", "m", x.y + arm * e.y)                                                                                    \
-  COLUMN("ra", "m", particles->surface[i].radius)                                                                      \
-  COLUMN("rb", "m", wall ? 0 : particles->surface[b].radius)                                                           \
+  COLUMN("ra", "m", particles->radius[i])                                                                              \
+  COLUMN("rb", "m", wall ? 0 : particles->radius[b])                                                                   \
   COLUMN("ex", "1", e.x)                                                                                               \
   COLUMN("ey", "1", e.y)                                                                                               \
   COLUMN("overlap", "m", overlap)                                                                                      \
@@ -126,7 +126,7 @@ static bool contacts_table(struct nb_table *table, const struct nb_model *model,
     const double shear = model->material_pairs[contacts->material_pair[c]].shear ? contacts->kept[NB_SHEAR][c] : 0;
     const struct nb_contact_load load = nb_contact_load(model, c);
     const struct nb_vec x = nb_cell_wrapped_position(model, (size_t)i);
-    const double arm = particles->surface[i].radius - overlap / 2;
+    const double arm = particles->radius[i] - overlap / 2;
     complete = nb_snapshot_row(table, model, stage, (const double[]){CONTACT(NB_VALUE)});
   }
   return complete;
@@ -138,7 +138,7 @@ static double covered_area(const struct nb_model *model, const struct nb_region_
   for (size_t k = 0; k < model->particles.count; k++) {
     const size_t i = (size_t)model->particles.slot[k];
     if (!nb_removed(model, i))
-      area += nb_area_of_lens(model->particles.surface[i].radius, radius,
+      area += nb_area_of_lens(model->particles.radius[i], radius,
                               vec_length(vec_sub(nb_region_position(model, region, i), region->centre)));
   }
   return area;

@@ -145,7 +145,7 @@ static void set_update_limit(struct nb_model *model) {
       double increase = INFINITY;
       for (int k = 0; k < n; k++) {
         const int i = slots[k];
-        const double inverse = particles->inverse_mass[i], radius = particles->surface[i].radius;
+        const double inverse = particles->inverse_mass[i], radius = particles->radius[i];
         const double shear_factor = h * (inverse + radius * radius * particles->inverse_inertia[i]);
         const double per_contact =
             remainder[i] / (double)(model->contacts.incidence.end[i] - model->contacts.incidence.first[i]);

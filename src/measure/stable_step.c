@@ -210,7 +210,7 @@ struct nb_stable nb_stable_step_apart(const struct nb_model *model) {
     for (int side = 0; side < 2; side++)
       if (lightest[side] >= 0) {
         inverse += particles->inverse_mass[lightest[side]];
-        curvature += 1 / particles->surface[lightest[side]].radius;
+        curvature += 1 / particles->radius[lightest[side]];
       }
     if (model->next_laws.normal->elastic)
       continue; /* elastic spheres have no stiffness when they just touch */
@@ -221,7 +221,7 @@ struct nb_stable nb_stable_step_apart(const struct nb_model *model) {
       struct nb_particle_sums load = {0};
       if (i < 0)
         continue;
-      add(&load, &element.own, particles->surface[i].radius);
+      add(&load, &element.own, particles->radius[i]);
       add_particle(&element, &load, particles->inverse_mass[i], particles->inverse_inertia[i]);
     }
     if (element.own.kn > 0)
@@ -278,9 +278,9 @@ struct nb_stable nb_stable_step_begin(const struct nb_model *model) {
     const struct nb_coefficients k = coefficients_of(model, c);
     if (model->stability->coefficients)
       model->stability->coefficients[c] = k;
-    add(&model->stability->sums[i], &k, particles->surface[i].radius);
+    add(&model->stability->sums[i], &k, particles->radius[i]);
     if (!nb_with_wall(model, c))
-      add(&model->stability->sums[j], &k, particles->surface[j].radius);
+      add(&model->stability->sums[j], &k, particles->radius[j]);
   }
   for (size_t c = 0; c < contacts->count; c++) {
     const struct nb_element element = nb_element_of(model, c);

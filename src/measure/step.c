@@ -75,7 +75,7 @@ static const double rounding_overlap = 1e-9;
 bool nb_step_loaded(const struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
   for (size_t c = 0; c < contacts->count; c++)
-    if (nb_overlap(model, c) > rounding_overlap * model->particles.surface[contacts->a[c]].radius)
+    if (nb_overlap(model, c) > rounding_overlap * model->particles.radius[contacts->a[c]])
       return true;
   return false;
 }

@@ -80,7 +80,7 @@ static struct nb_tensor by_contacts(const struct nb_model *model, const struct n
       branch = vec_scale(nb_contact_arm(model, c, a), e);
     else if (b_in)
       branch = vec_scale(nb_contact_arm(model, c, b), e);
-    sum = tensor_sub(sum, tensor_outer(contacts->force[c], branch));
+    sum = tensor_sub(sum, tensor_outer(nb_contact_force(contacts, c), branch));
   }
   return sum;
 }

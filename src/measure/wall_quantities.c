@@ -24,7 +24,8 @@ static struct sums sums(const struct nb_model *model, const struct nb_monitor *m
   for (size_t c = contacts->wall_from; c < contacts->count; c++) {
     if (contacts->b[c] != wall)
       continue;
-    const struct nb_vec x = model->particles.position[contacts->a[c]], force = vec_scale(-1, contacts->force[c]);
+    const struct nb_vec x = model->particles.position[contacts->a[c]],
+                        force = vec_scale(-1, nb_contact_force(contacts, c));
     const double normal = vec_dot(force, vec_clockwise(walls->along[wall]));
     sum.force = vec_add(sum.force, force);
     sum.moment += vec_cross(vec_sub(nb_wall_nearest(walls, wall, x), walls->pivot[wall]), force);

@@ -45,7 +45,7 @@ static double gap_between(const struct nb_model *model, const struct nb_wrap *wr
     return INFINITY;
   const struct nb_vec apart = vec_sub(particles->position[j], particles->position[i]);
   const struct nb_vec nearest = model->cell ? nb_wrapped(wrap, apart) : apart;
-  return vec_length(nearest) - (particles->surface[i].radius + particles->surface[j].radius);
+  return vec_length(nearest) - (particles->radius[i] + particles->radius[j]);
 }
 
 /* The smallest gap, m, or the skin if that is smaller. If no listed pair overlaps, all pairs are compared: a pair that is

@@ -28,6 +28,7 @@ static inline NB_FORM void add_again(const struct nb_model *model, const struct 
   const double *overlap = block->f[NB_OVERLAP], *radius_sum = block->f[NB_RADIUS_SUM];
   const double *ex = block->f[NB_EX], *ey = block->f[NB_EY];
   double *dn = block->f[NB_NORMAL_INCREMENT], *ds = block->f[NB_TANGENTIAL_INCREMENT];
+  *block->began = true; /* dn changes */
   NB_WIDE
   for (size_t c = 0; c < block->n; c++) {
     const struct nb_vec e = vec(ex[c], ey[c]);

@@ -79,7 +79,7 @@ struct changes {
 };
 
 static inline NB_FORM struct nb_velocities change_of(const struct nb_particles *particles, int i, bool start) {
-  return start ? (struct nb_velocities){particles->velocity[i], particles->surface[i].speed} : particles->ahead[i];
+  return start ? (struct nb_velocities){particles->velocity[i], particles->surface_speed[i]} : particles->ahead[i];
 }
 
 /* The velocity of the wall's point nearest to the particle at the end of the step, minus its mean velocity in the step;
@@ -183,14 +183,12 @@ static inline NB_FORM void add_tangential(const struct dashpots *spec, const str
   const double *ds = block->f[NB_TANGENTIAL_INCREMENT], *sliding = block->f[NB_SLIDING],
                *overlap = block->f[NB_OVERLAP];
   double *total_shear = block->f[NB_TOTAL_SHEAR];
-  unsigned long began = 0;
   NB_WIDE
   for (size_t c = 0; c < block->n; c++) {
     const double slip = slip_rate(block, changes, c, ds[c], rate);
     total_shear[c] = shear[c] + (1 - sliding[c]) * (coefficient(spec, shear_stiffness[c], spec->shear_root, c) * slip);
-    began += nb_touch_began(overlap[c], dn[c]);
   }
-  for (size_t c = 0; c < block->n && began > 0; c++) { /* new contacts, whose ds is not that of the whole step */
+  for (size_t c = 0; c < block->n && *block->began; c++) { /* new contacts, whose ds is not that of the whole step */
     const double fraction = nb_touch_fraction(overlap[c], dn[c]),
                  displacement = fraction > 0 ? ds[c] / fraction : ds[c],
                  whole = slip_rate(block, changes, c, displacement, rate);

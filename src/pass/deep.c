@@ -34,7 +34,7 @@ static inline NB_FORM unsigned long count_above_stable(const struct nb_block *bl
 static inline NB_FORM void mark_deep(const struct nb_model *model, const struct nb_block *block) {
   const double *overlap = block->f[NB_OVERLAP];
   double *mark = block->f[NB_DEEP];
-  const struct nb_surface *surface = model->particles.surface;
+  const double *radius = model->particles.radius;
   const double fraction = 2 * nb_deep_fraction(model), least = fraction * model->search.smallest_radius;
   const double stable_overlap = block->stable_overlap ? block->stable_overlap->overlap : INFINITY;
   const unsigned long any = count_above(block, least < stable_overlap ? least : stable_overlap);
@@ -50,7 +50,7 @@ static inline NB_FORM void mark_deep(const struct nb_model *model, const struct 
   if (count_above(block, least) == 0)
     return;
   for (size_t c = 0; c < block->n; c++) {
-    const double a = surface[block->a[c]].radius, b = block->material_pair->wall ? a : surface[block->b[c]].radius;
+    const double a = radius[block->a[c]], b = block->material_pair->wall ? a : radius[block->b[c]];
     mark[c] = overlap[c] > fraction * (a < b ? a : b) ? 1 : 0;
     *block->deep += mark[c] > 0 ? 1 : 0;
   }

@@ -9,13 +9,13 @@
 static inline NB_FORM void nb_disc_disc(const struct nb_model *model, const struct nb_block *block,
                                         enum nb_approach approach, bool copies) {
   const struct nb_vec *position = model->particles.position, *velocity = model->particles.velocity;
-  const struct nb_surface *surface = model->particles.surface;
+  const double *surface_speed = model->particles.surface_speed;
   struct relative_motion relative;
   for (size_t c = 0; c < block->n; c++) {
     const int i = block->a[c], j = block->b[c];
     vec_put(&relative.apart[c], vec_both(&position[j]) - vec_both(&position[i]));
     if (approach >= NB_APPROACH_TANGENTIAL)
-      relative.rotation[c] = surface[i].speed + surface[j].speed;
+      relative.rotation[c] = surface_speed[i] + surface_speed[j];
     if (approach >= NB_APPROACH_NORMAL)
       vec_put(&relative.approach[c], vec_both(&velocity[i]) - vec_both(&velocity[j]));
     if (copies)

@@ -36,15 +36,14 @@ TARGET static inline NB_FORM WIDE NAME(vectors)(const struct nb_vec *p, const in
 
 /* The sums of the surface speeds of W contacts. The gathered registers begin as 0, so that they do not wait for the
  * result that had the same register. */
-TARGET static inline NB_FORM WIDE NAME(rotations)(const struct nb_surface *surface, const int *a, const int *b) {
+TARGET static inline NB_FORM WIDE NAME(rotations)(const double *speed, const int *a, const int *b) {
 #if W == 8
   const __m256i i = _mm256_loadu_si256((const void *)a), j = _mm256_loadu_si256((const void *)b);
   const WIDE zero = _mm512_setzero_pd();
-  return _mm512_mask_i32gather_pd(zero, 0xff, _mm256_slli_epi32(i, 1), &surface->speed, 8) +
-         _mm512_mask_i32gather_pd(zero, 0xff, _mm256_slli_epi32(j, 1), &surface->speed, 8);
+  return _mm512_mask_i32gather_pd(zero, 0xff, i, speed, 8) + _mm512_mask_i32gather_pd(zero, 0xff, j, speed, 8);
 #else
-  return _mm256_setr_pd(surface[a[0]].speed + surface[b[0]].speed, surface[a[1]].speed + surface[b[1]].speed,
-                        surface[a[2]].speed + surface[b[2]].speed, surface[a[3]].speed + surface[b[3]].speed);
+  return _mm256_setr_pd(speed[a[0]] + speed[b[0]], speed[a[1]] + speed[b[1]], speed[a[2]] + speed[b[2]],
+                        speed[a[3]] + speed[b[3]]);
 #endif
 }
 
@@ -87,7 +86,7 @@ TARGET static inline NB_FORM struct NAME(loaded) NAME(load)(const struct nb_mode
     it.u -= rate.xx * mx + rate.xy * my;
     it.v -= rate.yx * mx + rate.yy * my;
   }
-  it.rotation = approach >= NB_APPROACH_TANGENTIAL ? NAME(rotations)(model->particles.surface, a, b) : zero;
+  it.rotation = approach >= NB_APPROACH_TANGENTIAL ? NAME(rotations)(model->particles.surface_speed, a, b) : zero;
   it.distance = OF(sqrt)(it.x * it.x + it.y * it.y);
   return it;
 }
@@ -127,6 +126,7 @@ TARGET static inline NB_FORM void NAME(nb_disc_disc)(const struct nb_model *mode
     it = after;
   }
   began |= NAME(compute)(block, last, it, approach, dt);
+  *block->began = began;
   if (began)
     nb_tangential_since_touch(block);
 }

@@ -23,7 +23,7 @@ static inline NB_FORM void disc_wall(const struct nb_model *model, const struct 
     if (approach >= NB_APPROACH_NORMAL)
       relative.approach[c] = vec_sub(particles->velocity[i], nb_wall_velocity(walls, w, q));
     if (approach >= NB_APPROACH_TANGENTIAL)
-      relative.rotation[c] = particles->surface[i].speed;
+      relative.rotation[c] = particles->surface_speed[i];
   }
   nb_geometry(model, block, approach, &relative);
 }

@@ -42,6 +42,7 @@ static inline NB_FORM void nb_geometry(const struct nb_model *model, const struc
       began += nb_touch_began(alpha, dn[c]);
     }
   }
+  *block->began = began > 0;
   if (began)
     nb_tangential_since_touch(block);
 }

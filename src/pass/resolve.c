@@ -6,15 +6,17 @@
  *   F_1 = -(F_n e1 + F_s t1),   F_2 = -(F_n e2 + F_s t2),   t = (e2, -e1)
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "core/contacts.h"
 #include "pass.h"
 
 static inline NB_FORM void normal_only(const struct nb_model *model, const struct nb_block *block) {
   (void)model;
   const double *total_normal = block->f[NB_TOTAL_NORMAL], *ex = block->f[NB_EX], *ey = block->f[NB_EY];
-  struct nb_vec *force = block->force;
+  struct nb_contact_force *force = block->force;
   NB_WIDE
   for (size_t c = 0; c < block->n; c++) {
-    force[c] = vec_scale(-total_normal[c], vec(ex[c], ey[c]));
+    const struct nb_vec f = vec_scale(-total_normal[c], vec(ex[c], ey[c]));
+    force[c] = (struct nb_contact_force){f.x, 0, f.y};
   }
 }
 
@@ -22,11 +24,12 @@ static inline NB_FORM void with_shear(const struct nb_model *model, const struct
   (void)model;
   const double *total_normal = block->f[NB_TOTAL_NORMAL], *ex = block->f[NB_EX], *ey = block->f[NB_EY];
   const double *total_shear = block->f[NB_TOTAL_SHEAR];
-  struct nb_vec *force = block->force;
+  struct nb_contact_force *force = block->force;
   NB_WIDE
   for (size_t c = 0; c < block->n; c++) {
     const struct nb_vec e = vec(ex[c], ey[c]), t = vec_clockwise(e);
-    force[c] = vec_scale(-1, vec_add(vec_scale(total_normal[c], e), vec_scale(total_shear[c], t)));
+    const struct nb_vec f = vec_scale(-1, vec_add(vec_scale(total_normal[c], e), vec_scale(total_shear[c], t)));
+    force[c] = (struct nb_contact_force){f.x, total_shear[c], f.y};
   }
 }
 

@@ -258,8 +258,7 @@ static void explain_absent(FILE *out, const struct nb_model *model) {
     slowed = slowed || scene->stages[s].damping.global_kind;
   }
   const struct nb_pair none = {.pieces = model->laws.pieces};
-  const size_t shear =
-      (model->plan.kept & NB_BIT(model->plan.total_shear) ? 0 : 1) + (size_t)nb_law_history(model->laws.shear, none);
+  const size_t shear = (size_t)nb_law_history(model->laws.shear, none);
   const struct {
     bool present;
     const char *name, *of;

@@ -55,7 +55,7 @@ static void fill_particles(struct nb_particles *particles, const struct nb_scene
     const size_t i = slot_of(k, particles->count, shuffle);
     particles->slot[k] = (int)i, particles->number[i] = (int)k + 1;
     particles->position[i] = vec(particle->x, particle->y), particles->velocity[i] = vec(particle->vx, particle->vy);
-    particles->surface[i] = nb_surface(particle->radius, particle->spin * particle->radius);
+    particles->radius[i] = particle->radius, particles->surface_speed[i] = particle->spin * particle->radius;
     if (particles->spin)
       particles->spin[i] = particle->spin;
     particles->mass[i] = nb_particle_mass(scene, particle),
@@ -86,7 +86,7 @@ static void make_particles(struct nb_particles *b, const struct nb_scene *scene,
   const size_t n = b->count = scene->particle_count;
   b->number = integers(owner, n), b->slot = integers(owner, n), b->material = integers(owner, n);
   b->position = vectors(owner, n), b->velocity = vectors(owner, n);
-  b->surface = nb_own(owner, n, sizeof *b->surface), b->search_position = vectors(owner, n);
+  b->radius = numbers(owner, n), b->surface_speed = numbers(owner, n), b->search_position = vectors(owner, n);
   b->mass = numbers(owner, n), b->inertia = numbers(owner, n);
   b->inverse_mass = numbers(owner, n), b->inverse_inertia = numbers(owner, n);
   if (has_spin(scene))
@@ -139,7 +139,7 @@ static double skin_of(const struct nb_model *model) {
   double sum = 0;
   bool free = false;
   for (size_t i = 0; i < particles->count; i++)
-    sum += particles->surface[i].radius, free = free || particles->inverse_mass[i] > 0;
+    sum += particles->radius[i], free = free || particles->inverse_mass[i] > 0;
   if (!free || particles->count + model->walls.count < 2)
     return INFINITY;
   return model->scene->skin > 0 ? model->scene->skin : 0.1 * sum / (double)particles->count;

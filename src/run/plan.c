@@ -103,9 +103,7 @@ static unsigned needed_fields(unsigned kept, bool dissipative, const struct nb_p
     kept &= ~NB_BIT(NB_DISSIPATED);
   if (!plan->dashpots && kept & NB_BIT(NB_TOTAL_NORMAL)) /* without dashpots the two fields are equal: one is enough */
     kept = (kept & ~NB_BIT(NB_TOTAL_NORMAL)) | NB_BIT(NB_NORMAL);
-  if (!plan->dashpots && kept & NB_BIT(NB_TOTAL_SHEAR))
-    kept = (kept & ~NB_BIT(NB_TOTAL_SHEAR)) | NB_BIT(NB_SHEAR);
-  return kept;
+  return kept & ~NB_BIT(NB_TOTAL_SHEAR); /* a part of the contact force */
 }
 
 static int larger(int a, int b) { return a > b ? a : b; }
@@ -120,7 +118,6 @@ enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
   plan->dashpots = dashpot_kind(&model->damping);
   plan->centred = model->damping.centred;
   plan->affine_twice = affine_twice(model);
-  plan->total_shear = plan->dashpots ? NB_TOTAL_SHEAR : NB_SHEAR;
   plan->kept =
       (plan->requested & (NB_BIT(NB_FIELDS) - 1)) | NB_BIT(NB_RADIUS_SUM) | (plan->keep_all ? NB_SAVED_MASK : 0);
   if (nb_laws_elastic(scene)) /* in any stage: when the law changes, its stored energy is computed once more */
@@ -135,7 +132,7 @@ enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
     plan->history.normal = larger(plan->history.normal, nb_law_history(material_pair->normal, material_pair->values));
     plan->history.shear = larger(plan->history.shear, nb_law_history(material_pair->shear, material_pair->values));
   }
-  plan->kept = needed_fields(plan->kept | (plan->has_friction ? NB_BIT(plan->total_shear) : 0), dissipative, plan);
+  plan->kept = needed_fields(plan->kept, dissipative, plan);
   free(model->blocks.scratch);
   model->blocks.scratch = nb_array(nb_most_parts(&model->machine) * NB_FIELDS * NB_BLOCK_SIZE, sizeof(double));
   return model->blocks.scratch ? NB_OK : nb_error_memory(error);

@@ -68,7 +68,7 @@ static void stop_particles(struct nb_model *model) {
   nb_balance_jump(model, NB_TERM_CHANGED, true);
   for (size_t i = 0; i < particles->count; i++) {
     particles->velocity[i] = vec(0, 0);
-    particles->surface[i].speed = 0;
+    particles->surface_speed[i] = 0;
     if (particles->spin)
       particles->spin[i] = 0;
   }

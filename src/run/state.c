@@ -34,7 +34,7 @@ static void capture_particles(struct nb_saved *saved, const struct nb_model *mod
                     : particle->fixed    ? NB_FIXED
                                          : NB_FREE,
         .material = particle->material,
-        .radius = particles->surface[i].radius,
+        .radius = particles->radius[i],
         .position = particles->position[i],
         .velocity = particles->velocity[i],
         .spin = particles->spin ? particles->spin[i] : 0,
@@ -81,11 +81,12 @@ static void capture_contacts(struct nb_saved *saved, const struct nb_model *mode
                                   .b = wall ? contacts->b[c] : particles->number[contacts->b[c]] - 1,
                                   .wall = wall,
                                   .suppressed = contacts->suppressed && (contacts->suppressed[c] & 1),
-                                  .force = contacts->force[c]};
+                                  .force = nb_contact_force(contacts, c)};
 #define CAPTURE_FIELD(which, name, range) it.field[which] = contacts->kept[which] ? contacts->kept[which][c] : 0;
     NB_SAVED_FIELDS(CAPTURE_FIELD)
-    if (!model->plan.dashpots) /* without dashpots the total forces are not kept: they equal the forces of the laws */
-      it.field[NB_TOTAL_NORMAL] = it.field[NB_NORMAL], it.field[NB_TOTAL_SHEAR] = it.field[NB_SHEAR];
+    if (!model->plan.dashpots) /* without dashpots the total force is not kept: it equals the force of the law */
+      it.field[NB_TOTAL_NORMAL] = it.field[NB_NORMAL];
+    it.field[NB_TOTAL_SHEAR] = contacts->force[c].shear;
     it.normal = capture_history(saved, &contacts->normal_history, model->laws.normal, c);
     it.shear = capture_history(saved, &contacts->shear_history, model->laws.shear, c);
     const bool loaded = it.force.x != 0 || it.force.y != 0; /* a checkpoint has only the fields that the run keeps */
@@ -262,7 +263,7 @@ static void restore_particles(struct nb_particles *particles, const struct nb_sa
     const struct nb_saved_particle *it = &saved->particles[k];
     const size_t i = (size_t)particles->slot[k];
     particles->position[i] = it->position, particles->velocity[i] = it->velocity;
-    particles->surface[i] = nb_surface(it->radius, it->spin * it->radius);
+    particles->radius[i] = it->radius, particles->surface_speed[i] = it->spin * it->radius;
     if (particles->spin)
       particles->spin[i] = it->spin, particles->angle[i] = it->angle;
     if (it->mobility == NB_REMOVED)
@@ -318,7 +319,8 @@ static void restore_history(struct nb_history *history, size_t c, const double *
 
 static void restore_contact(struct nb_contacts *contacts, size_t c, const struct nb_saved_contact *it,
                             const double *history) {
-  contacts->force[c] = it->force;
+  contacts->force[c] =
+      (struct nb_contact_force){.x = it->force.x, .shear = it->field[NB_TOTAL_SHEAR], .y = it->force.y};
 #define RESTORE(which, name, range)                                                                                    \
   if (contacts->kept[which])                                                                                           \
     contacts->kept[which][c] = it->field[which];
