@@ -359,7 +359,7 @@ run 2 check from-endless.md
 said "endless, line 12, from which this page starts: the step is computed as inf: "
 run 0 explain "$pages/drives.md"
 out '  line 9: boundary circle 0 0 radius 10'
-out '157 bytes a particle (without rotation), 108 a contact'
+out '157 bytes a particle (without rotation), 116 a contact'
 out '  rotation (16 bytes a particle), shear forces, dashpots, mass-proportional damping, balances of work and energy (96 bytes a particle), periodic cell'
 out '    line 15: boundary strain 1e-4 per cycle -1e-4 per cycle shear 2e-5 per cycle'
 out '    line 15: strain rate xx 0.0001, c12 2e-05, c21 2e-05, yy -0.0001 per cycle: pure shear, the engineering shear rate is twice c12, 4e-05 per cycle; simple shear at this rate is `c12 4e-05 per cycle`'
@@ -410,7 +410,7 @@ out '  b with b: '
 grep -q '  a with a: ' out && echo 'the only particle of a material touches itself' >>why
 sed '/^%s$/d' pairs.md >smooth.md
 run 0 explain smooth.md
-out '  rotation (16 bytes a particle), shear forces (8 bytes a contact), dashpots, '
+out '  rotation (16 bytes a particle), shear forces, dashpots, '
 # The particles of a packing are numbered after those above it.
 sed 's/^step .*/grading g 2 3 1 2\nfill discs box 10 0 to 50 40 g a seed 1 attempts 999 else skip\nfill discs box 60 0 to 99 40 g b seed 2 attempts 999 else skip\n&/; /^%s$/d' pairs.md >filled.md
 run 0 explain filled.md

@@ -220,7 +220,8 @@ static size_t bytes_per_particle(const struct nb_model *model) {
 
 static size_t bytes_per_contact(const struct nb_model *model, size_t history) {
   const struct nb_contacts *contacts = &model->contacts;
-  return sizeof(double) * (2 + nb_bit_count(model->plan.kept) + history + (size_t)contacts->slip_sum.doubles) +
+  return sizeof *contacts->force +
+         sizeof(double) * (nb_bit_count(model->plan.kept) + history + (size_t)contacts->slip_sum.doubles) +
          (contacts->image ? sizeof *contacts->image : 0) + (contacts->suppressed ? sizeof(int) : 0) + 5 * sizeof(int);
 }
 
