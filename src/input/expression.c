@@ -249,12 +249,14 @@ static struct quantity call(struct parser *p, const struct function *f, const ch
                        fraction * a.of.kg, fraction * a.of.s);
 }
 
-/* The hint for an unknown name, which may be a quantity; NULL: no quantity belongs here. */
-static const char *quantity_hint(const struct nb_reader *reader) {
+const char *nb_arithmetic_hint(const struct nb_reader *reader) {
   if (reader->here == NB_IN_EXPECT)
     return "an expression has numbers and names of `let` and `sweep`, and no quantities; a ratio of two measures is "
            "`A.vx max expected 0.5 of B.vx max within 1 % [SOURCE]`";
-  return reader->count > 0 && strcmp(reader->tokens[0].text, "record") == 0
+  const char *statement = reader->count > 0 ? reader->tokens[0].text : "";
+  if (strcmp(statement, "until") == 0)
+    return "a condition compares one quantity, without arithmetic, with a number: `until D.vx below 0.1 m/s`";
+  return strcmp(statement, "record") == 0
              ? "a quantity stands alone, without arithmetic: `record T.fy`; divide it in the figure, or compare it in "
                "a block `expect`"
              : NULL;
@@ -288,7 +290,7 @@ static struct quantity named_value(struct parser *p) {
   const char *near = nb_syntax_hint(reader, hint, name);
   near = near ? near : NB_NEAREST(hint, name, reader->bindings, reader->binding_count);
   near = near || !nb_unit_read(&unit, name) ? near : "a unit follows a number";
-  near = near ? near : quantity_hint(reader);
+  near = near ? near : nb_arithmetic_hint(reader);
   if (length >= NB_NAME_SIZE)
     mistake(p, from, length, near, "expected a name of at most %d characters, found `%.*s…`", NB_NAME_SIZE - 1,
             NB_NAME_SIZE - 1, name);

@@ -19,4 +19,6 @@ void nb_binding_write(struct nb_binding *value);
 bool nb_binding_same(const struct nb_binding *a, const struct nb_binding *b);
 /* True if a name is a function or pi. */
 bool nb_name_reserved(const char *name);
+/* The hint for arithmetic with quantities; NULL: no quantity belongs on this line. */
+const char *nb_arithmetic_hint(const struct nb_reader *reader);
 extern const char nb_function_names[]; /* for the manual: "sqrt, sin, …" */

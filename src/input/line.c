@@ -321,8 +321,14 @@ static bool is_call(const char *text) {
 /* Writes a hint with the word in parentheses, unless the word is one sign, or the value of a $NAME has replaced it. */
 static void operator_hint(const struct nb_reader *reader, char *hint, const char *text) {
   const struct nb_token *const token = nb_token_peek(reader);
-  snprintf(hint, NB_HINT_SIZE, "put operators and functions into parentheses: `(%.80s)`",
-           text[1] && !(token && token->name) ? text : "2 * 3");
+  const long place = token ? token - reader->tokens : 0;
+  const bool after_quantity = place == 2 || (place > 2 && strcmp(reader->tokens[0].text, "record") == 0);
+  const char *const arithmetic = after_quantity && reader->here != NB_IN_EXPECT ? nb_arithmetic_hint(reader) : NULL;
+  if (arithmetic)
+    snprintf(hint, NB_HINT_SIZE, "%s", arithmetic);
+  else
+    snprintf(hint, NB_HINT_SIZE, "put operators and functions into parentheses: `(%.80s)`",
+             text[1] && !(token && token->name) ? text : "2 * 3");
 }
 
 /* Writes the hint for `O.dt=1e-5`: the line to write for a word of another program; false: there is no such line. */
