@@ -68,6 +68,33 @@ stage   on
 until   time above 0.035 and stage.time above 0 at most 9 cycles
 ```
 END
+cat >"$pages/compressed.md" <<'END'
+# A cell that becomes narrower
+```scene
+units   none
+material m  density 1  kn 100
+cell    0 0 to 4 4
+disc    2 2 radius 0.5 m
+step    0.01
+record  time
+stage   press
+cell    strain -0.1 0
+cycles  100
+```
+END
+cat >"$pages/sheared.md" <<'END'
+# A strain since the start of the first page: 0.0952 of the compression, and the rest in this stage
+```scene
+start   compressed stage press
+record  cell.strain.xx
+stage   on
+cell    strain -0.1 0
+until   cell.strain.xx below -0.1 at most 90 cycles
+```
+END
+run sheared "$pages/sheared.md" && grep -qF 'sheared.md:7: warning: `cell.strain.xx` counts from the start of the first page; the strain of this stage alone is its rate times `stage.time`' "$work/said" &&
+  awk '!/^#/ { n++ } END { exit !(n > 2 && n < 20) }' "$work/sheared/table.tsv"
+result $? 'a condition on the strain of a cell after `start` is warned of, and counts from the first page'
 run held "$pages/held.md" && grep -qF 'held.md:9: warning: this contact has no force: a `fixed` particle has no contact with a wall' "$work/said" &&
   grep -qF 'held.md:10: warning: this contact has no force: a `fixed` particle has no contact with another fixed one' "$work/said" &&
   test "$(grep -c warning "$work/said")" -eq 2 &&

@@ -112,6 +112,12 @@ static bool take_condition(struct nb_scene_reading *reading, struct nb_reader *r
   if (reading->scene->start.stages > 0 && strcmp(condition->name, "time") == 0)
     nb_warn(&reading->scene->warnings, condition->line,
             "`time` counts from the start of the first page, `stage.time` from that of the stage");
+  if (reading->scene->start.stages > 0 &&
+      (strncmp(condition->name, "cell.strain", 11) == 0 || strncmp(condition->name, "box.strain", 10) == 0))
+    nb_warn(
+        &reading->scene->warnings, condition->line,
+        "`%s` counts from the start of the first page; the strain of this stage alone is its rate times `stage.time`",
+        condition->name);
   nb_comparison_warn(&reading->scene->warnings, condition->line, &comparison);
   return nb_comparison_is_open(reader, &comparison, "a condition");
 }
