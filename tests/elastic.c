@@ -1,6 +1,6 @@
 /* The simple laws of elastic spheres, compared with known results: the energy that R89's incremental Hertz law
- * loses, the energy that a contact without slip gains or loses around a rectangle in (N, slip), and the order of
- * both in the step.
+ * loses, the energy that a contact without slip creates or dissipates around a rectangle in (N, tangential
+ * displacement), and the order of both in the step.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -97,11 +97,11 @@ static void increments_separate_before_the_surfaces(void) {
 
 struct stuck {
   const struct nb_law *law;
-  double radius, force, work; /* m; N; J, the work of the slip */
+  double radius, force, work; /* m; N; J, the work of the shear force */
   double m[NB_HISTORY];
 };
 
-/* Makes one step: changes the contact radius to this value, then adds this slip. */
+/* Makes one step: changes the contact radius to this value, then adds the tangential displacement `slip`. */
 static void stuck_go(struct stuck *it, double radius, double slip) {
   it->radius = radius;
   const double overlap = radius * radius / pair.radius, before = it->force;
@@ -112,9 +112,9 @@ static void stuck_go(struct stuck *it, double radius, double slip) {
   it->force = s.force, it->work += (before + s.force) / 2 * slip;
 }
 
-/* Around a rectangle in (N, slip): N up (contact radius a2), slip by s, N down (radius a1), slip back. If the shear
- * force is kept while N falls, the contact gains the energy 4 G* (a2 - a1) s^2; if the shear force shrinks with the
- * radius, the contact loses this energy. In the other sense of the rectangle both contacts lose it. */
+/* Around a rectangle: N up (contact radius a2), tangential displacement by s, N down (radius a1), displacement back. If
+ * the shear force is kept while N falls, the contact does 4 G* (a2 - a1) s^2 more work than is done on it. If the shear
+ * force shrinks with the radius, the contact dissipates this energy. In the other sense both contacts dissipate it. */
 static void rectangles(void) {
   const double low = 1e-3, high = 3e-3, slip = 2e-6, size = 4 * pair.shear * (high - low) * slip * slip;
   for (int scaled = 0; scaled < 2; scaled++)
@@ -131,8 +131,9 @@ static void rectangles(void) {
     }
 }
 
-/* Slip while the overlap grows from a quarter to its full value: T = 8 G* Int a ds. With the radius at the end of
- * each step the error is 8 G* (a_end - a_begin) ds/2 plus a term of second order. */
+/* Tangential displacement while the overlap grows from a quarter to its full value: T = 8 G* Int a ds. The law uses the
+ * radius at the end of each step. The error of T at the end of the path is 8 G* (a_end - a_begin) ds/2 plus a term of
+ * second order, with the radii a_begin and a_end at both ends of the path and the displacement ds of a step. */
 static void stuck_is_of_first_order(void) {
   const double depth = 1e-4, slip = 1e-6, a = sqrt(pair.radius * depth);
   const double exact = 8 * pair.shear * a * (2. / 3) * (1 - 0.125) / 0.75 * slip;

@@ -39,7 +39,7 @@ static bool has(const struct nb_error *error, const char *words) {
 }
 
 /* Radii 2 and 1 at the distance 2: the overlap is the smaller radius, 1. The discs are in either order, or one of them
- * is an image in a cell. */
+ * is an image in a cell. In the third case both radii and the distance are 1, and one disc is fixed. */
 static void overlap_at_the_start(void) {
   static const struct {
     const char *below, *above;
@@ -147,8 +147,8 @@ static void imposed_by_a_cell(void) {
   written_free(&it);
 }
 
-/* The limit of the rotation in a step is angle^2 h = 8 r, with the smallest radius r = 0.5 and the distance h of the
- * far end, which is at least r. */
+/* The limit of the rotation in a step is angle^2 h = 8 r, with the smallest radius r = 0.5. h is the distance of
+ * the wall's line from the pivot plus the distance along the line to the farther end, but at least r. */
 static void rotation_in_a_step(void) {
   static const struct {
     const char *wall;

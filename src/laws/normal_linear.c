@@ -3,9 +3,9 @@
  *   alpha   overlap, m, >= 0
  *   k_n     normal stiffness of the pair, N/m
  *
- * Source     [CS79 16, 18]. CS79 adds dF_n = k_n dn in each step; this law is the sum of these increments. If the
- *            direction of the contact is constant, sum and increments agree except for rounding. If it rotates, the
- *            increments leave a force when the discs separate; the sum leaves none.
+ * Source     [CS79 16, 18]. CS79 adds dF_n = k_n dn in each step; this law computes F_n from the overlap. If the
+ *            direction of the contact is constant, the two agree except for rounding. If it rotates, the sum of the
+ *            increments leaves a force when the discs separate; this law leaves none.
  * Range      any overlap; the paper requires overlaps that are small compared with the discs.
  * History    none.
  * Stores     F_n^2 / (2 k_n).

@@ -18,8 +18,8 @@ const char *nb_check_unit(char *text, const struct nb_page_run *run, const struc
  * per cent unless they are tiny. */
 void nb_check_error(struct nb_check *check, const char *what, double error, double scale,
                     const struct nb_tolerance *tolerance, const char *unit);
-/* Finds the computed value of the measure, or its ratio to the measure that the expectation names. False with a message
- * if the value is undefined. */
+/* Finds the computed value of the measure, or, with `has_scale`, its ratio to the other measure of the expectation.
+ * False with a message if the value is undefined. */
 bool nb_check_computed(double *value, struct nb_check *check, const struct nb_page_run *run,
                        const struct nb_expectation *expectation);
 /* The value of the reference solution, or 0 for a residual; NULL: there is none. */
