@@ -71,8 +71,10 @@ enum nb_status nb_blocks_create(struct nb_model *model, struct nb_error *error) 
   bool *began = nb_own(owner, parts, CACHE_LINE);
   const size_t n = start ? find_starts(start, contacts) : 0;
   struct nb_rooted *rooted = contacts->kept[NB_NORMAL_ROOT] ? nb_own(owner, n, sizeof *rooted) : NULL;
-  if (owner->failed || !create_counters(model, n))
+  if (owner->failed || !create_counters(model, n)) {
+    model->blocks.count = 0; /* the counters may be those of the new blocks, which do not exist */
     return nb_error_memory(error);
+  }
   for (size_t v = 0, part = 0; v < n; v++) {
     while (n * (part + 1) / parts <= v)
       part++;
