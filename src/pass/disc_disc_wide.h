@@ -118,14 +118,21 @@ TARGET static inline NB_FORM void NAME(nb_disc_disc)(const struct nb_model *mode
   const double dt = model->previous_step;
   const size_t last = block->n - W; /* the last W contacts may include some that are computed already */
   bool began = false;
-  struct NAME(loaded) it = NAME(load)(model, block, 0, approach, copies);
-  for (size_t c = 0, next; c < last; c = next) {
-    next = c + W < last ? c + W : last;
-    const struct NAME(loaded) after = NAME(load)(model, block, next, approach, copies);
-    began |= NAME(compute)(block, c, it, approach, dt);
-    it = after;
+  struct NAME(loaded) one = NAME(load)(model, block, 0, approach, copies), other;
+  size_t c = 0;
+  for (; c + 2 * W <= last; c += 2 * W) { /* two steps, so that registers need no copies */
+    other = NAME(load)(model, block, c + W, approach, copies);
+    began |= NAME(compute)(block, c, one, approach, dt);
+    one = NAME(load)(model, block, c + 2 * W, approach, copies);
+    began |= NAME(compute)(block, c + W, other, approach, dt);
   }
-  began |= NAME(compute)(block, last, it, approach, dt);
+  for (size_t next; c < last; c = next) {
+    next = c + W < last ? c + W : last;
+    other = NAME(load)(model, block, next, approach, copies);
+    began |= NAME(compute)(block, c, one, approach, dt);
+    one = other;
+  }
+  began |= NAME(compute)(block, last, one, approach, dt);
   *block->began = began;
   if (began)
     nb_tangential_since_touch(block);

@@ -16,7 +16,7 @@
 #include "core/model.h"
 #include "run/plan.h"
 
-enum { CYCLES = 200, REPEATS = 400, CHAIN = 100000 };
+enum { CYCLES = 200, REPEATS = 1000, CHAIN = 100000 };
 
 static double now(void) {
   struct timespec t;
@@ -47,30 +47,31 @@ static double clock_cycle(void) {
   return least / CHAIN;
 }
 
-/* What is repeated: pass `pass` of all blocks, or the motion, or all passes of block after block. */
-enum { ALL_PASSES = -1, MOTION = -2, CYCLE = -3 };
-static void once(struct nb_model *model, int pass) {
+/* What is repeated: a cycle without a search, the passes of block after block, the motion, or one pass of all blocks. */
+enum { CYCLE = -3, ALL_PASSES, MOTION };
+
+static void once(struct nb_model *model, int which) {
   struct nb_error error;
-  if (pass == MOTION)
+  if (which == MOTION)
     nb_motion_part(model, 0, 1);
-  else if (pass == ALL_PASSES)
+  else if (which == ALL_PASSES)
     nb_forces(model);
-  else if (pass == CYCLE) {
+  else if (which == CYCLE) {
     if (nb_cycle(model, &error))
       fail(error.text);
   } else
     for (size_t v = 0; v < model->blocks.count; v++) {
       const struct nb_block *block = &model->blocks.list[v];
-      if (pass < block->material_pair->pass_count)
-        block->material_pair->passes[pass].run(model, block);
+      if (which < block->material_pair->pass_count)
+        block->material_pair->passes[which].run(model, block);
     }
 }
 
-static void measure(struct nb_model *model, int pass, const char *name, double clock) {
+static void measure(struct nb_model *model, int which, const char *name, double clock) {
   double least = 1;
   for (int r = 0; r < REPEATS; r++) {
     const double start = now();
-    once(model, pass);
+    once(model, which);
     const double time = now() - start;
     least = time < least ? time : least;
   }
