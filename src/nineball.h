@@ -480,6 +480,7 @@ struct nb_trade {
 struct nb_scene {
   const struct nb_page *page; /* not owned */
   bool unitless;              /* `units none` */
+  size_t runs;                /* of the page: the product of the lengths of its sweeps; 1 if a sweep is invalid */
   bool contact_test;          /* a contact test: particle 1 with particle 2, or with the wall; stages are segments */
   double refine;              /* `--set refine=R`: the step of the page divided by R; 1: as written */
   double soften;              /* `--set soften=S`: the stiffnesses of the page divided by S; 1: as written */
@@ -530,10 +531,7 @@ struct nb_scene {
 /* Settings `--set NAME=VALUE`: a NULL-terminated array of texts "NAME=VALUE", or NULL for none. */
 typedef const char *const *nb_settings;
 
-/* Number of runs of a page: the product of the lengths of its sweeps; 1 if a sweep is invalid or the product is too
- * large. Only a lack of memory is added to `mistakes`; nb_scene_read reports all other errors. */
-size_t nb_scene_runs(const struct nb_page *page, nb_settings settings, struct nb_mistakes *mistakes);
-/* Reads the scene of one run, 0 <= run < nb_scene_runs, and adds all errors of the scene blocks to `mistakes`. After an
+/* Reads the scene of one run, 0 <= run < scene->runs, and adds all errors of the scene blocks to `mistakes`. After an
  * error the scene is incomplete and must not be run. The caller frees the scene in any case. */
 enum nb_status nb_scene_read(struct nb_scene *scene, const struct nb_page *page, size_t run, nb_settings settings,
                              struct nb_mistakes *mistakes);

@@ -74,10 +74,10 @@ void every_page(void (*look)(struct nb_scene *scene, const char *name), double b
     struct nb_page page = {0};
     snprintf(path, sizeof path, "%s/%s", NB_SRCDIR, pages[p]);
     CU_ASSERT_EQUAL_FATAL(nb_page_read(&page, path, &mistakes), NB_OK);
-    const size_t runs = nb_scene_runs(&page, NULL, &mistakes);
-    for (size_t run = 0; run < runs && !mistakes.count; run += runs > 1 ? runs - 1 : 1) {
+    for (size_t run = 0, runs = 1; run < runs && !mistakes.count; run += runs > 1 ? runs - 1 : 1) {
       struct nb_scene scene = {0};
       nb_scene_read(&scene, &page, run, NULL, &mistakes);
+      runs = scene.runs;
       snprintf(name, sizeof name, "%s, run %zu", page.name, run + 1);
       if (!mistakes.count) {
         shorten(&scene, budget);

@@ -16,7 +16,6 @@ struct read {
   struct nb_page page;
   struct nb_scene scene;
   struct nb_mistakes mistakes;
-  size_t runs;
   enum nb_status status;
 };
 
@@ -27,10 +26,8 @@ static struct read read_bytes(const char *bytes, size_t size, size_t run, nb_set
   CU_ASSERT_FATAL(file >= 0);
   CU_ASSERT_EQUAL_FATAL(write(file, bytes, size), (ssize_t)size);
   close(file);
-  if (nb_page_read(&read.page, path, &read.mistakes) == NB_OK) {
-    read.runs = nb_scene_runs(&read.page, settings, &read.mistakes);
+  if (nb_page_read(&read.page, path, &read.mistakes) == NB_OK)
     read.status = nb_scene_read(&read.scene, &read.page, run, settings, &read.mistakes);
-  }
   unlink(path);
   return read;
 }
@@ -111,7 +108,7 @@ static void product(void) {
   for (size_t run = 0; run < 6; run++) { /* the last sweep varies fastest */
     struct read read = read_scene(good, run, NULL);
     CU_ASSERT_EQUAL_FATAL(read.status, NB_OK);
-    CU_ASSERT_EQUAL(read.runs, 6);
+    CU_ASSERT_EQUAL(read.scene.runs, 6);
     CU_ASSERT_EQUAL(read.scene.particles[0].radius, run < 3 ? 0.001 : 0.002);
     CU_ASSERT_EQUAL(read.scene.particles[0].x, -read.scene.particles[0].radius);
     CU_ASSERT_EQUAL(read.scene.stages[0].cycles, 10 * (run % 3 + 1));
@@ -143,7 +140,7 @@ static void tuples(void) {
   for (size_t run = 0; run < 2; run++) {
     struct read read = read_scene(text, run, NULL);
     CU_ASSERT_EQUAL_FATAL(read.status, NB_OK);
-    CU_ASSERT_EQUAL(read.runs, 2);
+    CU_ASSERT_EQUAL(read.scene.runs, 2);
     CU_ASSERT_EQUAL(read.scene.particles[0].vy, run ? 0.04 : 0.12);
     CU_ASSERT_EQUAL(read.scene.stages[0].cycles, run ? 120 : 40);
     done(&read);
@@ -157,7 +154,7 @@ static void settings(void) {
   const char *const some[] = {"R=1 mm", "v=7 m/s", "R=3 mm", "shear=linear", "step=0.1 of single-contact", NULL};
   struct read read = read_scene(text, 1, some);
   CU_ASSERT_EQUAL_FATAL(read.status, NB_OK);
-  CU_ASSERT_EQUAL(read.runs, 2); /* the sweep of n still has two values */
+  CU_ASSERT_EQUAL(read.scene.runs, 2); /* the sweep of n still has two values */
   CU_ASSERT_EQUAL(read.scene.particles[0].vx, 7);
   CU_ASSERT_EQUAL(read.scene.particles[0].radius, 0.003); /* the last setting of a name is used */
   CU_ASSERT_EQUAL(read.scene.stages[0].cycles, 120);
@@ -167,12 +164,12 @@ static void settings(void) {
   done(&read);
   const char *const all[] = {"v=7 m/s", "n=5", NULL};
   read = read_scene(text, 0, all);
-  CU_ASSERT_EQUAL(read.runs, 1);
+  CU_ASSERT_EQUAL(read.scene.runs, 1);
   done(&read);
   const char *const wrong[] = {"r=1 mm", NULL};
   read = read_scene(text, 0, wrong);
   CU_ASSERT(says(&read, "--set: error: ") && says(&read, "      | r=1 mm\n      | ^\n  hint: did you mean `R`?"));
-  CU_ASSERT_EQUAL(read.runs, 2);
+  CU_ASSERT_EQUAL(read.scene.runs, 2);
   done(&read);
 }
 

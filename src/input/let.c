@@ -156,7 +156,7 @@ size_t nb_run_count(const struct nb_scene_reading *reading) {
   size_t runs = 1;
   for (size_t i = 0; i < reading->sweep_count; i++)
     runs = capped_product(runs, reading->rows[i]);
-  return runs;
+  return runs <= NB_RUNS_MAX ? runs : 1;
 }
 
 /* True if a value has the type of the first one in its column. A column has either words or numbers of one dimension; a

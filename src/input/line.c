@@ -167,7 +167,7 @@ static bool is_let(const struct nb_reader *reader) {
 /* Adds the next token. `text`: the token is inside brackets, where nothing is replaced. False if there is no space. */
 static bool add_token(struct nb_reader *reader, const char *line, const char *word, size_t length, bool text) {
   size_t before = 0;
-  while (before < length && !strchr("$(", word[before]))
+  while (before < length && word[before] != '$' && word[before] != '(')
     before++;
   const bool value = before == 0 || word[before - 1] == '=';
   if (!begin_token(reader, nb_token_at(line, word, length)))

@@ -1,7 +1,7 @@
 /* Reads a page's scene blocks into a struct nb_scene, with all names resolved and all numbers in SI.
  *
- * There are two passes. The first reads `units`, `let` and `sweep`, because the lengths of the sweeps determine the
- * values of a run. The second reads every statement. Then the whole scene is checked: the kind of page, its columns,
+ * There are two passes. The first reads only lines with `units`, `let`, `sweep` and `start`, because the lengths of the
+ * sweeps determine the values of a run. The second reads every statement. Then the whole scene is checked: the kind of page, its columns,
  * missing statements.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -66,6 +66,21 @@ static bool defines_value(const char *verb) {
   return strcmp(verb, "units") == 0 || strcmp(verb, "let") == 0 || strcmp(verb, "sweep") == 0;
 }
 
+/* True if the first pass must read a line. The first word may be the value of a $NAME. */
+static bool is_surveyed(const char *text) {
+  char first[NB_NAME_SIZE];
+  text += strspn(text, " \t\r");
+  snprintf(first, sizeof first, "%.*s", (int)strcspn(text, " \t\r#"), text);
+  return defines_value(first) || strcmp(first, "start") == 0 || strpbrk(first, "$(");
+}
+
+/* True if this pass reads the line. */
+static bool is_read(const struct nb_scene_reading *reading, size_t line) {
+  const struct nb_page *page = reading->reader.page;
+  const enum nb_block_kind kind = reading->scene->contact_test ? NB_BLOCK_CONTACT_TEST : NB_BLOCK_SCENE;
+  return page->kind_of[line - 1] == 1 + kind && (!reading->survey || is_surveyed(page->lines[line - 1]));
+}
+
 static void note_start(struct nb_scene_reading *reading) {
   if (reading->survey && strcmp(reading->reader.tokens[0].text, "start") == 0)
     reading->before_start = true;
@@ -74,8 +89,7 @@ static void note_start(struct nb_scene_reading *reading) {
 /* Reads the statement of a line, if there is one. */
 static void read_line(struct nb_scene_reading *reading, size_t line) {
   struct nb_reader *reader = &reading->reader;
-  const enum nb_block_kind kind = reading->scene->contact_test ? NB_BLOCK_CONTACT_TEST : NB_BLOCK_SCENE;
-  if (reader->page->kind_of[line - 1] != 1 + kind || !nb_line_read(reader, line))
+  if (!is_read(reading, line) || !nb_line_read(reader, line))
     return;
   const bool value = defines_value(reader->tokens[0].text);
   note_start(reading);
@@ -234,13 +248,11 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
     nb_contact_test_laws_check(reading);
 }
 
-/* Reads the scene of one run; sets *runs to the number of runs. */
 static enum nb_status read_run(struct nb_scene *scene, const struct nb_page *page, size_t run, nb_settings settings,
-                               struct nb_mistakes *mistakes, const struct nb_scene_reading *parent, size_t *runs) {
+                               struct nb_mistakes *mistakes, const struct nb_scene_reading *parent) {
   size_t before = mistakes->total;
-  *scene = (struct nb_scene){.page = page, .refine = 1, .soften = 1};
+  *scene = (struct nb_scene){.page = page, .runs = 1, .refine = 1, .soften = 1};
   struct nb_scene_reading *reading = calloc(1, sizeof *reading);
-  *runs = 1;
   if (reading && store_settings(reading, settings)) {
     reading->scene = scene;
     reading->run = run;
@@ -251,7 +263,7 @@ static enum nb_status read_run(struct nb_scene *scene, const struct nb_page *pag
     reading->reader.page = page;
     reading->setting.page = &reading->settings;
     read_scene(reading, mistakes);
-    *runs = nb_run_count(reading);
+    scene->runs = nb_run_count(reading);
   } else {
     nb_mistake_memory(mistakes);
   }
@@ -266,28 +278,15 @@ static enum nb_status read_run(struct nb_scene *scene, const struct nb_page *pag
   return nb_mistakes_status(mistakes, before);
 }
 
-size_t nb_scene_runs(const struct nb_page *page, nb_settings settings, struct nb_mistakes *mistakes) {
-  struct nb_scene scene;
-  struct nb_mistakes discarded = {0}; /* nb_scene_read reports them */
-  size_t runs;
-  read_run(&scene, page, 0, settings, &discarded, NULL, &runs);
-  nb_scene_free(&scene);
-  if (discarded.no_memory)
-    nb_mistake_memory(mistakes);
-  nb_mistakes_free(&discarded);
-  return runs <= NB_RUNS_MAX ? runs : 1;
-}
-
 enum nb_status nb_scene_read(struct nb_scene *scene, const struct nb_page *page, size_t run, nb_settings settings,
                              struct nb_mistakes *mistakes) {
-  size_t runs;
   nb_suppress_no_name(mistakes);
-  return read_run(scene, page, run, settings, mistakes, NULL, &runs);
+  return read_run(scene, page, run, settings, mistakes, NULL);
 }
 
 enum nb_status nb_scene_read_nested(struct nb_scene *scene, const struct nb_page *page, nb_settings settings,
-                                    struct nb_mistakes *mistakes, const struct nb_scene_reading *parent, size_t *runs) {
-  return read_run(scene, page, 0, settings, mistakes, parent, runs);
+                                    struct nb_mistakes *mistakes, const struct nb_scene_reading *parent) {
+  return read_run(scene, page, 0, settings, mistakes, parent);
 }
 
 /* ---- memory of a scene ---- */

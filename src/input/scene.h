@@ -168,9 +168,9 @@ bool nb_scene_transform(struct nb_scene *scene, const struct nb_transform *trans
 
 /* ---- a page from which another one starts ---- */
 
-/* Reads the scene of another page for `start`; sets *runs to the number of its runs. */
+/* Reads the scene of another page for `start`. */
 enum nb_status nb_scene_read_nested(struct nb_scene *scene, const struct nb_page *page, nb_settings settings,
-                                    struct nb_mistakes *mistakes, const struct nb_scene_reading *parent, size_t *runs);
+                                    struct nb_mistakes *mistakes, const struct nb_scene_reading *parent);
 void nb_start_free(struct nb_start *start);
 void nb_stages_free(struct nb_scene *scene, size_t from); /* frees the stages from index `from` on */
 /* Removes the stages after the one with index `stage`, and the output of the scene. */

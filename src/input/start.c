@@ -185,13 +185,12 @@ static void read_scene(const struct nb_scene_reading *reading, struct nb_reader 
                        const char *const *settings, const struct nb_token *word) {
   struct nb_mistakes *mistakes = reader->mistakes;
   const size_t before = mistakes->total;
-  size_t runs = 1;
-  nb_scene_read_nested(start->scene, start->page, settings, mistakes, reading, &runs);
+  nb_scene_read_nested(start->scene, start->page, settings, mistakes, reading);
   if (mistakes->total == before && start->scene->contact_test)
     nb_token_mistake(reader, word, NULL, "expected a page with a scene, found a contact test");
-  else if (mistakes->total == before && runs > 1)
+  else if (mistakes->total == before && start->scene->runs > 1)
     nb_token_mistake(reader, word, "choose one run: `with NAME=VALUE`",
-                     "expected a page of one run, found one of %zu runs", runs);
+                     "expected a page of one run, found one of %zu runs", start->scene->runs);
 }
 
 static bool read_other(const struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_start *start,

@@ -408,9 +408,10 @@ static bool mistyped_clause(const struct nb_reader *reader, const struct nb_argu
     return false;
   if (is_incomplete(reader, true) && reader->given && nb_number_read(&number, token->text, 0) == NB_READ)
     return true;
+  if (nb_number_read(&number, token[1].text, 0) != NB_READ)
+    return false;
   struct nb_guess guess = guess_clause(reader, token->text);
-  return (nb_guess_found(&guess) || (reader->given && nb_pair_synonym(reader->tokens[0].text, token->text))) &&
-         nb_number_read(&number, token[1].text, 0) == NB_READ;
+  return nb_guess_found(&guess) || (reader->given && nb_pair_synonym(reader->tokens[0].text, token->text));
 }
 
 /* Number of positional arguments in this bit set of arguments. */

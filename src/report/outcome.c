@@ -124,13 +124,19 @@ static bool warn_of_servos(struct nb_page_run *run) {
 /* Reads all runs of the page, up to the first run with mistakes, because most mistakes would be in every run. */
 static void read_runs(struct nb_outcome *outcome, nb_settings settings, size_t particles_kept) {
   size_t particles = 0;
-  const size_t runs = nb_scene_runs(&outcome->page, settings, &outcome->mistakes);
-  outcome->runs = calloc(runs + 1, sizeof *outcome->runs);
-  if (!outcome->runs)
+  struct nb_scene first;
+  nb_scene_read(&first, &outcome->page, 0, settings, &outcome->mistakes);
+  outcome->runs = calloc(first.runs, sizeof *outcome->runs);
+  if (!outcome->runs) {
     nb_mistake_memory(&outcome->mistakes);
-  for (size_t r = 0; r < runs && outcome->runs && outcome->mistakes.total == 0; r++) {
+    nb_scene_free(&first);
+    return;
+  }
+  outcome->runs[0].scene = first;
+  for (size_t r = 0; r < first.runs && (r == 0 || outcome->mistakes.total == 0); r++) {
     struct nb_page_run *run = &outcome->runs[outcome->run_count++];
-    nb_scene_read(&run->scene, &outcome->page, r, settings, &outcome->mistakes);
+    if (r > 0)
+      nb_scene_read(&run->scene, &outcome->page, r, settings, &outcome->mistakes);
     nb_expectations_read(&run->expectations, &outcome->page, &run->scene, &outcome->mistakes);
     if (!warn_of_servos(run))
       nb_mistake_memory(&outcome->mistakes);
