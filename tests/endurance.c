@@ -219,8 +219,8 @@ static bool holds(const struct series *series, const struct sample samples[], si
   return true;
 }
 
-/* Prints whether each drift is within its bound, as tests from number `from` + 1 on. Returns how many drifts exceed
- * their bounds. */
+/* Prints `ok` for each drift within its bound or, with a planted error, beyond it, as tests from number `from` + 1 on.
+ * Returns how many drifts exceed their bounds. */
 static int report(const struct sample samples[], size_t count, int from) {
   int exceeded = 0;
   for (int k = 0; k < SERIES; k++) {

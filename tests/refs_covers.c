@@ -110,7 +110,9 @@ static void add(struct refs_scene *it, enum nb_feature feature, int stage) {
   case HAS_MASS_DAMPING:
   case HAS_CON1_CS79:
   case HAS_CON1_VELOCITY:
-  case HAS_CON1_ALL: /* in all stages, so that no stage changes the damping; it must not replace a needed damping */
+  case HAS_CON1_ALL:
+    /* The damping is that of the scene and of all stages, so that no stage changes it. If the reference needs a global
+     * damping, a CON1 is given in one stage only, so that it does not replace the needed one. */
     if (scene->damping.global_kind && feature > HAS_MASS_DAMPING) {
       add_damping(&it->stages[stage].damping, feature);
       break;
@@ -227,7 +229,8 @@ static void scene_with(struct refs_scene *it, const struct nb_reference *referen
     add(it, feature, 1);
 }
 
-/* The features that a reference covers, in the order of enum nb_feature; a list of more than 200 bytes is cut. */
+/* The features that a reference covers, in the order of enum nb_feature. The message cuts a list of more than 200
+ * bytes; this list is whole. */
 static void list_features(char *list, size_t size, const struct nb_reference *reference) {
   size_t used = 0;
   *list = '\0';

@@ -59,8 +59,8 @@ static const struct {
   char kind;
   const char *refused[9];
 } kinds[] = {
-    {'w', {"", "x!"}},                                                /* a word or a name */
-    {'t', {""}},                                                      /* a word */
+    {'w', {"", "x!"}},                                                /* one of some words, or a name */
+    {'t', {""}},                                                      /* any text without a space */
     {'g', {"x", "-", "inf", "-inf", "nan", "0x1p+0x"}},               /* finite; the field may be missing */
     {'f', {"", "x", "-", "inf", "-inf", "nan", "0x1p+0x"}},           /* finite */
     {'n', {"", "x", "-", "inf", "-inf", "nan", "-0x1p+0"}},           /* 0 or more */
@@ -74,7 +74,7 @@ static const struct {
     {'k', {"", "x", "-", "-1", "+1", "1x", "0", "4000000000", "99999999999999999999"}}, /* from 1 on */
 };
 
-/* The start of the first record with this word, or of the line `end`; *end: the end of this line. */
+/* The start of the first line that begins with this word; there must be one. *end: the end of this line. */
 static char *line_of(char *text, const char *word, char **end) {
   const size_t length = strlen(word);
   char *at = text;
@@ -207,7 +207,7 @@ static void without_particles(void) {
       "end 0000000000000000\n";
   const struct nb_error error = read_changed(text, sizeof text - 1, text, text, "");
   CU_ASSERT_STRING_EQUAL(error.text, "a.state:12:1: expected a record `body` above, found `end`");
-  /* A last line without a line end, and with the right checksum. */
+  /* No line end between the last record and `end`, with the right checksum. */
   const char *end = strstr(text, "\nend ");
   CU_ASSERT_PTR_NOT_NULL(
       strstr(read_changed(text, sizeof text - 1, end, end + 1, "").text, "expected the checksum of the lines above"));
@@ -241,6 +241,6 @@ void suite_state_records(void) {
   CU_add_test(suite, "invalid fields are refused at their place", every_field);
   CU_add_test(suite, "fields at their limits", fields_at_their_limits);
   CU_add_test(suite, "missing and doubled records", every_record);
-  CU_add_test(suite, "no particles, or no line end after the last line", without_particles);
+  CU_add_test(suite, "no particles, or no line end before `end`", without_particles);
   CU_add_test(suite, "largest numbers of records and of numbers", at_most);
 }

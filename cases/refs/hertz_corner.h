@@ -17,7 +17,7 @@
  *
  *   e - 1 = (5/4) (V_N dt/alpha*)^(5/2) (zeta(-3/2, phi_out) - zeta(-3/2, phi_in))
  *
- * Error    the next order: n^(-5/2) of the duration, n^(-7/2) of the speed.
+ * Error    relative: the next order, n^(-5/2) for the duration and n^(-7/2) for the restitution.
  *
  * Source   Hairer, Lubich and Wanner (2006) for H_1; elementary.
  *

@@ -10,7 +10,8 @@
  *
  *   t = (4/5) (alpha* / V_N) Int_0^theta x^(-1/5) (x/sin(x))^(1/5) dx,     theta up to pi/2,
  *
- * the integral of a weight times a smooth function, which a Gauss-Jacobi rule of twenty points gives to rounding.
+ * the integral of a weight times a smooth function, which a Gauss-Jacobi rule of twenty points computes exactly, up to
+ * rounding.
  * Brent's method inverts it to alpha(t).
  *
  * Returns, for C that monitors the contact:

@@ -1,7 +1,8 @@
 /* Reference: the error of the time steps in Hertz's impact, to the lowest order in the step, from hertz_corner.h.
  *
  * Returns impact.restitution and impact.duration.
- * Error: the next order, n^(-5/2) of the duration and n^(-7/2) of the speed, with n steps per collision.
+ * Error, relative: the next order, n^(-5/2) for the duration and n^(-7/2) for the restitution, with n steps per
+ * collision.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "hertz.h"

@@ -71,9 +71,9 @@ enum nb_status lattice_row_build(struct lattice_row *row, const struct nb_scene 
   if (status != NB_OK)
     return status;
   if (!sort_contacts(row))
-    status = nb_error_set(
-        error, NB_BAD_USE,
-        "this reference is for two particles in contact, with one wall behind each; walls beside them have no ks");
+    status = nb_error_set(error, NB_BAD_USE,
+                          "this reference is for two particles in contact, with one wall behind each; walls beside "
+                          "them must have ks = 0");
   else if (!find_motion(row, scene))
     status = nb_error_set(error, NB_BAD_USE,
                           "this reference is for two walls that approach with equal speeds from the start");

@@ -167,7 +167,7 @@ static enum nb_status read_wave(struct wave *it, const struct nb_scene *scene, s
 
 struct oscillation {
   int count;
-  double omega[WAVES_MODES], amplitude[WAVES_MODES]; /* rad/s; m/s, of spin rad/s */
+  double omega[WAVES_MODES], amplitude[WAVES_MODES]; /* rad/s; m/s, for spin rad/s */
 };
 
 static double oscillation_at(const void *data, double time) {

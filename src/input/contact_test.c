@@ -82,8 +82,14 @@ static bool read_points(struct nb_segment *it, const char *path, bool unitless, 
 static bool take_target(struct nb_reader *reader, struct nb_target *target, bool force, bool normal) {
   target->force = force;
   target->relative = nb_token_skip(reader, "by");
-  if (!target->relative && !nb_token_skip(reader, "to"))
-    return nb_expected(reader, NULL, "`to` or `by`");
+  if (!target->relative && !nb_token_skip(reader, "to")) {
+    char hint[NB_HINT_SIZE];
+    const struct nb_token *const token = nb_token_peek(reader);
+    const char *const word = reader->tokens[reader->next - 1].text;
+    snprintf(hint, sizeof hint, "write `%s to VALUE`, or for a change `%s by VALUE`", word, word);
+    return token ? nb_token_mistake(reader, token, hint, "expected `to` or `by`, found `%.80s`", token->text)
+                 : nb_expected(reader, hint, "`to` or `by`");
+  }
   const bool no_tension = normal && force && !target->relative; /* the normal force is compressive */
   return nb_take_number(reader, force ? NB_UNIT_FORCE : NB_UNIT_LENGTH, no_tension ? NB_NOT_NEGATIVE : NB_ANY,
                         &target->value);

@@ -157,10 +157,12 @@ static int cohesive_line(const struct nb_scene *scene) {
   return 0;
 }
 
-static void refuse_fraction(struct nb_scene_reading *reading, int line, const char *normal) {
-  report(reading, line,
-         "`r89-fraction` is relative to the single-contact step of linear springs; use `damping ratio X`",
-         "expected no `damping r89-fraction` for %s", normal);
+static void refuse_fraction(struct nb_scene_reading *reading, int line, bool walls, const char *normal) {
+  char hint[NB_HINT_SIZE];
+  snprintf(hint, sizeof hint,
+           "`r89-fraction` is relative to the single-contact step of linear springs; use `damping %sratio X`",
+           walls ? "walls " : "");
+  report(reading, line, hint, "expected no `damping r89-fraction` for %s", normal);
 }
 
 /* Reports damping that the normal law does not allow. stage NULL: before the first stage. */
@@ -171,9 +173,9 @@ static void check_damping(struct nb_scene_reading *reading, const struct nb_damp
     report(reading, damping->deep_line, "use `normal hertz`", "expected a normal law of elastic spheres for `%s`",
            "damping critical");
   if (normal->elastic && damping->contact_kind == NB_CONTACT_R89_FRACTION)
-    refuse_fraction(reading, damping->contact_line, law_text(text, normal, stage));
+    refuse_fraction(reading, damping->contact_line, false, law_text(text, normal, stage));
   if (normal->elastic && damping->walls_separate && damping->walls_kind == NB_CONTACT_R89_FRACTION)
-    refuse_fraction(reading, damping->walls_line, law_text(text, normal, stage));
+    refuse_fraction(reading, damping->walls_line, true, law_text(text, normal, stage));
 }
 
 /* Checks the laws that are active from `line` on; line 0: set by --set. stage NULL: before the first stage. */

@@ -5,7 +5,8 @@
  *
  *   tests/faults/run [CASE [N]]    all cases; one case; only the N-th call of one case, and the folder stays
  *
- * Skipped in builds without sanitizers. TAP. A function of the test replaces gnuplot.
+ * Prints TAP, the Test Anything Protocol. Builds without sanitizers skip this test. A function of the test replaces
+ * gnuplot.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "faults.h"
@@ -77,7 +78,7 @@ static struct {
   char odd[PATH_SIZE]; /* the first file that is missing in the other folder or differs from the file there */
 } walk;
 
-/* Removes the numbers from lines with measured times, except 0. Returns the new size. */
+/* Removes all numbers from each line with a measured time, unless this time is 0 s. Returns the new size. */
 static size_t without_times(char *text) {
   char *to = text;
   for (char *line = text, *end; *line; line = end) {
@@ -210,7 +211,7 @@ static bool inject(int number, unsigned long only) {
   const size_t whole = compare(wanted, wanted);
   const int meant = strcmp(cases[number][2], "wrong.md") == 0 ? 2 : 0;
   if (!WIFEXITED(undisturbed) || WEXITSTATUS(undisturbed) != meant || calls == 0)
-    return printf("# the undisturbed run ends with %d after %lu calls\n", undisturbed, calls), false;
+    return printf("# the undisturbed run has the wait status %d after %lu calls\n", undisturbed, calls), false;
   for (unsigned long n = only ? only : 1; n <= (only ? only : calls); n++)
     for (int lasting = 0; lasting < (only || n % 8 == 1 ? 2 : 1); lasting++) {
       const int status = run(number, folder, n, lasting, &ignored);
