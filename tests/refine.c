@@ -7,6 +7,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../src/report/expect.h"
 #include "suites.h"
 #include "written.h"
 
@@ -100,6 +101,29 @@ static void tables_of_a_page_with_all_numbers_multiplied(void) {
   }
 }
 
+/* `at N cycles` of an expectation is the row of the page's own cycle N, so it counts R times as many cycles. */
+static void expectations_at_a_cycle(void) {
+  struct words words = {0};
+  struct written written;
+  static const char *const settings[] = {"refine=2.5", NULL};
+  words_add(&words, "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m velocity 1 0\nmonitor D disc 1\n"
+                    "record D.x\nstep 0.25\nstage a\ncycles 4\n");
+  written_scene_set(&written, &words, settings);
+  struct nb_mistakes mistakes = {0};
+  struct nb_expectation expectation;
+  nb_expectation_read(&expectation, "a test", "D.x at 4 cycles in a within 1", &written.scene, &mistakes);
+  CU_ASSERT_EQUAL(mistakes.total, 0);
+  CU_ASSERT_EQUAL(expectation.measure.reducer, NB_AT_CYCLE);
+  CU_ASSERT_EQUAL(expectation.measure.at, 10);
+  CU_ASSERT_STRING_EQUAL(expectation.measure.label, "D.x at 4 cycles in a");
+  CU_ASSERT_EQUAL(nb_expectation_read(&expectation, "a test", "D.x at 3 cycles within 1", &written.scene, &mistakes),
+                  NB_BAD_USE);
+  CU_ASSERT(mistakes.text &&
+            strstr(mistakes.text, "expected a whole number of cycles with --set refine=2.5, found 7.5"));
+  nb_mistakes_free(&mistakes);
+  written_free(&written);
+}
+
 /* With a longer step, intervals of one cycle do not change, and the number of `at most` is rounded up. */
 static void a_longer_step(void) {
   struct words words = {0};
@@ -188,6 +212,7 @@ static void tables_of_a_page_with_other_dashpots(void) { same_tables(dashpots_pa
 void suite_refine(void) {
   CU_pSuite suite = CU_add_suite("refine", NULL, NULL);
   CU_ADD_TEST(suite, tables_of_a_page_with_all_numbers_multiplied);
+  CU_ADD_TEST(suite, expectations_at_a_cycle);
   CU_ADD_TEST(suite, a_longer_step);
   CU_ADD_TEST(suite, tables_of_a_page_with_softer_contacts);
   CU_ADD_TEST(suite, tables_of_a_page_with_other_dashpots);

@@ -143,12 +143,14 @@ static void rings_in_a_cell(void) {
   written_free(&it);
 }
 
-/* Particles, walls and contacts of a scene in motion, from which particle 2 was removed. The columns equal the
- * quantities of the same names; the identities and directions are known. Storage order changes nothing. */
+/* Particles, walls and contacts of a scene in motion, from which particle 2 was removed, also with an imposed motion.
+ * The columns equal the quantities of the same names; the identities and directions are known. Storage order changes
+ * nothing. */
 static void columns_are_the_quantities(void) {
   static const char *const of_particle[] = {"x", "y", "angle", "vx", "vy", "fx", "fy", "moment", "spin"};
   static const char *const of_contact[] = {"overlap", "normal", "shear", "sliding"};
-  for (int shuffle = 0; shuffle < 2; shuffle++) {
+  for (int variant = 0; variant < 4; variant++) {
+    const int shuffle = variant % 2;
     struct words page = {0};
     struct written it;
     struct nb_result result;
@@ -165,7 +167,8 @@ static void columns_are_the_quantities(void) {
       for (size_t q = 0; q < sizeof of_contact / sizeof *of_contact; q++)
         words_add(&page, " C%d.%s", k, of_contact[q]);
     words_add(&page,
-              "\nregion A circle 9 9 radius 2 rings 1\nstep 0.01\nstage s\nremove disc 2\ncycles 10\nsnapshot\n");
+              "\nregion A circle 9 9 radius 2 rings 1\nstep 0.01\nstage s\nremove disc 2\n%scycles 10\nsnapshot\n",
+              variant < 2 ? "" : "affine strain 0.01 -0.02\n");
     written_scene(&it, &page);
     written_run(&result, &it, &(struct nb_options){.threads = 1, .shuffle = shuffle});
     const struct nb_table *particles = &result.snapshots[0].particles, *contacts = &result.snapshots[0].contacts,

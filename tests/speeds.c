@@ -9,6 +9,8 @@
 #include "suites.h"
 #include "written.h"
 
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
 static const double pi = 3.14159265358979323846;
 
 /* Velocities without the imposed motion, for `affine strain` with and without `accumulated`; the fixed particle does
@@ -68,6 +70,34 @@ static void imposed_before_the_first_step(void) {
   written_free(&it);
 }
 
+/* The beginning of a stage changes no velocity, whatever the steps of both stages are. */
+static void a_stage_with_another_step(void) {
+  static const char *const codings[] = {"apart", "accumulated"};
+  static const char *const names[] = {"A.speed.mean", "A.speed.max", "A.speed.imposed", "A.speed.ratio"};
+  for (int k = 0; k < 2; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    double before[COUNT(names)];
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 100\nstep 0.125\ndisc 3 4 radius 1 m velocity 0.3 -0.4\n"
+              "disc -8 6 radius 1 m\nregion A all\nrecord A.speed.mean A.speed.max A.speed.imposed A.speed.ratio\n"
+              "stage s\naffine strain 0.01 -0.02 %s\ncycles 3\nstage t\nstep 0.03125\ncycles 1\n",
+              codings[k]);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+    written_cycles(model, 3);
+    for (size_t n = 0; n < COUNT(names); n++)
+      before[n] = written_now(model, names[n]);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[1], &error), NB_OK);
+    for (size_t n = 0; n < COUNT(names); n++)
+      CU_ASSERT_DOUBLE_EQUAL(written_now(model, names[n]), before[n], 1e-14);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 /* Centripetal gravity counts in the unbalanced force like a weight: 0.5 towards (0, -7) on each of two discs, one of
  * which lies on a fixed disc. */
 static void unbalanced_under_centripetal_gravity(void) {
@@ -90,5 +120,6 @@ void suite_speeds(void) {
   CU_pSuite suite = CU_add_suite("speeds", NULL, NULL);
   CU_add_test(suite, "speeds relative to the imposed motion", speeds);
   CU_add_test(suite, "imposed velocity before the first step", imposed_before_the_first_step);
+  CU_add_test(suite, "a stage with another step changes no speed", a_stage_with_another_step);
   CU_add_test(suite, "unbalanced force under centripetal gravity", unbalanced_under_centripetal_gravity);
 }

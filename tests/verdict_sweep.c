@@ -170,6 +170,16 @@ static void groups(void) {
   CU_ASSERT_STRING_EQUAL(outcome.checks[3].label, "A.x expected 1 within 0 [t] (w=6, v=2)");
   CU_ASSERT(outcome.checks[2].mark == NB_PASS && outcome.checks[3].mark == NB_FAIL);
   nb_outcome_free(&outcome);
+  planted_page(&outcome, "sweep w 5\nsweep v 1 2", /* a sweep of one value distinguishes no runs */
+               "A.x increases with v\nA.x expected 1 within 0 [t]");
+  planted_runs(&outcome, (double[]){1, 2});
+  planted_is(&outcome, NB_PASS);
+  CU_ASSERT_EQUAL_FATAL(outcome.check_count, 3);
+  CU_ASSERT_STRING_EQUAL(outcome.checks[0].label, "A.x increases with v");
+  CU_ASSERT_STRING_EQUAL(outcome.checks[1].label, "A.x expected 1 within 0 [t] (v=1)");
+  CU_ASSERT_STRING_EQUAL(outcome.checks[2].label, "A.x expected 1 within 0 [t] (v=2)");
+  CU_ASSERT_STRING_EQUAL(outcome.runs[1].label, "v=2");
+  nb_outcome_free(&outcome);
 }
 
 /* The points that a report draws, one for each run of the group: the swept value, or its position among words; and the
