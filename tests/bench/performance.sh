@@ -62,11 +62,10 @@ if test "$1" = -o; then
   compare "$times" "${SIDES:-5 32 100 280}" "lattice random" "$nineball" lmp
   : >"$others-t"
   compare "$others" "${OTHERS:-32 100}" lattice "$nineball" lmp liggghts yade
-  for row in "32 lattice linear avx2" "32 lattice linear avx512" "32 random linear avx512" "100 lattice linear avx512" \
-    "100 random linear avx512" "280 lattice linear avx512" "280 random linear avx512" "32 lattice hertz avx2" \
-    "32 lattice hertz avx512" "100 lattice hertz avx512" "280 lattice hertz avx512"; do
+  for row in "32 lattice linear" "32 random linear" "100 lattice linear" "100 random linear" "280 lattice linear" "280 random linear" \
+    "32 lattice hertz" "100 lattice hertz" "280 lattice hertz"; do
     # shellcheck disable=SC2086
-    pass_times $row
+    for isa in avx2 avx512; do pass_times $row $isa; done
   done >"$passes-t"
   mv "$passes-t" "$passes"
   NINEBALL=$nineball bash "$folder/goals.sh" -o "$goals"
