@@ -63,11 +63,11 @@ static inline struct nb_kick_factors nb_kick_factors(const struct nb_model *mode
  * force-displacement law]: `shear` is the sum of F_s, N. The moment is this sum times the radius. */
 static inline NB_FORM void nb_contact_force_sum(struct nb_contact_force *sum, const struct nb_contact_force *force,
                                                 const int *entry, int seconds, int firsts) {
-  const nb_lanes zero = {0, 0, 0, 0};
-  nb_lanes opposite = zero, both;
-  for (int k = 0; k < seconds; k++)
-    opposite += *(const nb_lanes *)(const void *)&force[entry[k]];
-  both = __builtin_shufflevector(zero - opposite, opposite, 0, 5, 2, 7); /* the moment keeps its sign */
+  nb_lanes both = {0, 0, 0, 0};
+  for (int k = 0; k < seconds; k++) { /* one instruction with AVX: x - x, shear + shear, y - y */
+    const nb_lanes one = *(const nb_lanes *)(const void *)&force[entry[k]], less = both - one, more = both + one;
+    both = __builtin_shufflevector(less, more, 0, 5, 2, 7);
+  }
   for (int k = seconds; k < seconds + firsts; k++)
     both += *(const nb_lanes *)(const void *)&force[entry[k]];
   *sum = (struct nb_contact_force){both[0], both[1], both[2]};
