@@ -5,7 +5,8 @@
 #
 #   make mutants                          all mutants; about a second each
 #   make mutants MUTANTS=shear_linear     the mutants whose file or description contains the word
-#   make mutants MUTANTS=loading          the mutants of a module, which run only if it is named
+#
+# The mutants of other code are made by schemata.py.
 #
 # The rules are in tests/mutants/rules.txt. The copy stays in mutants/ of the build folder, so that the next run builds
 # less; `make clean` removes it. $NB_PAGES are the pages, $srcdir is the top of the source tree, $MAKE, $CC and $AWK the
@@ -108,7 +109,7 @@ $awk -v OFS="$tab" '
   /^#/ || /^$/ { next }
   /^[a-z]+ / { key = $1; value = $0; sub(/^[a-z]+ +/, "", value) }
   key == "each" { put(); print key, "-", value, "-", "-"; key = ""; next }
-  key == "module" { put(); module = value; sub(/ .*/, "", module); sub(/^[^ ]+ /, "", value); print key, module, value, "-", "-"; key = ""; next }
+  key == "module" { put(); key = ""; next }
   key == "mutant" || key == "equal" { put(); kind = key; words = value; key = ""; next }
   key == "in" { file = value; key = ""; next }
   /^- / { old = substr($0, 3); sub(/^ +/, "", old); next }
@@ -123,8 +124,7 @@ grep "^invalid" ../table && stop "invalid lines of tests/mutants/rules.txt; expe
 : >../outdated
 while IFS=$tab read -r kind words file old new; do
   case $kind in
-  each | module)
-    test "$kind" = module && test -z "$only" && continue
+  each)
     set -- $file
     test -f "$1" || echo "each $file: no such file" >>../outdated
     for path in "$@"; do
@@ -168,7 +168,6 @@ equal() {
 
 # ---- one after the other ---------------------------------------------------------------------------------------------
 
-# A file may be in two modules.
 $awk -F "$tab" -v only="$only" '
   only != "" && !index(tolower($2), tolower(only)) && !index(tolower($3), tolower(only)) { next }
   !seen[$3, $4, $5, $6, $7]++' ../list >../some
