@@ -1,8 +1,8 @@
 /* Reads a page's scene blocks into a struct nb_scene, with all names resolved and all numbers in SI.
  *
  * There are two passes. The first reads only lines with `units`, `let`, `sweep` and `start`, because the lengths of the
- * sweeps determine the values of a run. The second reads every statement. Then the whole scene is checked: the kind of page, its columns,
- * missing statements.
+ * sweeps determine the values of a run. The second reads every statement. Then the whole scene is checked: the kind of
+ * page, its columns, missing statements.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "scene.h"
@@ -122,7 +122,7 @@ static void read_lines(struct nb_scene_reading *reading) {
   }
 }
 
-/* The first pass, which finds the lengths of the sweeps and all names. */
+/* The first pass, which finds the lengths of the sweeps and the names of all values. */
 static void survey(struct nb_scene_reading *reading, struct nb_mistakes *mistakes) {
   struct nb_mistakes discarded = {0};
   reading->survey = true;
