@@ -73,6 +73,7 @@ EXCHANGED = {"<": ["<=", ">="], "<=": ["<", ">"], ">": [">=", "<="], ">=": [">",
              "*": ["/"], "/": ["*"], "%": ["*"], "&&": ["||"], "||": ["&&"], "&": ["|"], "|": ["&"], "<<": [">>"], ">>": ["<<"],
              "+=": ["-="], "-=": ["+="], "*=": ["/="], "/=": ["*="]}
 OPPOSITE = {"fmin": "fmax", "fmax": "fmin"}
+SYMMETRIC = {"fmin", "fmax", "hypot", "strcmp", "strncmp", "memcmp", "vec_dot", "vec_add"} # the result does not depend on the order of two arguments, or only its sign does
 
 
 class Unit:
@@ -132,10 +133,10 @@ class Unit:
                 marks += self.text[at] == ";"
             skipped = [c for c in children[:-1] if c.extent.start.offset > at]
         nested = kind in (Kind.COMPOUND_STMT, Kind.CASE_STMT, Kind.DEFAULT_STMT, Kind.LABEL_STMT)
-        bodies = {Kind.IF_STMT: children[1:], Kind.WHILE_STMT: children[1:], Kind.FOR_STMT: children[-1:], Kind.DO_STMT: children[:1], Kind.SWITCH_STMT: children[1:]}
+        parts = {Kind.IF_STMT: children[1:], Kind.WHILE_STMT: children[1:], Kind.FOR_STMT: children[-1:], Kind.DO_STMT: children[:1], Kind.SWITCH_STMT: children[1:]}
         for child in children:
             if child not in skipped:
-                self.visit(child, nested or child in bodies.get(kind, []))
+                self.visit(child, nested or child in parts.get(kind, []))
 
     def alternatives(self, node, kind, children, statement):
         type_ = node.type.get_canonical().kind
@@ -167,7 +168,7 @@ class Unit:
             if statement and name and not name.endswith("free"):
                 self.add(node, "", True)
             for a, b in zip(given, given[1:]):
-                if a.type.get_canonical() == b.type.get_canonical() and self.of(a) != self.of(b):
+                if a.type.get_canonical() == b.type.get_canonical() and self.of(a) != self.of(b) and not (a is given[0] and name in SYMMETRIC):
                     start = node.extent.start.offset
                     first, mid, last = (a.extent.start.offset, a.extent.end.offset, b.extent.start.offset)
                     self.add(node, self.text[start:first] + self.of(b) + self.text[mid:last] + self.of(a) + self.text[b.extent.end.offset:node.extent.end.offset])
