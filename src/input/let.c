@@ -167,6 +167,9 @@ static bool same_type(struct nb_reader *reader, const struct nb_binding *first, 
   const struct nb_token *next = nb_token_peek(reader);
   const bool like = nb_dimension_same(first->dimension, value->dimension);
   double number;
+  if (isnan(first->value) && !isnan(value->value) && strcmp(first->text, "from") == 0)
+    return nb_token_mistake(reader, token - 1, "a sweep lists each value: `sweep mu 0.1 0.3 0.5`",
+                            "expected the first value of the sweep, found `from`");
   if (isnan(first->value))
     return isnan(value->value) || nb_expected_at(reader, token, NULL, "a word like the value before it");
   if (!isnan(value->value) && like)

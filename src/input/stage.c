@@ -125,8 +125,17 @@ static bool take_condition(struct nb_scene_reading *reading, struct nb_reader *r
 NB_APPLY(apply_until) {
   struct nb_scene_reading *reading = subject;
   struct nb_stage *stage = nb_current_stage(reading->scene);
+  const struct nb_token *const token = nb_token_peek(reader);
+  double number;
   if (ends_twice(stage, reader))
     return;
+  if (token && nb_number_read(&number, token->text, 0) == NB_READ) {
+    nb_token_mistake(
+        reader, token,
+        "a number of cycles is `cycles 1000`, and a time `until stage.time above 0.1 s at most 1000000 cycles`",
+        "expected a quantity, found `%.80s`", token->text);
+    return;
+  }
   do {
     struct nb_condition condition = {0};
     if (take_condition(reading, reader, &condition))

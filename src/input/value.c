@@ -180,10 +180,17 @@ static bool radian_hint(char *hint, const char *n, const char *unit, const struc
   return it->unit.angle && strcmp(unit, "deg") == 0;
 }
 
+/* Writes the hint for `1 percent`; false: the number has another unit. */
+static bool percent_hint(char *hint, const char *n, const struct nb_token *next) {
+  snprintf(hint, NB_HINT_SIZE, "write `%.40s %%`", n);
+  return next && (strcmp(next->text, "percent") == 0 || strcmp(next->text, "per-cent") == 0);
+}
+
 static bool special_hint(char *hint, const struct nb_reader *reader, const char *n, const char *unit,
                          const struct wanted *it) {
   const struct nb_token *const next = token_after(reader, 1);
-  return comma_hint(hint, n, unit, it) || (reader->unitless && radian_hint(hint, n, unit, it)) ||
+  return percent_hint(hint, n, next) || comma_hint(hint, n, unit, it) ||
+         (reader->unitless && radian_hint(hint, n, unit, it)) ||
          (next && !is_number(next) && nb_pair_hint(hint, reader->tokens[0].text, next->text));
 }
 
