@@ -56,6 +56,32 @@ static void columns(void) {
   written_free(&it);
 }
 
+/* Every column has its unit in SI, or `-` on a page without units. */
+static void units(void) {
+  static const char *const pages[] = {"units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nstep 0.1\n",
+                                      "material m density 1 kg/m3 kn 1 N/m\ndisc 0 m 0 m radius 1 m m\nstep 0.1 s\n"};
+  for (int si = 0; si < 2; si++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page, "%srecord time\nstage s\ncycles 1\nsnapshot\n", pages[si]);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    const struct nb_table *tables[] = {&result.snapshots[0].particles, &result.snapshots[0].walls,
+                                       &result.snapshots[0].contacts};
+    static const char *const of_particles[] = {"1", "m", "m",   "m",     "rad", "m/s", "m/s",
+                                               "N", "N", "N.m", "rad/s", "1",   "1"};
+    CU_ASSERT_EQUAL_FATAL(tables[0]->column_count, sizeof of_particles / sizeof *of_particles);
+    for (size_t c = 0; c < tables[0]->column_count; c++)
+      CU_ASSERT_STRING_EQUAL(tables[0]->units[c], si ? of_particles[c] : "-");
+    for (size_t t = 0; t < 3; t++)
+      for (size_t c = 0; c < tables[t]->column_count; c++)
+        CU_ASSERT_EQUAL(strcmp(tables[t]->units[c], "-") == 0, !si);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
 /* Two discs without contacts: the free one is a rattler, the fixed one is not. */
 static void a_fixed_particle_is_no_rattler(void) {
   struct words page = {0};
@@ -240,6 +266,7 @@ static void contacts_in_a_cell(void) {
 
 void suite_snapshot(void) {
   CU_pSuite suite = CU_add_suite("snapshot", NULL, NULL);
+  CU_add_test(suite, "units of the columns", units);
   CU_add_test(suite, "the columns of particles and of contacts", columns);
   CU_add_test(suite, "the columns are the quantities", columns_are_the_quantities);
   CU_add_test(suite, "porosity ring by ring", rings);
