@@ -230,7 +230,7 @@ static void other_records_are_refused(void) {
     first->snapshot_from += change == 2;
     name[0] = change == 3 ? 'T' : 't';
     CU_ASSERT_EQUAL(session(&result, &it.scene, 20, 0, 1, &error), change < 4 ? NB_BAD_USE : NB_OK);
-    CU_ASSERT(change == 4 || strstr(error.text, "in what it records"));
+    CU_ASSERT(change == 4 || strstr(error.text, "in a statement `record` or `snapshot`"));
     nb_result_free(&result);
     *first = was;
   }

@@ -141,11 +141,11 @@ test $? -eq 2 && said 'the page has changed since ' && said 'in stage `press` (l
 result $? 'the page has changed: an error that says where'
 sed 's/^record .*/record time/' "$work/text" >"$page"
 again
-test $? -eq 2 && said 'in what it records'
+test $? -eq 2 && said 'in a statement `record` or `snapshot`'
 result $? 'other columns: an error'
 sed 's/snapshot from fall/snapshot/' "$work/text" >"$page"
 again
-test $? -eq 2 && said 'in what it records'
+test $? -eq 2 && said 'in a statement `record` or `snapshot`'
 result $? 'a snapshot from another stage: an error'
 sed 's/^# Spheres.*/# Spheres in a box/; s/1 ppm/2 ppm/' "$work/text" >"$page"
 again && ! said 'there is no checkpoint' || said ', run friction=0.6'

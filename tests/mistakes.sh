@@ -108,7 +108,7 @@ for k in $(seq 2 49); do
 done
 on chain48 s48 last >"$work/right.md"
 on chain49 s49 last >"$work/wrong.md"
-limit 'pages that start one from another' 'expected at most 50 pages that start one from another'
+limit 'pages that start from each other' 'expected a chain of at most 50 pages that start from each other'
 
 { page '' && many 65536 "$(many 63 x)
 "; } | head -c 4194304 >"$work/right.md"

@@ -138,7 +138,10 @@ static void resume_with_difference(const char *statements, int drop) {
     printf("# %d: %s\n", drop, error.text);
   CU_ASSERT_EQUAL(error.status, drop ? NB_BAD_USE : NB_OK);
   if (drop)
-    CU_ASSERT_STRING_EQUAL(error.text, "expected the cell and the boundary of the page in the state, found others");
+    CU_ASSERT_STRING_EQUAL(
+        error.text,
+        "expected a state with the cell, the boundary, the imposed motion and the rotation of the page, found "
+        "another one");
   nb_model_free(model);
   saved = whole;
   nb_saved_free(&saved);

@@ -104,7 +104,7 @@ static void every_mistake(void) {
       {"material m", "material m 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 - 0x0p+0\nmaterial m",
        "expected 0 or more, found `-`"},
       {"body 1", "material m 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0\nbody 1",
-       "expected the name of a material, each once"},
+       "expected the name of a material that no record above has"},
       {"fields overlap", "fields overlap overlap", "expected `closing`, found `overlap`"},
       {" drag\n", "\n", "expected `drag`, found the end of the line"},
       {"fields overlap closing", "setting a=1\nfields overlap", "a.state:19:16: expected `closing`, found `slip`"},
@@ -121,7 +121,7 @@ static void every_mistake(void) {
       {"body 1",
        "material a 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0\n"
        "material a 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0\nbody 1",
-       "expected the name of a material, each once, found `a`"},
+       "expected the name of a material that no record above has, found `a`"},
       {"law shear mindlin 0", "law shear mindlin 257", "expected a whole number from 0 to 256, found `257`"},
       {"body 1", "members 1\nbody 1", "expected a record `body 1` above, found `1`"},
       {"\nfields ", "\nsetting ", "expected a record `fields` before the first contact"},

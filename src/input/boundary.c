@@ -33,7 +33,7 @@ static const struct nb_argument affine_fields[] = {
   FLAG("accumulated", AT_ACCUMULATED, "apart",
        "The imposed velocity is added to the particle's own velocity in every cycle and accumulates there, as in R89's program."),
   FLAG("accumulated-twice", AT_TWICE, "apart",
-       "As `accumulated`, and the imposed velocity is also added to the relative velocity of two particles in contact, which contains it already, as in R89's program [R89 4.43]."),
+       "As `accumulated`. In addition, as in R89's program [R89 4.43], the imposed velocity is added to the relative velocity of two particles in contact, which already contains it."),
   END
 };
 /* clang-format on */

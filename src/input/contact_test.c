@@ -165,7 +165,7 @@ NB_APPLY(apply_segment) {
   const struct nb_token *name = record->value[AT_NAME].token;
   struct nb_stage one = {.record_interval = 1, .cycles = STEPS_DEFAULT, .line = (int)reader->line};
   one.segment.normal.relative = one.segment.shear.relative = true;
-  if (!scene->contact_test) /* a page without `contact`, which is reported elsewhere */
+  if (!scene->contact_test) /* a `segment` in a block of kind `scene`, which has been reported */
     return;
   reading->here = NB_IN_SEGMENT;
   if (name)

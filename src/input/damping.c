@@ -6,8 +6,8 @@
 static const struct nb_argument no_fields[] = {END};
 
 static const struct damping_word {
-  enum nb_contact_damping contact_kind; /* damping of contacts; the next member: damping of all particles */
-  enum nb_global_damping global_kind;
+  enum nb_contact_damping contact_kind; /* damping of contacts */
+  enum nb_global_damping global_kind;   /* damping of all particles */
   enum nb_unit_kind unit;
   enum nb_range range;
 } kinds[] = {
@@ -22,9 +22,10 @@ enum { WALLS = 3, CRITICAL, GLOBAL, CON1, CENTRED, LATE, NONE }; /* indices of t
 
 /* What one statement sets. */
 struct given {
-  bool all, walls; /* it sets the damping of all contacts; only of contacts with walls */
-  bool global, deep, timing;
-  bool centred;
+  bool all, walls;   /* it sets the damping of all contacts; only of contacts with walls */
+  bool global, deep; /* it sets the damping of all particles; of deep contacts */
+  bool timing;       /* it sets `centred` */
+  bool centred;      /* dashpots use the velocity at the time of the force */
   struct damping_word of;
   double value;
 };
@@ -64,7 +65,8 @@ static void take_damping(struct nb_reader *reader, struct given *given) {
     given->of.global_kind = take_con1(reader);
 }
 
-/* `--set damping=centred` or `damping=late` overrides the time of the velocity that the page gives. */
+/* `--set damping=centred` or `--set damping=late` overrides the same words of the page. A setting with another kind of
+ * damping is reported. */
 static void override_timing(const struct nb_scene_reading *reading, struct nb_reader *reader, struct given *given) {
   if (reader != &reading->setting)
     given->timing = given->timing && nb_setting_find(reading, "damping") == 0;

@@ -148,6 +148,8 @@ static struct quantity checked_value(struct parser *p, const char *from, size_t 
   return (struct quantity){value, {(int)nearbyint(m), (int)nearbyint(kg), (int)nearbyint(s)}};
 }
 
+/* True if two values have the same dimension; otherwise false with a message about the operator or function at
+ * `from`. */
 static bool same_dimension(struct parser *p, const char *from, size_t length, struct quantity left,
                            struct quantity right) {
   char one[2 * NB_NAME_SIZE], other[2 * NB_NAME_SIZE];
@@ -156,11 +158,14 @@ static bool same_dimension(struct parser *p, const char *from, size_t length, st
   nb_dimension_words(one, sizeof one, left.of);
   nb_dimension_words(other, sizeof other, right.of);
   mistake(p, from, length, NULL,
-          "expected the same dimension on both sides of `%.*s`, found %s on the left and %s on the right", (int)length,
-          from, one, other);
+          isalpha((unsigned char)*from)
+              ? "expected two values of the same dimension in `%.*s()`, found %s and %s"
+              : "expected the same dimension on both sides of `%.*s`, found %s on the left and %s on the right",
+          (int)length, from, one, other);
   return false;
 }
 
+/* True if a value has no dimension; otherwise false with a message: "expected a number WHAT". */
 static bool is_number(struct parser *p, const char *from, size_t length, const char *what, struct quantity it) {
   char words[2 * NB_NAME_SIZE];
   if (p->reader->bad || nb_dimension_same(it.of, (struct nb_dimension){0}))
@@ -172,7 +177,8 @@ static bool is_number(struct parser *p, const char *from, size_t length, const c
 
 /* ---- operands ---- */
 
-/* Reports a word after a number that is not a unit. */
+/* Reports the word `text` after a number, which cannot be the number's unit here. `is`: the word is a unit; `glued`: no
+ * space is before it. */
 static void wrong_unit(struct parser *p, size_t length, const char *text, bool is, bool glued) {
   char hint[NB_HINT_SIZE], other[NB_HINT_SIZE];
   const char *const form =

@@ -9,8 +9,8 @@
  * that is one literal keeps its text. */
 bool nb_expression(struct nb_reader *reader, const char *line, const char *at, const char *end,
                    struct nb_binding *value);
-/* Computes the value of a number and its unit, which may be NULL. If the number was computed, its text is written
- * again. */
+/* Sets *value to a number and its unit, which may be NULL. The text of the value is the number as written or, if it was
+ * computed, that of nb_binding_write. */
 enum nb_reading nb_literal(struct nb_binding *value, const char *number, const char *unit, bool computed);
 /* Writes the text of a value: the shortest decimal number that reads back to the same bits, with the SI unit of its
  * dimension. */

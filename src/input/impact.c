@@ -63,6 +63,7 @@ NB_APPLY(apply_impact) {
   };
 }
 
+/* Sets position and velocity of the particle. Returns the message of a mistake; NULL: there is none. */
 static const char *set_incidence(struct nb_scene *scene) {
   struct nb_impact *it = &scene->impact;
   const struct nb_monitor *monitor = &scene->monitors[it->monitor];

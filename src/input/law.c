@@ -92,6 +92,7 @@ static const char *law_text(char text[NB_HINT_SIZE], const struct nb_law *law, c
   return text;
 }
 
+/* Reports a material without `young`. given[index]: this material has been checked, so it is not reported again. */
 static void check_material(struct nb_scene_reading *reading, int index, const char *law, bool *given) {
   const struct nb_material *material = &reading->scene->materials[index];
   if (material->young == 0 && !given[index])
@@ -165,7 +166,7 @@ static void refuse_fraction(struct nb_scene_reading *reading, int line, bool wal
   report(reading, line, hint, "expected no `damping r89-fraction` for %s", normal);
 }
 
-/* Reports damping that the normal law does not allow. stage NULL: before the first stage. */
+/* Reports damping that the normal law does not allow. stage NULL: the damping before the first stage. */
 static void check_damping(struct nb_scene_reading *reading, const struct nb_damping *damping,
                           const struct nb_law *normal, const struct nb_stage *stage) {
   char text[NB_HINT_SIZE];
@@ -178,7 +179,8 @@ static void check_damping(struct nb_scene_reading *reading, const struct nb_damp
     refuse_fraction(reading, damping->walls_line, true, law_text(text, normal, stage));
 }
 
-/* Checks the laws that are active from `line` on; line 0: set by --set. stage NULL: before the first stage. */
+/* Checks the laws that are active from `line` on. `other_normal`: the normal law is not the one that was checked
+ * before. line 0: the laws are set by --set. stage NULL: the laws before the first stage. */
 static void check_laws(struct nb_scene_reading *reading, const struct nb_active_laws *laws, bool other_normal, int line,
                        const struct nb_stage *stage) {
   char text[NB_HINT_SIZE];

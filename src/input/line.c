@@ -73,7 +73,8 @@ static const struct nb_binding *binding_of(struct nb_reader *reader, const struc
   return NULL;
 }
 
-/* Appends a value to the last token, between two parts of its word; the unit becomes a token of its own. */
+/* Appends a value to the last token, between the first `length` bytes of `before` and the first `rest` bytes of
+ * `after`. The unit of the value becomes a token of its own. */
 static bool append_value(struct nb_reader *reader, const struct nb_binding *value, const char *before, size_t length,
                          const char *after, size_t rest) {
   struct nb_token *token = &reader->tokens[reader->count - 1];
@@ -87,7 +88,7 @@ static bool append_value(struct nb_reader *reader, const struct nb_binding *valu
          (!unit || (begin_token(reader, second) && append_text(reader, unit + 1, strlen(unit + 1))));
 }
 
-/* Appends a token with a $NAME: `$v`, `-$v`, `v=$v`. */
+/* Appends the word of a token with a $NAME: `$v`, `-$v`, `v=$v`. `before` is the position of the `$` in the word. */
 static bool append_variable(struct nb_reader *reader, const char *word, size_t before, size_t length) {
   const struct nb_token *token = &reader->tokens[reader->count - 1];
   const char *const name = word + before + 1, *const end = word + length, *end_of_name = name;
@@ -109,7 +110,8 @@ static bool append_variable(struct nb_reader *reader, const char *word, size_t b
   return append_value(reader, value, word, before, end_of_name, (size_t)(end - end_of_name));
 }
 
-/* Appends a token with an expression in parentheses: `(2*v)`, `v=(2*v)`. */
+/* Appends the word of a token with an expression in parentheses: `(2*v)`, `v=(2*v)`. `before` is the position of the
+ * first `(` in the word. */
 static bool append_expression(struct nb_reader *reader, const char *line, const char *word, size_t before,
                               size_t length) {
   struct nb_binding value;
@@ -141,7 +143,8 @@ static void join_per_cycle(struct nb_reader *reader) {
   reader->count--;
 }
 
-/* Length of a word, which ends at a space outside parentheses. `rest`: the length of the rest of the line. */
+/* Length of a word, which ends at a space outside parentheses, at `equals` or before a comment. `rest`: the length of
+ * the rest of the line instead. */
 static size_t word_length(const char *at, const char *equals, bool rest) {
   size_t n = 0;
   for (int depth = 0; at[n] && at[n] != '#' && (rest || depth > 0 || (!is_space(at[n]) && at + n != equals)); n++)
@@ -164,7 +167,8 @@ static bool is_let(const struct nb_reader *reader) {
   return strcmp(reader->tokens[0].text, "let") == 0 && strcmp(reader->tokens[2].text, "=") == 0;
 }
 
-/* Adds the next token. `text`: the token is inside brackets, where nothing is replaced. False if there is no space. */
+/* Adds the next token. `text`: the token is inside brackets, where neither a $NAME nor an expression is replaced. False
+ * if there are too many tokens. */
 static bool add_token(struct nb_reader *reader, const char *line, const char *word, size_t length, bool text) {
   size_t before = 0;
   while (before < length && word[before] != '$' && word[before] != '(')
@@ -299,7 +303,7 @@ static bool number_hint(char *hint, const char *text) {
   return true;
 }
 
-/* True for arithmetic outside parentheses: `2*3`, `*`, and for a value also `pi/6`. */
+/* True for arithmetic outside parentheses: `2*3` and `*`, and in place of a value also `pi/6`. */
 static bool has_operator(const struct nb_reader *reader, const char *text) {
   const bool number = strchr("-+.0123456789()$", text[0]);
   struct nb_unit unit;
@@ -318,7 +322,8 @@ static bool is_call(const char *text) {
   return text[length] && nb_name_reserved(name);
 }
 
-/* Writes a hint with the word in parentheses, unless the word is one sign, or the value of a $NAME has replaced it. */
+/* Writes a hint with the word in parentheses. The hint has an example instead if the word is a single character or has
+ * replaced a $NAME. */
 static void operator_hint(const struct nb_reader *reader, char *hint, const char *text) {
   const struct nb_token *const token = nb_token_peek(reader);
   const long place = token ? token - reader->tokens : 0;
@@ -339,7 +344,8 @@ static bool program_hint(char *hint, const char *text, size_t length) {
   return synonym && synonym->note && nb_synonym_hint(hint, word);
 }
 
-/* Writes the hint for `kn=10`; `length` is that of the part before the `=`. */
+/* Writes the hint for `kn=10`; `length` is that of the part before the `=`. `let`: the statement is a `let` or a
+ * `start`, which have an `=`. */
 static void equals_hint(const struct nb_reader *reader, bool let, char *hint, const char *text, size_t length) {
   if (!reader->keyword && program_hint(hint, text, length))
     return;

@@ -59,8 +59,8 @@ static int bytes_of(const char *c, int n) {
   return bytes;
 }
 
-/* Adds the line of the page, and a caret below `column`. Tabs are copied, so that line and caret stay aligned. Only the
- * part of a long line around the caret is shown. */
+/* Adds the line of the page, with its number unless that is 0, and below `column` a mark of `length` characters. Tabs
+ * are copied, so that line and mark stay aligned. Only the part of a long line around the mark is shown. */
 static void add_line(struct nb_text *text, const char *line, size_t number, int column, int length) {
   enum { WIDEST = 110 };
   int first = column > WIDEST - 30 ? column - 60 : 1;

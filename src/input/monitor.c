@@ -52,7 +52,7 @@ static bool take_with(struct nb_reader *reader) {
              : nb_take_word(reader, "with");
 }
 
-/* Warns of a contact that has never a force: a `fixed` particle has none with a wall or another fixed particle. */
+/* Warns of a contact that never has a force: a `fixed` particle has none with a wall or another fixed particle. */
 static void warn_of_fixed(struct nb_scene *scene, const struct nb_monitor *one, int line) {
   const bool wall = one->kind == NB_MONITOR_PARTICLE_WALL;
   if ((wall || one->kind == NB_MONITOR_PARTICLE_PARTICLE) && scene->particles[one->a].fixed &&

@@ -123,8 +123,8 @@ static const struct nb_quantity_kind kinds[] = {
      "sec. 6.4.3]",
      NB_AT_LEAST_0},
     {"unbalanced.max", 0, "1", 0, unbalanced_max,
-     "largest unbalanced force on a particle over largest contact force, dF/F of [CS79 table 1]; infinite without "
-     "contacts, 0 where no force acts",
+     "largest unbalanced force on a particle over largest contact force, dF/F of [CS79 table 1]; infinite if "
+     "forces act but no contact has one, 0 if no force acts",
      NB_AT_LEAST_0},
     {"energy.kinetic", 0, "J", 0, kinetic_energy, "kinetic energy of all free particles, rotation included",
      NB_AT_LEAST_0},
@@ -176,8 +176,7 @@ static const struct nb_quantity_kind kinds[] = {
      NB_AT_LEAST_0_BY_LAW},
     {"shear", PAIR, "N", NB_BIT(NB_SHEAR), pair_shear,
      "elastic shear force F_s without the dashpot, `dashpot.shear`; above 0 if it pushes the first particle to the "
-     "left, seen towards the second one or the "
-     "wall"},
+     "left of the direction to the second one or the wall"},
     {"sliding", PAIR, "1", NB_BIT(NB_SLIDING), pair_sliding, "1 while F_s is at its limit, else 0",
      NB_AT_LEAST_0 | NB_AT_MOST_1},
     {"dashpot.normal", PAIR, "N", NB_BIT(NB_NORMAL) | NB_BIT(NB_TOTAL_NORMAL), pair_dashpot_normal,
@@ -284,7 +283,7 @@ bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene
 
 /* ---- bounds ---- */
 
-/* What bounds decide about `below` or `above` a value. */
+/* Whether the bounds of a quantity decide the comparison `below` or `above` a value. */
 enum decision { OPEN, NEVER, ALWAYS };
 static enum decision decide(unsigned bounds, enum nb_relation relation, double value) {
   const double least = bounds & NB_AT_LEAST_0 ? 0 : -INFINITY, most = bounds & NB_AT_MOST_1 ? 1 : INFINITY;
@@ -461,7 +460,8 @@ static bool means_particle(const char *word) {
   return strcmp(word, "disc") == 0 || strcmp(word, "sphere") == 0 || (synonym && strstr(synonym->ours, "disc, sphere"));
 }
 
-/* The kind of monitor that two words name, `disc 1` or `wall floor`, with the shape of the scene; 0: they name none. */
+/* Writes what two words name, `disc 1` or `wall floor`, to `name`; the shape of a particle is that in the scene.
+ * Returns the kind of monitor; 0: the words name neither a particle nor a wall. */
 static unsigned named_by(char *name, size_t size, const struct nb_scene *scene, const char *word, const char *of) {
   const bool wall = strcmp(word, "wall") == 0, sphere = strcmp(word, "sphere") == 0;
   of = !wall && strcmp(of, "0") == 0 ? "1" : of; /* the first particle has the number 1 */
@@ -471,7 +471,7 @@ static unsigned named_by(char *name, size_t size, const struct nb_scene *scene, 
   return wall ? WALL : number && means_particle(word) ? PARTICLE : 0;
 }
 
-/* The name of a new monitor of `of`, which is not taken: A for disc 1, B for disc 2. */
+/* A letter that is not yet the name of a monitor, for a new monitor of `of`: A for disc 1, B for disc 2. */
 static char free_name(const struct nb_scene *scene, unsigned kind, const char *of) {
   const size_t number = kind == PARTICLE ? strtoul(of + strcspn(of, "0123456789"), NULL, 10) : 1;
   char name = (char)('A' + (number < 24 ? number - 1 : 0));
@@ -524,8 +524,8 @@ static void add_namesakes(char *hint, const char *text) {
   }
 }
 
-/* The hint for a text that is the name of an owner's quantity, also with `-` for `_`, has such a name after its first
- * dot, or is another word for such a name. */
+/* The hint for the name of a quantity whose owner is missing. The text may be such a name, also with `-` for `_`; it
+ * may have such a name after its first dot; or it may be another word for such a name. */
 static const char *owned_hint(char *hint, const struct nb_scene *scene, const char *text) {
   const struct nb_synonym *const synonym = meaning(text);
   const char *items = synonym ? synonym->ours : "", *const rest = strchr(text, '.');
@@ -542,7 +542,8 @@ static const char *owned_hint(char *hint, const struct nb_scene *scene, const ch
   return found;
 }
 
-/* The hint for `north.fx` of a wall, also `box.top.fx`, and `disc1.vx`, which need a monitor; NULL: it is neither. */
+/* The hint for a quantity that needs a monitor: `north.fx` of a wall, also as `box.top.fx`, or `disc1.vx`. NULL: the
+ * text is no such quantity. */
 static const char *unmonitored(char *hint, const struct nb_scene *scene, const char *text) {
   text += strncmp(text, "box.", 4) == 0 ? 4 : strncmp(text, "walls.", 6) == 0 ? 6 : 0;
   const size_t stem = strcspn(text, "."), letters = strcspn(text, ".0123456789");
@@ -602,6 +603,7 @@ static const char *owned_by_hint(char *hint, const struct nb_scene *scene, const
                                                                  : list_quantities(hint, scene, owner);
 }
 
+/* Writes the hint for a text that is not the name of a quantity. */
 static const char *hint_of(char *hint, const struct nb_scene *scene, const char *text) {
   const char *const rest = strchr(text, '.');
   const int owner = monitor_named(scene, text, strcspn(text, "."));

@@ -167,13 +167,14 @@ struct nb_comparison {
   double value;                 /* SI */
   const struct nb_token *token; /* of the value */
 };
-/* False with a mistake if the bounds decide the comparison. `what`: "a condition". */
+/* True if the comparison can hold and can fail. Otherwise, because of the bounds of the quantity, false with a message.
+ * `what`: "a condition". */
 bool nb_comparison_is_open(struct nb_reader *reader, const struct nb_comparison *comparison, const char *what);
 /* Warns if the comparison always or never holds with all laws of the program; a law of the user's own with tensile forces
  * may change this. */
 void nb_comparison_warn(struct nb_warnings *warnings, int line, const struct nb_comparison *comparison);
-/* Warns of a condition or an expectation, `what`, on another stress than the servo of stage `s` controls, if friction at
- * the walls makes them differ. False: out of memory. */
+/* Warns of a condition or an expectation, `what`, that compares the stress `name` while the servo of stage `s` controls
+ * another stress, if friction at the walls makes the two stresses differ. False: out of memory. */
 bool nb_servo_compare(struct nb_scene *scene, size_t s, struct nb_quantity quantity, const char *name, const char *what,
                       int line);
 bool nb_take_count(struct nb_reader *reader, unsigned long low, unsigned long high, unsigned long *value);

@@ -92,8 +92,8 @@ bool nb_stage_before_start(const struct nb_scene *scene, struct nb_reader *reade
   const bool before = NB_FIND(scene->stages, scene->start.stages, name->text) >= 0;
   if (before)
     nb_token_mistake(reader, name, "use the first stage of this page, which begins with the state",
-                     "expected a stage of this page, found `%s` of the page that it starts from: the saved state holds "
-                     "only the end of that page",
+                     "expected a stage of this page, found `%s` of the page from which this page starts: the saved "
+                     "state holds only the end of that page",
                      name->text);
   return before;
 }

@@ -110,7 +110,7 @@ NB_STATEMENTS(region) = {
    "circle X Y radius R: lengths. A circle about this centre.\n"
    "box X1 Y1 to X2 Y2: lengths. A rectangle between two opposite corners; the first corner has the smallest x and y.\n"
    "inside F: a number from 0 to 1. A circle about the centre of the boundary; its radius is the fraction F of the boundary's mean radius.\n"
-   "all: the periodic cell, or else the smallest rectangle around all particles, not the box of walls, whose porosity is `box.porosity`; `transform` rotates this rectangle.\n"
+   "all: the periodic cell; without a cell, the smallest rectangle around all particles, which `transform` rotates. It is not the box of walls, whose porosity is `box.porosity`.\n"
    "rings N: a whole number from 1 to 1000, for `circle` and `inside`. A snapshot then has the porosity of N rings of equal width about the centre.\n"
    "from STAGE: strain, and lost and new contacts, refer to the beginning of this stage; without it: to the start of the run.",
    "region    M  circle 40 mm 40 mm radius 30 mm  rings 6"},

@@ -66,7 +66,7 @@ static bool defines_value(const char *verb) {
   return strcmp(verb, "units") == 0 || strcmp(verb, "let") == 0 || strcmp(verb, "sweep") == 0;
 }
 
-/* True if the first pass must read a line. The first word may be the value of a $NAME. */
+/* True if the first pass must read a line. A line that begins with a $NAME or an expression may be such a line, too. */
 static bool is_surveyed(const char *text) {
   char first[NB_NAME_SIZE];
   text += strspn(text, " \t\r");

@@ -33,9 +33,9 @@ struct nb_scene_reading {
   struct nb_reader setting; /* reads the --set texts, which are stored as the lines of a page */
   struct nb_page settings;
   bool before_start;         /* the page has a `start`, which has not been read */
-  bool law_set[2], step_set; /* set by --set: the statements of the page are checked, but not used */
+  bool law_set[2], step_set; /* --set gives this law, the step: that of the page is only checked */
 
-  bool survey; /* first pass: only units, let and sweep; the second one reports mistakes */
+  bool survey; /* the first pass: it reads only units, let and sweep, and reports no mistakes */
   size_t run;
   size_t *rows;              /* number of rows of each sweep, in page order, from the first pass; owned */
   size_t sweep_count, sweep; /* number of sweeps; index of the next one in this pass */
@@ -103,10 +103,13 @@ int nb_take_grading(const struct nb_scene *scene, struct nb_reader *reader, int 
   ((reader)->count > 1 && strcmp((reader)->tokens[1].text, "strain") == 0 ? how                                        \
        "; `nineball --help strain` compares the four statements"                                                       \
                                                                           : how)
+/* nb_take_requested takes the name of a quantity from the line; nb_requested_find finds the quantity of this name, when
+ * all monitors are known. Both return false with a message. */
 bool nb_take_requested(struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_requested *requested);
 bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *quantity,
                        const struct nb_requested *requested);
-enum { NB_AT_XX, NB_AT_YY, NB_AT_XY, NB_AT_C12, NB_AT_C21, NB_AT_AFTER_STRAIN }; /* slots */
+/* Slots of a strain rate; NB_AT_AFTER_STRAIN: the next free slot. */
+enum { NB_AT_XX, NB_AT_YY, NB_AT_XY, NB_AT_C12, NB_AT_C21, NB_AT_AFTER_STRAIN };
 /* The strain rate EXX EYY, with `shear EXY` or with `c12 C` and `c21 C`. Either all components are per cycle or
  * none. */
 struct nb_strain_rate nb_strain_rate_of(struct nb_reader *reader, const struct nb_value value[]);
@@ -139,7 +142,8 @@ void nb_hash_line(struct nb_scene_reading *reading);
 
 /* ---- checks at the end of a page: each reports a scene that does not satisfy the condition ---- */
 
-/* Materials and particles satisfy the requirements of the laws. */
+/* Materials and particles satisfy the requirements of the laws. `complete`: the page has no mistake so far; otherwise
+ * only the shapes of the particles are checked. */
 void nb_laws_check(struct nb_scene_reading *reading, bool complete);
 /* Regions name only stages of this page; the function stores the index of each. */
 void nb_regions_check(struct nb_scene_reading *reading);

@@ -87,8 +87,9 @@ NB_APPLY(apply_servo) {
     stage->servo = servo;
 }
 
-/* True if a particle has friction with the walls of the box, by the present properties. */
-static bool rubs(const struct nb_scene *scene, const struct nb_properties *now, const struct nb_law *shear) {
+/* True if a particle has friction with the walls of the box, with the properties `now`. */
+static bool walls_have_friction(const struct nb_scene *scene, const struct nb_properties *now,
+                                const struct nb_law *shear) {
   const int first = nb_box_first_wall(scene);
   bool found = false;
   for (size_t k = 0; k < scene->particle_count && first >= 0 && strcmp(shear->name, "none") != 0; k++)
@@ -117,7 +118,7 @@ bool nb_servo_compare(struct nb_scene *scene, size_t s, struct nb_quantity quant
     laws = nb_laws_of(&scene->stages[k], laws);
     nb_properties_end_stage(&now, &scene->stages[k]);
   }
-  if (rubs(scene, &now, laws.shear))
+  if (walls_have_friction(scene, &now, laws.shear))
     nb_warn(&scene->warnings, line,
             "the servo of stage `%s` controls `%s`, and this %s is on `%s`: with friction at the walls the two differ, "
             "and the %s may never hold; write `on %.*s` in the servo",

@@ -24,6 +24,7 @@ enum { CHAIN_MAX = 50 }; /* longest chain of pages that start from each other; t
 
 /* ---- copies of the other scene ---- */
 
+/* A copy of an array; *made becomes false if there is no memory. */
 static void *copy_of(const void *array, size_t count, size_t element, bool *made) {
   void *copy = nb_array_reserve(NULL, 0, count + 1, element); /* the copy may grow by nb_array_reserve */
   if (copy && count > 0)
@@ -35,10 +36,12 @@ static void *copy_of(const void *array, size_t count, size_t element, bool *made
   ((to)->things = copy_of((from)->things, (from)->count, sizeof *(from)->things, made),                                \
    (to)->count = *made ? (from)->count : 0)
 
+/* Sets the lines of copied statements to that of `start`. */
 #define LINES(things, count)                                                                                           \
   for (size_t k = 0; k < to->count; k++)                                                                               \
   to->things[k].line = line
 
+/* The line of a copied statement; 0: the other page does not have the statement. */
 static int replaced_line(int line, int start) { return line ? start : 0; }
 
 static void copy_stage(struct nb_stage *to, const struct nb_stage *from, int line, bool *made) {
@@ -172,9 +175,9 @@ static bool find_page(const struct nb_scene_reading *reading, struct nb_reader *
     return false;
   const int parent = nesting_depth(reading, path);
   if (parent >= CHAIN_MAX)
-    return nb_token_mistake(reader, word,
-                            "save a state of one of them with `nineball state`, and take its particles with `packing`",
-                            "expected at most %d pages that start one from another, found more", CHAIN_MAX);
+    return nb_token_mistake(
+        reader, word, "save a state of one of them with `nineball state`, and take its particles with `packing`",
+        "expected a chain of at most %d pages that start from each other, found a longer one", CHAIN_MAX);
   if (parent < 0)
     return nb_token_mistake(reader, word, NULL, "expected another page, `%.200s` would start from itself", path);
   return true;

@@ -139,7 +139,7 @@ static unsigned long whole_number(struct stream *stream, unsigned long now, unsi
     return nb_text_add(stream->out, " %lu", now), now;
   take_field(stream, field, "a whole number");
   const unsigned long value = strtoul(field, &end, 10);
-  if (high < low) /* the number of a particle, but no record `body` stands above */
+  if (high < low) /* a field for the number of a particle, but the file has no such particle above */
     expected(stream, "a record `body %lu` above", low);
   else if (*end || field[0] < '0' || value < low || value > high)
     expected(stream, "a whole number from %lu to %lu", low, high);
@@ -196,7 +196,7 @@ static void new_name(struct stream *stream, char *own, const void *things, size_
   if (!stream->out && !nb_is_name(own))
     expected(stream, "%s", what);
   if (!stream->out && nb_find(things, count - 1, size, own) >= 0)
-    expected(stream, "%s, each once", what);
+    expected(stream, "%s that no record above has", what);
 }
 
 /* The rest of the line, with spaces. */

@@ -138,8 +138,9 @@ const char *nb_example_hint(char *hint, const struct nb_reader *reader) {
 }
 
 /* Reports a line whose first words match some rows and whose next word matches none of them: `fill sphres`. Returns one
- * of these rows. Returns NULL if the line probably means `whole`, a row of another place: if `whole` matches more
- * words, or if no row of this place is near and the line ends or a number follows (not a word, as in `cell shear`). */
+ * of these rows. Returns NULL if the line probably means `whole`, a row of another place. This is so if `whole` matches
+ * more words. It is also so if no row of this place has a similar word and the line ends, or continues with a number;
+ * `cell shear` continues with a word. */
 static const struct nb_keyword *wrong_word(struct nb_reader *reader, const struct nb_family *table, unsigned here,
                                            const struct nb_keyword *whole) {
   char list[256] = "", hint[NB_HINT_SIZE], word[NB_NAME_SIZE];
@@ -240,8 +241,9 @@ static const char *place_name(unsigned here) {
                                            : "scene";
 }
 
-/* Suppresses messages about what the statement of an unknown first word would define: the statements of `meant`, else
- * the nearest one. If both are NULL, the line may define particles, walls or a cell, except in a stage or a segment. */
+/* Suppresses messages that would follow from an unknown first word: about the statements of `meant` or, if that is
+ * NULL, about the statement `nearest`. If both are NULL, the line may define particles, walls or a cell, except in a
+ * stage or a segment. */
 static void suppress_unknown(struct nb_reader *reader, unsigned here, const struct nb_synonym *meant,
                              const char *nearest) {
   const char *list = meant ? meant->ours : "";
@@ -252,7 +254,8 @@ static void suppress_unknown(struct nb_reader *reader, unsigned here, const stru
     nb_suppress_name(reader->mistakes, nearest ? nearest : NB_UNKNOWN);
 }
 
-/* The hint for an unknown first word; `guess`: the nearest one, or NULL. NULL: there is none. */
+/* The hint for an unknown first word; NULL: there is none. `guess`: the search that has found a similar word, or
+ * NULL. */
 static const char *verb_hint(char *hint, const struct nb_reader *reader, const struct nb_family *table, unsigned here,
                              const struct nb_guess *guess) {
   const char *const text = nb_token_peek(reader)->text;
@@ -288,6 +291,7 @@ static const struct nb_keyword *unknown_verb(struct nb_reader *reader, const str
   return near ? meant : NULL;
 }
 
+/* Reports a statement that is not allowed here; `row` is its row for another place. Returns this row. */
 static const struct nb_keyword *misplaced(struct nb_reader *reader, const struct nb_family *table,
                                           const struct nb_keyword *row, unsigned here) {
   char hint[NB_HINT_SIZE], other[NB_HINT_SIZE], syntax[NB_HINT_SIZE / 2] = "";

@@ -28,7 +28,7 @@ static bool within(double value, enum nb_range range) {
 struct wanted {
   struct nb_unit unit;
   const char *name, *units;
-  bool per_cycle;
+  bool per_cycle; /* the unit may be `per cycle` */
 };
 
 static struct wanted wanted_of(enum nb_unit_kind kind) {
@@ -67,7 +67,7 @@ static bool number_mistake(struct nb_reader *reader, const struct nb_token *numb
                           unit ? " " : "", unit ? unit->text : "", name);
 }
 
-/* Whether the statement `units` has a mistake: then a number may have a unit or not. */
+/* True if the statement `units` has a mistake: then a number may have a unit or not. */
 static bool are_units_unknown(const struct nb_reader *reader) { return nb_name_suppressed(reader->mistakes, "units"); }
 
 static bool is_number(const struct nb_token *token) {
@@ -323,7 +323,7 @@ bool nb_take_in_unit(struct nb_reader *reader, const char *si_unit, double *valu
 /* ---- whole numbers, words and names ---- */
 
 /* Each operation of an expression rounds by up to 1.1e-16 of its result, so a result this near to a whole number is one. */
-static const double rounded_share = 1e-12;
+static const double count_rounding = 1e-12;
 
 /* Reads a whole number from low to high, or a computed one that is whole but for rounding. */
 static bool read_count(const struct nb_token *token, unsigned long low, unsigned long high, unsigned long *value) {
@@ -332,7 +332,7 @@ static bool read_count(const struct nb_token *token, unsigned long low, unsigned
   if (digits > 0 && digits < 19 && token->text[digits] == '\0')
     *value = strtoul(token->text, NULL, 10);
   else if (token && token->computed && nb_number_read(&number, token->text, 0) == NB_READ &&
-           number < (double)high + 1 && fabs(number - round(number)) <= rounded_share * number)
+           number < (double)high + 1 && fabs(number - round(number)) <= count_rounding * number)
     *value = (unsigned long)round(number);
   else
     return false;

@@ -1,6 +1,6 @@
-/* Checkpoints of a run. Each is a saved state (state.c) with further records: the list of contacts, sums, references,
- * the ramps of the stage, and everything that was recorded. So a run that continues from a checkpoint has the same
- * results as an uninterrupted run, to the last bit, and the same number of searches.
+/* Checkpoints of a run. Each is a saved state (state.c) with further records: the list of contacts, sums, reference
+ * configurations, the ramps of the stage, and everything that was recorded. So a run that continues from a checkpoint
+ * has the same results as an uninterrupted run, to the last bit, and the same number of searches.
  *
  * The last two checkpoints are kept in the folder of saved states. The file name has the name of the page and a number
  * that identifies the settings and the run of a sweep. The file has a hash of the statements, so a checkpoint of
@@ -21,9 +21,9 @@
 #include "output_file.h"
 #include "plan.h"
 
-/* The first two numbers are the smallest time between two checkpoints, as a multiple of the time for saving one: in a
- * stage, where saving takes at most a tenth of the run, and at the end of a stage, where it takes at most a fiftieth.
- * The last number is the assumed time for saving the first checkpoint, s. */
+/* `spacing` and `stage_spacing`: smallest time between two checkpoints as a multiple of the time for saving one, during
+ * a stage and at the end of a stage. So saving takes at most a tenth of the time of the run during stages, and a
+ * fiftieth at their ends. `first_cost`: assumed time for saving the first checkpoint, s. */
 static const double spacing = 10, stage_spacing = 50, first_cost = 2e-3;
 
 /* ---- the variables of the model ---- */
@@ -123,7 +123,7 @@ static void store_pairs(struct nb_store *store, const struct nb_model *model) {
 }
 
 void nb_model_store(struct nb_store *store, struct nb_model *model) {
-  if (!store->restoring) /* nb_neighbours_restore restores the pairs */
+  if (!store->restoring) /* nb_neighbours_restore has restored the pairs */
     store_pairs(store, model);
   store_contacts(store, &model->contacts);
   store_search(store, model);
@@ -150,7 +150,7 @@ void nb_model_store(struct nb_store *store, struct nb_model *model) {
 
 /* ---- files ---- */
 
-/* The hash of the statements of the page and of the columns that the run records. */
+/* The hash of the statements of the page, and of what the run records: columns, rows and snapshots. */
 static unsigned long long hash_of(const struct nb_scene *scene) {
   unsigned long long hash = scene->stages[scene->stage_count - 1].hash;
   for (size_t c = 0; c < scene->column_count; c++)
@@ -184,8 +184,8 @@ enum nb_status nb_checkpoint_absent(const struct nb_scene *scene, const struct n
     return NB_OK;
   return nb_error_set(
       error, NB_BAD_USE,
-      "the run of this page was interrupted, its checkpoint is %.300s: --resume continues from this checkpoint; to "
-      "start from the beginning, remove this file and the file with `.old` behind its name",
+      "the run of this page was interrupted; its checkpoint is %.300s: --resume continues from this checkpoint; to "
+      "start from the beginning, remove this file and the file with `.old` after its name",
       path);
 }
 
@@ -218,7 +218,7 @@ void nb_checkpoint_remove(const struct nb_scene *scene, const struct nb_options 
   remove(path), remove(old);
 }
 
-/* The first stage whose text differs from that of the checkpoint. */
+/* The first stage whose text differs from that of the checkpoint; NULL: there is none. */
 static const struct nb_stage *changed_stage(const struct nb_saved *saved, const struct nb_scene *scene) {
   for (size_t s = 0; s < scene->stage_count; s++) {
     const unsigned char *hash = (const unsigned char *)&scene->stages[s].hash;
@@ -239,7 +239,7 @@ static enum nb_status check_page(const struct nb_saved *saved, const struct nb_s
   if (saved->hash == hash_of(scene) && saved->store.part_count > 0)
     return nb_saved_fits(saved, scene, path, error);
   const struct nb_stage *stage = changed_stage(saved, scene);
-  char where[2 * NB_NAME_SIZE] = "in what it records";
+  char where[2 * NB_NAME_SIZE] = "in a statement `record` or `snapshot`";
   if (stage)
     snprintf(where, sizeof where, "in stage `%s` (line %d) or above this stage", stage->name, stage->line);
   return nb_error_set(error, NB_BAD_USE,

@@ -1,7 +1,7 @@
 /* A contact test: one contact whose approach and tangential displacement, or whose forces, are prescribed.
  *
- * A step calls the laws as the loop over a block does (laws/law_batch.h): an open contact has no history, and the
- * tangential increment counts only for the fraction of the step in which the contact is closed.
+ * A step calls the laws as the loop over a block of contacts does (laws/law_batch.h): an open contact has no history,
+ * and the tangential increment counts only for the fraction of the step in which the contact is closed.
  *
  * A segment has two components, normal and tangential. In the steps of the segment each component goes linearly from
  * its current value to its target, which is a displacement or a force. For a force, the displacement is found by trial
@@ -107,13 +107,13 @@ static double smaller_radius(const struct nb_scene *scene) {
   return a < b ? a : b;
 }
 
-/* The unknown displacement, normal or tangential, and the value of the known one. */
+/* The displacement that is sought, and the given value of the other one, m. */
 struct unknown {
-  bool shear;
-  double approach, slip;
+  bool shear;            /* true: the tangential displacement is sought; false: the normal one */
+  double approach, slip; /* the given one; the other one is not used */
 };
 
-/* The force, N, with the unknown displacement at x, m. */
+/* The force, N, if the displacement that is sought is x, m. */
 static double force_at(struct nb_contact_test *contact_test, const struct unknown *unknown, double x) {
   if (unknown->shear)
     try_step(contact_test, unknown->approach, x);
@@ -122,8 +122,9 @@ static double force_at(struct nb_contact_test *contact_test, const struct unknow
   return unknown->shear ? contact_test->trial.s.force : contact_test->trial.n.force;
 }
 
-/* Bisects the interval from `before`, where the force has not reached `target`, to `after`, where the force has reached
- * it. */
+/* Bisects the interval from `before`, where the force has not reached `target`, to `after`, where it has; `sign` is 1
+ * if the force increases in this direction, else -1. Returns the displacement nearest to `before` at which the force
+ * has reached the target, m. */
 static double bisect(struct nb_contact_test *contact_test, const struct unknown *unknown, double before, double after,
                      double target, double sign) {
   for (;;) {
@@ -137,9 +138,9 @@ static double bisect(struct nb_contact_test *contact_test, const struct unknown 
   }
 }
 
-/* Finds the displacement nearest to `from` at which the force reaches `target`. Returns false if the force never
- * reaches the target; *reached is then the force at the largest displacement tried. A force that misses the target only
- * by rounding counts as reached. */
+/* Sets *place to the displacement nearest to `from`, m, at which the force reaches `target`, N. Returns false if the
+ * force never reaches the target; *reached is then the force at the largest displacement tried. A force that misses the
+ * target only by rounding counts as reached. */
 static bool find_displacement(double *place, double *reached, struct nb_contact_test *contact_test,
                               const struct unknown *unknown, double from, double target) {
   static const double rounding = 1e-13;

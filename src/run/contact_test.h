@@ -32,10 +32,13 @@ struct nb_contact_test {
   const volatile sig_atomic_t *stop;       /* the test ends after a step in which *stop is not 0; NULL: never */
 };
 
+/* Creates the contact of a scene, before its first segment. */
 enum nb_status nb_contact_test_create(struct nb_contact_test *contact_test, const struct nb_scene *scene,
                                       struct nb_error *error);
 void nb_contact_test_free(struct nb_contact_test *contact_test);
 
+/* Runs all segments of a scene. `options` and `progress` may be NULL. NB_BROKEN if a force cannot be reached or is not
+ * finite, or if the test is stopped. */
 enum nb_status nb_contact_test_run(struct nb_result *result, const struct nb_scene *scene,
                                    const struct nb_options *options, const struct nb_progress *progress,
                                    struct nb_error *error);

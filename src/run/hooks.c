@@ -59,6 +59,7 @@ static enum nb_status check_stability(struct nb_model *model, struct nb_error *e
   return NB_OK;
 }
 
+/* Checks the stability of the step when a contact has stiffened with its overlap: measure/stability.c. */
 static enum nb_status check_stiffening(struct nb_model *model, struct nb_error *error) {
   return nb_stability_overlaps(model) ? NB_OK : nb_stability_check(model, error);
 }

@@ -16,16 +16,16 @@
 
 #include <stdlib.h>
 
-/* Shuffled order for tests: every second particle from the front, the others from the back. Results must not depend on
- * it. */
+/* The slot of the particle with this index. `shuffle`, for tests: particles with even indices are stored from the
+ * front, the others from the back. Results must not depend on the order of the slots. */
 static size_t slot_of(size_t index, size_t count, bool shuffle) {
   if (!shuffle)
     return index;
   return index % 2 == 0 ? index / 2 : count - 1 - index / 2;
 }
 
-/* True if some particle rotates at some time: from the start, or because of friction unless `rotation off` is active in
- * all stages. */
+/* True if a particle may rotate at some time: because it has a spin at the start, or because of friction. Friction
+ * causes no rotation if `rotation off` holds in all stages. */
 static bool has_spin(const struct nb_scene *scene) {
   bool spin = false, rotates = scene->stages[0].rotation != NB_ROTATION_OFF;
   for (size_t k = 0; k < scene->particle_count; k++)
@@ -176,7 +176,8 @@ static void set_initial_values(struct nb_model *model, const struct nb_scene *sc
   model->laws = model->next_laws = nb_laws_initial(scene);
 }
 
-/* Makes the plan and the first list of contacts, and sets the step. */
+/* Creates the imposed motion, the boundary, the plan and the first list of contacts. Sets the step, unless it comes
+ * from a saved state. */
 static enum nb_status create_contacts(struct nb_model *model, struct nb_saved *saved, struct nb_error *error) {
   const bool checkpoint = saved && saved->store.part_count;
   if (nb_affine_create(model, error) || nb_boundary_create(model, error) ||
@@ -187,7 +188,7 @@ static enum nb_status create_contacts(struct nb_model *model, struct nb_saved *s
   return saved ? NB_OK : nb_step_set(model, &model->scene->stages[0].step, error);
 }
 
-/* Moves the particle back from the first touch by the fraction `phase` of the step. */
+/* Moves the particle of `impact` back from the place of first touch, by its path in the fraction `phase` of a step. */
 static void begin_impact(struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
   const struct nb_impact_state incidence = nb_impact_incidence(scene);

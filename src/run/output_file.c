@@ -46,9 +46,9 @@ static void remove_leftovers(const char *path) {
   free(where);
 }
 
-/* Creates and locks a temporary file. The function never opens an existing file and follows no link. After the lock it
- * tests that the name still leads to the file, because another process may have removed the file as a leftover before
- * it was locked. */
+/* Creates and locks a temporary file for `path`, and writes its name to `temporary`. Returns its descriptor; -1:
+ * failure. The function never opens an existing file and follows no link. After the lock it tests that the name still
+ * leads to the file, because another process may have removed the file as a leftover before it was locked. */
 static int create(char *temporary, size_t size, const char *path) {
   const unsigned long process = (unsigned long)getpid();
   for (unsigned long number = process; number < process + 1000; number++) {
@@ -108,7 +108,7 @@ void nb_save_cancel(struct nb_save *save) {
 enum nb_status nb_save_end(struct nb_save *save, struct nb_error *error) {
   const bool failed = ferror(save->file);
   errno = EIO;
-  if (failed) /* an earlier write failed: another write shows the reason */
+  if (failed) /* an earlier write failed: another write sets errno to the reason */
     clearerr(save->file), fputc('\n', save->file);
   if (fflush(save->file) == 0 && !failed && fsync(fileno(save->file)) == 0 && rename(save->temporary, save->path) == 0)
     return fclose(save->file), release(save), NB_OK;

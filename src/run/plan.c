@@ -39,7 +39,8 @@ static enum nb_dashpot_kind dashpot_kind(const struct nb_damping *damping) {
 
 static bool affine_twice(const struct nb_model *model) { return model->affine && model->affine->twice; }
 
-/* True if both stiffnesses depend only on the overlap and grow with it, as in laws of elastic spheres. */
+/* True if the normal stiffness depends only on the overlap and grows with it, and the shear stiffness is at most a
+ * fixed multiple of it: laws of elastic spheres. The normal law by increments is no such law. */
 static bool stiffens(const struct nb_law *normal, const struct nb_law *shear) {
   return normal->elastic && !normal->incremental && (shear->elastic || strcmp(shear->name, "none") == 0);
 }
@@ -57,7 +58,8 @@ static const struct nb_pass *geometry_pass(const struct nb_model *model, const s
                              : &nb_pass_disc_disc[approach];
 }
 
-/* Adds the pass for the second addition of an affine motion, if another pass reads the increments. */
+/* For `affine strain … accumulated-twice`: adds the pass that adds the imposed velocity to the increments once more, if
+ * another pass reads the increments. */
 static void add_affine_twice(struct nb_model *model, struct nb_material_pair *material_pair) {
   const enum nb_approach approach = needed_approach(model, material_pair);
   const struct nb_pass *again = &nb_pass_affine_twice[approach == NB_APPROACH_TANGENTIAL];
@@ -103,7 +105,7 @@ static unsigned needed_fields(unsigned kept, bool dissipative, const struct nb_p
     kept &= ~NB_BIT(NB_DISSIPATED);
   if (!plan->dashpots && kept & NB_BIT(NB_TOTAL_NORMAL)) /* without dashpots the two fields are equal: one is enough */
     kept = (kept & ~NB_BIT(NB_TOTAL_NORMAL)) | NB_BIT(NB_NORMAL);
-  return kept & ~NB_BIT(NB_TOTAL_SHEAR); /* a part of the contact force */
+  return kept & ~NB_BIT(NB_TOTAL_SHEAR); /* it is kept as a part of the contact force */
 }
 
 static int larger(int a, int b) { return a > b ? a : b; }
@@ -120,7 +122,7 @@ enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
   plan->affine_twice = affine_twice(model);
   plan->kept =
       (plan->requested & (NB_BIT(NB_FIELDS) - 1)) | NB_BIT(NB_RADIUS_SUM) | (plan->keep_all ? NB_SAVED_MASK : 0);
-  if (nb_laws_elastic(scene)) /* in any stage: when the law changes, its stored energy is computed once more */
+  if (nb_laws_elastic(scene)) /* in any stage: a change of the law computes the stored energy of the old one */
     plan->kept |= NB_BIT(NB_REDUCED);
   bool dissipative = false;
   plan->has_friction = false;

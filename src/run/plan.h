@@ -7,26 +7,27 @@
 
 /* plan.c: the passes of each material pair, and the fields that are kept */
 enum nb_status nb_plan(struct nb_model *model, struct nb_error *error);
-bool nb_plan_is_current(const struct nb_model *model); /* false: other dashpots, friction or `accumulated-twice` */
+bool nb_plan_is_current(const struct nb_model *model); /* false: the stage needs other passes */
 
-/* hooks.c: selects the hooks; must be called again after any change on which hooks depend */
+/* hooks.c: selects the hooks. Must be called again after any change on which the selection depends. */
 void nb_hooks_plan(struct nb_model *model);
 
 /* stage.c */
 bool nb_changes_create(struct nb_model *model); /* false: out of memory */
+/* Saves model->changes for a checkpoint; if store->restoring, restores them. */
 void nb_changes_store(struct nb_store *store, struct nb_model *model);
 enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error);
-bool nb_stage_ramps_walls(const struct nb_model *model);
+bool nb_stage_ramps_walls(const struct nb_model *model); /* true: the stage ramps the velocity of a wall */
 /* True if properties, laws or gravity change in a later cycle of the stage. */
 bool nb_stage_changes(const struct nb_model *model);
-/* Sets the velocities of walls over the next step. Called before the motion. */
+/* Sets the velocities of the walls with ramps for the next step. Called before the motion. */
 void nb_stage_set_wall_velocities(struct nb_model *model);
 /* Sets properties, laws and gravity at the current time. Called after the motion. */
 enum nb_status nb_stage_change(struct nb_model *model, struct nb_error *error);
 
 /* model.c */
 struct nb_saved;
-/* Creates a model as nb_model_create does, but with particles, walls and contacts from a saved state at the end of
- * stage scene->start.stages - 1. If `saved` is NULL, the model begins at time 0. */
+/* Creates a model as nb_model_create does, but with particles, walls and contacts from `saved`: the state at the end of
+ * stage scene->start.stages - 1, or a checkpoint. If `saved` is NULL, the model begins at time 0. */
 struct nb_model *nb_model_resume(const struct nb_scene *scene, const struct nb_options *options, struct nb_saved *saved,
                                  struct nb_error *error);

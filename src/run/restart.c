@@ -128,7 +128,8 @@ static void read_holder(int file, char *holder, size_t size) {
   snprintf(holder + digits, size - digits, "%s", digits > 0 ? "" : "?");
 }
 
-/* Waits until the lock is free, and reports which process holds it. */
+/* Waits until the lock of a state is free, and reports which process holds it. Does not wait for a lock with lock->use:
+ * NB_BAD_USE if another process holds it. */
 static enum nb_status lock_wait(struct nb_lock *lock, const struct nb_progress *progress, struct nb_error *error) {
   char message[PATH_SIZE + 128], holder[32];
   const char *wait = getenv("NINEBALL_WAIT");
@@ -160,7 +161,8 @@ static enum nb_status lock_wait(struct nb_lock *lock, const struct nb_progress *
   return nb_error_system(error, "cannot lock %s", lock->path);
 }
 
-/* Acquires the lock, unless a state for which it waits appears in the meantime; then lock->file is -1. */
+/* Acquires the lock. A process that waits for the lock of a state stops waiting when the state appears; lock->file is
+ * then -1. */
 static enum nb_status lock_acquire(struct nb_lock *lock, const char *path, const struct nb_progress *progress,
                                    struct nb_error *error) {
   snprintf(lock->path, sizeof lock->path, "%s.lock", path);
@@ -186,7 +188,7 @@ static enum nb_status lock_acquire(struct nb_lock *lock, const char *path, const
   char holder[32];
   const int n = snprintf(holder, sizeof holder, "%ld\n", (long)getpid());
   if (ftruncate(lock->file, 0) != 0 || pwrite(lock->file, holder, (size_t)n, 0) != n)
-    holder[0] = 0; /* other processes cannot report which process they wait for */
+    holder[0] = 0; /* then other processes cannot report which process they wait for */
   return NB_OK;
 }
 

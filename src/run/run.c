@@ -26,7 +26,7 @@ struct run {
   unsigned long until_report; /* cycles until the clock is read; a reading costs as much as a cycle of a few contacts */
   unsigned long planned;      /* sum of the numbers of cycles that the stages may take */
   struct nb_checkpoint checkpoint;
-  unsigned long stop_at;      /* tests: cycle after which the run stops; 0: none */
+  unsigned long stop_at;      /* for tests: cycle after which the run stops; 0: none */
   unsigned long long updates; /* contact updates before the stage */
   bool stage_ended;           /* the checkpoint was saved at the end of its stage */
   bool met_before;            /* the conditions of the stage were met when it began */
@@ -59,7 +59,8 @@ static bool conditions_met(const struct nb_stage *stage, const struct nb_model *
   return stage->condition_count > 0;
 }
 
-/* Conditions are evaluated every check_interval cycles and at the last cycle of the stage. */
+/* True if the stage ends now; `last`: this is its last cycle. Conditions are evaluated every check_interval cycles and
+ * at the last cycle. */
 static bool stage_ends(const struct nb_stage *stage, const struct nb_model *model, bool last) {
   return stage->condition_count == 0
              ? last
@@ -78,7 +79,8 @@ static void list_conditions(char *text, size_t size, const struct nb_stage *stag
   }
 }
 
-/* "; its servo (line 12) ran at the largest rate in all cycles: raise `at most`"; empty for other stages. */
+/* Writes "; its servo (line 12) ran at the largest rate in all cycles: raise `at most`" to `text` and returns it;
+ * writes an empty text if the stage has no such servo. */
 static const char *servo_limit(char *text, size_t size, const struct nb_model *model) {
   text[0] = '\0';
   if (model->stage->servo.line && model->affine->servo_state.phase == NB_SERVO_LIMITED)
@@ -126,8 +128,9 @@ static bool has_contact_force(const struct nb_model *model) {
   return false;
 }
 
-/* The condition that waits for equilibrium and is met because no contact has a force: the unbalanced force is then 0.
- * NULL: none. */
+/* The name of the unbalanced force in a condition of the stage, if no contact has a force. Such a condition waits for
+ * equilibrium, but it also holds where no force acts: the unbalanced force is then 0. NULL: there is no such condition,
+ * or there are contact forces. */
 static const char *met_without_contact(const struct nb_model *model, const struct nb_stage *stage) {
   for (size_t k = 0; k < stage->condition_count; k++) {
     const char *const name = stage->conditions[k].quantity.kind->name;
@@ -137,7 +140,8 @@ static const char *met_without_contact(const struct nb_model *model, const struc
   return NULL;
 }
 
-/* Why a condition of the stage may have been met before the stage: its quantity counts from an earlier time. */
+/* The part of a warning that says why a condition may have been met before the stage: its quantity counts from an
+ * earlier time. Empty if no quantity does. */
 static const char *counts_from(const struct nb_stage *stage) {
   static const char strain[] = "strain";
   for (size_t k = 0; k < stage->condition_count; k++) {
@@ -153,10 +157,10 @@ static const char *counts_from(const struct nb_stage *stage) {
   return "";
 }
 
-/* "`and contacts above 0`"; with a servo a condition on a stress that it controls, "`and cell.stress.xx above 900
- * Pa`". */
+/* Writes the condition that a user should add: "`and contacts above 0`", or, in a stage with a servo, a condition on a
+ * stress that the servo controls: "`and cell.stress.xx above 900 Pa`". */
 static void propose(char *text, size_t size, const struct nb_scene *scene, const struct nb_servo *servo) {
-  static const int part[] = {0, 3, 1}; /* of xx, yy and xy in the four measured components */
+  static const int part[] = {0, 3, 1}; /* indices of xx, yy and xy among the four measured components */
   const double near = 0.9;
   int k = 0;
   while (k < 3 && !(servo->controlled[k] && servo->stress[k] != 0))
@@ -382,7 +386,7 @@ static enum nb_status make_model(struct run *run, const struct nb_options *optio
   const bool resumed = start.store.part_count > 0;
   if (!status && !resumed && starts)
     status = nb_start_obtain(&start, scene, options, run->reporter.progress, !is_trial(run), error);
-  run->reporter = nb_reporter_begin(run->reporter.progress); /* so that computing the state is not counted */
+  run->reporter = nb_reporter_begin(run->reporter.progress); /* the time for computing the state does not count */
   if (!status && !nb_result_begin(run->result, scene))
     status = nb_error_memory(error);
   if (!status && !(run->model = nb_model_resume(scene, options, resumed || starts ? &start : NULL, error)))
@@ -398,7 +402,7 @@ static enum nb_status make_model(struct run *run, const struct nb_options *optio
   return status;
 }
 
-/* Runs the stages from the one at which the model is. */
+/* Runs all stages that are left: after a checkpoint, the rest of its stage and the stages after it. */
 static enum nb_status run_stages(struct run *run, struct nb_error *error) {
   const struct nb_scene *scene = run->scene;
   const size_t first = scene->start.stages;

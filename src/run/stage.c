@@ -148,8 +148,9 @@ static void interpolate_properties(struct nb_model *model, double fraction) {
   }
 }
 
-/* Begins changes of properties. The single-contact step and the stable step of the stage are the smaller ones of those
- * at its beginning and at its end. */
+/* Begins changes of properties. The single-contact step and the stable step of the stage are those at its beginning or
+ * those at its end, whichever are smaller. *apart receives the smaller stable step of pairs that could collide later
+ * (nb_stable_step_apart). */
 static void begin_property_changes(struct nb_model *model, struct nb_stable *apart) {
   const struct nb_stage *stage = model->stage;
   for (size_t k = 0; k < stage->change_count; k++)
@@ -197,7 +198,7 @@ static enum nb_status begin_gravity_change(struct nb_model *model, struct nb_err
     return nb_error_set(
         error, NB_BAD_USE,
         "line %d: the point of central gravity moves from (%g, %g) to (%g, %g), in SI units. Expected the "
-        "same point, or first a stage with `gravity` and two zeros",
+        "same point, or a stage in between with `gravity` and two zeros",
         to->line, central->point.x, central->point.y, to->about_x, to->about_y);
   if (!to->line || to->ramp)
     return NB_OK;
@@ -280,7 +281,8 @@ static enum nb_status plan_again(struct nb_model *model, struct nb_error *error)
   return nb_neighbours_search(model, error);
 }
 
-/* Sets properties and laws; true: the contacts need another plan. */
+/* Sets properties and laws when ramps have covered `fraction` of their changes. True: the contacts need another
+ * plan. */
 static bool change_properties(struct nb_model *model, double fraction) {
   const bool laws = nb_laws_normal_changes(model) || nb_laws_shear_changes(model);
   if (model->stage->change_count > 0 || laws) {

@@ -1,6 +1,6 @@
 /* Captures the state of a model, and restores it in another one.
  *
- * The force of a contact and its history at t_N are saved, not computed again: the laws have already used the
+ * The forces and the histories of the contacts are saved, not computed again: the laws have already used the
  * increments of the last step. A model that continues from a state searches for neighbours, restores forces and
  * histories, and begins with the motion. Its results equal those of an uninterrupted run to the bit.
  *
@@ -58,7 +58,8 @@ static void capture_walls(struct nb_saved *saved, const struct nb_model *model) 
   saved->wall_count = model->walls.count;
 }
 
-/* Appends the history of a contact to the saved histories; appends nothing if all its doubles are 0. */
+/* Appends the history of contact `c` to the saved histories. Appends nothing if the history is empty: its first double
+ * is 0 in a history stored by rows, all its doubles are 0 otherwise. */
 static struct nb_saved_history capture_history(struct nb_saved *saved, const struct nb_history *history,
                                                const struct nb_law *law, size_t c) {
   double buffer[NB_HISTORY];
@@ -89,7 +90,7 @@ static void capture_contacts(struct nb_saved *saved, const struct nb_model *mode
     it.field[NB_TOTAL_SHEAR] = contacts->force[c].shear;
     it.normal = capture_history(saved, &contacts->normal_history, model->laws.normal, c);
     it.shear = capture_history(saved, &contacts->shear_history, model->laws.shear, c);
-    const bool loaded = it.force.x != 0 || it.force.y != 0; /* a checkpoint has only the fields that the run keeps */
+    const bool loaded = it.force.x != 0 || it.force.y != 0; /* a checkpoint may have none of the fields below */
     if (it.field[NB_OVERLAP] > 0 || it.field[NB_TOTAL_NORMAL] != 0 || loaded || it.suppressed || it.normal.count ||
         it.shear.count)
       saved->contacts[saved->contact_count++] = it;
@@ -208,7 +209,7 @@ static bool same_particle(const struct nb_saved_particle *it, const struct nb_pa
          it->material == particle->material;
 }
 
-/* Number of stages up to the one at whose end the state was saved. */
+/* Number of stages up to the one at whose end the state was saved, or in which the checkpoint was saved. */
 static size_t stages_of(const struct nb_saved *saved, const struct nb_scene *scene) {
   const long found = saved->store.part_count ? NB_FIND(scene->stages, scene->stage_count, saved->stage) : -1;
   return found < 0 ? scene->start.stages : (size_t)found + 1;
@@ -290,7 +291,8 @@ static void restore_stage(struct nb_model *model, size_t stages) {
   model->properties.pieces = model->laws.pieces;
   model->stage = &scene->stages[stages - 1];
   model->damping = model->stage->damping;
-  model->stability->step_line = model->stage->step.line; /* never 0: --set step applies to stages of this page */
+  /* not 0 in the state of another page: --set step applies to stages of this page */
+  model->stability->step_line = model->stage->step.line;
 }
 
 void nb_saved_restore(struct nb_model *model, const struct nb_saved *saved) {
@@ -384,8 +386,8 @@ static void restore_ring(struct nb_model *model, const struct nb_saved_ring *sav
     nb_boundary_set_forces(model);
 }
 
-/* True if the state fits the model: both or neither have a cell, in both the particles rotate or do not, and the model
- * has an affine motion, a boundary and a stress on it if the state has them. */
+/* True if the state fits the model. Both or neither have a cell, and in both the particles rotate, or in neither. If
+ * the state has an imposed motion, a boundary or a stress on the boundary, the model must have it too. */
 static bool same_loading(const struct nb_model *model, const struct nb_saved *saved) {
   enum nb_rotation rotation = NB_ROTATION_ON;
   for (const struct nb_stage *stage = model->scene->stages; stage <= model->stage; stage++)
@@ -401,7 +403,9 @@ static bool same_loading(const struct nb_model *model, const struct nb_saved *sa
 enum nb_status nb_saved_restore_loading(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
   struct nb_particles *particles = &model->particles;
   if (!same_loading(model, saved))
-    return nb_error_set(error, NB_BAD_USE, "expected the cell and the boundary of the page in the state, found others");
+    return nb_error_set(error, NB_BAD_USE,
+                        "expected a state with the cell, the boundary, the imposed motion and the rotation of the "
+                        "page, found another one");
   model->central = saved->central;
   if (saved->cell.is)
     model->cell->h = saved->cell.h, model->cell->image_velocity = saved->cell.image_velocity;

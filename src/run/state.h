@@ -14,7 +14,7 @@ enum nb_status nb_saved_capture(struct nb_saved *saved, const struct nb_model *m
  * difference. */
 enum nb_status nb_saved_fits(const struct nb_saved *saved, const struct nb_scene *scene, const char *path,
                              struct nb_error *error);
-/* Restores particles, walls, material properties and time. Called before the model is planned. */
+/* Restores the variables of all particles and walls, properties, laws, gravity and time. Called before nb_plan. */
 void nb_saved_restore(struct nb_model *model, const struct nb_saved *saved);
 /* Restores cell, boundary and affine motion. Called after nb_saved_restore. */
 enum nb_status nb_saved_restore_loading(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error);
