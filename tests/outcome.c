@@ -3,6 +3,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
 #include <fcntl.h>
+#include <math.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,6 +26,7 @@ static void call(void *data, const char *stage, double fraction, double seconds)
   CU_ASSERT(seconds >= 0 && seconds < nb_clock()); /* since the runs began; the clock began earlier */
   CU_ASSERT(fraction > 0 && fraction <= 1);
   snprintf(reports->stage, sizeof reports->stage, "%s", stage);
+  CU_ASSERT_DOUBLE_EQUAL(40 * fraction, round(40 * fraction), 1e-9); /* ten cycles in each of at most four runs */
   reports->fraction = fraction, reports->calls++;
 }
 

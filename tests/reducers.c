@@ -20,6 +20,7 @@ static void reducers(void) {
       {"A.x", 6, 6, {1, 2, 3, 4, 5, 6}},
       {"A.x in one", 3, 6, {1, 2, 3, 4, 5, 6}},
       {"A.x in two", 6, 6, {1, 2, 3, 4, 5, 6}},
+      {"A.x mean", 9, 4, {1, 2, 3, 9}}, /* the last stage has one row */
       {"A.x max", 5, 3, {5, 2, 3}},
       {"A.x max", 5, 3, {2, 5, 3}},
       {"A.x max", 5, 3, {2, 3, 5}},
@@ -170,6 +171,13 @@ static void not_finite(void) {
   planted_one("A.y expected 1 of A.x within 5 [t]", NULL, 0, 1, (double[]){0}, NB_FAIL,
               "their ratio is not a finite number");
   planted_one("A.x max within 1e300", "A.x max", 0, 3, (double[]){-INFINITY, 0, 0}, NB_FAIL, "it is -inf at cycle 0");
+  struct nb_outcome outcome;
+  planted_page(&outcome, "", "A.x below 1");
+  planted_rows(&outcome, 0, 1, (double[]){NAN});
+  outcome.runs[0].result.table.cycle[0] = 123456;
+  planted_is(&outcome, NB_FAIL);
+  planted_says(&outcome, "it is nan at cycle 123456");
+  nb_outcome_free(&outcome);
 }
 
 void suite_reducers(void) {

@@ -101,6 +101,12 @@ static void below_and_above(void) {
   planted_one("A.y above A.x", NULL, 0, 2, (double[]){0, nextafter(2, 3)}, NB_FAIL,
               "computed 2 and 2.0000000000000004");
   planted_one("A.y above A.x", NULL, 0, 2, (double[]){0, 2.0 / 3}, NB_PASS, "computed 2 and 0.666667");
+  /* The error is the difference over the larger number: at 1.0005e-5 of it seven digits show two digits of the
+   * difference, at 0.9995e-5 eight are needed. */
+  planted_one("A.x below 1.2345678", NULL, 0, 1, (double[]){1.2345678 * (1 - 1.0005e-5)}, NB_PASS, " and 1.234568");
+  planted_one("A.x below 1.2345678", NULL, 0, 1, (double[]){1.2345678 * (1 - 0.9995e-5)}, NB_PASS, " and 1.2345678");
+  planted_one("A.x above 1.2345678", NULL, 0, 1, (double[]){1.2345678 / (1 - 1.0005e-5)}, NB_PASS, " and 1.234568");
+  planted_one("A.x above 1.2345678", NULL, 0, 1, (double[]){1.2345678 / (1 - 0.9995e-5)}, NB_PASS, " and 1.2345678");
 }
 
 static void below_and_above_a_number(void) {
@@ -339,6 +345,9 @@ static void one_sign_of_a_residual(void) {
   } rows[] = {
       {"energy.residual max in one below 1", {-3, -2, 0}, true},
       {"energy.residual max in one below 1", {-0.5, -0.2, 0}, false},
+      {"energy.residual max in one below 1", {-1.0001, -0.2, 0}, true},
+      {"energy.residual max in one below 1", {-0.9999, -0.2, 0}, false},
+      {"energy.residual max in one within 1", {-1.0001, -0.2, 0}, true},
       {"energy.residual min in one above -1", {0, 2, 0}, true},
       {"energy.residual min in one above -3", {0, 2, 0}, false},
       {"energy.residual max in one expected 0 within 1  [t]", {-3, -2, 0}, true},

@@ -48,6 +48,8 @@ static void samples(void) {
        "from 1 to 2: mean difference +1, 95 % confidence 1 to 1, mean 5.5; from 2 to 3: mean difference +1, 95 % "
        "confidence 1 to 1, mean 6.5"},
       {"sweep T 1 2 3\nsweep s 1 2", "A.x increases with T over s", {0, 10, -1, 9, 2, 12}, NB_FAIL, ""},
+      {"sweep T 1 2\nsweep s 1 2", "A.x increases with T over s", {0, 10, 0, 10}, NB_FAIL, "confidence 0 to 0"},
+      {"sweep T 1 2\nsweep s 1 2", "A.x decreases with T over s", {0, 10, 0, 10}, NB_FAIL, "confidence 0 to 0"},
       {"sweep T 1 2 3\nsweep s 1 2", "A.x increases with T over s", {0, 10, 1, 11, 0, 10}, NB_FAIL, ""},
       {"sweep T 2 1 3\nsweep s 1 2", "A.x increases with T over s", {1, 11.1, 0, 10, 2, 12.2}, NB_PASS, "from 1 to 2"},
       {"sweep T 2 1 3\nsweep s 1 2", "A.x increases with T over s", {0, 10, 1, 11.1, 2, 12.2}, NB_FAIL, "from 1 to 2"},
@@ -77,6 +79,11 @@ static void samples(void) {
        {0, 10, 1, 11},
        NB_PASS,
        "from 1 to 2: mean difference +1,"},
+      {"sweep T 1 2\nsweep s 1 2 3 4", /* 3 -+ HALF */
+       "A.x increases with T over s",
+       {-4.5, 5.5, 15.5, 25.5, -2.5, 9.5, 17.5, 29.5},
+       NB_PASS,
+       "from 1 to 2: mean difference +3, 95 % confidence 1.163 to 4.837, mean 12"},
       {"sweep s 1 2\nsweep T 1 2",
        "A.x increases with T over s",
        {0, 1, 10, 11},
