@@ -135,7 +135,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"remove_all", "remove", "particles are removed by their numbers: `remove discs 1 to 20`"},
     {"walls_all", "walls", "`walls stop` stops all walls of the box"},
     {"quantity_position quantity_positions quantity_trajectory quantity_trajectories", "snapshot, monitor", "a stage with the line `snapshot` saves all particles at its end; the path of one particle is `monitor P disc 1`, then `record P.x P.y`"},
-    {"fix_press fix_servo fix_deform", "servo, boundary, cell, box", "a pressure is kept by a `servo`, and a strain rate is given to a `cell`, a `boundary` or a `box`: for example `servo isotropic 100 kPa on cell through cell at most 1e-6 per cycle`"},
+    {"fix_press fix_servo", "servo, boundary, cell, box", "a pressure is kept by a `servo`, and a strain rate is given to a `cell`, a `boundary` or a `box`: for example `servo isotropic 100 kPa on cell through cell at most 1e-6 per cycle`"},
     {"sweep_to", "sweep", "a sweep lists each value: `sweep mu 0.1 0.3 0.5`"},
     {"disc_force disc_moment sphere_force sphere_moment", "gravity, wall, boundary stress", "no force can be given to one particle: forces come from contacts, `gravity` and, in a stage, `boundary stress`"},
     {"disc_omega sphere_omega", "spin", "the angular velocity of a particle is `spin 1 rad/s`"},
