@@ -9,8 +9,9 @@
  * The estimated error of a setting needs the results at its level, at the next two finer levels, and an anchor that is
  * at least two levels finer. Levels are tried from the coarsest one on; the first level within the tolerance is the
  * cheapest of its variant. A variant is left out if the page or its reference solution refuses it, or if it gives the
- * values of another variant. It is also left out if, in the first trial at the level that was found for the page as it
- * is, its values differ from the anchor by more than twice the tolerance.
+ * values of another variant. It is also left out if its values differ from the anchor by more than twice the tolerance.
+ * These values are those of its first trial, at the level that was found for the page's own laws and values, or at the
+ * first finer level with which it can be run.
  *
  * With realizations only the error of their mean is estimated. The anchor is then the page with half its step, no step
  * is shorter than that of the page, and no variant is left out because its values are equal to others or too far from
@@ -90,7 +91,7 @@ static double anchor_ratio(struct nb_advice *advice, int level, size_t *worst) {
   for (size_t r = 0; r < advice->runs; r++) {
     const struct nb_anchor anchor = anchor_of(advice, level, r);
     advice->allowed[r] = advice->tolerance.value * (advice->tolerance.kind == NB_ABSOLUTE ? 1 : fabs(anchor.value));
-    /* a percentage of 0 allows no error: 0/0 */
+    /* NaN (0/0) if the value and its uncertainty are 0, because a percentage of 0 allows no error */
     const double ratio =
         anchor.uncertainty == 0 && advice->allowed[r] > 0 ? 0 : anchor.uncertainty / advice->allowed[r];
     if (!(ratio <= largest))
@@ -136,8 +137,8 @@ static enum nb_status find_anchor(struct nb_advice *advice, struct nb_error *err
                                            : "the budget is too small; choose a larger --budget");
 }
 
-/* True if the stability check will not stop realizations other than those of the search either. The page as it is needs
- * no such margin. */
+/* True if the stability check is unlikely to stop a realization that the search has not run; otherwise point->reason
+ * has the reason. The page as it is needs no such margin. */
 static bool keeps_margin(const struct nb_advice *advice, const struct nb_variant *variant, int level) {
   struct nb_point *point = (struct nb_point *)&variant->points[level - NB_LEVEL_LOW];
   const double m = (double)advice->trials, mean = nb_estimate_average(point->stability, advice->trials);
@@ -247,9 +248,9 @@ static const struct nb_variant *equal_variant(const struct nb_advice *advice, co
 }
 
 /* True if the variant is near enough to the anchor to be tried. It is run with the longest step, from this level on,
- * with which it can be run. A mean over realizations is known only after all trials: a quantity such as a number of
- * contacts can be equal by chance in one trial. Softer contacts that change nothing are not left out, because they
- * allow a longer step. */
+ * with which it can be run. False: variant->reason has the reason. With realizations every variant that can be run is
+ * near, because the mean is known only after all trials, and the values of one trial, such as numbers of contacts, can
+ * be equal by chance. Softer contacts that change nothing are not left out, because they allow a longer step. */
 static bool is_near(struct nb_advice *advice, struct nb_variant *variant, int level, int highest) {
   while (!nb_trials_run(advice, variant, level, 0, 1, 1) && level < highest && !advice->exhausted)
     level++;
@@ -337,7 +338,7 @@ static int history_of(const struct nb_scene *scene, const struct nb_variant *var
   return nb_law_history(normal, pair) + nb_law_history(shear, pair);
 }
 
-/* Adds all variants so far with each value of a `trade`. False: there are too many. */
+/* Adds a copy of every variant so far for each value of a `trade`. False: there are too many. */
 static bool list_values(struct nb_advice *advice, size_t trade) {
   const size_t before = advice->variant_count;
   for (size_t value = 1; value <= advice->page.runs[0].scene.trades[trade].count; value++)
@@ -350,7 +351,7 @@ static bool list_values(struct nb_advice *advice, size_t trade) {
   return true;
 }
 
-/* True if the page has dashpots and does not say which velocity they use. */
+/* True if the page has dashpots and neither `damping centred` nor `damping late`; then they use the late velocity. */
 static bool has_late_dashpots(const struct nb_advice *advice) {
   bool dashpots = false, timing = false;
   for (size_t r = 0; r < advice->runs; r++)
@@ -374,8 +375,8 @@ static bool trades_softness(const struct nb_advice *advice) {
   return !scene->contact_test && scene->start.stages == 0 && !nb_advice_softness_is_useless(advice);
 }
 
-/* Adds the page with softer contacts, unless they save nothing, and with centred dashpots, if it has dashpots and does not
- * say which velocity they use. */
+/* Adds the page with softer contacts, unless they save nothing, and with centred dashpots, if has_late_dashpots returns
+ * true. */
 static void list_own_laws(struct nb_advice *advice) {
   for (size_t k = 0; k < sizeof softer / sizeof *softer && trades_softness(advice); k++)
     copy_variant(advice, 0)->soften = softer[k];

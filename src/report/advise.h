@@ -42,9 +42,10 @@ struct nb_variant {
 struct nb_setting {
   size_t variant;
   int level;
-  double ratio;      /* largest ratio of the estimated error to the tolerance in all runs */
-  double step_ratio; /* the part of this ratio that is due to the step; for a mean over realizations: without scatter */
-  size_t worst;      /* the run with the largest ratio */
+  double ratio; /* largest ratio of the estimated error to the tolerance in all runs */
+  /* the part of this ratio that is due to the step; for a mean over realizations, to the difference of the means */
+  double step_ratio;
+  size_t worst; /* the run with the largest ratio */
 };
 
 struct nb_advise_query {

@@ -3,8 +3,8 @@
  *
  * The command searches for settings for up to three quantities that a page expects, in the middle run of the sweeps.
  * With --quantity it does so for the quantities that the option names, in all runs. It tries the tolerances in their
- * order and stops at the first tolerance without advice. If a value is near 0, or too uncertain for a relative
- * tolerance, the absolute tolerance of the page is used.
+ * order and stops at the first tolerance without advice. If a value is too uncertain for the first tolerance, for
+ * example because it is near 0, the search uses the absolute tolerance of the expectation instead, if there is one.
  *
  * Every row is written when its search ends, and a later call adds the missing rows to the table. So a call that was
  * interrupted can be repeated.
@@ -44,7 +44,7 @@ struct search_all {
 /* A quantity of a page. */
 struct wanted {
   char measure[4 * NB_NAME_SIZE], condition[TEXT_SIZE];
-  char absolute[NB_NAME_SIZE]; /* tolerance of the page, or empty */
+  char absolute[NB_NAME_SIZE]; /* absolute tolerance of the expectation, or empty */
   const char *kind;
   const char **settings; /* NULL-terminated; owned */
 };
@@ -118,8 +118,8 @@ static void put_text(FILE *out, const char *text, const char *end) {
   fputs(end, out);
 }
 
-/* The order of convergence: the slope of the estimated error against the step, over the three finest steps of the
- * page's own laws and values. NaN: there are fewer than three steps. */
+/* The order of convergence: the slope of the estimated error against the step, over the three finest steps with the
+ * page's own laws and values. Errors of rounding are left out. NaN: fewer than three steps are left. */
 static double order_of(const struct nb_advice *advice) {
   double error[3] = {0};
   int level[3] = {0};
@@ -133,7 +133,7 @@ static double order_of(const struct nb_advice *advice) {
   return count < 3 ? NAN : log2(error[0] / error[2]) / (level[2] - level[0]);
 }
 
-/* Whether a law is accurate enough: 1 yes, 0 no, -1 unknown. `variant` is the page with only this change. */
+/* Whether the law of a variant that changes only this law is accurate enough: 1 yes, 0 no, -1 unknown. */
 static int is_enough(const struct nb_advice *advice, size_t variant) {
   const struct nb_variant *law = &advice->variants[variant];
   int enough = law->equal && strstr(law->reason, "the page") ? 1 : law->distance > 0 ? 0 : -1;
@@ -188,7 +188,8 @@ static void put_result(FILE *out, const struct nb_advice *advice, const char *re
 
 /* ---- a search ---- */
 
-/* The result of a search in one word, "yes" if there is advice, and the reason if there is none. */
+/* Returns the result of a search in one word, "yes" if there is advice. *reason receives the reason for which there is
+ * none. */
 static const char *result_of(const struct nb_advice *advice, enum nb_status status, const struct nb_error *error,
                              const char **reason) {
   const char *mistakes = advice->page.mistakes.text ? strstr(advice->page.mistakes.text, "error: ") : NULL;
@@ -208,8 +209,8 @@ static void draw(struct search_all *all, const struct nb_advice *advice) {
     note_status(all, nb_print_plain_error(&error));
 }
 
-/* Searches for a setting, unless the table has a row of this search. Returns the first letter of the result; 0: memory
- * ran out. */
+/* Searches for a setting, unless the table has a row of this search. `first`: the quantity is the first one of the
+ * page, for which the figure is drawn. Returns the first letter of the result; 0: memory ran out. */
 static char search_one(struct search_all *all, const struct nb_page *page, const struct wanted *wanted,
                        const char *tolerance, bool first) {
   char key[4096];
@@ -320,7 +321,8 @@ static bool is_repeated(const struct nb_expectations *list, size_t index, const 
   return false;
 }
 
-/* Sets wanted->settings to those of the caller and, if `run` is not NULL, those that choose this run. */
+/* Sets wanted->settings to those of the caller and, if `run` is not NULL, those that choose this run. False: memory ran
+ * out. */
 static bool choose_run(struct wanted *wanted, const struct search_all *all, const struct nb_page_run *run) {
   const char **given = all->call->settings;
   size_t count = 0;

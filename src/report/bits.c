@@ -2,9 +2,9 @@
  *
  * A value x and the value x_nearest of a run rounded to nearest have floor(-log2(|x - x_nearest| / scale)) bits in
  * common, 53 if they are equal. The scale is |x_nearest|, or the quantity of which the tolerance is a fraction. With an
- * absolute tolerance, and for a curve, the scale is the largest value of the quantity in the run, because a force that
- * returns to 0 has no leading bits. Residuals, and quantities that stay within their absolute tolerance, have no bits,
- * because they consist of rounding errors.
+ * absolute tolerance, and for a curve, the scale is the largest magnitude of the quantity in the run, because a force
+ * that returns to 0 has no leading bits. Residuals, and quantities that stay within their absolute tolerance, have no
+ * bits, because they consist of rounding errors.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "bits.h"

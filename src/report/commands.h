@@ -60,7 +60,7 @@ enum nb_status nb_rounding_check(const struct nb_call *call); /* `check --roundi
 /* Prints the manual of the page language: as Markdown, with arguments and examples; or for a terminal, with one
  * sentence for each word. */
 void nb_manual(FILE *out, bool markdown);
-/* Prints the help for a word of pages, of version 0.3 or of another program, or for several words. False: there is no
+/* Prints the help for a word that pages, version 0.3 or another program use, or for several words. False: there is no
  * help; `hint` (NB_HINT_SIZE bytes) then has the nearest word, or is empty. */
 bool nb_manual_word(FILE *out, const char *text, char *hint);
 
@@ -99,7 +99,8 @@ enum nb_status nb_save_begin_in(struct nb_save *file, struct nb_error *error, co
 /* Ends the file as nb_save_end does, unless a result of the outcome could not be read; then the file is discarded. */
 enum nb_status nb_outcome_save_end(const struct nb_outcome *outcome, struct nb_save *file, struct nb_error *error);
 /* Writes into the folder: table.tsv, values.tsv, verdict.tsv; for each snapshot STAGE-particles.tsv, -walls.tsv,
- * -contacts.tsv, and of a contact test SEGMENT-traction.tsv, -pieces.tsv. */
+ * -contacts.tsv, and of a contact test SEGMENT-traction.tsv, -pieces.tsv. If the page has several runs, the names of
+ * snapshots end in the number of the run: STAGE-particles-2.tsv. */
 enum nb_status nb_tables_save(const struct nb_outcome *outcome, const char *folder, struct nb_error *error);
 /* Writes a head row and the rows of one run, with reference curves beside the computed quantities. */
 void nb_table_write_run(FILE *out, const struct nb_page_run *run);
@@ -117,12 +118,13 @@ void nb_preamble_write(FILE *out, const struct nb_outcome *outcome);
 void nb_plots_find(char *plots, size_t size, struct nb_error *error);
 bool nb_page_has_figure(const struct nb_page *page); /* the page has a `gnuplot` block */
 /* Writes NAME.gp into the folder, and lets gnuplot draw NAME.svg and NAME.png. If the page has no figure, *drawn is
- * false and nothing is written. Only `figure` and `report` draw, because gnuplot runs code of the page. gnuplot is
- * confined (sandbox.h), or unconfined if the page is trusted and the system cannot confine it. */
+ * false and nothing is written. Only the commands `figure` and `report` call it, because gnuplot then runs code of the
+ * page. gnuplot is confined (sandbox.h), or unconfined if the page is trusted and the system cannot confine it. */
 enum nb_status nb_figure_draw(const struct nb_outcome *outcome, const char *folder, bool trust, bool *drawn,
                               struct nb_error *error);
 
-/* Writes FOLDER/NAME.gp, with the style of figures and the lines that `write` adds, and draws it in the same way. */
+/* What nb_script_draw writes to FOLDER/NAME.gp: the style of figures, then the lines that `write` adds. It draws
+ * NAME.svg and NAME.png, with gnuplot confined as in nb_figure_draw. */
 struct nb_script {
   const char *name;
   const struct nb_outcome *outcome; /* for the first lines of the file */
@@ -131,9 +133,12 @@ struct nb_script {
 };
 enum nb_status nb_script_draw(const struct nb_script *script, const char *folder, bool trust, struct nb_error *error);
 
-/* gnuplot.c: runs `commands`, then FOLDER/NAME.gp, which may read `recipes`. The drawing goes to `figure`, messages of
- * gnuplot to stderr if `verbose`. */
-#define NB_PAGE_LINE "# line %zu of the page:" /* the next line of the script is this line of the page */
+/* ---- gnuplot.c ---- */
+
+/* A comment in a script: the next line of the script is this line of the page. */
+#define NB_PAGE_LINE "# line %zu of the page:"
+/* gnuplot runs `commands`, then FOLDER/NAME.gp, which may read `recipes`. The drawing goes to `figure`. The messages of
+ * gnuplot go to stderr if `verbose`. */
 struct nb_gnuplot {
   const char *folder, *name, *recipes, *commands;
   int figure; /* file descriptor */

@@ -1,5 +1,5 @@
 /* The text of a page as HTML: pandoc reads the Markdown and typesets the formulas as MathML, and its filter
- * plots/report.lua fits figure, checks and links to the report.
+ * plots/report.lua adapts figure, checks and links to the report.
  *
  * Pandoc runs no code of the page (--sandbox), so it also runs where it cannot be confined.
  *
@@ -10,8 +10,7 @@
 #include "report.h"
 #include "tool.h"
 
-/* True for a message that can be ignored: pandoc misses its translations of the word "Abstract", which pages do not
- * use. */
+/* True for a message that can be ignored: pandoc has no translation of the word "Abstract", which pages do not use. */
 static bool is_expected(const char *message) { return strstr(message, "ranslations") || strstr(message, "Abstract"); }
 
 /* Copies the messages of pandoc to stderr, such as one about a formula that cannot be typeset. `last` receives the last

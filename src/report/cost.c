@@ -1,10 +1,10 @@
 /* The expected cost of a run.
  *
  * The number of cycles of a stage is fixed by `cycles`, or by conditions that read only the clock, such as `until time
- * above 2 ms`: such conditions are tested as in the run, but without cycles. Any other condition gives only bounds of
- * the number. The cost of a cycle is measured by a trial: a run whose stages end after a few milliseconds each. A trial
- * tests conditions and records rows as the run does, but its later stages begin from an early state. Its rows and
- * snapshots are written and checked, which measures the cost of tables and verdict.
+ * above 2 ms`: the program evaluates such conditions at the times of later cycles, without running these cycles. Any
+ * other condition gives only bounds of the number. The cost of a cycle is measured by a trial: a run whose stages end
+ * after a few milliseconds each. A trial tests conditions and records rows as the run does, but its later stages begin
+ * from an early state. Its rows and snapshots are written and checked, which measures the cost of tables and verdict.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -38,7 +38,8 @@ static bool is_clock(const struct nb_condition *condition) {
 }
 
 /* The first cycle of the stage in which its conditions on the clock are tested and hold; if there is no such cycle, the
- * largest number of cycles of the stage + 1. */
+ * largest number of cycles of the stage + 1. The stage begins at the earliest time if `which` is 0, at the latest if it
+ * is 1. */
 static unsigned long first_cycle(struct nb_model *model, const struct nb_stage *stage, const struct clock *begin,
                                  int which, double step) {
   const unsigned long most = stage->cycles, every = stage->check_interval, tests = (most - 1) / every + 1;
@@ -58,8 +59,8 @@ static unsigned long first_cycle(struct nb_model *model, const struct nb_stage *
   return from < tests ? from * every : from == tests ? most : most + 1;
 }
 
-/* True if the step of the stage is known now, because it does not depend on the state of the particles, or because the
- * stage is the first one. */
+/* True if the step of the stage is known before the run: the stage is the first one, the page gives the step as a time,
+ * or the step depends neither on contacts and velocities nor on what an earlier stage changes or removes. */
 static bool step_is_known(const struct nb_scene *scene, size_t index) {
   const enum nb_step_kind kind = scene->stages[index].step.kind;
   bool changes = false;

@@ -40,8 +40,10 @@ void nb_cost_print_length(FILE *out, const struct nb_length *length, const struc
 static inline bool nb_time_differs(double seconds, double expected) {
   return fabs(seconds - expected) > 0.2 * expected;
 }
-/* Prints one line: the cost of the runs of an outcome, with the processor time `seconds` of the whole page. The line
- * also has the expected cost if a condition decides the length, or if the time differs by more than a fifth. */
+/* Prints one line: the cost of the runs of an outcome, with the processor time `seconds` of the whole page. If a stage
+ * has a condition other than one on the clock, the line also has the bounds of the number of cycles, unless they are
+ * equal. For a long run whose time differs from the expected time by more than a fifth, it also has the expected
+ * time. */
 void nb_cost_print_actual(FILE *out, const struct nb_outcome *outcome, double seconds,
                           const struct nb_options *options);
 /* Processor time of the program since its start, of all threads, s. */

@@ -60,7 +60,7 @@ static const char *reducer_hint(char *hint, const struct nb_reader *reader, cons
   return dot && !quantity.kind ? NULL : hint;
 }
 
-/* The hint for a magnitude, `abs(C.shear)`; NULL: the text is none. */
+/* The hint for a magnitude, `abs(C.shear)`; NULL: the text is not a magnitude. */
 static const char *magnitude_hint(char *hint, const struct nb_scene *scene, const char *text) {
   const char *const from = strncmp(text, "abs(", 4) == 0 ? text + 4 : *text == '|' ? text + 1 : "";
   char name[2 * NB_NAME_SIZE];
@@ -103,8 +103,8 @@ static bool begins_expectation(const char *word) {
   return row->word;
 }
 
-/* Writes the hint for arithmetic with measures, `A.x max / B.x max`: `label` is the first measure, `first` the first word
- * of the second one, which goes on at the next tokens. */
+/* Writes the hint for arithmetic with measures, `A.x max / B.x max`: `label` is the first measure, `first` the first
+ * word of the second one. The next tokens are its other words. */
 static const char *ratio_hint(char *hint, const struct nb_reader *reader, const char *label, const char *first) {
   char other[4 * NB_NAME_SIZE];
   snprintf(other, sizeof other, "%s", first);
@@ -118,7 +118,7 @@ static const char *ratio_hint(char *hint, const struct nb_reader *reader, const 
   return hint;
 }
 
-/* The hint for an unknown stage; for `rest/A.x` that for a ratio. */
+/* The hint for an unknown stage. For `rest/A.x` it is the hint for a ratio. */
 static const char *stage_hint(char *hint, const struct nb_reader *reader, const struct nb_scene *scene,
                               const char *label, const char *text) {
   const char *const slash = strchr(text, '/');
@@ -414,7 +414,7 @@ static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene
 }
 
 /* Refuses `below 0.1 % of MEASURE` and `below 1e-6 of MEASURE`, and proposes `expected 0 J within 0.1 % of MEASURE
- * [why]`. Without a measure, `below 1e-6 of max`, it proposes the largest value of the quantity. */
+ * [SOURCE]`. Without a measure, `below 1e-6 of max`, it proposes the largest value of the quantity. */
 static bool fraction_mistake(struct nb_reader *reader, const struct nb_scene *scene,
                              const struct nb_expectation *expectation) {
   const struct nb_token *const number = nb_token_peek(reader);
@@ -528,7 +528,7 @@ const struct nb_expectation_row *nb_expectation_rows(void) { return rows; }
 
 /* ---- the statements ---- */
 
-/* A reader of expectations; the caller frees it. NULL: no memory, which is a mistake. */
+/* A reader of expectations; the caller frees it. NULL: no memory, which is added to the mistakes. */
 static struct nb_reader *reader_of(const struct nb_page *page, const struct nb_scene *scene,
                                    struct nb_mistakes *mistakes) {
   struct nb_reader *reader = calloc(1, sizeof *reader);

@@ -21,7 +21,7 @@ struct nb_measure {
   unsigned bounds;              /* set of enum nb_bound (core/names.h) */
   enum nb_reducer reducer;
   double at;        /* for NB_AT_CYCLE the number of the cycle, for NB_AT_TIME the time, s */
-  int stage;        /* index; -1: the last stage that has rows; NB_STAGE_ALL: `in all` */
+  int stage;        /* index; NB_STAGE_ALL: `in all`; -1: not given (see nb_measure_rows) */
   bool is_residual; /* the quantity is a residual: 0 by definition, without a reference */
 };
 
@@ -77,8 +77,8 @@ struct nb_reducer_row {
 };
 const struct nb_reducer_row *nb_reducer_rows(void);
 
-/* A row of the kinds of expectations; the list ends in a row without a word. */
 struct nb_reader;
+/* A row of the kinds of expectations; the list ends in a row without a word. */
 struct nb_expectation_row {
   const char *word; /* the word after the measure */
   enum nb_expectation_kind kind;
@@ -94,7 +94,7 @@ struct nb_family;
 const struct nb_family *nb_expect_keywords(void);
 
 /* Reads the expect blocks of the page for one run. After a mistake `expectations` is empty. The scene may have
- * mistakes: names that these leave undefined are not reported again. */
+ * mistakes. A name that is undefined because of such a mistake is not reported again. */
 enum nb_status nb_expectations_read(struct nb_expectations *expectations, const struct nb_page *page,
                                     const struct nb_scene *scene, struct nb_mistakes *mistakes);
 /* Reads "MEASURE within TOLERANCE" from a text that is not a line of a page; messages call the text `name`. */

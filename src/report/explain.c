@@ -73,7 +73,7 @@ static void explain_statements(FILE *out, const struct nb_scene *scene, size_t s
 
 /* ---- the beginning of the scene ---- */
 
-/* Prints the state from which the page starts, and the states from which the page of that state starts. */
+/* Prints the state from which the page starts, then the state from which the page of that state starts, and so on. */
 static void explain_start(FILE *out, const struct nb_scene *scene, const struct nb_options *options) {
   static const char *const words[] = {[NB_STATE_PRESENT] = "present",
                                       [NB_STATE_OUTDATED] = "out of date, will be computed again",
@@ -441,7 +441,8 @@ static void explain_gain(FILE *out, const struct nb_model *model, const struct n
     fputs("B is the bulk stiffness, T the travel time of a wave across the assembly; there are no contacts yet\n", out);
 }
 
-/* Prints the normal components of a strain rate in words, since a stress has the other sign. */
+/* Prints the normal components of a strain rate with the words extension and compression, because a strain is positive
+ * in extension, and a stress in compression. */
 static void explain_growth(FILE *out, int line, const struct nb_strain_rate *rate, const char *unit) {
   const double rates[] = {rate->xx, rate->yy};
   const char *between = "";
@@ -473,8 +474,8 @@ static void explain_strain_rate(FILE *out, const struct nb_scene *scene, int lin
             rate->xy == 0 || rate->yx == 0 ? "simple shear" : "shear with rotation", sum, unit);
 }
 
-/* If a stage with shear ends by a component xy of a strain, which is half the engineering shear strain, prints the end that
- * gives the engineering shear strain of this value. */
+/* A stage with shear may end when the component xy of a strain, half the engineering shear strain, passes a value. Then
+ * prints the statement that ends the stage when the engineering shear strain has this value. */
 static void explain_shear_end(FILE *out, const struct nb_scene *scene, const struct nb_stage *stage) {
   static const char xy[] = ".strain.xy";
   const struct nb_strain_rate *const rate = stage->cell_line       ? &stage->cell
@@ -505,7 +506,8 @@ static const struct nb_scene *scene_of(const struct nb_scene *scene, size_t stag
   return scene;
 }
 
-/* Prints the statement of an earlier stage that still moves something. `scene` is that of its page; `here`: this page. */
+/* Prints the statement of an earlier stage that still moves something. `scene`: the scene of the page that has the
+ * statement; `here`: it is the page that is explained. */
 static void print_inherited(FILE *out, const struct nb_scene *scene, size_t from, int line, bool here) {
   struct nb_reader reader;
   if (!read_statement(&reader, scene, (size_t)line))
@@ -533,7 +535,7 @@ static void explain_inherited(FILE *out, const struct nb_scene *scene, size_t s)
     if (from < 0)
       continue;
     const struct nb_scene *of = scene_of(scene, (size_t)from);
-    nb_affine_given(&of->stages[from], source, &line); /* `line` was that of `start` */
+    nb_affine_given(&of->stages[from], source, &line); /* if another page has the stage, `line` was that of `start` */
     print_inherited(out, of, (size_t)from, line, of == scene);
   }
   for (size_t from = 0; from < s; from++) {
@@ -695,7 +697,7 @@ static enum nb_status explain_scene(FILE *out, const struct nb_scene *scene, con
   if (!model)
     return error->status;
   struct nb_error unknown;
-  /* A model that continues from a state has the step of the previous stage. */
+  /* A model that continues from a state has the step of the previous stage, not that of the first stage here. */
   nb_step_set(model, &scene->stages[scene->start.stages].step, &unknown);
   explain_start(out, scene, options);
   explain_particles(out, scene);

@@ -60,8 +60,8 @@ static bool has_sweep(const struct nb_scene *scene) {
   return k < scene->binding_count;
 }
 
-/* Writes the values and tables of a run. If the page has a sweep, their names end in the number of the run, even if
- * --set leaves one value of the sweep, so that the figure needs no change. */
+/* Writes the values and tables of a run. If the page has a sweep, their names end in the number of the run. They do so
+ * even if --set leaves only one value of the sweep, because the gnuplot blocks of the page use these names. */
 static void write_run(FILE *out, const struct nb_outcome *outcome, size_t r) {
   const struct nb_page_run *run = &outcome->runs[r];
   char number[32] = "";
@@ -164,7 +164,7 @@ static enum nb_status save_script(const struct nb_script *script, const char *fo
   return status;
 }
 
-/* Draws FOLDER/NAME.KIND with one terminal of gnuplot. */
+/* Draws FOLDER/NAME.KIND with one terminal of gnuplot. `magic`: the first bytes of a file of this kind. */
 static enum nb_status draw(struct nb_gnuplot *drawing, const char *kind, const char *magic, struct nb_error *error) {
   char begin[8] = "";
   struct nb_save file;

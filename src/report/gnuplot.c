@@ -26,7 +26,8 @@ static void add_page_line(const struct nb_gnuplot *drawing, char *message, size_
     fclose(script);
 }
 
-/* Messages that are printed. For a later one the script, which may have large tables, is not searched either. */
+/* Largest number of messages that are printed. Later messages do not get their line of the page either, because the
+ * search for it reads the script, which may have large tables. */
 enum { MESSAGES_SHOWN = 200 };
 
 /* Copies the messages of gnuplot to stderr if verbose. `reason` receives the error message: the last line that is not

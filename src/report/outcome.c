@@ -77,7 +77,8 @@ static int removal_of_monitor(const struct nb_scene *scene, const struct nb_moni
   return stage < 0 && pair ? removal_of(scene, monitor->b, line) : stage;
 }
 
-/* Warns of one column. The line is that of the statement `remove`, unless it is in a page from which this one starts. */
+/* Warns of one column. The line is that of the statement `remove`, or that of `start` if the page from which this one
+ * starts removes the particle. */
 static void warn_of_0(struct nb_warnings *warnings, const struct nb_scene *scene, const char *column, size_t stage,
                       int line) {
   const char *const name = scene->stages[stage].name;
@@ -107,7 +108,7 @@ static void warn_removed(struct nb_outcome *outcome, const struct nb_page_run *r
   }
 }
 
-/* Warns of expectations on another stress than the servo of their stage controls. False: out of memory. */
+/* Warns of expectations on a stress other than the one that the servo of their stage controls. False: out of memory. */
 static bool warn_of_servos(struct nb_page_run *run) {
   struct nb_scene *const scene = &run->scene;
   for (size_t k = 0; k < run->expectations.count; k++) {

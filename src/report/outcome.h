@@ -41,7 +41,8 @@ struct nb_check {
   struct nb_part {
     unsigned short at, length;
   } parts[NB_PARTS]; /* parts of the message, for a table; length 0: the message has no such part */
-  double *points;    /* for a trend: pairs of a swept value, or its number, and the computed value; owned */
+  /* for a trend: pairs of the swept value (its position if it is a word) and the computed value or error; owned */
+  double *points;
   size_t point_count;
   enum nb_mark mark;
   int line;
@@ -57,7 +58,7 @@ struct nb_outcome {
   size_t check_count, mark_count[NB_MARKS]; /* all checks; checks of each mark */
   struct nb_warnings warnings;              /* warnings of all runs, each once */
   enum nb_status status;                    /* the worst status of all runs and checks */
-  struct nb_error error;                    /* the message, if status is NB_BAD_USE without mistakes, or NB_BROKEN */
+  struct nb_error error;                    /* the message, if status is above NB_FAILED and there are no mistakes */
   struct nb_lock lock;                      /* lock of the checkpoints, until they are removed */
   bool locked;
   struct nb_lock output; /* lock of the folder of output files */
@@ -91,8 +92,8 @@ void nb_outcome_free_runs(struct nb_outcome *outcome); /* keeps page, checks, wa
 
 /* ---- spool.c: results of runs that are not in memory ---- */
 
-/* Writes the tables that the run has recorded to the file of the spool, unless the results in memory have fewer than
- * limit->bytes. After an error the result stays in memory. */
+/* Writes the tables that the run has recorded to the file of the spool, unless the results in memory, with this one,
+ * have at most limit->bytes. After an error the result stays in memory. */
 enum nb_status nb_spool_put(struct nb_spool *spool, struct nb_page_run *run, const struct nb_results_kept *limit,
                             struct nb_error *error);
 /* The first function returns the table of a run, the second one the result with its snapshots. They are valid until one
@@ -110,8 +111,8 @@ void nb_spool_free(struct nb_spool *spool);
  * finite. */
 bool nb_measure_value(double *value, const struct nb_measure *measure, const struct nb_table *table,
                       struct nb_error *error);
-/* Finds the rows of the measure's stage, or of the last stage that has rows: *from is the first one, *to is one past
- * the last one. */
+/* Finds the rows of the measure's stage: *from is the first one, *to is one past the last one. Without a stage they are
+ * the rows of the last stage that has rows; for `in all`, and for `at` without a stage, all rows. */
 void nb_measure_rows(const struct nb_measure *measure, const struct nb_table *table, size_t *from, size_t *to);
 /* The value that the reference solution has for the measure's label, with or without the stage; NULL: it has none. */
 const double *nb_measure_solution(const struct nb_measure *measure, const struct nb_solution *solution);

@@ -161,7 +161,7 @@ static void write_file(FILE *out, const struct nb_report *report, const struct n
   nb_html_text(out, "", name, "</a>\n");
 }
 
-/* Writes cost, tables, figure and source, which come after the text. */
+/* Writes the cost, and links to source, figure, script and tables. They come after the text. */
 static void write_files(FILE *out, const struct nb_report *report, const struct nb_report_page *page) {
   static const char *const kinds[] = {".md", ".png", ".gp"};
   if (page->cost[0])
@@ -284,7 +284,7 @@ static bool is_wrong(const struct nb_report_page *page) {
   return strcmp(nb_html_verdict(verdict, sizeof verdict, page), "fail") == 0;
 }
 
-/* Writes the numbers of pages, checks and failures, and the checks that failed. */
+/* Writes the numbers of pages, checks and failures, and the pages that failed. */
 static void write_summary(FILE *out, const struct nb_report *report) {
   size_t run = 0, checks = 0, failed = 0, wrong = 0;
   for (size_t k = 0; k < report->count; k++) {
@@ -325,7 +325,7 @@ static enum nb_status write_index(struct nb_report *report, struct nb_error *err
   return nb_save_end(&file, &saving) ? (*error = saving).status : status;
 }
 
-/* Copies a file of plots into the report. */
+/* Copies a file of the folder plots into the report. */
 static enum nb_status copy_style(const struct nb_report *report, const char *name, struct nb_error *error) {
   char plots[4096], path[8192];
   struct nb_save file;

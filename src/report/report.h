@@ -1,6 +1,6 @@
 /* The report: a static site with the text, figure and checks of each page.
  *
- *   index.html          failed checks, the text of the first document, search, all pages
+ *   index.html          pages that failed, the text of the first document, search, all pages
  *   NAME/index.html     a page: text, figure, checks, cost, files
  *   files/              figures and text files to which the pages link
  *

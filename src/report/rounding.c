@@ -69,8 +69,8 @@ static struct least print_bits(const struct nb_outcome *nearest, const struct le
   return least;
 }
 
-/* Repeats the run with one part of the cycle rounded up, then down, and prints the bits of the expectation that has the
- * fewest. */
+/* Repeats the run with one part of the cycle rounded up, then down. Prints the smaller of the two numbers of bits of
+ * expectation number `index`. */
 static void try_part(const struct nb_call *call, const struct nb_page_run *nearest, size_t index, const char *part) {
   struct nb_options options = call->options;
   int bits = NB_ALL_BITS;

@@ -1,11 +1,12 @@
 /* Confines a program that reads a page, by Landlock (Linux 5.13 and later, landlock(7)) or bubblewrap
  * (bwrap(1)).
  *
- * The program can read the libraries and fonts of the system, one file and one folder. It can write no file. It can
- * execute only itself and its ELF loader, so it has no shell. It has no network and no environment variables of the
- * user.
+ * The program can read the libraries and fonts of the system, one file and one folder. It can write no file. It has no
+ * shell and no environment variables of the user. With Landlock it can execute only itself and its ELF loader; with
+ * bubblewrap also files in the folders of libraries. With bubblewrap it has no network; with Landlock it has no TCP if
+ * the kernel has version 4 of the interface (Linux 6.7).
  *
- * Both methods grant the same rights, from the list below. The system's headers may be older than the kernel, so the
+ * Both methods let it read the files of the list below. The system's headers may be older than the kernel, so the
  * constants of Landlock are defined here, and the program asks the kernel for the version of the interface.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */

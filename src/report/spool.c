@@ -44,7 +44,7 @@ static void transfer_table(struct transfer *it, struct nb_table *table) {
     it->no_memory = !nb_table_row(table, 0, 0, 0);
   it->failed = it->no_memory;
   transfer_bytes(it, table->names, columns * sizeof *table->names);
-  transfer_bytes(it, table->units, columns * sizeof *table->units); /* constant texts of this process */
+  transfer_bytes(it, table->units, columns * sizeof *table->units); /* addresses in this process */
   transfer_bytes(it, table->values, rows * columns * sizeof *table->values);
   transfer_bytes(it, table->stage, rows * sizeof *table->stage);
   transfer_bytes(it, table->cycle, rows * sizeof *table->cycle);

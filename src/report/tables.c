@@ -105,7 +105,7 @@ static void write_all_runs(FILE *out, const struct nb_outcome *outcome) {
 
 /* ---- values ---- */
 
-/* True if the measure is the first one with its label that has one value. Only this one gets a column. */
+/* True if the expectation has one value, and no earlier one of these has the same label. Then it gets a column. */
 static bool first_of_its_name(const struct nb_expectations *expectations, size_t index) {
   for (size_t k = 0; k < index; k++)
     if (expectations->list[k].kind != NB_VERSUS &&

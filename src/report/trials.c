@@ -1,9 +1,9 @@
 /* Trials: runs of a page for `nineball advise`, each with the laws, values and step of a candidate, and with one of
  * several phases or realizations.
  *
- * A phase is a moment of first touch within a step. `impact` sets this moment. A page whose stages all end by `until`
- * is run with slightly different steps instead. Any other page has one phase. `--over NAME` runs the page with NAME =
- * 1, 2, …, such as the seed of a random packing; each value is a realization.
+ * A phase is a moment of first touch within a step. `impact` sets this moment. A page whose stages all end by `until`,
+ * and in which nothing is given per cycle, is run with slightly different steps instead. Any other page has one phase.
+ * `--over NAME` runs the page with NAME = 1, 2, …, such as the seed of a random packing; each value is a realization.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -140,7 +140,7 @@ static bool check_trial(struct nb_advice *advice, struct nb_variant *variant, st
   return take_references(advice, point, variant, outcome);
 }
 
-/* Stores the quantity of each run, and the cost of the setting. */
+/* Stores the quantity of each run, and the cost of the setting. False: a value is missing. */
 static bool take_values(struct nb_advice *advice, struct nb_point *point, struct trial *trial) {
   struct nb_outcome *outcome = &trial->outcome;
   double seconds = 0, updates = 0, recorded = 0, stability = 0;
@@ -189,7 +189,7 @@ static bool is_affordable(struct nb_advice *advice, const struct nb_point *point
   return !advice->exhausted;
 }
 
-/* Runs the trials of a batch in parallel; none of them has been run. */
+/* Runs the trials of a batch in parallel; none of them has been run. False: one of them has no value. */
 static bool run_batch(struct nb_advice *advice, struct nb_variant *variant, int level, struct trial *batch, int count) {
   struct nb_point *point = &variant->points[level - NB_LEVEL_LOW];
   bool good = true;

@@ -78,7 +78,7 @@ void nb_check_error(struct nb_check *check, const char *what, double error, doub
 }
 
 /* Compares two numbers. The message has both numbers, the error and the tolerance, or the reason why there is no error.
- * `unit` begins with a space. */
+ * `unit` begins with a space; `from` is the word before the reference value. */
 static void compare(struct nb_check *check, const struct nb_tolerance *tolerance, double computed, double reference,
                     double scale, const char *unit, const char *from) {
   const bool relative = tolerance->kind != NB_ABSOLUTE;
@@ -145,8 +145,8 @@ const char *nb_check_unit(char *text, const struct nb_page_run *run, const struc
   return unit_suffix(text, run, e->has_scale ? "1" : e->measure.unit);
 }
 
-/* Notes that the largest value of a residual passes and the smallest one would not, or the other way round: then the
- * check says nothing about the error. */
+/* If the largest value of a residual passes but its smallest value would not, or the other way round, appends a note,
+ * because such a check says nothing about the error. */
 static void note_other_sign(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e,
                             double allowed) {
   struct nb_measure other = e->measure;

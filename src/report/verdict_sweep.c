@@ -42,13 +42,13 @@ static const struct nb_binding *binding_of(const struct nb_page_run *run, const 
   return &run->scene.bindings[k];
 }
 
-/* True if two runs differ only in these two names, and in names of the same sweeps. A name may be empty. */
+/* True if two runs differ only in the sweeps to which these two names belong. A name may be empty. */
 static bool same_except(const struct nb_page_run *a, const struct nb_page_run *b, const char *name, const char *other) {
   const int sweep = name[0] ? binding_of(a, name)->sweep : -1;
   const int second = other[0] ? binding_of(a, other)->sweep : -1;
   for (size_t k = 0; k < a->scene.binding_count; k++) {
     const struct nb_binding *binding = &a->scene.bindings[k];
-    /* a `let` does not count, because its value depends on sweeps */
+    /* a `let` is not compared, because its value follows from the sweeps */
     const bool fixed = binding->sweep >= 0 && binding->sweep != sweep && binding->sweep != second;
     if (fixed && strcmp(binding->text, b->scene.bindings[k].text) != 0)
       return false;
@@ -115,7 +115,8 @@ static bool is_before(const struct group *group, size_t a, size_t b) {
   return group->has_words || x == y ? a < b : x < y;
 }
 
-/* The run that follows run r in this order. For r = run_count, the first run; after the last run, run_count. */
+/* The run of the group that follows run r in the order of is_before: the first run for r = run_count, and run_count
+ * after the last run. */
 static size_t next_run(const struct group *group, size_t r) {
   const size_t runs = group->outcome->run_count;
   size_t next = runs;
