@@ -36,7 +36,8 @@ struct lattice {
 };
 enum control { WIDTH_HEIGHT, STRESS_HEIGHT, WIDTH_STRESS, STRESSES, MEAN_SHAPE };
 
-/* Residuals of the two equilibrium equations and of the two equations of the stage. */
+/* Residuals of the two equilibrium equations and of the two equations of the stage. `to` has the values that the stage
+ * prescribes. */
 static void residuals(double f[4], const struct lattice *it, const struct state *s, enum control control,
                       const struct state *to) {
   f[0] = 2 * it->r * it->nx - (it->nx + 1) * s->sx * s->h / (it->ny * it->k) - s->w;

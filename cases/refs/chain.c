@@ -77,7 +77,8 @@ static double shape(const struct chain *chain, size_t j, size_t l) {
   return l == 0 || l == chain->n + 1 ? 0 : sin(pi * (double)(j * l) / (double)(chain->n + 1));
 }
 
-/* Curves of factor (u_a - u_b); with b = a: of factor u_a. */
+/* Adds curves of rest + factor (u_a - u_b) along cycle and time; for b = a, of rest + factor u_a. `velocity`: of the
+ * velocity in place of u. */
 static void add_curves(struct nb_solution *solution, const struct chain *chain, const char *name, double rest,
                        double factor, size_t a, size_t b, bool velocity) {
   for (int axis = 0; axis < 2; axis++) {
@@ -95,7 +96,7 @@ static void add_curves(struct nb_solution *solution, const struct chain *chain, 
   }
 }
 
-/* The number of the only mode that moves; 0 when several do. */
+/* The number of the only mode that moves; 0: none or several. */
 static size_t only_mode(const struct chain *chain) {
   size_t found = 0;
   double largest = 0;

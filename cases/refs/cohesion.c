@@ -1,8 +1,8 @@
 /* Reference: a disc between two plates that move it against a frictionless stop: the force at which it slips.
  *
  * A plate that has approached by d exerts F_n = k_n d/2, because two equal springs are in series. Then both plates move
- * in x, the direction in which they lie, by s = v t. Each exerts F_s = k_s (s - u), where u is the displacement of the
- * disc into the stop, k_stop u = 2 F_s. The two moments cancel:
+ * by s = v t in x, the direction along which they extend. Each exerts F_s = k_s (s - u), where u is the displacement of
+ * the disc into the stop, k_stop u = 2 F_s. The two moments cancel:
  *
  *   F_s = min(k_s s/(1 + 2 k_s/k_stop),  F_n tan phi + c)        c, tan phi: the smaller ones of both materials
  *                                                                [CS79 19]

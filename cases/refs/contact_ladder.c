@@ -73,10 +73,10 @@ static double end_of(const struct state *s) {
   return s->count == 1 ? b->d + b->sense : s->count == 2 ? 2 * b[-1].d - b->d : b[-1].d;
 }
 
-/* Moves beyond the end of a branch. After the first branch the contact slides. After the second one, virgin loading in
- * the other direction follows. After a later one, the path continues on the branch before the previous one. The third
- * branch of randall_literal need not end at the d at which the second branch began. The first branch, on which the path
- * continues, is then shifted by the difference. */
+/* Moves beyond the end of a branch; `end` is the d of this end, `d` that of the target. After the first branch the
+ * contact slides. After the second one, virgin loading in the other direction follows. After a later one, the path
+ * continues on the branch before the previous one. The third branch of randall_literal need not end at the d at which
+ * the second branch began. The first branch, on which the path continues, is then shifted by the difference. */
 static void erase(struct state *s, double end, double d) {
   struct branch *b = &s->branches[s->count - 1];
   if (s->count == 1) {

@@ -42,8 +42,8 @@ static bool steady(const struct nb_scene *scene) {
   return true;
 }
 
-/* Reads the direction, the speed and the beginning of the impact. False: the impact is not head-on, the particles spin
- * or overlap at first, or the wall is not given by its ends. */
+/* Reads the direction, the speed and the beginning of the impact. False: the particles do not approach head-on, they
+ * spin or overlap at first, or the wall rotates, is not given by its ends, or ends before the point of impact. */
 static bool read_impact(struct hertz *hertz, const struct nb_wall *wall) {
   const struct nb_particle *a = hertz->particles[0], *b = hertz->particles[1];
   double x = b ? b->x - a->x : wall->x - a->x, y = b ? b->y - a->y : wall->y - a->y;

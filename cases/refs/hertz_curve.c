@@ -97,7 +97,7 @@ static enum nb_status refuse(struct nb_error *error, const char *what) {
   return nb_error_set(error, NB_BAD_USE, "the reference `hertz_curve` is for %s", what);
 }
 
-/* The contacts from the lower wall to the upper one. */
+/* Finds the contacts, from the lower wall to the upper one. */
 static enum nb_status column(struct contact *contact, const struct nb_scene *scene, struct nb_error *error) {
   const size_t n = scene->particle_count;
   double compliance = 0, top = scene->walls[0].y;
@@ -120,7 +120,7 @@ static enum nb_status column(struct contact *contact, const struct nb_scene *sce
   return NB_OK;
 }
 
-/* Particle 1 with particle 2, or with the wall. */
+/* Solves the contact test of particle 1 with particle 2, or with the wall. */
 static enum nb_status solve_contact_test(struct nb_solution *solution, const struct nb_scene *scene,
                                          struct nb_error *error) {
   const struct nb_particle *a = &scene->particles[0], *b = scene->particle_count > 1 ? &scene->particles[1] : NULL;

@@ -29,8 +29,8 @@ struct impact {
   struct hertz hertz;
   double end, rebound;                /* t at which s is 0 again, and -s' then; INFINITY and 0: no end */
   double largest, largest_time;       /* s and its t */
-  double last;                        /* t of the last node */
-  double node[NODES][HERTZ_UNKNOWNS]; /* equally spaced in t, from 0 */
+  double last;                        /* t up to which there are nodes: the end of the contact, or 20 */
+  double node[NODES][HERTZ_UNKNOWNS]; /* states at t = 0, last/NODES, 2 last/NODES, … */
 };
 
 /* Finds the largest overlap, the end of the contact, if it has one, and the nodes. */
@@ -59,7 +59,7 @@ static void state_at(const struct impact *impact, double t, double y[]) {
   memset(y, 0, HERTZ_UNKNOWNS * sizeof *y);
   if (!(time > 0) || !(time < impact->end))
     return;
-  if (time > 100 * impact->last) { /* the overlap of an overdamped contact tends to 0 and never ends */
+  if (time > 100 * impact->last) { /* an overdamped contact never ends; its overlap is not computed so late */
     y[HERTZ_OVERLAP] = y[HERTZ_SPEED] = NAN;
     return;
   }

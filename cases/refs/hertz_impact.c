@@ -11,8 +11,7 @@
  *   t = (4/5) (alpha* / V_N) Int_0^theta x^(-1/5) (x/sin(x))^(1/5) dx,     theta up to pi/2,
  *
  * the integral of a weight times a smooth function, which a Gauss-Jacobi rule of twenty points computes exactly, up to
- * rounding.
- * Brent's method inverts it to alpha(t).
+ * rounding. Brent's method inverts t(theta), which gives alpha(t).
  *
  * Returns, for C that monitors the contact:
  *   C.overlap max, C.normal max;   C.normal along C.overlap;   C.overlap, C.normal along time

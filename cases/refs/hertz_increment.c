@@ -19,7 +19,7 @@
  *   e = 1 - (1/4) B(3/5, 3/2) V_N dt/alpha* = 1 - 0.92797/n,        n = T_c/dt
  *
  * The work of loading, Int N d(alpha), is m* V_N^2/2 for any law. In loading d(alpha) = dN/(c N^(1/3)) + (dt v/6) dN/N,
- * so the largest force is lower than Hertz's N* by (dt/6) Int v dN over d(work)/dN = (2/3) alpha*:
+ * so the largest force is lower than Hertz's N* by (dt/6) Int v dN, divided by d(work)/dN = (2/3) alpha*:
  *
  *   N_max = N* (1 - (3/20) B(3/5, 3/2) V_N dt/alpha*) = N* (1 - 0.55678/n)
  *

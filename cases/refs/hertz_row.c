@@ -7,7 +7,7 @@
  *
  * The stiffness of a contact is k_c = (3/2) K_c^(2/3) F^(1/3). S_i is the sum of the stiffnesses of the two contacts of
  * sphere i, divided by its mass m_i; S of a wall is 0. Let w^2 be the largest sum S_i + S_j over the contacts of i and
- * j. It is an upper bound of the largest eigenvalue.
+ * j. w^2 is an upper bound of the squares of the angular frequencies of the row.
  *
  * Returns:
  *   C.normal, C.overlap    for C that monitors the contact of two spheres
