@@ -193,6 +193,16 @@ run 0 run reports.md -o reports
 test "$(column 'D.x max/-' reports/values.tsv)" = 1 || echo 'a reported measure is not in values.tsv' >>why
 verdict 'a page without expectations does not pass but can be run; `report` is not an expectation'
 
+# The reference of a measure in values.tsv is the expected value of the page, also of a later line, times the measure that
+# the line divides by. A claim without a value gives nan.
+sed 's/^step .*/&\nmonitor D disc 1\nrecord D.x D.y/' "$pages/asks-nothing.md" >expected.md
+printf '\n```expect\nreport D.x max\nD.x max expected (1 + 1) within 3 [sum]\nD.x min expected (1/4) of D.y within 300 %% [quarter]\nD.y above -9\n```\n' >>expected.md
+"$nineball" run expected.md -o expected >out 2>said
+for pair in 'reference D.x max/-=2' 'reference D.x min/-=0.5' 'reference D.y/-=nan'; do
+  test "$(column "${pair%=*}" expected/values.tsv)" = "${pair#*=}" || echo "not $pair" >>why
+done
+verdict 'the references in values.tsv are the expected values'
+
 # An expectation of a curve has no column in values.tsv. If the page also expects a value of the same quantity, only this
 # value has a column.
 sed 's/^cycles .*/cycles 500/; s/^D.y versus.*/&\nreport D.y\nD.y max above -1 m/; /^C.overlap max/d' \
@@ -419,7 +429,7 @@ out ' attempts, particles 4 to 8 (line '
 out ' attempts, particles 9 to 13 (line '
 sed 's/^%s$/damping none/; s/^step/damping mass 2\nstep/' pairs.md >slowed.md
 run 0 explain slowed.md
-out 'loading and damping of the motion, at the start of the run'
+out 'loading and damping, at the start of the run'
 out '  mass-proportional damping 2, line '
 grep -q '^  rotation.*mass-proportional' out && echo 'mass-proportional damping is used' >>why
 sed '/^%s$/d; s/^step/damping con1 0.75 as all\nstep/' pairs.md >con1.md
@@ -427,7 +437,17 @@ run 0 explain con1.md
 out '  damping con1 0.75, line '
 run 0 explain smooth.md
 out ', dashpots, mass-proportional damping, '
-grep -q 'damping of the motion' out && echo 'damping that the page does not have' >>why
+grep -q 'loading and damping' out && echo 'damping that the page does not have' >>why
+sed '/^%s$/d; s/^step/damping ratio (sqrt(2)*0.1)\ndamping walls stiffness (1\/4)\nstep/' pairs.md >computed.md
+run 0 explain computed.md
+out '  damping ratio 0.141421, line '
+out '  damping walls stiffness 0.25, line '
+run 0 explain "$cases/2-hertz/overlap-deep.md"
+out ': damping critical beyond overlap '
+sed '/^%s$/d; s/^step/damping ratio 0.1\ndamping walls none\nstep/' pairs.md >walls-none.md
+run 0 explain walls-none.md
+out '  damping ratio 0.1, line '
+grep -q '  damping walls' out && echo 'damping at walls that the page does not have' >>why
 printf '```scene\nstart slowed stage one\nrecord time\nstage on\ncycles 1\n```\n' >from-slowed.md
 run 0 explain from-slowed.md
 out '  mass-proportional damping 2, line 2'

@@ -25,7 +25,7 @@ enum {
 #define OF_MATERIAL(name, shown, unit, range, otherwise, rule, help) PAIR_CLAUSE(name, shown, unit, range, otherwise, help)
 #define OF_PAIR(name, shown, unit, range, otherwise, rule, help) PAIR_CLAUSE(name, shown, unit, range, MAKES_##rule, help)
 #define OF_CHANGE(name, shown, unit, range, otherwise, rule, help) PAIR_CLAUSE(name, shown, unit, range, "|as it was", help)
-#define MAKES_series "2ab/(a+b) of the two values a and b"
+#define MAKES_series "2ab/(a+b) of the two values a and b, which is a if they are equal"
 #define MAKES_smaller "the smaller of the two values"
 #define TWO MATERIAL(AT_NAME), MATERIAL(AT_OTHER)
 

@@ -286,13 +286,27 @@ static void explain_absent(FILE *out, const struct nb_model *model) {
     fputc('\n', out);
 }
 
-/* Prints what acts on the particles at the start of the run without being a force pass or a hook. */
-static void explain_motion(FILE *out, const struct nb_scene *scene) {
+/* Prints the damping of contacts with the value of its coefficient, which the page may give as an expression. */
+static void explain_dashpots(FILE *out, const struct nb_scene *scene, enum nb_contact_damping kind, double value,
+                             const char *where, int line) {
+  static const char *const words[] = {
+      [NB_CONTACT_STIFFNESS] = "stiffness", [NB_CONTACT_R89_FRACTION] = "r89-fraction", [NB_CONTACT_RATIO] = "ratio"};
+  if (kind != NB_CONTACT_UNDAMPED)
+    fprintf(out, "  damping %s%s %g%s, line %d\n", where, words[kind], value,
+            kind == NB_CONTACT_STIFFNESS ? nb_unit(scene, " s") : "", line);
+}
+
+/* Prints what acts on the particles at the start of the run without being a hook. */
+static void explain_loading(FILE *out, const struct nb_scene *scene) {
   const struct nb_damping *damping = &scene->stages[scene->start.stages].damping;
-  if (scene->circle.line || scene->gravity.line || damping->global_kind)
-    fputs("loading and damping of the motion, at the start of the run\n", out);
+  if (scene->circle.line || scene->gravity.line || damping->global_kind || nb_damping_contact_line(damping))
+    fputs("loading and damping, at the start of the run\n", out);
   explain_statement(out, scene, scene->circle.line, "\n");
   explain_statement(out, scene, scene->gravity.line, "\n");
+  explain_dashpots(out, scene, damping->contact_kind, damping->contact, "", damping->contact_line);
+  if (damping->walls_separate)
+    explain_dashpots(out, scene, damping->walls_kind, damping->walls, "walls ", damping->walls_line);
+  explain_statement(out, scene, damping->deep > 0 ? damping->deep_line : 0, "\n");
   if (damping->global_kind) {
     fprintf(out, "  %s %g%s", damping->global_kind == NB_GLOBAL_MASS ? "mass-proportional damping" : "damping con1",
             damping->global, damping->global_kind == NB_GLOBAL_MASS ? nb_unit(scene, " 1/s") : "");
@@ -307,7 +321,7 @@ static bool explain_plan(FILE *out, const struct nb_model *model) {
             model->contacts.count, model->search.skin, m, model->search.skin / 2, m);
   else
     fprintf(out, "neighbour list\n  none: no particle can touch another one or a wall\n");
-  explain_motion(out, model->scene);
+  explain_loading(out, model->scene);
   fprintf(out, "force passes at the start of the run, for each pair of materials\n");
   for (size_t p = 0; p < model->material_pair_count; p++)
     if (!explain_material_pair(out, model, &model->material_pairs[p]))

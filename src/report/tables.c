@@ -10,6 +10,7 @@
 #include "input/hash.h"
 #include "input/reader.h"
 #include "measure/snapshot.h"
+#include "verdict.h"
 
 static const char *unit_word(const char *unit, bool unitless) {
   return unitless || strcmp(unit, "1") == 0 ? "-" : unit;
@@ -114,6 +115,23 @@ static bool first_of_its_name(const struct nb_expectations *expectations, size_t
   return expectations->list[index].kind != NB_VERSUS;
 }
 
+/* The reference of expectation `index`: that of the solution, or else the value that the page gives in this or in a later
+ * expectation with the same label. NaN: there is none. */
+static double reference_of(const struct nb_page_run *run, size_t index) {
+  const struct nb_expectation *const list = run->expectations.list;
+  const double *solution = nb_check_solution(run, &list[index].measure);
+  struct nb_error error;
+  if (solution)
+    return *solution;
+  for (size_t k = index; k < run->expectations.count; k++) {
+    double scale = 1;
+    if (list[k].kind == NB_EXPECTED && strcmp(list[k].measure.label, list[index].measure.label) == 0 &&
+        (!list[k].has_scale || nb_measure_value(&scale, &list[k].other, nb_run_table(run), &error)))
+      return list[k].number * scale;
+  }
+  return NAN;
+}
+
 void nb_values_write(FILE *out, const struct nb_outcome *outcome) {
   for (size_t r = 0; r < outcome->run_count; r++) {
     const struct nb_page_run *run = &outcome->runs[r];
@@ -135,9 +153,8 @@ void nb_values_write(FILE *out, const struct nb_outcome *outcome) {
       double computed;
       if (!first_of_its_name(all, k))
         continue;
-      const double *solution = nb_measure_solution(&all->list[k].measure, &run->solution);
       nb_measure_value(&computed, &all->list[k].measure, nb_run_table(run), &error);
-      fprintf(out, "\t%.17g\t%.17g", computed, solution ? *solution : NAN);
+      fprintf(out, "\t%.17g\t%.17g", computed, reference_of(run, k));
     }
     fputc('\n', out);
   }
