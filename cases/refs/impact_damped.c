@@ -5,8 +5,8 @@
  *
  * in the units of impact_springs.h. The damping coefficients are 2 beta (M* k)^(1/2), with k = dN/d(alpha) = 2 E* a in
  * the normal direction and k = 8 G* a = 2 E* a/kappa in the tangential one. Friction limits f to the elastic force
- * xi^(3/2). hertz_motion.c integrates the approach. The dashpot g acts in the whole of a step in which sliding begins
- * or ends, or not at all. This makes the error first order in the step, so an impact is divided into many steps.
+ * xi^(3/2). hertz_motion.c integrates the approach. g acts during a whole step or not at all, also when sliding begins
+ * or ends within the step. The error is therefore of first order in the step, so an impact is divided into many steps.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -18,11 +18,11 @@
 /* Duration of the contact in units of alpha_max/V_N; NAN: it does not end, or GSL failed. */
 static double duration(double beta) {
   double y[HERTZ_UNKNOWNS] = HERTZ_FIRST_CONTACT, deepest[HERTZ_UNKNOWNS];
-  const double longest = 1000; /* near critical damping a contact lasts a few times as long as without damping, 2.94 */
+  const double longest = 1000; /* 2.94 without damping, a few times as long near critical damping */
   return hertz_rebound(y, beta, 0, longest, deepest) && !(y[HERTZ_OVERLAP] > 0) ? y[HERTZ_TIME] : NAN;
 }
 
-/* psi2. Spring i, with the deflection u[i] = 0 at first, touches from the overlap depth[i] on. INFINITY: the contact
+/* Returns psi2. Spring i touches while xi > depth[i]; its deflection u[i] must be 0 at first. INFINITY: the contact
  * does not end, or GSL failed. */
 static double rebound(double chi, double kappa, double beta, double psi1, int steps, double *u, const double *depth,
                       int springs) {
@@ -31,7 +31,7 @@ static double rebound(double chi, double kappa, double beta, double psi1, int st
   bool slides = false;
   for (int k = 0; dt > 0 && k < steps; k++) {
     const double xi = y[HERTZ_OVERLAP] > 0 ? y[HERTZ_OVERLAP] : 0, kick = k ? dt : dt / 2;
-    /* g, with psi at the middle of the step */
+    /* half of the relative change of psi by g; g uses the mean of psi before and after the step */
     const double half = slides ? 0 : 1.25 * chi * dashpot * sqrt(sqrt(xi)) * kick;
     double sliding;
     psi = (psi * (1 - half) - 2.5 * chi * f * kick) / (1 + half);

@@ -6,11 +6,13 @@
  *   mindlin_scaled   the same, plus df = f dxi/(2 xi) while xi decreases      T proportional to a while N decreases
  *   randall          df = (3/2) xi^(1/2) theta dd +- (1 - theta) dn           two stored reversals [R89 3.94]
  *
- * in the units of impact_springs.h, with n = N/N_max = xi^(3/2). Coulomb's law limits all of them: |f| <= n. With
- * `randall` a new ring sticks if dd <= dxi, which is mu dN/(8 G* a) in these units [R89 4.16].
+ * in the units of impact_springs.h, with n = N/N_max = xi^(3/2). Coulomb's law limits all of them: |f| <= n. In
+ * `randall`, theta is R89's slip factor [R89 3.95, 3.96]; the sign is the present direction. While N grows, new rings
+ * stick (theta = 1) if dd <= dxi, which is d(delta) <= mu dN/(8 G* a) [R89 4.16].
  *
  * The integration is leapfrog, with f and n at the end of a step and xi at its middle. The error is of first order
- * where the law contains f or theta. A second run with half the steps removes it from the values at the end.
+ * where the law contains f or theta. A second run with half the steps removes it from psi2 and from the integral
+ * `slid`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -19,7 +21,7 @@
 
 #include "impact_springs.h"
 
-/* One step: f before it, n after it, the increments of d, xi and n. */
+/* One step: f at its beginning, n at its end, and the increments of d, xi and n. */
 struct step {
   double f, dd, dxi, n, dn, root; /* root: xi^(1/2) at the middle */
   double spring;                  /* k_s kappa alpha_max/N_max */
@@ -33,6 +35,7 @@ struct history {
   double deficit; /* R89's DD, the displacement after which the rings that still stick begin to slip */
 };
 
+/* Each law returns f at the end of the step, before Coulomb's limit, and updates the history m. */
 static double none(struct step s, struct history *m) { return (void)m, 0 * s.f; }
 
 static double linear(struct step s, struct history *m) { return (void)m, s.f + s.spring * s.dd; }
@@ -51,8 +54,8 @@ static double randall(struct step s, struct history *m) {
   if (m->unloading)
     m->star += m->sense * s.dn; /* [R89 4.20] */
   double slip = (m->unloading ? -m->sense : m->sense) * s.dd;
-  /* A reversal. While N decreases, the contact slips on in its direction unless the reverse displacement is larger than
-   * the decrease of xi. */
+  /* A displacement against the present direction is a reversal, unless xi decreases by at least as much. In that case
+   * the contact still slips in the present direction. */
   if (slip < 0 && -slip > -s.dxi) {
     m->unloading = !m->unloading;
     m->star = s.f + m->sense * s.dn;
@@ -68,8 +71,8 @@ static double randall(struct step s, struct history *m) {
   return s.f + 1.5 * s.root * theta * s.dd + (m->unloading ? -1 : 1) * m->sense * (1 - theta) * s.dn;
 }
 
-/* Drops history that has no effect any more. Sliding erases all of it. A reversal is erased when f has reached -T*, has
- * come back to T*, or when T* has become 0 because N decreased. */
+/* Drops history that has no effect any more. Sliding erases all of it; the direction is then that of f. A reversal is
+ * erased when f has reached -T*, has come back to T*, or when T* has become 0 because N decreased. */
 static void drop_history(struct history *m, double f, bool slides) {
   if (slides)
     *m = (struct history){.sense = copysign(1, f)};
@@ -93,6 +96,7 @@ static int index_of(const char *law) {
   return k;
 }
 
+/* One run with the law `which` of laws[]; for the other arguments and the result see impact_law. */
 static bool run(struct impact_path *path, int which, double spring, double chi, double psi1, int steps) {
   const double dt = IMPACT_DURATION / steps;
   struct history history = {0};

@@ -1,15 +1,16 @@
 /* The exact contact in an oblique impact, as independent springs side by side.
  *
  * A Hertz contact has the same N, T and energy as a row of independent springs under a parabolic indenter (method of
- * dimensionality reduction, Popov and Hess). The spring at y touches while y^2 < xi. Its normal force is proportional
- * to xi - y^2, and its tangential force is proportional to its deflection u; Coulomb's law holds for each spring:
+ * dimensionality reduction, Popov and Hess). y is the distance of a spring from the middle of the contact, divided by
+ * the largest contact radius. The spring touches while y^2 < xi. Its normal force is proportional to xi - y^2, and its
+ * tangential force is proportional to its deflection u. Coulomb's law holds for each spring:
  *
  *   du = dd,   |u| <= xi - y^2,   u = 0 without contact,        f = (3/2) Int_0^sqrt(xi) u dy
  *
  * The state of the springs is the only history; Cattaneo's and Mindlin's solutions follow from it for any path of xi
- * and d. If both change linearly in a step, clipping u + dd at the end of the step is exact; a spring that begins to
- * touch in the step takes only the part of dd that follows the first touch. The springs stand at the middles of equal
- * cells, and the integration is leapfrog: both errors are of second order.
+ * and d. If both change linearly in a step, it is exact to limit u + dd once, at the end of the step. A spring that
+ * begins to touch in the step takes only the part of dd that follows the first touch. The springs stand at the middles
+ * of equal cells, and the integration is leapfrog: both errors are of second order.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "impact_springs.h"
@@ -19,6 +20,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+/* y is xi and xi'. */
 static int accelerate(double t, const double y[], double dydt[], void *data) {
   (void)t, (void)data;
   const double xi = y[0] > 0 ? y[0] : 0;
@@ -56,6 +58,7 @@ void impact_path_free(struct impact_path *path) {
 
 static double clip(double u, double limit) { return u > limit ? limit : u < -limit ? -limit : u; }
 
+/* The number of springs that touch at the overlap xi, of `springs` in all. */
 static int touching(double xi, int springs) {
   const double count = ceil(sqrt(xi) * springs - 0.5);
   return count < springs ? (int)count : springs;
@@ -96,7 +99,7 @@ bool impact_springs(struct impact_path *path, double chi, double psi1, int steps
     path->slid += sliding * (path->f[k] + path->f[k + 1]) / 2;
     path->slides[k + 1] = fabs(u[0]) >= path->xi[k + 1] - depth[0];
   }
-  path->psi2 = psi; /* f is 0 at the end */
+  path->psi2 = psi; /* the half step that remains adds nothing: f is 0 at the end */
   free(u), free(depth);
   return made;
 }

@@ -7,7 +7,9 @@
  *   xi'' = -(5/4) xi^(3/2),   xi' = 1 at first                                 approach [R89 5.6]
  *   psi' = -(5/2) chi f,      psi = d' = V_T/(mu kappa V_N)                    tangential velocity [R89 5.15]
  *
- * The parameters are chi = (1 + m R^2/I)/(2 kappa) [R89 5.14] and psi1, the initial psi.
+ * V_N and V_T are the normal and the tangential velocity of the point of contact: V_N at first touch, V_T at the
+ * present time. alpha_max and N_max are the largest overlap and normal force of the impact without damping. The
+ * parameters are chi = (1 + m R^2/I)/(2 kappa) [R89 5.14] and psi1, the initial psi.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #pragma once
@@ -17,27 +19,29 @@
 /* The time during which xi > 0: (4 sqrt(pi)/5) Gamma(2/5)/Gamma(9/10) [R89 5.12] */
 #define IMPACT_DURATION 2.9432751843247047
 
-/* From first contact to separation in equal time steps; steps + 1 entries each. Owns its arrays. */
+/* An impact from first contact to separation in equal time steps. The arrays, which it owns, have steps + 1 entries. */
 struct impact_path {
   int steps;
-  double psi2; /* at the end */
-  double slid; /* integral of f over gross sliding */
+  double psi2; /* psi at the end */
+  double slid; /* integral of f over d while the whole contact slides */
   double *xi, *f, *d;
   bool *slides; /* entry k: gross sliding at the end of step k */
 };
 
-/* Computes xi only; false: out of memory. */
+/* Allocates the arrays and computes xi only; false: out of memory. */
 bool impact_path_create(struct impact_path *path, int steps);
-/* xi at each of the steps + 1 times; NULL: out of memory. By GSL's Runge-Kutta method of order 8 at
- * 1e-13. Free with free(). */
+/* Returns xi at each of the steps + 1 times, by GSL's Runge-Kutta method of order 8 with the relative tolerance 1e-13.
+ * An entry is NAN where GSL failed. NULL: out of memory. Free with free(). */
 double *impact_approach(int steps);
 
 /* impact_springs computes the exact contact, impact_law a simplified law. False: out of memory. Call impact_path_free
  * in any case. */
 bool impact_springs(struct impact_path *path, double chi, double psi1, int steps);
-/* spring: k_s kappa alpha_max/N_max, used by `linear` only. It is 3/2 if k_s equals 8 G* a at alpha_max. */
+/* law: a name in impact_laws.c. spring: k_s kappa alpha_max/N_max, used by `linear` only; it is 3/2 if k_s equals
+ * 8 G* a at alpha_max. */
 bool impact_law(struct impact_path *path, const char *law, double spring, double chi, double psi1, int steps);
-/* The exact contact without its second-order error, extrapolated from half of the steps and all of them. */
+/* The exact contact, extrapolated from runs with half of the steps and with all of them. psi2, slid and every second
+ * entry of f and d are then without their second-order error. `steps` is rounded down to an even number. */
 bool impact_exact(struct impact_path *path, double chi, double psi1, int steps);
 /* psi2 with normal and tangential dashpots of the damping ratio beta (impact_damped.c); NAN: out of memory, INFINITY:
  * the contact does not end, or GSL failed. */

@@ -30,7 +30,8 @@ struct plane {
   double p[STAGES][2], n[STAGES][2]; /* at the beginning and the end of each stage, m/s2 */
 };
 
-/* The integral of p or n from the beginning of a stage to a fraction of it, divided by the length of the stage. */
+/* The integral of p or n over the first `fraction` of a stage, divided by the length of the stage; `ends` are its first
+ * and last value. */
 static double integral(const double ends[2], double fraction) {
   return fraction * (ends[0] + (ends[1] - ends[0]) * fraction / 2);
 }
@@ -84,6 +85,7 @@ static bool slides_to_the_end(const struct plane *f) {
   return true;
 }
 
+/* False: there are more than STAGES stages. */
 static bool read_stages(struct plane *f, const struct nb_scene *scene, double step) {
   double p = scene->gravity.x, n = -scene->gravity.y;
   if (scene->stage_count > STAGES)

@@ -32,14 +32,15 @@ static struct matter_pair springs_of(const struct nb_scene *scene, int material_
 
 enum contact_state { OPEN, CLOSED, MAY_CLOSE };
 
-/* MAY_CLOSE: it may become a contact in the run. */
+/* MAY_CLOSE: the gap may close in the run, or is an overlap. All arguments are in m. */
 static enum contact_state contact_state(double gap, double radius, double largest_travel) {
   if (fabs(gap) <= touch * radius)
     return CLOSED;
   return gap > 2 * largest_travel ? OPEN : MAY_CLOSE;
 }
 
-/* The potential contact of particle a with particle or wall b, and the gap between them. */
+/* The potential contact of particle a with b, which is a wall if `wall` is true, otherwise a particle. *gap: the gap
+ * between them. */
 static struct lattice_contact contact_between(const struct nb_scene *scene, int a, int b, bool wall, double *gap) {
   const struct nb_particle *particle = &scene->particles[a];
   struct nb_vec e;
@@ -92,7 +93,8 @@ static enum nb_status find_contacts(struct lattice *lattice, const struct nb_sce
   return status;
 }
 
-/* Overlap and slip of contact c due to x, y, theta of particle a (sign 1) or b (sign -1) [CS79 12, 13]. */
+/* Sets overlap and slip of contact c due to x, y, theta of the particle `index` [CS79 12, 13]. The sign is 1 if the
+ * particle is a of the contact, -1 if it is b. */
 static void fill_stretch(struct lattice *lattice, const struct nb_scene *scene, size_t c, int index, double sign) {
   const struct nb_particle *particle = &scene->particles[index];
   if (particle->fixed)
@@ -125,7 +127,7 @@ static void fill_wall_stretch(struct lattice *lattice, const struct nb_scene *sc
   gsl_matrix_set(lattice->wall_stretch, 2 * c + 1, x + 2, -vec_dot(turn, t));
 }
 
-/* The matrices, once the contacts are known. */
+/* Sets the matrices and the stiffnesses from the contacts. */
 static void fill_matrices(struct lattice *lattice, const struct nb_scene *scene) {
   lattice->stretch = gsl_matrix_calloc(2 * lattice->contact_count, lattice->freedom_count);
   if (scene->wall_count > 0)

@@ -8,12 +8,13 @@
  *
  *     n = (d_a - d_b).e        s = (d_a - d_b).t - (theta_a R_a + theta_b R_b)
  *
- * with F_n = k_n n, F_s = k_s s. At a wall, d_b is the given displacement of the nearest point, without theta_b.
- * Exchanging a and b changes neither n nor s. When a wall turns by a small angle about P, each of its points moves with
- * P, and in addition by this angle times the vector from P to the point, turned counterclockwise.
+ * with F_n = k_n n, F_s = k_s s. If b is a wall, d_b is the given displacement of its point nearest to a, and
+ * theta_b R_b is absent. Exchanging a and b changes neither n nor s. A wall turns about its point P. When it turns by a
+ * small angle, each of its points moves with P, and in addition by this angle times the vector from P to the point,
+ * turned counterclockwise.
  *
  * With u all degrees of freedom and w all wall displacements (x, y and angle),  (n, s) = stretch u + wall_stretch w.
- * The forces are S (n, s) with the stiffnesses S, and with ^T for the transpose
+ * The forces are S (n, s), where the diagonal matrix S has the stiffnesses. With ^T for the transpose,
  *
  *     M d^2u/dt^2 = - stretch^T S (stretch u + wall_stretch w).
  *
@@ -28,7 +29,7 @@
 
 #include "reference.h"
 
-enum { LATTICE_WALL = 3 }; /* displacements of a wall: of P in x and y, and the angle about P */
+enum { LATTICE_WALL = 3 }; /* numbers per wall: displacement of P in x and y, and angle about P */
 
 struct lattice_contact {
   int a;                   /* particle index */
@@ -38,7 +39,8 @@ struct lattice_contact {
   struct matter_pair pair; /* ks = 0 if the contact has no shear force */
 };
 
-/* The velocities of the walls change at a cycle: x, y and spin of each wall in turn, m/s and rad/s. */
+/* A change of the velocities of the walls after `cycle` cycles: of x, y and spin of each wall in turn, m/s and
+ * rad/s. */
 struct lattice_velocity_change {
   unsigned long cycle;
   gsl_vector *change;
@@ -58,25 +60,29 @@ struct lattice {
   double largest_travel;  /* of any end of a wall, m */
   double step;            /* s; of the first stage */
   bool one_step;          /* all stages have that step */
-  unsigned long undamped; /* cycles from the start without damping */
-  unsigned long cycles;   /* of all stages */
+  unsigned long undamped; /* number of cycles from the start without damping */
+  unsigned long cycles;   /* number of cycles of all stages */
 };
 
-/* NB_BAD_USE and an error in words when the scene is not such a network. */
+/* NB_BAD_USE and an error in words when the scene is not such a network, or has no walls. */
 enum nb_status lattice_build(struct lattice *lattice, const struct nb_scene *scene, struct nb_error *error);
-/* The network of all pairs whose gap is smaller than `largest_gap`, m, for any loading: sets only contacts, stretch,
- * wall_stretch and springs. */
+/* The network of all pairs whose gap is smaller than `largest_gap`, m, except pairs in which nothing can move. It may
+ * have any loading: only contacts, stretch, wall_stretch and springs are set. NB_BAD_USE: no pair, or too many
+ * particles. */
 enum nb_status lattice_build_pairs(struct lattice *lattice, const struct nb_scene *scene, double largest_gap,
                                    struct nb_error *error);
 void lattice_free(struct lattice *lattice);
 
-/* The index of the monitored contact; -1: the monitor is not one of a contact, or there is no contact. */
+/* The index of the contact that the monitor names; -1: it does not name a contact, or the network does not have this
+ * contact. */
 int lattice_contact_of(const struct lattice *lattice, const struct nb_monitor *monitor);
 
 /* ---- lattice_walls.c: the motion of the walls ---- */
 
+/* Sets the members from `changes` to `cycles`. NB_BAD_USE: the displacements of the walls, or a step, depend on the
+ * run. */
 enum nb_status lattice_read_walls(struct lattice *lattice, const struct nb_scene *scene, struct nb_error *error);
-/* The first stage in which all walls are at rest, and also in all later stages; stage_count: none. */
+/* The index of the first stage from whose beginning all walls stay at rest; stage_count: there is none. */
 size_t lattice_first_at_rest(const struct lattice *lattice, const struct nb_scene *scene);
 
 /* ---- lattice_equilibrium.c ---- */
@@ -84,24 +90,26 @@ size_t lattice_first_at_rest(const struct lattice *lattice, const struct nb_scen
 /* Forces k_n n, k_s s of all contacts in equilibrium after the displacements `travel` of the walls, without sliding. */
 enum nb_status lattice_equilibrium(const struct lattice *lattice, const gsl_vector *travel, gsl_vector *forces,
                                    struct nb_error *error);
-/* The same with sliding: no |F_s| exceeds F_n tan phi [CS79 19, c = 0]. For slow proportional loading from zero. */
+/* The same with sliding: no |F_s| exceeds F_n tan phi [CS79 19, without cohesion]. For slow proportional loading from
+ * zero. */
 enum nb_status lattice_equilibrium_sliding(const struct lattice *lattice, const gsl_vector *travel, gsl_vector *forces,
                                            struct nb_error *error);
-/* NB_BAD_USE when a contact pulls or a shear force exceeds friction; the message names the cycle. */
+/* NB_BAD_USE when a contact is in tension or a shear force exceeds the friction limit. The message names `cycle`. */
 enum nb_status lattice_check_forces(const struct lattice *lattice, const gsl_vector *forces, double cycle,
                                     struct nb_error *error);
 
 /* ---- lattice_oscillation.c: oscillation about equilibrium ---- */
 
-/* A force as a function of time: a sum of straight lines and waves that begin where the velocities of the walls change.
- * One allocation, so that it can be the data of a curve. */
+/* A force as a function of time. For each change of the velocities of the walls it has terms
+ * size (n - sin(n phase)/sine), where n is the number of cycles since the change; a term with phase 0 is size n. It is
+ * one allocation, so that it can be the data of a curve. */
 struct oscillation {
-  double unit; /* one cycle on the axis: 1, or the step in s */
+  double unit; /* x per cycle: 1 if x is a number of cycles, the step if x is a time in s */
   size_t count;
   struct oscillation_term {
-    double start; /* cycle */
+    double start; /* cycle of the change */
     double size;  /* N per cycle */
-    double phase; /* per cycle; 0: a straight line without a wave */
+    double phase; /* rad per cycle; 0: a straight line without a wave */
     double sine;  /* divisor of the wave: sin(phase) in steps, phase in continuous time */
   } terms[];
 };
@@ -110,19 +118,19 @@ enum oscillation_time { OSCILLATION_STEPS, OSCILLATION_CONTINUOUS };
 
 /* Normal modes of the network: d^2u/dt^2 = -A u with A = stretch^T S stretch. */
 struct oscillation_modes {
-  gsl_vector *square; /* omega^2, 1/s2, ascending; 0 but for rounding where there is no restoring force */
-  gsl_matrix *shape;  /* columns */
+  gsl_vector *square; /* omega^2, 1/s2, ascending; about 0 without a restoring force; NAN: GSL failed */
+  gsl_matrix *shape;  /* one column per mode */
 };
 struct oscillation_modes oscillation_modes_create(const struct lattice *lattice);
 void oscillation_modes_free(struct oscillation_modes *modes);
 
-/* Force `row` (2c: normal, 2c + 1: shear of contact c), starting from rest. NULL and an error when memory runs out, the
- * step is too long, or the modes could not be computed. Free with free(). */
+/* The force `row` (2c: normal, 2c + 1: shear of contact c) in a motion from rest. `unit`: see struct oscillation. NULL
+ * and an error when memory runs out, the step is too long, or the modes could not be computed. Free with free(). */
 struct oscillation *oscillation_create(const struct lattice *lattice, const struct oscillation_modes *modes, size_t row,
                                        enum oscillation_time time, double unit, struct nb_error *error);
-double oscillation_at(const void *oscillation, double x);       /* x in cycles times unit */
-double oscillation_mean(const struct oscillation *oscillation); /* once the walls are at rest */
-/* The sum of the amplitudes of all waves once the walls are at rest. */
+double oscillation_at(const void *oscillation, double x);       /* N; x is cycles times unit */
+double oscillation_mean(const struct oscillation *oscillation); /* N; once the walls are at rest */
+/* The sum of the amplitudes of all waves, N, once the walls are at rest. */
 double oscillation_amplitude(const struct oscillation *oscillation);
 /* How often per cycle the mean is crossed upwards: the frequency of the dominant mode; 0: no mode dominates. */
 double oscillation_frequency(const struct oscillation *oscillation);

@@ -20,10 +20,12 @@
 
 /* Singular values below this fraction of the largest are degrees of freedom without stiffness. */
 static const double singular = 1e-11;
-/* The fraction of the load that may remain; the fraction of the largest force by which a limit may be exceeded. */
+/* allowed_residual: the fraction of the load that may remain. rounding: the fraction of the largest force by which a
+ * limit may be exceeded. */
 static const double allowed_residual = 1e-9, rounding = 1e-9;
 
-/* Solves stretch^T forces = 0 for u, with stretches = stretch u + wall_stretch travel and forces = law stretches. */
+/* Solves stretch^T forces = 0 for u, where stretches = stretch u + wall_stretch travel and forces = law stretches. Sets
+ * stretches and forces. */
 static enum nb_status solve_equations(const struct lattice *lattice, const gsl_matrix *law, const gsl_vector *travel,
                                       gsl_vector *stretches, gsl_vector *forces, struct nb_error *error) {
   size_t rows = lattice->stretch->size1, n = lattice->freedom_count;
@@ -60,7 +62,8 @@ static enum nb_status solve_equations(const struct lattice *lattice, const gsl_m
   return NB_OK;
 }
 
-/* The contact law as a matrix: springs, and F_s = slides[c] tan phi F_n where slides[c] is not 0. */
+/* The contact law as a matrix: springs, and F_s = slides[c] tan phi F_n where slides[c] is not 0. NULL: no contact
+ * slides. */
 static gsl_matrix *law_matrix(const struct lattice *lattice, const int slides[]) {
   gsl_matrix *law = gsl_matrix_calloc(2 * lattice->contact_count, 2 * lattice->contact_count);
   for (size_t c = 0; c < lattice->contact_count; c++) {
@@ -109,7 +112,7 @@ enum nb_status lattice_check_forces(const struct lattice *lattice, const gsl_vec
   return NB_OK;
 }
 
-/* Marks contacts beyond the friction limit as sliding; true: there was a new one. */
+/* Marks contacts beyond the friction limit as sliding; true: at least one was not marked before. */
 static bool mark_sliding(const struct lattice *lattice, const gsl_vector *forces, int slides[]) {
   bool more = false;
   double allowed = rounding * force_scale(forces);
@@ -124,7 +127,8 @@ static bool mark_sliding(const struct lattice *lattice, const gsl_vector *forces
   return more;
 }
 
-/* The part F_s / k_s of the slip s is elastic; the rest is sliding, which must have the direction of F_s. */
+/* True: every sliding has the direction of F_s. The slip s of a contact consists of the elastic part F_s/k_s and of
+ * sliding. */
 static bool slides_along_force(const struct lattice *lattice, const gsl_vector *stretches, const gsl_vector *forces,
                                const int slides[]) {
   double allowed = rounding * force_scale(forces);

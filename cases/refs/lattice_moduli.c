@@ -7,13 +7,14 @@
  *   square      sigma = F/(s t),     C_11 = k_n/t,               C_12 = 0,                2 G = k_s/t
  *   hexagonal   sigma = 4 b F/(s t), C_11 = b (3 k_n + k_s)/t, C_12 = b (k_n - k_s)/t, 2 G = C_11 - C_12, b = 3^(1/2)/4
  *
- * The hexagonal lattice has the bulk modulus 3^(1/2)/2 k_n/t in the plane and is isotropic. Compression is positive:
- * sigma_xx decreases by C_11 e_xx + C_12 e_yy, sigma_xy by 2 G e_xy. Linear springs have F = k_n alpha. Elastic spheres
- * without shear have F = 4/3 E* R*^(1/2) alpha^(3/2), R* = R/2, k_n = 2 E* (R* alpha)^(1/2), so all moduli are
- * proportional to sigma^(1/3). An isotropic strain may have any size: its stress follows from F at its end.
+ * The hexagonal lattice has the bulk modulus 3^(1/2)/2 k_n/t in the plane and is isotropic. Stress is positive in
+ * compression, strain in extension: sigma_xx decreases by C_11 e_xx + C_12 e_yy, sigma_xy by 2 G e_xy. Linear springs
+ * have F = k_n alpha. Elastic spheres without shear have F = 4/3 E* R*^(1/2) alpha^(3/2), R* = R/2, k_n =
+ * 2 E* (R* alpha)^(1/2), so all moduli are proportional to sigma^(1/3). An isotropic strain may have any size, because
+ * its stress follows from F at the new spacing.
  *
  * Returns, at the end of each stage and of the run:   cell.stress.xx, .yy, .xy, .yx, .mean
- * Error: of the order of the strain and of alpha/s, by the change of the spacing.
+ * Error: relative, of the order of the strain and of alpha/s, because the spacing changes.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -69,7 +70,8 @@ static enum nb_status refuse(struct nb_error *error, const char *what) {
   return nb_error_set(error, NB_BAD_USE, "the reference `lattice_moduli` is for %s", what);
 }
 
-/* The number of particles, with periodic copies, that touch particle 1; the spacing is the distance to the nearest. */
+/* The number of particles that touch particle 1, each with its nearest periodic copy. *spacing: the distance to the
+ * nearest particle. */
 static int neighbours(const struct nb_scene *scene, double *spacing) {
   int count = 0;
   *spacing = INFINITY;

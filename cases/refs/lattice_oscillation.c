@@ -10,13 +10,13 @@
  *
  *     q_n = (b dt / omega^2) (n - sin(n phase) / sin(phase)),   sin(phase / 2) = omega dt / 2:
  *
- * This is the same straight line and an oscillation of a slightly higher frequency. A program that follows the cycle
- * agrees with this solution to rounding, except for the small rotation of its contacts. Every change of the velocities
- * of the walls adds such a solution.
+ * This has the same straight line and an oscillation of a slightly higher frequency. A program that follows the cycle
+ * agrees with this solution to rounding, except that in the program the directions of contacts change a little. Every
+ * change of the velocities of the walls adds such a solution.
  *
- * For nine equal discs between four walls that approach with equal speeds only two of the 27 modes move, by symmetry:
- * corner discs by d_c and middle discs of a side by d_m along each axis, without rotation. When each wall has moved by
- * d, with r = k_s/k_n,
+ * For nine equal discs between four walls that approach with equal speeds only two of the 27 modes move, by symmetry. A
+ * corner disc moves by d_c along both axes, the middle disc of a side by d_m towards the centre, and no disc rotates.
+ * When each wall has moved by d, with r = k_s/k_n,
  *
  *     m d_c'' / k_n = d - (2 + 2 r) d_c + r d_m       m d_m'' / k_n = d - (2 + 2 r) d_m + 2 r d_c
  *
@@ -31,7 +31,8 @@
 
 #include "lattice.h"
 
-/* Fractions of the largest omega^2 and of the largest term; smaller values are rounding. */
+/* Values below these fractions are rounding: no_stiffness of the largest omega^2, no_motion of an upper bound of the
+ * terms. */
 static const double no_stiffness = 1e-11, no_motion = 1e-12;
 /* Modes whose phases differ by less than this fraction are one wave. */
 static const double same_phase = 1e-9;
@@ -68,7 +69,7 @@ void oscillation_modes_free(struct oscillation_modes *modes) {
 }
 
 /* What a velocity change of the walls adds per cycle: `straight`, N, to each force if the particles do not move, and
- * `load`, which is b dt above, to each mode. */
+ * `load`, which is b dt above, to the load of each mode. */
 static void add_wall_loads(const struct lattice *lattice, const struct oscillation_modes *modes,
                            const gsl_vector *change, gsl_vector *straight, gsl_vector *load) {
   gsl_vector *force = gsl_vector_alloc(lattice->freedom_count);
@@ -88,7 +89,8 @@ static struct oscillation_term wave_of(double omega, double step, enum oscillati
   return (struct oscillation_term){.phase = phase, .sine = sin(phase)};
 }
 
-/* The fastest mode limits the step, even one that is at rest by symmetry: rounding excites it. */
+/* `top` is the omega^2 of the fastest mode. This mode limits the step even if it is at rest by symmetry, because
+ * rounding excites it. */
 static bool step_is_stable(const struct lattice *lattice, double top, struct nb_error *error) {
   if (sqrt(top) * lattice->step < 2)
     return true;

@@ -11,8 +11,8 @@
  * so the displacements du follow from a linear system. The states of the contacts are found by iteration from the
  * previous ones. A contact beyond the friction limit begins to slide in the direction of its shear force. A contact
  * that would slide against its shear force sticks. A contact in tension opens. An open contact that would overlap
- * closes and sticks, with no shear force. If the iteration does not end in an increment, there is no solution. The
- * error is of the order of one increment.
+ * closes and sticks, at first without shear force. If the iteration of an increment does not end, the reference has no
+ * solution. The error is of the order of one increment.
  *
  * Where nothing resists a rotation, or all contacts of a disc slide, these equations do not determine du. So a weak
  * spring, whose stiffness is the fraction `weak` of the largest one, ties each particle to its place. This spring
@@ -36,7 +36,7 @@ static const double weak = 1e-10, rounding = 1e-10; /* rounding: the fraction of
  * slips, by the rules above. */
 struct walk {
   const struct lattice *lattice;
-  int *slides;                     /* per contact: -1, 0, 1; OPEN */
+  int *slides;                     /* per contact: 0 sticks; -1, 1 slides, the sign of F_s; OPEN */
   gsl_vector *overlap;             /* per contact, n before the increment */
   gsl_vector *forces, *next;       /* before the increment and after it */
   gsl_vector *imposed, *stretches; /* increments of overlap and slip: by the walls alone, and in all */

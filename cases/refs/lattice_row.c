@@ -38,8 +38,8 @@ static bool sort_contacts(struct lattice_row *row) {
   return found[0] == 1 && found[1] == 1 && found[2] == 1;
 }
 
-/* The component of a wall's displacement or velocity toward the particles at contact A or C. `vector` has x, y and
- * angle of each wall in turn. */
+/* The component of a wall's displacement or velocity toward the particles, at contact A (place 0) or C (place 2).
+ * `vector` has x, y and angle of each wall in turn. */
 static double inward(const struct lattice_row *row, size_t place, const gsl_vector *vector) {
   const struct lattice_contact *contact = &row->lattice.contacts[row->contact[place]];
   size_t x = LATTICE_WALL * (size_t)contact->b;

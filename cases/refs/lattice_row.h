@@ -8,11 +8,11 @@
 struct lattice_row {
   struct lattice lattice;
   size_t contact[3];    /* A, B, C: indices in the lattice */
-  double k[3];          /* N/m */
+  double k[3];          /* k_n of A, B, C, N/m */
   double m[2];          /* of x and y, kg */
   double v;             /* initial speed of both walls, m/s */
-  unsigned long steady; /* cycles from the start with that v, one step and no damping */
-  double compression;   /* total approach of the walls, m */
+  unsigned long steady; /* number of cycles from the start with this v, the first step and no damping */
+  double compression;   /* approach of the walls in the whole run, m */
 };
 
 /* NB_BAD_USE when the scene is not such a row. */

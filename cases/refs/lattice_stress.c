@@ -1,8 +1,8 @@
 /* Reference: stress, fabric and porosity of an infinite lattice, in closed form.
  *
- * Equal discs of radius R, 1 m thick, are at i a_1 + j a_2, with springs of the stiffness k_n. For each lattice vector
- * d with |d| < 2R a disc has a contact along d and one along -d. With N = k_n (2R - |d|), n = d/|d| and the area A =
- * |a_1 x a_2| of the cell:
+ * Equal discs of radius R, 1 m thick, are at i a_1 + j a_2, with springs of the stiffness k_n. For each pair +-d of
+ * lattice vectors with |d| < 2R a disc has a contact along d and one along -d, both with the force N = k_n (2R - |d|).
+ * With n = d/|d|, the area A = |a_1 x a_2| of the cell, and <> for the mean over the contacts:
  *
  *   sigma_ij = (1/A) sum over pairs +-d of N |d| n_i n_j             Phi_ij = <n_i n_j>,   Phi_ijkl = <n_i n_j n_k n_l>
  *   F_kk = z R/A                 coordination = z, twice the pairs      porosity = 1 - pi R^2/A (overlaps count twice)
@@ -24,7 +24,8 @@
 static const double pi = 3.14159265358979323846;
 
 struct lattice {
-  double x1, y1, x2, y2, area;
+  double x1, y1, x2, y2; /* a_1, a_2, m */
+  double area;           /* m2 */
 };
 
 static bool find_lattice(struct lattice *lattice, const struct nb_scene *scene) {
@@ -41,7 +42,7 @@ static bool find_lattice(struct lattice *lattice, const struct nb_scene *scene) 
   }
   if (!(nearest < INFINITY))
     return false;
-  for (size_t k = 0; k < scene->particle_count; k++) { /* all must lie on it */
+  for (size_t k = 0; k < scene->particle_count; k++) { /* all must be equal and lie on the lattice */
     const double x = b[k].x - b[0].x, y = b[k].y - b[0].y;
     const double i = (x * lattice->y2 - y * lattice->x2) / lattice->area;
     const double j = (lattice->x1 * y - lattice->y1 * x) / lattice->area;

@@ -5,9 +5,9 @@
 
 #include "lattice.h"
 
-/* Adds both forces of every monitored contact in the equilibrium after each stage and after the run; if the walls are
- * at rest then, also as means. `equilibrium` computes the forces, in N, from the displacements
- * `travel` of the walls. */
+/* Adds both forces of every monitored contact in the equilibrium at the end of each stage and of the run. If the walls
+ * are at rest during the stage and after it, the same numbers are also its means. `equilibrium` computes the forces, in
+ * N, from the displacements `travel` of the walls. */
 enum nb_status lattice_add_equilibria(struct nb_solution *solution, const struct nb_scene *scene,
                                       enum nb_status (*equilibrium)(const struct lattice *lattice,
                                                                     const gsl_vector *travel, gsl_vector *forces,

@@ -7,13 +7,14 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The step in s. `of single-contact` refers to 2 sqrt(m/k) [CS79, Motion]: m the smallest free mass, k the largest
- * normal stiffness between the materials of two particles or of a particle and a wall. */
+/* The step in s; NAN: it depends on the run. A step `of single-contact` is a fraction of 2 sqrt(m/k) [CS79, Motion],
+ * where m is the smallest mass of a free particle, and k the largest normal stiffness between the materials of two
+ * particles or of a particle and a wall. */
 static double step_length(const struct nb_scene *scene, const struct nb_step *step) {
   if (step->kind == NB_STEP_TIME)
     return step->value;
   if (step->kind != NB_STEP_SINGLE_CONTACT)
-    return NAN; /* steps that depend on the run are unknown here */
+    return NAN;
   double lightest = INFINITY, max_stiffness = 0;
   for (size_t i = 0; i < scene->particle_count; i++) {
     const struct nb_particle *particle = &scene->particles[i];

@@ -1,23 +1,24 @@
 /* Reference: a standing wave in a periodic square or hexagonal lattice of equal discs or spheres, from given initial
  * velocities.
  *
- * In a wave of the wave vector q the particle at x has the displacement u = U sin(q.x) and the rotation
- * theta = psi cos(q.x). Neighbours i and j are s apart at rest, e is the unit vector from i to j, and n is e turned
- * counterclockwise. F is the normal force of their contact at rest. The displacements change the force of this contact
- * on i by
+ * In a wave of the wave vector q the particle at x, measured from the origin of the cell, has the displacement u =
+ * U sin(q.x) and the rotation theta = psi cos(q.x). Neighbours i and j are s apart at rest, e is the unit vector from i
+ * to j, and n is e turned counterclockwise. F is the normal force of their contact at rest. The displacements change
+ * the force of this contact on i by
  *
  *   along e    k_n (u_j - u_i).e
  *   along n    k_s ((u_j - u_i).n - R (theta_i + theta_j)) - (F/s) (u_j - u_i).n
  *
  * The last term arises because F turns with the line of centres. Opposite directions e give equal terms, so the sums
- * run over one direction of each opposite pair, with the factor 2. With phi = s q.e the dynamical matrix is
+ * run over one direction of each opposite pair, with the factor 2. With phi = s q.e the dynamical matrix K has the
+ * blocks
  *
  *   K_uu = sum 2 (1 - cos phi) (k_n e e^T + (k_s - F/s) n n^T)
  *   K_up = -sum 2 k_s R sin phi n                K_pp = sum 2 k_s R^2 (1 + cos phi)
  *
- * (^T for the transpose) and w^2 are the eigenvalues of M^(-1/2) K M^(-1/2), M = (m, m, I). Without rotation there is
- * no psi. The motion begins with the velocities V and without displacements, so the velocity in each mode varies as
- * cos(w t).
+ * for U and psi (^T for the transpose). The squares of the angular frequencies w are the eigenvalues of
+ * M^(-1/2) K M^(-1/2), M = (m, m, I). Without rotation there is no psi. The motion begins with the velocities V and
+ * without displacements, so the velocity in each mode varies as cos(w t).
  *
  * Returns, for D that monitors a particle:   D.vx, D.vy, D.spin along time
  * Exact in continuous time for small amplitudes; terms of the order of u/s are neglected. A run of step dt is ahead of
@@ -36,7 +37,7 @@
 
 static void add(gsl_matrix *k, int i, int j, double value) { *gsl_matrix_ptr(k, (size_t)i, (size_t)j) += value; }
 
-/* The part of K of the contacts in one direction and in the opposite one. */
+/* Adds the part of K that belongs to the contacts in the direction `angle`, rad, and in the opposite one. */
 static void add_contacts(gsl_matrix *k, const struct waves_lattice *it, double angle, double qx, double qy) {
   const double e[2] = {cos(angle), sin(angle)}, n[2] = {-e[1], e[0]};
   const double phi = it->spacing * (qx * e[0] + qy * e[1]), across = it->ks - it->force / it->spacing;
@@ -120,7 +121,7 @@ static bool find_wave(struct wave *it, const struct nb_scene *scene) {
   return false;
 }
 
-/* The distance and the number of the nearest neighbours of particle 1, with periodic copies. */
+/* The number of the nearest neighbours of particle 1, each with its nearest periodic copy. *spacing: their distance. */
 static int neighbours(const struct nb_scene *scene, double *spacing) {
   int count = 0;
   *spacing = INFINITY;

@@ -5,8 +5,9 @@
  *   w <- keep w - gain (dt^2 K u + dt C w),    u <- u + w
  *
  * The dashpot acts on the velocity of the previous half step. The cycle maps (u, w) to new values, and the step is too
- * long when the matrix of this map has an eigenvalue outside the unit circle. At the limit that eigenvalue is -1, and u
- * and w change sign every cycle. Inserted into the cycle, this gives det(dt^2 K + 2 dt C - 2 (1 + keep)/gain) = 0.
+ * long when the matrix of this map has an eigenvalue outside the unit circle. At the limit this eigenvalue is -1: u and
+ * w change sign every cycle. Inserted into the cycle, this change of sign gives det(dt^2 K + 2 dt C -
+ * 2 (1 + keep)/gain) = 0.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "limit.h"
@@ -43,7 +44,8 @@ static double critical_step(const struct nb_scene *scene) {
   return 2 * sqrt(lightest / max_stiffness);
 }
 
-/* c of a dashpot beside the spring k, by the statements of the page. */
+/* c of a dashpot beside the spring k, N s/m, by the statements of the page. `mass` is the reduced mass of the contact,
+ * `critical` the single-contact step; both are in SI units. */
 static double dashpot(const struct nb_damping *damping, bool wall, double k, double mass, double critical) {
   double value;
   switch (nb_damping_at(damping, wall, &value)) {
@@ -149,8 +151,8 @@ double limit_radius(const struct limit *limit, double step) {
   return radius;
 }
 
-/* The largest stable step, by bisection between two steps that are the single-contact step times consecutive powers of
- * two; NAN: none is found. */
+/* The largest stable step. It is found by `times` bisections between two steps that are the single-contact step times
+ * consecutive powers of two. NAN: there are no such steps. */
 static double bisect(const struct limit *limit, bool (*stable)(const struct limit *, const struct nb_scene *, double),
                      const struct nb_scene *scene, int times) {
   double high = limit->single_contact, low;
@@ -183,7 +185,8 @@ static bool modes_are_stable(const struct limit *limit, const struct nb_scene *s
 double limit_of_cycle(const struct limit *limit) { return bisect(limit, cycle_is_stable, NULL, 24); }
 double limit_of_modes(const struct limit *limit) { return bisect(limit, modes_are_stable, NULL, 50); }
 
-/* Sum over the contacts of a particle of dt^2 k + 2 dt c, normal (which = 0) or tangential (1, times R^2). */
+/* The sum of dt^2 k + 2 dt c over the contacts of particle `index`: of the normal springs and dashpots (which = 0), or
+ * R^2 times that of the tangential ones (which = 1). */
 static double total_hardness(const struct limit *limit, const struct nb_scene *scene, int index, int which,
                              double step) {
   const struct lattice *lattice = &limit->lattice;

@@ -23,9 +23,9 @@ enum nb_status limit_build(struct limit *limit, const struct nb_scene *scene, co
 void limit_free(struct limit *limit);
 
 /* Method 1: the spectral radius of the matrix that maps (u, v dt) of one cycle to those of the next. If it is above 1,
- * a motion grows. */
+ * a motion grows. INFINITY: GSL failed. */
 double limit_radius(const struct limit *limit, double step);
-/* The largest step, s, with a spectral radius of at most 1. */
+/* The largest step, s, with a spectral radius of at most 1. This and the other two limits are NAN if none is found. */
 double limit_of_cycle(const struct limit *limit);
 /* Method 2: the step, s, at which the largest eigenvalue of dt^2 K + 2 dt C equals 2 (1 + keep)/gain. */
 double limit_of_modes(const struct limit *limit);

@@ -1,7 +1,7 @@
 /* Reference: an assembly at rest in an affine strain that is accumulated in the velocities [R89 4.43].
  *
- * Every cycle adds L x to the velocity of a particle at x, measured from the centre of the affine motion. At rest its
- * contact forces F cancel this:
+ * Every cycle adds L x to the velocity of a particle, where x is its position relative to the centre of the affine
+ * motion. At rest the contact forces F on the particle cancel this change:
  *
  *   sum F = -m L x/dt,   mean |sum F| = <m> (2/3) R_A e/dt^2
  *

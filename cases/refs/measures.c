@@ -3,7 +3,7 @@
  * All pairs of particles are examined, O(n^2). With the overlap a = R_i + R_j - |x_i - x_j| > 0, the force N = k_n a
  * and the normal n, a particle i in the region adds for each of its contacts
  *
- *   N l n n/V      to the stress, with l = R_i - a/2 and the volume V of the region
+ *   N l n n/V      to the stress; l = R_i - a/2 is the distance from its centre to the contact, V the volume of the region
  *   n n/2M         to the fabric, with the number 2M of the contact ends in the region
  *   N n n/sum N    to the fabric weighted by the normal force
  *
@@ -87,6 +87,8 @@ static void add_value(struct nb_solution *solution, const char *region, const ch
   solution_value(solution, value, name);
 }
 
+/* Adds components, principal values and the direction of the major one of t = (xx, xy, yy). `deviator` is the name of
+ * major minus minor. */
 static void add_tensor(struct nb_solution *solution, const char *region, const char *what, const double t[3],
                        const char *deviator) {
   double both[] = {t[0], t[1], t[1], t[2]}, major = 0, minor = 0, x = 1, y = 0;
@@ -123,15 +125,18 @@ static void add_tensor(struct nb_solution *solution, const char *region, const c
 /* ---- a region ---- */
 
 struct sums {
-  double stress[3], fabric[3], weighted[3]; /* xx, xy, yy */
-  double particles, ends, contacts, force, radius, covered, volume;
-  double mean, largest, smallest; /* of the contact forces, N; `mean` is their sum until it is divided */
+  double stress[3], fabric[3], weighted[3];        /* xx, xy, yy */
+  double particles, ends, contacts, force, radius; /* numbers; sum of N over contact ends, N; sum of radii, m */
+  double covered, volume;                          /* area and volume of particles, m2 and m3 */
+  double mean, largest, smallest;                  /* of the contact forces, N; `mean` is their sum */
 };
 
 static void add(double t[3], double weight, double x, double y) {
   t[0] += weight * x * x, t[1] += weight * x * y, t[2] += weight * y * y;
 }
 
+/* Adds the contact of particle i, which is in the region, with j, if they touch. If j is in the region, too, the pair
+ * has two contact ends and counts as one contact. */
 static void add_pair(struct sums *sums, const struct nb_scene *scene, const struct nb_region *region, size_t i,
                      size_t j) {
   const struct nb_particle *a = &scene->particles[i], *b = &scene->particles[j];
@@ -150,6 +155,7 @@ static void add_pair(struct sums *sums, const struct nb_scene *scene, const stru
   sums->largest = fmax(sums->largest, force), sums->smallest = fmin(sums->smallest, force);
 }
 
+/* Sets rattles[i], and touching[i], the number of contacts with particles that are not rattlers. */
 static void find_rattlers(const struct nb_scene *scene, bool rattles[], int touching[]) {
   for (bool more = true; more;) {
     more = false;
