@@ -3,7 +3,7 @@
  * All pairs of particles are examined, O(n^2). With the overlap a = R_i + R_j - |x_i - x_j| > 0, the force N = k_n a
  * and the normal n, a particle i in the region adds for each of its contacts
  *
- *   N l n n/V      to the stress; l = R_i - a/2 is the distance from its centre to the contact, V the volume of the region
+ *   N l n n/V      to the stress, with the distance l = R_i - a/2 to the contact and the volume V of the region
  *   n n/2M         to the fabric, with the number 2M of the contact ends in the region
  *   N n n/sum N    to the fabric weighted by the normal force
  *

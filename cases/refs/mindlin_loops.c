@@ -1,5 +1,5 @@
-/* Reference: Mindlin and Deresiewicz's loops at constant normal force, in closed form.
- *
+/* Reference: Mindlin and Deresiewicz's loops of the shear force T against the tangential displacement delta, at a
+ * constant normal force N, in closed form.
  *   A = 3 mu N/(16 G* a)                                       displacement at which gross sliding begins, m
  *   delta           = A [1 - (1 - T/mu N)^(2/3)]               loading from T = 0                            [R89 3.25]
  *   delta* - delta  = 2A [1 - (1 - (T* - T)/2mu N)^(2/3)]      unloading from T*, delta*                     [R89 3.40]
@@ -7,14 +7,14 @@
  *   c/a             = (1 - T/mu N)^(1/3)                       stick radius in loading from T = 0            [R89 3.24]
  *                   = (1 - |T - T_begin|/2mu N)^(1/3)          on a branch that began by a reversal
  *
- * Each reversal begins a branch of the same shape. A branch that returns to the T at which the previous branch began is
- * erased together with it: the curve continues as if the loop had not been made. So the state is a stack of branches.
- * The energy
+ * Each reversal begins a branch of the same shape. When a branch returns to the T at which the previous branch began,
+ * both are erased: the curve continues as if the loop had not been made. So the state is a stack of branches. The
+ * energy
  *
  *   W(t) = (6/5) mu N A [1 - (1 - t)^(5/3) - (5/6) t (1 + (1 - t)^(2/3))]
  *
- * is dissipated in loading to T = t mu N, and twice that on a branch of |T - T_begin| = 2 t mu N. So a loop dissipates
- * 4 W, the formula of Mindlin and Deresiewicz (1953).
+ * is dissipated in loading to T = t mu N, and 2 W(t) on a later branch along which T changes by 2 t mu N. A loop
+ * consists of two such branches, so it dissipates 4 W, the formula of Mindlin and Deresiewicz (1953).
  *
  * A law that stores two reversals (`randall`) has three branches; it moves back and forth on the third one elastically.
  * A law without micro-slip (`mindlin`, `mindlin_scaled`) has T = 8 G* a delta and is covered below the limit mu N. In
@@ -33,7 +33,7 @@
 enum { BRANCHES = 1000 };
 
 struct branch {
-  double shear, slip, lost, work; /* at its beginning: T/mu N, delta/A, energies over mu N A */
+  double shear, slip, lost, work; /* at its beginning: T/mu N, delta/A, energy lost and work over mu N A */
   double sense;                   /* 1 or -1, of its slip */
   double size;                    /* 1: the first loading; 2: any other */
 };
@@ -66,13 +66,14 @@ static double work_of(const struct branch *b, double shear) {
   return b->work + b->shear * b->sense * b->size * (1 - u) + b->size * b->size * (1 - u - 0.4 * (1 - pow(u, 2.5)));
 }
 
-/* Shifts the energies of the branch so that they have these values at that force. */
+/* Shifts the energies of the branch so that they are `lost` and `work` at the force `shear`. */
 static void set_energies(struct branch *b, double shear, double lost, double work) {
   b->lost += lost - lost_of(b, shear);
   b->work += work - work_of(b, shear);
 }
 
-/* The branch that leads from the present state to a force or a slip. */
+/* The branch that leads from the present state to the force `shear`, if `force` is true, otherwise to `slip`. Adds and
+ * erases branches on the way. */
 static struct branch *branch_to(struct loops *loops, double shear, double slip, bool force) {
   const double sense = (force ? shear > loops->shear : slip > loops->slip) ? 1 : -1;
   struct branch *top = &loops->branches[loops->count > 0 ? loops->count - 1 : 0];
@@ -80,8 +81,8 @@ static struct branch *branch_to(struct loops *loops, double shear, double slip, 
     top = &loops->branches[loops->count++];
     *top = (struct branch){loops->shear, loops->slip, loops->lost, loops->work, sense, loops->count == 1 ? 1 : 2};
   }
-  /* A branch that returns to the T at which the previous branch began is erased together with it. The second branch,
-   * which began at some T of the first loading, ends at -T. */
+  /* When a branch returns to the T at which the previous branch began, both are erased. The second branch, which began
+   * at some T of the first loading, ends at -T. */
   while (loops->count > 1) {
     if (sense != top->sense) { /* all branches are in use: back along this one, at most to its beginning */
       const double end = top->shear, lost = top->lost, work = top->work;
@@ -116,6 +117,7 @@ static void advance_spring(struct loops *loops, double target, bool force) {
   loops->shear = shear, loops->slip = slip;
 }
 
+/* Moves to `target`: T/mu N if `force` is true, otherwise delta/A. */
 static void advance(struct loops *loops, double target, bool force) {
   if (loops->capacity == 0) {
     advance_spring(loops, target, force);

@@ -6,14 +6,14 @@
  *   C.normal mean                 the static force, about which the force oscillates when the walls are at rest
  *   C.normal amplitude            half of the difference between the largest and the smallest value in an infinitely
  *                                 long run: the sum of the amplitudes of the modes. With two modes of the amplitudes A1
- *                                 and A2 a run of W cycles gives about 2 pi sqrt(A1 A2) / W less
+ *                                 and A2 a run of W cycles gives a value smaller by about 2 pi sqrt(A1 A2)/W
  *   C.normal frequency            how often the force rises through its mean per unit time, in the long run; returned
  *                                 only when one mode has a larger amplitude and slope than all others together
  * Mean, amplitude and frequency are also returned `in STAGE` for each stage in which the walls are at rest.
  *
- * Refuses scenes in which a contact opens, slips or closes. The error is due to the rotation of contacts, of the order
- * of overlap over radius. For nine discs it is 0.01 (overlap / radius) of the mean force and of the frequencies; in a
- * curve this error grows from one oscillation to the next.
+ * Refuses scenes in which a contact opens, slips or closes. The error is due to the rotation of contacts and is of the
+ * order of overlap over radius. For nine discs it is 0.01 (overlap / radius) of the mean force and of the frequencies;
+ * in a curve this error grows from one oscillation to the next.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -36,7 +36,7 @@ static void add_value(struct nb_solution *solution, const struct nb_scene *scene
   }
 }
 
-/* Values and curves of one force; `row` as in struct lattice. */
+/* Adds values and curves of one force; `row` as in struct lattice. */
 static enum nb_status add_force(struct nb_solution *solution, const struct nb_scene *scene,
                                 const struct lattice *lattice, const struct oscillation_modes *modes,
                                 const char *quantity, size_t row, struct nb_error *error) {

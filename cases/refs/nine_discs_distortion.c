@@ -5,8 +5,9 @@
  *
  * Returns, for C that monitors a contact:
  *   C.normal, C.shear along cycle, linear between the points of the path, and at the end of each stage and of the run
- * Exact for small displacements and infinitely slow walls. The relative errors of a run are the ratio of overlap to
- * radius, the square of the angle of the walls, divided by this ratio, and the effect of the speed of the walls.
+ * Exact for small displacements and infinitely slow walls. The relative error of a run has three parts. The first is of
+ * the order of the ratio of overlap to radius, the second of the order of the square of the angle of the walls, divided
+ * by this ratio. The third is the effect of the speed of the walls.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -23,13 +24,13 @@ struct trace {
   } points[];
 };
 
-/* The recorded forces: one trace for each. */
+/* The recorded forces: one trace for each, of the force in row rows[k] of the network. */
 struct recorder {
   const struct nb_scene *scene;
   size_t count;
   struct trace **traces;
   size_t *rows;
-  double *begin; /* of each stage, cycles */
+  double *begin; /* cycle at which each stage begins */
 };
 
 static void add_point(void *data, size_t stage, double fraction, const gsl_vector *forces) {

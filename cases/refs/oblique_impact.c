@@ -6,9 +6,9 @@
  *
  *   psi1 = V_T/(mu kappa V_N)       chi = (1 + m R^2/I)/(2 kappa)       kappa = (E* / G*)/4     [R89 5.14, 5.15]
  *
- * Two spheres x and y have chi = M (1/m_x + R_x^2/I_x + 1/m_y + R_y^2/I_y)/(2 kappa) with 1/M = 1/m_x + 1/m_y. In gross
- * sliding throughout, for psi1 >= 4 chi - 1, psi2 = psi1 - 4 chi. The dissipated energy follows from the velocities: it
- * is N_max mu^2 kappa alpha_max (psi1^2 - psi2^2)/(5 chi).
+ * Two spheres x and y have chi = M (1/m_x + R_x^2/I_x + 1/m_y + R_y^2/I_y)/(2 kappa) with 1/M = 1/m_x + 1/m_y. If psi1
+ * >= 4 chi - 1, the contact slides from first touch to separation, and psi2 = psi1 - 4 chi. The dissipated energy
+ * follows from the velocities: it is N_max mu^2 kappa alpha_max (psi1^2 - psi2^2)/(5 chi).
  *
  * Returns:
  *   impact.psi1, .psi2, .angle, .restitution, .duration, impact.energy.normal .tangential .rotational    at the end
@@ -37,8 +37,8 @@ struct pair {
   double mass, inverse;      /* M, kg; the sum of 1/m + R^2/I of both, 1/kg */
   double friction, kappa;    /* 1 */
   double spring;             /* k_s, N/m */
-  double vn, vt;             /* V_N, and V_T of the contact, m/s */
-  double centre;             /* V_T of the centre, m/s */
+  double vn, vt;             /* V_N and V_T of the point of contact at first touch, m/s */
+  double centre;             /* V_T of the centre at first touch, m/s */
   double depth, force, time; /* alpha_max, m; N_max, N; T_c, s */
   double rotation;           /* initial rotational energy, J */
 };
@@ -91,7 +91,7 @@ static enum nb_status refuse(const struct nb_scene *scene, struct nb_error *erro
   return why ? nb_error_set(error, NB_BAD_USE, "the reference `oblique_impact` is for %s", why) : NB_OK;
 }
 
-/* A curve: equal steps from first contact to separation, then a straight line. */
+/* A curve along impact.time: equal steps from first contact to separation, then a straight line. */
 struct curve {
   int steps;
   double rate; /* of the straight line, per T_c */
@@ -119,7 +119,7 @@ static void add_curve(struct nb_solution *solution, const char *name, const doub
   solution_curve(solution, name, "impact.time", at, c);
 }
 
-/* The condition `until` of a stage at entry k of the path. Unknown conditions never hold. */
+/* True: the condition `until` of a stage holds at entry k of the path. Unknown conditions never hold. */
 static bool holds(const struct nb_condition *condition, const struct impact_path *path, int k) {
   const char *name = condition->name, *part = strrchr(name, '.');
   double value = NAN;
@@ -134,7 +134,8 @@ static bool holds(const struct nb_condition *condition, const struct impact_path
   return condition->relation == NB_ABOVE ? value > condition->value : value < condition->value;
 }
 
-/* The ends of stages that last until gross sliding begins or ends, or impact.time or a force passes a value. */
+/* Adds impact.time and impact.slip at the ends of stages that last until gross sliding begins or ends, or until
+ * impact.time or a force passes a value. `scale` is the slip, m, for d = 1. */
 static void add_stages(struct nb_solution *solution, const struct nb_scene *scene, const struct impact_path *path,
                        double scale) {
   int k = 0;
@@ -175,7 +176,7 @@ static void add_values(struct nb_solution *solution, const struct nb_scene *scen
   add_curve(solution, "impact.shear", path->f, path->steps, 1, 0);
   add_curve(solution, "impact.slip", path->d, path->steps, slope * p->depth, path->psi2 * slope * p->vn * p->time);
   for (int k = 0; k <= path->steps; k++)
-    path->xi[k] *= sqrt(path->xi[k]); /* N/N_max from here on */
+    path->xi[k] *= sqrt(path->xi[k]); /* the array holds N/N_max from here on */
   add_curve(solution, "impact.normal", path->xi, path->steps, 1, 0);
   char name[3 * NB_NAME_SIZE];
   const char *contact = scene->monitors[scene->impact.monitor].name;

@@ -5,11 +5,11 @@
  *   P = k_n alpha + c_n (v.e),   Q = F_s + c_s s',   F_s' = k_s s',   s' = v.t - R_1 w_1 - R_2 w_2
  *   c = beta k,  or  beta 2 sqrt(M* k)                                                      [CS79 26-28] [R89 4.13]
  *
- * in continuous time, by the eighth-order method of Prince and Dormand at 1e-13. e is the unit normal and t the tangent
- * of the contact, P and Q are its normal and tangential forces with the dashpots, and F_s is the force of the shear
- * spring. alpha is the overlap, s the slip, v the relative velocity of the centres, and w an angular velocity. The time
- * step enters only through the end of the run, after all cycles of all stages, and as a factor of energy.residual. So a
- * run differs from this solution by the error of its step.
+ * in continuous time, by the eighth-order method of Prince and Dormand with the tolerance 1e-13. e is the unit normal
+ * and t the tangent of the contact, P and Q are its normal and tangential forces with the dashpots, and F_s is the
+ * force of the shear spring. alpha is the overlap, s the slip, v the relative velocity of the centres, and w an angular
+ * velocity. The time step enters only through the end of the run, after all cycles of all stages, and as a factor of
+ * energy.residual. So a run differs from this solution by the error of its step.
  *
  * Returns, at the end:
  *   B.x, y, angle, vx, vy, spin    for B that monitors a particle
@@ -35,8 +35,9 @@ enum { X, Y, VX, VY, ANGLE, SPIN, SECOND, SHEAR = 2 * SECOND, RESIDUAL, UNKNOWNS
 enum { SAMPLES = 1000 }; /* times at which the friction limit is checked */
 
 struct pair {
-  double mass[2], inertia[2], radius[2]; /* infinite if fixed; radius 0 for a wall */
-  const struct nb_wall *wall;            /* NULL: two particles */
+  double mass[2], inertia[2]; /* kg, kg m2; infinite for a fixed particle or a wall */
+  double radius[2];           /* m; 0 for a wall */
+  const struct nb_wall *wall; /* NULL: two particles */
   struct matter_pair values;
   double cn, cs; /* N s/m */
   bool has_shear;
@@ -44,8 +45,9 @@ struct pair {
 
 /* Kinematics of the contact in a state. */
 struct kinematics {
-  double ex, ey, tx, ty, distance, overlap; /* m */
-  double dn, along, slip;                   /* v.e, v.t, s', m/s */
+  double ex, ey, tx, ty;    /* e and t, 1 */
+  double distance, overlap; /* m */
+  double dn, along, slip;   /* v.e, v.t, s', m/s */
 };
 
 static struct kinematics kinematics(const struct pair *pair, const double y[]) {
@@ -150,7 +152,7 @@ static enum nb_status build(struct pair *pair, double y[], const struct nb_scene
   return NB_OK;
 }
 
-/* NB_BAD_USE: the contact slides, opens with a deformed shear spring, or has left the wall. */
+/* NB_BAD_USE: the contact slides, opens with a deformed shear spring, or has reached an end of the wall. */
 static enum nb_status check_contact(const struct pair *pair, const double y[], struct nb_error *error) {
   const struct kinematics at = kinematics(pair, y);
   if (at.overlap > 0 && fabs(y[SHEAR]) > pair->values.kn * at.overlap * pair->values.friction + pair->values.cohesion)

@@ -1,6 +1,6 @@
 /* Reference: particles read from a packing file, and their state when it was written.
  *
- * Returns, for D that monitors a particle and C a contact, at 0 cycles:
+ * Returns, for D that monitors a particle and C that monitors a contact, at 0 cycles:
  *   D.x, D.y       the numbers of the particle's record in the state
  *   C.normal       the force in the contact's record
  *   C.shear        0: a packing has no shear history
@@ -20,7 +20,7 @@
 
 enum { LINE = 4096 };
 
-/* The state of the scene's packing; NULL: there is none. */
+/* Opens the state of the scene's packing; NULL: there is none. */
 static FILE *open_state(const struct nb_scene *scene) {
   char path[LINE];
   const char *from = scene->packings[0].path, *dot = strrchr(from, '.'), *slash = strrchr(from, '/');
@@ -30,7 +30,7 @@ static FILE *open_state(const struct nb_scene *scene) {
   return fopen(path, "r");
 }
 
-/* Word number `index` of a record, from 0. */
+/* The word with the given index, from 0, of a record. */
 static const char *field(const char *line, int index) {
   for (; index > 0; index--)
     line += strcspn(line, " ") + 1;
@@ -45,7 +45,7 @@ static void add_value(struct nb_solution *solution, const char *of, const char *
   solution_value(solution, value, name);
 }
 
-/* The index of a name in the record `fields`; -1: not there. */
+/* The index of a name in the record `fields`, from 0 after the word `fields`; -1: not there. */
 static int field_index(const char *fields, const char *name) {
   int place = 0;
   for (const char *at = field(fields, 1); *at && *at != '\n'; at += strcspn(at, " \n"), at += *at == ' ', place++)

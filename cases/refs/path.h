@@ -14,7 +14,7 @@ struct path_contact {
   double friction; /* mu, 1 */
   double kappa;    /* E* / (4 G*) */
 };
-/* NB_BAD_USE when the page is not a contact test with `normal hertz`. */
+/* NB_BAD_USE when the page is not a contact test with `normal hertz`; the message names `reference`. */
 enum nb_status path_contact(struct path_contact *contact, const struct nb_scene *scene, const char *reference,
                             struct nb_error *error);
 double path_normal(const struct path_contact *contact, double overlap); /* normal force, N [R89 3.13] */
@@ -31,13 +31,13 @@ struct path_point {
   double approach, slip, normal, shear; /* m, N */
 };
 
-/* Iterates over the targets of a path. Relative targets depend on the point `now` that the previous steps have
+/* Iterates over the targets of a path. Relative targets depend on the point `now`, which the previous steps have
  * reached. */
 struct path_walk {
   const struct nb_scene *scene;
   int segment;
   unsigned long step;      /* the next step of the segment, counted from 1 */
-  struct path_point begin; /* of the segment */
+  struct path_point begin; /* the point at which the segment began */
 };
 struct path_walk path_walk(const struct nb_scene *scene);
 bool path_next(struct path_walk *walk, struct path_point now,

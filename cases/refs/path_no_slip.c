@@ -10,8 +10,8 @@
  *   Int a d(delta) = (2/3) R*^(1/2) (alpha_1^(3/2) - alpha_0^(3/2)) d(delta)/d(alpha)
  *
  * Returns slip (delta), shear (T) and work.shear at each step and at the end of each segment. Simpson's rule integrates
- * the work over the step; this is exact where only one of alpha and delta changes. Refuses paths on which a contact
- * exceeds Coulomb's limit.
+ * the work over the step; this is exact where only one of alpha and delta changes. Refuses paths on which the shear
+ * force exceeds Coulomb's limit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -24,11 +24,11 @@ extern const struct nb_reference reference_path_springs;
 
 struct contact {
   struct path_contact elastic;
-  double ks;
+  double ks; /* N/m */
   bool linear, scaled;
 };
 
-/* T after a fraction of a step. */
+/* T after a fraction of the step that leads from the point `from` to `approach` and `slip`. */
 static double force(const struct contact *contact, struct path_point from, double approach, double slip,
                     double fraction) {
   const double ds = fraction * (slip - from.slip), alpha = from.approach + fraction * (approach - from.approach);

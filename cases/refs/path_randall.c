@@ -6,7 +6,7 @@
  *
  *   u = 1 - T/mu N                loading     [R89 3.95]      u^(2/3) falls by  d(delta)/(mu kappa alpha)
  *   u = 1 - (T* - T)/2 mu N       unloading   [R89 3.96]      by                |d(delta)|/(2 mu kappa alpha)
- *   u = 1 - (T - T**)/2 mu N      reloading   [R89 3.97]      the same, and back along it in re-unloading [R89 sec. 3.3]
+ *   u = 1 - (T - T**)/2 mu N      reloading   [R89 3.97]      the same; re-unloading goes back along it [R89 sec. 3.3]
  *
  * With d(delta) = 0 and N decreasing, [R89 3.94] becomes dT = mu dN (1 - theta), with the opposite sign in unloading,
  * while T* decreases and T** increases by mu |dN| [R89 4.20, 4.21]. Let zeta = alpha u^(2/3), the overlap at which the
@@ -20,8 +20,8 @@
  *
  * `randall_literal` follows the text of FORD and THETA. With d(delta) = 0, T is constant for any N. Reloading and
  * re-unloading have u = 1 - (T - T*)/2 mu N [R89 4.24]. There is no deficit, because the text uses it only where delta
- * and N change at once. The value that it gives T* in the first step of unloading has no effect in the limit of small
- * steps.
+ * and N change at once. The value that the text gives T* in the first step of unloading has no effect in the limit of
+ * small steps.
  *
  * Returns slip (delta), shear (T) and work.shear at each step and at the end of each segment.
  * Accepts paths on which mu N is not reached, T* is positive, and T does not reach -T*.
@@ -40,7 +40,7 @@ struct contact {
   bool literal;
   enum sense sense;
   bool back;           /* re-unloading */
-  bool sheared;        /* before the first tangential displacement there is no deficit */
+  bool sheared;        /* there was a tangential displacement; before it there is no deficit */
   double alpha, force; /* m; T, N */
   double star, star2;  /* T*, T**, N */
   double deficit;      /* DD, m */
@@ -65,7 +65,7 @@ static double u_of(const struct contact *it) {
   return 1 - on.sign * (it->force - on.from) / (on.times * limit(it));
 }
 
-/* Moves along the present curve by a tangential displacement, N constant. */
+/* Moves along the present curve by the tangential displacement `slip`, at constant N. */
 static void move_along(struct contact *it, double slip) {
   const struct curve on = curve_of(it);
   const double size = on.times * limit(it), scale = on.times * it->elastic.friction * it->elastic.kappa * it->alpha;
@@ -92,7 +92,7 @@ static void reverse(struct contact *it) {
   it->deficit = 0;
 }
 
-/* Changes the tangential displacement at constant N. False: out of range. */
+/* Changes the tangential displacement by `slip` at constant N. False: the reference does not accept the path. */
 static bool apply_slip(struct contact *it, double slip) {
   it->sheared = true;
   const bool on = it->sense == LOADING || (it->sense == RELOADING && !it->back);
@@ -122,7 +122,7 @@ static void set_overlap(struct contact *it, double alpha) {
   it->star += limit(it) - before, it->star2 -= limit(it) - before;
 }
 
-/* Decreases the overlap while micro-slip continues in its direction. */
+/* Decreases the overlap to `alpha`. Micro-slip continues in the present direction. */
 static void reduce_overlap(struct contact *it, double alpha) {
   const double zeta = it->alpha * pow(u_of(it), 2. / 3) + (alpha - it->alpha) / (it->sense == LOADING ? 1 : 2);
   set_overlap(it, alpha);
@@ -130,7 +130,7 @@ static void reduce_overlap(struct contact *it, double alpha) {
   it->force = on.from + on.sign * on.times * (limit(it) - it->elastic.friction * path_normal(&it->elastic, zeta));
 }
 
-/* Changes the overlap at constant tangential displacement. False: out of range. */
+/* Changes the overlap to `alpha` at constant tangential displacement. False: the reference does not accept the path. */
 static bool apply_overlap(struct contact *it, double alpha) {
   const double slope = it->elastic.friction * it->elastic.kappa, decrease = it->alpha - alpha;
   const double free_part =

@@ -1,15 +1,16 @@
 /* Reference: the exact contact along any path of a contact test, as independent springs side by side.
  *
  * A Hertz contact has the same N, T and energies as a row of independent springs under a parabolic indenter (method of
- * dimensionality reduction, Popov and Hess). The spring at y, from -a to a, touches while y^2 < R* alpha, and has
+ * dimensionality reduction, Popov and Hess). The spring at the distance y from the middle, from -a to a, touches while
+ * y^2 < R* alpha, and has
  *
  *   |u| <= mu kappa (alpha - y^2/R*)     Coulomb's law for this spring, kappa = E* / (4 G*); u is its deflection, m
  *   du = d(delta)                        while it sticks; u = 0 without contact
  *   T = Int 4 G* u dy                    the sum of their forces, N;  U = Int 2 G* u^2 dy  of their energies, J
  *
- * The state of the springs is the only history. A step in which alpha and delta change linearly is exact: u + d(delta)
- * is clipped at its end, and a spring that begins to touch takes its fraction of d(delta). A spring dissipates its
- * friction, which changes linearly too, times its slip.
+ * The state of the springs is the only history. A step in which alpha and delta change linearly is computed exactly:
+ * u + d(delta) is limited once, at the end of the step, and a spring that begins to touch takes only the part of
+ * d(delta) that follows the first touch. A spring dissipates its friction, which changes linearly too, times its slip.
  *
  * Returns, as curves along step and at the end of each segment:
  *   overlap, slip, normal, shear, traction.force (equal to shear), stored.shear, dissipated, work.shear
@@ -35,7 +36,8 @@ struct row {
   double approach, slip, lost; /* m, m; energy dissipated so far, J */
 };
 
-/* Writes the deflections after a linear step to `u`, and the energy that the step dissipates to *lost. Returns T. */
+/* Writes the deflections after a step to `approach` and `slip` to u, and the energy that the step dissipates to *lost.
+ * Returns T. */
 static double update_springs(const struct row *row, double u[], double approach, double slip, double *lost) {
   const double limit = row->contact.friction * row->contact.kappa, stiffness = 4 * row->contact.shear * row->dy;
   const double from = row->approach, ds = slip - row->slip;
@@ -72,7 +74,7 @@ static void advance(struct row *row, double approach, double slip, struct path_p
   row->lost += lost;
 }
 
-/* The slip at which T has this value; NAN: there is none. */
+/* The slip at which T is `shear`; NAN: there is none. */
 static double slip_of_force(const struct row *row, double workspace[], double approach, double shear) {
   const double largest = 4 * row->contact.friction * row->contact.kappa * (approach + row->approach);
   double low = row->slip - largest, high = row->slip + largest, lost;

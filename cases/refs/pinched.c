@@ -1,14 +1,14 @@
 /* Reference: an elastic sphere between two others that approach each other, without friction.
  *
- * By symmetry it moves along y alone, between spheres at x = -X and X:
+ * By symmetry this sphere moves along y alone, between spheres at x = -X and X:
  *
  *   m y'' = 2 F y/D,   X = X_0 - V t,   D = sqrt(X^2 + y^2),   F = (4/3) E* sqrt(R*) (R + r - D)^(3/2)          [Hertz]
  *
  *   m, r   of the small sphere, kg, m      R   radius of the two, m      V   speed of each, m/s
  *   E* = E/(2 (1 - nu^2)),  R* = R r/(R + r)
  *
- * integrated by the method of Prince and Dormand at 1e-12 until the contacts end. To find this time, the step in which
- * they end is repeated with a quarter of its length, until it is shorter than 1e-18 s.
+ * integrated by the method of Prince and Dormand, with the tolerance 1e-12, until the contacts end. To find this time,
+ * the step in which they end is repeated with a quarter of its length, until it is shorter than 1e-18 s.
  *
  * Returns:
  *   D.vy               after separation, for D that monitors the small sphere
@@ -24,9 +24,9 @@
 #include "reference.h"
 
 struct pinch {
-  double stiffness; /* (4/3) E* sqrt(R*), N/m^(3/2) */
-  double mass, sum; /* kg; R + r, m */
-  double from, speed;
+  double stiffness;   /* (4/3) E* sqrt(R*), N/m^(3/2) */
+  double mass, sum;   /* kg; R + r, m */
+  double from, speed; /* X_0, m; V, m/s */
 };
 
 static double overlap(const struct pinch *p, double t, double y) { return p->sum - hypot(p->from - p->speed * t, y); }
@@ -39,7 +39,7 @@ static int slope(double t, const double u[], double du[], void *data) {
   return GSL_SUCCESS;
 }
 
-/* From time 0 to separation: the speed then, and the largest overlap. False: GSL failed. */
+/* Integrates from rest at y to separation. *speed: y' then; *largest: the largest overlap. False: GSL failed. */
 static bool integrate(struct pinch *p, double y, double *speed, double *largest) {
   const gsl_odeiv2_system system = {slope, NULL, 2, p};
   gsl_odeiv2_driver *driver = gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-9, 1e-18, 1e-12);

@@ -30,7 +30,8 @@ static double step_of(const struct nb_scene *scene) {
   return scene->step.value * pi * radius * sqrt(of->density / shear) / (0.1631 * of->poisson + 0.876605);
 }
 
-/* The relative velocity after separation; NAN: they do not separate within `most` cycles. */
+/* The velocity of y relative to x after separation; NAN: they do not separate within `most` cycles. `young` is E*,
+ * `mass` M*. */
 static double separation_velocity(const struct nb_particle *x, const struct nb_particle *y, double young, double mass,
                                   double dt, unsigned long most) {
   const double touch = x->radius + y->radius, radius = x->radius * y->radius / touch;

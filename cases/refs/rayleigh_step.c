@@ -28,6 +28,7 @@
 
 static const double pi = 3.14159265358979323846;
 
+/* alpha: the root of Rayleigh's equation, or R89's fit. */
 static double wave(double nu, bool fit) {
   const double q = (1 - 2 * nu) / (2 * (1 - nu));
   double x[3] = {NAN, NAN, NAN};
@@ -41,14 +42,14 @@ static double wave(double nu, bool fit) {
 }
 
 struct grain {
-  double radius, density, shear, poisson;
+  double radius, density, shear, poisson; /* R, m; rho, kg/m3; G, Pa; nu */
 };
 
 static double travel_time(struct grain grain, bool fit) {
   return pi * grain.radius * sqrt(grain.density / grain.shear) / wave(grain.poisson, fit);
 }
 
-/* e of two equal spheres that collide head-on after closing the gap between them, in steps of dt. */
+/* The restitution e of two equal spheres that close the gap between them and collide head-on, in steps of dt. */
 static double rebound(const struct nb_scene *scene, const struct nb_particle *a, const struct nb_particle *b,
                       double dt) {
   const double young = matter_pair(scene, a->material, b->material).young;
@@ -59,7 +60,8 @@ static double rebound(const struct nb_scene *scene, const struct nb_particle *a,
   return 1 + hertz_restitution_error(dt / unit, gap / speed / dt, hertz_duration_factor() * unit / dt);
 }
 
-/* The step of the run, s; 0 if it is not one of R89's; then e = 1. */
+/* The step of the run, s; 0 if it is not one of R89's: then e = 1. `shortest` has step.rayleigh and
+ * step.rayleigh-fit. */
 static double step_of(const struct nb_scene *scene, const double shortest[2], struct grain mean) {
   const bool fit = scene->step.kind == NB_STEP_RAYLEIGH_FIT || scene->step.kind == NB_STEP_RAYLEIGH_FIT_MEAN;
   if (scene->step.kind == NB_STEP_RAYLEIGH || scene->step.kind == NB_STEP_RAYLEIGH_FIT)

@@ -5,13 +5,14 @@
  *
  *   J_n = (1 + e) M V_N,    J_t = (V_T - V_T')/B,    1/M = sum 1/m,    B = sum (1/m + R^2/I)
  *
- * With V_T, V_T' and J_t counted along the tangent t, they change the first particle by dv = (J_n n - J_t t)/m and
- * dw = -R J_t/I. The second particle changes by the opposite impulse, and by the same dw. The unknowns are e and V_T'.
+ * V_T, V_T' and J_t are positive along the tangent t. The impulses change the velocity of the first particle by
+ * dv = (J_n n - J_t t)/m and its angular velocity by dw = -R J_t/I. The second particle receives the opposite impulse;
+ * its dw follows from the same formula, with the same sign. The unknowns are e and V_T'.
  *
  *   e     With a dashpot of the damping ratio beta: exp(-pi z/(1 - z^2)^(1/2)), where z = beta for a linear spring and
  *         z = (6/5)^(1/2) beta for Hertz's law. Without a dashpot: 1. J_n is also the impulse of the elastic force,
  *         because that of the dashpot, Int c(alpha) d(alpha) from 0 to 0, is zero.
- *   V_T'  In gross sliding throughout J_t = mu J_n, so psi = V_T/(mu kappa V_N) changes from psi1 to
+ *   V_T'  If the contact slides all the time, J_t = mu J_n, so psi = V_T/(mu kappa V_N) changes from psi1 to
  *         psi2 = psi1 - 2 chi (1 + e),    chi = M B/(2 kappa),    kappa = (E* / G*)/4 or k_n/k_s  [R89 5.14, 5.15]
  *         This holds for psi1 >= 4 chi and any law with Coulomb's limit that slides at once for psi1 > 1. A contact
  *         with psi1 = 0 has no tangential force. In between, for `shear mindlin_deresiewicz` only, psi2 is that of
@@ -20,7 +21,7 @@
  * Returns, at the end: D.vx, D.vy, D.spin for D that monitors a particle; impact.psi1, impact.psi2, impact.restitution
  * (ratio of the relative speeds of the centres); energy.kinetic. Also energy.kinetic max, the initial value.
  *
- * Error    in gross sliding: rounding. The error of psi2 by springs is 1e-6 without dashpots, 5e-4 with them.
+ * Error    rounding if the contact slides all the time; by springs, psi2 has the error 1e-6, with dashpots 5e-4.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_math.h>
@@ -37,13 +38,14 @@ struct impact {
   const struct nb_particle *particle[2]; /* the second is NULL for a wall */
   double m[2], i[2], r[2];               /* kg, kg m2, m; 0: fixed */
   double nx, ny;                         /* normal toward the first particle; t is n turned clockwise */
-  double vx, vy;                         /* of the first particle, relative, m/s */
+  double vx, vy;                         /* of the first particle, relative to the other one or the wall, m/s */
   double vn, vt, mass, inverse_mass;     /* V_N, V_T signed along t, m/s; M, kg; B, 1/kg */
   double mu, kappa, chi, e, beta;
 };
 
 static const char separation[] = "an impact that ends, with dashpots well below critical damping";
 
+/* a/b; 0 for a fixed particle, which has b = 0. */
 static double over(double a, double b) { return b > 0 ? a / b : 0; }
 
 /* Reads the pair. Returns NULL, or what the reference is for if it does not cover the scene. */
@@ -84,7 +86,7 @@ static const char *refuse(const struct nb_scene *scene) {
   return NULL;
 }
 
-/* NAN: out of memory; INFINITY: the contact does not end, or GSL failed. */
+/* Returns psi2. NAN: out of memory; INFINITY: the contact does not end, or GSL failed. */
 static double psi_after(const struct impact *it, double psi1) {
   if (psi1 < no_slip)
     return 0;

@@ -33,8 +33,8 @@ struct nb_solution {
   bool incomplete; /* memory ran out: some values or curves are missing */
 };
 
-/* Both copy their texts. When memory runs out they set `incomplete`; solution_status reports it in the last line of
- * `solve`. */
+/* solution_value and solution_curve copy their texts. When memory runs out they set `incomplete`; solution_status
+ * reports it in the last line of `solve`. */
 void solution_value(struct nb_solution *solution, double value, const char *name);
 void solution_curve(struct nb_solution *solution, const char *name, const char *along,
                     double (*at)(const void *data, double x), void *data);

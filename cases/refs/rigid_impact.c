@@ -3,9 +3,10 @@
  *   V_N' = -V_N,   V_T' = V_T - mu (1 + q) 2 V_N   if this is >= 0: sliding throughout              psi2 = psi1 - 4 chi
  *                  V_T' = 0   otherwise: friction stops the sliding, without tangential restitution  psi2 = 0
  *
- * V_T is the tangential velocity of the contact point, q = m R^2/I. The theory agrees with an elastic contact that
- * slides to the end with V_T' >= 0, for psi1 >= 4 chi [R89 sec. 5.3.2]. Then the ratio e of the speeds of the centre is
- * given by
+ * V_N and V_T are the normal and tangential velocity of the point of contact before the impact, V_N' and V_T' after it.
+ * q is m R^2/I; impact_springs.h defines chi, psi1 and psi2. The theory agrees with an elastic contact that slides to
+ * the end with V_T' >= 0, for psi1 >= 4 chi [R89 sec. 5.3.2]. Then the ratio e of the speeds of the centre after and
+ * before the impact is given by
  *
  *   e^2 = 1 - 2 mu sin(2 theta) + 2 mu^2 (1 + cos(2 theta))
  *

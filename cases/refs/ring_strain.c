@@ -34,16 +34,17 @@
 enum quantity { X, Y, AREA, KINETIC };
 
 struct strained {
-  double axis[2][2];    /* [k][0], [k][1]: of eigenvalue k */
+  double axis[2][2];    /* axis[k]: unit vector along the axis of eigenvalue k */
   double gain[2];       /* s dt */
   double keep;          /* fraction of v left after a cycle */
   double x[2], step[2]; /* x_0 from the centre, and v_0 dt, along the axes, m */
   double centre[2];     /* m */
-  double level;         /* area, m2, or m v_0^2/2, J: at cycle 0 */
+  double level;         /* at cycle 0: area, m2, or kinetic energy, J */
   bool accumulated;
   enum quantity quantity;
 };
 
+/* x_N/x_0 along an axis, with `accumulated`, for N = n and s dt = gain. */
 static double accumulated_growth(double gain, double n) {
   const double q = gain > 0 ? 2 * asinh(sqrt(gain) / 2) : 2 * asin(sqrt(-gain) / 2);
   if (gain == 0)
@@ -86,6 +87,7 @@ static void find_axes(struct strained *it, const struct nb_strain_rate *rate) {
     it->gain[k] = values[k], it->axis[k][0] = vectors[k], it->axis[k][1] = vectors[2 + k];
 }
 
+/* The fraction of v that damping leaves in one cycle; NAN: not known for this damping. */
 static double kept_fraction(const struct nb_damping *damping) {
   switch (damping->global_kind) {
   case NB_GLOBAL_UNDAMPED:

@@ -3,17 +3,18 @@
  * With the velocity v along the floor and the angular velocity w
  *
  *   v' = -mu g            while it slides
- *   w = 0                 from a stage with `rotation off` on
+ *   w = 0                 without rotation: from the beginning of a stage with `rotation off`
  *   R w' = -q mu g        with rotation, while it slides; q = m R^2/I: 2 for a disc, 5/2 for a sphere
  *
  * The velocity of the contact point is s' = v + R w. With rotation it falls by (1 + q) mu g per second until the
  * particle rolls, v = -R w. Without rotation s' = v falls by mu g per second until the particle stops. A stage with
- * `until C.sliding below X` ends at that time. mu is the friction of `pair`, in the scene or in a stage.
+ * `until C.sliding below X` ends at that time. mu is the friction of the contact, which the statement `pair` in a stage
+ * may change.
  *
  * Returns, for D that monitors the particle:
  *   D.vx, D.spin in STAGE       at the end of each stage
  *   time in STAGE               of a stage with `until`
- *   energy.changed in STAGE     minus the rotational energy I w^2/2 that `rotation off` has removed
+ *   energy.changed in STAGE     -I w^2/2, the rotational energy that `rotation off` has removed
  *
  * Source   elementary; the end of sliding as in slide_to_roll.c [MFiX DEM-04].
  *
@@ -30,7 +31,7 @@ struct motion {
   bool rotates;
 };
 
-/* s, from now to the end of sliding */
+/* The time from now to the end of sliding, s. */
 static double sliding_time(const struct motion *m) { return m->slip / ((m->rotates ? 1 + m->q : 1) * m->mu * m->g); }
 
 static void advance(struct motion *m, double time) {

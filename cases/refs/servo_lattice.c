@@ -1,7 +1,8 @@
 /* Reference: a square lattice of springs in a periodic cell with a servo, for small strains.
  *
  * The strain rate is l + L, 1/s: l is given on the page, L is that of the servo. All discs follow the cell without
- * rotation, and discs are 1 m thick, so k_n and k_s are also the stiffnesses of the lattice in Pa:
+ * rotation, and discs are 1 m thick, so k_n and k_s are also the stiffnesses of the lattice in Pa. rho is the mass of
+ * the discs over the volume of the cell.
  *
  *   s_xx' = -k_n (l_xx + L_xx),   s_yy' = -k_n (l_yy + L_yy),   s_xy' = -k_s (l_xy + L_xy)
  *   B = k_n/2,   T = W (rho/B)^(1/2),   W = (area of the cell)^(1/2)
@@ -12,7 +13,7 @@
  *   e' = -f e/T - f k_n Z - c,   Z' = e/(16 k_n T^2),   c = f k_n l + q,   so   e'' + f e'/T + f e/(16 T^2) = 0
  *   e  = a exp(-u t) + b exp(-v t),   u, v = f (1 -+ (1 - 1/(4f))^(1/2))/(2T)
  *
- * a and b follow from e(0) and e'(0) at the beginning of the stage. There the servo sets Z = -g e/(k_n T),
+ * a and b follow from e(0) and e'(0) at the beginning of the stage. At this time the servo sets Z = -g e/(k_n T),
  * g = (1 - (3/4)^(1/2))/2 (src/loading/servo.c). While |e| exceeds k_n T r, where r is the `at most` rate, the servo
  * limits e/(k_n T) to r and sets Z = -g r in each of its steps, so e' = -f k_n r (1 - g) - c for e > 0. A stress that
  * is not controlled follows s' = -k_n l or -k_s l. `servo mean` controls (xx + yy)/2; the difference xx - yy then
@@ -40,11 +41,12 @@ struct piece {
   double begin;      /* s */
   double from, rate; /* controlled: s0 at the beginning, Pa, and q, Pa/s; not controlled: s and s' */
   bool controlled;
-  double initial;        /* e at the beginning, Pa */
-  double slope, limited; /* e' while the rate is limited, Pa/s; the time for which it is limited, s */
-  double complex a, b, u, v;
+  double initial;            /* e at the beginning, Pa */
+  double slope, limited;     /* e' while the rate is limited, Pa/s; the time for which it is limited, s */
+  double complex a, b, u, v; /* Pa, 1/s */
 };
 
+/* One stress component during all stages. */
 struct course {
   size_t count;
   struct piece piece[];
@@ -101,7 +103,7 @@ static void advance(struct piece *const now[3], const struct lattice *lattice, c
   }
 }
 
-/* A square lattice of equal discs in a cell, and stages that the reference covers. */
+/* True: the scene is a square lattice of equal discs in a cell, and the reference covers its stages. */
 static bool fits(const struct nb_scene *scene) {
   bool right = scene->cell.line && scene->wall_count == 0 && scene->particle_count > 0 && scene->stage_count > 0 &&
                strcmp(scene->normal, "linear") == 0 && strcmp(scene->shear, "linear") == 0 &&

@@ -7,7 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* c of a dashpot beside a spring k on a mass m, by the statement of the page [CS79 28; R89 4.3, 4.13]. */
+/* c of a dashpot beside a spring k on a mass m, N s/m, by the statement of the page [CS79 28; R89 4.3, 4.13].
+ * `critical` is the single-contact step, s. */
 static double dashpot(const struct nb_damping *damping, double k, double m, double critical) {
   double value;
   switch (nb_damping_at(damping, true, &value)) {

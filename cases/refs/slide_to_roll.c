@@ -31,20 +31,21 @@
 
 struct slide {
   double u0, q, radius, x0; /* m/s, 1, m, m */
-  double b, damped;         /* 1/s */
+  double b, damped;         /* b, w_d, 1/s */
   double limit;             /* d_m, m */
   double brake;             /* (1 + q) F_m/m, m/s2 */
   double stick, slide;      /* times at which they end, s */
   double slip;              /* s' at the beginning of sliding, m/s */
 };
 
+/* Returns s at time t of the phase `stick`; *rate: s'. */
 static double sticking_slip(const struct slide *f, double t, double *rate) {
   const double fade = f->u0 * exp(-f->b * t) / f->damped, s = sin(f->damped * t), c = cos(f->damped * t);
   *rate = fade * (f->damped * c - f->b * s);
   return fade * s;
 }
 
-/* s and s' at time t. */
+/* Returns s at time t of the run; *rate: s'. */
 static double slip_at(const struct slide *f, double t, double *rate) {
   if (t <= f->stick)
     return sticking_slip(f, t, rate);

@@ -19,7 +19,7 @@
  * overlap over radius, which has no effect here, because all contacts lie along the axes.
  *
  * Returns `unbalanced.max in STAGE` for the first stage.
- * Accepts alpha t > 20, so that e^(-alpha t/2) is small.
+ * Accepts alpha t > 20 at the end of the first stage, so that e^(-alpha t/2) is small.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -34,7 +34,7 @@ static enum nb_status refuse(struct nb_error *error) {
                       "with equal speeds from the first stage on, with `damping mass` only");
 }
 
-/* Whether all discs are equal, and all walls move at v towards the disc in the middle. */
+/* True: all discs are equal, and all walls move at the speed v towards the disc in the middle. */
 static bool approaches(const struct nb_scene *scene, double v) {
   const struct nb_particle *middle = &scene->particles[4];
   for (int k = 0; k < 9; k++)

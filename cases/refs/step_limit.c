@@ -2,10 +2,10 @@
  *
  * Returns, for all pairs in contact, with the damping of the scene:
  *   step.single-contact  2 sqrt(m/k) of the lightest free particle and the stiffest pair of materials [CS79, Motion]
- *   step.stable          the smallest limit of any contact alone with its fractions of the masses: from the largest
- *                        eigenvalue of its six degrees of freedom
- *   step max             the stability limit of the calculation cycle, with which a page compares its own largest step:
- *                        by bisection of the spectral radius of the cycle as a matrix; relative error 1e-6
+ *   step.stable          the smallest limit of any contact alone, which gets a part of the mass of its particles
+ *                        (limit.h): from the largest eigenvalue of its six degrees of freedom
+ *   step max             the stability limit of the calculation cycle; a page compares its own largest step with it.
+ *                        By bisection of the spectral radius of the cycle as a matrix; relative error 1e-6
  * The first two are exact. All three are for contacts that neither open nor slide nor rotate.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */

@@ -8,10 +8,10 @@
  *   N_01 + 2 N_12 (d_1 - d_2/2)/s = p h d_2 3^(1/2)/2           and the same with 1 and 2 exchanged
  *   N = 4/3 E* R*^(1/2) (R_x + R_y - distance)^(3/2)            or 0 without overlap
  *
- * h is the mean diameter. p acts on the sides of the hexagon of the six centres. A particle carries, of each of its two
- * sides, the half that is next to it. The chord of these two halves is half of the distance between its two neighbours,
- * which is 3^(1/2) d_2 for a particle 1. If all spheres are equal, N = 3^(1/2)/4 p d h. d_1 and d_2 are found by
- * Powell's hybrid method (GSL, hybrids). The boundary has
+ * h is the mean diameter. p acts on the sides of the hexagon of the six centres. A particle carries the load of the
+ * nearer half of each of its two sides. The chord of these two halves is half of the distance between its two
+ * neighbours, which is 3^(1/2) d_2 for a particle 1. If all spheres are equal, N = 3^(1/2)/4 p d h. d_1 and d_2 are
+ * found by Powell's hybrid method (GSL, hybrids). The boundary has
  *
  *   radius = (d_1 + d_2)/2,   roughness = |d_1 - d_2|/(d_1 + d_2),   area = 3/2 3^(1/2) d_1 d_2,   mean stress p
  *
@@ -38,8 +38,8 @@ static double normal(const struct ring *ring, int a, int b, double distance) {
 
 static double between(double d1, double d2) { return sqrt(d1 * d1 + d2 * d2 - d1 * d2); }
 
-/* Residuals, divided by the load. The unknowns are the overlaps with the middle sphere, divided by R_0, so that all
- * are of similar size. */
+/* Residuals of the two equations, divided by the load. The unknowns are the overlaps with the middle sphere, divided by
+ * R_0, so that both are of similar size. */
 static int residuals(const gsl_vector *at, void *data, gsl_vector *residual) {
   const struct ring *ring = data;
   const double r0 = ring->radius[0];
@@ -68,7 +68,7 @@ static bool solve_equations(struct ring *ring, double *d1, double *d2) {
   return status == GSL_SUCCESS;
 }
 
-/* 0 for the middle sphere, 1 and 2 in turn for the others */
+/* The kind of a particle: 0 for the middle sphere, 1 and 2 in turn for the others. */
 static int kind(size_t particle) { return particle == 0 ? 0 : particle % 2 ? 1 : 2; }
 
 static bool is_ring(const struct nb_scene *scene) {

@@ -4,5 +4,6 @@
 #pragma once
 
 /* The half width of the confidence interval of the mean of n values, in units of s/sqrt(n), where s is the standard
- * deviation of the values; infinite for n = 1. */
+ * deviation of the values. `confidence` is the probability, below 1, that the interval contains the mean. INFINITY: n
+ * is at most 1. */
 double student_quantile(double n, double confidence);

@@ -5,9 +5,8 @@
  *
  * Returns, at the end, for D that monitors a particle:
  *   D.x, D.y, D.angle; D.vx, D.vy, D.spin with the opposite sign
- * Accepts one stage with `reverse velocities`, equal numbers of cycles before and after its beginning, and one time
- * step.
- * Error: rounding.
+ * Accepts one stage with `reverse velocities`, equal numbers of cycles before and after its beginning, one time step,
+ * and walls whose motion only the first stage sets. Error: rounding.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>

@@ -1,10 +1,10 @@
 /* Reference: a particle that rolls along a wall which turns about a fixed point  [CS79 figure 4].
  *
  * The wall turns about P with the angular velocity W. In the frame of the wall, the centre of the particle has the
- * coordinates s along the wall and n to the left of it, measured from P. It starts at s = s_0. The angular velocity of
- * the particle is w. Its distance from the line of the wall is constant; sigma = 1 if the particle is to the left of
- * this line, else -1. The centrifugal and Coriolis forces and the forces N and F of the wall (F on the particle, along
- * the wall) balance its acceleration:
+ * coordinates s along the wall and n to the left of it, measured from P. It starts at s = s_0, at rest in this frame.
+ * The angular velocity of the particle is w. The distance of the centre from the line of the wall is constant;
+ * sigma = 1 if the particle is to the left of this line, else -1. The centrifugal and Coriolis forces and the forces N
+ * and F of the wall (F on the particle, along the wall) balance its acceleration:
  *
  *   m (s'' - W^2 s) = F              m (2 W s' - W^2 n) = sigma N
  *   rolling:  s' + sigma R (w - W) = 0,     I w' = sigma R F      so     s'' = W^2 s / (1 + I/(m R^2))
@@ -28,10 +28,10 @@
 enum quantity { X, Y, SPIN, NORMAL, SHEAR, QUANTITIES };
 
 struct rolling {
-  double px, py, ex, ey;  /* P, and the unit vector along the wall at time 0 */
-  double wall_spin;       /* W, rad/s */
-  double q, s0, n, sigma; /* 1/s, m, m, 1 */
-  double radius, mass, inertia;
+  double px, py, ex, ey;        /* P, and the unit vector along the wall at time 0 */
+  double wall_spin;             /* W, rad/s */
+  double q, s0, n, sigma;       /* 1/s, m, m, 1 */
+  double radius, mass, inertia; /* m, kg, kg m2 */
   enum quantity quantity;
 };
 

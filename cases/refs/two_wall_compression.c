@@ -1,24 +1,24 @@
 /* Reference: two discs in a row between two walls that approach with the speed v each: the first calculation cycles by
  * hand [CS79 1-7].
  *
- * At t_0 discs and walls just touch, without forces. X_n and Y_n are the displacements of the discs x and y along the
- * row at t_n, in units of v dt. The overlaps at A (wall and x), B (x and y) and C (y and wall) in the same unit are
+ * At t_0 discs and walls just touch, without forces. X_n and Y_n are the displacements of the discs x and y at t_n,
+ * positive from A to C, in units of v dt. The overlaps at A (wall and x), B (x and y) and C (y and wall) in the same
+ * unit are
  *     a_n = n - X_n,    b_n = X_n - Y_n,    c_n = n + Y_n
  * With p = k_A dt^2/m_x, q = k_B dt^2/m_x, r = k_B dt^2/m_y, s = k_C dt^2/m_y the cycle is
  *     X_(n+1) = 2 X_n - X_(n-1) + p a_n - q b_n,    Y_(n+1) = 2 Y_n - Y_(n-1) + r b_n - s c_n,
  * X_0 = X_1 = Y_0 = Y_1 = 0, because the discs are at rest during the first step of the walls. So each displacement is
  * a polynomial in p, q, r, s with integer coefficients, which are computed exactly; the first are
- *     a_1 = 1, b_1 = 0              (1)
- *     a_2 = 2 - p, b_2 = p + s, c_2 = 2 - s      CS79 (5) to (7), which are increments, each added to
- *                                                the value of CS79 (1)
+ *     a_1 = 1, b_1 = 0                           CS79 (1)
+ *     a_2 = 2 - p, b_2 = p + s, c_2 = 2 - s      CS79 (5) to (7), which give the increments since t_1
  * Rounding occurs only when a polynomial is evaluated. A program that stores positions x differs by the relative error
  * rounding(x)/overlap.
  *
  * Returns, for n = 1 ... 6 within the first undamped motion of the walls, for C that monitors a contact and D that
  * monitors a disc:
  *     C.normal, C.overlap at n cycles          k v dt a_n (or b_n, c_n) and v dt a_n
- *     D.fx, D.fy at n cycles                   the sum of forces (2)
- *     D.vx.half, D.vy.half at n cycles         the velocity over the previous step (4)
+ *     D.fx, D.fy at n cycles                   the sum of forces, CS79 (2)
+ *     D.vx.half, D.vy.half at n cycles         the velocity over the previous step, CS79 (4)
  * and, if there is no damping in any stage and no contact opens, C.normal along cycle and along time, by normal modes.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -36,12 +36,13 @@ struct polynomial {
   long long of[SIZE]; /* integer coefficients */
 };
 
-/* sum += factor * power * other */
+/* sum += factor * power * other, where power is p, q, r, s or 1. */
 static void add(struct polynomial *sum, long long factor, enum power power, const struct polynomial *other) {
   for (int i = 0; i + (int)power < SIZE; i++)
     sum->of[i + (int)power] += factor * other->of[i];
 }
 
+/* The value for p, q, r, s = at[0], …, at[3]. */
 static long double evaluate(const struct polynomial *polynomial, const long double at[4]) {
   long double sum = 0, s = 1;
   for (int l = 0, i = 0; l < SIDE; l++, s *= at[3]) {
@@ -85,7 +86,7 @@ static void calculate(struct hand *hand) {
   }
 }
 
-/* The four variables, and v dt. */
+/* p, q, r, s, and v dt in m. */
 struct numbers {
   long double at[4], unit;
 };

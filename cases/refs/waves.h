@@ -18,7 +18,8 @@ enum { WAVES_MODES = 3 };
 struct waves_modes {
   int count;                               /* 3, or 2 without rotation */
   double omega[WAVES_MODES];               /* rad/s, ascending */
-  double shape[WAVES_MODES][WAVES_MODES];  /* shape[k][i]: displacements u_x, u_y and rotation psi in mode k */
-  double weight[WAVES_MODES][WAVES_MODES]; /* weight[k][i]: the amount of mode k in a velocity i; shape^T weight = 1 */
+  double shape[WAVES_MODES][WAVES_MODES];  /* shape[k]: displacements u_x, u_y and rotation psi in mode k */
+  double weight[WAVES_MODES][WAVES_MODES]; /* weight[k][i]: amplitude of mode k per unit of velocity i */
 };
-struct waves_modes waves_modes(const struct waves_lattice *lattice, double qx, double qy); /* 1/m */
+/* The modes of the wave vector (qx, qy), 1/m; NAN: GSL failed. */
+struct waves_modes waves_modes(const struct waves_lattice *lattice, double qx, double qy);

@@ -21,9 +21,9 @@
 #include "single.h"
 
 struct side {
-  double nx, ny; /* n_i */
-  double gap;    /* n_i P_i, m */
-  double k, force;
+  double nx, ny;   /* n_i */
+  double gap;      /* n_i P_i, m */
+  double k, force; /* k_i, N/m; N_i, N */
 };
 
 static struct side side_of(const struct nb_scene *scene, const struct nb_wall *wall) {

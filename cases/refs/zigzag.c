@@ -1,7 +1,7 @@
 /* Reference: force chains of a zigzag of equal discs between two walls, and of discs without load.
  *
- * Each contact of two discs makes the angle phi with the axis of the zigzag and carries F. A wall supports each disc
- * laterally with 2 F sin phi. The stress of a disc is then, up to overlaps, F R over its volume times
+ * Each contact of two discs makes the angle phi with the axis of the zigzag, which is y, and carries F. A wall supports
+ * each disc laterally with 2 F sin phi. The stress of a disc is then, up to overlaps, F R over its volume times
  *
  *   along the axis    2 cos^2 phi                 across    2 sin^2 phi + 2 sin phi
  *
@@ -24,8 +24,8 @@ static bool touch(const struct nb_particle *a, const struct nb_particle *b) {
   return hypot(a->x - b->x, a->y - b->y) < a->radius + b->radius;
 }
 
-/* The angle of the contacts of discs with the y axis, rad, and the number of free discs with such contacts. False: the
- * angles differ, or fewer than three free discs have such contacts. */
+/* *phi: the angle of the contacts of discs with the y axis, rad. *touching: the number of free discs with such
+ * contacts. False: the angles differ, or fewer than three free discs have such contacts. */
 static bool contacts_alike(const struct nb_scene *scene, double *phi, double *touching) {
   double smallest = INFINITY, largest = 0;
   *touching = 0;
