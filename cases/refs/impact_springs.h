@@ -23,7 +23,7 @@
 struct impact_path {
   int steps;
   double psi2; /* psi at the end */
-  double slid; /* integral of f over d while the whole contact slides */
+  double slid; /* integral of f over the displacement of gross sliding */
   double *xi, *f, *d;
   bool *slides; /* entry k: gross sliding at the end of step k */
 };

@@ -99,13 +99,12 @@ enum nb_status lattice_check_forces(const struct lattice *lattice, const gsl_vec
     if (normal < -allowed)
       return nb_error_set(
           error, NB_BAD_USE,
-          "this reference is for contacts that stay closed; that of particle %d with %s %d opens at cycle "
-          "%g",
+          "this reference is for contacts that stay closed; the contact of particle %d with %s %d opens at cycle %g",
           contact->a + 1, other, contact->b + 1, cycle);
     if (contact->pair.ks > 0 && shear > normal * contact->pair.friction + contact->pair.cohesion + allowed)
       return nb_error_set(
           error, NB_BAD_USE,
-          "this reference is for contacts that do not slip; that of particle %d with %s %d slips at cycle "
+          "this reference is for contacts that do not slip; the contact of particle %d with %s %d slips at cycle "
           "%g (shear over normal force %g)",
           contact->a + 1, other, contact->b + 1, cycle, shear / normal);
   }

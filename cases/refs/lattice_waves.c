@@ -1,7 +1,7 @@
 /* Reference: a standing wave in a periodic square or hexagonal lattice of equal discs or spheres, from given initial
  * velocities.
  *
- * In a wave of the wave vector q the particle at x, measured from the origin of the cell, has the displacement u =
+ * In a wave of the wave vector q the particle at x, measured from the centre of the cell, has the displacement u =
  * U sin(q.x) and the rotation theta = psi cos(q.x). Neighbours i and j are s apart at rest, e is the unit vector from i
  * to j, and n is e turned counterclockwise. F is the normal force of their contact at rest. The displacements change
  * the force of this contact on i by

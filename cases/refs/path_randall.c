@@ -9,8 +9,8 @@
  *   u = 1 - (T - T**)/2 mu N      reloading   [R89 3.97]      the same; re-unloading goes back along it [R89 sec. 3.3]
  *
  * With d(delta) = 0 and N decreasing, [R89 3.94] becomes dT = mu dN (1 - theta), with the opposite sign in unloading,
- * while T* decreases and T** increases by mu |dN| [R89 4.20, 4.21]. Let zeta = alpha u^(2/3), the overlap at which the
- * edge of the contact would be where the stick front is now. Then N u = N(zeta), theta = N'(zeta)/N'(alpha), and
+ * while T* decreases and T** increases by mu |dN| [R89 4.20, 4.21]. Let zeta = alpha u^(2/3): at this overlap the
+ * contact would be as large as the stick region is now. Then N u = N(zeta), theta = N'(zeta)/N'(alpha), and
  *
  *   d(zeta) = d(alpha)            loading                     d(zeta) = d(alpha)/2      unloading, reloading
  *
@@ -193,7 +193,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     return nb_error_set(
         error, NB_BAD_USE,
         "the reference `path_randall` is for overlap and slip, or normal force and slip, that change in turns, without "
-        "gross sliding and without unloading beyond the opposite of T*");
+        "gross sliding, and without unloading to -T*, where T* is the shear force at which unloading began");
   return made ? solution_status(solution, error) : nb_error_memory(error);
 }
 

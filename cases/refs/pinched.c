@@ -81,7 +81,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     return nb_error_set(
         error, NB_BAD_USE,
         "the reference `pinched` is for spheres of one material: two equal fixed ones that approach each other along "
-        "x, and a third one at rest between them above the line");
+        "x, and a third one at rest between them, above the line of their centres");
   const struct nb_material *glass = &scene->materials[small->material];
   const double R = right->radius, r = small->radius;
   struct pinch pinch = {.stiffness =

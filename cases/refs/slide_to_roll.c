@@ -22,6 +22,8 @@
  *   time in STAGE, D.x in STAGE      of the stage that ends when sliding ends
  *   D.vx in STAGE                    of later stages, when the oscillation has decayed
  *
+ * Accepts an initial normal force equal to the weight, within 1e-4 of it, and less than critical damping.
+ *
  * Source   [MFiX DEM-04] for the rigid particle; the springs are elementary.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
