@@ -66,13 +66,13 @@ static double randall(struct step s, struct history *m) {
   const double theta = slip > s.dxi + m->deficit ? cbrt(fraction < 0   ? 1
                                                         : fraction > 1 ? 0
                                                                        : 1 - fraction)
-                                                 : 1; /* 3.95, 3.96 */
+                                                 : 1; /* [R89 3.95, 3.96] */
   m->deficit = fmax(m->deficit + s.dxi - slip, 0);
   return s.f + 1.5 * s.root * theta * s.dd + (m->unloading ? -1 : 1) * m->sense * (1 - theta) * s.dn;
 }
 
 /* Drops history that has no effect any more. Sliding erases all of it; the direction is then that of f. A reversal is
- * erased when f has reached -T*, has come back to T*, or when T* has become 0 because N decreased. */
+ * erased when f has reached -T* or come back to T*, and when T* has become 0 because N decreased. */
 static void drop_history(struct history *m, double f, bool slides) {
   if (slides)
     *m = (struct history){.sense = copysign(1, f)};

@@ -70,8 +70,8 @@ static enum nb_status refuse(struct nb_error *error, const char *what) {
   return nb_error_set(error, NB_BAD_USE, "the reference `lattice_moduli` is for %s", what);
 }
 
-/* The number of particles that touch particle 1, each with its nearest periodic copy. *spacing: the distance to the
- * nearest particle. */
+/* The number of particles that touch particle 1; of each particle the nearest periodic copy counts. *spacing: the
+ * distance to the nearest particle. */
 static int neighbours(const struct nb_scene *scene, double *spacing) {
   int count = 0;
   *spacing = INFINITY;

@@ -8,7 +8,7 @@
  * The calculation cycle [CS79 22, 22a] is  q_(n+1) - 2 q_n + q_(n-1) = dt^2 (g_n - omega^2 q_n)  with q_0 = q_1 = 0.
  * Its exact solution is
  *
- *     q_n = (b dt / omega^2) (n - sin(n phase) / sin(phase)),   sin(phase / 2) = omega dt / 2:
+ *     q_n = (b dt / omega^2) (n - sin(n phase) / sin(phase)),   sin(phase / 2) = omega dt / 2.
  *
  * This has the same straight line and an oscillation of a slightly higher frequency. A program that follows the cycle
  * agrees with this solution to rounding, except that in the program the directions of contacts change a little. Every

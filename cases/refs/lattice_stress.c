@@ -5,7 +5,7 @@
  * With n = d/|d|, the area A = |a_1 x a_2| of the cell, and <> for the mean over the contacts:
  *
  *   sigma_ij = (1/A) sum over pairs +-d of N |d| n_i n_j             Phi_ij = <n_i n_j>,   Phi_ijkl = <n_i n_j n_k n_l>
- *   F_kk = z R/A                 coordination = z, twice the pairs      porosity = 1 - pi R^2/A (overlaps count twice)
+ *   F_kk = z R/A                 coordination z = twice the pairs +-d   porosity = 1 - pi R^2/A (overlaps count twice)
  *
  * a_1 is the vector from particle 1 to particle 2, a_2 the vector from particle 1 to the nearest particle off this
  * line. The values hold for any box of whole cells, wherever the box begins and whichever discs its edge cuts.

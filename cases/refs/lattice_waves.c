@@ -121,7 +121,8 @@ static bool find_wave(struct wave *it, const struct nb_scene *scene) {
   return false;
 }
 
-/* The number of the nearest neighbours of particle 1, each with its nearest periodic copy. *spacing: their distance. */
+/* The number of the nearest neighbours of particle 1; of each particle the nearest periodic copy counts. *spacing:
+ * their distance. */
 static int neighbours(const struct nb_scene *scene, double *spacing) {
   int count = 0;
   *spacing = INFINITY;

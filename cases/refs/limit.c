@@ -6,8 +6,8 @@
  *
  * The dashpot acts on the velocity of the previous half step. The cycle maps (u, w) to new values, and the step is too
  * long when the matrix of this map has an eigenvalue outside the unit circle. At the limit this eigenvalue is -1: u and
- * w change sign every cycle. Inserted into the cycle, this change of sign gives det(dt^2 K + 2 dt C -
- * 2 (1 + keep)/gain) = 0.
+ * w change sign every cycle. Inserted into the cycle, this change of sign gives
+ * det(dt^2 K + 2 dt C - 2 (1 + keep)/gain) = 0.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "limit.h"

@@ -8,8 +8,8 @@
  *   N n n/sum N    to the fabric weighted by the normal force
  *
  * Principal values and directions are GSL's eigenvalues and eigenvectors. The area of a particle in a region is the
- * integral, by quadrature, of the part of a horizontal line that lies in both. Rattlers are removed one by one until
- * none is left.
+ * integral over y, by quadrature, of the length of the horizontal line that lies in both. Rattlers are removed one by
+ * one until none is left.
  *
  * Returns, for A that monitors a circle or a box, at 0 cycles:
  *   all components of A.stress, A.stress.contacts, A.fabric, A.fabric.normal; A.fabric.kk

@@ -1,5 +1,6 @@
 /* Reference: Mindlin and Deresiewicz's loops of the shear force T against the tangential displacement delta, at a
  * constant normal force N, in closed form.
+ *
  *   A = 3 mu N/(16 G* a)                                       displacement at which gross sliding begins, m
  *   delta           = A [1 - (1 - T/mu N)^(2/3)]               loading from T = 0                            [R89 3.25]
  *   delta* - delta  = 2A [1 - (1 - (T* - T)/2mu N)^(2/3)]      unloading from T*, delta*                     [R89 3.40]

@@ -2,7 +2,7 @@
  *
  *   p = sum m v                  for all laws and contact dashpots, because the two forces of a contact are opposite
  *   L = sum (m r x v + I w)      about the origin, with the position r and the angular velocity w; only without shear
- *                                forces, because the moments F_s R of CS79 change L by F_s times the overlap
+ *                                forces, because with the moments F_s R of CS79 L' is F_s times the overlap
  *
  * Returns momentum.x, momentum.y and, with `shear none` and without a cell, momentum.angular, at any time; each also
  * with max, min and mean.

@@ -49,7 +49,7 @@ static double work(const struct contact *contact, struct path_point from, double
   return sum / (3. * HALVES) * (slip - from.slip);
 }
 
-/* The slip that gives a shear force: T is linear in slip for all three laws. */
+/* The slip at which T is `shear`, by interpolation: T is linear in slip for all three laws. */
 static double slip_of_force(const struct contact *contact, struct path_point from, double approach, double shear) {
   const double none = force(contact, from, approach, from.slip, 1),
                one = force(contact, from, approach, from.slip + 1, 1);

@@ -16,7 +16,8 @@
  *
  * until zeta = alpha: there T* or T** equals T and is dropped. With N increasing there is no micro-slip [R89 3.98]: T
  * is constant, and mu kappa d(alpha) adds to the deficit of the contact [R89 3.70, 3.71, 4.16]. The next displacement
- * first makes up for the deficit with the stiffness 8 G* a; a decrease of N reduces it; a reversal drops it.
+ * first makes up for the deficit with the stiffness 8 G* a; a decrease of N reduces the deficit; a reversal sets it to
+ * 0.
  *
  * `randall_literal` follows the text of FORD and THETA. With d(delta) = 0, T is constant for any N. Reloading and
  * re-unloading have u = 1 - (T - T*)/2 mu N [R89 4.24]. There is no deficit, because the text uses it only where delta
