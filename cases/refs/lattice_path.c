@@ -1,5 +1,5 @@
-/* A network of springs under slow motion of its walls. Contacts begin and cease to slide; there is no cohesion [CS79
- * 16-19].
+/* A network of springs under slow motion of its walls. Contacts begin and cease to slide; there is no cohesion
+ * [CS79 16-19].
  *
  * Slow means equilibrium at all times: stretch^T F = 0 (lattice.h). In an increment of the path in which the walls move
  * by dw, with dn, ds the increments of overlap and slip of a contact,
