@@ -1,5 +1,5 @@
-/* `impact`: the initial motion of the sphere, the time of first touch, and measured quantities that must not depend
- * on the direction of the impact.
+/* The statement `impact`: the initial motion of the sphere, the time of first touch, and the measured quantities, which
+ * must not depend on the direction of the impact.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -14,8 +14,8 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* A sphere of m = 4 pi/3 R^3 rho and q = m R^2/I = 5/2 on springs k_n = 400, k_s = 320, mu = 0.3: kappa = k_n/k_s =
- * 1.25. */
+/* A sphere with the mass m = 4 pi/3 R^3 rho and the moment of inertia I has q = m R^2/I = 5/2. With k_n = 400 and
+ * k_s = 320, kappa = k_n/k_s = 1.25. */
 #define BALL "units none\nnormal linear\nshear linear\nmaterial m density 0.25 kn 400 ks 320 friction 0.3\n"
 #define RECORD                                                                                                         \
   "record time B.x B.y B.vx B.vy B.spin C.overlap C.normal C.shear impact.psi1 impact.psi2 impact.angle impact.time "  \
@@ -23,6 +23,7 @@ static const double pi = 3.14159265358979323846;
   "impact.energy.tangential impact.energy.rotational energy.kinetic\nstage s\ncycles 1\n"
 #define ON_FLOOR "sphere 0 3 radius 0.5 m\nwall f -9 0 to 9 0 m\nmonitor B sphere 1\nmonitor C sphere 1 with wall f\n"
 
+/* Writes a page with the statements of the particle and of the impact. Returns its model at time 0. */
 static struct nb_model *made(struct written *it, const char *particle, const char *impact) {
   struct words page = {0};
   words_add(&page, BALL "%s%s\nstep 0.001\n" RECORD, particle, impact);
@@ -48,7 +49,9 @@ static void initial_motion(void) {
   nb_model_free(model), written_free(&it);
 }
 
-/* psi1 contains the surface speed R w. The particle that is hit may move, and its velocity and spin count too. */
+/* psi1 is computed from the relative velocity at the point of contact. So it contains the velocities of the sphere and of
+ * its partner, another sphere or a wall. It also contains the surface speed of each sphere, which is its radius times its
+ * angular velocity. */
 static void psi1_is_of_the_contact(void) {
   static const char *const particles[] = {
       "sphere 0 3 radius 0.5 m spin 0.8\nwall f -9 0 to 9 0 m\nmonitor B sphere 1\nmonitor C sphere 1 with wall f\n",
@@ -75,7 +78,7 @@ static void psi1_is_of_the_contact(void) {
   }
 }
 
-/* Two unequal spheres of two materials, which are the spheres 2 and 3 of three; a fixed sphere has infinite mass. */
+/* Spheres 2 and 3 collide. They differ in radius and material. A fixed sphere has infinite mass. */
 #define TWO                                                                                                            \
   "units none\nnormal %s\nmaterial a density 0.25 kn 400 ks 320 friction 0.3 young 0.5 poisson 0.1\n"                  \
   "material b density 2 kn 100 ks 0.8 friction 0.2 young 7e3 poisson 0.4\n"                                            \
@@ -116,12 +119,12 @@ static void effective_constants_of_two_particles(void) {
   }
 }
 
-/* The nearest point of a wall: for a sphere on either side, with the point of `about` off the wall, and beyond the
- * ends. */
+/* The sphere touches the wall at the point that is nearest to its centre. The rows have the sphere on both sides of the
+ * wall, each also with a pivot (`about`) off the wall, and beyond both ends of the wall. */
 static void impact_on_a_wall_at_its_nearest_point(void) {
   static const struct {
     const char *wall;
-    double x, y, nx, ny;
+    double x, y, nx, ny; /* nearest point, and direction from there to the centre of the sphere */
   } walls[] = {{"wall f -9 1.5 to 9 1.5 m", 2, 1.5, 0, 1},
                {"wall f -9 1.5 to 9 1.5 m about 1 7", 2, 1.5, 0, 1},
                {"wall f -9 5.5 to 9 5.5 m", 2, 5.5, 0, -1},
@@ -191,8 +194,9 @@ static void wrong_impacts_are_refused(void) {
   }
 }
 
-/* Gross sliding on linear springs: N is half a sine wave and T = mu N, so the tangential velocity of the point of
- * contact falls by 2 mu (1 + q) V_N. The other values follow from this. */
+/* Gross sliding on linear springs: N(t) is half a sine wave, and T = mu N. So the tangential velocity V_T of the point
+ * of contact falls by 2 mu (1 + q) V_N, where V_N is the normal velocity at first touch. The other values follow from
+ * this. */
 static void gross_sliding(void) {
   static const char *const places[] = {"", "\ntransform rotate 1.1 translate 3 4", "\ntransform mirror x",
                                        "\ntransform mirror y rotate 2.5"};
@@ -221,7 +225,7 @@ static void gross_sliding(void) {
     NEAR(written_now(model, "impact.energy.normal"), m * vn * vn / 2, 1e-3);
     NEAR(written_now(model, "impact.energy.tangential"), m * after * after / 2, 1e-3);
     NEAR(written_now(model, "impact.energy.rotational"), 0.4 * m * spin * spin / 2, 2e-3);
-    /* by symmetry the mean of V_T over the contact is the mean of its values at both ends */
+    /* by symmetry, the mean of V_T over the impact is the mean of its values at first touch and at separation */
     NEAR(slipped, (2 * vt - 2 * 0.3 * 3.5 * vn) / 2 * lasts, 0.1);
     nb_model_free(model), written_free(&it);
   }
@@ -240,7 +244,8 @@ static void energies_sum_to_the_kinetic_energy(void) {
   nb_model_free(model), written_free(&it);
 }
 
-/* Elastic spheres: duration and peak force by [R89 5.9, 5.12], kappa from Poisson's ratio. */
+/* An elastic sphere: the duration and the peak force are those of [R89 5.9, 5.12], and kappa follows from Poisson's
+ * ratio. */
 static void elastic_spheres(void) {
   struct written it;
   struct words page = {0};

@@ -1,4 +1,5 @@
-/* The kinematics of contacts, compared with [CS79 8-15] computed in long double, and the signs of its results.
+/* The geometry passes, which compute the kinematics of contacts: their results are compared with [CS79 8-15] computed
+ * in long double. The last test checks the pass that computes forces.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -51,7 +52,8 @@ static struct bench *bench_create(bool wall) {
   return it;
 }
 
-/* Fills the input: discs 2c and 2c + 1, or disc 2c and wall c, near each other and far from the origin. */
+/* Fills the input of each contact c with discs 2c and 2c + 1, or with disc 2c and wall c. The two partners are near
+ * each other and far from the origin. */
 static void bench_fill(struct bench *it, unsigned seed) {
   struct chance chance = chance_begin(seed);
   it->model.previous_step = chance_scale(&chance, 1e-6, 1e-2);
@@ -81,12 +83,14 @@ static void bench_fill(struct bench *it, unsigned seed) {
   }
 }
 
+/* Whether a computed value differs from the expected one by rounding errors only. The rounded numbers have the sizes
+ * of `expected` and `scale`. */
 static bool near(double computed, long double expected, double scale) {
   return fabsl(computed - expected) <= 16 * 2.2e-16L * (fabsl(expected) + scale);
 }
 
 /* Compares contact c with [CS79 8-15] for disc 2c and a partner at q with the radius `other`, the velocity u and the
- * surface speed `turning`. */
+ * surface speed `turning`. The partner is another disc, or the nearest point of a wall, whose radius is 0. */
 static void compare(const struct bench *it, int c, const long double q[2], const long double u[2], long double other,
                     long double turning) {
   const struct nb_vec x = it->position[2 * c], v = it->velocity[2 * c];
@@ -94,7 +98,7 @@ static void compare(const struct bench *it, int c, const long double q[2], const
   const long double e1 = dx / distance, e2 = dy / distance, t1 = e2, t2 = -e1;
   const long double rx = v.x - u[0], ry = v.y - u[1], dt = it->model.previous_step;
   const long double overlap = it->radius[2 * c] + other - distance;
-  const double blur = 2000 / (double)distance; /* size of the coordinates, which are rounded, over the distance */
+  const double blur = 2000 / (double)distance; /* size of the rounded coordinates over the distance */
   CU_ASSERT(near(it->f[NB_OVERLAP][c], overlap > 0 ? overlap : 0, 2000));
   CU_ASSERT(near(it->f[NB_EX][c], e1, blur) && near(it->f[NB_EY][c], e2, blur));
   const long double dn = (rx * e1 + ry * e2) * dt,
@@ -147,7 +151,7 @@ static void disc_wall(void) {
   free(it);
 }
 
-/* A form of the pass that computes fewer quantities gives the same bits for these. */
+/* A form of a pass that computes fewer quantities gives the same bits for the quantities that it computes. */
 static void forms_agree(void) {
   for (int wall = 0; wall < 2; wall++) {
     struct bench *all = bench_create(wall), *some = bench_create(wall);
@@ -169,8 +173,8 @@ static void forms_agree(void) {
   }
 }
 
-/* A pass gives the same bits with every instruction set of this machine, for any number of contacts, and writes nothing
- * behind the last one. */
+/* A pass gives the same bits with every instruction set of this machine, for any number of contacts. It writes nothing
+ * after the last contact. */
 static void instruction_sets_agree(void) {
   static const struct nb_pass *const kinds[] = {nb_pass_disc_disc, nb_pass_periodic, nb_pass_disc_wall};
   static struct nb_vec image[N];
@@ -192,7 +196,7 @@ static void instruction_sets_agree(void) {
             const struct nb_vec moved = vec_sub(plain->position[2 * c + 1], tensor_times(cell.h, image[c]));
             plain->position[2 * c + 1] = it->position[2 * c + 1] = moved;
           }
-          for (int c = 0; c < N && kind < 2; c += 3) /* both orders of the two discs */
+          for (int c = 0; c < N && kind < 2; c += 3) /* exchange the two discs of every third pair */
             plain->a[c] = it->a[c] = 2 * c + 1, plain->b[c] = it->b[c] = 2 * c;
           plain->model.cell = it->model.cell = &cell;
           plain->block.image = it->block.image = image;
@@ -230,7 +234,7 @@ static void signs_of_slip(void) {
   free(it);
 }
 
-/* F = -(F_n e + F_s t), with and without a shear force. [CS79, The force-displacement law] */
+/* The force on the first disc is -(F_n e + F_s t), with and without a shear force. [CS79, The force-displacement law] */
 static void force_in_components(void) {
   static struct nb_contact_force force[N];
   struct bench *it = bench_create(false);

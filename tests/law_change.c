@@ -34,8 +34,8 @@ static void the_force_jumps_and_the_energy_is_counted(void) {
   written_free(&it);
 }
 
-/* A normal law by increments gets its increment from the geometry pass, even if no shear law and no dashpot needs
- * it. */
+/* A normal law that sums increments gets the normal increment from the geometry pass, even if no shear law and no
+ * dashpot needs it. */
 static void increments_without_a_shear_law(void) {
   static const char *const shears[] = {"none", "mindlin"};
   double force[2];
@@ -58,14 +58,16 @@ static void increments_without_a_shear_law(void) {
   CU_ASSERT_EQUAL(force[0], force[1]);
 }
 
-/* Another law, or another number of pieces, begins without a history. The same number, stated again, keeps it.
+/* If a stage changes the law or its number of pieces, contacts begin again without a history. If a stage states the
+ * same law and the same number, contacts keep their history.
  *
- * The heavy sphere slides at a constant velocity, d = 1e-5 per cycle. In each cycle T grows by k d with k = 8 G* a. G*
- * = 1000/(2 (1 + 0) 4) = 125 and a = (R* alpha)^(1/2) = 1/2, so k = 500, which is also k_s. Micro-slip reduces T by a
- * fraction of the order of T/(mu N), which is below 4e-5 because N = 500/3.
+ * The heavy sphere moves at a constant tangential velocity, d = 1e-5 per cycle. In each cycle the shear force T grows
+ * by k d with k = 8 G* a. Here G* = 1000/(2 (1 + 0) 4) = 125 and a = (R* alpha)^(1/2) = 1/2, so k = 500, which is also
+ * k_s. Micro-slip reduces T by a fraction of the order of T/(mu N), which is below 4e-5 because N = 500/3.
  *
- * A contact without a history is treated as if overlap and slip had grown in proportion, du/dalpha = d/alpha. So
- * T = integral of 8 G* (R* alpha')^(1/2) d/alpha dalpha' = 2/3 k d. */
+ * The law with micro-slip treats a contact without a history as if its overlap and its tangential displacement had
+ * grown in proportion, from 0 to alpha and to d. So T is the integral of 8 G* (R* x)^(1/2) d/alpha over the overlap x
+ * from 0 to alpha, which is 2/3 k d. With `shear mindlin`, T is k d. */
 static void another_law_has_no_history(void) {
   static const struct {
     const char *first, *second;

@@ -1,7 +1,5 @@
-/* The contract that every registered law must satisfy. No test in this file names a law.
- *
- * Each test runs over all laws with many random material pairs and paths; shear laws are combined with every normal
- * law.
+/* Rules that every registered law must satisfy. Each test runs over all laws with many random material pairs and paths.
+ * A shear law is combined with every normal law that it allows.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -12,7 +10,7 @@
 #include "suites.h"
 
 static void nothing_at_zero_overlap(struct contact it, struct chance *chance) {
-  for (int k = 0; k < 3; k++) { /* at first touch, and after a history */
+  for (int k = 0; k < 3; k++) { /* at first touch, and after some loading */
     contact_go(&it, 0, chance_between(chance, -1e-4, 1e-4));
     CU_ASSERT(it.n.force == 0 && it.n.stiffness == 0 && it.n.radius == 0);
     CU_ASSERT(it.s.force == 0 && it.s.stiffness == 0 && it.s.sliding == 0);
@@ -54,7 +52,8 @@ static void stiffness_is_the_slope(struct contact it, struct chance *chance) {
   CU_ASSERT(fabs(slope - stiffness) <= tolerance);
 }
 
-/* A law that declares its stiffness constant returns that of the pair, or 0: dashpots store what they compute from it. */
+/* A law that declares a constant stiffness returns the stiffness of the material pair, or 0. Dashpots rely on this: they
+ * store coefficients that they compute from it. */
 static void constant_stiffness_is_that_of_the_pair(struct contact it, struct chance *chance) {
   for (int k = 0; k < 20; k++) {
     contact_go(&it, k % 5 ? chance_scale(chance, 1e-9, 1e-3) : 0, chance_between(chance, -1e-4, 1e-4));
@@ -65,8 +64,9 @@ static void constant_stiffness_is_that_of_the_pair(struct contact it, struct cha
   }
 }
 
-/* After any history, no step up or down is steeper than the largest stiffness that the law returns. The step is so
- * short that the stiffness of elastic spheres changes by the fraction 2^-17. */
+/* After any history, a short step of the overlap in either direction changes the force by at most the step times the
+ * largest stiffness that the law returns. The step is so short that the stiffness of elastic spheres changes by the
+ * fraction 2^-17. */
 static void never_stiffer_than_stated(struct contact it, struct chance *chance) {
   for (int k = 0; k < 20; k++) {
     const double overlap = chance_scale(chance, 1e-9, 1e-3), h = ldexp(overlap, -16);
@@ -84,8 +84,8 @@ static void never_stiffer_than_stated(struct contact it, struct chance *chance) 
   }
 }
 
-/* The slope over two steps is the mean of the stiffnesses that the law returns in both, because an incremental law
- * returns the slope of its step. */
+/* The slope over two steps is compared with the mean of the two stiffnesses that the law returns, because an
+ * incremental law returns the slope of its step. */
 static void shear_stiffness_is_the_slope(struct contact it, struct chance *chance) {
   if (it.shear->dissipative)
     return; /* laws with micro-slip are tested below */
@@ -104,8 +104,9 @@ static void shear_stiffness_is_the_slope(struct contact it, struct chance *chanc
     CU_ASSERT(fabs((it.s.force - before) / (2 * h) - (stiffness + it.s.stiffness) / 2) <= tolerance);
 }
 
-/* A law with micro-slip has the slope of its stiffness just after a reversal, and a smaller one during micro-slip.
- * Over the fraction h of the displacement at gross sliding, the slope deviates by a fraction of the order of h. */
+/* Just after a reversal, the slope of a law with micro-slip is its stiffness. During micro-slip the slope is smaller.
+ * The step after the reversal is 2^-12 of the displacement at which gross sliding begins, so its slope deviates from
+ * the stiffness by a fraction of the same order. */
 static void shear_stiffness_is_the_slope_at_stick(struct contact it, struct chance *chance) {
   if (!it.shear->dissipative || it.pair.friction == 0)
     return;
@@ -198,7 +199,7 @@ static const char *change(struct nb_pair *pair, int number) {
   return number == k ? "young" : "poisson";
 }
 
-/* A law's force along random histories depends on the parameters that its row states, and on no others. Only the law
+/* A law's force along random histories depends on the parameters that the law declares, and on no others. Only the law
  * under test gets the changed pair. */
 static void the_force_depends_on_the_stated_parameters(void) {
   for (const struct nb_law *const *law = nb_laws(); *law; law++) {

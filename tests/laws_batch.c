@@ -1,6 +1,6 @@
 /* The batch forms of a law compute a block of contacts. They must give the same bits as the law computed for one
- * contact at a time, with every instruction set and every number of contacts. They must write nothing past the end, and
- * the history must end with the contact.
+ * contact at a time, with every instruction set and every number of contacts. They must write nothing past the last
+ * contact of the block. When a contact opens, they must reset its history.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -42,7 +42,8 @@ enum { ROOM = NB_BLOCK_SIZE + 8 }; /* more than a block, to detect writes past i
 
 enum { MOST = 16 + 5 * 64 }; /* doubles per contact of a law with more than NB_HISTORY history variables */
 
-/* A random history of such a law, made by the law itself. */
+/* Fills a row with random numbers. If the law keeps its history in rows, the row then gets a random history, which the
+ * law itself makes. */
 static void row_of_chance(double *row, const struct nb_law *law, struct nb_pair pair, struct chance *chance) {
   row[0] = 0;
   for (int m = 1; m < MOST; m++)
@@ -60,7 +61,7 @@ static void row_of_chance(double *row, const struct nb_law *law, struct nb_pair 
 struct fields {
   _Alignas(64) double f[NB_FIELDS][ROOM];
   _Alignas(64) double memory[NB_HISTORY][ROOM];
-  double rows[ROOM][MOST]; /* for laws with more history variables */
+  double rows[ROOM][MOST]; /* for laws with more than NB_HISTORY history variables */
 };
 
 static void fill(struct fields *fields, const struct nb_law *law, struct nb_pair pair, struct chance *chance) {
@@ -114,18 +115,19 @@ static void by_hand(const struct nb_law *law, struct nb_pair pair, struct fields
   }
 }
 
+/* Computes n contacts as one block with an instruction set. If `counts`, the block requests the dissipation. */
 static void by_block(const struct nb_law *law, const struct nb_material_pair *material_pair, struct fields *fields,
                      size_t n, enum nb_isa isa, bool counts) {
   struct nb_block block = {.n = n, .material_pair = material_pair};
   for (int f = 0; f < NB_FIELDS; f++)
     block.f[f] = fields->f[f];
   if (!counts)
-    block.f[NB_DISSIPATED] = NULL; /* not requested */
+    block.f[NB_DISSIPATED] = NULL; /* the block does not request it */
   struct nb_history *memory = law->normal ? &block.normal_history : &block.shear_history;
   memory->doubles = nb_law_history(law, material_pair->values);
   if (memory->doubles > NB_HISTORY)
     memory->doubles = MOST, memory->rows = fields->rows[0];
-  for (int m = 0; m < memory->doubles && !memory->rows; m++) /* the others are NULL, as the plan leaves them */
+  for (int m = 0; m < memory->doubles && !memory->rows; m++) /* the other fields are NULL, as in a plan */
     memory->field[m] = fields->memory[m];
   law->run[isa](NULL, &block);
 }

@@ -1,4 +1,4 @@
-/* The contract of a law for its energies. Every registered law must satisfy it, as in laws.c.
+/* Rules for energies that every registered law must satisfy. The other rules are in laws.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -8,11 +8,12 @@
 #include "suites.h"
 
 struct corner {
-  double overlap, slip; /* overlap at the corner, slip on the way to it */
+  double overlap, slip; /* overlap at the corner, slip on the way to it, m */
 };
 
-/* Three times around a closed path, from a contact without shear force: the work must not be negative. The error of
- * the finite steps is estimated as four times the change of the work when the number of steps is doubled. */
+/* Moves a contact without shear force three times around a closed path, from the state `at`. The total work must not be
+ * negative after any round. The error of the finite steps is estimated as four times the change of the work when the
+ * number of steps is doubled. */
 static void go_around(const struct contact *at, const struct corner *corners, int count) {
   struct contact coarse = *at, fine = *at;
   double work = 0, finer = 0, scale = 0;
@@ -42,12 +43,15 @@ static void closed_paths_give_no_energy(struct contact it, struct chance *chance
   go_around(&it, (struct corner[]){{0, reach}, {low, -reach}}, 2);
 }
 
-/* In every segment the stored energy increases by at most the work, and by exactly the work while nothing slides. A law
- * that returns its dissipation stores the rest, sliding or not. The error of the finite steps is estimated as sixteen
- * times the change of all terms when the number of steps is halved. The factor is large because the error has a smooth
- * part and a part from the step in which sliding begins, and these may cancel in the change. A law that merges pieces
- * of its history changes its stored energy slightly, and returns this change as dissipation; on these paths it is below
- * 1e-3. */
+/* In every segment of a path the stored energy increases by at most the work, and by exactly the work while the contact
+ * does not slide. For a law that returns its dissipation, the increase is always the work minus the dissipation.
+ *
+ * The error of the finite steps is estimated as sixteen times the change of all terms when the number of steps is
+ * halved. The factor is large because the error has a smooth part and a part from the step in which sliding begins.
+ * These parts may cancel in the change.
+ *
+ * A law that merges pieces of its history changes its stored energy slightly, and returns this change as dissipation.
+ * On these paths the change is below 1e-3 of the stored energy. */
 static void stored_energy_is_the_work(struct contact it, struct chance *chance) {
   if (!it.normal->stored || (it.shear && !it.shear->stored))
     return;

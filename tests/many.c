@@ -8,7 +8,7 @@
 
 enum { MODELS = 4, CYCLES = 400 };
 
-/* Scenes of the same shape, with different numbers. */
+/* Scenes with the same statements; `which` changes the numbers in them. */
 static void make(struct written *it, int which) {
   struct words page = {0};
   words_add(

@@ -1,5 +1,5 @@
-/* The history of contacts: one field per variable if there are few variables, one row per contact if there are many. And
- * arrays that stay when others of their owner are freed.
+/* Memory for the history of contacts: one field per variable if there are few variables, one row per contact if there
+ * are many. The last test checks arrays that stay when other arrays of their owner are freed.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -9,12 +9,14 @@
 
 enum { CONTACTS = 40000, FEW = NB_HISTORY, MANY = 20 };
 
+/* Sets the history variables of a contact to first, first + 1, ... */
 static void put(struct nb_history *memory, size_t contact, double first) {
   for (int m = 0; m < memory->doubles; m++)
     *(memory->rows ? &memory->rows[contact * (size_t)memory->doubles + (size_t)m] : &memory->field[m][contact]) =
         first + m;
 }
 
+/* Asserts that the first `doubles` history variables of a contact are first, first + 1, ... */
 static void holds(const struct nb_history *memory, size_t contact, double first, int doubles) {
   double room[NB_HISTORY];
   const double *seen = nb_history_read(memory, contact, room);
@@ -102,7 +104,8 @@ static void fields_and_rows(void) {
   }
 }
 
-/* Only listed arrays stay, as pointers of the owner too. An address sanitizer sees if one is freed twice or never. */
+/* nb_owner_keep frees all arrays of an owner except the listed ones, and sets the owner's pointers to the freed arrays
+ * to NULL. AddressSanitizer reports an array that is freed twice or never. */
 static void listed_arrays_stay(void) {
   struct nb_owner owner = {NULL};
   double *array[4];

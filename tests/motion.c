@@ -1,7 +1,7 @@
-/* The equations of motion, compared with the solutions of their recursions: [CS79 20-23a, 29-36], [R89 sec. 6.5.1].
+/* The motion of particles, compared with solutions of the difference equations [CS79 20-23a, 29-36], [R89 sec. 6.5.1].
  *
- * A disc between two walls, each overlapping it by p, is exactly a mass m on a spring 2 k while it moves by less than
- * p.
+ * A disc between two walls with the stiffness k, each of which overlaps it by p, moves exactly like a mass m on a spring
+ * with the stiffness 2 k as long as its displacement is less than p.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -12,12 +12,12 @@
 #include "suites.h"
 #include "written.h"
 
-static const double press = 0.125, k = 300, pi = 3.14159265358979323846;
+static const double press = 0.125 /* p */, k = 300, pi = 3.14159265358979323846;
 
 static double mass(void) { return pi * 2; } /* of a disc with radius 1 and density 2 */
 static double omega(void) { return sqrt(2 * k / mass()); }
 
-/* Writes a page with the disc at x and its velocity v, then the statements. */
+/* Writes a page with the two walls, the disc at the position x with the velocity v, and these statements. */
 static void oscillator(struct written *it, double x, double v, const char *statements) {
   struct words page = {0};
   words_add(&page, "units none\nmaterial m density 2 kn %g\n", k);
@@ -52,8 +52,9 @@ static void free_flight_is_exact(void) {
   written_free(&it);
 }
 
-/* x_N = x_0 cos(phi N) + v_0 dt sin(phi N)/sin(phi) with sin(phi/2) = w dt/2, because the first kick lasts half a
- * step. The velocity at t_N is the central difference of the positions. */
+/* The first update of the velocity lasts half a step. So the position after N steps is x_N = x_0 cos(phi N) +
+ * v_0 dt sin(phi N)/sin(phi) with sin(phi/2) = w dt/2, where w is the angular frequency. The velocity at the time t_N
+ * is the central difference of the positions. */
 static void one_mass_on_a_spring(void) {
   static const double start[][2] = {{0.05, 0}, {0, 0.4}, {-0.03, 0.2}};
   for (size_t s = 0; s < sizeof start / sizeof *start; s++)
@@ -76,8 +77,8 @@ static void one_mass_on_a_spring(void) {
     }
 }
 
-/* The recursion of each kind of mass-proportional damping, from its source: u is the velocity at the half step, f
- * the force over the mass, g the number in the statement. */
+/* The next velocity at a half step with each kind of mass-proportional damping, by the formula of its source. g is the
+ * number in the statement, dt the step, u the previous velocity at a half step, and f the force over the mass. */
 static double alpha(double g, double dt, double u, double f) {
   return (u * (1 - g * dt / 2) + f * dt) / (1 + g * dt / 2); /* [CS79 35] */
 }
@@ -149,8 +150,9 @@ static void spin_is_damped_like_the_velocity(void) {
 }
 
 /* Three stages with the steps dt, dt/3, dt/2 are compared with the exact motion. With all steps halved, the errors of
- * position and velocity fall to a quarter, damped or not. They would fall only to a half if the first kick lasted a
- * whole step, or if a kick between two stages lasted only the new step. */
+ * position and velocity fall to a quarter, damped or not. They would fall only to a half if the first update of the
+ * velocity lasted a whole step. They would also fall only to a half if the update between two stages lasted the whole new
+ * step. It must last half of the old step and half of the new one. */
 static void changes_of_the_step_keep_the_second_order(void) {
   for (int damped = 0; damped < 2; damped++) {
     const double rate = damped ? 2 : 0, w = omega(), turn = sqrt(w * w - rate * rate / 4), end = 6;
@@ -183,7 +185,8 @@ static void changes_of_the_step_keep_the_second_order(void) {
   }
 }
 
-/* The energy with the velocity at t_N oscillates by the fraction (w dt)^2 and does not drift. */
+/* The energy that is computed with the velocity at full steps oscillates by the fraction (w dt)^2 = 0.04. It does not
+ * drift. */
 static void energy_does_not_drift(void) {
   struct written it;
   char text[128];

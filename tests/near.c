@@ -1,4 +1,5 @@
-/* The neighbour list, compared with all pairs; and results that must not depend on when the searches were made.
+/* The neighbour list is compared with the distances of all pairs. Results must not depend on the cycles in which the
+ * list was made.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -12,15 +13,15 @@
 
 enum { DISCS = 300 };
 
-/* Discs of different sizes and two materials, far from the origin, that move, and hit a wall and each other with
- * friction. */
+/* Writes a page with discs of different sizes and two materials in a square of side 20 with a corner at (x, y). Their
+ * velocity components are at most `speed`. The discs hit each other and a moving wall, with friction. */
 static void cloud(struct written *it, double x, double y, double speed, unsigned seed) {
   struct words page = {0};
   struct chance chance = chance_begin(seed);
   words_add(
       &page,
       "units none\nmaterial a density 1 kn 1e4 ks 8e3 friction 0.4\nmaterial b density 2 kn 3e4 ks 1e4 friction 0.2\n"
-      "material c kn 1 ks 90 friction 0.3\npair a c kn 1e5\npair b c kn 1e5\n" /* too stiff to be crossed */
+      "material c kn 1 ks 90 friction 0.3\npair a c kn 1e5\npair b c kn 1e5\n" /* so stiff that no disc crosses the wall */
       "shear linear\nstep 1e-4\nwall ramp %.17g %.17g to %.17g %.17g c velocity %.17g 0\n",
       x - 5, y - 5, x + 20, y - 0.8, speed);
   struct placed placed = {.fraction = 0.5};
@@ -49,8 +50,9 @@ static double gap(const struct nb_model *model, size_t i, size_t j, bool wall) {
   return vec_length(vec_sub(vec_add(p, vec_scale(s, along)), x)) - model->particles.radius[i];
 }
 
-/* Every pair closer than `within` must be listed, with the smaller number first and with its own material pair,
- * unless both are fixed. Returns the number of these pairs. */
+/* Asserts that the neighbour list has every pair with a gap below `within`, except pairs of fixed particles. The
+ * particle with the smaller number must be the first one, and the material pair must be that of the two particles.
+ * Returns the number of these pairs. */
 static size_t compare(const struct nb_model *model, double within) {
   const struct nb_particles *particles = &model->particles;
   size_t wanted = 0;
@@ -103,7 +105,7 @@ static void contacts_are_found_by_their_partners(void) {
           found += wanted >= 0;
         }
     CU_ASSERT_EQUAL(contacts->count, 12 + 12);
-    CU_ASSERT_EQUAL(found, 2 * 12 + 12); /* contacts of two particles from both sides */
+    CU_ASSERT_EQUAL(found, 2 * 12 + 12); /* a contact of two particles is found from each of them */
     nb_model_free(model);
   }
   written_free(&it);
@@ -123,7 +125,7 @@ static void all_pairs_are_found(void) {
     }
 }
 
-/* In every cycle, between searches too, all pairs that touch are listed. */
+/* All pairs that touch are listed in every cycle, also in cycles without a search. */
 static void touching_pairs_are_listed(void) {
   struct written it;
   cloud(&it, 1e3, -1e3, 5, 5);
@@ -173,8 +175,9 @@ static void similar_sizes(void) {
     }
 }
 
-/* Five large discs among small ones, radii from 30 to 0.01: all pairs are found, and few are measured. With boxes as
- * wide as the largest disc every small one would be measured against hundreds. */
+/* Five large discs among small ones, with radii from 30 to 0.01. The search must find all pairs and compute few
+ * distances. With boxes as wide as the largest disc, it would compute the distances of every small disc to hundreds of
+ * others. */
 static void different_sizes(void) {
   enum { SMALL = 1500 };
   struct words page = {0};
@@ -194,7 +197,7 @@ static void different_sizes(void) {
     CU_ASSERT_EQUAL(model->search.skin, 0.02);
     const size_t wanted = compare(model, model->search.skin);
     CU_ASSERT(wanted > SMALL / 5 && wanted == model->contacts.count);
-    /* each of five large discs is measured against all small ones at most, a small one against its few neighbours */
+    /* at most the distances of each large disc to all small ones, and of each small disc to seven neighbours */
     if (!(model->search.candidates < 5 * SMALL + 7 * SMALL))
       printf("# %llu candidates for %zu pairs\n", model->search.candidates, wanted);
     CU_ASSERT(model->search.candidates < 5 * SMALL + 7 * SMALL);
@@ -203,6 +206,8 @@ static void different_sizes(void) {
   written_free(&it);
 }
 
+/* Returns the number of searches in 400 cycles. `candidates` becomes the number of distances between particles that
+ * these searches computed. */
 static unsigned long long searches_of(const char *statements, unsigned long long *candidates) {
   struct words page = {0};
   struct written it;
@@ -220,8 +225,9 @@ static unsigned long long searches_of(const char *statements, unsigned long long
   return searches;
 }
 
-/* A single particle, or fixed particles only, are never searched. Two particles at rest are searched once, without
- * boxes. */
+/* There is no search if the scene has a single particle and no wall, or fixed particles only. There is one search for
+ * two particles at rest; it computes one distance. Contacts with a wall need more searches when the particle or the wall
+ * moves, but no distances between particles. */
 static void no_search_without_need(void) {
   unsigned long long candidates;
   CU_ASSERT_EQUAL(searches_of("disc 0 0 radius 1 m velocity 9 9", &candidates), 0);
@@ -241,7 +247,7 @@ static void no_search_without_need(void) {
 
 /* ---- the same bits ---- */
 
-/* Positions, velocities and forces of a model by particle number; frees the model. */
+/* Copies the positions, velocities and forces to `state`, in the order of particle numbers. Frees the model. */
 static void outcome(struct nb_model *model, double state[DISCS][8]) {
   for (size_t k = 0; k < DISCS; k++) {
     const size_t i = (size_t)model->particles.slot[k];
@@ -284,7 +290,7 @@ static void the_skin_changes_no_bit(void) {
   written_free(&it);
 }
 
-/* Histories of normal and shear laws survive searches: the same bits with many searches as with one. */
+/* The histories of normal and shear laws survive searches: forces have the same bits after many searches as after one. */
 static void histories_survive_searches(void) {
   static const char *const laws[] = {"normal hertz_increment\nshear mindlin\n",
                                      "normal hertz_increment\nshear mindlin_deresiewicz\n"};
@@ -338,15 +344,16 @@ static void storage_threads_and_instructions_change_no_bit(void) {
   written_free(&it);
 }
 
-/* The number of the other particle of a contact; a wall comes after all particles. */
+/* The rank of a particle's partner at a contact. Particles are ranked by their numbers; walls come after all particles.
+ * `slot` is the particle's index. */
 static int rank_of_partner(const struct nb_model *model, int contact, int slot) {
   const int a = model->contacts.a[contact], b = model->contacts.b[contact];
   const struct nb_neighbour_pair pair = {a, b, model->contacts.material_pair[contact]};
   return a == slot ? nb_partner_rank(model, pair) : model->particles.number[a];
 }
 
-/* Two discs with 40 and 20 neighbours, numbers that share one place in the sort of a batch (incidence.c); and a row of
- * discs, which all have two neighbours, in several batches. */
+/* Two large discs with 40 and 20 neighbours, which have the same place in the sort of a batch (incidence.c), and a row of
+ * discs with at most two neighbours each, which fills several batches. */
 enum { RING = 62, ROW = 700, LARGE_AND_SMALL = RING + ROW };
 static void large_and_small(struct written *it) {
   struct words page = {0};
@@ -362,7 +369,8 @@ static void large_and_small(struct written *it) {
   written_scene(it, &page);
 }
 
-/* Each particle lists its contacts in the order of its partners' numbers, and the motion sums exactly these. */
+/* Each particle lists its contacts in the order of its partners' numbers, and the motion sums the forces of exactly
+ * these contacts. */
 static void each_particle_sums_its_contacts(void) {
   struct written it;
   large_and_small(&it);
@@ -400,7 +408,8 @@ static void each_particle_sums_its_contacts(void) {
   written_free(&it);
 }
 
-/* Each of three restored pairs is tested: one that the model does not have is a failure wherever it stands. */
+/* A saved list of pairs is restored. This fails if any of its three pairs has a particle or a material pair that the
+ * model does not have. */
 static void restored_pairs_exist(void) {
   static const struct nb_neighbour_pair invalid[] = {{0, 3, 0},  {3, 0, 0}, {-1, 0, 0},
                                                      {0, -1, 0}, {0, 1, 2}, {0, 1, -1}};

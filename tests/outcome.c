@@ -36,7 +36,8 @@ static void note(void *data, const char *text) {
   reports->notes++;
 }
 
-/* Creates a temporary page with these statements and these expectations. */
+/* Creates a temporary page with these statements and these expectations. `path` is the template of its name, and becomes
+ * the name. */
 static void write_page(char path[], const char *scene, const char *expectations) {
   const int descriptor = mkstemp(path);
   CU_ASSERT_FATAL(descriptor >= 0);
@@ -74,8 +75,8 @@ static void make(struct nb_outcome *outcome, const char *sweep, const char *expe
   carry_out(outcome, scene, expectations, progress);
 }
 
-/* The fraction in a progress report is that of all runs together. Progress reports and notes name the run if there are
- * several. */
+/* The fraction in a progress report is the finished part of all runs together. Progress reports and notes name the run
+ * if there are several runs. */
 static void progress(void) {
   static const struct {
     const char *sweep, *stage, *note;
@@ -109,7 +110,8 @@ static void progress(void) {
   }
 }
 
-/* The same law with another number of pieces: the note names this number, because nothing else changes. */
+/* A stage has the same law as the stage before, with another number of pieces. The note names this number, because
+ * nothing else changes. */
 static void note_of_memory_size(void) {
   static const char scene[] = "material m density 1 kg/m3 young 1 Pa poisson 0.25 friction 0.5\nnormal hertz\n"
                               "shear mindlin_deresiewicz%s\nsphere 0 m 0 m radius 1 m m velocity 1 m/s 0 m/s\n"
@@ -184,8 +186,8 @@ static void warnings_of_ends(void) {
 }
 
 /* A region without a particle, at the start or at the end of a stage, causes a warning. So does a region without a
- * contact if its stress or a mean over its contacts is recorded, and a negative porosity or void ratio: -0.0521 and
- * -0.0495, from the areas of the circles. Other regions cause no warning. */
+ * contact if its stress or a mean over its contacts is recorded. A negative porosity or void ratio causes a warning, too;
+ * here they are -0.0521 and -0.0495, from the areas of the circles. Other regions cause no warning. */
 static void warnings_of_regions(void) {
   static const char scene[] =
       "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m fixed\n"
@@ -212,7 +214,7 @@ static void warnings_of_regions(void) {
       {"1.5", "0.75 0 radius 0.8", "A.void_ratio",
        "`A.void_ratio` is negative: -0.050 at the end of stage `one`, because the overlaps of particles count twice"},
       {"1.5", "0.75 0 radius 0.8", "A.area", NULL},
-      {"5", "0 0 radius 2", "porosity.vx", NULL}, /* a disc with this name, which moves to the left */
+      {"5", "0 0 radius 2", "porosity.vx", NULL}, /* a disc, not a porosity; its velocity is negative */
   };
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
     struct nb_outcome outcome;
@@ -264,8 +266,12 @@ static void warnings_of_ends_propose(void) {
   }
 }
 
-/* A row of three discs in a periodic cell. Each of the three overlaps of 0.01 has the force 10, so the stress along the row
- * is 10 over the height of the cell, 4.5. With a rate of at most 1e-9 per cycle the servo changes next to nothing. */
+/* A stage that ends while its stress differs from the target of its servo by more than 10 % causes a warning. There is
+ * no warning if the next stage has a servo with the same target, or a servo with a ramp.
+ *
+ * The scene is a row of three discs in a periodic cell. Each of the three overlaps of 0.01 has the force 10, so the
+ * stress along the row is 10 over the height of the cell, 4.5. With a rate of at most 1e-9 per cycle the servo hardly
+ * changes the stress. */
 static void warnings_of_servos(void) {
   static const char scene[] =
       "units none\nmaterial m density 1 kn 1000\ncell 0 0 to 5.97 4.5\ndisc 1 1 radius 1 m\n"
@@ -276,8 +282,8 @@ static void warnings_of_servos(void) {
   static const char next[] = "\nstage rest\n%scycles 1";
   const double stress = 1000 * 0.01 / 4.5;
   static const struct {
-    double target;
-    const char *after;
+    double target;     /* over the stress */
+    const char *after; /* statements of the next stage; NULL: there is no next stage */
     bool warned;
   } rows[] = {{1.05, NULL, false},
               {0.95, NULL, false},
@@ -351,11 +357,11 @@ static void expectations_of_another_stress(void) {
   }
 }
 
-/* The same row of discs. If a servo ran at its largest rate all the time, the error of a stage whose condition is not
- * met says so, and so does the warning of a stage with a number of cycles. */
+/* The row of discs of warnings_of_servos. If a servo ran at its largest rate in all cycles of a stage, a message says
+ * so: the warning if the stage ends after a number of cycles, and the error if the condition of the stage is not met. */
 static void servos_at_the_largest_rate(void) {
   static const struct {
-    /* found: a part of the warning (first three rows) or of the error; NULL: it does not mention the largest rate */
+    /* found: a part of the warning (first three rows) or of the error; NULL: the largest rate is not mentioned */
     const char *servo, *end, *found;
   } rows[] = {
       {"xx 4 on cell through cell at most 1e-9 per cycle", "cycles 5", "; its servo (line 11) ran at the largest rate"},
@@ -458,8 +464,8 @@ static void deep_overlaps_of_all_runs(void) {
   }
 }
 
-/* The error of a run has the line of its particle, and the name of the run if there are several. No run is started
- * after it. */
+/* The error of a run names the line of the particle, and the run if there are several runs. No run is started after the
+ * error. */
 static void error_of_a_run(void) {
   static const struct {
     const char *distances, *run;
@@ -491,7 +497,8 @@ static void error_of_a_run(void) {
   }
 }
 
-/* A mistake that every run would report is reported once. A reference that does not cover the scene ends the run. */
+/* A mistake that every run would report is reported once. If the reference does not cover the scene, the first run has
+ * an error. */
 static void mistakes_of_all_runs(void) {
   static const char scene[] =
       "sweep v 1 2\nmaterial m density 1 kg/m3 kn 1 N/m\ndisc 0 m 0 m radius 1 m %s velocity $v "
@@ -534,8 +541,8 @@ static void warnings_of_all_runs(void) {
   }
 }
 
-/* Quantities of a removed particle and of its contacts are 0, which the outcome says once, with the line that removes the
- * particle. The position is the last one, and a page that expects 0 needs no warning. */
+/* Quantities of a removed particle and of its contacts are 0. One warning says so, with the line that removes the
+ * particle. There is no warning about the position, which keeps its last value, and none if the page expects 0. */
 static void warnings_of_removed_particles(void) {
   static const struct {
     const char *quantity, *expectation, *wanted; /* the quantity of the warning; NULL: no warning */
@@ -717,7 +724,7 @@ static void folders_that_cannot_be_made(void) {
   unlink(file);
 }
 
-/* Ends the runs as a signal does, once the second of two runs has begun. */
+/* The data of `interrupt`, which ends the runs as a signal does when the second of two runs has begun. */
 struct interruption {
   volatile sig_atomic_t stop;
 };
@@ -728,9 +735,9 @@ static void interrupt(void *data, const char *stage, double fraction, double sec
   this->stop = fraction > 0.5;
 }
 
-/* A page with checkpoints is interrupted in its second run. Until its outcome is freed, no other outcome runs the page
- * with these settings. Then the page is refused unless it resumes, because the checkpoint of the second run exists.
- * With other settings the page can be run at any time. */
+/* A page with checkpoints and the settings `own` is interrupted in its second run. Until its outcome is freed, no other
+ * outcome can run the page with these settings. After that, the page with these settings is refused unless it resumes,
+ * because the checkpoint of the second run exists. With the settings `other` the page can be run at any time. */
 static void interrupted_with(nb_settings own, nb_settings other) {
   static const char scene[] = "units none\nlet w = 1\nsweep v 1 2\nmaterial m density 1 kn 1\n"
                               "disc 0 0 radius 1 m velocity $v 0\nmonitor A disc 1\nstep 1e-3\nrecord A.x\nstage s\n"

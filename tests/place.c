@@ -2,9 +2,11 @@
  *
  * For each such statement there is a short scene in which the statement matters: without its line the page has an
  * error, or particles move differently. The scene is run as it is and with several transforms; particles and walls must
- * end at the transformed places of the first run. The keywords come from the table of the language. There are two lists:
- * these statements, and the keywords without a direction. The test fails if a keyword is in neither of them, or if the
- * second list has a keyword that takes values with a direction.
+ * end at the transformed places of the first run.
+ *
+ * Every keyword of the page language must be in one of two lists: `rows` has the statements with a direction, `scalars`
+ * the keywords without one. The test fails if a keyword is in neither of them, or if `scalars` has a keyword that takes
+ * values with a direction.
  *
  * Tolerance: a transformed scene differs only by rounding, 1e-16 of coordinates below 20, and the runs are so short
  * that contacts amplify this to at most 1e-10. The effect of each line is above 1e-6.
@@ -19,7 +21,7 @@
 #include "suites.h"
 #include "written.h"
 
-/* A page consists of HEAD, `before`, the line under test and `after`. */
+/* A page consists of HEAD, a transform, `before`, the line under test and `after`. */
 #define HEAD                                                                                                           \
   "units none\nmaterial m density 2 kn 1000 ks 700 friction 0.3\nshear linear\ndamping ratio 0.1\nstep "               \
   "0.004\n"
@@ -121,7 +123,8 @@ static const struct {
               {"transform mirror x rotate 2.5 translate -1 5\n", -1, 1, 2.5, -1, 5}};
 enum { PLACES = sizeof places / sizeof *places };
 
-/* Runs the page; false if it has an error. */
+/* Runs the page of a row with this line and this transform, each of which may be empty. Returns false if the page has an
+ * error. */
 static bool ran(struct nb_result *result, const struct row *row, const char *line, const char *place) {
   struct words words = {0};
   struct nb_mistakes mistakes = {0};
@@ -151,7 +154,8 @@ static double column(const struct nb_table *table, size_t row, const char *name)
   return NAN;
 }
 
-/* The largest difference between the vectors (`x`, `y`) of table b and the transformed vectors of table a. */
+/* The largest difference between the vectors (`x`, `y`) of table b and the transformed vectors of table a. If `shifted`,
+ * the vectors are positions, which are translated too. */
 static double vectors_off(const struct nb_table *a, const struct nb_table *b, const char *x, const char *y, int place,
                           bool shifted) {
   const double angle = places[place].angle;
@@ -165,6 +169,7 @@ static double vectors_off(const struct nb_table *a, const struct nb_table *b, co
   return off;
 }
 
+/* The same for angles, angular velocities or moments (`name`). Only a mirror changes them: it reverses their signs. */
 static double turns_off(const struct nb_table *a, const struct nb_table *b, const char *name, int place) {
   double off = 0;
   for (size_t r = 0; r < a->row_count; r++)
@@ -172,6 +177,7 @@ static double turns_off(const struct nb_table *a, const struct nb_table *b, cons
   return off;
 }
 
+/* The largest of these differences between two runs. */
 static double farthest(const struct nb_result *one, const struct nb_result *other, int place) {
   const struct nb_table *a = &one->snapshots[0].particles, *b = &other->snapshots[0].particles;
   const struct nb_table *walls = &one->snapshots[0].walls, *there = &other->snapshots[0].walls;
@@ -190,7 +196,7 @@ static double farthest(const struct nb_result *one, const struct nb_result *othe
   return most;
 }
 
-/* True if the line affects the positions of particles. */
+/* True if the page needs the line, or if the line changes the positions of particles. */
 static bool matters(const struct row *row, const struct nb_result *with) {
   struct nb_result without = {0};
   if (!ran(&without, row, "", ""))
@@ -252,13 +258,14 @@ static bool one_of(const char *text, const char *const list[]) {
   return false;
 }
 
+/* True if the values of an argument depend on directions. */
 static bool directed(const struct nb_argument *argument) {
   static const char *const values[] = {"X", "Y", "VX", "VY", "GX", "GY", "EXX", "EYY", "SXX", "SYY", NULL};
   static const char *const words[] = {"xx", "yy", "xy", "shear", "c12", "c21", "spin", "inward", "angle", NULL};
   return argument->count > 1 || one_of(argument->value, values) || one_of(argument->word, words);
 }
 
-/* All lines of the list with this keyword in this context, concatenated. */
+/* Writes all lines of `rows` with this keyword in this place to `lines`, one after the other. */
 static void lines_of(char *lines, size_t size, const char *word, unsigned where) {
   snprintf(lines, size, " ");
   for (int r = 0; r < ROWS; r++)
@@ -287,8 +294,8 @@ static void every_keyword_is_in_a_list(void) {
     }
 }
 
-/* A computed value has a dimension, in which an angle does not count: 1/s is accepted as a spin, rad/s as a rate, and a
- * number as an angle. */
+/* A computed value has a dimension, and angles are dimensionless. So 1/s is accepted as a spin, rad/s as a rate, a number
+ * as an angle, and an angle as a number. */
 static void computed_angles_and_numbers(void) {
   struct words page = {0};
   struct written it;
@@ -305,7 +312,8 @@ static void computed_angles_and_numbers(void) {
   written_free(&it);
 }
 
-/* A servo through a box controls no shear stress, because its walls do not rotate; through a cell it does. */
+/* A servo through a box controls no shear stress, because the walls do not rotate. A servo through a cell can control
+ * it. */
 static void controlled_components(void) {
   static const struct {
     const char *place, *servo;
@@ -329,7 +337,7 @@ static void controlled_components(void) {
   }
 }
 
-/* Only multiples of 90 deg are rotated exactly; multiples of 91 deg are not taken for them. */
+/* The program rotates by multiples of 90 deg without rounding. It must not take multiples of 91 deg for these. */
 static void angles_near_quarter_turns(void) {
   const double degree = 3.14159265358979323846 / 180;
   for (int n = -4; n <= 4; n++)

@@ -34,7 +34,7 @@ static void rules_for_two_materials(void) {
   same(nb_scene_pair(&scene, 1, 1), (struct nb_pair){.kn = 11, .ks = 13, .friction = 0.5, .cohesion = 2});
 }
 
-/* Every combination of the four numbers of `pair`. */
+/* `pair` may give any of the four properties. The rules give the others. */
 static void pair_replaces_the_rules(void) {
   for (int which = 0; which < 16; which++) {
     struct nb_pair_rule rule = {
@@ -54,7 +54,7 @@ static void pair_replaces_the_rules(void) {
   }
 }
 
-/* Changes of a pair that has a rule and of one that has none, at half of the ramp and at its end. */
+/* A stage changes a pair that has a `pair` statement and a pair that has none, at half of a ramp and at its end. */
 static void stages_change_pairs(void) {
   struct nb_pair_rule rule = {.a = 0, .b = 0, .kn = 17, .ks = NAN, .friction = NAN, .cohesion = NAN};
   struct nb_change changes[] = {{.a = 0, .b = 0, .kn = 19, .ks = 25, .friction = NAN, .cohesion = NAN},

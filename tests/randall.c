@@ -1,8 +1,10 @@
-/* The law of R89: the curves at constant N, the slip front, N and T rising and falling, the stored history.
+/* The law of R89: the curves at constant normal force N, the slip front, N and the shear force T rising and falling, the
+ * stored history.
  *
- * Expected values come from the rings of the contact, T = mu Int D dN and delta = mu kappa Int D dx
- * (docs/CONTACT.md, equation (i)); [R89 3.25, 3.40, 3.50] are the cases of constant N. The law is of first order: its
- * error halves with the step.
+ * Expected values are sums over the rings of the contact circle: T = mu Int D dN, and the tangential displacement is
+ * delta = mu kappa Int D dx (docs/CONTACT.md, equation (i)). D is the traction of a ring over its friction limit, and x
+ * is the overlap at which the ring was added. With constant N these are [R89 3.25, 3.40, 3.50]. The law is of first
+ * order: its error halves with the step.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -19,6 +21,7 @@ struct rings {
   int count;
 };
 
+/* T = mu Int D dN. */
 static double force(const struct rings *r) {
   double t = 0, side = 1;
   for (int k = 0; k < r->count; k++, side = -side)
@@ -33,8 +36,8 @@ static void slip_to(struct rings *r, double alpha, double delta) {
   for (int k = 0; k + 1 < r->count; k++, side = -side)
     inner += side * (r->fronts[k + 1] - r->fronts[k]);
   double *front = &r->fronts[r->count - 1], *before = r->count > 1 ? front - 1 : NULL;
-  /* delta/(mu kappa) = others - side (front - before) + side (alpha - front): the ring before the last one slips in the
-   * other direction and ends at the front */
+  /* delta/(mu kappa) = others - side (front - before) + side (alpha - front). The rings up to the front `before` give
+   * `others`. The ring between `before` and the last front has slipped in the other direction. */
   const double others = before ? inner - -side * (*front - *before) : 0, want = delta / slope();
   *front = before ? (want - others - side * alpha - side * *before) / (-2 * side) : alpha - want;
   r->alpha = alpha;
@@ -53,6 +56,7 @@ static double shear_force(double alpha, const struct segment *segments, int coun
   return force(&r);
 }
 
+/* The error of T after these segments, over mu N, if each segment has this number of steps. */
 static double error_of(const char *law, const struct segment *segments, int count, int steps) {
   struct contact it = contact_of(law);
   const double alpha = deep(N);
@@ -81,8 +85,8 @@ static void curves_of_constant_normal_force(void) {
   }
 }
 
-/* A cycle between T* and -T* loses (24/5 (1 - (1-x)^(5/3)) - 4 x (1 + (1-x)^(2/3))) mu N A, with x = T* / (mu N): the
- * area between the curve [R89 3.40] and its mirror image. */
+/* A cycle between T* and -T* loses (24/5 (1 - (1-x)^(5/3)) - 4 x (1 + (1-x)^(2/3))) mu N A, with x = T* / (mu N) and
+ * A = mu kappa alpha. This is the area between the curve [R89 3.40] and its mirror image. */
 static void loss_of_a_closed_loop(void) {
   const double x = 0.8, a = slope() * deep(N), star = a * (1 - pow(1 - x, 2. / 3));
   const double expected = (4.8 * (1 - pow(1 - x, 5. / 3)) - 4 * x * (1 + pow(1 - x, 2. / 3))) * mu * N * a;
@@ -124,7 +128,7 @@ static void unloading_again_retraces_reloading(void) {
 
 /* Loading, unloading and reloading, each with N rising and falling. */
 static void all_ways_of_normal_and_tangential_force(void) {
-  static const double alpha[3][2] = {{0.3, -0.15}, {0.2, -0.1}, {0.15, -0.05}}; /* increase, with N rising or falling */
+  static const double alpha[3][2] = {{0.3, -0.15}, {0.2, -0.1}, {0.15, -0.05}}; /* increase if N rises; if N falls */
   static const double slip[3][2] = {{0.8, 0.3}, {-0.5, -0.4}, {0.3, 0.1}};
   for (int ways = 0; ways < 8; ways++) {
     struct segment segments[3];
@@ -137,10 +141,12 @@ static void all_ways_of_normal_and_tangential_force(void) {
   }
 }
 
-/* [R89 3.86] is printed with the prefactor mu (p0 + dp0)/c; it should be mu (p0 + dp0)/a1. N = 1, mu = 0.3, T = 0.2
- * mu N. While N falls by 0.1 at constant T, the front moves from c to c1, and the ring between c1 and c takes mu |dN| =
- * 0.03. With the prefactor mu (p0 + dp0)/a1 this is mu N1 (c^3 - c1^3)/a1^3; the printed prefactor gives 0.0312. The
- * fronts of the law follow from its dT/ds = 8 G* c. */
+/* [R89 3.86] is printed with the prefactor mu (p0 + dp0)/c; it should be mu (p0 + dp0)/a1. p0 is the largest pressure.
+ *
+ * The test has N = 1, mu = 0.3 and T = 0.2 mu N. While N falls to N1 = 0.9 at constant T, the contact radius becomes a1,
+ * and the front moves from c to c1. The ring between c1 and c must take the force mu |dN| = 0.03. With the prefactor
+ * mu (p0 + dp0)/a1 its force is mu N1 (c^3 - c1^3)/a1^3, which is 0.03. The printed prefactor gives 0.0312. The fronts of
+ * the law follow from its dT/ds = 8 G* c. */
 static void slip_front_while_N_falls(void) {
   double ring[2], printed = 0;
   for (int k = 0; k < 2; k++) {
@@ -176,8 +182,8 @@ enum { M_N, M_T, M_STAR, M_STAR2, M_DEFICIT, M_CDF, M_BRANCH };
 
 static bool near(double is, double should, double scale) { return fabs(is - should) <= 1e-13 * fabs(scale); }
 
-/* Makes one step and tests T, T* and T**: dT must be that of theta and of the sign `ufl` of the branch, and T* and T**
- * must move with mu dN [R89 4.20, 4.21]. */
+/* Makes one step and tests T, T* and T**. dT must follow from `theta` and from `ufl`, which is 1 for loading and -1 for
+ * unloading. T* and T** must change by mu dN [R89 4.20, 4.21]. */
 static void expect_step(struct contact *it, double overlap, double slip, double theta, double ufl) {
   double was[7];
   memcpy(was, it->m, sizeof was);
@@ -210,7 +216,7 @@ static void the_history(void) {
     CU_ASSERT(near(m[M_DEFICIT], 0.75 * fabs(critical[0]), a));
     expect_step(&it, x[2], 0, 1, 1);
     CU_ASSERT(near(m[M_DEFICIT], 0.75 * fabs(critical[0]) + fabs(critical[1]), a));
-    /* A ring opens while the slip is reversed: DD becomes DD + ds_c - ds, with negative ds_c and ds. */
+    /* N falls while the slip is reversed: DD becomes DD + ds_c - ds, with negative ds_c and ds. */
     expect_step(&it, x[1], 0.1 * critical[2], 1, 1);
     CU_ASSERT(near(m[M_DEFICIT], 0.75 * fabs(critical[0]) + fabs(critical[1]) - 0.9 * fabs(critical[2]), a));
     const double made_up = side * m[M_DEFICIT];
@@ -228,7 +234,7 @@ static void the_history(void) {
     CU_ASSERT(m[M_DEFICIT] == 0 && m[M_BRANCH] == 1);
     theta = cbrt(1 - (side * (m[M_STAR] - m[M_T]) + 2 * mu * (press(x[1]) - press(x[2]))) / (2 * mu * press(x[1])));
     expect_step(&it, x[1], -0.05 * a, theta, -1);
-    /* slip continues while N falls faster than the motion reverses; when N rises again, it is a reversal */
+    /* The motion is reversed, but N falls so fast that slip continues. When N rises again, there is a reversal. */
     theta = cbrt(1 - (side * (m[M_STAR] - m[M_T]) + 2 * mu * (press(x[0]) - press(x[1]))) / (2 * mu * press(x[0])));
     expect_step(&it, x[0], 0.5 * side * fabs(critical[0]), theta, -1);
     CU_ASSERT(m[M_BRANCH] == 1);
@@ -245,8 +251,8 @@ static void the_history(void) {
     CU_ASSERT(m[M_BRANCH] == 3);
     expect_step(&it, x[1], 0.01 * a, cbrt(1 - side * (m[M_T] - m[M_STAR2]) / (2 * mu * press(x[1]))), 1);
     CU_ASSERT(m[M_BRANCH] == 2 && m[M_CDF] == side);
-    /* beyond T*: virgin loading; then sliding, which erases the history; with less friction T exceeds the limit, and
-     * there is no front */
+    /* Beyond T* there is virgin loading, and then sliding, which erases the history. With less friction T exceeds the
+     * limit, and there is no front. */
     lead(&it, x[1], 0.5 * a, 100);
     CU_ASSERT(m[M_BRANCH] == 0 && m[M_CDF] == side && it.s.sliding == 0);
     lead(&it, x[1], a, 100);

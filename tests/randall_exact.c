@@ -8,8 +8,9 @@
 #include "spheres.h"
 #include "suites.h"
 
-/* A random segment with slip in the direction `side`: N constant, N rising more slowly than the slip, or N falling.
- * While N falls, there may also be slip in either direction that is slower than the fall of N. */
+/* A random segment that begins at the overlap `at`, with slip in the direction `side`: N is constant, N rises more
+ * slowly than the slip, or N falls. While N falls, the slip may also be slower than the fall of N and in either
+ * direction, except in the first segment of a direction. */
 static struct segment segment_by(struct chance *chance, double at, double side, bool first) {
   const int kind = (int)chance_between(chance, 0, 4);
   const double slip = side * chance_between(chance, 0.05, 0.8);
@@ -59,8 +60,8 @@ static void two_reversals_are_exact_in_the_limit(void) {
   CU_ASSERT(most < 3e-3 && finest < most / 3 && finer < sum / 3.6);
 }
 
-/* More than two nested reversals at constant N: R89 treats the inner ones as elastic, which gives an error of T between
- * 7 % and 9 % of mu N. */
+/* More than two nested reversals at constant N: R89's law treats the inner ones as elastic. The largest error of T is
+ * between 7 % and 9 % of mu N. */
 static void more_reversals_have_an_error(void) {
   struct chance chance = chance_begin(4);
   double most[7] = {0};
@@ -80,7 +81,7 @@ static void more_reversals_have_an_error(void) {
 
 static const double chi28 = 0.72 / 1.72 * 3.5; /* nu = 0.28 [R89 5.14] */
 
-/* psi2 of Maw's impact with the law, in the units of impact_springs.h. */
+/* psi2 of Maw's impact with this law, in the units of impact_springs.h. */
 static double rebound(const char *law, double friction, double psi1, int steps) {
   struct contact it = contact_of(law);
   const double dt = IMPACT_DURATION / steps, alpha = deep(N), a = friction * E / (4 * G) * alpha;
@@ -96,7 +97,7 @@ static double rebound(const char *law, double friction, double psi1, int steps) 
   return psi;
 }
 
-/* The corrected law of R89 has an error of at most 0.15, and of less than 0.001 from psi1 = 3 on
+/* The error of psi2 by the corrected law of R89 is at most 0.15, and less than 0.001 from psi1 = 3 on
  * (cases/4-oblique/oblique-impact-laws.md). */
 static void known_error_in_an_impact(void) {
   double most = 0, where = 0, later = 0;
@@ -110,10 +111,11 @@ static void known_error_in_an_impact(void) {
   CU_ASSERT(fabs(most - 0.15) < 0.005 && fabs(where - 0.9) < 0.05 && later < 0.001);
 }
 
-/* The law as printed has no such limit. With mu twice in the critical slip, a contact that should stick (psi1 < 1)
- * slides from first touch with T = mu N to the last bit. Whether dT < mu dN, which makes DD grow and the contact
- * stick, then depends on rounding. With the friction 1/8, for which mu N is free of rounding, psi2 is 0.369, and
- * with half a part in 10^15 more it is 0.195; the exact value is 0.045. */
+/* The results of the law as printed depend on rounding. It has the factor mu twice in the critical displacement. So a
+ * contact that should stick (psi1 < 1) slides from first touch, and T equals mu N to the last bit. If dT < mu dN, DD
+ * grows and the contact sticks; the result of this comparison is random. With the friction coefficient 1/8, mu N has no
+ * rounding error, and psi2 is 0.369. With a friction coefficient that is larger by the fraction 5e-16, psi2 is 0.195. The
+ * exact value is 0.045. */
 static void printed_law_depends_on_the_last_bit(void) {
   struct impact_path path;
   CU_ASSERT(impact_exact(&path, chi28, 0.7, 400));

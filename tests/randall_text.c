@@ -1,5 +1,5 @@
-/* R89's FORD and THETA as printed, compared with the corrected law: the values in which the two differ; and the
- * functions that both laws share.
+/* The law of R89 as its subroutine FORD and its function THETA are printed, compared with the corrected law: the values
+ * in which the two laws differ. The last tests are for functions that both laws share.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
@@ -39,10 +39,13 @@ static void theta_of_first_steps(void) {
 
 /* ---- the printed law, one step at a time ---- */
 
-/* The state of a contact: T, T*, T** in units of mu N and DD in units of A; and a step, ds in units of A and dN in
- * units of N, with CDF = 1. Then the result by the printed equations: THE1, UFL, the equation that changes DD (417,
- * 418 or none), and what happens to T* and T**. */
+/* What a step does to T* or T**: it has no value; it becomes T; it changes by mu dN; it does not change; it becomes 0. */
 enum fate { NONE, SET, MOVED, KEPT, CLEARED };
+
+/* The state of a contact with CDF = 1: T, T* and T** in units of mu N, and DD in units of A = mu kappa alpha. A step: ds
+ * in units of A, and dN in units of N. The result by the printed equations: THE1, which selects the formula of theta;
+ * UFL, which is 1 for loading and -1 for unloading; the equation that changes DD (417 is [R89 4.17], 418 is [R89 4.18],
+ * 0 is none); and what happens to T* and T**. */
 struct text_step {
   double t, star, star2, deficit, slip, more;
   int the1, ufl, dd;
@@ -89,7 +92,7 @@ static const struct text_step text_steps[] = {
     {0.2, 0.6, 0.1, 0, -0.03, 0.01, 4, -1, 417, MOVED, MOVED},
     {0.2, 0.6, 0.1, -0.2, -0.03, 0.01, 3, -1, 417, MOVED, MOVED},
     {0.2, 0.6, 0.1, 0, 0, 0.01, 0, 1, 0, MOVED, MOVED},
-    /* N falls: the sign of ds alone decides */
+    /* N falls: only the sign of ds selects THE1 and UFL */
     {0.5, 0, 0, 0, 0.1, -0.01, 1, 1, 418, NONE, NONE},
     {0.5, 0, 0, 0.3, 0.1, -0.01, 1, 1, 418, NONE, NONE},
     {0.5, 0, 0, 0, -0.001, -0.01, 2, -1, 418, SET, NONE},
@@ -103,11 +106,12 @@ static const struct text_step text_steps[] = {
     {-0.5, 0.6, 0, 0, -1, 0, 2, -1, 417, CLEARED, NONE},
 };
 
+/* The value of T* or T** after a step: `was` is its value before the step, `before` is T, `drift` is its change by dN. */
 static double fate(enum fate of, double was, double before, double drift) {
   return of == SET ? before : of == MOVED ? was + drift : of == KEPT ? was : 0;
 }
 
-/* [R89 4.15-4.25] literally, for both signs of CDF. */
+/* Each step of the table, computed by [R89 4.15-4.25] as printed, for both signs of CDF. */
 static void printed_law_step_by_step(void) {
   for (size_t k = 0; k < 2 * sizeof text_steps / sizeof *text_steps; k++) {
     const struct text_step *it = &text_steps[k / 2];
@@ -138,7 +142,7 @@ static void printed_law_step_by_step(void) {
   }
 }
 
-/* While N falls, 4.18 subtracts |ds_c| from DD, although the contact has no ring that sticks and no deficit. With
+/* While N falls, [R89 4.18] subtracts |ds_c| from DD, although the contact has no ring that sticks and no deficit. With
  * this negative DD, slip begins too early when N rises again, while the new ring still sticks. */
 static void deficit_while_N_falls(void) {
   struct contact text = contact_of("randall_literal"), best = contact_of("randall");
@@ -148,7 +152,8 @@ static void deficit_while_N_falls(void) {
   CU_ASSERT(fabs(text.m[4] / a + 0.1383) < 1e-4 && best.m[4] == 0);
 }
 
-/* The work of T, over mu N A, in the cycle: N up to 2 N, slip by `way` times A, N down, slip back. */
+/* The work of T in a cycle, over mu N A. In the cycle the normal force rises to 2 N, the contact slips by `way` times A,
+ * the normal force falls to N, and the contact slips back. */
 static double work_of_a_cycle(struct contact *it, double way) {
   const double a = slope() * deep(N), before = it->work;
   lead(it, deep(2 * N), 0, 2000), lead(it, deep(2 * N), way * a, 2000);
@@ -156,8 +161,8 @@ static double work_of_a_cycle(struct contact *it, double way) {
   return (it->work - before) / (mu * N * a);
 }
 
-/* Both laws declare that they may gain energy. The corrected law gains from the second cycle on, the printed one in
- * the first cycle too. */
+/* Both laws declare that they may gain energy, which is a negative work. The corrected law gains energy from the second
+ * cycle on, the printed one in the first cycle too. */
 static void gain_of_energy(void) {
   struct contact best = contact_of("randall"), text = contact_of("randall_literal");
   go(&best, deep(N), 0), go(&text, deep(N), 0);

@@ -12,8 +12,9 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* The root to its published digits, the relative error of the fit, and Rayleigh's equation in the squared form of
- * the thesis. */
+/* The root alpha is the speed of the Rayleigh wave over that of the shear wave. It must have the published digits, the
+ * fit must have the known relative error, and the root must satisfy Rayleigh's equation in the squared form of the
+ * thesis. */
 static void the_root(void) {
   const struct {
     double nu, alpha, fit;
@@ -30,7 +31,8 @@ static void the_root(void) {
   }
 }
 
-/* The four Rayleigh steps of a scene: shortest and mean, exact and with the fit. */
+/* Writes the four Rayleigh steps of a scene: the shortest and the mean step with the exact root, then both with the
+ * fit. */
 static void steps_of(const char *statements, double steps[4]) {
   static const char *const names[] = {"step.rayleigh", "step.rayleigh-mean", "step.rayleigh-fit",
                                       "step.rayleigh-fit-mean"};
@@ -67,8 +69,8 @@ static void the_step_of_steel(void) {
   written_free(&it);
 }
 
-/* Different spheres: the smallest one need not have the shortest step. The means are those of R, rho, G and nu.
- * Fixed and rigid particles do not count. */
+/* Different spheres: the smallest one need not have the shortest step. The mean step is that of a sphere with the mean
+ * R, rho, G and nu. Fixed and rigid particles do not count. */
 static void different_spheres(void) {
   double steps[4];
   steps_of(

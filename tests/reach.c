@@ -76,8 +76,9 @@ static void walls(void) {
   written_free(&it);
 }
 
-/* In a cell with the largest radius R and the skin s, the strain F reduces the travel limit of the particles to
- * (s - |F| (2 R + s))/2. Each component of F is tested alone, and xy and yx together at the same rate. */
+/* In a periodic cell with the largest radius R and the skin s, the strain F since the last search reduces the travel
+ * limit of the particles to (s - |F| (2 R + s))/2, where |F| is the Frobenius norm. Each component of F is tested alone,
+ * xy and yx together, and all four together. */
 static void cells(void) {
   static const struct {
     const char *strain;

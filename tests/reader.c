@@ -245,7 +245,7 @@ static void table(void) {
     CU_ASSERT(length > 0 && row->help[length - 1] == '.');
     for (const struct nb_argument *a = row->arguments; a->count; a++, count++)
       CU_ASSERT(a->help[0] && a->slot >= 0 && a->slot + a->count <= NB_SLOTS);
-    CU_ASSERT(count < 32); /* each field is a bit of reader->given */
+    CU_ASSERT(count < 32); /* each argument is a bit of reader->given */
     nb_keyword_syntax(syntax, sizeof syntax, row);
     CU_ASSERT_EQUAL(strncmp(syntax, row->word, strlen(row->word)), 0);
     if (strcmp(row->word, "sphere") == 0)
@@ -253,8 +253,8 @@ static void table(void) {
   }
 }
 
-/* A known word is suggested if the word has at most one wrong letter in 3 to 5 letters, two in 6 to 9, or three in
- * more. */
+/* A known word is suggested if the typed word differs in at most one letter of 3 to 5, in two of 6 to 9, or in three of
+ * 10 or more letters. */
 static void suggested_words(void) {
   static const char word[] = "bcdfghjklmnp";
   for (size_t length = 1; length <= 12; length++)

@@ -7,6 +7,7 @@
 #include "recount.h"
 #include "suites.h"
 
+/* Compares the last value of a measure of region B with the value that is wanted. `size` is the size of the sum. */
 static void near_(const struct nb_result *result, const char *name, double wanted, double size) {
   char text[128];
   snprintf(text, sizeof text, "B.%s", name);
@@ -18,6 +19,7 @@ static void near_(const struct nb_result *result, const char *name, double wante
 
 /* ---- sums over the region ---- */
 
+/* Sums over directions e: of their weights, and of the weights times e_i e_j and e_i e_j e_k e_l. */
 struct sums {
   double weight, second[4], fourth[5];
 };
@@ -78,11 +80,15 @@ static void spread_near(const struct nb_result *result, const char *stem, const 
   }
 }
 
-/* Contact ends at particles inside the region. */
+/* The end of a contact at a particle inside the region. */
 struct end {
-  double ex, ey, arm, total_normal, total_shear, near;
+  double ex, ey; /* contact normal, outward from the particle */
+  double arm;    /* distance from the centre to the contact */
+  double total_normal, total_shear;
+  double near; /* 1: at 0.99 of the friction limit or more */
 };
 
+/* Writes all contact ends in the region to `ends`, and returns their number. */
 static int ends_of(struct end ends[], const struct nb_table *table, const struct particles *all) {
   int count = 0;
   for (size_t c = 0; c < table->row_count; c++)
@@ -148,8 +154,9 @@ static void stress_and_fabric(void) {
 
 /* ---- distributions over the directions, moduli, constraints ---- */
 
-/* The coefficients by their definitions, with the angles of the contacts: a and its direction from the contacts; a_n
- * and a_t are the Fourier coefficients of the forces divided by the fitted density. */
+/* The anisotropy coefficients by their definitions. The angles of the contacts give a and its direction, and thus the
+ * fitted density of contacts. Each force is divided by the density at its angle; a_n and a_t are the Fourier coefficients
+ * of these quotients. */
 static void distributions(void) {
   struct written it;
   struct nb_result result;
@@ -179,7 +186,7 @@ static void distributions(void) {
   nb_result_free(&result), written_free(&it);
 }
 
-/* Hertz: k_n = 3/2 N/alpha; Mindlin without slip: k_s = 4 (1 - nu)/(2 - nu) times G a = 2 (1 - nu)/(2 - nu) k_n. */
+/* Hertz: k_n = 3/2 N/alpha = 2 G a/(1 - nu). Mindlin without slip: k_s = 4 G a/(2 - nu) = 2 (1 - nu)/(2 - nu) k_n. */
 static void moduli(void) {
   struct written it;
   struct nb_result result;
@@ -211,8 +218,9 @@ static void moduli(void) {
   nb_result_free(&result), written_free(&it);
 }
 
-/* The constraint ratio. It counts the free particles that keep two contacts or more when particles with fewer contacts
- * are removed one by one, and the contacts of these particles. */
+/* The constraint ratio is the number of constraints over the number of degrees of freedom. First, free particles with
+ * fewer than two contacts are removed until there are none. Each of the other free particles has three degrees of freedom.
+ * Each of their contacts is one constraint if it slides, and two if it does not. */
 static void constraints(void) {
   struct written it;
   struct nb_result result;

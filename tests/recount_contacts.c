@@ -61,15 +61,16 @@ static void contacts_follow_from_particles(void) {
 
 /* ---- force chains ---- */
 
+/* A particle, and the chain that it belongs to. */
 struct chained {
   double r, volume, stress[3]; /* xx, xy, yy */
   bool free, inside, strong;
-  int chain;
+  int chain; /* the number of one particle of the chain */
 };
 
 static double major(const double s[3]) { return (s[0] + s[2]) / 2 + hypot((s[0] - s[2]) / 2, s[1]); }
 
-/* True if a direction is within 45 degrees of the major axis, by their angles. */
+/* True if a direction is within 45 degrees of the major principal axis of the stress s, by their angles. */
 static bool along_axis(const double s[3], double ex, double ey) {
   const double off = atan2(ey, ex) - atan2(2 * s[1], s[0] - s[2]) / 2;
   return fabs(remainder(off, pi)) < pi / 4;
@@ -92,6 +93,9 @@ static void run_assembly(struct written *it, struct nb_result *result, int seed)
   written_run(result, it, NULL);
 }
 
+/* Particles are strong if they are free and inside the region, and if their major principal stress is above the mean.
+ * Two strong particles in contact are linked if the contact is along the major axes of both. Three or more linked
+ * particles are a chain. */
 static void force_chains(void) {
   enum { MOST = 100, LINKS = 12 };
   double found = 0, turned = 0; /* sums over all seeds */
@@ -116,7 +120,7 @@ static void force_chains(void) {
       for (int second = 0; second < 2; second++) {
         struct chained *particle = &all[(int)of(table, c, second ? "b" : "a")];
         const double ex = of(table, c, "ex"), ey = of(table, c, "ey"), overlap = of(table, c, "overlap");
-        const double total_normal = of(table, c, "normal"), total_shear = of(table, c, "shear"); /* the same for -e */
+        const double total_normal = of(table, c, "normal"), total_shear = of(table, c, "shear"); /* for both ends */
         const double per = (particle->r - (of(table, c, "wall") > 0 ? overlap : overlap / 2)) / particle->volume;
         const double fx = total_normal * ex + total_shear * ey, fy = total_normal * ey - total_shear * ex;
         particle->stress[0] += per * fx * ex, particle->stress[1] += per * (fx * ey + fy * ex) / 2,

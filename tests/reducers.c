@@ -41,11 +41,11 @@ static void reducers(void) {
       {"A.x amplitude in all", 6, 6, {-3, 1, 4, 0, 9, 0}},
       {"A.x frequency in all", 0.5, 6, {-1, 1, -1, 1, -1, 1}},
       {"A.x frequency in all", 1. / 3, 6, {-1, 0, 1, -1, 0, 1}},   /* a row equals the mean */
-      {"A.x frequency in all", 2 / 3.5, 6, {-1, 0, -1, 2, -1, 1}}, /* 0, the mean, counts as above: 1, 7/3, 4.5 */
+      {"A.x frequency in all", 2 / 3.5, 6, {-1, 0, -1, 2, -1, 1}}, /* 0, the mean, is not below it: 1, 7/3, 4.5 */
       {"A.x frequency in all", 0.5, 6, {1, -1, 1, -1, 1, -1}},
       {"A.x frequency in all", 1 / 2.75, 6, {-3, 1, 1, -1, 1, 1}}, /* crossings at 0.75 and 3.5 only */
       {"A.x frequency in all", 1. / 3, 6, {-1, -1, 1, -1, -1, 1}}, /* successive rows below the mean */
-      {"A.x frequency in all", 1 / 2.75, 6, {5, 9, 9, 7, 9, 9}},   /* as above, around a mean of 8 */
+      {"A.x frequency in all", 1 / 2.75, 6, {5, 9, 9, 7, 9, 9}},   /* the mean is 8: crossings at 0.75 and 3.5 only */
       {"A.x at 10 cycles", 4, 3, {1, 4, 3}},
       {"A.x at 0 cycle", 1, 3, {1, 4, 3}},
       {"A.x at 0 cycles", 1, 3, {1, 4, 3}},
@@ -79,8 +79,8 @@ static void reducers(void) {
   }
 }
 
-/* A reference may return one value for a stage and one for the last stage. The value for the stage is used; without it,
- * the value for the last stage. */
+/* A reference may return a value for a stage (`A.x max in one`) and a value without a stage (`A.x max`). An expectation
+ * for a stage uses the first one if there is one, and otherwise the second one. */
 static void the_value_for_the_stage_is_preferred(void) {
   static const struct {
     const char *expectation;

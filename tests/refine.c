@@ -73,7 +73,7 @@ static void contact_test_page(struct words *page, double r) {
       8 * r, 16 * r, 4 * r);
 }
 
-/* The page with the setting `text` and the page with the numbers multiplied by r have the same tables. */
+/* Asserts that the page for r = 1 with the setting `text` has the same tables as the page for r without a setting. */
 static void same_tables(add_page *add, const char *text, double r) {
   const char *const settings[] = {text, NULL};
   struct words words = {0}, multiplied_words = {0};
@@ -101,7 +101,7 @@ static void tables_of_a_page_with_all_numbers_multiplied(void) {
   }
 }
 
-/* `at N cycles` of an expectation is the row of the page's own cycle N, so it counts R times as many cycles. */
+/* `at N cycles` in an expectation means cycle N of the page without the setting, which is cycle N R with it. */
 static void expectations_at_a_cycle(void) {
   struct words words = {0};
   struct written written;
@@ -163,8 +163,8 @@ static void a_product_that_rounding_makes_no_whole_number(void) {
   written_free(&written);
 }
 
-/* A page in which all stiffnesses are divided by r, including those of a pair and those that a stage changes. The
- * numbers are powers of two and four, so the tables agree to the last bit. */
+/* A page in which all stiffnesses are divided by r, including those of a pair and those that a stage changes. They and r
+ * are powers of two, so the tables agree to the last bit. */
 static void soft_page(struct words *page, double r) {
   words_add(
       page,
@@ -196,8 +196,8 @@ static void tables_of_a_page_with_softer_contacts(void) {
     }
 }
 
-/* A page with `damping late` in the scene and in a stage (r = 1), or with `damping centred` (r = 2), which the setting
- * damping=centred must equal. */
+/* A page with `damping late` in the scene and in a stage (r = 1), or with `damping centred` in both places (r = 2). With
+ * the setting damping=centred, the first page must have the tables of the second one. */
 static void dashpots_page(struct words *page, double r) {
   static const char *const words[] = {"", "late", "centred"};
   words_add(page,

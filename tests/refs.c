@@ -1,4 +1,4 @@
-/* Functions that all references share: solutions, the register, refused scenes.
+/* Functions that all references share: solutions, the list of references, scenes that are refused.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -55,7 +55,7 @@ static void unsolvable_networks_are_refused(void) {
     CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_statics", &it).text, "cannot be solved"));
     CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_slip", &it).text, "cannot be solved"));
   }
-  it.scene.particle_count = 1001; /* their values are not read */
+  it.scene.particle_count = 1001; /* the reference refuses so many, and does not read them */
   struct nb_particle *many = calloc(it.scene.particle_count, sizeof *many);
   CU_ASSERT_PTR_NOT_NULL_FATAL(many);
   it.scene.particles = many;
@@ -63,8 +63,8 @@ static void unsolvable_networks_are_refused(void) {
   free(many);
 }
 
-/* Two walls move in, one twice as fast as the other, and two are at rest: the iteration of the contact states does not
- * end. The message says in which increment of which stage. */
+/* Two walls move inward, one of them twice as fast as the other, and two walls are at rest. The iteration of the contact
+ * states then finds no equilibrium. The message names the increment and the stage. */
 static void a_path_without_equilibrium_is_refused(void) {
   struct refs_scene it;
   nb_references_prepare();
@@ -110,7 +110,8 @@ static void uncovered_particles_and_regions_are_refused(void) {
   static const char head[] = "units none\nmaterial a density 1 kn 9 ks 9 young 1e6 poisson 0.2 friction 0.5\n"
                              "material b density 1 kn 9 ks 9 young 2e6 poisson 0.2 friction 0.5\n";
   static const struct {
-    const char *reference, *page, *refused, *missing; /* part of the message; or a name that has no value */
+    const char *reference, *page;
+    const char *refused, *missing; /* a part of the message, or the name of a value that the solution lacks */
   } scenes[] = {
       {"pinched",
        "normal hertz\nsphere -1.2 0 radius 1 a velocity 0.1 0 fixed\nsphere 1.2 0 radius 1 a velocity -0.1 0 fixed\n"
@@ -263,7 +264,7 @@ static void a_filling_counts_each_size(void) {
   written_free(&it);
 }
 
-/* References do not check the allocations of GSL. */
+/* References do not check whether GSL could allocate memory, because the error handler of GSL ends the program. */
 static void failed_allocation_in_gsl_ends_the_program(void) {
   int status = -1;
   nb_references_prepare();
@@ -311,7 +312,8 @@ static void solution_keeps_values_and_curves(void) {
   CU_ASSERT_PTR_NULL(nb_reference_find("nine_disks"));
 }
 
-/* Values computed by hand, and by the independent functions of the simulator. */
+/* The masses and constants that references use, compared with values computed by hand, and with those of the
+ * simulator. */
 static void masses_and_contact_constants(void) {
   struct nb_material materials[3] = {
       {.density = 3, .kn = 6, .ks = 2, .friction = 0.5, .cohesion = 7, .young = 182, .poisson = 0.3},
@@ -346,7 +348,8 @@ static void masses_and_contact_constants(void) {
   REFS_NEAR(nb_particle_inertia(&scene, &sphere), matter_inertia(&scene, &sphere), 1e-15, 2000.);
 }
 
-/* A particle of material 0 and a wall of material 1: only their pair has friction and cohesion. */
+/* A particle of material 0 and a wall. The rule for one pair of materials has friction and cohesion. The scene has these
+ * features only if the pair is that of the particle and the wall. */
 static void friction_and_cohesion_at_a_wall(void) {
   struct refs_scene it;
   memset(&it, 0, sizeof it);
@@ -356,8 +359,7 @@ static void friction_and_cohesion_at_a_wall(void) {
   it.scene.particles = it.particles, it.scene.particle_count = 1;
   it.scene.walls = it.walls, it.scene.wall_count = 1;
   it.materials[0].line = 12, it.materials[1].line = 13, it.walls[0].material = 1;
-  for (int b = 0; b < 2;
-       b++) /* b = 0: a rule for the two materials; b = 1: a rule for the wall's material with itself */
+  for (int b = 0; b < 2; b++)              /* the rule is for the materials 1 and 0, or for material 1 with itself */
     for (int wall = 0; wall < 2; wall++) { /* the wall has the material of the particle, or the other one */
       int lines[NB_FEATURES];
       it.rules[0] = (struct nb_pair_rule){.a = 1, .b = b, .kn = NAN, .ks = NAN, .friction = 0.5, .cohesion = 1};

@@ -12,7 +12,8 @@
 
 enum { N = 40 };
 
-/* The two walls may be in any order. */
+/* Writes a page with a row of n discs between two walls, of which either may be the first one. The mass of a disc and the
+ * stiffness of a contact are 1. `step` is a fraction of the single-contact step, and `more` has the stages. */
 static void row_of(struct written *it, int n, const char *step, const char *more, bool east_first) {
   struct words page = {0};
   const double x[2] = {0, 1.75 * n - 0.25};
@@ -38,6 +39,7 @@ static const struct nb_solution_curve *curve(const struct nb_solution *solution,
   return found;
 }
 
+/* Compares the reference with the calculation cycle of seven discs. dt is the time of `step`. */
 static void check_cycle(const char *step, double dt, bool east_first) {
   struct written it;
   struct refs_scene scene;
@@ -76,8 +78,8 @@ static void modes_equal_the_cycle(void) {
   check_cycle("0.53", 1.06, false); /* cos(pi/16) dt > 1: one mode grows */
 }
 
-/* An initial velocity of the disc at the wall: disc l has the velocity J_(2l-2)(2t) - J_(2l+2)(2t), with Bessel
- * functions J, until the reflection arrives. */
+/* Disc 1, which is at a wall, has an initial velocity. Until the reflection at the other wall arrives, the velocity of
+ * disc l is J_(2l-2)(2t) - J_(2l+2)(2t) times the initial one, with Bessel functions J. */
 static void impulse_gives_bessel_functions(void) {
   struct written it;
   struct refs_scene scene;

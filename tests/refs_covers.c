@@ -47,6 +47,7 @@ static void plain(struct refs_scene *it, const struct nb_reference *reference) {
 static void add_to_stage(struct nb_stage *stage, enum nb_feature feature);
 static void add_damping(struct nb_damping *it, enum nb_feature feature);
 
+/* Adds a feature to the scene, or to the stage with this index if it is a feature of stages. */
 static void add(struct refs_scene *it, enum nb_feature feature, int stage) {
   struct nb_scene *scene = &it->scene;
   struct nb_particle *particle = &it->particles[0];
@@ -111,8 +112,9 @@ static void add(struct refs_scene *it, enum nb_feature feature, int stage) {
   case HAS_CON1_CS79:
   case HAS_CON1_VELOCITY:
   case HAS_CON1_ALL:
-    /* The damping is that of the scene and of all stages, so that no stage changes it. If the reference needs a global
-     * damping, a CON1 is given in one stage only, so that it does not replace the needed one. */
+    /* The scene and all stages get the same damping, because a stage with another damping would have the feature
+     * HAS_DAMPING_CHANGE. But if the scene has a global damping, which the reference needs, only one stage gets a CON1,
+     * which would replace it. */
     if (scene->damping.global_kind && feature > HAS_MASS_DAMPING) {
       add_damping(&it->stages[stage].damping, feature);
       break;
@@ -229,7 +231,7 @@ static void scene_with(struct refs_scene *it, const struct nb_reference *referen
     add(it, feature, 1);
 }
 
-/* The features that a reference covers, in the order of enum nb_feature. The message cuts a list of more than 200
+/* Writes the features that a reference covers, in the order of enum nb_feature. The message cuts a list of more than 200
  * bytes; this list is whole. */
 static void list_features(char *list, size_t size, const struct nb_reference *reference) {
   size_t used = 0;

@@ -37,8 +37,8 @@ static void a_right_angle_halves_the_square_of_the_weight(void) {
   written_free(&it);
 }
 
-/* A disc that hits the end of a wall head-on with the speed v oscillates for half a period on the spring: the largest
- * overlap is v (m/k)^(1/2), and the disc returns. */
+/* A disc that hits the end of a wall head-on with the relative speed v oscillates for half a period on the contact
+ * spring. The largest overlap is v (m/k)^(1/2), and the relative velocity is reversed. */
 static void the_end_of_a_wall_returns_a_disc(void) {
   struct written it;
   struct refs_scene scene;
@@ -55,7 +55,8 @@ static void the_end_of_a_wall_returns_a_disc(void) {
   written_free(&it);
 }
 
-/* A stiff end deflects by pi - 2 arcsin b, here 120 degrees; the error is of the order of v (m/k)^(1/2)/R = 1e-5. */
+/* The stiff end of a wall deflects a disc by pi - 2 arcsin b, where b is the offset of its path from the end over its
+ * radius. With b = 1/2 this is 120 degrees. The error is of the order of v (m/k)^(1/2)/R = 1e-5. */
 static void a_stiff_end_reflects_as_a_rigid_one(void) {
   struct written it;
   struct refs_scene scene;
@@ -95,8 +96,8 @@ static void scenes_of_other_kinds_are_refused(void) {
   }
 }
 
-/* Two spheres, R = 1, E* = 2/3 (E = 1, nu = 1/2), walls of the same material, K = 8/9 at walls and 8/9/sqrt(2) between
- * the spheres: the overlaps add up to 0.3. */
+/* Two spheres between walls of the same material: R = 1 and E* = 2/3, because E = 1 and nu = 1/2. A contact has the force
+ * K alpha^(3/2), with K = 8/9 at a wall and K = 8/9/sqrt(2) between the spheres. The three overlaps add up to 0.3. */
 static void a_row_of_two_spheres(void) {
   static const char row[] =
       "units none\nmaterial m density 1 young 1 poisson 0.5\nnormal hertz\nshear none\n"

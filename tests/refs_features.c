@@ -9,7 +9,7 @@
 
 enum { LINE = 12, LATER = 13 }; /* lines of the page */
 
-/* A disc of the first of two materials, and two stages. */
+/* A scene with two materials, one disc of the first material, and two stages. */
 static struct refs_scene plain(void) {
   struct refs_scene it = {0};
   strcpy(it.scene.normal, "linear"), strcpy(it.scene.shear, "linear");
@@ -20,7 +20,8 @@ static struct refs_scene plain(void) {
   return it;
 }
 
-/* The scene has exactly the expected features, up to HAS_NOTHING, all from LINE. */
+/* Asserts that the scene has exactly the expected features, each from LINE; HAS_NOTHING ends their list. HAS_DISCS, which
+ * all scenes have, is from line 0 unless it is listed. */
 static void check_features(struct refs_scene *it, const char *what, const enum nb_feature expected[]) {
   int lines[NB_FEATURES];
   struct nb_scene *scene = &it->scene;
@@ -36,6 +37,7 @@ static void check_features(struct refs_scene *it, const char *what, const enum n
     CU_ASSERT_EQUAL(lines[f], wanted);
   }
 }
+/* Changes a plain scene, in which `stage` is the second stage, and checks its features. */
 #define HAS(change, ...)                                                                                               \
   do {                                                                                                                 \
     struct refs_scene it = plain();                                                                                    \
@@ -58,7 +60,7 @@ static void features_of_particles_and_walls(void) {
     HAS((it.walls->spin = sign, it.walls->line = LINE, scene->wall_count = 1), HAS_WALLS, HAS_TURNING_WALLS,
         HAS_NOTHING);
   }
-  /* The first line counts. */
+  /* If two particles have a feature, the line of the first one counts. */
   HAS((particle[0].fixed = particle[1].fixed = 3, particle[0].line = LINE, particle[1].line = LATER,
        scene->particle_count = 2),
       HAS_DISCS, HAS_FIXED_PARTICLES, HAS_NOTHING);
@@ -86,7 +88,8 @@ static void features_of_contacts(void) {
   HAS((stage->laws.pieces = 8, stage->laws.shear_line = LINE), HAS_MEMORY, HAS_NOTHING);
 }
 
-/* A rule for two materials applies to two particles, or a particle and a wall; walls do not touch each other. */
+/* A rule for two materials applies to two particles, or to a particle and a wall. It does not apply to two walls, which
+ * do not touch each other. */
 static void features_of_pairs(void) {
   const struct nb_pair_rule rule = {.a = 0, .b = 1, .kn = NAN, .ks = NAN, .friction = 1, .cohesion = 1};
 #define BETWEEN(first, second, walled, ...)                                                                            \

@@ -10,7 +10,7 @@
 #include "refs_scenes.h"
 #include "suites.h"
 
-/* Solid spheres of nu = 0.28 and 0.30 [R89 5.14, sec. 5.4]. */
+/* The impact parameter chi of solid spheres with nu = 0.28 and 0.30 [R89 5.14, sec. 5.4]. */
 static const double chi28 = 0.72 / 1.72 * 3.5, chi30 = 0.7 / 1.7 * 3.5;
 
 /* psi2 of the exact contact (law NULL), or of a simplified law. */
@@ -71,7 +71,7 @@ static void springs_give_maws_curve(void) {
   }
 }
 
-/* The largest error of a law in psi2, for psi1 from this value on. */
+/* The largest error of a law in psi2, for psi1 from this value to 6. */
 static double error_of(const char *law, double psi1) {
   double most = 0;
   for (; psi1 < 6; psi1 += 0.1)
@@ -109,7 +109,8 @@ static void gross_sliding_is_part_of_dissipation(void) {
   }
 }
 
-/* The mean restitution of the speed over angles from 0, for mu = 0.12 [R89 sec. 5.4]. At 0 and 90 degrees it is 1. */
+/* The mean of the restitution over angles of incidence from 0 to `to` degrees, in steps of `by` degrees, for mu = 0.12
+ * [R89 sec. 5.4]. At 0 and 90 degrees the restitution is 1. */
 static double average(int by, int to) {
   const double pi = 3.14159265358979323846, slope = 0.12 * 1.72 / 1.44;
   double sum = 0;

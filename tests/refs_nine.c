@@ -15,12 +15,13 @@
 
 static const double kn = 1.35e9;
 
-/* k_n d: the force of one contact at the displacement d of a wall. */
+/* k_n d, where d is the displacement of a wall at the end of the first stage. */
 static double force_unit(const struct refs_scene *it) {
   double mass = nb_particle_mass(&it->scene, &it->particles[0]);
   return kn * 0.12 * (double)it->stages[0].cycles * 0.12 * 2 * sqrt(mass / kn);
 }
 
+/* Compares the normal forces of the four monitors with these fractions of `unit`; two of the shear forces are 0. */
 static void check_forces(const struct nb_solution *solution, double unit, double c, double d, double s, double m) {
   REFS_NEAR(refs_value(solution, "C.normal"), c * unit, 1e-12, unit);
   REFS_NEAR(refs_value(solution, "D.normal"), d * unit, 1e-12, unit);
@@ -67,7 +68,8 @@ static void static_forces_equal_closed_forms(void) {
   }
 }
 
-/* Corner discs that slide on the walls: the two equations in the reference's header, by Cramer's rule. */
+/* Corner discs that slide on the walls, with r = k_s/k_n and the friction coefficient f. The two equations at the head of
+ * nine_discs_slip.c are solved by Cramer's rule. */
 static void check_slip(double r, double f) {
   struct refs_scene it;
   refs_nine_discs(&it, r * kn, f, 40, 400);
@@ -93,12 +95,12 @@ static void sliding_equals_closed_form(void) {
   solution_free(&solution);
   refs_nine_discs(&it, kn, f15, 40, 400);
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_statics", &it).text, "slips"));
-  refs_nine_discs(&it, kn, f30, 40, 400); /* but it slips during the oscillation */
+  refs_nine_discs(&it, kn, f30, 40, 400); /* but contacts slip during the oscillation */
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs", &it).text, "slips"));
 }
 
-/* The leapfrog scheme for the corner and middle discs, compared with the sum over the modes of 27 degrees of
- * freedom. */
+/* The leapfrog scheme for the corner and middle discs, compared with the reference, which is a sum over the modes of 27
+ * degrees of freedom. */
 static void check_leapfrog(double r, unsigned long load) {
   struct refs_scene it;
   refs_nine_discs(&it, r * kn, 2, load, 4000);
@@ -171,12 +173,14 @@ static void mean_amplitude_and_frequency(void) {
   solution_free(&rest);
 }
 
-/* Forces of the nine discs from [CS79 12, 13, 16, 17]; discs by index, 27 degrees of freedom. */
+/* The ODE of the nine discs, with forces from [CS79 12, 13, 16, 17]. It has 27 degrees of freedom: x, y and R theta of
+ * each disc. */
 struct ode {
   double r, square;   /* k_s/k_n, k_n/m */
-  double east, south; /* displacement of two walls along x */
+  double east, south; /* velocities of two walls along x; add_contact_force needs their displacements here */
 };
 
+/* Adds the force of one contact, over k_n, to f. b is a disc, or -1 for a wall. */
 static void add_contact_force(const struct ode *ode, const double u[27], double f[27], int a, int b, double ex,
                               double ey) {
   double wall = ex > 0.5 ? ode->east : ey < -0.5 ? ode->south : 0;

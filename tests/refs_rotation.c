@@ -1,6 +1,7 @@
 /* The reference rotation_off: stages that end after the disc has stopped sliding, with and without rotation.
  *
- * A disc, R = 1, starts at v = 4 without spin; mu g = 1, q = m R^2/I = 2.
+ * A disc with R = 1 slides on a floor. It starts with v = 4 and without spin. The deceleration by friction is mu g = 1,
+ * and q = m R^2/I = 2.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

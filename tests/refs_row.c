@@ -1,4 +1,4 @@
-/* Two discs between two walls: the hand calculation, the modes and springs in series, compared with each other.
+/* Two discs between two walls: the hand calculation of CS79, the modes, and the static forces of springs in series.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -12,7 +12,7 @@
 static const double k[3] = {3e6, 5e6, 2e6}, m[2] = {4000, 9000};
 static const double v = 0.05, step = 0.01;
 
-/* The printed equations of CS79: forces (1) and increments (5)-(7), added up. */
+/* The forces (1) and the increments (5)-(7) as CS79 prints them, added up. */
 static void first_cycles_equal_cs79(void) {
   struct refs_scene it;
   double same[3] = {3e6, 3e6, 3e6};
@@ -72,7 +72,8 @@ static void hand_equals_recursion_and_modes(void) {
   solution_free(&solution);
 }
 
-/* The hand calculation returns values only while the walls keep their velocity and nothing is damped. */
+/* The hand calculation returns values only for the cycles in which the walls keep their velocity. Curves are returned
+ * only if nothing is damped and no contact opens. */
 static void hand_ends_with_the_first_motion(void) {
   struct refs_scene it;
   refs_row(&it, k, m, v, step, 3, 100);
@@ -92,14 +93,14 @@ static void hand_ends_with_the_first_motion(void) {
   CU_ASSERT_PTR_NOT_NULL(solution_find(&solution, "A.normal at 6 cycles"));
   CU_ASSERT_PTR_NULL(solution_find_curve(&solution, "A.normal", "cycle"));
   solution_free(&solution);
-  refs_row(&it, k, m, v, step, 1, 100); /* after a short loading B opens in the oscillation */
+  refs_row(&it, k, m, v, step, 1, 100); /* after a short loading, contact B opens in the oscillation */
   solution = refs_solution("two_wall_compression", &it);
   CU_ASSERT_PTR_NOT_NULL(solution_find(&solution, "B.normal at 1 cycles"));
   CU_ASSERT_PTR_NULL(solution_find_curve(&solution, "B.normal", "cycle"));
   solution_free(&solution);
   it.motions[1].vx *= 1.5;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("two_wall_compression", &it).text, "equal speeds"));
-  refs_row(&it, k, m, v, 6 * step, 6, 100); /* so long a step (q + r = 6.5 in two_wall_compression.c) that B opens */
+  refs_row(&it, k, m, v, 6 * step, 6, 100); /* with so long a step, B opens: q + r = 6.5 in two_wall_compression.c */
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("two_wall_compression", &it).text, "opens"));
 }
 

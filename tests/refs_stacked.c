@@ -1,5 +1,5 @@
-/* Two spheres between floor and ceiling: the reference's ODE, compared with the modes of two equal masses on three
- * equal springs.
+/* Two spheres between floor and ceiling: the ODE of the reference `stacked`, compared with the modes of two equal masses
+ * on three equal springs.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -10,7 +10,8 @@
 #include "refs_scenes.h"
 #include "suites.h"
 
-/* R = 1, walls at 0 and 3.6, k = 100; masses of density 1 and `density`. */
+/* Two spheres with R = 1 and the densities 1 and `density`, between walls at y = 0 and 3.6, with k = 100. `damping` is
+ * the damping ratio. */
 static void stack(struct refs_scene *it, double density, double damping) {
   memset(it, 0, sizeof *it);
   it->materials[0] = (struct nb_material){.name = "a", .density = 1, .kn = 100};
@@ -37,9 +38,9 @@ static double at(const struct nb_solution *solution, const char *name, double t)
   return curve->at(curve->data, t);
 }
 
-/* The springs share the total overlap d = 0.4. The spheres oscillate symmetrically: without damping w^2 = 3 k/m.
- * With the damping ratio b, c = 2 b sqrt(m k) at a wall and c sqrt(1/2) between the spheres, so c + 2 c sqrt(1/2)
- * acts on the symmetric mode. */
+/* The three springs share the total overlap 0.4. The spheres oscillate symmetrically, without damping with the angular
+ * frequency w = (3 k/m)^(1/2). With the damping ratio b, the damping coefficient is c = 2 b sqrt(m k) at a wall and
+ * c sqrt(1/2) between the spheres. So the symmetric mode has the coefficient c + 2 c sqrt(1/2). */
 static void equal_spheres_oscillate_symmetrically(void) {
   for (int damped = 0; damped < 2; damped++) {
     struct refs_scene it;
@@ -58,7 +59,8 @@ static void equal_spheres_oscillate_symmetrically(void) {
   }
 }
 
-/* In the damped equilibrium under gravity the springs carry F + (m_1 + m_2) g, F + m_2 g and F. */
+/* In the equilibrium under gravity, which damping leads to, the springs carry F + (m_1 + m_2) g, F + m_2 g and F from
+ * bottom to top. */
 static void equilibrium_under_weight(void) {
   struct refs_scene it;
   stack(&it, 3, 0.5);

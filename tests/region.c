@@ -201,7 +201,7 @@ static void strain(void) {
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[1], &error), NB_OK);
   CU_ASSERT(written_now(model, "B.strain.xx") == 0);
   written_cycles(model, 10);
-  /* relative to the strained lengths: G = (1 + 0.3 L)(1 + 0.2 L)^-1 - 1 = 0.1 L (1 + 0.2 L)^-1 */
+  /* with the velocity gradient L, relative to the strained lengths: (1 + 0.3 L)(1 + 0.2 L)^-1 - 1 = 0.1 L (1 + 0.2 L)^-1 */
   const struct nb_tensor f = tensor(1 + 0.2 * rate.xx, 0.2 * rate.xy, 0.2 * rate.yx, 1 + 0.2 * rate.yy);
   const double det = f.xx * f.yy - f.xy * f.yx;
   CLOSE(model, "B.strain.xx", 0.1 * (rate.xx * f.yy - rate.xy * f.yx) / det);
@@ -274,7 +274,7 @@ static void loads(void) {
   done(&it, model);
 }
 
-/* A disc that slides along a wall in x, and one that rests on a wall. */
+/* A disc that slides along a wall in x, and a disc that does not slide at another wall. */
 static void fabric_of_sliding_contacts(void) {
   struct words page = {0};
   struct written it;
@@ -326,8 +326,8 @@ static void inside_a_boundary(void) {
   written_free(&it);
 }
 
-/* A contact of which only one particle is inside counts with that particle's arm, whichever of the two it is: stress by
- * contacts equals stress by particles for discs of different sizes. */
+/* If only one particle of a contact is inside a region, the contact counts with the arm of this particle. So the stress
+ * by contacts equals the stress by particles, also for discs of different sizes. */
 static void the_arm_of_the_particle_inside(void) {
   struct words page = {0};
   struct written it;
@@ -373,8 +373,8 @@ static void tension(void) {
   written_free(&it);
 }
 
-/* Discs move with the velocity L X. The strain of the remaining discs is L t after a disc inside has been removed, and
- * after a disc outside has been removed. */
+/* Discs at the places X move with the velocities L X. The strain and the rotation of the remaining discs follow from L t,
+ * also after a disc inside the region, and then a disc outside, have been removed. */
 static void strain_without_removed_particles(void) {
   struct words page = {0};
   struct written it;
@@ -451,7 +451,7 @@ static void the_arm_at_a_wall_ends_at_its_face(void) {
   done(&it, model);
 }
 
-/* The regions that may have rings. */
+/* A circle and a fraction of the boundary may have rings. Without `rings` the number is 0. */
 static void regions_with_rings(void) {
   struct words page = {0};
   struct written it;
@@ -465,7 +465,7 @@ static void regions_with_rings(void) {
   written_free(&it);
 }
 
-/* A contact that slides, one with friction that bears no shear force, and one without friction, which has no limit. The
+/* A contact that slides, one with friction but without a shear force, and one without friction, which has no limit. The
  * sliding fractions count all three contacts. The mean obliquity counts the two that have a limit. */
 static void sliding_fractions_are_of_all_contacts(void) {
   struct words page = {0};
@@ -497,7 +497,7 @@ static void obliquity_with_cohesion(void) {
             "record A.obliquity.min A.obliquity.max W.obliquity\nstage s\ncycles 1\nsnapshot\n");
   written_scene(&it, &page);
   written_run(&result, &it, NULL);
-  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "A.obliquity.min"), 0.1, 1e-5); /* e turns by 0.002 */
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "A.obliquity.min"), 0.1, 1e-5); /* the contact normal rotates by 0.002 */
   CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "A.obliquity.max"), 0.1, 1e-5);
   CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "W.obliquity"), 0.1, 1e-5);
   for (size_t k = 0; k < 2; k++)

@@ -1,4 +1,4 @@
-/* Measures of regions: sums over the same contacts that are computed in two ways, and measures that must add up to 1.
+/* Measures of regions: sums that are computed in two ways, and measures that must add up to 1.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -86,8 +86,8 @@ static void same_bits(void) {
   }
 }
 
-/* A quantity that is recorded alone has the same value as among others, with friction and without. This tests that its
- * fields of contacts are kept, because fields are kept only if some quantity needs them. */
+/* A quantity that is recorded alone has a finite value, with friction and without. This tests that it requests the fields
+ * of contacts that it reads, because a field has memory only if something requests it. */
 static void each_alone(void) {
   static const char *const shear[] = {"", "shear linear\n", "shear mindlin\n"};
   static const char *const suffixes[] = {[NB_FOURTH] = ".xxxx", [NB_STATISTICS] = ".mean", [NB_TENSOR] = ".xx",
