@@ -44,7 +44,7 @@ static void free_flight_is_exact(void) {
   written_run(&result, &it, NULL);
   const double *first = result.table.values + 1024 * result.table.column_count; /* at the end of the first stage */
   CU_ASSERT(first[0] == 1.5 && first[1] == 1.75 && first[2] == 3 && first[3] == 0.5 && first[4] == 3);
-  /* Fixed discs keep their velocity, damped or not, and pass through whatever is in their way. */
+  /* Fixed discs keep their velocity, damped or not, and pass through other discs. */
   CU_ASSERT(written_last(&result, "B.x") == 10 && written_last(&result, "B.y") == 13);
   CU_ASSERT(written_last(&result, "B.angle") == -4);
   CU_ASSERT(written_last(&result, "C.x") == 14 && written_last(&result, "C.y") == 9);

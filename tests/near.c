@@ -330,7 +330,7 @@ static void storage_threads_and_instructions_change_no_bit(void) {
   for (size_t o = 0; o < sizeof all / sizeof *all; o++) {
     struct nb_error error;
     struct nb_model *model = nb_model_create(&it.scene, &all[o], &error);
-    if (!model) { /* only because this machine lacks the instruction set */
+    if (!model) { /* allowed only if this machine lacks the instruction set */
       CU_ASSERT(o > 0 && all[o].isa && strstr(error.text, all[o].isa));
       continue;
     }

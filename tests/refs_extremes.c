@@ -55,8 +55,8 @@ static void the_end_of_a_wall_returns_a_disc(void) {
   written_free(&it);
 }
 
-/* The stiff end of a wall deflects a disc by pi - 2 arcsin b, where b is the offset of its path from the end over its
- * radius. With b = 1/2 this is 120 degrees. The error is of the order of v (m/k)^(1/2)/R = 1e-5. */
+/* The stiff end of a wall deflects a disc by pi - 2 arcsin b, where b is the distance of its path from the end, divided by
+ * its radius. With b = 1/2 this is 120 degrees. The error is of the order of v (m/k)^(1/2)/R = 1e-5. */
 static void a_stiff_end_reflects_as_a_rigid_one(void) {
   struct written it;
   struct refs_scene scene;
