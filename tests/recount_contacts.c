@@ -5,7 +5,8 @@
 #include "recount.h"
 #include "suites.h"
 
-/* Tests a value. Overlaps of 1e-2 are differences of coordinates, with rounding errors of 1e-15. */
+/* Tests a value of the contact in this row. Overlaps of 1e-2 are differences of coordinates, with rounding errors of
+ * 1e-15. */
 static void is(const struct nb_table *table, size_t row, const char *name, double wanted) {
   const double seen = of(table, row, name);
   if (!(fabs(seen - wanted) <= 1e-9 * (1 + fabs(wanted)))) {

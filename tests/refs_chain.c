@@ -92,7 +92,7 @@ static void impulse_gives_bessel_functions(void) {
     const double t = 0.002 * (n - 0.5);
     worst = fmax(worst, fabs(v->at(v->data, n) / 1e-3 - gsl_sf_bessel_Jn(4, 2 * t) + gsl_sf_bessel_Jn(8, 2 * t)));
   }
-  CU_ASSERT(worst < 1e-5); /* (omega dt)^2/24 of the phase after 15000 cycles */
+  CU_ASSERT(worst < 1e-5); /* the relative error of the phase is (omega dt)^2/24 */
   for (int n = 1; first == 0; n++)
     if (gsl_sf_bessel_Jn(4, 0.004 * (n - 0.5)) - gsl_sf_bessel_Jn(8, 0.004 * (n - 0.5)) > 0.1)
       first = 0.002 * n;

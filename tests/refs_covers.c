@@ -113,8 +113,8 @@ static void add(struct refs_scene *it, enum nb_feature feature, int stage) {
   case HAS_CON1_VELOCITY:
   case HAS_CON1_ALL:
     /* The scene and all stages get the same damping, because a stage with another damping would have the feature
-     * HAS_DAMPING_CHANGE. But a CON1 would replace the global damping of a scene, which the reference needs. Then only
-     * one stage gets the CON1. */
+     * HAS_DAMPING_CHANGE. The exception is a reference that needs a global damping: a CON1 in the scene would replace it,
+     * so only one stage gets the CON1. */
     if (scene->damping.global_kind && feature > HAS_MASS_DAMPING) {
       add_damping(&it->stages[stage].damping, feature);
       break;

@@ -173,7 +173,7 @@ static void a_rotated_box(void) {
   }
 }
 
-/* Particles that move with a velocity gradient have the strain gradient times time, to rounding. */
+/* If particles move with a constant velocity gradient, their strain is this gradient times the time, to rounding. */
 static void strain(void) {
   const struct nb_tensor rate = tensor(0.2, -0.3, 0.7, -0.5);
   struct words page = {0};
