@@ -1,5 +1,5 @@
-/* Every source and sink of energy has its own term in the energy balance. Each scene has one source or sink: its terms
- * are not 0, and all other terms are exactly 0. A process that happens twice is counted twice.
+/* Every source and sink of energy has its own term in the energy balance. A scene has none, one or several sources and
+ * sinks: their terms are not 0, and all other terms are exactly 0. Energy that is dissipated twice is counted twice.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -76,10 +76,10 @@ static void each_energy_source_has_its_term(void) {
   }
 }
 
-/* A wall presses against a heavy disc, moves tangentially, and leaves the disc while the shear spring is stretched; it
- * does this twice. F_s = k_s s up to the limit set by the cohesion, where s is the displacement, m. At each separation
- * F_s^2/(2 k_s) is dissipated. The second time the contact slides by 0.02 first. The disc of 3e12 kg moves by about
- * 1e-12 m, so energies are exact to 1e-10 J. */
+/* A wall presses against a heavy disc, moves tangentially, and leaves the disc while the shear spring is stretched. It
+ * does this twice. The shear force is F_s = k_s s, where s is the tangential displacement (m); its limit is the
+ * cohesion of 6 N. At each separation F_s^2/(2 k_s) is dissipated. Before the second separation the contact slides by
+ * 0.02 m. The disc of 3e12 kg moves by about 1e-12 m, so the energies are exact to 1e-10 J. */
 static void shear_energy_is_dissipated_at_each_separation(void) {
   struct words page = {0};
   struct written it;

@@ -5,9 +5,9 @@
  * draw it chooses a quantity, one run of the sweep or all runs, and a tolerance at random, asks for advice, and computes
  *   - the true error: the largest difference, over all phases and runs, between the values of the advised setting and
  *     those of the page in the limit of small steps;
- *   - the cheapest setting whose true error is within the tolerance, in a grid of variants (the page itself,
- *     another pair of laws, contacts that are softer by a factor of 10, 100 or 1000, or centred dashpots; each with all
- *     traded values) and of steps that differ by factors of 2^(1/2);
+ *   - the cheapest setting whose true error is within the tolerance, in a grid of variants and steps. The variants are
+ *     the page itself, other pairs of laws, contacts that are softer by a factor of 10, 100 or 1000, and centred
+ *     dashpots; each with all values of the statements `trade`. The steps differ by factors of 2^(1/2);
  *   - the true error and the cost of the settings that the negative controls choose: estimators from which a part is
  *     missing.
  * The results of a page are stored in FOLDER, so a run that was interrupted can be continued. After the last page the
@@ -46,6 +46,8 @@ static double steps_of(struct nb_outcome *page, size_t run) {
   return steps;
 }
 
+/* Writes a row for each run and coarse step of the page: the bin of the number of steps per collision, and the relative
+ * error at one phase. */
 static void write_step_errors(FILE *out, struct nb_advice *advice, const struct truth *truth) {
   for (size_t r = 0; r < advice->runs; r++) {
     const double steps = steps_of(&advice->page, r);
@@ -77,7 +79,7 @@ static bool is_met(struct nb_advice *advice, const struct truth *truth) {
 
 /* Computes errors and costs of the advice and of the negative controls. The controls are not asked if there is no
  * advice. The true error of the control that takes the finest step is computed at one phase only, because this control
- * must fail by its cost. */
+ * need only fail the criterion for the cost. */
 static void compare(struct draw *draw, struct nb_advice *advice, struct nb_advise_query *query, struct truth *truth) {
   struct chosen chosen[ESTIMATORS];
   double most = INFINITY;
@@ -100,7 +102,8 @@ static void compare(struct draw *draw, struct nb_advice *advice, struct nb_advis
   const double fewest = cheapest(advice, truth, most);
   draw->met = isfinite(fewest);
   const bool exhaustive = !advice->exhausted;
-  /* refines the step of the true value until the error of the advice is known */
+  /* The error of the advice is known if it is at least truth_margin times the last change of the true value. Until
+   * then, the true value is computed with smaller steps. */
   const double coarse_change = truth->change;
   for (int level = truth->level + 1;
        level <= NB_LEVEL_HIGH && draw->choices[WHOLE].error < truth_margin * truth->change; level++) {
@@ -123,7 +126,8 @@ static void compare(struct draw *draw, struct nb_advice *advice, struct nb_advis
   }
 }
 
-/* The settings of one run of a sweep. */
+/* Writes the values of the sweeps in this run into the settings of the question, so that the question is about this run
+ * alone. Returns the number of settings. */
 static size_t fix_condition(const struct nb_page_run *run, struct question *question) {
   size_t count = 0;
   for (size_t k = 0; k < run->scene.binding_count && count + 2 < SETTINGS_MAX; k++)
@@ -136,7 +140,8 @@ static size_t fix_condition(const struct nb_page_run *run, struct question *ques
   return count;
 }
 
-/* Lists the measures of the page's expectations, without curves and residuals. */
+/* Lists the measures of the expectations of a page, without curves and residuals. Returns their number, at most
+ * `most`. */
 static size_t list_quantities(const struct nb_page_run *run, const char *quantities[], size_t most) {
   size_t count = 0;
   for (size_t k = 0; k < run->expectations.count && count < most; k++) {
@@ -147,6 +152,7 @@ static size_t list_quantities(const struct nb_page_run *run, const char *quantit
   return count;
 }
 
+/* The kind of a page: `contact test`, or the name of the folder of the page; `-` if the path has no folder. */
 static void kind_of(char kind[64], const char *path, const struct nb_scene *scene) {
   const char *slash = strrchr(path, '/'), *from = slash;
   while (from && from > path && from[-1] != '/')
@@ -242,7 +248,8 @@ static void draw_page(FILE *out, const char *path, gsl_rng *random, bool is_mean
   nb_outcome_free(&page);
 }
 
-/* Takes the results of a page from its file, which is written first if there is none. False: it cannot be written. */
+/* Adds the results of a page from its file in the folder. If there is no file, makes the draws and writes it.
+ * `is_mean`: the draws are about means over realizations. False: the file cannot be written or read. */
 static bool take_page(struct results *results, const char *folder, const char *path, gsl_rng *random, bool is_mean) {
   char file_name[512], part_name[520], row[2048];
   const char *slash = strrchr(path, '/');

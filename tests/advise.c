@@ -1,5 +1,5 @@
 /* The search for advice: the runs that it makes, and the results that it computes from their values. These tests
- * compute the same values from pages that have the phase, the step and the laws of a candidate as statements.
+ * compute the same values from pages whose statements give the phase, the step and the laws of a candidate.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -26,7 +26,7 @@ static bool run_trial(struct nb_advice *advice, size_t variant, int level, size_
   return nb_trials_run(advice, &advice->variants[variant], level, trial, 1, 1);
 }
 
-/* A page without an expect block, in a file that `finish` removes. */
+/* A page with this scene, in a file that `finish` removes. */
 struct page {
   char path[64];
 };
@@ -55,6 +55,7 @@ static double value_of(const char *scene, const char *column) {
   return value;
 }
 
+/* Writes the scene of the impact. With the speed `$v` it has a sweep over two speeds. */
 static void impact_scene(char *text, size_t size, const char *speed, const char *shear, double phase, double step) {
   snprintf(text, size, IMPACT, speed[0] == '$' ? "sweep v 0.3 0.6\n" : "", shear, speed, phase, step);
 }
@@ -62,7 +63,7 @@ static void impact_scene(char *text, size_t size, const char *speed, const char 
 static const char *const no_settings[] = {NULL};
 static const double step_of_page = 0.02, phase_of_page = 0.3;
 
-/* Advice on the impact, at two speeds. */
+/* Advice on the impact, at two speeds, with this tolerance. */
 static void begin(struct nb_advice *advice, struct nb_advise_query *query, struct page *page, const char *within) {
   char scene[2048];
   struct nb_error error = {0};
@@ -104,14 +105,14 @@ static void a_phase_of_an_impact_is_a_moment_of_first_touch(void) {
   finish(&advice, &page);
 }
 
-/* The anchor of a run is the value, with the page's own laws at a fine step, from which errors are counted. Here it is
- * the mean over its two phases. */
+/* The anchor of a run is the value with the page's own laws and a fine step; errors are measured relative to it. Here
+ * it is the mean over its two phases. */
 static double anchor(const struct nb_advice *advice, size_t run) {
   const double *values = advice->variants[0].points[advice->anchor - NB_LEVEL_LOW].values + run * NB_TRIALS;
   return (values[0] + values[NB_PHASES / 2]) / 2;
 }
 
-/* The tolerance and the claimed errors, computed a second time from the values of the trials alone. */
+/* The tolerance and the estimated errors (claims), computed a second time from the values of the trials alone. */
 static void claims_follow_from_the_values(void) {
   struct nb_advice advice;
   struct nb_advise_query query;
@@ -149,10 +150,10 @@ static void claims_follow_from_the_values(void) {
 }
 
 /* The anchor of a setting is at least two levels finer. The quantity is the step itself, whose limit is 0 and which has
- * an error of first order. Let x be the step of level 3; the tolerance is 6.2 x. A claim is 5/4 of the difference from
- * the anchor, plus the uncertainty of the anchor, which is 3 times its step here. Level 1, with its anchor at level 3,
- * exceeds the tolerance: 5/4 (4 x - x) + 3 x = 6.75 x. Level 2, with its anchor at level 4, does not:
- * 5/4 (2 x - x/2) + 3 x/2 = 3.375 x. */
+ * an error of first order. Let x be the step of level 3; the tolerance is 6.2 x. A claim, the estimated error, is 5/4
+ * of the difference from the anchor, plus the uncertainty of the anchor, which is 3 times its step here. Level 1, with
+ * its anchor at level 3, exceeds the tolerance: 5/4 (4 x - x) + 3 x = 6.75 x. Level 2, with its anchor at level 4, does
+ * not: 5/4 (2 x - x/2) + 3 x/2 = 3.375 x. */
 static void the_anchor_is_two_levels_finer(void) {
   struct nb_advice advice;
   struct nb_error error = {0};
@@ -207,8 +208,9 @@ static void laws_are_equal_in_every_run(void) {
   finish(&advice, &page);
 }
 
-/* The history variables that `nineball laws` states for the normal law and the shear law, with `memory 12` on the page:
- * 5 doubles for each of 12 pieces, and 12 others. The variants with the page's own laws store the same. */
+/* A variant stores as many doubles per contact as `nineball laws` states for its normal law and its shear law together.
+ * With the `memory 12` of the page mindlin_deresiewicz stores 5 doubles for each of 12 pieces, and 12 others. A variant
+ * without names of laws has the laws of the page. */
 static void a_variant_stores_what_both_its_laws_store(void) {
   static const struct {
     const char *normal, *shear;
@@ -246,8 +248,8 @@ static void a_variant_stores_what_both_its_laws_store(void) {
   finish(&advice, &page);
 }
 
-/* The distance of other laws is the difference between their value, at the first level at which they have been run, and
- * the anchor of the page. */
+/* The distance of a variant is the difference between its value and the anchor of the page, divided by the tolerance:
+ * the largest one over the runs. The value is that of the first level at which the variant was run. */
 static void laws_have_a_distance_from_the_anchor(void) {
   struct nb_advice advice;
   struct nb_advise_query query;
@@ -303,7 +305,8 @@ static void the_cost_is_counted(void) {
   finish(&advice, &page);
 }
 
-/* Without `impact` the phases have steps that differ by up to 8 %, in every stage. */
+/* On a page without `impact` the phases have different steps: in phase k of 8 the step of every stage is divided by 1 +
+ * 0.08 k/8. */
 static void phases_of_other_pages_have_other_steps(void) {
 #define FLIGHT                                                                                                         \
   "units none\nmaterial m density 1 kn 1000\ndisc 0 3 radius 1 m\nwall w -9 0 to 9 0 m\ngravity 0 -1\n"                \
@@ -366,8 +369,9 @@ static void other_pages_have_one_phase(void) {
   }
 }
 
-/* A trial is expected to take as long as earlier trials of its level, 400 s here, or twice as long as the trials of the
- * next coarser level. A trial that would end after the budget is not run. A hundred seconds have been spent before. */
+/* A trial is expected to take as long as earlier trials of its level; if there are none, twice as long as the trials of
+ * the next coarser level. Here the earlier trials took 400 s. A trial that would end after the budget is not run. The
+ * search has already taken 100 s. */
 static void a_trial_that_would_end_after_the_budget(void) {
   static const struct {
     bool done; /* true: a trial of this level has been run; false: one of the next coarser level */
@@ -404,8 +408,8 @@ static void end_the_budget(void *data, const char *stage, double fraction, doubl
     end->query->budget = 0;
 }
 
-/* A search that ends before its last trial. Variants that it has not reached are counted apart from those that cannot
- * be run: those with `normal linear`, because the material has no `kn`. */
+/* A search that ends before its last trial. Variants that it has not reached are not counted among those that cannot be
+ * run. The variants with `normal linear` cannot be run, because the material has no `kn`. */
 static void variants_after_the_budget(void) {
   struct nb_advice advice[2];
   struct nb_advise_query query;
@@ -524,8 +528,9 @@ static void a_trial_of_a_mean_is_a_realization(void) {
   finish(&advice, &page);
 }
 
-/* For a mean over realizations, the tolerance is relative to the mean of the anchor. The claim is the mean of the
- * paired differences from the anchor, plus its confidence interval. */
+/* For a mean over realizations, the tolerance is relative to the mean of the anchor. The claim is the magnitude of the
+ * mean of the differences from the anchor, realization by realization, plus half the width of its 95 % confidence
+ * interval. */
 static void claims_of_a_mean_follow_from_its_realizations(void) {
   struct nb_advice advice;
   struct nb_advise_query query;
@@ -557,7 +562,8 @@ static void claims_of_a_mean_follow_from_its_realizations(void) {
   finish(&advice, &page);
 }
 
-/* The variants are all combinations of the values of `trade` with the laws, if the page asks for other laws. */
+/* The variants are the page with its own values and with each value of `trade`. If the page asks for other laws, they
+ * are all combinations of these values with the laws. */
 static void variants_are_all_combinations(void) {
   static const struct {
     const char *trade;
@@ -628,9 +634,10 @@ static void variants_with_the_own_laws(void) {
   }
 }
 
-/* The stable step of a realization: two discs in contact, whose stiffness depends on the seed. The ratio of the step to
- * the stable step is dt (k_n/2 m)^(1/2), because the shear stiffness is 0. A setting needs the margin of Student's
- * distribution for one realization in a thousand; the page as it is needs no margin. */
+/* Each realization has two discs in contact, whose stiffness depends on the seed. The ratio of the step to the stable
+ * step is dt (k_n/(2 m))^(1/2), because the shear stiffness is 0. A setting is left out if a bound for this ratio is
+ * above 1. By Student's distribution the ratio of another realization exceeds the bound with the probability 0.001. The
+ * page as it is needs no such margin. */
 static void settings_of_a_mean_have_a_margin_of_stability(void) {
   static const double spreads[] = {0.001, 0.01, 0.015, 0.02}, step_of_mean = 0.0713; /* ratios from 0.9 to 0.97 */
   for (size_t k = 0; k < sizeof spreads / sizeof *spreads; k++) {
@@ -687,7 +694,8 @@ struct made_up {
   struct nb_setting settings[SETTINGS];
 };
 
-/* Setting k is variant k at the level of the page. */
+/* Setting k is variant k at the level of the page, with these updates, history variables, and estimated error over the
+ * tolerance (`ratio`). */
 static void make_up(struct made_up *it, const double updates[SETTINGS], const int history[SETTINGS],
                     const double ratio[SETTINGS]) {
   memset(it, 0, sizeof *it);
@@ -700,8 +708,8 @@ static void make_up(struct made_up *it, const double updates[SETTINGS], const in
   }
 }
 
-/* The numbers of updates decide if they differ by more than 10 %; otherwise the number of doubles that the laws store.
- * Measured times never decide. */
+/* The setting with fewer updates is the cheaper one if the numbers differ by more than 10 %; otherwise, the one whose
+ * laws store fewer doubles. Measured times never decide. */
 static void the_cheaper_of_two_settings(void) {
   static const double updates[SETTINGS] = {100, 111, 109, 100, 50, 91};
   static const int history[SETTINGS] = {4, 1, 1, 4, 9, 5};
@@ -737,7 +745,9 @@ static void the_next_cheaper_and_the_most_accurate_setting(void) {
   static const double updates[SETTINGS] = {100, 50, 50, 50, 25, 100};
   static const int history[SETTINGS] = {0};
   static const double ratio[SETTINGS] = {0.7, 2, 1.5, 1.5, 1.1, 0.7};
-  static const int next[SETTINGS] = {2, 4, 4, 4, -1, 2}; /* of equal ones the most accurate, of these the first */
+  /* of the settings with fewer updates, the one with the most updates; of equal ones the most accurate, then the
+   * first */
+  static const int next[SETTINGS] = {2, 4, 4, 4, -1, 2};
   struct made_up it;
   make_up(&it, updates, history, ratio);
   for (size_t k = 0; k < SETTINGS; k++)
@@ -749,9 +759,9 @@ static void the_next_cheaper_and_the_most_accurate_setting(void) {
   CU_ASSERT_PTR_NULL(nb_advice_most_accurate(&it.advice));
 }
 
-/* A level refines the page's step by 2^level, rounded up to a multiple of 1/30, so that all numbers of cycles stay
- * whole: 120 and 90 cycles, and an expectation at 60, have the common divisor 30. The levels below -5 have the step of
- * level -5. */
+/* A level divides the page's step by 2^level, rounded up to a multiple of 1/30, so that all numbers of cycles stay
+ * whole: 120 and 90 cycles, and an expectation at cycle 60, have the common divisor 30. The levels below -5 have the
+ * step of level -5. */
 static void levels_divide_all_numbers_of_cycles(void) {
   static const double refine[] = {1 / 30.0, 1 / 30.0, 1 / 30.0, 2 / 30.0, 4 / 30.0, 8 / 30.0, 0.5, 1, 2, 4};
   struct nb_advice advice = {.divisor = 30};
@@ -768,8 +778,9 @@ static void levels_divide_all_numbers_of_cycles(void) {
     CU_ASSERT_EQUAL(nb_level_refine(&advice, level), exp2(level));
 }
 
-/* A falling disc. Its velocity has no error, so the coarsest step that divides 120 and 90 cycles and the
- * 60 and 20 cycles of the expectations is the cheapest one: 10 times that of the page. */
+/* A falling disc. Its velocity has no error, so the cheapest step is the longest one with which all numbers of cycles
+ * stay whole: the 120 and 90 cycles of the stages, and the 60 and 20 cycles of the expectations. It is 10 times as long
+ * as that of the page. */
 static void steps_that_do_not_halve_are_tried(void) {
   struct nb_advice advice;
   struct nb_error error = {0};
@@ -843,7 +854,7 @@ static void variants_that_are_left_out(void) {
   struct made_up it;
   make_up(&it, zero, (const int[SETTINGS]){0}, zero);
   CU_ASSERT_PTR_NULL(nb_advice_left_out(&it.advice).nearest);
-  for (size_t k = 0; k < 5; k++) /* variant 0 is the page, 5 has settings */
+  for (size_t k = 0; k < 5; k++) /* variant 0 is the page; variant 5 has settings, so no reason to leave it out */
     strcpy(it.variants[k].reason, "one");
   it.variants[0].distance = 1, it.variants[0].equal = true;
   it.variants[1].distance = 5, it.variants[2].distance = 3, it.variants[3].equal = true;

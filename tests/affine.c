@@ -1,5 +1,5 @@
-/* Affine motion imposed by a cell, by a boundary and by `affine strain`: all give the same motion, and energy residuals
- * of second order in the step.
+/* Affine motion imposed by a cell, by a boundary and by `affine strain`. A cell and `affine strain` give the same
+ * motion. The energy residuals are of second order in the step.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -10,6 +10,7 @@
 #include "suites.h"
 #include "written.h"
 
+/* Runs the page. Returns the last value of the quantity `name`. */
 static double ends(struct words *page, const char *name) {
   struct written it;
   struct nb_result result;
@@ -48,8 +49,9 @@ static void cell_and_affine_strain_agree(void) {
   }
 }
 
-/* If the strain rate L is reversed for the same number of cycles N, every component of the sides of the cell returns to
- * its first value. The error is 80 |L|^2 dt^2 N, which is less than 1e-3; 80 is the length of the sides. */
+/* After N cycles with the strain rate L and N cycles with -L, the components of the sides of the cell have their first
+ * values again. The error is about 80 |L|^2 dt^2 N, which is less than 1e-3; 80 is the length of a side, and dt is the
+ * step. */
 static void a_reversed_strain_restores_the_cell(void) {
   static const char *const names[] = {"cell.xx", "cell.xy", "cell.yx", "cell.yy"};
   static const double first[] = {80, 0, 0, 80};
@@ -64,8 +66,9 @@ static void a_reversed_strain_restores_the_cell(void) {
   }
 }
 
-/* The energy residual and the imposed energy of frictionless discs with dashpots under gravity. The discs are
- * compressed and sheared, then strained at another rate. */
+/* Runs frictionless discs with dashpots under gravity, which are compressed and sheared, and then strained at another
+ * rate. Returns the energy residual, and sets *driven to the imposed energy. `which`: 0 for a boundary and affine
+ * motion, 1 for a cell; dt: the step. */
 static double residual(int which, double dt, double *driven) {
   static const char *const before[] = {"boundary circle 0 0 radius 4.6\n", "cell -5 -5 to 5 5\n"};
   static const char *const strain[] = {"affine strain -0.1 -0.12 shear 0.02\nboundary strain -0.1 -0.12 shear 0.02\n",
@@ -93,7 +96,7 @@ static void energies_balance(void) {
     const double coarse = residual(which, 1e-3, &whole), fine = residual(which, 5e-4, &driven);
     CU_ASSERT(fabs(driven) > 1);
     CU_ASSERT(fabs(coarse) < 1e-3 * fabs(driven));
-    CU_ASSERT(fabs(fine) < 0.3 * fabs(coarse)); /* a quarter, except for terms of third order */
+    CU_ASSERT(fabs(fine) < 0.3 * fabs(coarse)); /* second order: 1/4, and some room for terms of higher order */
     CU_ASSERT(fabs(whole - driven) < 1e-2 * fabs(driven));
   }
 }
@@ -120,8 +123,9 @@ static void zero_velocities_is_as_at_time_0(void) {
   written_free(&it);
 }
 
-/* The first cycle after a strain ends the affine motion of the particles. The cycles after it are as fast as those of a
- * run without affine motion, and the strain since the last search still counts for the next search. */
+/* The affine motion of the particles ends in the first cycle after a strain. The strain since the last search still
+ * reduces the travel limit, the displacement after which a new search is needed. The norm of this strain is 1e-4, and
+ * the largest diameter is 2. */
 static void the_affine_motion_ends(void) {
   struct words page = {0};
   struct written it;
@@ -137,7 +141,7 @@ static void the_affine_motion_ends(void) {
     written_cycles(model, 1);
     CU_ASSERT_EQUAL(model->all_affine, cycle == 0);
   }
-  const double limit = model->search.skin - 1e-4 * (2 * 1 + model->search.skin); /* cell.c */
+  const double limit = model->search.skin - 1e-4 * (2 * 1 + model->search.skin); /* nb_cell_move */
   CU_ASSERT_DOUBLE_EQUAL(model->cell->travel_limit, limit / 2, 1e-15);
   nb_model_free(model);
   written_free(&it);
@@ -166,8 +170,9 @@ static void fixed_particles_are_not_strained(void) {
     }
 }
 
-/* A disc at the distance 10 from the middle of a cell that is strained at 0.2 1/s, with its own velocity of 0.5 across.
- * `reverse velocities` reverses both: after as many steps the distance is 10 (1 - (L dt)^2)^N, and the disc is back. */
+/* A disc starts at (10, 0) with the velocity 0.5 in y, in a cell that is strained in x at the rate L = 0.2. After N =
+ * 100 steps `reverse velocities` reverses the velocity and the strain rate. After another 100 steps the disc is at y =
+ * 0 again, and at x = 10 (1 - (L dt)^2)^N, because each pair of steps changes x by the factor (1 + L dt)(1 - L dt). */
 static void a_reversed_particle_of_a_strained_cell_returns(void) {
   static const char *const names[] = {"A.x", "A.y"};
   const double wanted[] = {10 * pow(1 - 0.002 * 0.002, 100), 0};

@@ -12,7 +12,7 @@
 
 static double step; /* the first column at the end of the last run */
 
-/* The status with which a run of these statements ends, and its number of cycles. */
+/* Runs a page with these statements. Returns the status; sets *error, `step`, and *cycles, the number of cycles. */
 static enum nb_status ends(const char *statements, unsigned long *cycles, struct nb_error *error) {
   struct words page = {0};
   struct written it;
@@ -29,8 +29,9 @@ static enum nb_status ends(const char *statements, unsigned long *cycles, struct
   return status;
 }
 
-/* Particles that are far apart may touch later, so the lightest particles of every two materials count: omega^2 =
- * k (1/m + 1/m) = 16 for two discs of radius 1, and 8 (1 + 1/9) for the radii 1 and 3. */
+/* Particles that are far apart may touch later. So for every two materials the lightest particles count as if they
+ * touched. The stable step is 2/omega, with omega^2 = k (1/m_1 + 1/m_2): 16 for two discs of radius 1, and 8 (1 + 1/9)
+ * for the radii 1 and 3. */
 static void pairs_that_may_meet(void) {
   static const struct {
     const char *statements;
@@ -76,8 +77,8 @@ static void pairs_that_may_meet(void) {
   CU_ASSERT_DOUBLE_EQUAL(step, 1 / sqrt(80. / 9), 1e-15);
 }
 
-/* A removed particle meets no other one, although it was the only one of its material. The two discs that are left have
- * omega^2 = 16, so the stable step is 1/2, and the duration of their collision is pi/4. */
+/* A removed particle counts in no pair, although it was the only one of its material. The two discs that are left have
+ * omega^2 = 16. So their stable step is 1/2, and their collision lasts pi/4. */
 static void a_removed_particle_meets_none(void) {
   static const struct {
     const char *step;
@@ -97,8 +98,8 @@ static void a_removed_particle_meets_none(void) {
   }
 }
 
-/* With the step that the message advises, the run continues. The advised step has the unit, or the `of …`, of the step
- * in the page. */
+/* With the step that the message advises, the run continues. The advised step has the unit of the step in the page, or
+ * the same words `of …` or `per collision`. */
 static void the_advised_step_is_stable(void) {
   static const char springs[] =
       "material m density 0.3 kg/m3 kn 8 N/m\ndisc 0 m 0 m radius 1 m m\ndisc 1.9 m 0 m radius 1 m m\n";

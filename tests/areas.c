@@ -1,4 +1,4 @@
-/* The area that a disc has in common with a circle and with a polygon, compared with numerical quadrature.
+/* The area that a disc has in common with another disc, and with a polygon, compared with numerical quadrature.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -11,13 +11,14 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* A disc about the origin, and a second circle or a box. The integrands of_circles and of_box are the length of the
- * chord at height y that lies in both figures. */
+/* A disc about the origin, and a second disc or a box. The integrands of_circles and of_box are the length of the chord
+ * at the height y that lies in both figures. */
 struct pair {
   double r, R, d;                  /* radii of two circles, the second at the distance d in x */
-  double west, east, south, north; /* or a box instead of the second */
+  double west, east, south, north; /* sides of the box, instead of the second circle */
 };
 
+/* The length that the intervals a and b have in common. */
 static double common(double from_a, double to_a, double from_b, double to_b) {
   const double length = fmin(to_a, to_b) - fmax(from_a, from_b);
   return length > 0 ? length : 0;

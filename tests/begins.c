@@ -1,12 +1,12 @@
-/* Changes at the beginning of a stage leave the energy balance and the motion of second order in the step:
- * mass-proportional damping, walls, laws, the stress on a boundary, particles that a boundary releases or takes. Each
- * scene is run with a step, with half of it and with a quarter of it. When the step is halved, a second-order error
- * falls by the factor 4, a first-order error by 2. The tests require the factor 3.5 for the energy residual, and where
- * nothing else is of first order, also for the difference between the kinetic energies of two steps. t_0 is the time at
- * which the second stage begins.
+/* Changes at the beginning of a stage: mass-proportional damping, walls, laws, the stress on a boundary, particles that
+ * a boundary releases or takes in. With them the errors of the energy balance and of the motion must still be of second
+ * order in the step. Each scene is run with a step, with half of it and with a quarter of it. When the step is halved,
+ * a second-order error falls by the factor 4, a first-order error by 2. The tests require the factor 3.5 for the energy
+ * residual. Where the motion has no other error of first order, they also require it for the difference between the
+ * kinetic energies of two steps. t_0 is the time at which the second stage begins.
  *
- * The linear springs have no shear stiffness, and contacts open or close only where a boundary releases particles:
- * friction on rotating contacts is of first order by itself (docs/METHOD.md).
+ * The linear springs have no shear stiffness, because the error of a shear force at a rotating contact is of first
+ * order by itself (docs/METHOD.md). Contacts open or close only where a boundary releases particles.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -15,6 +15,8 @@
 #include "suites.h"
 #include "written.h"
 
+/* Runs the stages `first` and `second` of the scene `head`, with steps divided by `parts`. Sets found[0] to the last
+ * energy residual and found[1] to the last kinetic energy. */
 static void run_with(double found[2], const char *head, const char *first, const char *second, int parts) {
   struct words words = {0};
   struct written it;
@@ -30,6 +32,8 @@ static void run_with(double found[2], const char *head, const char *first, const
   nb_result_free(&result), written_free(&it);
 }
 
+/* Tests that the errors of this scene are of second order: that of the energy balance, and with `motion` also that of
+ * the kinetic energy. */
 static void second_order(const char *head, const char *first, const char *second, bool motion) {
   double at[3][2];
   for (int k = 0; k < 3; k++)
@@ -88,8 +92,8 @@ static void particles_taken_by_a_boundary_were_damped_as_before(void) {
   second_order(FLIES, "damping mass 9", "damping none\nboundary circle 0 0 radius 0.1", false);
 }
 
-/* A particle that a boundary releases falls from rest: its displacement is g t^2/2 after every step, to rounding,
- * because the first kick lasts half a step. */
+/* A particle that a boundary releases falls from rest. Its displacement at the end is g t^2/2 to rounding, because its
+ * velocity first changes by the acceleration over half a step. */
 static void released_particles_start_at_rest(void) {
   struct words words = {0};
   struct written it;
@@ -104,8 +108,8 @@ static void released_particles_start_at_rest(void) {
   nb_result_free(&result), written_free(&it);
 }
 
-/* Centripetal gravity about a point so far away that it is uniform. It ramps from 0 to 4 in 2 s, so v = 4. Then it
- * ramps from 4 to the value of the next stage, which adds the mean of both values times 2 s. */
+/* Centripetal gravity about a point so far away that gravity is uniform. It ramps from 0 to 4 in 2 s, so v = 4. In the
+ * next stage it ramps from 4 to the value of that stage, so v grows by the mean of both values times 2 s. */
 static void a_ramp_begins_where_the_one_before_ended(void) {
   static const struct {
     const char *then;

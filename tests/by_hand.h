@@ -1,7 +1,8 @@
 /* The exact law of two elastic spheres (docs/CONTACT.md), implemented a second time for the tests, without a limit on
- * the number of rings and without merging rings. The rings are listed from inside to outside by the overlap x (m) at
- * which each was added; D is the traction of a ring as a fraction of its friction limit. Slip removes rings from the
- * outside up to the ring in which its front lies, so a long path costs little.
+ * the number of rings and without merging rings. A ring is a range of the overlap x (m) over which D, the value of the
+ * memory diagram, is constant: the shear force of the ring as a fraction of its friction limit. The rings are listed
+ * from the centre to the edge. Slip removes the rings outside its front, so a long path costs little. The front is the
+ * boundary between slip and stick.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #pragma once
@@ -9,7 +10,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* n = x^(3/2), and Int D dx and Int D dn up to the outer end. */
+/* n = x^(3/2), u = Int D dx and t = Int D dn, integrated from the centre to the outer end of the ring. The normal force
+ * is proportional to n, the tangential displacement to u, and the shear force to t. */
 struct ring {
   double end, d;  /* overlap at the outer end, m; D */
   double n, u, t; /* values at the outer end, in m^(3/2), m, m^(3/2) */
@@ -19,7 +21,7 @@ struct ring {
 struct by_hand {
   int count, capacity;
   struct ring *ring;
-  double slid; /* the part of u that slid as a whole in the last step, m */
+  double slid; /* > 0 if the whole contact slid in the last step: the slid displacement over mu kappa, m */
 };
 
 static inline void by_hand_free(struct by_hand *it) {
@@ -27,12 +29,14 @@ static inline void by_hand_free(struct by_hand *it) {
   *it = (struct by_hand){0};
 }
 
-/* The outer end of ring k; all 0 for k = -1, the centre. */
+/* Ring k; for k = -1, the centre, all members are 0. */
 static inline struct ring by_hand_ring(const struct by_hand *it, int k) {
   return k >= 0 ? it->ring[k] : (struct ring){0};
 }
+/* The overlap at the inner end of ring k. */
 static inline double by_hand_begin(const struct by_hand *it, int k) { return by_hand_ring(it, k - 1).end; }
 
+/* Adds a ring outside all others, from the edge to the overlap `end`. Does nothing if this ring is empty. */
 static inline void by_hand_add(struct by_hand *it, double end, double d) {
   const struct ring inner = by_hand_ring(it, it->count - 1);
   if (!(end > inner.end))
@@ -47,7 +51,7 @@ static inline void by_hand_add(struct by_hand *it, double end, double d) {
   it->ring[it->count++] = (struct ring){end, d, n, inner.u + d * (end - inner.end), inner.t + d * (n - inner.n)};
 }
 
-/* Removes the rings outside the overlap x. */
+/* Removes the rings outside the overlap x, and cuts the ring that contains x. */
 static inline void by_hand_cut(struct by_hand *it, double x) {
   while (it->count > 0 && by_hand_begin(it, it->count - 1) >= x)
     it->count--;
@@ -57,8 +61,8 @@ static inline void by_hand_cut(struct by_hand *it, double x) {
   }
 }
 
-/* Slips in the sense s until u at the edge x is `target`. The front is at the overlap c with s (target - u(c)) = x - c;
- * if there is no such c, the contact slides. */
+/* Slips in the direction s, 1 or -1, until u is `target` at the edge, the overlap x. Outside the front D is then s. The
+ * front is at the overlap c at which s (target - u(c)) = x - c; if there is no such c, the whole contact slides. */
 static inline void by_hand_slip(struct by_hand *it, double x, double target, double s) {
   while (it->count > 0) {
     const struct ring inner = by_hand_ring(it, it->count - 2);
@@ -73,7 +77,8 @@ static inline void by_hand_slip(struct by_hand *it, double x, double target, dou
   by_hand_add(it, x, s);
 }
 
-/* Advances to the overlap x and by u = slip/(mu kappa), m. Returns T/(mu N). */
+/* Makes one step to the overlap x. u (m) is the tangential increment of the step, divided by mu kappa. Returns T/(mu
+ * N). */
 static inline double by_hand_go(struct by_hand *it, double x, double u) {
   const double target = by_hand_ring(it, it->count - 1).u + u;
   it->slid = 0;

@@ -1,5 +1,6 @@
-/* The periodic cell. The contacts found are compared with a search over all images. Results must not depend on which
- * image of a particle the page gives, on the skin, or on threads, storage order and instruction set.
+/* The periodic cell. The contacts found are compared with a search over all images. Results must not depend on the
+ * skin, threads, storage order or instruction set. On the image of a particle that the page gives they may depend only
+ * by rounding (1e-8).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -14,8 +15,8 @@
 
 enum { DISCS = 150 };
 
-/* A gas of discs of these radii with friction in a cell that is strained. `wander` moves every particle to another image
- * of it. */
+/* A gas of discs of these radii with friction in a cell that is strained. `more`: further statements. If `wander` is 1,
+ * the page gives another image of every particle. */
 struct radii {
   double least, greatest;
 };
@@ -201,7 +202,8 @@ static void storage_threads_and_instructions_change_no_bit(void) {
   written_free(&it);
 }
 
-/* Without forces the particles follow the strain, x = H s with constant s, and have no velocity of their own. */
+/* Without forces the particles follow the strain: x = H s with constant s, where the columns of H are the sides of the
+ * cell. They have no velocity of their own. */
 static void a_strain_is_uniform(void) {
   struct written it;
   struct words page = {0};
@@ -250,8 +252,8 @@ static void sheared_cells_are_set_upright(void) {
   }
 }
 
-/* `gap` is the smallest distance of all pairs. It includes the images of particles, and pairs that are not listed but
- * have approached since the search. Of two fixed particles the distance does not count. */
+/* `gap` is the smallest gap of all pairs. Images of particles count, and so do pairs that are not listed but have
+ * approached since the search. The gap between two fixed particles does not count. */
 static void the_gap_is_that_of_the_nearest_two(void) {
   struct written it;
   struct nb_model *model;

@@ -7,8 +7,8 @@
 #include "chance.h"
 #include "laws/laws_now.h"
 
-enum { MOST = 16 + 5 * 65 };                /* history variables per contact */
-static const double untouched = -12345.678; /* value of history slots that a law does not use */
+enum { MOST = 16 + 5 * 65 };                /* largest number of history variables of a shear law */
+static const double untouched = -12345.678; /* value of history variables that a law does not have */
 
 /* A contact under test, with the histories of its laws. */
 struct contact {
@@ -18,7 +18,7 @@ struct contact {
   double normal_history[NB_HISTORY], shear_history[MOST];
   struct nb_normal n;
   struct nb_shear s;
-  double dissipated; /* total, for laws that return it, J */
+  double dissipated; /* sum over the steps, for laws that return it, J */
 };
 
 static inline struct contact contact_of(const struct nb_law *normal, const struct nb_law *shear, struct nb_pair pair) {
@@ -33,7 +33,7 @@ static inline struct contact contact_of(const struct nb_law *normal, const struc
   return it;
 }
 
-/* Makes one step to this overlap, by this tangential increment. */
+/* Makes one step to this overlap, with this tangential increment. */
 static inline void contact_go(struct contact *it, double overlap, double slip) {
   const int remembered = nb_law_history(it->shear, it->pair);
   it->n = it->normal->normal(it->pair, overlap, overlap - it->overlap, it->normal_history);
@@ -48,10 +48,11 @@ static inline void contact_go(struct contact *it, double overlap, double slip) {
   for (int m = 0; m < it->normal->history; m++) /* the history ends with the contact, as in law_batch.h */
     it->normal_history[m] = 0;
   for (int m = 0; m < remembered; m++)
-    it->shear_history[m] = m > 0 && remembered > NB_HISTORY ? untouched : 0; /* a long history keeps only its count */
+    it->shear_history[m] = m > 0 && remembered > NB_HISTORY ? untouched : 0; /* m[0]: the number of pieces */
 }
 
-/* Makes n equal steps to this overlap, by this slip in all. Returns the work of the mean force of each step, J. */
+/* Makes n equal steps to this overlap, with this tangential displacement in all. Returns the work (J); the force in a
+ * step is the mean of the forces before and after it. */
 static inline double contact_lead(struct contact *it, double overlap, double slip, int n) {
   const double from = it->overlap;
   double work = 0;
@@ -65,6 +66,7 @@ static inline double contact_lead(struct contact *it, double overlap, double sli
   return work;
 }
 
+/* A random material pair. */
 static inline struct nb_pair pair_by(struct chance *chance) {
 #define ROW(name, ...) .name = 2.5, /* for members that are not drawn below */
   struct nb_pair pair = {NB_PAIR_ROWS(ROW)};
@@ -73,12 +75,13 @@ static inline struct nb_pair pair_by(struct chance *chance) {
   pair.ks = chance_between(chance, 0, 1) < 0.1 ? 0 : pair.kn * chance_between(chance, 0.2, 1.5);
   pair.friction = chance_between(chance, 0, 1) < 0.2 ? 0 : chance_between(chance, 0.05, 1);
   pair.cohesion = chance_between(chance, 0, 1) < 0.7 ? 0 : pair.kn * chance_scale(chance, 1e-9, 1e-4);
-  pair.young = pair.kn * chance_scale(chance, 1e6, 1e9);        /* factor in 1/m: contacts at least as stiff as k_n */
-  pair.shear = pair.young * chance_between(chance, 0.16, 0.26); /* ratio of the effective moduli */
+  pair.young = pair.kn * chance_scale(chance, 1e6, 1e9);        /* Pa; the factor has the unit 1/m */
+  pair.shear = pair.young * chance_between(chance, 0.16, 0.26); /* G* over E* */
   pair.radius = chance_scale(chance, 1e-5, 1);
   return pair;
 }
 
+/* The elastic energy of the contact, J. */
 static inline double stored(const struct contact *it) {
   double sum = it->normal->stored(it->pair, it->n, it->normal_history);
   if (it->shear)

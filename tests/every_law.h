@@ -7,9 +7,10 @@
 
 #include "contact.h"
 
-enum { PAIRS = 200 };
+enum { PAIRS = 200 }; /* material pairs for each combination of laws */
 
-/* Calls `test` PAIRS times for each normal law alone (shear NULL), or with every shear law. */
+/* Calls `test` with PAIRS random material pairs for each combination of laws. The combinations are all normal laws
+ * alone, or if `shears`, all normal laws with all shear laws that can follow them. */
 static inline void every_law(bool shears, void (*test)(struct contact it, struct chance *chance)) {
   int tried = 0;
   for (const struct nb_law *const *normal = nb_laws(); *normal; normal++) {
@@ -30,6 +31,8 @@ static inline void every_law(bool shears, void (*test)(struct contact it, struct
   CU_ASSERT(tried > 0);
 }
 
+/* Define the functions normal_NAME and shear_NAME, which call every_law with the function NAME, for normal laws alone
+ * and with shear laws. */
 #define OF_NORMAL(test)                                                                                                \
   static void normal_##test(void) { every_law(false, test); }
 #define OF_SHEAR(test)                                                                                                 \

@@ -9,12 +9,12 @@
 #include "chance.h"
 
 struct placed {
-  double fraction, side; /* largest overlap over the smaller radius; side of a periodic square, or 0 */
+  double fraction, side; /* largest overlap allowed, over the smaller radius; side of a periodic square, or 0 */
   int count;
   double disc[2000][3]; /* x, y, radius */
 };
 
-/* Places one more disc of this radius in a square from (low, low) to (high, high). */
+/* Places one more disc of this radius, with its centre in the square from (low, low) to (high, high). */
 static inline void placed_find(struct placed *placed, struct chance *chance, double low, double high, double radius) {
   double *to = placed->disc[placed->count];
   for (bool taken = true; taken;) {

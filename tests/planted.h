@@ -2,7 +2,7 @@
  *
  * The page has one disc A. Its columns are A.x, A.y, A.vx and energy.residual, beside time and cycle, and its stages
  * are `one` and `two`. Row r has the cycle 10 r and the time r; rows 0 to 2 belong to stage one, the others to stage
- * two. The test chooses A.x, and energy.residual equals it; A.y is 1, 2, 4, 2, 1, 0 and A.vx is -4.
+ * two. The test chooses A.x, and energy.residual equals it; A.y is 1, 2, 4, 2, 1 and then 0, and A.vx is -4.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #pragma once
@@ -13,10 +13,10 @@
 
 #define COUNT(list) (sizeof list / sizeof *list)
 
-enum { PLANTED_MOST = 12 };
+enum { PLANTED_MOST = 12 }; /* the largest number of rows, and of runs of a sweep */
 
-/* Reads the page with these statements in its scene, for example sweeps, and these expectations. Its runs have no
- * rows. */
+/* Reads the page with these statements in its scene, for example sweeps, and these expectations. Its runs have no rows
+ * yet. */
 void planted_page(struct nb_outcome *outcome, const char *statements, const char *expectations);
 /* Sets A.x in each row of one run. */
 void planted_rows(struct nb_outcome *outcome, size_t run, int count, const double *x);
@@ -41,8 +41,11 @@ struct planted_sweep {
   enum nb_mark mark;
   const char *words; /* the text of the check must contain these words */
 };
+/* Tests each entry of the list: the verdict must have the mark and the words. */
 void planted_sweeps(const struct planted_sweep *list, size_t count);
 
-/* One expectation of one run; the reference returns one value, or none. */
+/* Tests one expectation of a page without sweeps. The run has `count` rows, in which A.x is x[0], x[1], …. The
+ * reference solution returns `value` for `name`, or no value if `name` is NULL. The verdict must have the mark and the
+ * words. */
 void planted_one(const char *expectation, const char *name, double value, int count, const double *x, enum nb_mark mark,
                  const char *words);

@@ -12,10 +12,11 @@
 
 static const double pi = 3.14159265358979323846;
 enum { PARTICLES = 40 };
-/* Centre and radius of the region, a circle. Contacts with a wall are inside it; its edge cuts contacts of equal and of
- * unequal spheres. */
+/* Centre and radius of the region B, a circle. It contains contacts with a wall, and its edge cuts contacts of equal
+ * and of unequal spheres. */
 static const double at_x = 3.4, at_y = 4.4, reach = 3.2;
 
+/* The value of a column in this row. */
 static inline double of(const struct nb_table *table, size_t row, const char *name) {
   for (size_t c = 0; c < table->column_count; c++)
     if (strcmp(table->names[c], name) == 0)
@@ -31,6 +32,7 @@ static inline double of(const struct nb_table *table, size_t row, const char *na
   "B." stem ".fourth.xxxx B." stem ".fourth.xxxy B." stem ".fourth.xxyy B." stem ".fourth.xyyy B." stem ".fourth."     \
   "yyyy "
 
+/* Runs the assembly. It has two stages and a snapshot at the end. */
 static inline void made(struct written *it, struct nb_result *result) {
   struct words page = {0};
   words_add(
@@ -61,12 +63,13 @@ static inline void made(struct written *it, struct nb_result *result) {
 }
 
 struct particle {
-  bool there, inside, fixed;
-  double x, y, r, fx, fy, touching;
+  bool there, inside, fixed;        /* not removed; centre in the region */
+  double x, y, r, fx, fy, touching; /* r: radius; touching: number of contacts */
 };
 struct particles {
-  struct particle of[PARTICLES];
-  double thickness, radius, count, free; /* of the particles inside; the thickness is the mean over all particles */
+  struct particle of[PARTICLES]; /* by their numbers */
+  double thickness;              /* mean diameter of all particles */
+  double radius, count, free; /* mean radius of the particles inside, their number, and that of the free ones of them */
 };
 
 static inline void read_particles(struct particles *all, const struct nb_table *table) {
