@@ -1,9 +1,9 @@
 /* A box whose walls follow a strain rate or a servo.
  *
- * A disc of radius 1 and mass M is in the middle of a square box of side W. At each wall F = k (1 - W/2), so the
- * stress is p = F/W. The distance from the centre to a wall is W/2. So the servo has the bulk stiffness
- * B = 4 k (W/2)^2/(4 W^2) = k/4 and the time T = W (M/(W^2 B))^(1/2) (docs/METHOD.md). The disc does not move, so W
- * follows a recursion.
+ * A disc of radius 1, mass M and stiffness k is in the middle of a square box of side W. The force at each wall is F =
+ * k (1 - W/2), so the stress is p = F/W. The distance from the centre to a wall is W/2. So the servo has the bulk
+ * stiffness B = 4 k (W/2)^2/(4 W^2) = k/4 and the time T = W (M/(W^2 B))^(1/2) (docs/METHOD.md). The disc does not
+ * move, so W follows a recursion.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -151,7 +151,7 @@ static void walls_follow_until_they_are_moved(void) {
   CU_ASSERT_DOUBLE_EQUAL(row(&result, 4)[1], 4 - 0.025, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(row(&result, 5)[1], (4 - 0.025) * 1.001, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(row(&result, 6)[0], wanted[4] + 0.025, 1e-12);
-  CU_ASSERT(row(&result, 7)[0] < row(&result, 6)[0]); /* the motions of the stages e and f have ended */
+  CU_ASSERT(row(&result, 7)[0] < row(&result, 6)[0]); /* the servo has ended the motions of the stages e and f */
   CU_ASSERT_DOUBLE_EQUAL(row(&result, 7)[1] / row(&result, 6)[1], row(&result, 7)[0] / row(&result, 6)[0], 1e-12);
   nb_result_free(&result);
 }
@@ -218,7 +218,7 @@ static void porosity_of_the_box(void) {
 /* Heavy discs press on the walls of a box of 10 by 8. The forces are 100 and 50 on south, at -3 and 2 from its middle
  * along the wall; 20 and 50 on east, at 2 and -2; 80 on north; 10 on west. Then east moves tangentially by 0.004, which
  * causes a shear force of 4 on each of its discs; friction would allow 10 and 25. The wall `free` is no wall of the
- * box. It carries 100 at 2 from its middle, and its moment is that about the point (14, 3). */
+ * box. It carries 100 at 2 from its middle, and its moment is taken about the point (14, 3). */
 static void forces_on_walls(void) {
   static const struct {
     const char *name;

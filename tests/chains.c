@@ -1,4 +1,4 @@
-/* Force chains with known measures: rows, zigzags, hexagonal lattices, a chain that branches.
+/* Force chains with known measures: rows, zigzags and hexagonal lattices.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -11,7 +11,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* The expected measures of the chains in region A. */
+/* Tests the measures of the chains of all particles on this page. `bend` is the mean angle between links. */
 static void is(struct words *page, double chains, double length, double fraction, double bend) {
   struct written it;
   words_add(page, "region A all\nrecord A.chains A.chains.length A.chains.fraction A.chains.bend\nstage s\ncycles 1\n");
@@ -64,11 +64,12 @@ static void all_fixed(void) {
 }
 
 /* A zigzag of nine discs between walls, with links at the angle phi to the axis; a disc without contacts lowers the
- * mean stress. Below 30 degrees cos 2 phi > sin phi: the major axis is that of the zigzag, and successive links
- * differ by 2 phi. Above 30 degrees the side walls cause the larger stress, and there is no chain. */
+ * mean stress. Below 30 degrees cos 2 phi > sin phi: the major principal stress of each disc is along the zigzag, and
+ * successive links form the angle 2 phi. Above 30 degrees the side walls cause the larger stress, and there is no
+ * chain. */
 static void zigzags(void) {
   for (int degrees = 0; degrees <= 40; degrees += 4) {
-    const double phi = degrees * pi / 180, s = 1.999, wall = 2 * 0.001 * sin(phi); /* equilibrium with a side wall */
+    const double phi = degrees * pi / 180, s = 1.999, wall = 2 * 0.001 * sin(phi); /* overlap at a side wall */
     struct words page = begin();
     for (int k = 0; k < 9; k++)
       words_add(&page, "disc %.17g %.17g radius 1 m\n", k % 2 ? s * sin(phi) : 0, k * s * cos(phi));
@@ -104,8 +105,9 @@ static void hexagonal(void) {
   is(&other, 4, 4, 16. / 17, 0);
 }
 
-/* `page`: a particle is pressed against a row from the side. Their contact lies along the major axis of the particle
- * but not along that of the row. Another row has a stress below the mean. `leaning`: an inclined row. */
+/* `page`: a particle is pressed against a row from the side. Its contact lies along the major principal stress of the
+ * particle, but not along that of the disc of the row. A second row has a stress below the mean. So only the first row
+ * is a chain. `leaning`: an inclined row. */
 static void along_and_above(void) {
   struct words page = begin(), leaning = begin();
   words_add(&page, "lattice discs 3 by 1 from 0 0 radius 1 spacing 1.99 m\nwall w -0.99 -0.8 to -0.99 0.8 m\n"
@@ -121,8 +123,8 @@ static void along_and_above(void) {
   is(&leaning, 1, 3, 0.75, 0);
 }
 
-/* Two equal rows; in one of them the middle disc rotates. This row has the larger major stress, by the factor
- * (1 + sqrt(1 + (T/N)^2))/2 with T = 3 N. */
+/* Two equal rows; in one of them the middle disc rotates. Shear forces T = 3 N then increase the major stress of this
+ * row by the factor (1 + sqrt(1 + (T/N)^2))/2, so the stress of the other row is below the mean. */
 static void shear_counts(void) {
   struct words page = {0};
   struct written it;

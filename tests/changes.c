@@ -9,7 +9,7 @@
 #include "suites.h"
 #include "written.h"
 
-/* The last row of one column, after all stages. */
+/* The last value of a column, after all stages. */
 static double after(const char *statements, const char *column) {
   struct words page = {0};
   struct written it;
@@ -23,6 +23,7 @@ static double after(const char *statements, const char *column) {
   return last;
 }
 
+/* The value of a column in this row. */
 static double row_of(const char *statements, const char *column, size_t row) {
   struct words page = {0};
   struct written it;
@@ -68,8 +69,8 @@ static void gravity_acts_away_from_a_point(void) {
                   after(AT_REST "ramp gravity centripetal 2 about 0 -8\ncycles 8\n", "D.y"));
 }
 
-/* A stage cannot move the point of central gravity: the kick at the beginning of the stage would need the directions to
- * both points. After a stage with zero gravity it can. */
+/* A stage cannot move the point of central gravity, because the change of the velocities at the beginning of the stage
+ * would need the directions to both points. After a stage with zero gravity, a stage can give another point. */
 static void the_point_of_central_gravity_stays(void) {
   static const struct {
     const char *between;
@@ -221,8 +222,8 @@ static void pairs_change(void) {
   CU_ASSERT_EQUAL(after(ramps, "C.normal"), 8);
 }
 
-/* `zero velocities` stops every particle, fixed ones included; walls keep moving. The next kick lasts half a step,
- * and dashpot forces are 0. */
+/* `zero velocities` stops every particle, fixed ones included; walls keep moving. The next change of velocities is that
+ * of half a step, and dashpot forces are 0. */
 static void zero_velocities_starts_from_rest(void) {
   const char *falls = FLIGHT "gravity 0 -2\nstage a\ncycles 8\nstage b\nzero velocities\ncycles 4\n";
   CU_ASSERT_EQUAL(after(falls, "D.y"), -4 - 1);

@@ -1,5 +1,6 @@
-/* Every page is interrupted after its first cycle, in the middle and at the end of a stage, and continued from the
- * checkpoint. The results and the last checkpoint must be those of the run without interruption, to the last bit.
+/* The run of every page is interrupted after its first cycle, in its middle and at the end of its first stage, and
+ * continued from the checkpoint. The results and the last checkpoint must be those of the run without interruption, to
+ * the last bit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -16,6 +17,8 @@
 
 static char folder[] = "/tmp/nineball-checkpoint-XXXXXX";
 
+/* Options of a run that stops after this number of cycles (0: at its end) and, with `resume`, begins at the
+ * checkpoint. */
 static struct nb_options options_of(unsigned long stop_after, bool resume, int threads) {
   return (struct nb_options){.threads = threads,
                              .states = folder,
@@ -50,7 +53,8 @@ static const char *difference(const struct nb_scene *scene, const struct nb_resu
                                                                            : NULL;
 }
 
-/* Runs the scene from the last checkpoint up to a cycle; 0: to the end. */
+/* Continues the scene from its checkpoint at the cycle `from` (0: begins it), and stops after the cycle `to` (0: at the
+ * end). */
 static enum nb_status session(struct nb_result *result, const struct nb_scene *scene, unsigned long from,
                               unsigned long to, int threads, struct nb_error *error) {
   const struct nb_options options = options_of(to ? to - from : 0, from > 0, threads);
@@ -62,7 +66,8 @@ static void remove_checkpoint(const struct nb_scene *scene, unsigned long long k
   nb_checkpoint_remove(scene, &options, key);
 }
 
-/* The lines of a checkpoint without those of measured times, and without the checksum of all. */
+/* The lines of the checkpoint with this key, without measured times and without the checksum. The caller frees the
+ * text. */
 static char *untimed(const struct nb_scene *scene, unsigned long long key) {
   static const char *const timed[] = {"end ", "store seconds ", "store stage_seconds ", "store cost "};
   struct nb_error error;
@@ -83,8 +88,8 @@ static char *untimed(const struct nb_scene *scene, unsigned long long key) {
   return text;
 }
 
-/* Tests that the checkpoint of the interrupted run equals the checkpoint of a run without interruption: all variables
- * of the model, to the last bit. */
+/* Tests that the checkpoint of the interrupted run (key 1) equals that of a run without interruption (key 2): all
+ * variables of the model, to the last bit. */
 static void compare_checkpoints(const struct nb_scene *scene, const char *name) {
   char *whole = untimed(scene, 2), *interrupted = untimed(scene, 1);
   CU_ASSERT(whole && interrupted);
@@ -98,7 +103,7 @@ static void compare_checkpoints(const struct nb_scene *scene, const char *name) 
   free(whole), free(interrupted);
 }
 
-/* Runs the scene up to a cycle without interruption, and compares its checkpoint with that of the sessions. */
+/* Runs the scene up to a cycle without interruption, and compares its checkpoint with that of the interrupted run. */
 static void check_last(const struct nb_scene *scene, const char *name, unsigned long cycle) {
   struct nb_error error;
   struct nb_result result;
@@ -195,13 +200,14 @@ static const char *const spheres[] = {
     "stop\ncycles 290\n",
 };
 
-/* Runs that a guard stops between two searches: two discs overlap too much at cycle 351, a disc passes through a wall at
- * cycle 251. The first search has found that the guard must test every cycle, and no search follows the interruption.
- * The runs record no quantity of a contact, so their checkpoints have only its force.
+/* A guard stops the second and the third run between two searches: two discs overlap too much at cycle 351, and a disc
+ * passes through a wall at cycle 251. The first search has found that the guard must test every cycle, and no search
+ * follows the interruption. The runs record no quantity of a contact, so their checkpoints have only the forces of
+ * contacts.
  *
- * In the first run the resolution of the coordinates is too coarse while no discs overlap, and fine enough during the
- * overlap, when the run is interrupted. By then the other disc is farther from the origin; the continued run must not
- * add a warning about this disc. */
+ * In the first run the program warns at the start that the resolution of the coordinate of disc 1 is too coarse,
+ * because no discs overlap yet. During the overlap, when the run is interrupted, the resolution is fine enough, and
+ * disc 2 is farther from the origin than disc 1. The continued run must not add a warning about disc 2. */
 static const char soft[] = "units none\nmaterial m density 3 kn 0.001\nskin 4\nstep 0.001\nrecord time D.x\n";
 static const char *const guarded[] = {
     "disc 1e10 0 radius 0.5 m\ndisc (1e10-3) 0.8 radius 0.5 m velocity 100 0\nmonitor D disc 2\nstage pass\ncycles "
@@ -211,8 +217,8 @@ static const char *const guarded[] = {
     "disc 0 0 radius 0.5 m velocity 4 0\nwall w 1 -2 to 1 2 m\nmonitor D disc 1\nstage meet\ncycles 400\n",
 };
 
-/* The page may change before its run is continued, but not in what it records: the continued run has all rows and
- * snapshots. */
+/* A page may change before its run is continued, but its statements `record` and `snapshot` may not, because the result
+ * has the rows and snapshots from before the interruption too. */
 static void other_records_are_refused(void) {
   struct words words = {0};
   struct written it;
@@ -238,7 +244,8 @@ static void other_records_are_refused(void) {
   written_free(&it);
 }
 
-/* Removes a variable from the last checkpoint, as an earlier program would have written it; returns its value. */
+/* Removes a variable from the last checkpoint, as if an earlier version of the program had written it. Returns the
+ * value of the variable. */
 static double without_variable(const struct nb_scene *scene, const char *name) {
   struct nb_saved saved;
   struct nb_error error;
@@ -303,8 +310,9 @@ static void interrupted_in_the_middle(void) {
     }
 }
 
-/* The step 1/40 of a collision is set by --set, and the sphere has rebounded when the second stage begins. So the
- * continued run must know that the step has been computed. */
+/* The step, 1/40 of a collision, is set by --set. When the second stage begins, the sphere has rebounded and there is
+ * no collision from which a step could be computed. So the continued run must know that the step has been computed
+ * before. */
 static void a_collision_step_that_is_set(void) {
   static const char *const settings[] = {"step=40 per collision", NULL};
   struct words words = {0};

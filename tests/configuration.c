@@ -11,14 +11,16 @@
 #include "suites.h"
 #include "written.h"
 
+/* Tests a row of the table `lattice`: its particles or wall, the ends of the line, and its kind (-1: lost contact, 0:
+ * kept, 1: new). */
 static void line(const struct nb_table *lattice, size_t row, const double wanted[8]) {
   static const char *const names[] = {"a", "b", "wall", "x1", "y1", "x2", "y2", "kind"};
   for (int k = 0; k < 8; k++)
     CU_ASSERT_DOUBLE_EQUAL(written_cell(lattice, row, names[k]), wanted[k], 1e-12);
 }
 
-/* Disc 1 leaves disc 2 and reaches disc 3; 4 stays with 5, 6 leaves a wall and 7 reaches it, 8 is removed. The
- * springs are so soft that velocities do not change: 4 m in 4 s. */
+/* Disc 1 leaves disc 2 and reaches disc 3, disc 4 stays with disc 5, disc 6 leaves a wall, disc 7 reaches it, and disc
+ * 8 is removed. The springs are so soft that velocities do not change: 4 m in 4 s. */
 static void goes_over(void) {
   struct words page = {0};
   struct written it;
@@ -117,6 +119,8 @@ static void since_the_start_or_the_first_stage(void) {
 static const double p = 3, n = 8, ks = 1e7, step = 2e-5;
 static const int cycles = 25000, many = 5;
 
+/* Runs the sphere on the incline: the stage `all` with one cycle, `many` equal stages, and the stage `last` with one
+ * cycle. */
 static void incline(struct nb_result *result, struct written *it, double friction) {
   const double mass = 2600 * 4 / 3. * 3.14159265358979323846 * 1e-3;
   struct words page = {0};
@@ -146,8 +150,8 @@ static void slides(void) {
   const double slid = written_cell(&last->contacts, 0, "slid");
   CU_ASSERT(result.searches > 5);
   CU_ASSERT_DOUBLE_EQUAL(slid, way, 3e-4 * way); /* 3 steps at the final speed, 0.1 m/s */
-  /* the whole tangential displacement is that of the centre plus the rotation; the part that is not sliding is that
-   * of the spring, except for one step */
+  /* the whole tangential displacement is that of the centre plus the radius times the rotation; the part of it that is
+   * not sliding is the displacement of the spring, except for one step */
   const double slip = written_cell(&last->particles, 0, "moved_x") + 0.1 * written_cell(&last->particles, 0, "turned");
   CU_ASSERT(slip - slid <= spring * (1 + 1e-9) && slip - slid > 0.8 * spring);
   double sum = 0;
@@ -203,7 +207,7 @@ static void comes_back(void) {
   written_free(&it);
 }
 
-/* The lattice has no line for the contact, whichever of its two particles is removed. */
+/* The lattice has no line for a contact if one of its particles is removed, whichever of the two it is. */
 static void no_line_to_a_removed_particle(void) {
   for (int removed = 1; removed <= 2; removed++) {
     struct words page = {0};

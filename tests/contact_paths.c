@@ -15,8 +15,9 @@
 enum { SHORT = 100000, LONG = 10000000, EXACT = 500000 }; /* steps; EXACT: of the comparison with the list */
 enum { COMPARED = KIND_DECADES };                         /* kinds of path for that comparison */
 
-/* Tolerances of T over mu N, for each memory: about three times the largest error measured in docs/PATHS.md. If there
- * is enough memory, the only errors are those of merges, each of which changes T by less than 1e-7 mu N. */
+/* Tolerances of T over mu N, for each kind of path and each recorded run (rows) and each number of pieces (columns):
+ * about three times the largest error measured in docs/PATHS.md. If there is enough memory, the only errors are those
+ * of merges, each of which changes T by less than 1e-7 mu N. */
 static const double allowed[COMPARED + RUNS][MEMORIES] = {
     {0.3, 0.1, 0.01, 1e-5, 1e-7},      {0.1, 0.02, 2e-3, 2e-4, 1e-7},       {0.2, 0.03, 5e-3, 1e-3, 1e-7},
     {0.2, 0.03, 5e-3, 1e-3, 1e-7},     {0.3, 0.02, 1e-4, 1e-6, 1e-7},       {0.2, 0.1, 0.05, 0.02, 1e-7},
@@ -51,6 +52,7 @@ static void each_pair(void (*use)(const struct nb_law *normal, const struct nb_l
 
 static const struct nb_law *exact(void) { return nb_law_find("shear", "mindlin_deresiewicz"); }
 
+/* The errors of the law on a path: the numbers below COMPARED are kinds of path, the others are recorded runs. */
 static struct errors exact_by_number(const struct nb_law *shear, int number, long steps) {
   return number < COMPARED ? exact_on_paths(shear, number, steps) : exact_in_run(shear, number - COMPARED, steps);
 }

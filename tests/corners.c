@@ -34,6 +34,7 @@ static struct one one_of(struct nb_pair pair) {
 
 static const struct nb_law *exact(void) { return nb_law_find("shear", "mindlin_deresiewicz"); }
 
+/* Makes one step to the overlap x; u is the tangential increment over mu kappa. */
 static void one_go(struct one *it, double x, double u) {
   it->n = nb_law_find("normal", "hertz")->normal(it->pair, x, 0, NULL);
   it->n.overlap = x;
@@ -45,7 +46,7 @@ static double fraction(const struct one *it) { return it->s.force / (it->pair.fr
 
 /* ---- the pieces themselves ---- */
 
-/* Makes a random path from random rings. The force at each corner is a sum over the rings. */
+/* Makes a random path of `count` pieces with |D| up to `most`. The force at each corner is a sum over the pieces. */
 static void path_of(struct corner at[], int count, struct chance *chance, double most) {
   double t = 0;
   at[0] = (struct corner){0};
@@ -57,6 +58,7 @@ static void path_of(struct corner at[], int count, struct chance *chance, double
   }
 }
 
+/* t at the outer end of a path; T/(mu N) = t/n there. */
 static double force(const struct corner at[], int count) {
   double t = 0;
   for (int k = 0; k < count; k++)
@@ -81,8 +83,8 @@ static double area(const struct corner *at) {
   return at[-1].e + at[0].e + fabs(at[0].u - line) * all;
 }
 
-/* Of three to nine pieces, the dropped corner is the one with the least area over x^(1/2): its triangle, with the
- * earlier error, changes T least. The displacement and T at the end are kept, and only three pieces change. */
+/* In a path of three to nine pieces, the dropped corner is the one with the least area over x^(1/2): its triangle, with
+ * the earlier error, changes T least. The displacement and T at the end are kept, and only three pieces change. */
 static void a_corner_is_dropped(void) {
   struct chance chance = chance_begin(8);
   int kept = 0, first = 0, last = 0, high = 0;
@@ -155,10 +157,10 @@ static void corners_move(void) {
 
 /* ---- the law with its pieces ---- */
 
-/* A step adds a piece if a merge would change u by |D_1 - D_2| x_1 x_2/(x_1 + x_2) = 1e-7/1.5 x or more; the error
- * that the piece before has already is subtracted from this limit. Where the larger |u| of the two ends of the new
- * piece is below x/100, 100 |u| replaces x in this limit. The test covers both signs, rings and slip, a first piece and
- * a later one, and small u. */
+/* A step adds a piece if a merge with the piece before would change u by 1e-7/1.5 x or more. The change is |D_1 - D_2|
+ * x_1 x_2/(x_1 + x_2) for pieces of the lengths x_1 and x_2. The error that the piece before already has is subtracted
+ * from the limit. If |u| is below x/100 at both ends of the new piece, 100 times the larger |u| replaces x in the
+ * limit. The test covers both signs, rings and slip, a first piece and a later one, and small u. */
 static void small_pieces_join(void) {
   static const struct {
     double first, before, d; /* x and -D of the piece before, D of the piece that is joined */
@@ -194,7 +196,7 @@ static void joined_pieces_count(void) {
     const double by = way == 0 ? 0.7999 : way == 1 ? 0.8001 : 0.9999;
     struct one it = one_of(plain);
     one_go(&it, 1e-3, 0.5e-3);
-    one_go(&it, 2e-3, 0.5e-3 + 0.8 * little * 4e-3); /* 0.8 of the limit, which is 0.2 of the limit at the next x */
+    one_go(&it, 2e-3, 0.5e-3 + 0.8 * little * 4e-3); /* an error of 0.8 of the limit, and 0.2 of that at the next x */
     CU_ASSERT_EQUAL(pieces(&it), 1);
     if (way == 2) { /* to the friction limit: D = 1 everywhere */
       one_go(&it, 2e-3, 4e-3);
@@ -233,8 +235,8 @@ static void closed_loops_are_erased(void) {
   CU_ASSERT_EQUAL(pieces(&it), 2);
 }
 
-/* When the friction changes, the path of the pieces, divided by the ratio of the new friction to the old one, is
- * followed again from its start. */
+/* When the friction changes, the path of the pieces is followed again from its start, with u divided by the ratio of
+ * the new friction to the old one. */
 static void friction_changes(void) {
   static struct by_hand hand;
   struct chance chance = chance_begin(12);

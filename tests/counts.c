@@ -22,7 +22,8 @@ static void the_quantile_has_the_nearest_rank(void) {
 
 enum { COUNT = 100, PER_KIND = 20 };
 
-/* Five kinds with twenty draws each. All errors are within the tolerance, all costs are 1, and all claims are 2. */
+/* Five kinds with twenty draws each. All errors are within the tolerance, all costs are 1, and all claims (estimated
+ * over true error) are 2. */
 static struct draw *make_draws(void) {
   struct draw *draws = calloc(COUNT, sizeof *draws);
   CU_ASSERT_PTR_NOT_NULL_FATAL(draws);

@@ -31,7 +31,7 @@ static struct nb_model *two_discs(struct written *it, const char *damping, const
   return written_model(it, NULL);
 }
 
-/* dn/dt and ds/dt of C over the last step [CS79 14, 15]. */
+/* The rates dn/dt and ds/dt of the contact C over the last step [CS79 14, 15]. */
 static void rates(const struct nb_model *model, double *dn, double *slip) {
   const double dx = written_now(model, "B.x") - written_now(model, "A.x"),
                dy = written_now(model, "B.y") - written_now(model, "A.y");
@@ -163,7 +163,8 @@ static void coefficients_under_a_ramp(void) {
 }
 
 /* `damping centred`: the dashpot force at t_N is that of the velocity at t_(N-1/2) plus half of its last change. At
- * time 0 the velocity is that of the page. The dashpot force of an old contact is not multiplied by a weight. */
+ * time 0 the velocity is that of the page. The dashpot force is multiplied by a weight only in the steps in which a
+ * contact begins or ends, so not here. */
 static void centred(void) {
   struct written it;
   struct nb_model *model = two_discs(&it, "stiffness 0.02\ndamping centred", "disc 2.9 0.5 radius 2 b spin 0.25", 10);
@@ -177,7 +178,7 @@ static void centred(void) {
     for (int k = 0; k < 6; k++)
       before[k] = written_now(model, names[k]);
     written_cycles(model, 1);
-    /* the first kick lasts half a step */
+    /* the first change of the velocity is that of half a step */
     for (int k = 0; k < 6; k++)
       v[k] = written_now(model, names[k]) + (cycle == 0 ? 1 : 0.5) * (written_now(model, names[k]) - before[k]);
     const double dx = written_now(model, "B.x") - written_now(model, "A.x"),
@@ -192,7 +193,8 @@ static void centred(void) {
   written_free(&it);
 }
 
-/* In a motion that changes its sign every cycle the predicted velocity is twice the velocity half a step before. */
+/* In a motion that changes its sign every cycle the predicted velocity is twice the velocity half a step before. So
+ * centred dashpots have the stable step of late dashpots with twice the damping ratio. */
 static void stable_step_of_centred_dashpots(void) {
   static const char *const dampings[] = {"ratio 0.2\ndamping centred", "ratio 0.4"};
   double step[2];
@@ -282,7 +284,8 @@ static void a_wall_has_infinite_mass(void) {
   written_free(&it);
 }
 
-/* At time 0 the dashpot of a wall that rotates about P has the velocity w x (Q - P) of the nearest point Q. */
+/* At time 0 the dashpot at a wall that rotates about P uses the velocity w x (Q - P) of the nearest point Q of the
+ * wall. */
 static void a_wall_that_rotates(void) {
   struct words page = {0};
   struct written it;
@@ -337,11 +340,11 @@ static void sliding(void) {
   written_free(&it);
 }
 
-/* A disc at a wall. The contact ends with the overlap, although the dashpot pulls before that. It lasts half a period
- * of the damped oscillation, so e = exp(-pi beta/sqrt(1 - beta^2)). First touch, separation and the half step of the
- * dashpot are each late by up to a step, which changes the velocity by up to the fraction c dt/m = 2 beta w dt. With
- * `damping centred` the error is of second order: (3/8) pi beta (w dt)^2 by the prediction of the velocity, and terms
- * in beta^2. */
+/* A disc at a wall. The contact ends with the overlap, although the dashpot pulls before that. The contact lasts half a
+ * period of the damped oscillation, so e = exp(-pi beta/sqrt(1 - beta^2)). First touch, separation and the half step of
+ * the dashpot are each late by up to a step, which changes the velocity by up to the fraction c dt/m = 2 beta w dt.
+ * With `damping centred` the error is of second order: (3/8) pi beta (w dt)^2 by the prediction of the velocity, and
+ * terms in beta^2. */
 static void restitution(void) {
   const double m = pi * 3, w = sqrt(400 / m);
   static const double betas[] = {0.02, 0.1, 0.3};

@@ -93,8 +93,8 @@ static void walls_separate(void) {
   }
 }
 
-/* One disc at a wall: omega^2 = 8, and xi is the ratio of `damping walls`. The ratio of contacts between particles has
- * no effect. */
+/* One disc at a wall. The stable step is 2/omega ((1 + xi^2)^(1/2) - xi); omega^2 = 8, and xi is the ratio of `damping
+ * walls`. The ratio of contacts between particles has no effect. */
 static void stable_step_with_damping_walls(void) {
   struct written it;
   struct nb_model *model =
@@ -105,7 +105,8 @@ static void stable_step_with_damping_walls(void) {
   written_free(&it);
 }
 
-/* Two discs that are far apart count with the dashpot of their contact: omega^2 = 2 k/m, and xi is the damping ratio. */
+/* Two discs that are far apart count as if they touched, with the dashpot of their contact: omega^2 = 2 k/m, and xi is
+ * the damping ratio. */
 static void stable_step_of_discs_apart(void) {
   struct written it;
   struct nb_model *model = model_of(&it,
@@ -122,7 +123,7 @@ static void stable_step_of_discs_apart(void) {
 static void overlaps_are_counted(void) {
   static const struct {
     const char *scene;
-    double counted; /* after ten cycles at rest */
+    double counted; /* at rest: at time 0 and after each of ten cycles */
     const char *first;
   } pages[] = {
       {"sphere 0 0 radius 1 m fixed\nsphere 1.86005 0 radius 1 m velocity 0 1e-9\n", 0, ""},
@@ -140,7 +141,7 @@ static void overlaps_are_counted(void) {
        11, ""},
       {"sphere 0 0.86005 radius 1 m\nwall w -9 0 to 9 0 m\nsphere 9 9 radius 0.1 m\n", 0, ""},
       {"sphere 0 0.85995 radius 1 m\nwall w -9 0 to 9 0 m\nsphere 9 9 radius 0.1 m\n", 11, "particle 1 and wall w"},
-      /* of two contacts, the first deep one is named */
+      /* if several contacts are deep, the first one is named */
       {"sphere 0 0 radius 3 m\nsphere 3.86005 0 radius 1 m\nsphere 5.66 0 radius 1 m\n", 11,
        "particle 2 and particle 3"},
       {"sphere 0 0 radius 3 m\nsphere 3.85995 0 radius 1 m\nsphere 5.66 0 radius 1 m\n", 22,
@@ -170,7 +171,7 @@ static void overlaps_are_counted(void) {
   }
 }
 
-/* The count does not depend on the number of searches and threads; linear springs count nothing. */
+/* The count does not depend on the number of searches and threads. With linear springs it is 0. */
 static void counts_go_on(void) {
   double counts[3];
   for (int k = 0; k < 3; k++) {
@@ -192,7 +193,7 @@ static void counts_go_on(void) {
   CU_ASSERT(counts[0] == counts[1] && counts[2] == 0);
 }
 
-/* The count is kept when a later stage has linear springs, which count nothing. */
+/* The count is kept when a later stage has linear springs, which add nothing to it. */
 static void counts_stay(void) {
   struct words page = {0};
   struct written it;
@@ -249,8 +250,8 @@ static void marks_end_with_their_stage(void) {
 }
 
 /* A whole impact, compared with the recursion of the cycle: u <- u - dt/m* (N + c u), with N and c at the current
- * overlap and u at the last half step, then x <- x + dt u. The jump of c, and its delay of half a step, are the same in
- * run and recursion, so they differ only by rounding. */
+ * overlap x and the approach velocity u of the last half step, then x <- x + dt u. The jump of c, and its delay of half
+ * a step, are the same in the run and in the recursion, so their results differ only by rounding. */
 static void an_impact_follows_the_recursion(void) {
   enum { CYCLES = 400 };
   const double speed = 0.2, dt = 0.02, limit = 0.1, mass = 0.5;

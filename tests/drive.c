@@ -16,6 +16,7 @@
 
 static const double dt = 0.125;
 
+/* Runs a page with these statements. Returns the last value of the quantity `name`. */
 static double after(const char *statements, const char *name) {
   struct words page = {0};
   struct written it;
@@ -63,8 +64,8 @@ static void each_has_its_own_gradient(void) {
 }
 
 /* After a stage with a stress, in which the particles of the boundary move freely, a strain holds them again: they move
- * exactly with L, and the ellipse of the boundary is the circle of their mean distance from the centre. Before any
- * boundary is defined, its quantities are 0. */
+ * exactly with L, and the ellipse of the boundary is the circle of their mean distance from the centre. Before a
+ * boundary is defined, the quantities of the boundary are 0. */
 static void held_again(int discs) {
   struct words page = {0};
   struct written it;
@@ -124,8 +125,8 @@ static void per_cycle(void) {
   CU_ASSERT_DOUBLE_EQUAL(after(page, "D.y"), 4 - 10 * pow(1.02, 5), 1e-14);
 }
 
-/* Under `affine strain` the particle keeps its own velocity v, and damping acts only on v: x_(N+1) = (1 + L dt) x_N +
- * lambda^(N+1) v dt. */
+/* Under `affine strain` the particle keeps its own velocity v, and damping by the factor lambda = 0.9 acts only on v:
+ * x_(N+1) = (1 + L dt) x_N + lambda^(N+1) v dt. */
 static void damping_acts_on_own_velocity(void) {
   const char *page = ONE "damping con1 0.9 as velocity\nstage s\naffine strain -0.02 0.04 shear 0.01\ncycles 50\n";
   struct nb_vec x = vec(13, -6), v = vec(7, 5);
@@ -185,8 +186,8 @@ static void dashpots_see_the_strain(void) {
 }
 
 /* A circle shrinks to a fifth of its size. A disc joins it in the first cycle that begins with the centre of the disc
- * on the circle or outside. This cycle does not depend on the size of the circle at the last search. So a search must
- * list the discs that are closer than the skin to the circle at its present size. */
+ * on the circle or outside. The size of the circle at the last search must not change in which cycle this is. So a
+ * search must list the discs that are closer than the skin to the circle at its present size. */
 static void a_circle_that_has_shrunk_takes_in_a_disc(void) {
   enum { SHRINKS = 160, RESTS = 200 };
   for (int s = 0; s < 10; s++) {
@@ -213,8 +214,9 @@ static void a_circle_that_has_shrunk_takes_in_a_disc(void) {
   }
 }
 
-/* The ellipse reaches discs at rest. Nothing moves, so no search lists the candidates again; the boundary must list
- * them itself when the ellipse has moved. Half the height of the ellipse is 20 (1 - 0.01 dt)^n after n cycles. */
+/* The ellipse reaches discs at rest. The discs do not move, so no search lists again the discs near the boundary. The
+ * boundary must do this itself when the ellipse has moved. Half the height of the ellipse is 20 (1 - 0.01 dt)^n after n
+ * cycles. */
 static void discs_at_rest_join_the_boundary(void) {
   static const char *const skins[] = {"", "skin 0.01\n", "skin 0.5\n"};
   for (size_t k = 0; k < 3; k++) {
@@ -318,7 +320,8 @@ static void particles_join_the_boundary(void) {
   }
 }
 
-/* The same for the only particle of a scene without walls, which needs no search for contacts. */
+/* A disc that moves outwards also joins the boundary if it is the only particle of a scene without walls. Such a scene
+ * needs no search for contacts. */
 static void the_only_particle_joins_the_boundary(void) {
   struct words page = {0};
   struct written it;
@@ -360,8 +363,8 @@ static void a_shrinking_circle_takes_in_discs_at_rest(void) {
   written_free(&it);
 }
 
-/* Discs inside a boundary of discs, compressed and sheared, with friction and all dampings. Many discs join the
- * boundary. */
+/* Discs inside a boundary of discs, with friction, dashpots and CON1. `more`: the stages. With SQUEEZE the discs are
+ * compressed and sheared, and many of them join the boundary. */
 static void crowd(struct words *page, const char *more) {
   words_add(
       page,
@@ -405,6 +408,7 @@ static void the_same_bits(void) {
   nb_result_free(&first);
 }
 
+/* The largest magnitude in a column. */
 static double largest(const struct nb_result *result, const char *name) {
   size_t c = 0;
   double most = 0;
@@ -439,7 +443,7 @@ static double out_of_balance(const struct nb_model *model) {
   return fmax(fmax(fabs(sum.xx), fabs(sum.xy)), fmax(fabs(sum.yx), fabs(sum.yy))) / nb_boundary_area(model);
 }
 
-/* Once the inner particles are at rest, sum F_i X_j over the boundary equals the stress of all contacts. Particles
+/* Once the inner particles are at rest, sum F_i X_j/A over the boundary equals the stress of all contacts. Particles
  * that do not rotate bear moments, so xy and yx may differ. */
 static void boundary_stress_equals_contact_stress(void) {
   struct words page = {0};
@@ -503,10 +507,10 @@ static void forces_of_a_boundary_stress(void) {
   written_free(&it);
 }
 
-/* Four discs without contacts on a circle, at rest. A stress s presses each of them towards the centre with the force
- * s x, where x is its distance from the centre: the part of the square's sides that belongs to it has the width x across
- * its axis. The stress begins at t_0 and ends at t_1, and the velocities at these times remain: x_1 = x_0 - s x_0/m
- * dt^2/2 and v = -s (x_0 + x_1)/m dt/2 after t_1. */
+/* Four discs without contacts on a circle, at rest. A stress s presses each of them towards the centre with the force s
+ * x, where x is its distance from the centre: the part of the square's sides that belongs to it has the width x across
+ * its axis. The stress acts from t_0 to t_1, for one step. So x_1 = x_0 - s x_0/m dt^2/2, and the velocity after t_1 is
+ * v = -s (x_0 + x_1)/m dt/2. */
 static void a_stress_begins_and_ends_at_once(void) {
   const double pi = 3.14159265358979323846, rate = 3 / (2 * pi); /* s/m, 1/s2 */
   const double x1 = 5 - 5 * rate * dt * dt / 2, v = -rate * (5 + x1) * dt / 2;

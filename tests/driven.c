@@ -23,10 +23,11 @@ static void run(struct nb_result *result, const char *statements) {
   written_free(&it);
 }
 
-/* A particle starts from rest at the distance d and moves on parabolas through the point, with the period 4
- * (2d/G)^(1/2). With d = G dt^2 ((N + 1/2)^2 + 1/4)/2 the point lies in the middle of a step. In the scheme the
- * particle is then at rest at -d after 2N + 1 steps, and at d after as many further steps, to rounding; this period
- * deviates by the fraction 1/(8 N^2). At the distance r gravity has done the work m G (d - r). */
+/* A particle starts from rest at the distance d from the point and oscillates through it along a line. The acceleration
+ * is G, towards the point, so the period is 4 (2d/G)^(1/2). With d = G dt^2 ((N + 1/2)^2 + 1/4)/2 the point lies in the
+ * middle of a step. In the scheme the particle is then at rest at -d after 2N + 1 steps, and at d after as many further
+ * steps, to rounding. The period of the scheme, 4N + 2 steps, differs from the exact one by the fraction 1/(8 N^2). At
+ * the distance r gravity has done the work m G (d - r). */
 static void a_particle_oscillates_through_the_point(void) {
   enum { N = 100 };
   const double dt = 0.01, g = 0.5, d = g * dt * dt / 2 * ((N + 0.5) * (N + 0.5) + 0.25), mass = 2 * pi;
@@ -93,8 +94,8 @@ static void all_forces_count(void) {
   written_free(&it);
 }
 
-/* A disc that cannot rotate slides with the deceleration mu g and keeps its angle. After it can rotate, I dw = R m dv
- * to rounding. */
+/* A disc that cannot rotate slides with the deceleration mu g and keeps its angle. When it can rotate again, the
+ * changes of its spin w and its velocity v satisfy I dw = R m dv to rounding. */
 static void rotation_off_and_on(void) {
   struct nb_result result;
   run(&result, "material m density 2 kn 1e4 ks 1e4 friction 0.25\nshear linear\nstep 0.001\nwall floor -9 0 to 90 0 m\n"
@@ -223,7 +224,7 @@ static void affine_strain_after_accumulated(void) {
 }
 
 /* Runs two spheres on the x axis, at x and -x, which are too heavy to be moved by forces. `accumulated-twice` adds L z,
- * with the vector z between the centres, to their relative velocity, in the first cycle and in the second. */
+ * with the vector z between the centres, to their relative velocity in every cycle. */
 static void twice(struct nb_result *result, double x, const char *law, const char *strain, int cycles) {
   char page[512];
   snprintf(page, sizeof page,
@@ -254,8 +255,8 @@ static void normal_increment_with_affine_motion_twice(void) {
   nb_result_free(&result);
 }
 
-/* A shear c21 = g per cycle: the first sphere moves by g D_0 relative to the other one. t is then (g, -1)/(1 +
- * g^2)^(1/2), and L z has the same component along it once more. */
+/* A shear c21 = g per cycle: the first sphere moves by g D_0 relative to the other one. The contact tangent is then t =
+ * (g, -1)/(1 + g^2)^(1/2). Along t, L z adds the same component as this displacement once more. */
 static void tangential_increment_with_affine_motion_twice(void) {
   const double g = 1e-3, d0 = 1.9;
   struct nb_result result;
@@ -264,7 +265,7 @@ static void tangential_increment_with_affine_motion_twice(void) {
   nb_result_free(&result);
 }
 
-/* In the step of first touch only the displacement after the touch counts, and nothing is added. The distance vector
+/* In the step of first touch only the displacement after the touch counts, and L z is not added. The distance vector
  * (D_0, 0) becomes ((1 - e) D_0, g D_0). */
 static void first_touch_with_affine_motion_twice(void) {
   const double e = 1e-3, g = 5e-4, d0 = 2.0005, x = (1 - e) * d0, y = g * d0, d1 = sqrt(x * x + y * y);
@@ -276,9 +277,10 @@ static void first_touch_with_affine_motion_twice(void) {
   nb_result_free(&result);
 }
 
-/* A shear c12 dt N = 1 and then the compression a = 0.995^140 give S = diag(a, 1) (1 1; 0 1), in this order. The
- * point that is at (7, 3) in the end was at (7/a - 3, 3), outside R = 10; with the factors in the other order it
- * would have been at (7/a - 3/a, 3), inside. The same mirrored at the y-axis. */
+/* A shear c12 dt N = 1 and then a compression by a = 0.995^140 deform the circle by S = diag(a, 1) (1 1; 0 1), in this
+ * order. The disc at (7, 3) belongs to the boundary if S maps a point outside the radius 10 to (7, 3). This point is
+ * (7/a - 3, 3), outside. With the factors in the other order it would be (7/a - 3/a, 3), inside. If `side` is -1, the
+ * scene is mirrored at the y-axis. */
 static void one_strain_after_another(void) {
   for (int side = -1; side < 2; side += 2) {
     struct nb_result result;

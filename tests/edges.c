@@ -1,4 +1,5 @@
-/* Cases in which only a small error in one line would show. Each test names the function that it covers.
+/* Cases in which a small error in one line changes a result. The comment of each test names the function with this
+ * line.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -44,9 +45,9 @@ static void a_count_may_be_rounded(void) {
   written_free(&it);
 }
 
-/* cell.c, nb_cell_check_width: the height must be at least twice the largest diameter plus the skin, 2 (2 + 0.1). The
- * height is checked at each search; the strain requires a search after 5 %. A cell of width 5 may shrink to 4.3, but
- * not to 4. */
+/* cell.c, nb_cell_check_width: the height, the distance of opposite sides, must be at least twice the largest diameter
+ * plus the skin, 2 (2 + 0.1). The height is checked at each search; the strain requires a search after 5 %. A cell of
+ * width 5 may shrink to 4.3, but not to 4. */
 static void a_cell_stays_wide_enough_or_not(void) {
   for (int wide = 0; wide < 2; wide++) {
     struct words words = {0};

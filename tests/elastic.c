@@ -114,7 +114,8 @@ static void stuck_go(struct stuck *it, double radius, double slip) {
 
 /* Around a rectangle: N up (contact radius a2), tangential displacement by s, N down (radius a1), displacement back. If
  * the shear force is kept while N falls, the contact does 4 G* (a2 - a1) s^2 more work than is done on it. If the shear
- * force shrinks with the radius, the contact dissipates this energy. In the other sense both contacts dissipate it. */
+ * force shrinks with the radius, the contact dissipates this energy. If the rectangle is followed in the other
+ * direction, both contacts dissipate it. */
 static void rectangles(void) {
   const double low = 1e-3, high = 3e-3, slip = 2e-6, size = 4 * pair.shear * (high - low) * slip * slip;
   for (int scaled = 0; scaled < 2; scaled++)

@@ -180,7 +180,8 @@ static void write_table(const char *path, const struct sample samples[], size_t 
   fclose(out);
 }
 
-/* Writes the table after each sample, if there is a path, so that a run of hours may be stopped. */
+/* Samples the drifts up to `most` cycles, ten times per decade. Returns the number of samples. If there is a path,
+ * writes the table after each sample, so that a run of hours may be stopped. */
 static size_t sample_all(struct sample samples[MOST], double most, const char *path) {
   struct run runs[2];
   struct loop loop;

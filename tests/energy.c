@@ -169,7 +169,7 @@ static void by_walls_and_stored(void) {
   written_cycles(model, 1);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.stored"), 400 * 0.0005 * 0.0005 / 2, 1e-15);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.walls"), 400 * 0.0005 * 0.0005 / 2, 1e-15);
-  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "momentum.y"), 400 * 0.0005 * 0.0005, 1e-15); /* F dt/2, the kick at t_1 */
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "momentum.y"), 400 * 0.0005 * 0.0005, 1e-15); /* F dt/2 */
   nb_model_free(model);
   written_free(&it);
 }
@@ -297,8 +297,8 @@ static void no_balance_unless_asked_for(void) {
   written_free(&it);
 }
 
-/* Four discs that touch nothing, under a boundary stress and damping of all particles. The work of a kick is exact. The
- * kinetic energy at t_N, of the mean of two velocities, has an error of the order (dt/t)^2 = 4e-4. */
+/* Four discs that touch nothing, under a boundary stress and damping of all particles. The work in a step is exact. The
+ * kinetic energy at t_N is that of the mean of two velocities, and has an error of the order (dt/t)^2 = 4e-4. */
 static void a_boundary_stress_with_damping(void) {
   static const char *const dampings[] = {"damping mass 0.7\n", "damping con1 0.99 as cs79\n",
                                          "damping con1 0.98 as velocity\n", "damping con1 0.97 as all\n"};

@@ -25,8 +25,8 @@ static void richardson_finds_the_error_of_a_power(void) {
   }
 }
 
-/* Steps that are not halved: the estimate is never below the error, and at most 1.71 times as large, which is its value
- * for the order 2 and three steps of the ratio 1.5. */
+/* Steps that are not halved. The estimate is never below the error. It is at most 1.71 times as large, namely for the
+ * order 2 and three steps of the ratio 1.5. */
 static void other_ratios_give_no_smaller_estimate(void) {
   for (double p = 0.5; p <= 2; p += 0.25)
     for (double first = 1.5; first <= 2; first += 0.125)
@@ -82,7 +82,7 @@ static void the_anchor_has_an_uncertainty(void) {
   CU_ASSERT_EQUAL(first.uncertainty, 3);
 }
 
-/* The phase with the largest error decides, wherever it stands. */
+/* The phase with the largest error decides, whichever phase this is. */
 static void a_claim_is_that_of_the_worst_phase(void) {
   double step;
   for (size_t worst = 0; worst < 3; worst++) {
@@ -115,9 +115,9 @@ static void the_error_of_a_mean(void) {
   CU_ASSERT_EQUAL(nb_estimate_mean(&difference, n, bad, 4, 2), INFINITY);
 }
 
-/* Realizations that share most of their scatter, with a difference of 0.3 between the means. The interval is two-sided
- * and the claim one-sided, so at least 95 % of the claims hold. The tolerance 0.004 is 2.6 standard errors of a
- * fraction of 0.95 of 20000. */
+/* Realizations that share most of their scatter, with a difference of 0.3 between the means. A claim holds if it is not
+ * below this difference. The confidence interval is two-sided and a claim is one-sided, so at least 95 % of the claims
+ * hold. The tolerance 0.004 is 2.6 standard errors of a fraction of 0.95 of 20000. */
 static void most_claims_of_a_mean_hold(void) {
   enum { SAMPLES = 20000, COUNT = 8 };
   gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);

@@ -29,9 +29,10 @@ static struct exact exact_of(struct nb_pair pair) {
   return (struct exact){.law = nb_law_find("shear", "mindlin_deresiewicz"), .pair = pair};
 }
 
-/* mu kappa = slip/u. */
+/* mu kappa, by which the tangential displacement is divided to give u. */
 static double unit(struct nb_pair p) { return p.friction * p.young / (4 * p.shear); }
 
+/* Makes one step to the overlap x, with the tangential increment `slip`. */
 static void exact_go(struct exact *it, double x, double slip) {
   const double before = it->s.force;
   it->n = nb_law_find("normal", "hertz")->normal(it->pair, x, 0, NULL);
@@ -41,6 +42,7 @@ static void exact_go(struct exact *it, double x, double slip) {
   it->work += (before + it->s.force) / 2 * slip;
 }
 
+/* Makes n equal steps to the overlap x, with the tangential displacement `slip` in all. */
 static void exact_lead(struct exact *it, double x, double slip, int n) {
   const double from = it->n.overlap;
   for (int k = 1; k <= n; k++)

@@ -376,7 +376,7 @@ static void uniform_in_a_cell(void) {
   written_free(&it);
 }
 
-/* Any image of an existing particle may be given. */
+/* Any image of an existing particle may be given; the packing is the same. */
 static void any_copy_of_existing_particles(void) {
   static const char *const there[] = {"disc 1 30 radius 6 rock fixed\ndisc 25 10 radius 5 rock fixed\n",
                                       "disc 51 0 radius 6 rock fixed\ndisc 25 10 radius 5 rock fixed\n",
@@ -396,7 +396,7 @@ static void any_copy_of_existing_particles(void) {
   }
 }
 
-/* A particle wider or higher than the cell would overlap its own image. */
+/* A particle wider or higher than the cell would overlap its own image, so it is not placed. */
 static void one_that_fills_the_cell(void) {
   static const char *const cells[] = {CELL, ROCK "cell 2 -3 to 32 47\n"};
   for (int k = 0; k < 2; k++) {

@@ -17,8 +17,8 @@ static double by_hand(double mass, double dt, double before, double after, doubl
 }
 
 /* Disc A of mass 1 slides on a floor with k_n = 1, disc B of mass 4 stands on it with k_n = 2. Both move down under
- * gravity, which is not a contact force. Forces are k_n times the overlap. The first kick lasts half a step, and the
- * kick between two steps has their mean length.
+ * gravity, which is not a contact force. Forces are k_n times the overlap. The first change of the velocity is that of
+ * half a step; between two different steps it is that of their mean.
  *
  *       t       A: v_y        y          |SF|         B: v_y       y            |SF|
  *       0                 0.9         0.1                   0.75           0.5
@@ -27,8 +27,8 @@ static double by_hand(double mass, double dt, double before, double after, doubl
  *       1.5   -0.38125    0.521875    0.478125    -0.34755859375
  *       1.75  -0.389453125  0.42451171875  0.57548828125
  *
- * B moves along its spring, so K = |dSF|/dx is k_n and FRACC = (dt/2) (k_n/M)^(1/2). It exceeds that of A in the first
- * step only. */
+ * B moves along its spring, so K = |dSF|/dx is k_n and FRACC = (dt/2) (k_n/M)^(1/2). The FRACC of B exceeds that of A
+ * in the first step only. */
 static void as_defined(void) {
   struct words page = {0};
   struct written it;

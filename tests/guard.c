@@ -38,8 +38,9 @@ static bool has(const struct nb_error *error, const char *words) {
   return strstr(error->text, words) != NULL;
 }
 
-/* Radii 2 and 1 at the distance 2: the overlap is the smaller radius, 1. The discs are in either order, or one of them
- * is an image in a cell. In the third case both radii and the distance are 1, and one disc is fixed. */
+/* Radii 2 and 1 at the distance 2: the overlap is the smaller radius, 1, which is just allowed. The discs are in either
+ * order, or one of them is an image in a cell. In the third case both radii and the distance are 1, and one disc is
+ * fixed. */
 static void overlap_at_the_start(void) {
   static const struct {
     const char *below, *above;
@@ -346,7 +347,7 @@ static void conditions_on_another_stress_than_the_servo(void) {
   }
 }
 
-/* A strain rate of an earlier stage that goes on in a component that a servo controls. */
+/* A strain rate of an earlier stage that goes on in a component that a servo controls causes a warning. */
 static void strain_rates_against_a_servo(void) {
   static const char box[] = "box 0 0 to 9 9 m", cell[] = "cell 0 0 to 9 9", ring[] = "boundary circle 0 0 radius 1";
   static const struct {
@@ -407,7 +408,8 @@ static void empty_rows(void) {
   }
 }
 
-/* ulp(2^23) = 2^-29 is a thousandth of the overlap 1000 x 2^-29. */
+/* A warning is due if the ulp of a coordinate is more than a thousandth of the overlap. ulp(2^23) = 2^-29 is a
+ * thousandth of the overlap 1000 x 2^-29. */
 static void resolution_of_coordinates(void) {
   char text[2000];
   static const struct {

@@ -79,8 +79,8 @@ static struct nb_stage silent(const struct nb_stage *stage) {
   return half;
 }
 
-/* The halved stages of a scene: s becomes 2 s and 2 s + 1. `again`: the second half repeats the statements of the
- * stage. */
+/* The halved stages of a scene: stage s becomes the stages 2 s and 2 s + 1. `again`: the second half repeats the
+ * statements of the stage. */
 static struct nb_stage *halves(const struct nb_scene *scene, bool again) {
   struct nb_stage *stages = calloc(2 * scene->stage_count, sizeof *stages);
   for (size_t s = 0; s < scene->stage_count; s++) {
@@ -106,6 +106,7 @@ static void two_cycles_each(struct nb_scene *scene) {
   }
 }
 
+/* True if the stage has a ramp or a servo: its halves together then differ from the whole. */
 static bool ramps(const struct nb_stage *stage) {
   bool any = stage->gravity.ramp || stage->servo.line;
   for (size_t k = 0; k < stage->motion_count; k++)
@@ -138,6 +139,8 @@ static bool same(double a, double b, double fraction) {
   return a == b || (isnan(a) && isnan(b)) || fabs(a - b) <= fraction * fmax(fabs(a), fabs(b));
 }
 
+/* Compares the quantities. `counts`: also those that a continued run does not reproduce; `rounds`: without
+ * residuals. */
 static bool same_values(const struct nb_scene *scene, const struct stage_end *a, const struct stage_end *b,
                         const char *name, const char *what, bool counts, bool rounds) {
   bool held = true;

@@ -227,7 +227,8 @@ static void passes_of_a_stage(void) {
   written_free(&it);
 }
 
-/* In the first cycle of the next stage the imposed velocity is subtracted. */
+/* The affine motion is a hook during its stage, and in the first cycle of the next stage, in which the imposed velocity
+ * is subtracted. */
 static void affine_motion_of_a_stage(void) {
   static const char *const begin[] = {"3 stability check", "0 affine motion, 3 stability check",
                                       "0 affine motion, 2 changes of the stage, 3 stability check"};
@@ -256,7 +257,7 @@ static void affine_motion_of_a_stage(void) {
   }
 }
 
-/* The memory for rotation, and the integration of rotation in a stage. */
+/* Whether the model has memory for rotation, and whether it integrates rotation in each stage. */
 static void rotation_of_a_stage(void) {
   static const struct {
     const char *scene;
