@@ -29,6 +29,7 @@ static void fail(const char *what) {
   exit(2);
 }
 
+/* The findings on all kinds of path. Writes a row for each kind, if there is a table. */
 static struct findings law_on_all_paths(const struct nb_law *normal, const struct nb_law *shear, long steps,
                                         FILE *table) {
   struct findings sum = {0};

@@ -127,7 +127,8 @@ static void coefficients(void) {
   }
 }
 
-/* The coefficients of `damping ratio` follow the stiffness in a stage that changes k_n or k_s in every cycle. */
+/* The coefficients of `damping ratio` follow the stiffness in a stage whose ramp changes k_n (`of_kn`) or k_s in every
+ * cycle. */
 static void coefficients_under(const char *ramp, bool of_kn) {
   struct words page = {0};
   struct written it;

@@ -65,7 +65,7 @@ static void each_has_its_own_gradient(void) {
 
 /* After a stage with a stress, in which the particles of the boundary move freely, a strain holds them again: they move
  * exactly with L, and the ellipse of the boundary is the circle of their mean distance from the centre. Before a
- * boundary is defined, the quantities of the boundary are 0. */
+ * boundary is defined, the quantities of the boundary are 0. The boundary has one or four discs. */
 static void held_again(int discs) {
   struct words page = {0};
   struct written it;

@@ -223,8 +223,9 @@ static void affine_strain_after_accumulated(void) {
   nb_result_free(&result);
 }
 
-/* Runs two spheres on the x axis, at x and -x, which are too heavy to be moved by forces. `accumulated-twice` adds L z,
- * with the vector z between the centres, to their relative velocity in every cycle. */
+/* Runs two spheres on the x axis, at x and -x, which are too heavy to be moved by forces, with these laws and this
+ * affine strain. `accumulated-twice` adds L z, with the vector z between the centres, to their relative velocity in
+ * every cycle. */
 static void twice(struct nb_result *result, double x, const char *law, const char *strain, int cycles) {
   char page[512];
   snprintf(page, sizeof page,

@@ -16,8 +16,9 @@ static const double pi = 3.14159265358979323846;
   "record energy.kinetic energy.stored energy.frictional energy.shear energy.damped energy.walls energy.gravity "      \
   "energy.changed energy.residual work.residual momentum.x momentum.y momentum.angular\n"
 
-/* A box with six discs, a fixed disc that moves, friction, cohesion, gravity and `damping`; `format` holds the
- * stages. Returns the largest work residual over the largest kinetic energy; *energy is the last energy residual. */
+/* A box with six discs, a fixed disc that moves, friction, cohesion, gravity and `damping`; `format` has two stages
+ * with `cycles` cycles each. Returns the largest work residual over the largest kinetic energy; *energy is the last
+ * energy residual. */
 static double busy(double *energy, const char *damping, double step, const char *format, int cycles,
                    const struct nb_options *options) {
   struct words page = {0};

@@ -24,7 +24,8 @@ static const struct nb_binding names[] = {{.name = LONGEST, .value = 1},
                                           {.name = "m", .value = 4, .dimension = {0, 60, 0}},
                                           {.name = "law", .text = "linear", .value = NAN}};
 
-/* The value of the text, or NaN; *given has the messages, which the next call frees. */
+/* The value of the text, or NaN; *given has the messages, which the next call frees. `unitless`: the page has `units
+ * none`. */
 static struct nb_binding value_of(const char *text, bool unitless, const char **given) {
   static struct nb_mistakes mistakes;
   char path[] = "p", *lines[1];

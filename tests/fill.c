@@ -94,8 +94,8 @@ static void uniform_in_a_box(void) {
   written_free(&it);
 }
 
-/* Checks all pairs: no two particles overlap, computed as in a cycle; no particle is across the edge except by
- * rounding; no particle is larger than the one before. */
+/* Checks each particle from the index `first` on: it overlaps no particle before it, computed as in a cycle; it is not
+ * across the edge, except by rounding; it is not larger than the particle before it. */
 static void sound(const struct nb_scene *scene, size_t first) {
   const struct nb_fill *fill = &scene->fills[scene->fill_count - 1];
   size_t overlaps = 0, outside = 0;
