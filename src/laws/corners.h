@@ -1,11 +1,13 @@
-/* The loading path (overlap against tangential displacement) that the exact law stores for a contact: corners, from the
- * centre outwards, joined by straight pieces. shear_mindlin_deresiewicz.c defines the symbols and their units.
+/* The loading path (overlap against tangential displacement) that the exact law stores for a contact: corners, in order
+ * from the centre of the contact outwards, joined by straight pieces. shear_mindlin_deresiewicz.c defines the symbols
+ * and their units.
  *
- * A merge of two pieces keeps u at their outer ends; between these ends it adds a triangle to u(x). An error e(x) of u
- * changes t by -Int e n'' dx with n'' = (3/4) x^(-1/2), so the cost of a merge is the area of the triangle over
- * x^(1/2). When all pieces are in use, the corner with the lowest cost is removed. Its cost includes the errors of
- * earlier merges in its two pieces. Then u of a neighbouring corner is changed so that T keeps its value too. The error
- * of u is thus limited to three pieces.
+ * A merge removes the corner between two neighbouring pieces and joins their other ends by a straight piece. This
+ * changes u(x) by a triangle. An error e(x) of u changes t by -Int e n'' dx with n'' = (3/4) x^(-1/2). So the cost of a
+ * merge is the area of the triangle over x^(1/2), with the x of the removed corner. When all pieces are in use, the
+ * corner with the lowest cost is removed. Its cost includes the errors of earlier merges in its two pieces. Then u of a
+ * neighbouring corner is changed so that T keeps its value too. So u has an error only in the merged piece and in one
+ * neighbour of it.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #pragma once
@@ -24,8 +26,8 @@ static inline bool reachable(double x0, double u0, double x, double u) { return 
 
 static inline double n_of(double x) { return x * sqrt(x); }
 
-/* Twice the area of the triangle that a merge of two pieces with spans x1 and x2 adds to u: its height times
- * x1 + x2. */
+/* Twice the area of the triangle by which a merge changes u: its height times x1 + x2. The two pieces have the slopes
+ * d1 and d2 and the spans x1 and x2. */
 static inline double kink(double d1, double d2, double x1, double x2) { return fabs(d1 - d2) * (x1 * x2); }
 
 /* Int t du over a piece; stored_energy sums it over all pieces. */
@@ -46,8 +48,8 @@ static inline double mean_n(double x0, double x1) {
   return sum > 0 ? 0.4 * ((a * a + b * b) * (a * a + a * b + b * b) - x0 * x1) / sum : 0;
 }
 
-/* The energy lost while the slip front moves inwards from y1 to y0, and the overlap changes from x1 to x0:
- * Int n(x) - n(y) - n'(y)(x - y) dy, where x(y) is the overlap when the front is at y. */
+/* Int (n(x) - n(y) - n'(y)(x - y)) dy, where x is the overlap when the slip front is at y: the front moves inwards from
+ * y1 to y0 while the overlap changes linearly from x1 to x0. Multiplied by 1 - s D, this is the energy lost. */
 static inline double front_loss(double y0, double x0, double y1, double x1) {
   const double slope = (x1 - x0) / (y1 - y0), foot = x0 - slope * y0; /* x = foot + slope y */
   const double n0 = n_of(y0), n1 = n_of(y1);
@@ -56,13 +58,14 @@ static inline double front_loss(double y0, double x0, double y1, double x1) {
 
 /* A row holds the number of pieces, mu kappa, and the corners. */
 enum { HEAD = 2 };
+/* Number of doubles of a row m that are in use. */
 static inline int corners_used(const double m[]) { return HEAD + 5 * ((int)m[0] + 1); }
 
 /* Excess of |D| over 1 that rounding may cause: a slope is a quotient of differences of sums. */
 static const double slope_rounding = 1e-9;
 
-/* True if a row is consistent: corners in ascending order, and no ring beyond its friction limit, except by
- * rounding. */
+/* True if these doubles are a consistent row: at most max_pieces pieces, corners in ascending order, and no ring beyond
+ * its friction limit, except by rounding. */
 static inline bool corners_valid(const double m[], int doubles, int max_pieces) {
   const struct corner *at = (const struct corner *)(m + HEAD);
   bool is = doubles > HEAD && m[0] >= 1 && m[0] <= max_pieces && m[0] == floor(m[0]) && m[1] > 0;
@@ -72,7 +75,7 @@ static inline bool corners_valid(const double m[], int doubles, int max_pieces) 
   return is;
 }
 
-/* Removes corner k by merging the two pieces that meet there. Returns the change of t outside these pieces. */
+/* Removes corner k by merging the two pieces that meet there. Returns the change of t at all x beyond these pieces. */
 static inline double merge(struct corner at[], int k, int pieces) {
   const struct corner one = at[k - 1], two = at[k], end = at[k + 1];
   const double x1 = two.x - one.x, x2 = end.x - two.x, d = (end.u - one.u) / (x1 + x2);
@@ -83,8 +86,8 @@ static inline double merge(struct corner at[], int k, int pieces) {
   return at[k - 1].b - two.b + (d - two.d) * n_of(end.x);
 }
 
-/* Changes u of corner k so that t outside piece k increases by `more`. Returns false and changes nothing if a ring
- * would exceed its friction limit. */
+/* Changes u of corner k so that t increases by `more` at all x beyond piece k. Returns false and changes nothing if a
+ * ring would exceed its friction limit. */
 static inline bool shift_corner(struct corner at[], int k, double more) {
   const double x1 = at[k].x - at[k - 1].x, x2 = at[k + 1].x - at[k].x;
   const double n0 = n_of(at[k - 1].x), n1 = n_of(at[k].x), n2 = n_of(at[k + 1].x);

@@ -4,15 +4,16 @@
  *   struct nb_normal normal_NAME(struct nb_pair p, double overlap, double dn, double m[])
  *   struct nb_shear  shear_NAME(struct nb_pair p, struct nb_normal n, double ds, double m[])
  *
- * overlap, m, is never negative. It is 0 without contact; force and stiffness must then be 0. With plastic flow a
- * law may return the force 0 while the particles overlap, if the overlap was larger before; the stable step uses the
- * greatest stiffness that can follow (measure/stable_step.c). dn and ds are the normal and tangential increments of
- * this step, m. m is the history of this contact: as many doubles as the law declares, 0 at first touch. The law
- * updates them for the next step. Forces are elastic; the dashpots are added later, from the stiffnesses that the laws
+ * `overlap`, in metres, is never negative. It is 0 without contact; force and stiffness must then be 0. A law with
+ * plastic flow may return the force 0 while the particles overlap, if the overlap was larger before. The stable step
+ * uses the greatest stiffness that can follow (measure/stable_step.c). `dn` and `ds` are the normal and the tangential
+ * increment of this step, in metres. The array `m` is the history of this contact. It has as many doubles as the law
+ * declares; a history of up to four doubles is 0 at first touch, and a longer one has m[0] = 0. The law updates the
+ * history for the next step. Forces are elastic; the dashpots are added later, from the stiffnesses that the laws
  * return.
  *
- * Straight-line laws, which have no branches, use only + - x / sqrt fabs copysign, ?: and nb_where, so that the
- * compiler vectorises their loop.
+ * A straight-line law has no branches. It uses only sums, products, quotients, sqrt, fabs, copysign, ?: and nb_where,
+ * so that the compiler vectorises its loop.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #pragma once
@@ -22,8 +23,9 @@
 
 #include "core/block.h"
 
-/* x if the condition holds, else 0: the bitwise `and` of x and a mask. If several `?:` depended on each other, gcc
- * would compute every combination of their cases. The mask is a double, so that SSE2 vectorises the comparison. */
+/* x if the condition holds, else 0, computed as the bitwise `and` of x and a mask. A law uses it where one `?:` would
+ * depend on another one, because gcc would then compute every combination of their cases. The mask is a double, so that
+ * SSE2 vectorises the comparison. */
 static inline double nb_where(bool condition, double x) {
   union {
     int64_t bits;
@@ -34,12 +36,13 @@ static inline double nb_where(bool condition, double x) {
 }
 
 struct nb_normal {
-  double force;     /* F_n >= 0, N; > 0 at the largest overlap so far, may be 0 below it */
-  double stiffness; /* dF_n/d(overlap) in the direction of this step, N/m; 0 without force */
+  double force;     /* F_n >= 0, N; above 0 at the largest overlap so far; may be 0 at a smaller overlap */
+  double stiffness; /* dF_n/d(overlap) for loading or unloading, as in this step, N/m; 0 without force */
   double radius;    /* a, radius of the contact circle, m; 0 for laws without one */
-  double overlap;   /* alpha, the argument, for shear laws, m; normal laws need not set it */
-  /* The greatest slope of the force that can follow at this overlap, N/m; 0: equal to `stiffness`. This member must be
-   * the last one: if it came before members that shear laws read, R89's laws would be 1.6 times slower. */
+  double overlap;   /* alpha, m, which shear laws read; set by the caller of a normal law, not by the law */
+  /* The greatest slope that the force can have when it goes on from this overlap, N/m; 0: equal to `stiffness`. This
+   * member must be the last one: if it came before members that shear laws read, R89's laws would take 1.6 times as
+   * long. */
   double max_stiffness;
 };
 
@@ -61,7 +64,7 @@ struct nb_law {
   int piece, pieces;      /* doubles for each piece; default number of pieces */
   unsigned needs;         /* set of fields that the law reads besides overlap, normal force and normal stiffness */
   bool elastic;           /* for elastic spheres: uses E*, G* and R* instead of k_n and k_s */
-  bool constant;          /* the stiffness is k_n or k_s of the pair, or 0: what depends on it can be stored */
+  bool constant;          /* the stiffness is k_n or k_s of the pair, or 0; so its root can be stored */
   bool branching;         /* has loops or calls: its loop need not vectorise */
   bool cohesionless;      /* does not support cohesion: a page with cohesion is invalid */
   bool dissipative;       /* dissipates energy before gross sliding, and returns this energy */
@@ -83,12 +86,12 @@ struct nb_law {
   int (*pieces_of)(struct nb_pair, struct nb_normal, const double m[], double x[], double d[]);
 };
 
-/* The greatest slope of the normal force that can follow, N/m. */
+/* The greatest slope that the normal force can have when it goes on from this overlap, N/m. */
 static inline double nb_normal_max_stiffness(struct nb_normal n) {
   return n.max_stiffness > n.stiffness ? n.max_stiffness : n.stiffness;
 }
 
-/* The number of pieces: `given`, from the page, or the law's default if that is 0. */
+/* The number of pieces: `given`, from the page; the law's default if `given` is 0; 0 if the law has no pieces. */
 static inline double nb_law_pieces(const struct nb_law *law, double given) {
   return !law || law->piece == 0 ? 0 : given > 0 ? given : law->pieces;
 }

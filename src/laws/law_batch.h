@@ -1,5 +1,5 @@
-/* The loop of a law over a block, for each instruction set, and its entry in the register. The last line of a law's
- * file includes this file, after the definitions
+/* The loop of a law over a block, for each instruction set, and the entry of the law in the register. The last line of
+ * a law's file includes this file, after the definitions
  *
  *   #define LAW     shear_linear            name of the law's function and of its file
  *   #define SHEAR   or  #define NORMAL      the kind of law
@@ -53,11 +53,11 @@
 #ifdef STAGED
 #include "law_stages.h"
 #else
-/* `counts`: the loop also stores the energy lost. The compiler makes two loops, because few runs need this energy and
- * its computation may be expensive. */
+/* `counts`: the loop also stores the energy that each contact loses. The compiler makes two loops, because few runs
+ * need this energy and its computation may be expensive. */
 static inline NB_FORM void LAW_LOOP(const struct nb_block *block, bool counts) {
   (void)counts;
-  /* A material pair begins with its parameters. */
+  /* The first member of a material pair is its struct nb_pair, so the cast is valid. */
   const struct nb_pair pair = *(const struct nb_pair *)block->material_pair;
   const double *overlap = block->f[NB_OVERLAP];
 #ifdef ELASTIC

@@ -43,7 +43,7 @@ union law_solved {
 };
 
 static inline NB_FORM void LAW_LOOP(const struct nb_block *block, bool counts) {
-  /* A material pair begins with its parameters. */
+  /* The first member of a material pair is its struct nb_pair, so the cast is valid. */
   const struct nb_pair pair = *(const struct nb_pair *)block->material_pair;
   const double *overlap = block->f[NB_OVERLAP], *reduced = block->f[NB_REDUCED],
                *ds = block->f[NB_TANGENTIAL_INCREMENT];
@@ -67,7 +67,7 @@ static inline NB_FORM void LAW_LOOP(const struct nb_block *block, bool counts) {
       LAW_GIVEN(c);
       double *m = &rows[c * row];
       const size_t soon = c + NB_PREFETCH_DISTANCE, later = soon + NB_PREFETCH_DISTANCE;
-      __builtin_prefetch(&rows[later * row], 1); /* a row of the next block, or none: that is harmless */
+      __builtin_prefetch(&rows[later * row], 1); /* harmless if this row is beyond the block */
       if (soon < block->n)
         PREFETCH(&rows[soon * row]);
       union law_fetched f;

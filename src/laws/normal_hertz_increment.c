@@ -12,11 +12,11 @@
  *            large while N decreases. After an impact the sphere has 0.971, 0.975 and 0.978 of its speed at 30, 35 and
  *            40 steps per collision (cases/2-hertz/hertz-increment.md), and the force ends while the overlap is still a
  *            tenth of its largest value.
- * Separation when N <= 0, and then "the contact data is set to zero" (4.3.1): N, a, and the history of the shear law.
- *            The particles may still overlap; R89's [4.11] would then need the root of a negative number.
- *            Interpretation in this file: there is no force while the particles separate. If they approach again before
- *            the overlap has ended, that is a new first touch, by 4.11. An overlap at time 0 causes no force, because
- *            it was never an increment.
+ * Separation when N <= 0, and then "the contact data is set to zero" (R89, section 4.3.1): N, a, and the history of the
+ *            shear law. The particles may still overlap. While they separate, dn is negative, so [R89 4.11] would need
+ *            the root of a negative number. Interpretation in this file: there is no force while the particles
+ *            separate. If they approach again before the overlap has ended, the contact begins anew, with the force of
+ *            4.11. An overlap at time 0 causes no force, because it was never an increment.
  * Range      as in normal_hertz.c.
  * History    m[0]  N of the previous step, N.
  * Stores     (2/5) N a^2/R*, the energy of Hertz's contact at the force N. No step creates energy: the work of the mean

@@ -21,7 +21,8 @@ static bool matches(const struct nb_pair_rule *rule, int a, int b) {
   return (rule->a == a && rule->b == b) || (rule->a == b && rule->b == a);
 }
 
-/* The number of a rule of a pair; the combined value `otherwise` if the rule gives none. */
+/* The number that the rule of a pair gives; `otherwise`, the value combined from the two materials, if the rule gives
+ * none (NaN). */
 static double given(double number, double otherwise) { return isnan(number) ? otherwise : number; }
 
 static struct nb_pair pair_of(const struct nb_material *materials, const struct nb_pair_rule *rules, size_t rule_count,
@@ -103,7 +104,8 @@ static struct nb_pair_rule *rule_of(struct nb_properties *now, int a, int b) {
   return rule;
 }
 
-/* Interpolates linearly, so that the value at fraction 1 is exactly the number of the page. */
+/* Sets *value between `from` and `to`, the number of the page; at fraction 1 it is exactly `to`. Does nothing if `to`
+ * is NaN: the page does not change this value. */
 static void interpolate(double *value, double from, double to, double fraction) {
   if (!isnan(to))
     *value = fraction < 1 ? from + (to - from) * fraction : to;

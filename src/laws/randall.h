@@ -23,12 +23,12 @@ static inline double cube_root(double x) {
   return size > 0 ? copysign(y, x) : 0;
 }
 
-/* x times a sign, CDF or UFL of shear_randall.c. `back`: the sign is -1. */
+/* x times a sign, CDF or UFL of shear_randall.c. `back`: true if the sign is -1. */
 static inline double flip_if(bool back, double x) { return back ? -x : x; }
 
-/* theta = c/a; c is the radius of the stick region and a that of the contact circle, m. `force` is the change of T
- * before the step, N: since the beginning of virgin loading (times = 1, [R89 4.22]), or since the last reversal (times
- * = 2, [R89 4.23, 4.24]). `rise` is mu dN of the step, N; `limit` is mu N after the step, N. */
+/* theta = c/a; c is the radius of the stick region and a that of the contact circle, m. `force` is the change of T up
+ * to the beginning of the step, N: since virgin loading began (times = 1, [R89 4.22]), or since the last reversal
+ * (times = 2, [R89 4.23, 4.24]). `rise` is mu dN of the step, N; `limit` is mu N after the step, N. */
 static inline double stuck_fraction(double force, double times, double rise, double limit) {
   return cube_root(1 - (force + times * rise) / (times * limit));
 }

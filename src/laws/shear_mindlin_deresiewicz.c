@@ -17,10 +17,10 @@
  *   |delta - delta_k| <= mu kappa (alpha - x_k)
  *
  * If the last corner is kept, a new ring sticks, with D = d(delta)/(mu kappa d(alpha)). If only inner corners are kept,
- * the path continues from the outermost of them on its old piece up to the slip front c, and from c to alpha with D =
- * s, s = 1 or -1: the rings outside c have slipped. If no corner is kept, not even the one at 0, the contact slides.
- * The result does not depend on the step size: a step is exact if (alpha, delta) moves on a straight line. A path of
- * straight segments is exact as long as there are enough pieces for its segments.
+ * the path follows the old piece that begins at the outermost kept corner, up to the overlap c of the slip front. From
+ * c to alpha it has D = s, s = 1 or -1: the rings outside c have slipped. If no corner is kept, not even the one at 0,
+ * the contact slides. The result does not depend on the step size: a step is exact if (alpha, delta) moves on a
+ * straight line. A path of straight segments is exact as long as there are enough pieces for its segments.
  *
  * A new piece is merged with the piece before it, without a change of delta, if the merge changes T by less than 1e-7
  * mu N. If delta is below a hundredth of the delta at which the contact slides, this limit decreases in proportion to
@@ -33,10 +33,10 @@
  *            smaller punch, with the radius a(y), by its d(delta). So by reciprocity the interaction energy of the two
  *            punches is the force of the smaller one times the displacement of the larger one: U = Int d(delta)(x)
  *            Int_(y < x) 8 G* a(y) d(delta)(y), where the inner integral is T(x).
- * Dissipates a slip front that advances inwards from c to c - dc takes d(delta) = mu kappa (1 - s D) dc. Of its work
- *            T d(delta), mu^2 kappa (1 - s D) [N(alpha) - N(c) - N'(c)(alpha - c)] dc  is not stored. Sliding
- *            dissipates mu N times the displacement. Both terms use alpha at the time when the front passes c, so their
- *            sum is exact on a straight segment without a reversal.
+ * Dissipates by micro-slip and by sliding. A slip front that advances inwards from c to c - dc needs the displacement
+ *            d(delta) = mu kappa (1 - s D) dc. Of the work T d(delta), the part mu^2 kappa (1 - s D) [N(alpha) - N(c) -
+ *            N'(c)(alpha - c)] dc is lost. Sliding dissipates mu N times the displacement. Both terms use alpha at the
+ *            time when the front passes c, so their sum is exact on a straight segment without a reversal.
  * Source     Jaeger (1993-1998); Aleshin, Bou Matar and Van Den Abeele (2015). All cases of Mindlin and Deresiewicz
  *            (1953) follow: [R89 3.25, 3.40, 3.50, 3.94].
  * Range      slip along one line; no coupling of normal and tangential motion. No cohesion, because friction alone
@@ -52,11 +52,12 @@
 
 #include "corners.h"
 
-/* Two pieces are merged if u changes by at most merge_tolerance x; T then changes by at most 1.5 mu N merge_tolerance.
- * If |u| is below small_fraction x, T is far below mu N, and |u|/small_fraction replaces x, but never a value smaller
- * than least_fraction x. */
+/* Two pieces are merged if u changes by at most merge_tolerance times x; T then changes by at most 1.5 mu N
+ * merge_tolerance. If |u| is below small_fraction times x, T is far below mu N, and the limit must be smaller:
+ * |u|/small_fraction replaces x. The value that replaces x is never below least_fraction times x. */
 static const double merge_tolerance = 1e-7 / 1.5, small_fraction = 1e-2, least_fraction = 1e-15;
-/* Upper limit of the ratio of old to new friction, so that its square stays finite. The contact slides in any case. */
+/* Upper limit of the ratio of old to new friction, so that its square stays finite. With a ratio near this limit the
+ * contact slides anyway. */
 static const double max_friction_ratio = 1e150;
 
 static inline double merge_limit(double x, double u1, double u2) {
@@ -76,19 +77,21 @@ static inline bool can_slide(struct nb_pair p, struct nb_normal n) {
   return has_friction(p) && n.radius * n.radius * n.radius > 0;
 }
 
-/* The outermost corner that is kept in a step to an overlap x and a displacement u. The new piece begins there. */
+/* The outermost corner that is kept in a step to (x, u), in the variables of the history. The new piece begins at this
+ * corner if the new ring sticks; otherwise it begins farther outside, at the slip front. */
 struct base {
   double k;          /* index of the new piece; below 0: not found yet */
-  double x, u, d, b; /* the corner */
+  double x, u, d, b; /* the corner: struct corner */
   double from;       /* x of the inner end of the piece before the new one */
 };
 
-/* The new piece, and u at its end. */
+/* The new piece: x, u, d and b as in struct corner, and u at its end. */
 struct piece {
   double k; /* index of the piece; below 0: general case, because the piece may vanish by rounding, or be merged */
   double x, u, d, b, end;
 };
 
+/* The new piece of a step to (x, u). `at`: the outermost kept corner; `sticks`: it is the last corner of all. */
 static inline NB_FORM struct piece new_piece(struct base at, bool sticks, double x, double u) {
   const double h = x - at.x, wanted = u - at.u, s = copysign(1, wanted - at.d * h);
   const double v = fabs(wanted) > h ? s * h : wanted; /* beyond h the contact slides */
@@ -109,13 +112,15 @@ static inline struct base find_base(const struct corner at[], int pieces, double
   return (struct base){index, at[k].x, at[k].u, at[k].d, at[k].b, at[index > 0 ? index - 1 : 0].x};
 }
 
+/* Stores a piece, which ends at x, with the index k. */
 static inline NB_FORM void append_piece(struct corner at[], int k, double x, const struct piece *piece) {
   at[k] = (struct corner){piece->x, piece->u, piece->d, piece->b, 0};
   at[k + 1] = (struct corner){x, piece->end, piece->d, piece->b, 0};
 }
 
-/* Adds a piece. Merges it with the last piece if the change is small enough; merges two other pieces if all are in use.
- * Returns the number of pieces. */
+/* Adds a piece, which ends at x, with the index k. Merges it with the piece before it if the change is small enough;
+ * merges two other pieces if all max_pieces are in use. Unless `dissipated` is NULL, adds the energy lost by a merge to
+ * it. Returns the number of pieces. */
 static int append_or_merge(struct corner at[], int k, double x, const struct piece *piece, int max_pieces,
                            double *dissipated) {
   if (k > 0 && !(piece->x > at[k - 1].x)) /* the previous piece has vanished */
@@ -145,19 +150,20 @@ static int append_or_merge(struct corner at[], int k, double x, const struct pie
   return k;
 }
 
-/* The energy lost in a step, in the unit of Int t du, at the slip front and by sliding. The front passes the outer part
- * of the piece before the new one, and all pieces outside that piece. For a displacement in the sense s the front is at
- * the y where y - s u(y) equals g, the value of x - s u at the edge. g decreases during the step; when g is below 0 the
- * contact slides. */
+/* The energy lost at the slip front and by sliding in a step to (x, u), in the unit of Int t du. `at` is the path
+ * before the step; `piece` is the new piece, with the index `index`. The front passes the outer part of the piece
+ * before the new one, and all pieces outside that piece. For a displacement in the sense s the front is at the y where
+ * y - s u(y) equals g, the value of x - s u at the edge. g decreases during the step; when g is below 0 the contact
+ * slides. */
 static double energy_loss(const struct corner at[], int pieces, double x, double u, int index,
                           const struct piece *piece) {
-  const double s =
-      at[index].x < x ? copysign(1, u - at[index].u) : piece->d; /* at a corner piece->d may come from rounding */
+  /* The sense of the slip; not always piece->d, which consists of rounding errors if the front is at a corner. */
+  const double s = at[index].x < x ? copysign(1, u - at[index].u) : piece->d;
   const double x0 = at[pieces].x, g0 = x0 - s * at[pieces].u, g1 = x - s * u, fall = g0 - g1;
   if (!(fall > 0))
     return 0;
-  double g = g1 > 0 ? g1 : 0,
-         y = piece->x < at[index].x ? piece->x : at[index].x;  /* if D = s, the front has no unique position */
+  double g = g1 > 0 ? g1 : 0;
+  double y = piece->x < at[index].x ? piece->x : at[index].x;  /* the front has no unique position where D = s */
   double now = g < g0 ? x + (x0 - x) * ((g - g1) / fall) : x0; /* the overlap when the front is at y */
   double sum = g1 < 0 ? -g1 * mean_n(x, now) : 0;
   for (int k = index > 0 ? index - 1 : 0; k < pieces; k++) {
@@ -172,7 +178,8 @@ static double energy_loss(const struct corner at[], int pieces, double x, double
   return sum;
 }
 
-/* Makes a step in the general case. Returns the number of pieces. */
+/* Makes a step to (x, u) in the general case. Unless `dissipated` is NULL, adds the energy lost to it. Returns the
+ * number of pieces. */
 static NB_COLD int advance(struct corner at[], int pieces, double x, double u, int max_pieces, double *dissipated) {
   const struct base base = find_base(at, pieces, x, u);
   const int index = (int)base.k;
@@ -182,8 +189,9 @@ static NB_COLD int advance(struct corner at[], int pieces, double x, double u, i
   return append_or_merge(at, index, x, &piece, max_pieces, dissipated);
 }
 
-/* Computes the path again for another friction. The new corners can replace the old ones in the same array, because a
- * step adds at most one piece. Returns the energy lost. */
+/* Computes the path of *count pieces again for another friction; `fraction` is the old mu kappa over the new one. The
+ * new corners can replace the old ones in the same array, because a step adds at most one piece. Returns the energy
+ * lost. */
 static NB_COLD double rebuild(struct corner at[], double *count, double fraction, int max_pieces) {
   const int pieces = (int)*count;
   const double before = fraction * fraction * stored_energy(at, pieces);
@@ -222,7 +230,7 @@ static inline NB_FORM struct fetched shear_mindlin_deresiewicz_fetch(struct nb_p
     at[0] = (struct corner){0};
   } else if (m[1] != mu_kappa(p)) {
     const double dissipated = rebuild(at, &m[0], fmin(m[1] / mu_kappa(p), max_friction_ratio), (int)p.pieces);
-    at[(int)m[0]].e = dissipated; /* kept there until the law returns it */
+    at[(int)m[0]].e = dissipated; /* stored there until the law returns it */
   }
   m[1] = mu_kappa(p);
   const int k = (int)m[0];
@@ -240,6 +248,7 @@ static inline struct base select_base(struct corner_values at, double k, double 
                        .b = here ? at.b : inner.b};
 }
 
+/* T, if the last piece has these d and b. */
 static inline NB_FORM double force_of(struct nb_pair p, struct nb_normal n, double d, double b) {
   return p.friction * n.force * (d + b / (n.radius * n.radius * n.radius));
 }

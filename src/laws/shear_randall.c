@@ -37,8 +37,8 @@
  *            beginning of the step.
  * Range      as in normal_hertz.c. No cohesion, because friction alone limits the traction. In the limit of small steps
  *            the law is exact for up to two nested reversals, while N is constant, falls, or rises so slowly that
- *            |ds| > ds_c. Further inner reversals are elastic [R89 sec. 3.3]. DD alone represents rings that stick as N
- *            grows, and a reversal sets it to 0.
+ *            |ds| > ds_c. Further inner reversals are elastic [R89 sec. 3.3]. DD is the only record of the rings that
+ *            stick as N grows, and a reversal sets it to 0.
  * History    m[0..6]  N of the previous step, 0: none; T, T*, T**, N; DD, m; CDF, 0 before the first motion; branch.
  * Creates    energy: in the cycle N to 2 N, displacement A/5, 2 N to N, displacement -A/5, with A = 3 mu N/(16 G* a),
  *            the law creates 0.0074 mu N A in the second cycle and less in later ones. So it has no stored energy.

@@ -19,9 +19,9 @@
  *     stiffness 8 G* a theta is then 0; otherwise critical damping, which uses the root of the stiffness, would have no
  *     value [R89 4.19].
  *
- * With mu twice in the critical increment, a contact that should stick slides from first touch on: T = mu N to the last
- * bit of both, and that bit decides whether dT < mu dN. In one impact psi2 is then 0.369 or 0.195; the exact value is
- * 0.045 (tests/randall_exact.c).
+ * With mu twice in the critical increment, a contact that should stick slides from first touch on: T and mu N then
+ * agree except for their last bits, and these bits decide whether dT < mu dN. In one impact the normalised angle of
+ * rebound psi2 is then 0.369 or 0.195; the exact value is 0.045 (tests/randall_exact.c).
  *
  * Source     [R89 4.15-4.25], FORD and THETA.
  * Range      as in shear_randall.c. In the limit of small steps the law is exact in virgin loading at constant N, and
@@ -40,7 +40,7 @@ struct history {
 /* THE1, which selects the equation of theta. */
 enum the1 { VIRGIN = 1, UNLOADING, RELOADING, STICKING };
 
-/* `along`: ds CDF. */
+/* `back`: CDF is -1; `along`: ds CDF. */
 static inline enum the1 the1_of(const struct history *h, bool back, double along) {
   if (along > 0)
     return fabs(h->t) < fabs(h->t_star) ? RELOADING : VIRGIN;
@@ -96,7 +96,7 @@ static inline struct nb_shear shear_randall_literal(struct nb_pair p, struct nb_
   if (ds != 0 && limit > 0)
     stiffness = ford_increment(&h, ds, stiffness, rise, limit, p.friction, &reversed);
   const bool slides = limit > 0 ? !(fabs(h.t) <= limit) : ds != 0;
-  if (!(fabs(h.t) <= limit)) /* also without friction or normal force, where nothing moves */
+  if (!(fabs(h.t) <= limit)) /* also if the limit is 0, when ford_increment is not called */
     h.t = copysign(limit, h.t);
   const bool back = h.t_star < 0;
   if (h.t_star != 0 && !reversed)

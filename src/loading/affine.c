@@ -105,10 +105,12 @@ static bool same_rate(const struct nb_affine *affine, enum nb_affine_source refe
   return true;
 }
 
+/* True if the strain rate of the source is not 0. */
 static bool strains(const struct nb_affine *affine, enum nb_affine_source source) {
   return tensor_largest(affine->rate[source]) > 0;
 }
 
+/* True if some particle moves affinely in the next step, or a servo may make it move. */
 static bool strains_now(const struct nb_model *model) {
   const struct nb_servo *servo = model->stage ? &model->stage->servo : NULL;
   return strains(model->affine, NB_AFFINE_FREE) || strains(model->affine, NB_AFFINE_BOUNDARY) ||

@@ -1,4 +1,4 @@
-/* The boundary of an assembly, a ring of its own particles; and `rotation`.            [R89 sec. 6.4.1, sec. 6.5.1]
+/* The boundary of an assembly, a ring of its outermost particles; and `rotation on|off`.  [R89 sec. 6.4.1, sec. 6.5.1]
  *
  * When a boundary begins, a circle defines its particles: all free ones with centres on the circle or outside it. While
  * these particles are held, they follow the boundary's strain rate L, 1/s (affine.c), and have no velocity of their
@@ -37,6 +37,8 @@
  * the circle, and their positions are rounded (1e-16). */
 static const double on_circle = 1e-12;
 
+/* True if x is on the ellipse or outside, or inside by at most `margin`, m. This distance is measured after the ellipse
+ * and x have been mapped back to the circle. */
 static bool is_outside(const struct nb_model *model, struct nb_vec x, double margin) {
   const struct nb_ring *ring = &model->boundary->ring;
   const struct nb_vec reference = tensor_times(tensor_inverse(ring->shape), vec_sub(x, model->affine->centre));
@@ -106,6 +108,7 @@ static void join(struct nb_model *model, int slot) {
   add_member(model, slot);
 }
 
+/* Ends the hold: the particles of the boundary become free. `dissolve`: the boundary ends, too. */
 static void boundary_release(struct nb_model *model, bool dissolve) {
   struct nb_ring *ring = &model->boundary->ring;
   for (size_t k = 0; k < ring->count && ring->held; k++)
@@ -128,6 +131,7 @@ static void boundary_define(struct nb_model *model, const struct nb_circle *circ
   }
 }
 
+/* Holds the particles of an existing boundary again. The circle gets their mean distance from the centre as radius. */
 static void boundary_hold(struct nb_model *model) {
   struct nb_ring *ring = &model->boundary->ring;
   if (!ring->exists)
@@ -203,7 +207,7 @@ enum nb_status nb_boundary_create(struct nb_model *model, struct nb_error *error
 
 /* ---- the beginning of a stage ---- */
 
-/* Counts the energy of the springs between held particles as removed: the next search drops these pairs. */
+/* Counts the energy of the springs between held particles as removed, because the next search drops these pairs. */
 static void count_removed_springs(struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
   const double *inverse = model->particles.inverse_mass;
@@ -238,8 +242,8 @@ void nb_rotation_begin(struct nb_model *model, bool rotates) {
   nb_balance_jump(model, NB_TERM_CHANGED, false);
 }
 
-/* A stress begins or ends at t_0 without changing the velocities at t_0: the half kick before t_0 excludes a stress
- * that begins and includes one that ends. */
+/* Begins or ends the stress at t_0, the start of the stage, without a change of the velocities at t_0. So the half kick
+ * before t_0 excludes a stress that begins, and includes a stress that ends. */
 static void switch_stress(struct nb_model *model, bool on) {
   struct nb_boundary_state *state = model->boundary;
   if (on)

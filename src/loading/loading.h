@@ -10,14 +10,17 @@
 void nb_rotation_begin(struct nb_model *model, bool rotates); /* `rotation on` or `rotation off` */
 /* Creates the boundary of a scene that has one. Called before the first search. */
 enum nb_status nb_boundary_create(struct nb_model *model, struct nb_error *error);
+/* Carries out the statements of a stage that concern the boundary. */
 enum nb_status nb_boundary_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error);
 /* Adds the particles that have crossed the ellipse to a held boundary. */
 enum nb_status nb_boundary_before_motion(struct nb_model *model, struct nb_error *error);
+/* Deforms the ellipse of a held boundary, and sets the forces of a stress. */
 void nb_boundary_after_motion(struct nb_model *model);
 void nb_boundary_remove(struct nb_model *model, size_t slot); /* for a particle that is removed from the scene */
-/* Sets the velocities of a held boundary before the motion, if no other particle has an imposed motion. */
+/* Sets the velocities of a held boundary's particles. Called before the motion if no other particle has an imposed
+ * motion. */
 void nb_boundary_set_velocities(struct nb_model *model);
-/* Sets the forces of a stress on the boundary from the current positions. */
+/* Sets the forces of a stress on the boundary, from the current positions. */
 void nb_boundary_set_forces(struct nb_model *model);
 
 /* ---- affine.c: imposed affine motion ---- */
@@ -25,12 +28,13 @@ void nb_boundary_set_forces(struct nb_model *model);
 enum nb_status nb_affine_create(struct nb_model *model, struct nb_error *error);
 /* Sets the strain rates of a stage. Called after the step of the stage is set. */
 void nb_affine_begin(struct nb_model *model, const struct nb_stage *stage);
-/* The strain rate that a stage gives to the source; *line is that of its statement, 0: none. */
+/* The strain rate that a stage gives to the source. Sets *line to the line of the statement; 0: there is none. */
 const struct nb_strain_rate *nb_affine_given(const struct nb_stage *stage, enum nb_affine_source source, int *line);
-/* Index of the earlier stage whose strain rate of this source still applies in the stage and is not 0, and the line of
- * its statement; -1: none. */
+/* Index of the earlier stage whose strain rate of this source still applies in `stage` and is not 0; -1: none. Sets
+ * *line to the line of its statement. */
 int nb_affine_inherited(const struct nb_scene *scene, size_t stage, enum nb_affine_source source, int *line);
-/* Called before the motion. True: every particle has an imposed velocity; false: only particles of a boundary. */
+/* Prepares the imposed motion of the next step. Called before the motion. True: every particle has an imposed velocity;
+ * false: only particles of a boundary may have one. */
 bool nb_affine_step(struct nb_model *model);
 bool nb_affine_moves(const struct nb_model *model); /* some particle moves affinely in this step or in the last one */
 bool nb_affine_ends(const struct nb_model *model); /* some particle moved affinely in the last step, none in this one */
@@ -40,8 +44,8 @@ void nb_affine_remove(struct nb_model *model, size_t slot); /* for a particle th
 /* ---- box.c: four walls that follow a strain rate, and the stress on them ---- */
 /* Index of the box's first wall; its walls are in the order south, east, north, west. -1: no box. */
 int nb_box_first_wall(const struct nb_scene *scene);
-/* True if the walls follow the box's strain rate in the stage with this index: the stage or an earlier one has `box
- * strain` or a servo through the box, and no stage after that one has moved one of the walls. */
+/* True if the walls follow the box's strain rate in the stage with this index: this stage or an earlier one has `box
+ * strain` or a servo through the box, and since then no stage has moved one of the walls. */
 bool nb_box_strained_in(const struct nb_scene *scene, size_t stage);
 bool nb_box_is_strained(const struct nb_model *model); /* the same for the current stage */
 /* Sets the velocities of the box's walls for the next step. Called before the motion. */
@@ -60,7 +64,7 @@ double nb_walls_residual(const struct nb_model *model); /* magnitude of the sum 
 void nb_servo_begin(struct nb_model *model);
 /* True if the strain rate is not 0 in a component that the servo controls. */
 bool nb_servo_opposes(const struct nb_servo *servo, const struct nb_strain_rate *rate);
-/* Sets b to B, Pa, and t to T, s, of servo.c, for the current contacts. False: no boundary, or no particles touch. */
+/* Sets *b to B, Pa, and *t to T, s, of servo.c, for the current contacts. False: no boundary, or no particles touch. */
 bool nb_servo_scales(const struct nb_model *model, const struct nb_servo *servo, double *b, double *t);
 /* Largest difference of a controlled stress from its target, over the largest target, 1; 0 in a stage without a servo
  * or with targets of 0. */

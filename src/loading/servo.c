@@ -72,7 +72,8 @@ static struct nb_tensor stress(const struct nb_model *model, const struct nb_ser
   return tensor_turned(tensor_transpose(axes(servo)), tensor(measured[0], measured[1], measured[2], measured[3]));
 }
 
-/* s - s0 in the axes of the servo, Pa; 0 in components that are not controlled. */
+/* s - s0 in the axes of the servo, Pa; 0 in components that are not controlled. With a ramp, s0 changes from the stress
+ * at the beginning of the servo (`fraction` 0) to the target (`fraction` 1). */
 static struct nb_tensor stress_error(const struct nb_model *model, const struct nb_servo *servo, double fraction) {
   const struct nb_servo_state *state = &model->affine->servo_state;
   const struct nb_tensor measured = stress(model, servo);
@@ -115,7 +116,7 @@ bool nb_servo_scales(const struct nb_model *model, const struct nb_servo *servo,
   return *b > 0;
 }
 
-/* Strain rate to be added, in the axes of the servo, 1/s. */
+/* Strain rate to be added, in the axes of the servo, 1/s. Advances Z. `fraction`: see stress_error. */
 static struct nb_tensor correction(struct nb_model *model, const struct nb_servo *servo, double fraction) {
   const double limit = servo->per_cycle ? servo->max_rate / model->step : servo->max_rate;
   double b, t;

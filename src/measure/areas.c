@@ -36,6 +36,7 @@ double nb_area_of_lens(double radius_a, double radius_b, double distance) {
   return segment(radius_a, radius_b, distance) + segment(radius_b, radius_a, distance);
 }
 
+/* Area of the sector of the circle of radius r between the directions a and b, m2; negative if clockwise. */
 static double sector(struct nb_vec a, struct nb_vec b, double r) {
   return r * r * atan2(vec_cross(a, b), vec_dot(a, b)) / 2;
 }

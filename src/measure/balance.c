@@ -178,7 +178,8 @@ static struct nb_vec accumulated(const struct nb_model *model, size_t i) {
 }
 
 /* Energy that mass-proportional damping takes from a particle in a kick, J: the impulse of the damping times the mean
- * velocity of the particle. */
+ * velocity of the particle. `before`: velocities before the kick; `mean`: mean velocities in the kick; `force`: sum of
+ * all forces. */
 static double damping_loss(const struct nb_model *model, size_t i, struct nb_velocities before,
                            struct nb_velocities mean, struct nb_force force, struct kick kick) {
   const struct nb_vec velocity = vec_sub(vec_scale(2, mean.velocity), before.velocity);
@@ -243,6 +244,7 @@ static void add_work(struct nb_sum *work, const struct nb_model *model, struct k
   }
 }
 
+/* Displacement over a kick of the point of wall w that is at q, m. */
 static struct nb_vec wall_displacement(const struct nb_model *model, struct kick kick, int w, struct nb_vec q) {
   const struct nb_velocities speed = model->balance->walls[w].speed;
   const struct nb_vec arm = vec_sub(q, model->balance->walls[w].pivot), perpendicular = vec(-arm.y, arm.x);

@@ -1,4 +1,4 @@
-/* Data of the two balances, shared by balance.c and balance_steps.c.
+/* Data of the work balance and the energy balance, shared by balance.c and balance_steps.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #pragma once
@@ -10,7 +10,7 @@ struct nb_balance {
     struct nb_velocities before, now; /* velocities before the kick; at t_N */
     struct nb_vec position, imposed;  /* position at t_N, m; imposed displacement over the kick, m */
   } * particles;                      /* per slot */
-  struct nb_tensor copy_displacement; /* displacement of the image one side away minus that of its particle, m */
+  struct nb_tensor copy_displacement; /* displacement of images over the kick, per side of the cell away, m */
   struct {
     struct nb_vec pivot;        /* P at t_N, m */
     struct nb_velocities speed; /* velocities of the wall over the step that ends at t_N */
@@ -26,5 +26,5 @@ struct nb_balance {
   struct nb_sum work;                     /* J */
 };
 
-/* Adds the half before t_N of the kick around t_N to all terms, times the sign. */
+/* Adds the half before t_N of the kick around t_N to all terms if `sign` is 1; subtracts it if `sign` is -1. */
 void nb_balance_add_half(struct nb_model *model, double sign);

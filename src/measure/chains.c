@@ -80,7 +80,7 @@ static void merge(struct nb_chain_particle *chain_particles, int i, int j) {
   chain_particles[a].particles += chain_particles[b].particles;
 }
 
-/* Adds the bends between this link and the later links of the same particle. */
+/* Adds the bends between this link and the later links of the same particle to *bends, and their number to *pairs. */
 static void add_bends(const struct nb_model *model, struct nb_ends ends, const struct nb_end *link, double *bends,
                       double *pairs) {
   struct nb_end other;

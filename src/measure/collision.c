@@ -1,5 +1,5 @@
-/* Collision prediction: finds the pairs that would collide at their current velocities, and the durations of these
- * collisions by Hertz's law (hertz_impact.h).
+/* Collision prediction: finds the pairs that would collide at their current velocities, and which of these collisions
+ * has the shortest duration by Hertz's law (hertz_impact.h).
  *
  * Two particles with the vector d = y - x between their centres, m, and the relative velocity w = v_x - v_y, m/s,
  * collide if w.d > 0 and their straight paths pass closer than s = R_x + R_y, m. The approach velocity along the line
@@ -27,7 +27,7 @@ struct approach {
 
 static struct approach no_collision(void) { return (struct approach){0, INFINITY}; }
 
-/* The collision of two circles; `apart`: d, m; `relative`: w, m/s. */
+/* The collision of two circles. `apart`: d, m; `relative`: w, m/s; `radius_sum`: s, m. */
 static struct approach circles_approach(struct nb_vec apart, struct nb_vec relative, double radius_sum) {
   const double distance = vec_length(apart), along = vec_dot(relative, apart);
   if (!(along > 0))
@@ -42,8 +42,8 @@ static struct approach circles_approach(struct nb_vec apart, struct nb_vec relat
   return (struct approach){speed, (along / size - speed * radius_sum / size) / size};
 }
 
-/* Velocities of a wall in the stage that sets the step: the first stage has not begun yet when the step of the scene is
- * set. */
+/* Velocities of a wall in the stage that sets the step. When the step of the scene is set, the first stage has not
+ * begun, so its velocities are read from the page. */
 static struct nb_velocities wall_state(const struct nb_model *model, int wall) {
   struct nb_velocities state = {model->walls.velocity[wall], model->walls.spin[wall]};
   const struct nb_stage *first = &model->scene->stages[0];
@@ -53,6 +53,7 @@ static struct nb_velocities wall_state(const struct nb_model *model, int wall) {
   return state;
 }
 
+/* The collision of a particle with wall w. */
 static struct approach wall_approach(const struct nb_model *model, struct nb_vec position, struct nb_vec velocity,
                                      double radius, int w) {
   const struct nb_walls *walls = &model->walls;

@@ -1,17 +1,17 @@
 /* Changes since the beginning of a stage, for snapshots with `from`.                       [R89 sec. 4.2, figure 6.35]
  *
  *   displacement, rotation   of a particle: current position, m, and angle, rad, minus those when the stage began
- *   slip                     of a contact: sum of |ds| over the steps at whose end the contact slides, since the stage
- *                            began and since the contact closed, m; the step in which sliding begins includes the
- *                            elastic displacement
+ *   slip                     of a contact: sum of |ds| over the steps at whose end the contact slides, m, since the
+ *                            stage began or, if later, since the contact closed; |ds| of the step in which sliding
+ *                            begins includes the elastic displacement
  *   lattice                  the space lattice that is equivalent to the assembly: lines between the centres of
  *                            particles in contact, or from a centre to the nearest point of a wall, at the current
  *                            positions. kind: 0 for a contact that exists at both times, 1 for a new contact, -1 for a
  *                            lost one
  *
  * A contact that opens and closes again in between is not lost; its slip counts from the last closing. The slip of a
- * contact is kept beside the history of its laws, one number for each such stage, and a search keeps both. A scene
- * without `snapshot from` has no such data.
+ * contact is kept beside the history of its laws, one number for each stage that a `from` names, and a search keeps
+ * both. A scene without `snapshot from` has no such data.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "configuration.h"
@@ -35,6 +35,7 @@ size_t nb_configuration_count(const struct nb_configuration *configuration) {
   return configuration ? configuration->count : 0;
 }
 
+/* Index of the reference that belongs to a stage; `count` if there is none. */
 static size_t index_of(const struct nb_configuration *configuration, int stage) {
   size_t r = 0;
   while (r < configuration->count && configuration->list[r].stage != stage)
@@ -84,6 +85,7 @@ void nb_configuration_store(struct nb_store *store, struct nb_model *model) {
   }
 }
 
+/* The slip of a contact since reference r, m. */
 static double *slid(const struct nb_contacts *contacts, size_t r, size_t contact) {
   const struct nb_history *history = &contacts->slip_sum;
   return history->rows ? &history->rows[contact * (size_t)history->doubles + r] : &history->field[r][contact];
@@ -163,7 +165,7 @@ struct nb_vec nb_pair_branch(const struct nb_model *model, struct nb_neighbour_p
   return vec_add(apart, tensor_times(model->cell->h, nb_wrap_image(&wrap, apart)));
 }
 
-/* Both lists are in the order of contacts, so the walk can merge them. */
+/* The current contacts and the pairs of the reference are in the same order, so the walk can merge them. */
 bool nb_configuration_next(struct nb_configuration_walk *walk, struct nb_neighbour_pair *pair, int *kind) {
   const struct nb_contacts *contacts = &walk->model->contacts;
   while (walk->now < contacts->count && !nb_touches(contacts, walk->now))

@@ -9,7 +9,8 @@
 /* Creates model->configuration, or leaves it NULL if the scene has no such snapshots. False: out of memory. */
 bool nb_configuration_create(struct nb_model *model);
 void nb_configuration_free(struct nb_configuration *configuration);
-size_t nb_configuration_count(const struct nb_configuration *configuration); /* number of such stages; 0 for NULL */
+/* Number of stages that a `from` names; 0 for NULL. */
+size_t nb_configuration_count(const struct nb_configuration *configuration);
 void nb_configuration_store(struct nb_store *store, struct nb_model *model);
 bool nb_configuration_begin(struct nb_model *model, int stage); /* called when a stage begins; false: out of memory */
 void nb_configuration_add_slip(struct nb_model *model); /* adds the slip of the last step; called after the forces */
@@ -18,7 +19,7 @@ void nb_configuration_add_slip(struct nb_model *model); /* adds the slip of the 
 struct nb_vec nb_configuration_displacement(const struct nb_model *model, int stage, size_t slot); /* m */
 double nb_configuration_rotation(const struct nb_model *model, int stage, size_t slot); /* rad, counterclockwise */
 double nb_configuration_slip(const struct nb_model *model, int stage, size_t contact);  /* m */
-/* Makes the table `lattice`. False: out of memory. */
+/* Makes the table `lattice` of a snapshot of `stage`, with the changes since stage `from`. False: out of memory. */
 bool nb_configuration_lattice(struct nb_table *table, const struct nb_model *model, int stage, int from);
 
 /* A walk over the contacts that touch now or touched when the reference stage began, in the order of contacts. kind: 0:

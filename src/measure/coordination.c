@@ -72,6 +72,7 @@ static void add_constraint(struct constraints *it, const struct nb_model *model,
   it->constraints += (sticks ? 2 : 1) / (both ? 2. : 1.);
 }
 
+/* True for a wall, which has the slot -1, and for a particle that is not a rattler. */
 static bool is_loaded(const struct nb_model *model, int slot) {
   return slot < 0 || model->regions->touching[slot] >= 0;
 }

@@ -3,8 +3,8 @@
  *   psi = V_T/(mu kappa V_N)       V_T current tangential velocity of the contact, m/s; V_N normal velocity at first
  *                                  touch, m/s; mu friction, 1; psi1 is psi at first touch, psi2 is psi at the end
  *   kappa = E* / (4 G*)            compliance ratio, 1: (2 - nu)/(2 (1 - nu)) of like materials; k_n/k_s of springs
- *   N_max = (5/4) M V_N^2/alpha_m  largest normal force, N; hertz_impact.h gives alpha_m, m, and the duration T_c, s
- *                                  (there t)
+ *   N_max = (5/4) M V_N^2/alpha_m  largest normal force, N; hertz_impact.h gives alpha_m, m, and the duration T_c, s,
+ *                                  which is t there
  *   linear springs:  T_c = pi sqrt(M/k_n),   N_max = V_N sqrt(M k_n)
  *
  * M is the reduced mass, kg. The state at first touch follows from the scene; a run stores only the time of first
@@ -31,6 +31,7 @@ static void elastic(struct nb_impact_state *incidence, struct nb_pair pair) {
   }
 }
 
+/* The point of a wall nearest to x at time 0. */
 static struct nb_vec nearest(const struct nb_wall *wall, struct nb_vec x) {
   const struct nb_vec along = vec(wall->ex, wall->ey);
   const struct nb_vec point = vec_add(vec(wall->x, wall->y), vec_scale(-wall->h0, vec_clockwise(along)));
@@ -119,8 +120,8 @@ static double psi(const struct nb_impact_state *s, double v) { return v / (s->fr
 static double along(const struct progress *it) {
   return it->direction * (vec_dot(it->v, it->incidence.tangent) + it->surface);
 }
-/* The duration of the contact so far, s. After the contact has opened, the time since it opened is the gap divided by
- * the speed of separation. */
+/* The duration of the contact so far, s. If the contact has opened, the time since then is subtracted: the gap divided
+ * by the speed of separation. */
 static double duration_now(const struct progress *it) {
   const double gap = vec_dot(it->displacement, it->incidence.normal), v = vec_dot(it->v, it->incidence.normal);
   return it->elapsed - (gap > 0 && v > 0 ? gap / v : 0);
@@ -153,7 +154,8 @@ const struct nb_quantity_kind nb_impact_kinds[] = {
     {"impact.duration", NB_OF_IMPACT, "s", 0, duration,
      "duration of the impact so far, from first touch to separation"},
     {"impact.restitution", NB_OF_IMPACT, "1", 0, restitution,
-     "speed of the centre relative to the other one, or to the wall: now over at incidence", NB_AT_LEAST_0},
+     "present speed of the centre relative to the other centre, or to the wall, over the same speed at incidence",
+     NB_AT_LEAST_0},
     {"impact.normal", NB_OF_IMPACT, "1", NB_BIT(NB_NORMAL), normal,
      "normal force over its maximum in an elastic impact, N/N_max", NB_AT_LEAST_0_BY_LAW},
     {"impact.shear", NB_OF_IMPACT, "1", NB_BIT(NB_SHEAR), shear,

@@ -64,6 +64,7 @@ enum nb_status nb_regions_stage(struct nb_model *model, int stage, struct nb_err
 
 /* ---- geometry ---- */
 
+/* Sets the geometry of a rectangle. `along`: unit vector along its width; `half`: half its width and height, m. */
 static void box(struct nb_region_state *now, struct nb_vec centre, struct nb_vec along, struct nb_vec half) {
   const struct nb_vec left = vec(-along.y, along.x);
   const struct nb_vec east = vec_scale(half.x, along), north = vec_scale(half.y, left);

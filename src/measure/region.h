@@ -132,18 +132,20 @@ struct nb_regions {
 /* strain.c: sets the reference positions of the regions whose strain begins with this stage; stage -1: of all regions,
  * at the start of the run. */
 enum nb_status nb_strain_begin(struct nb_model *model, int stage, struct nb_error *error);
-/* fabric.c: sets the reference contacts of these regions. */
+/* fabric.c: sets the reference contacts of the same regions. */
 enum nb_status nb_changed_contacts_begin(struct nb_model *model, int stage, struct nb_error *error);
 
 enum nb_status nb_regions_create(struct nb_model *model, struct nb_error *error);
 /* Called when a stage begins, or the run (stage -1): sets the references of the regions and discards what was measured
  * in this cycle. */
 enum nb_status nb_regions_stage(struct nb_model *model, int stage, struct nb_error *error);
-/* Warns of regions without a particle. `ended`: at the end of this stage, and also of regions without a contact whose
- * stress or forces are recorded; NULL: at the start of the run. */
+/* Warns of regions without a particle, at the end of the stage with the name `ended`, or at the start of the run if
+ * `ended` is NULL. At the end of a stage it also warns of regions without a contact whose stress or forces are
+ * recorded. */
 void nb_regions_warn(struct nb_model *model, const char *ended);
 void nb_regions_free(struct nb_regions *regions, size_t count);
 
+/* The region with this index, with its geometry in the current cycle. */
 struct nb_region_state *nb_region_state(const struct nb_model *model, int region);
 /* Computes the measure `which` of a region, unless it has been computed in this cycle. Returns the region's state. */
 const struct nb_region_state *nb_region_measured(const struct nb_model *model, int region, enum nb_measure which);

@@ -135,8 +135,8 @@ const struct nb_quantity_kind nb_region_kinds[] = {
     SPEED("speed.ratio", "1", ratio, "speed.mean over speed.imposed [R89 sec. 6.5.1]; 0 without imposed motion"),
 
     CHAIN("chains", "1", NB_AT_LEAST_0, count,
-          "number of force chains: three particles or more, of major stress above the mean, in contact along their "
-          "major axes"),
+          "number of force chains: three or more particles whose major stress is above the mean, in contact along "
+          "their major axes"),
     CHAIN("chains.length", "1", NB_AT_LEAST_0, length, "mean number of particles of a force chain"),
     CHAIN("chains.fraction", "1", NB_AT_LEAST_0 | NB_AT_MOST_1, fraction,
           "fraction of the free particles inside that are in force chains"),

@@ -13,9 +13,9 @@
  *
  *   S_i/m_i + S_j/m_j  <=  L        and        h (S_i (1/m_i + R_i^2/I_i) + S_j (1/m_j + R_j^2/I_j))  <=  L
  *
- * L minus the larger of the two left sides is the remainder of a contact. Its two particles get half of it each; if only
- * one of them is free, as at a wall, it gets all. The smallest of these parts of a particle is divided equally among all
- * its contacts. So q of a contact may increase by
+ * L minus the larger of the two left sides is the remainder of a contact. Each of its two particles gets half of the
+ * remainder; a particle at a wall or at a fixed particle gets all of it. The smallest of the parts that a particle gets
+ * from its contacts is divided equally among these contacts. So q of a contact may increase by
  *
  *   min over its free particles of  (smallest part)/n / max(1/m, h (1/m + R^2/I))
  *
@@ -23,8 +23,8 @@
  * reaches this limit. pass/deep.c compares the overlaps with it. The first contact above its limit triggers a new
  * check, before its force has moved a particle.
  *
- * h is k_s/k_n = 4 G* / E* without dashpots. With dashpots proportional to sqrt(M* k), where M* is the effective mass,
- * it lies between k_s/k_n and sqrt(k_s/k_n).
+ * h is k_s/k_n = 4 G* / E* without dashpots. With dashpots proportional to sqrt(M* k), where M* is the reduced mass, h
+ * lies between k_s/k_n and sqrt(k_s/k_n).
  *
  * Range     normal laws whose stiffness increases with the overlap, except Hertz's law by increments, whose stiffness
  *           follows from the force; and shear laws of elastic spheres, or no shear law: k_s of other shear laws is not
@@ -63,7 +63,7 @@ bool nb_stability_overlaps(struct nb_model *model) {
   return above == 0;
 }
 
-/* h, the largest possible ratio. */
+/* h of the header, for all material pairs. */
 static double max_stiffness_ratio(const struct nb_model *model) {
   double largest = 0;
   for (size_t p = 0; p < model->material_pair_count; p++) {
@@ -72,11 +72,11 @@ static double max_stiffness_ratio(const struct nb_model *model) {
     const double ratio = has_stiffness ? 4 * material_pair->next.shear / material_pair->next.young : 0;
     largest = ratio > largest ? ratio : largest;
   }
-  return model->stability->damped ? sqrt(largest) : largest; /* at most 1, because nu >= 0 */
+  return model->stability->damped ? sqrt(largest) : largest; /* largest <= 1, because nu >= 0 */
 }
 
-/* The k_n at which a contact has the given q, N/m: the solution of the quadratic equation in k^(1/2)
- * dt^2 k + 2 dt (time k + ratio (M k)^(1/2)) = q. */
+/* The k_n at which a contact has the given q, N/m: the solution of dt^2 k + 2 dt (time k + ratio (M* k)^(1/2)) = q, a
+ * quadratic equation in k^(1/2). */
 static double stiffness_of(const struct nb_model *model, size_t c, double q) {
   const double dt = model->step;
   struct nb_dashpot dashpot = nb_dashpot(model, nb_with_wall(model, c));
@@ -119,6 +119,7 @@ static double overlap_with_stiffness(const struct nb_model *model, size_t c, dou
   return overlap;
 }
 
+/* Sets NB_STABLE_OVERLAP of all contacts, and the smallest one of each block. */
 static void set_update_limit(struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   const struct nb_contacts *contacts = &model->contacts;
@@ -135,7 +136,8 @@ static void set_update_limit(struct nb_model *model) {
     const bool apart = !(element.own.kn > 0) && !(left > 0); /* a check follows as soon as the pair touches */
     for (int k = 0; k < n && !apart; k++)
       remainder[slots[k]] = smaller(remainder[slots[k]], left > 0 ? left / n : 0);
-    stable_overlap[c] = apart ? -INFINITY : dt * dt * element.own.kn + 2 * dt * element.own.cn; /* q at first */
+    /* q; the next loop replaces it by the overlap */
+    stable_overlap[c] = apart ? -INFINITY : dt * dt * element.own.kn + 2 * dt * element.own.cn;
   }
   for (size_t v = 0; v < model->blocks.count; v++)
     model->blocks.stable_overlap[v].overlap = INFINITY;

@@ -82,7 +82,7 @@ static void update_next_properties(const struct nb_model *model) {
   }
 }
 
-/* Stiffnesses and damping coefficients at an overlap, with the history of the contact, or without history. */
+/* Stiffnesses and damping coefficients at an overlap, with these histories, which the laws change. `radius`: R*. */
 static struct nb_coefficients coefficients_at(const struct nb_model *model,
                                               const struct nb_material_pair *material_pair, double overlap,
                                               double inverse_mass, double radius, bool deep, double normal_history[],
@@ -143,6 +143,7 @@ double nb_stability_limit(const struct nb_damping *damping) {
   return 4;
 }
 
+/* The part of dt^2 k + 2 dt c that shear and rotation cause; 0 without a shear stiffness. */
 static double element_shear(const struct nb_element *element, double dt) {
   const struct nb_coefficients *k = &element->own;
   if (!(k->ks > 0))
@@ -172,6 +173,7 @@ static double largest_step(const struct nb_element *element, double limit) {
   }
 }
 
+/* Adds a contact to the sums of one of its particles. */
 static void add(struct nb_particle_sums *load, const struct nb_coefficients *k, double radius) {
   const double square = radius * radius;
   load->kn += k->kn, load->cn += k->cn;
@@ -185,6 +187,7 @@ static void add_particle(struct nb_element *element, const struct nb_particle_su
   element->q += load->ks * inverse_inertia, element->p += load->cs * inverse_inertia;
 }
 
+/* Replaces *stable by the stable step of this contact, if that is smaller. */
 static void keep_smaller(struct nb_stable *stable, const struct nb_element *element, double limit, int a, int b,
                          const struct nb_material_pair *material_pair) {
   const double step = stable->step;

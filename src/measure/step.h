@@ -12,7 +12,7 @@ struct nb_stability {
   double stable_step;                   /* guaranteed stable step at the beginning of the current stage, s */
   bool allow_unstable;                  /* no check in this stage */
   bool damped;                          /* contacts have dashpots at the next force calculation */
-  struct nb_dashpot dashpots[2];        /* these dashpots: of contacts of two particles, and of contacts with walls */
+  struct nb_dashpot dashpots[2];        /* their coefficients: for two particles, and for a particle and a wall */
   unsigned long checks;                 /* number of checks so far */
   double largest;                       /* largest ratio of the step to the guaranteed stable step in these checks, 1 */
   struct nb_particle_sums *sums;        /* workspace of stable_step.c, per slot */

@@ -65,8 +65,8 @@ const struct nb_quantity_kind nb_wall_kinds[] = {
     {"fy", WALL, "N", 0, wall_fy, "force of the particles on the wall"},
     {"moment", WALL, "N.m", 0, wall_moment, "moment of the particles' forces about P, counterclockwise"},
     {"eccentricity", WALL, "1", 0, wall_eccentricity,
-     "distance of the resultant normal force from the wall's middle, over half its length; positive towards its second "
-     "end: e/(L/2) of [CS79 tables 1-3]"},
+     "distance of the resultant normal force from the wall's middle, over half the wall's length; positive towards the "
+     "wall's second end: e/(L/2) of [CS79 tables 1-3]"},
     {"obliquity", WALL, "1", NB_READS_LOADS, wall_obliquity,
      "shear force over its limit, the largest of the wall's contacts; 0 without friction", NB_AT_LEAST_0},
     {.name = NULL},

@@ -22,13 +22,14 @@
 #include "core/affine.h"
 #include "pass.h"
 
+/* `tangential`: changes ds, too. */
 static inline NB_FORM void add_again(const struct nb_model *model, const struct nb_block *block, bool tangential) {
   const struct nb_tensor rate = model->affine->rate[NB_AFFINE_FREE];
   const double dt = model->previous_step;
   const double *overlap = block->f[NB_OVERLAP], *radius_sum = block->f[NB_RADIUS_SUM];
   const double *ex = block->f[NB_EX], *ey = block->f[NB_EY];
   double *dn = block->f[NB_NORMAL_INCREMENT], *ds = block->f[NB_TANGENTIAL_INCREMENT];
-  *block->began = true; /* dn changes */
+  *block->began = true; /* with the changed dn, nb_touch_began may be true for any contact */
   NB_WIDE
   for (size_t c = 0; c < block->n; c++) {
     const struct nb_vec e = vec(ex[c], ey[c]);

@@ -24,16 +24,17 @@
  * With `damping centred` the rates are those at the time of the force: dn/dt + (a_x - a_y).e, where a_x and a_y are the
  * predicted changes of the two velocities in the last half step, m/s (core/motion.c). At time 0 the rates follow from
  * the velocities of the page; in CS79's scheme they are then 0. The force of a dashpot jumps at first touch, so the
- * scheme is of second order only with a correction there. The force at t_N acts from t_(N-1/2) to t_(N+1/2); the
- * contact exists during the fraction f + 1/2 of this time, where f is the time from first touch to t_N over dt. Near
- * first touch c is proportional to alpha^p, with p = 0 for linear springs, 1/2 for the stiffness of elastic spheres and
- * 1/4 for the root of this stiffness. So the force is multiplied by
+ * scheme is of second order only with a correction there. The force at t_N acts from t_(N-1/2) to t_(N+1/2). Let t_N be
+ * the first time after first touch, and f the time between them over dt. No force acts before t_(N-1/2), but at
+ * t_(N+1/2) the contact has existed for the time (f + 1/2) dt. Near first touch c is proportional to alpha^p, with p =
+ * 0 for linear springs, 1/2 for the stiffness of elastic spheres and 1/4 for the root of this stiffness. So the force
+ * is multiplied by
  *
  *   w(f) = Int_0^(f+1/2) t^p dt / f^p = (f + 1/2)^(1+p)/((1 + p) f^p)
  *
  * The end of a contact is treated in the same way, backwards in time: f is then the time from t_N to the end over dt.
- * This f is known only one cycle later, when the contact has opened. Then w(f) - 1 times the force at t_N acts. The
- * force at t_N is computed again from the previous overlap, with the rate over the last step. The tangential dashpot
+ * This f is known only one cycle later, when the contact has opened. In this cycle w(f) - 1 times the force at t_N
+ * acts. This force is computed again, from the previous overlap and the rate over the last step. The tangential dashpot
  * needs no such term, because a contact slides before it ends.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -59,11 +60,11 @@ struct nb_dashpot nb_dashpot(const struct nb_model *model, bool wall) {
 struct dashpots {
   struct nb_dashpot dashpot;
   bool uses_damping_ratio, critical; /* some coefficients contain sqrt(M* k); deep contacts are damped critically */
-  const double *mass, *deep;
+  const double *mass, *deep;         /* M*, kg; NB_DEEP */
   const double *normal_root, *shear_root; /* sqrt(M* k) of the contacts with k > 0; NULL: not stored */
 };
 
-/* `root`: spec->normal_root or spec->shear_root. */
+/* Coefficient c of a dashpot of contact c of the block, N s/m. `root`: spec->normal_root or spec->shear_root. */
 static inline NB_FORM double coefficient(const struct dashpots *spec, double stiffness, const double *root, size_t c) {
   const double oscillation = !spec->uses_damping_ratio ? 0
                              : root                    ? nb_where(stiffness > 0, root[c])
@@ -78,18 +79,20 @@ struct changes {
   double rotation[NB_BLOCK_SIZE];        /* change of w_x R_x + w_y R_y, m/s */
 };
 
+/* The change for particle i. `start`: at time 0. */
 static inline NB_FORM struct nb_velocities change_of(const struct nb_particles *particles, int i, bool start) {
   return start ? (struct nb_velocities){particles->velocity[i], particles->surface_speed[i]} : particles->ahead[i];
 }
 
-/* The velocity of the wall's point nearest to the particle at the end of the step, minus its mean velocity in the step;
- * at time 0, its velocity. */
+/* The change for the point of wall w nearest to x, the centre of a particle: the velocity of this point at the end of
+ * the step minus its mean velocity over the step; at time 0, its velocity. */
 static inline NB_FORM struct nb_vec wall_change(const struct nb_walls *walls, int w, struct nb_vec x, bool start) {
   const struct nb_vec q = nb_wall_nearest(walls, w, x), arm = vec_sub(q, walls->pivot[w]);
   const struct nb_vec v = vec_add(walls->velocity[w], vec_scale(walls->spin[w], vec(-arm.y, arm.x)));
   return start ? v : vec_sub(v, nb_wall_velocity(walls, w, q));
 }
 
+/* Sets `changes` for all contacts of a block. */
 static inline NB_FORM void predict(struct changes *changes, const struct nb_model *model, const struct nb_block *block,
                                    bool start) {
   const struct nb_particles *particles = &model->particles;
@@ -109,6 +112,7 @@ static inline NB_FORM void predict(struct changes *changes, const struct nb_mode
  * step then belongs to the next step, with f = 1, whatever the sign of the overlap. Rounding is smaller than this
  * fraction even if the coordinates are 1e7 times the displacement. */
 static const double touch_rounding = 1e-9;
+/* nb_touch_began, where a touch at the end of the previous step counts as in this step. */
 static inline NB_FORM bool just_began(double overlap, double dn) {
   return overlap > 0 && overlap < dn * (1 + touch_rounding);
 }
@@ -122,7 +126,8 @@ static double weight(const struct dashpots *spec, const struct nb_law *law, doub
   return spec->dashpot.ratio > 0 ? to * sqrt(root) / 1.25 : to * root / 1.5;
 }
 
-/* The force of the normal dashpot that remains if contact c has opened in the last step, N; else 0. */
+/* The force of the normal dashpot that acts although contact c has opened in the last step: w(f) - 1 times the force
+ * one step earlier, N; 0 if the contact has not opened then. */
 static double end_force(const struct dashpots *spec, const struct nb_model *model, const struct nb_block *block,
                         size_t c) {
   const struct nb_law *law = block->material_pair->normal;
@@ -167,7 +172,8 @@ static NB_COLD void defer_touches(const struct nb_model *model, const struct nb_
   }
 }
 
-/* The rate of a tangential displacement of contact c, m/s. */
+/* The tangential velocity of contact c, m/s, from its displacement in the last step, m; `rate`: 1/dt. `changes` is NULL
+ * unless the dashpots are centred. */
 static inline NB_FORM double slip_rate(const struct nb_block *block, const struct changes *changes, size_t c,
                                        double displacement, double rate) {
   if (!changes)

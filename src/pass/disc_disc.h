@@ -1,11 +1,14 @@
-/* Relative motion of two discs, or of a disc and an image of one: the loop of disc_disc.c and periodic.c.  [CS79 8-15]
+/* Relative motion of two discs, or of a disc and an image of a disc.                                  [CS79 8-15]
+ *
+ * disc_disc.c and periodic.c share this loop.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #pragma once
 
 #include "geometry.h"
 
-/* `copies`: the second disc is the image at x_j + H m in a periodic cell, and L H m is added to its velocity. */
+/* `copies`: the second disc is an image in a periodic cell: H m is added to its position, and L H m to its velocity
+ * (periodic.c). */
 static inline NB_FORM void nb_disc_disc(const struct nb_model *model, const struct nb_block *block,
                                         enum nb_approach approach, bool copies) {
   const struct nb_vec *position = model->particles.position, *velocity = model->particles.velocity;
@@ -33,7 +36,7 @@ static inline NB_FORM void nb_disc_disc(const struct nb_model *model, const stru
 #define W 8
 #include "disc_disc_wide.h"
 
-/* The forms of a pass: for W contacts at a time, where the processor can. */
+/* The forms of a pass. Those for AVX2 and AVX-512 compute 4 and 8 contacts at a time. */
 #define NB_DISC_FORMS(name, approach, copies)                                                                          \
   static void name##_plain(const struct nb_model *model, const struct nb_block *block) {                               \
     nb_disc_disc(model, block, approach, copies);                                                                      \

@@ -1,8 +1,9 @@
 /* The loop of disc_disc.h in vector registers, with W contacts at a time: 4 with AVX2, 8 with AVX-512. disc_disc.h
- * includes this file once for each W. The results have the same bits, because each contact has the same operations.
+ * includes this file once for each W. The results have the same bits as those of the loop in disc_disc.h, because each
+ * contact has the same operations.
  *
  * Loading the vectors of W contacts takes about as long as their arithmetic, which waits for a square root and a
- * division. So the loop loads W contacts before it computes those that it loaded last; the processor can then do both
+ * division. So the loop loads the next W contacts before it computes the previous ones; the processor can then do both
  * at once.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -34,8 +35,8 @@ TARGET static inline NB_FORM WIDE NAME(vectors)(const struct nb_vec *p, const in
 #endif
 }
 
-/* The sums of the surface speeds of W contacts. The gathered registers begin as 0, so that they do not wait for the
- * result that had the same register. */
+/* The sums of the surface speeds of W contacts. A gather into a register that was set to 0 before does not wait for the
+ * earlier result in this register. */
 TARGET static inline NB_FORM WIDE NAME(rotations)(const double *speed, const int *a, const int *b) {
 #if W == 8
   const __m256i i = _mm256_loadu_si256((const void *)a), j = _mm256_loadu_si256((const void *)b);
@@ -66,7 +67,7 @@ TARGET static inline NB_FORM struct NAME(loaded) NAME(load)(const struct nb_mode
   const int *a = block->a + from, *b = block->b + from;
   const bool moving = approach >= NB_APPROACH_NORMAL;
   const WIDE zero = OF(setzero)();
-  /* Positions and velocities in turn, so that few indices are needed at a time. */
+  /* Positions and velocities are loaded in turn, so that few indices are needed at a time. */
   const WIDE b0 = NAME(vectors)(position, b), vb0 = moving ? NAME(vectors)(velocity, b) : zero;
   const WIDE a0 = NAME(vectors)(position, a), va0 = moving ? NAME(vectors)(velocity, a) : zero;
   const WIDE b1 = NAME(vectors)(position, b + 1), vb1 = moving ? NAME(vectors)(velocity, b + 1) : zero;
@@ -91,7 +92,7 @@ TARGET static inline NB_FORM struct NAME(loaded) NAME(load)(const struct nb_mode
   return it;
 }
 
-/* Computes the W contacts from c on. Returns whether one began in the last step. */
+/* Computes the W contacts from c on. True if one of them began in the last step; false without ds. */
 TARGET static inline NB_FORM bool NAME(compute)(const struct nb_block *block, size_t c, struct NAME(loaded) it,
                                                 enum nb_approach approach, double dt) {
   const WIDE alpha = OF(loadu)(block->f[NB_RADIUS_SUM] + c) - it.distance, scale = 1 / it.distance;
@@ -120,7 +121,7 @@ TARGET static inline NB_FORM void NAME(nb_disc_disc)(const struct nb_model *mode
   bool began = false;
   struct NAME(loaded) one = NAME(load)(model, block, 0, approach, copies), other;
   size_t c = 0;
-  for (; c + 2 * W <= last; c += 2 * W) { /* two steps, so that registers need no copies */
+  for (; c + 2 * W <= last; c += 2 * W) { /* two steps of the loop at once, so that registers need no copies */
     other = NAME(load)(model, block, c + W, approach, copies);
     began |= NAME(compute)(block, c, one, approach, dt);
     one = NAME(load)(model, block, c + 2 * W, approach, copies);

@@ -1,8 +1,9 @@
 /* Geometry of a disc and a wall.                                     [CS79 figure 1, figure 4]
  *
- * The wall is the segment from P + h1 e_w to P + h2 e_w, moved by h0 to the left of e_w. The disc touches the wall's
- * nearest point Q, inside the segment or at an end. v_Q is the velocity of the wall at Q, averaged over the step
- * (core/walls.c). With D = |Q - x|:
+ * The wall is the segment from P + h1 e_w to P + h2 e_w, moved by h0 to the left of e_w, where P is the wall's point
+ * and e_w a unit vector along the wall; h0, h1 and h2 are lengths, m. The disc touches the wall's nearest point Q,
+ * inside the segment or at an end. v_Q is the velocity of the wall at Q, averaged over the step (core/walls.c). With D
+ * = |Q - x|:
  *
  *   e = (Q - x)/D,   alpha = R - D,   dn = (v - v_Q).e dt,   ds = ((v - v_Q).t - w R) dt        [CS79 12-15, R_y = 0]
  *

@@ -6,8 +6,8 @@
  *   R     sum of the radii, m             w R  sum of the products of angular velocity and radius, m/s; of a wall: 0
  *
  * disc_disc.c has the other symbols. Each kind of contact gathers its vectors in a loop of its own, so that this loop
- * with the square roots vectorises. Discs have the same arithmetic in disc_disc_wide.h, too; tests/kinematics.c compares
- * the bits.
+ * with the square roots vectorises. disc_disc_wide.h repeats the arithmetic for discs; tests/kinematics.c compares the
+ * bits.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #pragma once
@@ -20,6 +20,7 @@ struct relative_motion {
   double rotation[NB_BLOCK_SIZE];                              /* w R, m/s */
 };
 
+/* Computes the fields of `approach` from the vectors of a block. */
 static inline NB_FORM void nb_geometry(const struct nb_model *model, const struct nb_block *block,
                                        enum nb_approach approach, const struct relative_motion *relative) {
   double *overlap = block->f[NB_OVERLAP], *ex = block->f[NB_EX], *ey = block->f[NB_EY];

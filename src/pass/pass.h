@@ -5,14 +5,15 @@
 
 #include "core/model.h"
 
-/* A form of a pass: NAME(model, block) makes the call. It is compiled for all instruction sets. */
+/* Defines the pass NAME, which makes `call`, for all instruction sets. */
 #define NB_PASS_FORM(name, call)                                                                                       \
   static inline NB_FORM void name(const struct nb_model *model, const struct nb_block *block) { call; }                \
   NB_FORMS(name)
 
 /* What a geometry pass computes: the overlap; overlap and dn; overlap, dn and ds. */
 enum nb_approach { NB_APPROACH_OVERLAP, NB_APPROACH_NORMAL, NB_APPROACH_TANGENTIAL };
-/* What the dashpots of the stage depend on: nothing; k; k and sqrt(M* k); both, and whether the contact is deep. */
+/* The dashpots of the stage: none; coefficients from k; from k and sqrt(M* k); from both, and from whether the contact
+ * is deep. */
 enum nb_dashpot_kind { NB_DASHPOTS_NONE, NB_DASHPOTS_TIME, NB_DASHPOTS_RATIO, NB_DASHPOTS_DEEP };
 
 extern const struct nb_pass nb_pass_disc_disc[3], nb_pass_periodic[3], nb_pass_disc_wall[3]; /* by enum nb_approach */
@@ -26,4 +27,5 @@ extern const struct nb_pass nb_pass_resolve[2];     /* without and with shear */
 struct nb_dashpot {
   double time, ratio;
 };
+/* The coefficients for contacts of two particles, or for contacts with walls. */
 struct nb_dashpot nb_dashpot(const struct nb_model *model, bool wall);

@@ -1,4 +1,4 @@
-/* Geometry of a disc and an image of one, in a periodic cell.                            [CS79 8-15; R89 sec. 4.5.2]
+/* Geometry of a disc and an image of a disc, in a periodic cell.                         [CS79 8-15; R89 sec. 4.5.2]
  *
  *   y + H m - x   instead of y - x,      v_y + L H m   instead of v_y
  *
