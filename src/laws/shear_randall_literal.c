@@ -12,7 +12,7 @@
  *
  *   - Chapter 3 has positive forces only. Sliding is |T| > mu N, with the sign of T; the increment compared with
  *     ds_c + DD is ds CDF.
- *   - If T*, T and T** are 0, CDF is the sense of ds.
+ *   - CDF is the sign of T*, or the sign of T while T* is 0, or the sign of ds while both are 0.
  *   - Virgin loading resumes where |T| >= |T*|, by which THETA distinguishes it from reloading; T** is deleted where T
  *     CDF <= T** CDF.
  *   - If theta is the root of a negative number, the negative real root is used, and T is limited to mu N. The contact

@@ -95,6 +95,7 @@ static bool comes_before(const struct nb_model *model, int i, int j) {
   return cross != 0 ? cross > 0 : model->particles.number[i] < model->particles.number[j];
 }
 
+/* Adds a particle to the list of members, which is sorted counterclockwise. */
 static void add_member(struct nb_model *model, int slot) {
   struct nb_ring *ring = &model->boundary->ring;
   size_t k = ring->count++;

@@ -12,8 +12,8 @@
  * inside.
  *
  * `inside F` is the circle about the boundary's centre with F times the boundary's current mean radius. `all` is the
- * periodic cell, or the bounding box of all particles, whose sides are along the page's axes before `transform` rotates
- * the scene.
+ * periodic cell; without a cell it is the bounding box of all particles along the page's axes, which `transform`
+ * rotates with the scene.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "region.h"

@@ -20,6 +20,8 @@ struct nb_table_column {
 };
 #define NB_TABLE_COLUMN(name, unit, value) {name, unit},
 #define NB_VALUE(name, unit, value) value,
+/* Creates a table with these columns. False: out of memory. */
 bool nb_snapshot_table(struct nb_table *table, const struct nb_scene *scene, const struct nb_table_column columns[],
                        size_t count);
+/* Adds a row with these values. `stage`: stage of the snapshot. False: out of memory. */
 bool nb_snapshot_row(struct nb_table *table, const struct nb_model *model, int stage, const double values[]);

@@ -11,9 +11,9 @@
  *
  *   dt^2 k + 2 dt c <= L,      L = 2 (1 + keep)/impulse = 4 undamped and with [CS79 34-36]
  *
- * and the first z leaves the unit circle at z = -1, a motion that changes its sign in every cycle. So a dashpot acts
- * like an additional spring 2 c/dt. CS79's mass-proportional damping, which is centred in time, does not lower the
- * limit.
+ * If the left side exceeds L, a z leaves the unit circle at z = -1: a motion that changes its sign in every cycle. So a
+ * dashpot acts like an additional spring 2 c/dt. CS79's mass-proportional damping, which is centred in time, does not
+ * lower the limit.
  *
  * Centred dashpots (pass/dashpots.c) use the velocity 3/2 v_(N+1/2) - 1/2 v_(N-1/2). With C = impulse dt c and K =
  * impulse dt^2 k the equation becomes
@@ -34,7 +34,7 @@
  *
  *   dt = (2/omega) (sqrt(1 + xi^2) - xi),   xi = beta omega/2           for dashpots of beta k
  *
- * For other dashpots dt is the root of the same inequality with k + 2 c/dt in place of k, which has no closed form.
+ * For other dashpots dt is the largest step with dt^2 k + 2 dt c <= L in all contacts, which has no closed form.
  *
  * All listed pairs count, touching or not, so the bound holds until the next search, whichever contacts open or close.
  * Pairs that do not touch count as if they were just touching. When a stage begins, pairs that could collide later
