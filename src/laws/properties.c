@@ -25,6 +25,7 @@ static bool matches(const struct nb_pair_rule *rule, int a, int b) {
  * none (NaN). */
 static double given(double number, double otherwise) { return isnan(number) ? otherwise : number; }
 
+/* The contact parameters of two materials: those that a rule of the pair gives, the others from both materials. */
 static struct nb_pair pair_of(const struct nb_material *materials, const struct nb_pair_rule *rules, size_t rule_count,
                               int material_a, int material_b) {
   const struct nb_material *a = &materials[material_a], *b = &materials[material_b];

@@ -60,6 +60,8 @@ static const double merge_tolerance = 1e-7 / 1.5, small_fraction = 1e-2, least_f
  * contact slides anyway. */
 static const double max_friction_ratio = 1e150;
 
+/* The height, in u, that the triangle of a merge must not exceed. x: overlap at the end of the new piece; u1, u2: u at
+ * its two ends. */
 static inline double merge_limit(double x, double u1, double u2) {
   const double one = fabs(u1), other = fabs(u2), larger = (one > other ? one : other) / small_fraction;
   const double least = least_fraction * x;
@@ -238,7 +240,7 @@ static inline NB_FORM struct fetched shear_mindlin_deresiewicz_fetch(struct nb_p
                           corner_values(&at[k > 1 ? k - 2 : 0]), corner_values(&at[k > 2 ? k - 3 : 0])};
 }
 
-/* The corner `at` of piece k if it is kept; otherwise `inner`, the corner found farther inside. */
+/* The corner `at`, with the index k for the new piece, if the step keeps it; otherwise `inner`, a corner farther inside. */
 static inline struct base select_base(struct corner_values at, double k, double x, double u, struct base inner) {
   const bool here = reachable(at.x, at.u, x, u);
   return (struct base){.k = here ? k : inner.k,
@@ -267,6 +269,8 @@ static inline NB_FORM struct nb_shear shear_mindlin_deresiewicz_solve(struct nb_
   return (struct nb_shear){.force = force_of(p, n, piece->d, piece->b), .stiffness = 8 * p.shear * n.radius};
 }
 
+/* Makes the step of a contact in the general case, or without friction, in place of the second stage: sets the force
+ * and the sliding of `out`. Unless `dissipated` is NULL, adds the energy lost to it. */
 static NB_COLD void advance_general(struct nb_pair p, struct nb_normal n, double ds, double m[], struct nb_shear *out,
                                     double *dissipated) {
   struct corner *at = (struct corner *)(m + HEAD);

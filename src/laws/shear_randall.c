@@ -65,6 +65,7 @@ static inline void reverse(struct history *h) {
   h->deficit = 0;
 }
 
+/* The slip factor of the current branch; stuck_fraction explains `rise` and `limit`. */
 static inline double theta(const struct history *h, double rise, double limit) {
   const double fraction = h->branch == LOADING ? stuck_fraction(along_virgin(h, h->t), 1, rise, limit) /* 3.95 */
                           : h->branch == UNLOADING

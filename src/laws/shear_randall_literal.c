@@ -47,6 +47,7 @@ static inline enum the1 the1_of(const struct history *h, bool back, double along
   return h->t_star2 != 0 && flip_if(back, h->t) > flip_if(back, h->t_star2) ? RELOADING : UNLOADING;
 }
 
+/* The slip factor; `back`: CDF is -1; stuck_fraction explains `rise` and `limit`. */
 static inline double theta(const struct history *h, enum the1 the1, bool back, double rise, double limit) {
   switch (the1) {
   case VIRGIN:

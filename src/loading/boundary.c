@@ -19,10 +19,10 @@
  *
  *   A = sum (x_i y_(i+1) - x_(i+1) y_i)/2
  *
- * m2. Each particle represents half of the two sides that meet in its centre: with the outward normal n and the length
- * l, m, n l is (x_(i+1) - x_(i-1))/2 rotated clockwise. A stress s on the boundary, Pa, compression positive, causes
- * the force F = -s n l h on each particle, N, where h is the thickness, m. The sum of these forces is 0, and sum F_i (x
- * - x_0)_j = -s_ij A h. measure/boundary.c computes the area and the stress.
+ * m2. Each particle represents half of each of the two sides that meet in its centre: with the outward normal n and the
+ * length l, m, n l is (x_(i+1) - x_(i-1))/2 rotated clockwise. A stress s on the boundary, Pa, compression positive,
+ * causes the force F = -s n l h on each particle, N, where h is the thickness, m. The sum of these forces is 0, and sum
+ * F_i (x - x_0)_j = -s_ij A h. measure/boundary.c computes the area and the stress.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>

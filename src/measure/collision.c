@@ -94,6 +94,7 @@ static double effective_young(const struct nb_model *model, int a, int b) {
   return nb_properties_pair(&model->properties, a, b).young;
 }
 
+/* Tries the collisions of particle i with all other particles; `velocity`: the velocities of all particles. */
 static void try_particles(struct nb_collision *shortest, const struct nb_model *model, const struct nb_vec *velocity,
                           size_t i) {
   const struct nb_particles *particles = &model->particles;

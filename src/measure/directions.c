@@ -11,8 +11,8 @@
  *   sin Phi = 1/2 |a + a_n + a_t| / (1 + 1/2 a.a_n)
  *
  * where each coefficient is a vector in Mohr's plane: a has the length a and the direction 2 theta_a, and a_n and a_t
- * have 2 theta_n and 2 theta_t. The relation neglects higher harmonics, and any correlation of the forces with the
- * length of the branch.
+ * have the directions 2 theta_n and 2 theta_t. The relation neglects higher harmonics, and any correlation of the
+ * forces with the length of the branch.
  *
  * The coefficients are Fourier integrals, computed as sums over the M contact ends on particles inside. N and T are
  * means over the directions, not over the ends, so each end counts with the weight w = 1/(1 + a cos 2(theta -

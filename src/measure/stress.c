@@ -23,7 +23,7 @@
  *   l_i    vector l e_i from the particle's centre to the contact, m; l its length, m
  *   d      vector from the centre of the contact's first particle to that of the second, only its part inside, m
  *   V      area of the region times thickness, m3
- *   <N>    mean over the contact ends on particles inside, N
+ *   <N>    mean of N over the contact ends on particles inside, in newtons
  *
  * Fraction of a part: its deviator in the principal directions of the total stress, over the total deviator. Fractions
  * of parts that add up to the total add up to 1. sin Phi = (sigma_1 - sigma_2)/(sigma_1 + sigma_2).

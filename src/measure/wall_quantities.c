@@ -15,6 +15,7 @@ struct sums {
   double obliquity;
 };
 
+/* Sums over the contacts of a wall. `loads`: the obliquity, too. */
 static struct sums sums(const struct nb_model *model, const struct nb_monitor *monitor, bool loads) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_walls *walls = &model->walls;

@@ -182,6 +182,7 @@ static inline NB_FORM double slip_rate(const struct nb_block *block, const struc
   return displacement * rate + (vec_dot(changes->approach[c], vec_clockwise(e)) - changes->rotation[c]);
 }
 
+/* Adds the forces of the shear dashpots. `rate`: 1/dt. `changes` is NULL unless the dashpots are centred. */
 static inline NB_FORM void add_tangential(const struct dashpots *spec, const struct nb_block *block, double rate,
                                           const struct changes *changes) {
   const double *shear = block->f[NB_SHEAR], *shear_stiffness = block->f[NB_SHEAR_STIFFNESS];
