@@ -240,7 +240,8 @@ static inline NB_FORM struct fetched shear_mindlin_deresiewicz_fetch(struct nb_p
                           corner_values(&at[k > 1 ? k - 2 : 0]), corner_values(&at[k > 2 ? k - 3 : 0])};
 }
 
-/* The corner `at`, with the index k for the new piece, if the step keeps it; otherwise `inner`, a corner farther inside. */
+/* The corner `at`, with the index k for the new piece, if the step keeps it; otherwise `inner`, a corner farther
+ * inside. */
 static inline struct base select_base(struct corner_values at, double k, double x, double u, struct base inner) {
   const bool here = reachable(at.x, at.u, x, u);
   return (struct base){.k = here ? k : inner.k,
