@@ -2,8 +2,8 @@
  * definition.
  *
  * work      K_(N-1/2) - K_0 = sum over kicks of the work of all forces; K is the kinetic energy, J. The impulse
- *           J = F tau of the forces F, N, over the duration tau of a kick, s, and the impulse J_d of mass-proportional
- *           damping change a particle's velocity from v- to v+, and its energy by (J + J_d).(v- + v+)/2. This holds for
+ *           P = F tau of the forces F, N, over the duration tau of a kick, s, and the impulse P_d of mass-proportional
+ *           damping change a particle's velocity from v- to v+, and its energy by (P + P_d).(v- + v+)/2. This holds for
  *           any step, including the half kick at the start (tau = dt/2, v- = v_0); the residual is only rounding.
  *
  * energy    residual = K + U - (K + U)_0 + frictional + damped + removed - walls - gravity - imposed - changed, at t_N,
@@ -13,7 +13,8 @@
  *
  *             damped      D_n dn + D_s ds  of dashpots; C v.v tau of mass-proportional damping, C = alpha m; over kicks
  *                                                                                                     [CS79 26-36]
- *             walls       F.V tau  of walls and of fixed particles that move with the velocity V, over kicks
+ *             walls       F.V tau  of walls and fixed particles that move with the velocity V and exert the force F
+ *                                  on particles, over kicks
  *             gravity     m g.(v + c) tau  over kicks
  *             imposed     work of the imposed motion; force of a boundary stress times v tau, over kicks
  *             frictional  F_s (ds - dF_s/k_s)  of contacts that slide, or open with a loaded shear spring, over steps;
