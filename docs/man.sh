@@ -35,7 +35,7 @@ TEXT
 
 ## Pages from others
 
-A page's `gnuplot` block is a program. `figure` and `report` run it confined, by Landlock or by bubblewrap: it can read fonts, libraries and the installed recipes only, write the figure only, and start no other program. If neither is available, no figure is drawn unless `--trust` is given. Besides this, a page can only name files to be read (`packing`, `start`, `follow`).
+A page's `gnuplot` block is a program. `figure` and `report` run it confined, by Landlock or by bubblewrap: it can read fonts, libraries and the installed recipes only, and write the figure only. It has no shell. Under Landlock it can start no other program; under bubblewrap it can start only programs in the folders of libraries. If neither is available, no figure is drawn unless `--trust` is given. Besides this, a page can only name files to be read (`packing`, `start`, `follow`).
 
 ## Environment
 

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Runs `nineball check --rounding parts` on every short case, assemblies without the parts, and writes docs/ROUNDING.md. Every number of that document comes from here.
+# Runs `nineball check --rounding parts` on every short case, and writes docs/ROUNDING.md. The parts of assemblies are
+# left out. Every number of that document comes from here.
 #
 #   docs/rounding.sh -o FILE PAGE…
 #

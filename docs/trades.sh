@@ -131,7 +131,8 @@ awk -F '\t' -v OFS='\t' '
 
 # The quantile ($2) of the numbers of standard input, as $1 prints it.
 quantile() { sort -g | awk -v format="$1" -v q="$2" '{ v[NR] = $1 } END { if (NR == 0) print "–"; else printf format "\n", v[int(q*(NR - 1) + 1.5)] }'; }
-# The rows of single conditions; those of them whose error depends on the setting, for the lessons; how many satisfy a condition of awk.
+# swept prints the rows of single conditions, and lessons prints those of them whose error depends on the setting. count
+# CONDITION prints how many of the latter satisfy a condition of awk.
 swept() { awk -F '\t' '$5 != "-"' "$work/rows"; }
 lessons() { swept | awk -F '\t' '{ row[NR] = $0; key[NR] = $1 $6; if ($8 == "yes" && $13 < 1e-9) exact[$1 $6] = 1 } END { for (k = 1; k <= NR; k++) if (!(key[k] in exact)) print row[k] }'; }
 count() { lessons | awk -F '\t' "$1"' { n++ } END { print n + 0 }'; }
@@ -144,11 +145,11 @@ cost_ratios() {
     END { for (k in second) if (k in first) print second[k]/first[k] }'
 }
 
-# Those quotients that are not 1.
+# Those ratios of standard input that differ from 1 by more than 5 %.
 decided() { awk '$1 > 1.05 || $1 < 0.95'; }
 
-# The order of each quantity at its smallest tolerance: KIND, order, and 1 if a velocity of half a step before or an increment enters the forces:
-# dashpots, and laws that add increments of the force.
+# The order of each quantity at its smallest tolerance: KIND, order, and 1 if the forces depend on a velocity of half a
+# step before, as with dashpots, or on increments, as with laws that add increments of the force.
 orders() {
   lessons | awk -F '\t' '
     $8 == "yes" && $17 != "-" { order[$1 "\t" $6] = $17; kind[$1 "\t" $6] = $5; late[$1 "\t" $6] = $18 $19 ~ /increment|randall/; page[$1 "\t" $6] = $1 }
@@ -161,7 +162,8 @@ orders() {
     }'
 }
 
-# Which other law would do, on the quantities of the pages with the exact law: LAW, TOLERANCE, 1 or 0, quantity, page.
+# Whether another law is enough, for the quantities of the pages with the exact law: LAW, TOLERANCE, 1 or 0, quantity,
+# page.
 other_laws() {
   lessons | awk -F '\t' '
     $8 == "yes" && $19 == "mindlin_deresiewicz" {
@@ -171,7 +173,8 @@ other_laws() {
 
 # ---- the document ----
 
-# Prints rows of the list of results as a table: page or not ($1: 1 or 0). Pages and quantities are not repeated.
+# Prints rows of the list of results as a table, with a column for the page if $1 is 1. Pages and quantities are not
+# repeated.
 table() {
   awk -F '\t' -v pages="$1" '
     function short(x) { return sprintf(x < 100 ? "%.2g" : "%.0f", x) }

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Tests the confinement of gnuplot: whatever the gnuplot block of a page says, `figure` reads no file of the user,
-# writes only the figure, and runs no other program. Every attack is run unconfined first, which shows that it would
+# writes only the figure, and runs no command. Every attack is run unconfined first, which shows that it would
 # have an effect. TAP. $NINEBALL is the program, $srcdir the top of the source tree. With NINEBALL_CONFINE_REQUIRED set
 # (as in .ci/run) it fails if this machine cannot confine gnuplot.
 #

@@ -58,7 +58,8 @@ try() {
   return $tried
 }
 
-# each MARK COMMAND ...: every allocation fails; MARK is empty, or + for all later ones too.
+# each MARK COMMAND ...: every allocation fails, in one run after the other. With MARK + all later allocations of the
+# run fail, too; else MARK is empty.
 each() {
   mark=$1
   shift

@@ -1,5 +1,6 @@
-# Prints the messages in a C file: the string constants, adjacent ones joined, of statements that call one of the functions below, or
-# that have the word `speaks`. One per line: LINE TAB TEXT. Escapes that are visible in a message are undone.
+# Prints the messages in a C file: the string constants, adjacent ones joined, of statements that call one of the
+# functions below, or that contain the word in the variable `speaks`. Each message is one line: LINE TAB TEXT. Escapes
+# that are visible in a message are undone.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 function statement_ends() {

@@ -1,5 +1,5 @@
-/* Particles that a stage removes: the energy that is removed with them, the effect on other particles, and that no
- * measure counts removed particles.
+/* Particles that a stage removes. Their energy counts as removed, the other particles do not change, and no measure
+ * counts removed particles.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -14,8 +14,8 @@
 
 #define CLOSE(value, wanted, of) CU_ASSERT_DOUBLE_EQUAL(value, wanted, 1e-14 * (of))
 
-/* Six discs that are compressed and sheared, and a fixed disc that moves. Then two of the six are removed, which
- * touch each other. */
+/* Six discs that are compressed and sheared, and a fixed disc that moves. Then two of the six, which touch each other,
+ * are removed. */
 #define BUSY                                                                                                           \
   "units none\nmaterial m density 3 kn 4000 ks 2500 friction 0.3 cohesion 0.1\nshear linear\nbox 0 0 to 6 4 m\n"       \
   "lattice discs 3 by 2 m radius 0.98 spacing 1.95 from 1 1\ndisc 6.84 1.1 radius 0.9 m fixed velocity -0.1 0 spin "   \
@@ -49,8 +49,9 @@ static const char *const dampings[] = {"",
                                        "damping con1 0.98 as velocity\n",
                                        "damping con1 0.97 as all\n"};
 
-/* A servo whose target ramps begins from the stress of the region without the removed particles: F of the two remaining
- * discs, over the area of the box around them. Measures that the last row has recorded are computed again. */
+/* A servo whose target ramps begins from the stress of the region without the removed particles: here the contact force
+ * of the two remaining discs, times the distance of their centres, over the area of the box around them. The area of
+ * the region was recorded in the last row, and is computed again. */
 static void a_servo_begins_without_the_removed(void) {
   static const char text[] =
       "units none\nmaterial m density 3 kn 1000\ndisc 0 0 radius 1 m fixed\ndisc 1.9 0 radius 1 m\n"
@@ -98,7 +99,8 @@ static void a_removed_particle_ends_its_imposed_motion(void) {
   written_free(&it);
 }
 
-/* Values before the stage and just after it has begun: only those of removed particles change. */
+/* Compares values before the stage with values just after it has begun. Those of the removed particles become 0, and
+ * their energy counts as removed. All others stay the same. */
 static void at_the_moment(void) {
   for (size_t n = 0; n < sizeof dampings / sizeof *dampings; n++) {
     struct words page = {0};
@@ -136,8 +138,8 @@ static void at_the_moment(void) {
   }
 }
 
-/* A particle removed at time 0 has no effect: the run gives the same bits as one without the particle. The test uses 7
- * particles, and 37, which the search sorts into boxes. */
+/* A particle removed at time 0 has no effect: the run gives the same bits as one without the particle. The test runs a
+ * scene of 7 particles, and one of 37, so many that the search sorts them into boxes. */
 static void removed_at_time_0(void) {
   for (int many = 0; many < 2; many++) {
     double seen[2][4];
@@ -190,8 +192,8 @@ static void spins_do_not_change(void) {
   }
 }
 
-/* When one of two touching discs with different radii is removed, the spin of the other at t_0 does not change: the
- * moment on each has its own lever arm. */
+/* When one of two touching discs is removed, the spin of the other at this time does not change. The two discs have
+ * different radii, so the moment on each must be computed with its own lever arm. */
 static void different_radii(void) {
   for (int first = 0; first < 2; first++) {
     struct words page = {0};
@@ -216,7 +218,7 @@ static void different_radii(void) {
 }
 
 /* No measure of a region counts a removed disc, wherever it was: the values are those of the scene without this disc.
- * The disc was inside the circle and the box, or it would widen the region `all`. */
+ * The first disc is inside the circle and the box; each of the other two would enlarge the region `all`. */
 static void regions_without_removed_particles(void) {
   static const char *const measures[] = {
       "area",      "porosity",       "porosity.volume",         "void_ratio", "particles",
@@ -257,7 +259,8 @@ static void regions_without_removed_particles(void) {
   }
 }
 
-/* A disc passes through the places of two removed discs, one of which was fixed. Snapshots do not show them. */
+/* A disc passes through the places of two removed discs, one of which was fixed. Snapshots do not show the removed
+ * discs. */
 static void places_of_removed_particles_are_free(void) {
   struct words page = {0};
   struct written it;
@@ -281,7 +284,7 @@ static void places_of_removed_particles_are_free(void) {
   written_free(&it);
 }
 
-/* A step relative to a limit counts the remaining particles only. */
+/* A step relative to a limit depends only on the remaining particles. */
 static void steps_count_remaining_particles(void) {
   struct words page = {0};
   struct written it;

@@ -1,5 +1,6 @@
-/* Paths that need more pieces than the exact law has: the error of T over mu N, compared with a list of all rings
- * (by_hand.h). Random steps, sines, and decaying oscillations followed by large slip.
+/* Loading paths that need more pieces of memory than the exact shear law (shear_mindlin_deresiewicz.c) has. The tests
+ * compare T/(mu N) with a second implementation that keeps all rings (by_hand.h). The paths are random steps, sines,
+ * and decaying oscillations followed by large slip.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -8,7 +9,8 @@
 #include "contact.h"
 #include "suites.h"
 
-/* mu kappa = 1/4 with R* = 1 m and E* = 4 G*: u = slip/(mu kappa) is four times the slip; x is the overlap. */
+/* kappa = E* / (4 G*) = 1, so mu kappa = 1/4, and u = slip/(mu kappa) is four times the slip. R* is 1 m, and x is the
+ * overlap. */
 static const struct nb_pair plain = {.friction = 0.25, .young = 4e9, .shear = 1e9, .radius = 1};
 
 static struct by_hand hand_of_all;
@@ -32,7 +34,7 @@ static void go(struct off *off, struct contact *it, double x, double u) {
   off->worst = e > off->worst ? e : off->worst, off->square += e * e, off->count++;
 }
 
-/* Random overlap and slip in every step, N within a factor of 8. */
+/* Random overlap and slip in every step; the normal force stays within a factor of 8. */
 static struct off rough(double pieces) {
   struct off off = {0};
   struct chance chance = chance_begin(6);
@@ -47,7 +49,7 @@ static struct off rough(double pieces) {
   return off;
 }
 
-/* Sines: every step in which the overlap grows adds a ring. */
+/* Overlap and slip are sines. Every step in which the overlap grows adds a ring. */
 static struct off smooth(double pieces) {
   struct off off = {0};
   struct chance chance = chance_begin(7);
@@ -82,17 +84,19 @@ static void pieces_of_memory(void) {
 
 enum shrinks { EVENLY, BY_A_FACTOR, BY_CHANCE };
 
-/* Slip oscillates at constant overlap with an amplitude that decreases at every reversal, for `rotates` reversals or
- * until it is below 1e-6. Then the contact slips in one direction until it slides, and back. */
-static void slip_decays(struct off *off, double pieces, enum shrinks shrinks, double rotates, double factor, int way) {
+/* The slip oscillates at constant overlap. Its amplitude decreases at every reversal. The oscillation ends after
+ * `reversals` reversals, or when the amplitude is below 1e-6. Then the contact slips in the direction `way`, 1 or -1,
+ * until it slides, and back. */
+static void slip_decays(struct off *off, double pieces, enum shrinks shrinks, double reversals, double factor,
+                        int way) {
   struct contact it = begin(pieces);
   struct chance chance = chance_begin(13);
   double at = 0, size = 0.98;
   go(off, &it, 1, 0);
-  for (double k = 0; k < rotates && size > 1e-6; k++) {
+  for (double k = 0; k < reversals && size > 1e-6; k++) {
     const double to = (int)k % 2 ? -size : size;
     go(off, &it, 1, to - at), at = to;
-    size = shrinks == EVENLY ? 0.98 * (1 - (k + 1) / rotates)
+    size = shrinks == EVENLY ? 0.98 * (1 - (k + 1) / reversals)
                              : size * (shrinks == BY_CHANCE ? chance_between(&chance, 2 * factor - 1, 1) : factor);
   }
   for (int k = 0; k < 50; k++)
@@ -101,8 +105,8 @@ static void slip_decays(struct off *off, double pieces, enum shrinks shrinks, do
     go(off, &it, 1, -way / 25.0);
 }
 
-/* Overlap and slip are decaying oscillations of two frequencies, with 30 periods of slip of 20 steps each. Then slip
- * in one direction and back, as above. */
+/* Overlap and slip are decaying oscillations. The slip has 30 periods of 20 steps each, and the overlap has `frequency`
+ * times the frequency of the slip. Then the contact slips in one direction and back, as above. */
 static void both_decay(struct off *off, double pieces, double decay, double frequency) {
   struct contact it = begin(pieces);
   double x = 0, u = 0;
@@ -117,9 +121,10 @@ static void both_decay(struct off *off, double pieces, double decay, double freq
     go(off, &it, x, -2.2 * x / 60);
 }
 
-/* The errors must be those that the law's file and docs/CONTACT.md state. If rings of the width w are merged in pairs,
- * the error of u has the area w^2 and T has the error (3/4) w^2, or half of this if the error is distributed. An error
- * of 1e-4 requires w < 1/61, so no rule for merges reaches it with fewer pieces. */
+/* No error may be larger than the law's file and docs/CONTACT.md state. The limit of 1e-4 for 64 pieces is close to the
+ * smallest possible one. If rings of the width w are merged in pairs, the area between the old and the new u(x) is up
+ * to w^2, and the error of T/(mu N) is (3/4) w^2. It is half of this if a neighbouring ring takes half of the error. So
+ * an error of 1e-4 requires w < 1/61, and no rule for merges reaches it with fewer than 61 pieces. */
 static void oscillations_then_sliding(void) {
   static const struct {
     double pieces, evenly, others;
@@ -127,8 +132,8 @@ static void oscillations_then_sliding(void) {
   for (size_t k = 0; k < sizeof wanted / sizeof *wanted; k++) {
     struct off evenly = {0}, others = {0};
     for (int way = -1; way < 2; way += 2) {
-      for (double rotates = 40; rotates < 1000; rotates *= 1.65)
-        slip_decays(&evenly, wanted[k].pieces, EVENLY, floor(rotates), 0, way);
+      for (double reversals = 40; reversals < 1000; reversals *= 1.65)
+        slip_decays(&evenly, wanted[k].pieces, EVENLY, floor(reversals), 0, way);
       for (double less = 0.1; less > 0.005; less /= 1.6) {
         slip_decays(&others, wanted[k].pieces, BY_A_FACTOR, 400, 1 - less, way);
         slip_decays(&others, wanted[k].pieces, BY_CHANCE, 400, 1 - less, way);

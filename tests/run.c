@@ -32,8 +32,8 @@ static void rows_are_recorded_as_requested(void) {
                          "step 0.5\nallow unstable\ncycles 2\nstage d\nstep 0.25\nrecord every 4 cycles\ncycles 7\n");
   written_scene(&it, &page);
   written_run(&result, &it, NULL);
-  /* Stage a: the start, every fourth cycle and the last one; b: none; c: both; d: every fourth cycle from its
-   * beginning, and the last one. */
+  /* Stage a: the start, every fourth cycle and the last one; b: none; c: both cycles; d: every fourth cycle, counted
+   * from the beginning of the stage, and the last one. */
   static const double cycle[] = {0, 4, 8, 10, 14, 15, 19, 22};
   static const double time[] = {0, 1, 2, 2.5, 3.75, 4.25, 5.25, 6};
   static const int stage[] = {0, 0, 0, 0, 2, 2, 3, 3};
@@ -81,8 +81,8 @@ static void walls_keep_their_velocity(void) {
   written_free(&it);
 }
 
-/* The time since the start and the time of the stage, which can end the stage: a stage of 1 s has four steps of 0.25 s,
- * or two of 0.5 s. */
+/* Each row has the time since the start and the time since the beginning of the stage. The latter can end a stage:
+ * stage a goes above 1 with the fifth step of 0.25, and stage b goes above 0.75 with the second step of 0.5. */
 static void time_of_a_stage(void) {
   struct words page = {0};
   struct written it;
@@ -115,7 +115,7 @@ static void a_stage_ends_when_all_conditions_hold(void) {
   written_free(&it);
 }
 
-/* Runs a scene that must be aborted, and returns the error. */
+/* Runs a scene that must be aborted, and returns the error. *rows is the number of recorded rows. */
 static struct nb_error broken(const char *statements, size_t *rows) {
   struct words page = {0};
   struct written it;
@@ -147,7 +147,7 @@ static void a_stage_that_never_ends(void) {
   CU_ASSERT_EQUAL(rows, 9); /* rows recorded until then are kept */
 }
 
-/* An infinite acceleration, and a very large speed. */
+/* One scene has an infinite acceleration, the other one a very large velocity. */
 static void a_position_that_is_nan_or_infinite(void) {
   size_t rows;
   struct nb_error error =
@@ -183,7 +183,8 @@ static void a_snapshot_has_the_touching_contacts(void) {
     const double *values = contacts->values + r * contacts->column_count;
     const bool floor = values[2] == 1;
     CU_ASSERT(values[0] == 1 && values[1] == (floor ? 0 : 2));
-    /* Half-way between the surfaces: 0 and -0.1 on the floor, 1.9 and 1.7 between the discs. */
+    /* The contact is half-way between the two surfaces. They are at y = 0 and -0.1 on the floor, at 1.9 and 1.7 between
+     * the discs. */
     CU_ASSERT_DOUBLE_EQUAL(values[3], 0, 1e-6);
     CU_ASSERT_DOUBLE_EQUAL(values[4], floor ? -0.05 : 1.8, 1e-6);
     CU_ASSERT_DOUBLE_EQUAL(values[10], floor ? 10 : 20, 1e-6);  /* normal */
@@ -193,8 +194,8 @@ static void a_snapshot_has_the_touching_contacts(void) {
   written_free(&it);
 }
 
-/* A stage whose conditions do not hold in time has a snapshot of its last cycle. A stage that is aborted has none,
- * even in its last cycle. */
+/* A stage that reaches its largest number of cycles before its conditions hold has a snapshot of its last cycle. A
+ * stage in which a particle moves too far has none, even if this happens in the last cycle. */
 static void an_aborted_stage_has_no_snapshot(void) {
   for (int broken = 0; broken < 2; broken++) {
     struct words page = {0};
@@ -215,7 +216,7 @@ static void an_aborted_stage_has_no_snapshot(void) {
   }
 }
 
-/* The conditions hold from cycle 10 on. They are checked every N cycles, and in the last allowed cycle. */
+/* The condition holds from cycle 10 on. It is checked every N cycles, and in the last allowed cycle. */
 static void conditions_checked_every_n_cycles(void) {
   static const struct {
     const char *every;
@@ -270,8 +271,8 @@ static void packings_change_the_hash(void) {
   unlink(path);
 }
 
-/* Stages made by `repeat` equal stages that are written out: laws, steps and damping continue from one to the next,
- * and successive stages have different hashes. */
+/* Stages that `repeat` makes are the same as stages that are written in full: laws, steps and damping continue from one
+ * to the next. Successive stages have different hashes. */
 static void repeated_stages(void) {
   static const char *const head =
       "units none\nmaterial m density 1 kn 1e3 ks 1e3 friction 0.3\nnormal linear\nshear linear\n"
@@ -323,8 +324,8 @@ static void repeated_stages_with_long_names(void) {
   written_free(&it);
 }
 
-/* A state belongs to the statements and to the settings that replace statements. So each of these settings gives the
- * stages other hashes than those of the page, and of the page with any other such setting. */
+/* A saved state is valid for certain statements, and for the settings that replace statements. So each of these
+ * settings has a hash of its own, which is also different from the hash without settings. */
 static void settings_change_the_hash(void) {
   static const char *const settings[] = {"",           "normal=hertz", "shear=none", "step=2e-3", "damping=centred",
                                          "refine=0.5", "refine=2",     "soften=10",  "soften=100"};
@@ -336,7 +337,8 @@ static void settings_change_the_hash(void) {
     for (int other = 0; other < k; other++)
       CU_ASSERT(hash[k] != hash[other]);
   }
-  static const char *const value[] = {"speed=2", NULL}; /* the statements that use the value change the hash */
+  /* The value of a `let` has no hash of its own, because the statements that use it have other hashes. */
+  static const char *const value[] = {"speed=2", NULL};
   CU_ASSERT(nb_hash_settings(value) == hash[0]);
 }
 
@@ -349,8 +351,8 @@ static void count_call(void *data, int part) {
   counted->calls[part]++;
 }
 
-/* A team does each part once, in each of many rounds: with more, fewer or as many parts as threads, and without a team.
- * The pauses let the members fall asleep between two rounds. A team of the right size is kept. */
+/* Each part of a round is done once, with more, fewer or as many parts as the team has threads, and without a team. The
+ * pauses let the threads fall asleep between two rounds. nb_team_sized keeps a team that has the right size. */
 static void parts_of_a_team(void) {
   struct nb_team *team = NULL;
   for (int threads = 2; threads <= 4; threads++) {
@@ -372,8 +374,9 @@ static void parts_of_a_team(void) {
   nb_team_free(NULL);
 }
 
-/* The number of threads is that of the options, at most NB_THREADS; 0 stands for OpenMP's default, and without options
- * it is 1. The instruction set is the widest one, or the one that the options name, if this machine has it. */
+/* The number of threads is that of the options, but at most NB_THREADS. 0 stands for OpenMP's default. Without options
+ * there is one thread. The options can name an instruction set that this machine has; otherwise it is the widest
+ * one. */
 static void threads_and_instruction_set(void) {
   static const struct {
     int given, chosen;

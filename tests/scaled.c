@@ -1,12 +1,12 @@
-/* Every page with lengths, masses and times scaled by 2^l, 2^m and 2^t. Powers of two change no digit of a product, a
- * sum, a quotient or a root, so every result must scale with its unit, to the bit. Exponents are multiples of 6, so
- * this holds for square and cube roots too.
+/* Every page is run again with lengths, masses and times scaled by 2^l, 2^m and 2^t. Powers of two change no digit of a
+ * product, a sum, a quotient or a root, so every result must scale with its unit, to the bit. The exponents are
+ * multiples of 6, so this is true of square and cube roots, too.
  *
  * The second run also stores particles in another order and uses no vector instructions, which changes no bit either.
  *
- * A disc is 1 m thick at any scale: its density is a mass per area and its stress a force per length. In a scene
- * with discs that also has a Young's modulus or spheres, only masses and times are scaled. The same holds where the
- * duration of an impact is needed, which contains a fifth root.
+ * A disc is 1 m thick at any scale: its density scales like a mass per area, and its stress like a force per length.
+ * Only masses and times are scaled in a scene with discs that also has a Young's modulus or spheres, and in a scene
+ * that needs the duration of an impact, which contains a fifth root.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -19,8 +19,8 @@
 #include "every_page.h"
 #include "suites.h"
 
-/* Powers of length, mass and time, and of the thickness of a disc, 1 m, if the thickness takes the place of a
- * length. */
+/* The unit of a quantity as powers of length, mass and time. In a scene with discs `thick` is added to the power of
+ * length, because the thickness, 1 m at any scale, takes the place of a length. */
 struct power {
   int l, m, t, thick;
 };
@@ -40,7 +40,7 @@ static const struct {
 static struct {
   int l, m, t;
   bool discs;
-} by; /* for the present scene */
+} by; /* exponents of the factors 2^l, 2^m, 2^t of the present scene; whether it has discs */
 
 static double times(double value, struct power p) {
   return ldexp(value, by.l * (p.l + (by.discs ? p.thick : 0)) + by.m * p.m + by.t * p.t);
@@ -164,8 +164,7 @@ static void scale_stage(struct nb_stage *stage) {
   scale_step(&stage->step), scale_damping(&stage->damping), scale_segment(&stage->segment);
 }
 
-/* True if the scene needs the duration of an impact. The overlap in an impact is a power 0.4, which does not scale
- * exactly. */
+/* True if the scene needs the duration of an impact. It contains a power 0.4, which does not scale exactly. */
 static bool requests_duration(const struct nb_scene *scene) {
   bool asks = scene->impact.line || scene->step.kind == NB_STEP_COLLISION;
   for (size_t s = 0; s < scene->stage_count; s++)
@@ -221,7 +220,7 @@ static bool snapshots_scale(const struct nb_snapshot *small, const struct nb_sna
   return held;
 }
 
-static bool met[1024]; /* quantities that some page has */
+static bool met[1024]; /* met[k]: some page records the quantity of row k */
 
 static void note_quantities(const struct nb_scene *scene) {
   struct nb_quantity_row row;
@@ -280,7 +279,7 @@ static void every_page_in_other_units(void) {
   for (size_t k = 0; nb_quantity_row(&row, k); k++) {
     CU_ASSERT_FATAL(k < sizeof met);
     if (!met[k])
-      printf("# no page can have the quantity %s\n", row.name);
+      printf("# no page records the quantity %s\n", row.name);
     CU_ASSERT(met[k]);
   }
 }

@@ -28,8 +28,9 @@ static double pressure(double radius) {
   return force > 0 ? 3 * force * radius / area : 0;
 }
 
-/* The strain of one cycle. *gathered: Z times the step (docs/METHOD.md), summed over the earlier measurements, each of
- * which counts for `every` cycles; NAN at first. */
+/* Returns the strain of one cycle. `wanted` is the target of the stress, `most` the largest strain of a cycle, and
+ * `every` the number of cycles between two measurements. *gathered is the integral part Z of the strain rate
+ * (docs/METHOD.md) times the step; NAN before the first measurement. */
 static double strain(double radius, double wanted, double most, int every, double *gathered) {
   const double pi = 3.14159265358979323846, mass = 7 * 2 * pi, area = 1.5 * sqrt(3) * radius * radius, dt = 0.0125;
   const double stiffness = radius < 2 ? 1.5 * 1000 * radius * radius / area : 0;
@@ -52,8 +53,8 @@ static void run(struct nb_result *result, const char *stage) {
 }
 
 /* The error is the largest difference of a controlled component from its target, over the largest target. The stress of
- * the ring, with the radius R, is isotropic. Components that are not controlled do not count. If all targets are 0, the
- * error is 0. The springs do not carry tension, so with a target in tension the error is the whole target. */
+ * the ring is isotropic. Components that are not controlled do not count. If all targets are 0, the error is 0. The
+ * springs do not carry tension. So with a target in tension the stress stays 0, and the error is 1. */
 static void the_error_is_relative(void) {
   static const struct {
     const char *servo;
@@ -108,7 +109,7 @@ static void stress_follows_the_recursion(void) {
   nb_result_free(&result);
 }
 
-/* The target goes linearly from the stress at the beginning of the stage to the final value. */
+/* The target changes linearly from the stress at the beginning of the stage to the final value. */
 static void a_ramp_is_followed(void) {
   struct nb_result result;
   run(&result,
@@ -127,7 +128,7 @@ static void a_ramp_is_followed(void) {
 }
 
 /* Under a steady dilatation no offset of the stress remains, and the error has the two decay rates of the theory. The
- * proportional part alone would leave the offset B T e_v, with the dilatation rate e_v. */
+ * proportional part alone would leave the offset B T d, with the dilatation rate d. */
 static void no_offset_under_a_dilatation(void) {
   struct nb_result result;
   run(&result,
@@ -137,7 +138,8 @@ static void no_offset_under_a_dilatation(void) {
   const double *row = result.table.values + 8000 * result.table.column_count, radius = row[0];
   const double pi = 3.14159265358979323846, dt = 0.0125, area = 1.5 * sqrt(3) * radius * radius;
   const double b = 1500 * radius * radius / area, t = 2 * radius * sqrt(14 * pi / (area * b)), d = 4e-6 / dt;
-  /* e' = -(e/T + y) - B d, y' = e/(16 T^2): e = -B d (exp(-s t) - exp(-f t))/(f - s), decay rates s and f */
+  /* With the error e of the stress and the integral part y, e' = -(e/T + y) - B d and y' = e/(16 T^2). So
+   * e = -B d (exp(-s t) - exp(-f t))/(f - s), with the decay rates s and f. */
   const double slow = (1 - sqrt(0.75)) / 2 / t, fast = (1 + sqrt(0.75)) / 2 / t;
   double worst = 0;
   for (int n = 0; n <= 8000; n += 10) {
@@ -151,8 +153,8 @@ static void no_offset_under_a_dilatation(void) {
   nb_result_free(&result);
 }
 
-/* While the servo controls the mean, the strain rate of the stage changes the shape; while it controls one
- * component, the strain rate of the stage acts on the others. */
+/* A servo that controls the mean stress leaves the change of shape to the strain rate of the stage. A servo that
+ * controls one component leaves the other components to it. */
 static void components_that_are_not_controlled(void) {
   struct nb_result result;
   run(&result,
@@ -171,7 +173,7 @@ static void components_that_are_not_controlled(void) {
   nb_result_free(&result);
 }
 
-/* `isotropic` keeps the shear stress at 0; under `mean` it follows the strain of the stage. */
+/* `isotropic` keeps the shear stress at 0; under `mean` the shear stress follows the strain of the stage. */
 static void isotropic_has_no_shear(void) {
   double shear[2];
   for (int mean = 0; mean < 2; mean++) {
@@ -208,7 +210,8 @@ static void every_tenth_cycle(void) {
   CU_ASSERT(radius[0] == radius[1] && radius[0] != radius[2]);
 }
 
-/* A removed disc has no mass for the servo: the ring moves as in a scene without this disc, to the last bit. */
+/* The servo does not count the mass of a removed disc: the ring moves as in a scene without this disc, to the last
+ * bit. */
 static void removed_particles_have_no_mass(void) {
   static const char *const pages[] = {RING "stage s\n", RING "disc 1 0.577 radius 0.1 m\nstage s\nremove disc 8\n"};
   double radius[2];
@@ -229,8 +232,9 @@ static void removed_particles_have_no_mass(void) {
   CU_ASSERT_EQUAL(radius[1], radius[0]);
 }
 
-/* `on` a region controls the stress of the region, not of the boundary. All contacts are in the circle of radius
- * 2.5, so its stress is that of the boundary times A/(6.25 pi). */
+/* A servo `on` a region controls the stress of the region, not that of the boundary. All contacts are in the circle of
+ * radius 2.5, so the stress of the circle is that of the boundary times A/(6.25 pi), with the area A of the
+ * boundary. */
 static void stress_of_a_region(void) {
   const double pi = 3.14159265358979323846;
   struct nb_result result;
@@ -270,8 +274,9 @@ static void servo_through_boundary_affine(void) {
   }
 }
 
-/* A square lattice of discs with the spacing s and springs k in a cell of side L: p = k (2r - s)/s, B = k/2, T = L
- * (rho/B)^(1/2), so the sides follow a recursion. The strain rate of the stage is added. */
+/* A square lattice of discs in a cell. With the spacing s, the radius r, the stiffness k of the springs, the mass per
+ * area rho and the side L of the cell, p = k (2r - s)/s, B = k/2 and T = L (rho/B)^(1/2). So the sides follow a
+ * recursion. The strain rate of the stage is added to that of the servo. */
 static void servo_through_a_cell(void) {
   const double pi = 3.14159265358979323846, dt = 0.0125, shear = 1e-7;
   struct nb_result result;
@@ -370,7 +375,7 @@ static void initial_targets(void) {
 }
 
 /* B and T of one disc between the lower and the upper wall of a box that is wider than high, with a stiff and a soft
- * spring. A scene without a box, a cell or a boundary has neither. */
+ * spring. If the servo acts through a boundary, and the scene has none, B and T are 0. */
 static void scales_of_a_box(void) {
   static const double springs[] = {1000, 1};
   const double pi = 3.14159265358979323846, area = 6 * 1.9;
@@ -419,7 +424,8 @@ static void the_particles_inside_have_the_added_rate(void) {
   }
 }
 
-/* A strain rate changes the stress that a servo controls if it has a component along it. A rotation changes none. */
+/* A strain rate opposes a servo if it changes a component of the stress that the servo controls. A rotation opposes no
+ * servo. */
 static void rates_that_oppose(void) {
   static const struct {
     bool controlled[3], mean;

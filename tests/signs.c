@@ -1,4 +1,5 @@
-/* The signs of forces and moments: pairs compared with the paper, assemblies with their mirror images.
+/* The signs of forces and moments. Those on a pair are compared with the paper, and assemblies with their mirrored and
+ * rotated copies.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -8,8 +9,9 @@
 #include "suites.h"
 #include "written.h"
 
-/* The force on x is -(F_n e + F_s t), and the force on y is its opposite; both moments are F_s R counterclockwise.
- * [CS79, The force-displacement law] */
+/* The force on the first disc is -(F_n e + F_s t), with the contact normal e and the contact tangent t, and the force
+ * on the second disc is its opposite. The moment on each disc is F_s times its radius, counterclockwise. [CS79, The
+ * force-displacement law] */
 static void forces_on_a_pair(void) {
   struct words page = {0};
   struct written it;
@@ -111,7 +113,7 @@ static double differ(struct turn t) {
     most = fmax(most, fabs(q[1] - turned_y(t, p[0], p[1])));
     most = fmax(most, fabs(q[2] - sense * p[2]));
   }
-  CU_ASSERT(*p > DISCS / 2 && *p == *q); /* contacts that touch */
+  CU_ASSERT(*p > DISCS / 2 && *p == *q); /* the number of contacts */
   nb_result_free(&a), nb_result_free(&b);
   written_free(&straight), written_free(&turned);
   return most;
@@ -125,7 +127,7 @@ static void mirrors_and_rotations_by_90_degrees(void) {
   CU_ASSERT_EQUAL(differ((struct turn){0, -1, 1, 0}), 0);
 }
 
-/* Other rotations change the rounding. Collisions amplify the difference, here to 1e-11. */
+/* Other rotations and reflections change the rounding. Collisions amplify the difference, here to 1e-11. */
 static void any_rotation(void) {
   CU_ASSERT(differ((struct turn){cos(0.5), -sin(0.5), sin(0.5), cos(0.5)}) < 1e-10);
   CU_ASSERT(differ((struct turn){cos(2), sin(2), sin(2), -cos(2)}) < 1e-10);

@@ -23,7 +23,7 @@ static void run(struct nb_result *result, struct written *it) {
   written_run(result, it, NULL);
 }
 
-/* Hertz: N = 4/3 E* sqrt(R* alpha) alpha, a = sqrt(R* alpha), R* = 2/3, E* = E/2(1 - nu^2) */
+/* Hertz: N = 4/3 E* sqrt(R* alpha) alpha, a = sqrt(R* alpha), R* = 2/3, E* = E/(2 (1 - nu^2)) */
 static void columns(void) {
   struct nb_result result;
   struct written it;
@@ -117,7 +117,7 @@ static void rings(void) {
                            1e-14);
   }
   CU_ASSERT_DOUBLE_EQUAL(written_cell(table, 3, "porosity"), 0,
-                         0.02); /* the ring at the edge of the large sphere; overlaps count twice */
+                         0.02); /* the outermost ring in the large sphere; areas of overlaps count twice */
   nb_result_free(&result);
   written_free(&it);
 }
@@ -152,7 +152,7 @@ static void the_boundary_is_listed_counterclockwise(void) {
   written_free(&it);
 }
 
-/* A disc that has left the cell counts with its image near the region's centre, as for A.porosity. */
+/* A disc that has left the cell counts through its periodic image near the region's centre, as for A.porosity. */
 static void rings_in_a_cell(void) {
   struct words page = {0};
   struct written it;
@@ -169,9 +169,9 @@ static void rings_in_a_cell(void) {
   written_free(&it);
 }
 
-/* Particles, walls and contacts of a scene in motion, from which particle 2 was removed, also with an imposed motion.
- * The columns equal the quantities of the same names; the identities and directions are known. Storage order changes
- * nothing. */
+/* Particles, walls and contacts of a scene in motion, from which particle 2 was removed. Columns equal the recorded
+ * quantities of the same names, or known values. Two of the four variants store the particles in another order, and two
+ * have an imposed motion. */
 static void columns_are_the_quantities(void) {
   static const char *const of_particle[] = {"x", "y", "angle", "vx", "vy", "fx", "fy", "moment", "spin"};
   static const char *const of_contact[] = {"overlap", "normal", "shear", "sliding"};
@@ -232,7 +232,7 @@ static void columns_are_the_quantities(void) {
       CU_ASSERT_DOUBLE_EQUAL(written_cell(contacts, k, "x"), written_last(&result, "P1.x") + arm * ex, 1e-14);
       CU_ASSERT_DOUBLE_EQUAL(written_cell(contacts, k, "y"), written_last(&result, "P1.y") + arm * ey, 1e-14);
     }
-    static const double ends[2][5] = {{1, -5, -0.99, 5, -0.99}, {2, 8.1, -2.95, 8.1, 5.05}}; /* after 0.1 s */
+    static const double ends[2][5] = {{1, -5, -0.99, 5, -0.99}, {2, 8.1, -2.95, 8.1, 5.05}}; /* at time 0.1 */
     static const char *const of_wall[] = {"wall", "x1", "y1", "x2", "y2"};
     for (size_t w = 0; w < 2; w++)
       for (size_t q = 0; q < 5; q++)
@@ -243,7 +243,8 @@ static void columns_are_the_quantities(void) {
   }
 }
 
-/* Two heavy discs that touch leave the cell together, from x = 9 to 13.5: contacts and lattice are in the cell. */
+/* Two heavy discs that touch leave the cell together, from x = 9 to 13.5: the tables of contacts and of the lattice
+ * have them in the cell, at 3.5. */
 static void contacts_in_a_cell(void) {
   struct words page = {0};
   struct written it;

@@ -13,8 +13,8 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* Velocities without the imposed motion, for `affine strain` with and without `accumulated`; the fixed particle does
- * not count. */
+/* Speeds without the imposed motion, for `affine strain` with and without `accumulated`. The fixed particle does not
+ * count. */
 static void speeds(void) {
   static const char *const codings[] = {"apart", "accumulated"};
   for (int k = 0; k < 2; k++) {
@@ -30,14 +30,16 @@ static void speeds(void) {
     written_scene(&it, &page);
     struct nb_result result;
     written_run(&result, &it, NULL);
-    /* After one cycle u = v + c in both cases; c at t_1 is the mean of c at x_0 and at x_1. `accumulated` has also
-     * added half of c at x_1. */
-    const double more = k ? 0.5 : 0; /* fraction of c that the next kick adds */
+    /* v is the velocity that the page gives, c the imposed velocity, u = v + c the total one. c_0 is c at the position
+     * x_0, c_1 is c at x_1, and c at the time t_1 is their mean. The speeds at t_1 are those of w = u - c, which is v
+     * without `accumulated`. */
+    const double more = k ? 0.5 : 0; /* fraction of c_0 in w */
     const double x = 3 + 0.125 * (0.3 + 0.03), y = 4 + 0.125 * (-0.4 - 0.08), x2 = -8 - 0.125 * 0.08,
                  y2 = 6 - 0.125 * 0.12;
     const double c1x = 0.01 * (3 + x) / 2, c1y = -0.02 * (4 + y) / 2;
     const double c2x = 0.01 * (-8 + x2) / 2, c2y = -0.02 * (6 + y2) / 2;
-    /* accumulated: u = (u- + u+)/2, u- = v + c_0, u+ = u- + c_1: w = v + c_0 + c_1/2 - (c_0 + c_1)/2 = v + c_0/2 */
+    /* With `accumulated` u = (u- + u+)/2, where u- = v + c_0 and u+ = u- + c_1 are the velocities before and after the
+     * kick at t_1. So w = v + c_0 + c_1/2 - (c_0 + c_1)/2 = v + c_0/2. */
     const double w1 = hypot(0.3 + more * 0.01 * 3, -0.4 - more * 0.02 * 4),
                  w2 = hypot(more * 0.01 * 8, more * 0.02 * 6);
     const double c = hypot(c1x, c1y) + hypot(c2x, c2y);
@@ -98,8 +100,8 @@ static void a_stage_with_another_step(void) {
   }
 }
 
-/* Centripetal gravity counts in the unbalanced force like a weight: 0.5 towards (0, -7) on each of two discs, one of
- * which lies on a fixed disc. */
+/* Centripetal gravity counts in the unbalanced force like a weight. Two discs have the acceleration 0.5 towards (0,
+ * -7); one of them lies on a fixed disc. */
 static void unbalanced_under_centripetal_gravity(void) {
   struct words page = {0};
   struct written it;

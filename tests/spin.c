@@ -1,4 +1,5 @@
-/* Moments rotate particles: [CS79 23, 23a, 34-36], computed here independently, with steps of different length.
+/* The rotation of particles by moments [CS79 23, 23a, 34-36], compared with an independent computation, with time steps
+ * of two lengths.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -66,13 +67,13 @@ static void moments_rotate_particles(void) {
         CU_ASSERT_DOUBLE_EQUAL(written_now(model, names[b][3]), angle[b], 1e-13);
       }
     }
-    CU_ASSERT(most > 0.01); /* the spin is so large that an error of a thousandth would be found */
+    CU_ASSERT(most > 0.01); /* in some step the moment changes the spin by more than 1 % */
     nb_model_free(model);
     written_free(&it);
   }
 }
 
-/* The contact uses the current surface speed, spin times radius. */
+/* The surface speed that contacts use is the current spin times the radius. */
 static void surface_speed_of_the_particle(void) {
   struct written it;
   struct nb_model *model = gears(&it, "mass 30");
@@ -86,8 +87,8 @@ static void surface_speed_of_the_particle(void) {
   written_free(&it);
 }
 
-/* `reverse velocities` at t_N replaces the velocities of the last half step by minus the velocities that the next kick
- * would give; at the start, by minus the velocities of the page. */
+/* At t_N a model has the velocities of t_(N-1/2). `reverse velocities` replaces them by minus the velocities of
+ * t_(N+1/2), which the next kick would give; at the start, by minus the velocities of the page. */
 static void reversal(void) {
   for (size_t n = 0; n < sizeof kinds / sizeof *kinds; n++)
     for (int cycles = 0; cycles < 30; cycles += 7) {

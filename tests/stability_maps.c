@@ -2,22 +2,23 @@
  * unstable.
  *
  * stability_maps -o DOCUMENT FOLDER   writes docs/STABILITY.md, and one table per system into the folder
- * stability_maps                      tests a few columns of each system, also with planted errors that must be detected
+ * stability_maps                      tests a few columns of each system, also with planted errors that it must detect
  *
  * A column of a map is one system with one mass ratio, stiffness ratio and damping. Its limit is the step at which the
  * largest eigenvalue of dt^2 K + 2 dt C equals 4 (cases/refs/limit.c). Its points are steps, as fractions of the limit.
- * At each point an assembly at rest is perturbed and run by the library:
+ * At each point the library runs an assembly that is at rest but for a perturbation:
  *
- *   unstable     the velocity changes of a perturbation that moves particles by about 1e-9 R in a cycle become more
- *                than `growth_limit` times as large as at first, while the same contacts are closed
- *   inaccurate   at some time in half a period, or in 2000 times the limit if that is shorter, the displacement in the
- *                slowest mode differs from that of a run with 1/64 of the limit by more than `displacement_tolerance`
- *                of its largest value
+ *   unstable     the perturbation grows. At first it moves particles by about 1e-9 R in a cycle. Later the changes of
+ *                velocity in a cycle become more than `growth_limit` times as large as at first, while the same
+ *                contacts are closed.
+ *   inaccurate   at some time in half a period of the slowest mode, or in 2000 times the limit if that is shorter, the
+ *                displacement in this mode differs from that of a run with 1/64 of the limit as its step. The
+ *                difference is more than `displacement_tolerance` times the largest displacement.
  *   stable       neither
  *
- * The program compares the limit with the step at which perturbations begin to grow, with the spectral radius of the cycle as a
- * matrix, and for a disc in a wedge with a closed form. It compares the guaranteed stable step (the bound) with the
- * limit, and with a run at the bound. It prints the comparisons that fail.
+ * The program compares the limit with the step at which perturbations begin to grow, with the step at which the
+ * spectral radius of the cycle as a matrix exceeds 1, and, for a disc in a wedge, with a closed form. It compares the
+ * guaranteed stable step (the bound) with the limit, and with a run at the bound. It prints the comparisons that fail.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_blas.h>
@@ -80,7 +81,7 @@ static void write_lattice(FILE *page, int nx, int ny, double mass) {
     fprintf(page, "disc %.17g %.17g radius 1 %c\n", 1 - overlap + k % nx * d, 1 - overlap + k / nx * d,
             (k % nx + k / nx) % 2 ? 'b' : 'a');
 }
-/* A compressed row of discs buckles at a rate proportional to the root of the overlap, so the row has smaller
+/* A compressed row of discs buckles at a rate proportional to the square root of the overlap, so this row has smaller
  * overlaps. */
 static void write_chain(FILE *page, const struct system *system, double mass, double other) {
   (void)system, (void)other;
@@ -99,7 +100,7 @@ static void write_rotation(FILE *page, const struct system *system, double mass,
   (void)system, (void)other;
   write_lattice(page, 2, 2, mass);
 }
-/* Writes masses from 1 to the given one, in equal ratios, in an order that puts light discs beside heavy ones. */
+/* Six discs with masses from 1 to the given one, in equal ratios. The order puts light discs beside heavy ones. */
 static void write_masses(FILE *page, const struct system *system, double mass, double other) {
   (void)system, (void)other;
   static const int order[6] = {0, 5, 1, 4, 2, 3};
@@ -122,7 +123,7 @@ static void write_wedge(FILE *page, const struct system *system, double mass, do
 }
 
 /* The random packing. A box is filled and made smaller without friction until the contacts carry a stress; then the
- * discs come to rest. So the packing is in equilibrium with any shear stiffness, masses and damping. */
+ * discs come to rest. It has no shear forces, so it is in equilibrium with any shear stiffness, masses and damping. */
 static struct nb_table packing_discs, packing_walls;
 static const char packing_page[] =
     "units none\nmaterial m density (1/pi) kn 1\nnormal linear\nbox 0 0 to 9.2 9.2 m\n"
@@ -295,7 +296,7 @@ static double mean_overlap(const struct nb_model *model) {
   return sum / (double)model->contacts.count; /* of all listed pairs */
 }
 
-/* Random velocities at the start: `distance` is the largest displacement in a cycle. */
+/* Gives the particles random velocities at the start. `distance` is the largest displacement in a cycle. */
 static void kick(struct written *it, double distance, double step, unsigned seed) {
   struct chance chance = chance_begin(seed);
   const bool rotates = it->scene.stages[0].rotation != NB_ROTATION_OFF;
@@ -309,6 +310,7 @@ static void kick(struct written *it, double distance, double step, unsigned seed
 
 /* ---- growth ---- */
 
+/* The change of all velocities since `last`, which is then updated: the root of the sum of mass times square. */
 static double velocity_changes(const struct nb_model *model, double last[3 * MOST]) {
   double sum = 0;
   for (size_t slot = 0; slot < model->particles.count; slot++) {
@@ -346,7 +348,7 @@ static double growth_of(struct written *it, double step, bool *kept) {
   return most / first;
 }
 
-/* The step, over the limit, at which perturbations begin to grow; it is sought between `low` and `high`, to 0.2 %. */
+/* The step, over the limit, at which perturbations begin to grow, to 0.2 %. NaN: it is not between `low` and `high`. */
 static double boundary_of_runs(struct written *it, double limit, double low, double high) {
   bool kept;
   if (growth_of(it, low * limit, &kept) > growth_limit || !(growth_of(it, high * limit, &kept) > growth_limit))
@@ -365,7 +367,8 @@ struct mode {
   double square;     /* eigenvalue */
 };
 
-/* The largest eigenvalue of a springs + b dashpots, or the smallest one that is not a rounding error; free `shape`. */
+/* The mode of the matrix a K + b C with the largest eigenvalue, or with the smallest one that is not a rounding error.
+ * K is the matrix of the springs, C that of the dashpots. The caller frees `shape`. */
 static struct mode mode_of(const struct limit *limit, double a, double b, bool largest) {
   const gsl_matrix *stretch = limit->lattice.stretch;
   const size_t n = stretch->size2;
@@ -439,6 +442,7 @@ static void start_mode(struct written *it, const struct mode *mode) {
         most = fmax(most, fmax(hypot(u[0], u[1]) / root, fabs(u[2]) / of_spin));
     }
 }
+/* The displacement in a mode since the positions `rest`; `begin` stores the present positions in `rest` first. */
 static double displacement(const struct nb_model *model, const struct mode *mode, double rest[3 * MOST], bool begin) {
   double sum = 0;
   for (size_t k = 0; k < model->particles.count; k++) {
@@ -484,7 +488,7 @@ static void slow_end(struct slow *slow) {
   gsl_vector_free(slow->mode.shape);
 }
 
-/* The largest error of the displacement, over its largest value. */
+/* The largest error of the displacement in a run with the step `f` times `longest`, over the largest displacement. */
 static double error_of(const struct slow *slow, struct written *it, double longest, double f) {
   double rest[3 * MOST], most = 0;
   struct nb_error error = {0};
@@ -523,7 +527,7 @@ static const char *guard_of(const char *text) {
   return "motion";
 }
 
-/* `distance` is the displacement of the first cycle over the mean overlap. */
+/* Runs the scene with random velocities. `distance` is the displacement in the first cycle over the mean overlap. */
 static struct symptom symptom_of(struct written *it, double step, double distance, int cycles) {
   struct symptom symptom = {0};
   struct nb_error error = {0};
@@ -580,9 +584,10 @@ static void complain(const struct column *column, const char *what, double value
             column->ratio, column->damping, column->other, what, value);
 }
 
-/* The limit of a disc of mass 1 and radius 1 in a wedge. With h = dt^2 k + 2 dt c of a contact, normal and tangential,
- * the vertical motion has h_n cos^2 + h_s sin^2 of each wall, the horizontal motion and the rotation have a symmetric
- * matrix of two rows. The step is where the largest eigenvalue is 4. */
+/* The largest eigenvalue of dt^2 K + 2 dt C for a disc of mass 1 and radius 1 in a wedge; the limit is the step at
+ * which it is 4. A contact has h = dt^2 k + 2 dt c, h_n normal and h_s tangential. Each wall adds h_n cos^2 + h_s sin^2
+ * of the angle of its normal from the vertical to the eigenvalue of the vertical motion. The horizontal motion and the
+ * rotation are coupled: their eigenvalues are those of a symmetric matrix with two rows. */
 static double planar_eigenvalue(const struct column *column, double dt) {
   const double angle = column->other * 3.14159265358979323846 / 180, s2 = pow(sin(angle), 2), c2 = 1 - s2;
   const double ks = column->ratio, inertia = 0.5;
@@ -611,7 +616,6 @@ static const char *shown(const struct symptom *symptom, const struct symptom *us
  * half a step acts like a mass that is smaller by c dt/2. The larger of these two effects is the cause of an inaccurate
  * point. */
 static void classify(struct point *point, const struct result *result, const struct slow *slow) {
-
   point->class = point->growth > growth_limit ? UNSTABLE : point->error > displacement_tolerance ? INACCURATE : STABLE;
   const double rate = sqrt(slow->mode.square) * point->f * result->limit;
   point->cause = point->class == UNSTABLE        ? result->cause
@@ -639,7 +643,6 @@ static void make_points(struct result *result, const struct column *column, cons
     point->error = point->growth > growth_limit ? NAN : error_of(&slow, &quiet, result->limit, point->f);
     if (point->growth > growth_limit || point->error > displacement_tolerance)
       point->symptom = symptom_of(&watched, point->f * result->limit, kick_size, KICK_CYCLES);
-
     classify(point, result, &slow);
   }
   slow_end(&slow);
@@ -750,7 +753,6 @@ static void add_column(struct map *map, const struct column *column, const struc
       count(map->causes, point->cause);
     if (point->class != STABLE)
       count(point->class == UNSTABLE ? map->shows : map->shows_inaccurate, point->shows);
-
     if (points)
       write_point(points, column, result, point);
   }

@@ -14,11 +14,12 @@
 
 /* The steps of one scene by the program and by the references. */
 struct steps {
-  double safe, critical; /* the program: guaranteed stable, single-contact */
-  double parts, modes,
-      cycle; /* the references: bound of contacts; limit of modes; limit of the cycle's eigenvalues, 0: none */
+  double safe, critical; /* of the program: guaranteed stable step, single-contact step */
+  double parts, modes;   /* of the references: bound from the contacts, limit of the modes */
+  double cycle;          /* limit from the eigenvalues of the cycle; 0: not computed */
 };
 
+/* Adds the last statements to the page, and finds the steps of its scene. `cycle`: also the limit of the cycle. */
 static struct steps find_steps(struct words *page, bool cycle) {
   struct written it;
   struct limit limit;
@@ -45,7 +46,7 @@ static void in_order(const struct steps *it) {
   NEAR(it->safe, it->parts, 1e-11);
   CU_ASSERT(it->safe <= it->modes * (1 + 1e-12));
   if (it->cycle > 0)
-    NEAR(it->cycle, it->modes, 3e-6); /* growth is |z| > 1 + 1e-6 */
+    NEAR(it->cycle, it->modes, 3e-6); /* limit_of_cycle counts |z| > 1 + 1e-6 as growth */
 }
 
 static void lattices_equal_closed_forms(void) {
@@ -118,7 +119,8 @@ static void rotation_lowers_the_limit(void) {
   written_free(&it);
 }
 
-/* A pair with dashpots of beta k: (2/omega)(sqrt(1 + xi^2) - xi), xi = beta omega/2, omega^2 = 2 k/m [CS79 28]. */
+/* The limit of a pair with dashpots of the coefficient beta k is (2/omega)(sqrt(1 + xi^2) - xi), with xi = beta omega/2
+ * and omega^2 = 2 k/m [CS79 28]. */
 static void damping_has_its_formula(void) {
   for (double xi = 0; xi < 2.3; xi += 0.25) {
     struct words page = {0};
@@ -232,8 +234,8 @@ static void storage_changes_no_bit(void) {
   written_free(&it);
 }
 
-/* The program keeps the coefficients of contacts during a computation of the stable step. Without kept coefficients, if
- * there are too many contacts or no memory, it computes them each time. Both give the same bits. */
+/* The program keeps the coefficients of contacts during a computation of the stable step. If there are too many
+ * contacts, or no memory, it computes the coefficients at each use instead. Both give the same bits. */
 static void kept_coefficients_are_those_computed(void) {
   struct chance chance = chance_begin(11);
   struct words page = {0};
@@ -296,8 +298,8 @@ static struct nb_normal stiffens(struct nb_pair p, double overlap, double dn, do
   return (struct nb_normal){.force = p.kn * (overlap + overlap * overlap), .stiffness = p.kn * (1 + 2 * overlap)};
 }
 
-/* Discs that do not touch count with the stiffness that the law has at first touch, here k, within the skin and far
- * apart. At an overlap of 0.01 it is 1.02 k. */
+/* A disc and a wall that do not touch, within the skin or far apart, count with the stiffness that the law has at first
+ * touch, here k. At an overlap of 0.01 the stiffness is 1.02 k. */
 static void discs_apart_count_as_they_touch(void) {
   static const struct { double place, factor; } rows[] = {{0.99, 1.02}, {1.001, 1}, {50, 1}};
   const struct nb_law law = {.kind = "normal", .name = "stiffens", .normal = stiffens};

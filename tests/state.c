@@ -68,8 +68,8 @@ static void all_dampings(void) {
   }
 }
 
-/* Dashpots that use the velocity at the time of the force need the surface speed before the first step: spin times a
- * radius that is not 1. */
+/* Centred dashpots use the velocity at the time of the force. So a continued run needs the surface speed, spin times
+ * radius, before its first step. The radius is not 1, so a missing factor would be found. */
 static void centred_dashpots(void) {
   static const char *const dampings[] = {"ratio 0.2", "stiffness 0.004"};
   for (size_t k = 0; k < sizeof dampings / sizeof *dampings; k++) {
@@ -100,7 +100,7 @@ static void an_impact_with_a_phase(void) {
   written_free(&it);
 }
 
-/* The balances of a continued run begin at the state, and they close. */
+/* The balances of a continued run count from the saved state on, and they close. */
 static void balances_begin_anew(void) {
   static const char *const balance[] = {"work.residual", "energy.residual",   "energy.walls",
                                         "energy.damped", "energy.frictional", "energy.gravity"};
@@ -111,9 +111,6 @@ static void balances_begin_anew(void) {
     struct nb_saved saved;
     struct nb_error error;
     const char *normal = l ? "hertz" : "linear", *one = l ? "sphere" : "disc", *many = l ? "spheres" : "discs";
-    words_add(&page, "units none\n");
-    free(page.text);
-    page = (struct words){0};
     words_add(&page, scene, normal, shears[l], many, one, one, "damping ratio 0.1", one, one, one, 300, one, 200, 150,
               100);
     char *columns = strstr(page.text, "energy.kinetic\n");
@@ -268,7 +265,8 @@ static void other_laws_do_not_fit(void) {
   refused(&saved, &it, "a: expected the laws of the page, found normal hertz and shear mindlin_deresiewicz");
   saved.pieces = 5;
   strcpy(it.scene.stages[0].laws.shear, "randall");
-  CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_OK); /* no stage has run */
+  /* With start.stages = 0 the laws before stage `a` count. */
+  CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_OK);
   it.scene.start.stages = 1;
   refused(&saved, &it, "a: expected the laws of the page, found normal hertz and shear mindlin_deresiewicz");
   it.scene.start.stages = 0;
@@ -317,7 +315,7 @@ static void contacts_that_are_apart_do_not_fit(void) {
     CU_ASSERT_EQUAL(error.status, NB_BAD_USE);
     CU_ASSERT(strstr(error.text, ends[wall]) != NULL);
   }
-  saved.contacts[0].wall = false, saved.contacts[0].b = 2, saved.contacts[0].field[NB_OVERLAP] = 0; /* ended */
+  saved.contacts[0].wall = false, saved.contacts[0].b = 2, saved.contacts[0].field[NB_OVERLAP] = 0; /* it has ended */
   struct nb_model *model = nb_model_resume(&it.scene, &(struct nb_options){.threads = 1}, &saved, &error);
   CU_ASSERT_PTR_NOT_NULL(model);
   nb_model_free(model);
@@ -352,9 +350,9 @@ static void contact_forces_without_dashpots(void) {
   written_free(&it);
 }
 
-/* A disc slides along wall b; it starts just before the normal at the end of this wall. In the cycle in which the
- * contact passes from one wall to the other, the contact that begins to act was suppressed in the previous cycle. A
- * suppressed contact has no overlap in a state. */
+/* A disc slides over the common end of two walls, from wall a to wall b. Only one of its two contacts acts at a time;
+ * the other one is suppressed. In one cycle the contact with b begins to act although it was suppressed in the previous
+ * cycle. In a state a suppressed contact has no overlap. */
 static void a_contact_that_begins_at_a_vertex(void) {
   struct words page = {0};
   struct written it;
@@ -417,7 +415,7 @@ static void contacts_of_the_last_step_continue(void) {
   written_free(&it);
 }
 
-/* The whole history of a law is saved, also if its first variable is 0, as in a loaded contact that has not slipped.
+/* The whole history of a law is saved, even if its first variable is 0, as in a loaded contact that has not slipped.
  * Poisson's ratio has its largest value. */
 static void a_history_that_begins_with_0(void) {
   struct words page = {0};

@@ -100,7 +100,7 @@ static void away_from_a_point(void) {
        "");
 }
 
-/* A stage after the one that changed the law has this law, too. */
+/* One stage changes the shear law, and the stage after it still has the new law. */
 static void a_changed_law(void) {
   same("changed law",
        "units none\nmaterial m density 3 young 1e5 poisson 0.3 friction 0.3\nnormal hertz\nshear mindlin\n"
@@ -110,7 +110,8 @@ static void a_changed_law(void) {
        "");
 }
 
-/* A state whose cell or boundary differs from the page is refused; `drop` selects the difference, 0 for none. */
+/* Resumes the page from a state that differs from it; the state must be refused. `drop` selects the difference: 0 none,
+ * 1 and 2 the imposed motion, 3 the cell, 4 the boundary, 5 the rotation, 6 the pressure on the boundary. */
 static void resume_with_difference(const char *statements, int drop) {
   struct words words = {0};
   struct written it;

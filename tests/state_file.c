@@ -157,7 +157,7 @@ static void every_mistake(void) {
        "expected a cell with an area above 0"},
       {"\ncell ", "\ncell x ", "a.state:13:6: expected a number, found `x`"},
   };
-  /* The history of the exact law: 2 pieces from 0 outwards. */
+  /* The history of the exact law begins with its number of pieces, here 2. */
   static const struct mistake of_rows[] = {
       {"\nshear 0x1p+1 ", "\nshear 0x1p+9 ", "expected a contact history that the law can have, found `shear`"},
       {"\nshear 0x1p+1 ", "\nshear 0x1p+40 ", "expected a contact history that the law can have, found `shear`"},

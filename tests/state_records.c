@@ -110,7 +110,7 @@ static void refused(const char *text, size_t size, char *field, size_t length, c
   while (line > text && line[-1] != '\n')
     line--;
   snprintf(where, sizeof where, "a.state:%zu:%zu: ", line_number(text, field), (size_t)(field - line) + 1);
-  where[vector ? strcspn(where, ":") + 1 : strlen(where)] = 0; /* a vector is refused at its last number */
+  where[vector ? strcspn(where, ":") + 1 : strlen(where)] = 0; /* at the last number of the unit vector */
   const struct nb_error error = read_changed(text, size, field, field + length, by);
   if (strncmp(error.text, where, strlen(where)) != 0)
     printf("# `%s` in %.*s: expected %s…, found `%s`\n", by, (int)(strcspn(field, "\n") + (size_t)(field - line)), line,
@@ -162,7 +162,7 @@ static void fields_at_their_limits(void) {
   }
 }
 
-/* Every record removed, which is an error if it is required, and doubled, which is an error. */
+/* Every record is removed, which is an error if the record is required, and doubled, which is always an error. */
 static void every_record(void) {
   static const struct {
     const char *page, *record;

@@ -94,7 +94,7 @@ static void a_file_of_columns(void) {
       {"a/-\tc/-\n1\t2\n", 1, 0, 2001, true},
       {"a/m\tc/m\n1\t2\n", 0, 1, 0, true}, /* not allowed in a scene without units */
       {"a/-\tc/-\n1\t2\n", 0, 1, 0, false},
-      {"a/mm\ta/kN\tc/m\n1\t9\t2\n", 1, 0, 2000.001, false}, /* `a` of another kind does not change the unit */
+      {"a/mm\ta/kN\tc/m\n1\t9\t2\n", 1, 0, 2000.001, false}, /* a second `a` with another kind of unit does not count */
       {"a/N\tc/m\n1\t2\n", 0, 1, 0, false},
       {"a/m\n1\n", 0, 1, 0, false},
       {"aa/m\tc/m\n1\t2\n", 0, 1, 0, false},

@@ -33,7 +33,8 @@ static void a_step_relative_to_a_limit(void) {
   NEAR(step_of(PAIR "lattice discs 2 by 1 radius 1 spacing 2.09 m\nstep 0.5 of stable\n"), 0.25, 1e-15);
   NEAR(step_of(PAIR "lattice discs 2 by 1 radius 1 spacing 5 m\nstep 0.5 of stable\n"), 0.25, 1e-15);
   NEAR(step_of(PAIR "disc 0 5 radius 1 m\nwall w -3 0 to 3 0 m\nstep 0.5 of stable\n"), sqrt(0.125), 1e-15);
-  /* pi sqrt(M/k): two equal masses; a light and a heavy one; the lightest two of several; at a wall */
+  /* pi sqrt(M/k) with the reduced mass M: two equal masses; a light and a heavy one; the lightest two of several; at a
+   * wall */
   const double pi = 3.14159265358979323846;
   NEAR(step_of(PAIR "lattice discs 2 by 1 radius 1 spacing 5 m\nstep 0.5 of collision\n"), pi / 8, 1e-15);
   NEAR(step_of(PAIR "disc 0 0 radius 1 m\ndisc 9 0 radius 3 m\nstep 1 of collision\n"), pi * sqrt(0.9 / 8), 1e-15);
@@ -44,7 +45,7 @@ static void a_step_relative_to_a_limit(void) {
   NEAR(step_of(PAIR "disc 9 0 radius 3 m\ndisc 0 0 radius 1 m\nstep 1 of collision\n"), pi * sqrt(0.9 / 8), 1e-15);
   NEAR(step_of(PAIR "lattice discs 2 by 1 radius 1 m\ndisc 30 0 radius 2 m\nstep 1 of collision\n"), pi / 4, 1e-15);
   NEAR(step_of(PAIR "disc 0 5 radius 1 m\nwall w -3 0 to 3 0 m\nstep 1 of collision\n"), pi / sqrt(8), 1e-15);
-  /* a lighter particle of another material does not count for this pair */
+  /* a lighter particle of another material does not count for the pair of m and the wall */
   NEAR(step_of(PAIR
                "material b density 0.01 kn 8\npair m b kn 1e-6\npair b b kn 1e-6\nmaterial s kn 8\npair b s kn 1e-6\n"
                "disc 0 5 radius 1 m\ndisc 9 5 radius 1 b\nwall w -3 0 to 3 0 s\nstep 1 of collision\n"),
@@ -94,7 +95,7 @@ static void duration_of_collisions(void) {
        hertz(1, 1, 1, 0.1) / 20, 1e-14);
   NEAR(step_of(SPHERES "sphere 0 3 radius 1 m velocity -0.35 -0.1\nwall w -9 0 to 90 0 r\nstep 20 per collision\n"),
        hertz(1, 1, 1, 0.1) / 20, 1e-14);
-  /* at first touch the sphere is at 1.5 or -1.5, beyond the end of the wall, and hits this end */
+  /* at first touch the sphere is at x = 1.5 or -1.5, beyond the end of the wall, and hits this end */
   NEAR(step_of(SPHERES "sphere 0 3 radius 1 m velocity 0.3 -0.4\nwall w -90 0 to 1.25 0 r\nstep 20 per collision\n"),
        hertz(1, 1, 1, 0.3) / 20, 1e-14);
   NEAR(step_of(SPHERES "sphere 0 3 radius 1 m velocity -0.3 -0.4\nwall w -1.25 0 to 90 0 r\nstep 20 per collision\n"),
@@ -108,13 +109,14 @@ static void duration_of_collisions(void) {
   NEAR(step_of(SPHERES "sphere 1.1 5 radius 1 m velocity 0 -0.2\nwall w -9 0 to 0 0 r\nwall v -9 9 to 9 9 r\n"
                        "sphere 5 8.2 radius 0.1 m velocity 0 0.001\nstep 1 of collision\n"),
        hertz(1, 0.1, 0.001, 0.001), 1e-14);
-  /* oblique: the speed along the line of centres at first touch, in both orders; the third sphere hits none */
+  /* oblique: the speed along the line of centres at first touch counts, in both orders of the spheres; the third sphere
+   * hits none */
   NEAR(step_of(SPHERES "sphere 0 0 radius 1 m velocity 0.3 0\nsphere 5 0.8 radius 1 m\nstep 1 of collision\n"),
        hertz(0.5, 0.5, 0.5, 0.3 * sqrt(1 - 0.16)), 1e-14);
   NEAR(step_of(SPHERES "sphere 5 -0.8 radius 1 m\nsphere 0 0 radius 1 m velocity 0.3 0\nsphere 5 9 radius 1 m velocity "
                        "-9 0\nstep 1 of collision\n"),
        hertz(0.5, 0.5, 0.5, 0.3 * sqrt(1 - 0.16)), 1e-14);
-  /* contacts that touch already: the present approach speed */
+  /* in contacts that touch already the present approach speed counts */
   NEAR(step_of(SPHERES "sphere 0 0.99 radius 1 m velocity 4 -0.1\nwall w -9 0 to 9 0 r\nstep 1 of collision\n"),
        hertz(1, 1, 1, 0.1), 1e-14);
   NEAR(step_of(SPHERES "sphere 0 0 radius 1 m velocity 0.5 0\nsphere 1.2 1.59 radius 1 m\nstep 1 of collision\n"),
@@ -273,8 +275,8 @@ static void a_collision_step_is_kept(void) {
   written_free(&it);
 }
 
-/* `--set step=...` replaces every `step` of a page. So no stage computes the step again, also not one with `step`, whose
- * particle leaves the wall. */
+/* `--set step=...` replaces every `step` of a page. So no stage computes the step again, not even stage `off`, which
+ * has a `step`, and in which the sphere leaves the wall. */
 static void a_collision_step_that_is_set_is_kept(void) {
   static const char *const settings[] = {"step=40 per collision", NULL};
   struct words page = {0};
@@ -315,8 +317,8 @@ static void says(const struct nb_error *error, const char *words) {
   CU_ASSERT_PTR_NOT_NULL(strstr(error->text, words));
 }
 
-/* A third disc approaches from the distance 1. The limit is 0.5 for two discs in contact, and 2/sqrt(24) = 0.408 for
- * three in a row. */
+/* A third disc approaches two discs in contact; its gap is 1 at first. The limit is 0.5 for two discs in contact, and
+ * 2/sqrt(24) = 0.408 for three in a row. */
 #define COMING(step, allow)                                                                                            \
   PAIR "lattice discs 2 by 1 radius 1 m\ndisc 6 1 radius 1 m velocity -0.025 0\nstep " step "\n" allow                 \
        "record time\nstage s\ncycles 200\n"

@@ -1,5 +1,5 @@
-/* The team of threads: each part of a round is done once, a thread takes over parts of another one, and the team rests
- * while it loses time.
+/* The team of threads: each part of a round is done once, and a thread takes over parts of another thread. If the team
+ * has lost time, its threads rest, and the caller does all parts for a while.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -16,9 +16,10 @@ enum { PARTS = 24 };
 static const double patience = 60; /* s, after which a test gives up: the machine may run many other programs */
 
 struct round {
-  atomic_int times[PARTS];     /* how often each part was done */
-  bool by_caller[PARTS];       /* which thread has done it */
-  atomic_int done, by_members; /* number of parts: all; those of other threads than the caller */
+  atomic_int times[PARTS]; /* how often each part was done */
+  bool by_caller[PARTS];   /* whether the caller has done it */
+  atomic_int done;         /* number of parts that are done */
+  atomic_int by_members;   /* number of those that other threads than the caller have done */
   pthread_t caller;
   int awaited;   /* part 0 waits until this number of parts is done */
   double member; /* duration of a part that a member does, s */
@@ -70,7 +71,8 @@ static void each_part_is_done_once(void) {
   CU_ASSERT_EQUAL(atomic_load(&round.done), PARTS);
 }
 
-/* Part 0 is done when all others are done. So the other thread does all of them, also those that are not its own. */
+/* Part 0 waits until all other parts are done. So the thread without part 0 must do all of them, even those that are
+ * not its own. */
 static void a_thread_takes_over_parts(void) {
   struct nb_team *team = nb_team_sized(NULL, 2);
   CU_ASSERT_PTR_NOT_NULL_FATAL(team);
@@ -83,7 +85,8 @@ static void a_thread_takes_over_parts(void) {
 }
 
 /* Repeats rounds until both the caller and the other thread have done parts of one round. Returns the number of parts
- * that the other thread did; 0 if the patience ends. */
+ * that the other thread did, or 0 after `patience` seconds. `member` is the time that the other thread spends on a
+ * part, s. */
 static int shared_round(struct nb_team *team, double member) {
   for (const double begin = nb_clock(); nb_clock() - begin < patience;) {
     struct round round = {.member = member};
@@ -95,8 +98,8 @@ static int shared_round(struct nb_team *team, double member) {
   return 0;
 }
 
-/* A member spends 50 ms on a part, and the caller almost nothing. So the caller then does all parts for 1 s. Afterwards
- * the member works again. */
+/* A member spends 50 ms on a part, and the caller almost nothing. This loses time, so for the next second the caller
+ * does all parts. Then the member works again. */
 static void the_team_rests(void) {
   struct nb_team *team = nb_team_sized(NULL, 2);
   CU_ASSERT_PTR_NOT_NULL_FATAL(team);

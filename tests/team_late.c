@@ -1,5 +1,5 @@
-/* A thread of a team that is late: it has seen that a round begins, and is delayed until the team ends. The team of this
- * file is that of core/team.c, but its threads sleep after they have read whether the team ends.
+/* A thread of a team that is late: it has seen that a round begins, and is delayed until the team ends. The team of
+ * this file is that of core/team.c, but its threads sleep after they have read whether the team ends.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -28,8 +28,8 @@ static int load_int(atomic_int *object) { return atomic_load_explicit(object, me
 
 static void work(void *data, int part) { (void)data, (void)part; }
 
-/* The caller does all parts of the round, because the others sleep, and ends the team. Another process does this, which
- * is killed if it waits forever. */
+/* The caller does all parts of the round, because the others sleep, and ends the team. The test does this in a child
+ * process, which is killed if it waits forever. */
 static void a_team_ends_although_its_threads_are_late(void) {
   const pid_t child = fork();
   CU_ASSERT_FATAL(child >= 0);

@@ -1,4 +1,5 @@
-/* The test that a particle has crossed a wall in a step: random steps, many of them close to the limits.
+/* nb_walls_crossed, which finds out whether a particle has crossed a wall in a step: random steps, many of them close
+ * to the limits.
  *
  * A step is drawn in the frame of the wall, where the result is obvious: the centre moves from (x0, y0) to (x1, y1)
  * and crosses the line of the wall at x0 + (x1 - x0) y0/(y0 - y1). Then wall and particle get random positions,
@@ -20,7 +21,8 @@ static double by(struct chance *chance) {
   return sign * chance_between(chance, 0.2, 1) * (chance_between(chance, 0, 1) < 0.5 ? 1 : 2e-4);
 }
 
-/* The place of the point (x, y) of the wall's frame, with the wall at p and at this angle. */
+/* The place of the point (x, y) of the wall's frame. The pivot of the wall is at p, and the line of the wall has this
+ * angle and the distance h0 from the pivot. */
 static struct nb_vec place(struct nb_vec p, double angle, double h0, double x, double y) {
   const double c = cos(angle), s = sin(angle);
   return vec(p.x + c * x - s * (y + h0), p.y + s * x + c * (y + h0));
@@ -92,8 +94,8 @@ static bool crosses(double h1, double x, double y, double dx, double dy) {
   return crossing(&error, h1, false, x, y, dx, dy)[0];
 }
 
-/* The test of the program makes walls longer by 1e-12 of their length at each end, 2e-12 here, so that no particle
- * passes between two walls with a common end. */
+/* nb_walls_crossed makes walls longer by 1e-12 of their length at each end, 2e-12 here, so that no particle passes
+ * between two walls with a common end. */
 static void at_an_end(void) {
   static const double slack = 2e-12;
   CU_ASSERT(crosses(-2, 0.9995 * slack, -0.25, 0, -0.5));
@@ -106,7 +108,7 @@ static void at_an_end(void) {
   CU_ASSERT_FALSE(crosses(-2, -2 - 1.1 * slack, 0.25, 0, 0.5));
 }
 
-/* A centre that arrives on the line has crossed it; a centre that leaves the line has not. */
+/* A centre that arrives on the line has crossed it; a centre that leaves the line has not crossed it. */
 static void on_the_line(void) {
   CU_ASSERT(crosses(-2, 0, 0, 1, -1));
   CU_ASSERT_FALSE(crosses(-2, 0.01, 0, 1, -1));

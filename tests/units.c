@@ -28,7 +28,7 @@ static void units(void) {
              {"7", "rad/s", 7, 0, 0, -1, 1},
              {"7", "1/s", 7, 0, 0, -1, 0},
              {"7", "1/ms2", 7e6, 0, 0, -2, 0},
-             {"0.0000000000000000000000000000000000000000", "m", 0, 1, 0, 0, 0}, /* not too small */
+             {"0.0000000000000000000000000000000000000000", "m", 0, 1, 0, 0, 0}, /* 0 is not too small */
              {"30", "um", 30e-6, 1, 0, 0, 0},
              {"30", "\u00B5m", 30e-6, 1, 0, 0, 0}, /* the sign micro */
              {"30", "\u03BCm", 30e-6, 1, 0, 0, 0}, /* the letter mu */
@@ -147,7 +147,7 @@ static void foreign(void) {
       CU_ASSERT_FATAL(nb_unit_read(&ours, row->ours));
       CU_ASSERT_DOUBLE_EQUAL(nb_unit_to_si(row->factor, &ours) / all[i].si, 1, 1e-13);
       CU_ASSERT(nb_dimension_same(ours.dimension, dimension));
-      for (int k = 0; k < 3; k++) { /* a unit of another dimension is no advice */
+      for (int k = 0; k < 3; k++) { /* a number of another dimension gets no advice */
         struct nb_dimension other = dimension;
         *(k == 0 ? &other.m : k == 1 ? &other.kg : &other.s) += 60;
         CU_ASSERT_PTR_NULL(nb_unit_foreign(name, &other));
@@ -159,7 +159,7 @@ static void foreign(void) {
 }
 
 /* Numbers of 1 to 17 digits, with a point anywhere and exponents around the largest power of ten that a double holds
- * exactly: the same bits as strtod. */
+ * exactly: they are read with the same bits as by strtod. */
 static void short_numbers(void) {
   enum { NUMBERS = 200000 };
   struct chance chance = chance_begin(3);

@@ -155,7 +155,7 @@ static void versus(void) {
   edges(list, COUNT(list));
 }
 
-/* The message names the worst row, whatever rows come before it, also if both values of one of them are 0. */
+/* The message names the worst row, whatever rows come before it, even a row whose two values are both 0. */
 static void worst_row(void) {
   static const struct {
     const char *expectation, *words;
@@ -273,7 +273,7 @@ static void reference_of_a_stage(void) {
   planted_one("A.x in one within 0", "A.x in one", 3, 6, x, NB_PASS, "reference 3");
   planted_one("A.x in one within 0", "A.x", 3, 6, x, NB_PASS, "reference 3");
   planted_one("A.x at 500 within 0", "A.x", 6, 6, x, NB_FAIL,
-              "does not return `A.x at 500`"); /* no stage to leave out */
+              "does not return `A.x at 500`"); /* without a stage, nothing can be left out of the name */
   planted_one("A.x max in all within 0", "A.x max", 6, 6, x, NB_PASS, "reference 6");
   planted_one("A.x within 0", "A.x in one", 3, 6, x, NB_FAIL, "does not return `A.x`");
   planted_one("energy.residual in one within 0", "energy.residual", 3, 6, x, NB_PASS, "reference 3");
@@ -315,7 +315,7 @@ static void parts_of_the_message(void) {
       {"A.x expected 2 of A.y max within 25 % [t]", {0}, 3, {0, 0, 9}, {"2.25", "2", "12.5 %", "25 %"}},
       {"A.x versus time within 50 % of peak", {0, 8, 5}, 3, {0.5, 10.5, 5}, {"10.5", "8", "31.2 %", "50 % of peak"}},
       {"A.x versus time within 4", {0, 8, 5}, 3, {2, 8, 5.5}, {"2", "0", "2", "4"}},
-      {"A.x within 0.5", {8}, 1, {INFINITY}, {"", "", "", ""}}, /* there is no measure */
+      {"A.x within 0.5", {8}, 1, {INFINITY}, {"", "", "", ""}}, /* the measure cannot be computed */
       {"A.x versus time within 0.5", {8}, 1, {INFINITY}, {"inf", "8", "", ""}},
       {"A.x versus time within 0.5", {0, 8, 5}, 3, {2, INFINITY, 5}, {"inf", "8", "", ""}},
       {"A.x within 25 %", {0}, 1, {3}, {"3", "0", "", ""}},

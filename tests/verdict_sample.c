@@ -54,7 +54,7 @@ static void samples(void) {
       {"sweep T 2 1 3\nsweep s 1 2", "A.x increases with T over s", {1, 11.1, 0, 10, 2, 12.2}, NB_PASS, "from 1 to 2"},
       {"sweep T 2 1 3\nsweep s 1 2", "A.x increases with T over s", {0, 10, 1, 11.1, 2, 12.2}, NB_FAIL, "from 1 to 2"},
       {"sweep T 2 1 3\nsweep s 1 2", "A.x decreases with T over s", {1, 11.1, 2, 12.2, 0, 10}, NB_PASS, "from 2 to 3"},
-      /* every two values, not only neighbours */
+      /* `constant` compares every two values, not only neighbours */
       {"sweep T 1 2 3\nsweep s 1 2",
        "A.x constant with T over s within 1",
        {0, 10, 1, 11, 2, 12},

@@ -182,8 +182,8 @@ static void groups(void) {
   nb_outcome_free(&outcome);
 }
 
-/* The points that a report draws, one for each run of the group: the swept value, or its position among words; and the
- * computed value, or the error if the expectation is an order. */
+/* A report draws a point for each run of a group. Its x is the swept value, or the position of this value if the values
+ * are words. Its y is the computed value, or the error if the expectation is an order. */
 static void points(void) {
   static const struct {
     const char *sweeps, *expectation;

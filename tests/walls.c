@@ -39,7 +39,8 @@ static void rotation_is_exact(void) {
     CU_ASSERT_DOUBLE_EQUAL(walls->along[0].x, cos(2 * t), 1e-10);
     CU_ASSERT_DOUBLE_EQUAL(walls->along[0].y, sin(2 * t), 1e-10);
     CU_ASSERT(walls->point[0].x == 1 && walls->point[0].y == 0);
-    const double x = -3 + 0.25 * t, y = -5 - 0.5 * t; /* its first end, (4, -1), rotated about P */
+    /* The first end of the arm, at (4, -1) at time 0, has rotated about the moving point (x, y). */
+    const double x = -3 + 0.25 * t, y = -5 - 0.5 * t;
     const struct nb_vec end = nb_wall_end(walls, 1, 0);
     CU_ASSERT_DOUBLE_EQUAL(end.x, x + 7 * cos(angle) - 4 * sin(angle), 1e-9);
     CU_ASSERT_DOUBLE_EQUAL(end.y, y + 7 * sin(angle) + 4 * cos(angle), 1e-9);
@@ -50,7 +51,8 @@ static void rotation_is_exact(void) {
   written_free(&it);
 }
 
-/* The velocity of a wall at a point is the displacement of its material point over the step, for any rotation. */
+/* The velocity of a wall at a point is the displacement of this point of the wall in the step, divided by the step,
+ * even if the wall rotates. */
 static void velocity_of_a_point(void) {
   struct words page = {0};
   struct written it;
@@ -73,7 +75,7 @@ static void velocity_of_a_point(void) {
 /* A disc that rolls on a floor of one or several walls under gravity: its position and moment in each cycle. `turn`
  * rotates the scene, so that coordinates are not round numbers; `both` counts the cycles with two contacts. */
 struct rolled {
-  double x[2000], moment[2000], normal[2000], shear[2000], both;
+  double x[2000], moment[2000], both;
 };
 
 static void roll(struct rolled *seen, const char *floor, const char *skin, double turn) {
@@ -120,8 +122,9 @@ static void a_wall_that_moves_away_has_a_contact_at_once(void) {
   written_free(&it);
 }
 
-/* The force of wall b on a disc near the end (0, 0) of wall a, after each of two stages. In stage k the end of b moves
- * to (to[k], 0) in `cycles[k]` cycles. The walls c and d, far away, have a common end. */
+/* Tests the normal force of wall b on a disc near the end (0, 0) of wall a after each of two stages: it must be
+ * wanted[k] after stage k. In stage k the end of b moves to (to[k], 0) in cycles[k] cycles; it begins at (from, 0). The
+ * walls c and d, far away, have a common end. */
 static void move_end(double from, const double to[2], const int cycles[2], const double wanted[2], const char *skin) {
   struct words page = {0};
   struct written it;
@@ -240,7 +243,7 @@ static void one_contact_at_a_corner(void) {
   }
 }
 
-/* The rotation is exact for any angle, also 1 rad in one step. */
+/* The rotation is exact for any angle, even for 1 rad in one step. */
 static void one_radian(void) {
   struct words page = {0};
   struct written it;
@@ -258,6 +261,8 @@ static void one_radian(void) {
 
 /* ---- crossing a wall ---- */
 
+/* Runs the statements for at most 1000 cycles. The run must be aborted with a message that contains `wanted`; NULL: it
+ * must not be aborted. It must end after `cycle` cycles; -1: any number. */
 static void through(const char *statements, const char *wanted, long cycle) {
   struct words page = {0};
   struct written it;
@@ -300,7 +305,7 @@ static void every_crossing_stops_the_run(void) {
           "particle 1 (line 6) passed through wall `w` (line 7)", 556);
   through("disc 0 1e-3 radius 1e-6 m velocity 0 -30\nwall w -5 0 to 5 0 m about 1 -2\ndisc 50 50 radius 30 m", passed,
           1);
-  /* Both move by less than half the skin, so there is no search: 3 m at 1.8 m/s. */
+  /* Both move by less than half the skin, so there is no search. They meet after 3 at the speed 1.8. */
   through("skin 4\nmaterial h density 1e9 kn 10\ndisc 0 3 radius 0.02 h velocity 0 -0.9\n"
           "wall w -5 0 to 5 0 m velocity 0 0.9\ndisc 50 50 radius 30 m",
           "particle 1 (line 7) passed through wall `w` (line 8)", 167);

@@ -1,5 +1,5 @@
-/* Waves in a lattice: the velocities of `perturb wave`, and the speeds of long waves by the reference, which follow
- * from the elastic moduli.
+/* Waves in a lattice: the velocities of `perturb wave`, and the speeds of long waves in the reference
+ * (cases/refs/waves.h), which must follow from the elastic moduli.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -12,7 +12,7 @@
 static const double pi = 3.14159265358979323846;
 
 /* `perturb wave` adds V sin(2 pi (NX (x - x_0)/width + NY (y - y_0)/height)) to the velocity of every free particle
- * that the page defines above this statement. Two waves add up. */
+ * that the page defines above this statement. (x_0, y_0) is the centre of the cell. Two waves add up. */
 static void a_wave_is_a_sine_from_the_centre(void) {
   struct words page = {0};
   struct written it;

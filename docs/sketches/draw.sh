@@ -1,8 +1,8 @@
 #!/bin/sh
 # docs/sketches/draw.sh [INTO]: gnuplot draws every sketch, NAME.gp beside this file, as NAME.svg, here or in the folder INTO.
 #
-# What depends on the version of gnuplot goes: definitions that no sketch uses, empty groups, decimals that nobody sees. An outline and
-# what it encloses become one path.
+# The script removes what depends on the version of gnuplot: definitions that no sketch uses, empty groups, and decimals
+# without a visible effect. An outline and the area inside it become one path.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 set -eu

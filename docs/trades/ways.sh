@@ -1,6 +1,7 @@
 #!/bin/sh
-# Prints the section of docs/TRADES.md on other ways to trade. Every number comes from a table *.tsv of this folder, whose first lines
-# name the commit and the command. The tables are results of code that was measured and left out, so no command makes them anew.
+# Prints the section of docs/TRADES.md on other ways to trade. Every number comes from a table *.tsv of this folder,
+# whose first lines name the commit and the command. The tables are results of code that was measured but did not become
+# part of the program, so no command makes them again.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 set -eu
@@ -34,7 +35,8 @@ of() {
     '"$program"
 }
 
-# How many times the updates of centred dashpots the late ones need within a tolerance, least and largest.
+# Prints the least and the largest ratio of the updates with late dashpots to those with centred dashpots, within a
+# tolerance, and the number of ratios.
 late_over_centred() {
   of centred-dashpots.tsv '
     value("tolerance") == within && value("result") == "chosen" { n[value("page") value("setting") value("quantity"), value("timing")] = value("updates") }
@@ -66,8 +68,9 @@ ratio() { awk -v a="$1" -v b="$2" 'BEGIN { printf "%.1f\n", a/b }'; }
 
 plan() { of stage-step.tsv 'value("plan") == plan { a[value("seed")] = value("cycles") } END { print thousands(mean(a), 1000) }' -v plan="$1"; }
 
-# Density scaling: the shear test alone, means over realizations. Where the unbalanced force of the faster test is equal, the number of
-# cycles is interpolated: its logarithm is linear in that of the force.
+# Density scaling: the shear test alone, means over realizations. The faster test without scaling is the one with an
+# equal unbalanced force. Its number of cycles is interpolated: the logarithm of this number is taken as linear in that
+# of the force.
 density() {
   of density.tsv '
     { k = value("power") " " value("speed"); n[k]++; cycles[k] += value("cycles.shear") - value("cycles.friction"); step[k] += value("step"); force[k] += value("unbalanced")
@@ -84,7 +87,8 @@ IFS='|' read -r density_step density_cycles density_plain density_force density_
 $(density)
 END
 
-# Searches of linear springs: all; those where the springs are chosen with fewer updates (by more than 10 %) than Hertz's law needs.
+# Prints the number of searches with linear springs. Then the one search in which springs need at least 10 % fewer
+# updates than Hertz's law: quantity, tolerance, updates with springs, updates with Hertz's law.
 springs() {
   of linear-springs.tsv '
     { k = value("quantity") "|" value("within"); searches[k]; if (value("result") != "misses" && (!((k, value("normal")) in least) || value("updates") < least[k, value("normal")])) least[k, value("normal")] = value("updates") }
@@ -102,8 +106,9 @@ $(springs)
 END
 test "$saved_quantity" = impact.duration
 
-# The same over the angles of incidence: searches for other quantities than the duration, of which none may save updates; and the least
-# updates for the duration within 10 % and 0.1 %, springs and Hertz.
+# The same over the angles of incidence. Prints the number of searches for other quantities than the duration; in none
+# of them springs may save 10 % of the updates. Then the least updates for the duration with springs and with Hertz's
+# law, within 10 % and within 0.1 %.
 springs_angle() {
   of linear-springs-angle.tsv '
     { k = value("quantity") "|" value("within"); searches[k]; if (value("result") != "misses" && (!((k, value("normal")) in least) || value("updates") < least[k, value("normal")])) least[k, value("normal")] = value("updates") }

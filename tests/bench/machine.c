@@ -71,8 +71,8 @@ ARITHMETIC(quotient_eight, "avx512f", eight, QUOTIENT)
 ARITHMETIC(root_four, "avx2", four, ROOT_FOUR)
 ARITHMETIC(root_eight, "avx512f", eight, ROOT_EIGHT)
 
-/* A chain of dependent additions of two registers, one in each cycle of the clock. Some processors add a constant in no
- * time. */
+/* A chain of dependent additions, one in each clock cycle. Both operands are registers, because some processors add a
+ * constant in no time. */
 static void dependent(void) {
   unsigned long x = 1, y = 3;
   __asm__ volatile("" : "+r"(y));
@@ -103,7 +103,7 @@ __attribute__((target("avx512f"), noinline)) static void gather_eight(void) {
   OPAQUE(sum);
 }
 
-/* Reads `length` doubles; copies half of them to the other half. */
+/* read_NAME reads `length` doubles; copy_NAME copies the first half of them to the second half. */
 static double *array;
 static size_t length;
 #define MEMORY(NAME, TARGET, VECTOR)                                                                                   \
@@ -128,7 +128,8 @@ static size_t length;
 MEMORY(four, "avx2", four)
 MEMORY(eight, "avx512f", eight)
 
-/* The greatest number of units in a nanosecond, if one call makes `units`. */
+/* Calls the function `repeats` times. Returns the greatest rate, in 1e9 units per second; one call does `units` of
+ * them. */
 static double rate(void (*function)(void), double units, int repeats) {
   double least = 1e300;
   for (int k = 0; k < repeats; k++) {

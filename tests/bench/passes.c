@@ -1,12 +1,12 @@
 /* Measures the passes of a cycle one by one. The page runs for some cycles; then each pass is repeated alone on the
- * arrays of the run, and the least time of all repeats is taken, which other programs hardly disturb. The sums and the
- * integration of motion are measured together, and so is the whole cycle without searches.
+ * arrays of the run, and the least time of all repeats is taken, which other programs hardly disturb. The sums of
+ * forces and the integration of motion are measured together. The whole cycle, without searches, is measured too.
  *
  *   tests/bench/passes PAGE [ISA]
  *
- * Prints a line for each pass: its name, and the clock cycles of the processor per contact. The duration of a clock cycle
- * is measured in the same process, by a chain of dependent additions. This is not a test: it prints, and fails only for
- * a page that does not run.
+ * Prints a line for each pass: its name, and the clock cycles of the processor per contact. The duration of a clock
+ * cycle is measured in the same process, by a chain of dependent additions. This is not a test: it prints, and fails
+ * only for a page that does not run.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdio.h>
@@ -47,7 +47,8 @@ static double clock_cycle(void) {
   return least / CHAIN;
 }
 
-/* What is repeated: a cycle without a search, the passes of block after block, the motion, or one pass of all blocks. */
+/* What is repeated: a cycle without a search, all passes of block after block, the motion, or one pass (its index) of
+ * all blocks. */
 enum { CYCLE = -3, ALL_PASSES, MOTION };
 
 static void once(struct nb_model *model, int which) {

@@ -1,7 +1,8 @@
 /* Measures contact updates per second of a dense triangular lattice of discs in a box that is compressed: with
- * friction, with friction and dashpots of beta k, and with neither. The sizes of the lattice fit into different caches.
- * Each size runs with all instruction sets of this machine, on one thread and on two; the medians of five runs are
- * printed. A contact update is one cycle of one pair of the neighbour list, including the motion of the particles.
+ * friction, with friction and dashpots of the coefficient beta k, and with neither. The sizes of the lattice fit into
+ * different caches. Each size runs with all instruction sets of this machine, on one thread and on two; the medians of
+ * five runs are printed. A contact update is one cycle of one pair of the neighbour list, including the motion of the
+ * particles.
  *
  * This is not a test: it prints, and never fails. Compare only columns of one run.
  *

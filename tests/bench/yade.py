@@ -1,5 +1,5 @@
-# Runs a packing in YADE: yade -n -x -j1 yade.py, in a folder with yade.txt and data.txt of packing.awk. The program exits after the
-# run. Spheres move in the plane and turn about its normal.
+# Runs a packing in YADE: yade -n -x -j1 yade.py, in a folder with yade.txt and data.txt of packing.awk. The program
+# exits after the run. Spheres move in the plane and rotate about the normal of the plane.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 from math import atan

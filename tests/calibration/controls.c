@@ -1,4 +1,5 @@
-/* Negative controls: estimators from which a part is missing, with the search of `nineball advise`.
+/* The negative controls of the calibration (counts.h): estimators from which a part is missing. They choose a setting
+ * by a search like that of `nineball advise`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -6,7 +7,7 @@
 
 #include "runs.h"
 
-/* Runs the trials that the estimate needs. False: they cannot be run. */
+/* Runs the trials that the estimate needs, at `phases` phases. False: one of them cannot be run. */
 static bool run_control(struct nb_advice *advice, enum estimator control, struct nb_variant *variant, int level,
                         size_t phases) {
   const int finer = level + 2 > advice->anchor ? level + 2 : advice->anchor;
@@ -39,7 +40,7 @@ static double control_claim(const struct nb_advice *advice, enum estimator contr
   return largest;
 }
 
-/* The largest claim over the tolerance of all runs. Infinite: there is no claim. */
+/* The largest estimated error (claim) over the tolerance, of all runs. Infinite: there is no estimate. */
 static double control_ratio(struct nb_advice *advice, enum estimator control, struct nb_variant *variant, int level,
                             size_t phases) {
   double largest = 0;
@@ -53,8 +54,8 @@ static double control_ratio(struct nb_advice *advice, enum estimator control, st
   return largest;
 }
 
-/* Finds the coarsest level that the control accepts, unless it costs more than `most`. The control NO_ANCHOR accepts a
- * level only if it also does so with all phases. */
+/* Finds the coarsest level whose estimated error is within the tolerance. The control NO_ANCHOR tests a level at one
+ * phase first, and then at all phases. False: there is none, or it costs `most` updates or more. */
 static bool search_levels(struct chosen *chosen, struct nb_advice *advice, enum estimator control,
                           struct nb_variant *variant, double most) {
   const int highest = advice->anchor > FINEST ? advice->anchor : FINEST;

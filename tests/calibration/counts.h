@@ -17,6 +17,7 @@ struct choice {
   double claim; /* estimated error over the true error; NaN: the true error is too small to be known */
 };
 
+/* A page and a question about it that is drawn at random (document.c), and the answers of the estimators. */
 struct draw {
   char page[64], kind[64];
   bool held_out;  /* the page was not used in tuning */
@@ -34,20 +35,20 @@ extern const double quantile_fractions[QUANTILES]; /* 5 %, 50 %, 90 % */
 /* The counts of one estimator. */
 struct score {
   size_t draws, answered, within; /* number of draws; of answers; of answers whose true error is within the tolerance */
-  size_t met, met_answered;
+  size_t met, met_answered;       /* draws with `met`; those of them that are answered */
   double worst_fraction; /* smallest fraction of answers within the tolerance of a kind of page; 1: no answers */
   char worst_kind[64];
-  size_t costs, claims; /* answers whose cost over the cheapest, and whose true error, is known */
+  size_t costs, claims; /* answers with a known `cost`; with a known `claim` */
   double cost[QUANTILES], claim[QUANTILES];
 };
 
-/* The draws that are counted. */
+/* The half of the draws that is counted. */
 enum half { TUNED, HELD_OUT, BOTH_HALVES };
 struct score score_of(const struct draw draws[], size_t count, enum estimator estimator, enum half half);
 /* The score of the draws of one kind of page; its members worst_… have no meaning. */
 struct score score_of_kind(const struct draw draws[], size_t count, const char *kind);
 
-/* True if `within` of `answered` answers within the tolerance are enough. */
+/* True if it is enough that `within` of `answered` answers are within the tolerance. */
 bool is_enough(size_t within, size_t answered);
 
 /* The criteria of the calibration. */

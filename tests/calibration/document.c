@@ -1,4 +1,4 @@
-/* The document of the calibration, docs/ACCURACY.md, from the rows of its results.
+/* Writes docs/ACCURACY.md, the document of the calibration of `nineball advise`, from the rows of its results.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -187,8 +187,8 @@ static void write_errors(FILE *out, FILE *header, struct results *results) {
   }
 }
 
-/* Writes the controls of means. Returns true if the fraction of the whole estimator is large enough, and that of no
- * control is. */
+/* Writes the controls of means. Returns true if the fraction of answers within the tolerance is large enough with the
+ * whole estimator, and with no control. */
 static bool write_mean_controls(FILE *out, const struct results *results) {
   bool good = true;
   fputs("| what chooses the setting | true error within the tolerance | at least 95 % |\n| --- | --- | --- |\n", out);

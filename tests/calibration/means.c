@@ -1,4 +1,4 @@
-/* Draws about means over realizations, and the controls that choose from the same runs.
+/* Draws (document.c) about means over realizations, and the controls that choose a setting from the same runs.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -9,7 +9,7 @@
 
 enum { MEAN_LEVELS = 2, QUANTITIES_MAX = 16, MEANS_MAX = 64, TRUTH_BLOCK = 1000, TRUTH_REFINE = 2 };
 
-/* Values of many realizations that the advice has not seen, of all quantities of a page. */
+/* For each setting, the values of all quantities of a page in many realizations that the advice has not used. */
 struct means {
   size_t quantity_count;
   const char *quantities[QUANTITIES_MAX];
@@ -38,7 +38,8 @@ static void run_realization(struct mean *mean, int index, const struct means *me
   nb_outcome_free(&outcome);
 }
 
-/* The realizations with a setting, from the list of those computed before, or computed now. */
+/* Returns the realizations with this setting: those in the list if they have been computed before, otherwise it
+ * computes them. */
 static const struct mean *realizations(struct means *means, const struct nb_scene *page, const char *path,
                                        const struct nb_variant *variant, double refine) {
   char texts[3 + NB_TRADES][3 * NB_NAME_SIZE], setting[3 * NB_NAME_SIZE];

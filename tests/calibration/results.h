@@ -8,7 +8,8 @@
 #include "../../src/report/advise.h"
 #include "counts.h"
 
-/* Numbers of draws for each page: about step and laws, or about a mean over realizations. */
+/* Numbers of draws for each page: about step and laws, and about a mean over realizations. Then the number of
+ * realizations of the true mean, and the largest number of draws of all pages. */
 enum { DRAWS = 3, MEAN_DRAWS = 12, TRUTH_REALIZATIONS = 64, DRAWS_MAX = 4000 };
 /* Limits of the computing time of a draw, s: for the search, the truth, and the grid. Then the range of tolerances for
  * steps and laws, and the smallest tolerance for means. */
@@ -22,16 +23,18 @@ enum { BINS = 10, ERRORS_MAX = 8000 };
 static const double first_bin = 2;
 
 enum { REALIZATIONS = 3 }; /* numbers of realizations that are drawn: the smallest, twice and four times as many */
-/* The estimators that choose from the paired differences of the realizations. */
+/* The whole estimator, which uses Student's t, and two negative controls: the difference of the means alone, and the
+ * difference of one realization. */
 enum mean_control { WITH_STUDENT, MEAN_ALONE, ONE_REALIZATION, MEAN_CONTROLS };
 struct mean_draw {
   char page[64];
   size_t realizations; /* 8, 16 or 32 */
   bool answered;
   double errors[MEAN_CONTROLS]; /* true error over the tolerance; infinite: cannot be run; NaN: no setting is chosen */
-  double claim, cost;
+  double claim, cost;           /* of the whole estimator: estimated over true error; updates over those of the page */
 };
 
+/* Reasons why draws are not counted: the limit is not known well enough; the program refuses. */
 enum { UNRESOLVED, REFUSED, UNCOUNTED };
 struct results {
   struct draw draws[DRAWS_MAX];

@@ -6,7 +6,8 @@
 #include "../../src/report/advise.h"
 #include "counts.h"
 
-/* Levels: the first one of the truth, and the finest one of the grid. */
+/* The first level that is tried as the truth, and the finest level of the grid. At level k the step of the page is
+ * divided by 2^k (advise.h). */
 enum { TRUTH_FIRST = 4, FINEST = 3, SETTINGS_MAX = 64 };
 
 static inline const struct nb_point *point_of(const struct nb_variant *variant, int level) {
@@ -58,6 +59,6 @@ struct chosen {
   double ratio; /* estimated error over the tolerance */
 };
 
-/* The setting that the estimator chooses, if there is advice. An estimator that takes the finest setting without
- * running it claims the tolerance. */
+/* The setting that the estimator chooses, if there is advice. The estimator ALWAYS_FINE takes the finest setting
+ * without running it, and counts the tolerance as its estimated error. */
 struct chosen choose(struct nb_advice *advice, enum estimator estimator);

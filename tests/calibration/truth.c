@@ -64,8 +64,8 @@ static double refine_of(const struct nb_advice *advice, int half) {
 }
 
 /* The fewest updates of a setting of the grid whose true error is within the tolerance; `most` if no setting has fewer.
- * The steps between two levels belong to the variants in `between`. Levels of a variant are tried from the coarsest one
- * on. */
+ * The variants in `between` store the values at steps between two levels. Levels of a variant are tried from the
+ * coarsest one on. */
 static double search_grid(struct nb_advice *advice, const struct truth *truth, struct nb_variant *between,
                           double most) {
   double *refine = &advice->page.runs[0].scene.refine;

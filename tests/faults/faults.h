@@ -7,7 +7,7 @@
 
 int nineball_main(int count, char **words); /* the function main of the program, renamed */
 
-/* From now on the n-th of the calls that can fail does fail, counted from 1; n = 0: none does. `lasting`: all later
+/* From now on the calls that can fail are counted from 1, and call n fails; n = 0: none fails. `lasting`: all later
  * ones fail too. */
 void faults_begin(unsigned long n, bool lasting);
 unsigned long faults_calls(void); /* number of calls so far that could have failed */

@@ -75,7 +75,7 @@ static int close_out(void *cookie) {
   return close(*(int *)cookie);
 }
 
-/* Replaces a stream that is written; returns a stream that is read unchanged. */
+/* Replaces a stream for writing by one that writes through write_out; returns a stream for reading unchanged. */
 static FILE *own(FILE *plain, const char *mode) {
   int k = 0;
   while (k < STREAMS && streams[k].stream)

@@ -1,5 +1,5 @@
 /* Small pages for the test of failing calls. Together they have a sweep, a reference, a figure, a state, a snapshot, a
- * packing, a periodic cell, a path, a law with a history, and errors.
+ * packing, a periodic cell, a contact test, a law with a history, and errors.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #pragma once

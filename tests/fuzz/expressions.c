@@ -10,7 +10,7 @@
 
 static const char before[] = "let x = ";
 
-/* Reads the expression of a line `let x = …`; false with a mistake. */
+/* Reads the expression of the line `let x = …` of the page. False: it is wrong, and *mistakes says why. */
 static bool read_line(struct nb_page *page, bool unitless, struct nb_binding *value, struct nb_mistakes *mistakes) {
   static const struct nb_binding values[] = {{.name = "a", .text = "2", .value = 2},
                                              {.name = "b_1", .text = "3 mm", .value = 3e-3, .dimension = {60, 0, 0}},

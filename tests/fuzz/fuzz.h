@@ -15,7 +15,8 @@ struct fuzz_reader {
   int changes;      /* number of randomly changed inputs that `make check` reads */
   /* Reads the bytes and aborts if an invariant is violated. True if the input is valid. */
   bool (*read)(const unsigned char *bytes, size_t size);
-  /* Writes input k of the program itself into `longest` bytes, and returns its size; 0: there are no more. */
+  /* Writes to `text`, which has `longest` bytes, the input k that the fuzzer itself makes. Returns its size; 0: there
+   * are no more. */
   size_t (*seed)(size_t k, char *text);
 };
 extern const struct fuzz_reader fuzz_pages, fuzz_expressions, fuzz_paths, fuzz_packings, fuzz_states, fuzz_checkpoints,
@@ -26,16 +27,17 @@ extern const struct fuzz_reader fuzz_pages, fuzz_expressions, fuzz_paths, fuzz_p
 void fuzz_begin(const void *bytes, size_t size);
 void fuzz_hold(bool holds, const char *what);
 void fuzz_hold_mistakes(const struct nb_mistakes *mistakes, enum nb_status status);
-/* True if this input gets a test that, to save time, only one of `count` inputs gets. In `replay` all inputs get it. */
+/* For a slow test: true if the present input gets this test. To save time only one of `count` inputs gets it; in
+ * `replay` all inputs do. */
 bool fuzz_one_of(int count);
 extern bool fuzz_saves_time;
 /* Writes the input of the last fuzz_begin to a temporary file. Returns its path. */
 const char *fuzz_file(void);
-/* Reads a page of this test. The page is valid. */
+/* Reads a page that the fuzzer itself contains. It must be valid. */
 void fuzz_read_page(struct nb_page *page, struct nb_scene *scene, const char *path, const char *statements);
 
-/* states.c: replaces or adds the last line with the right checksum, in every second input that is a state. Returns the
- * new size; `text` has space for FUZZ_END further bytes. */
+/* states.c: gives a state the right last line, which has the checksum. It does so in about half of the inputs, so that
+ * wrong checksums are read, too. Returns the new size; `text` has space for FUZZ_END further bytes. */
 enum { FUZZ_END = 23 };
 size_t fuzz_seal(char *text, size_t size);
 

@@ -138,7 +138,7 @@ static bool read_page(const unsigned char *bytes, size_t size) {
   return valid;
 }
 
-static size_t no_seed(size_t k, char *text) { /* the pages of the tree */
+static size_t no_seed(size_t k, char *text) { /* replay.c takes the pages of the tree */
   (void)k, (void)text;
   return 0;
 }

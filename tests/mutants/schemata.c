@@ -1,5 +1,6 @@
-/* Chooses the mutant from $NB_MUTANT. The sites that a program reaches are noted in the file $NB_SITES, which has a byte
- * for each. It is mapped into memory, so processes can share it and one that crashes loses nothing.
+/* Chooses the mutant whose number is in $NB_MUTANT. The file $NB_SITES has a byte for each site (schemata.h). The byte
+ * becomes 1 when a program reaches the site. The file is mapped into memory, so processes can share it, and no mark is
+ * lost if a process crashes.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "schemata.h"

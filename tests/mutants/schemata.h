@@ -1,4 +1,5 @@
-/* Included before everything in a file with mutants: each mutated expression is `(NB_SITE(s) nb_mutant == n ? mutated : original)`.
+/* Included before everything in a file with mutants. A site is an expression that is mutated. The site s with the
+ * mutant n becomes `(NB_SITE(s) nb_mutant == n ? mutated : original)`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_SCHEMATA_H

@@ -1,4 +1,4 @@
-/* The exact law with several memories, compared with the list of all rings of by_hand.h.
+/* The exact law with memories of several sizes (numbers of pieces), compared with by_hand.h, which keeps all rings.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "../by_hand.h"
@@ -9,7 +9,6 @@ enum { ROW = 12 + 5 * 4096 };
 
 struct replay {
   const struct nb_law *shear, *normal;
-
   double rows[MEMORIES][ROW];
   struct by_hand hand;
 };
@@ -49,7 +48,8 @@ void replay_go(struct replay *replay, struct nb_pair pair, double overlap, doubl
 }
 
 struct errors exact_on_paths(const struct nb_law *shear, int kind, long steps) {
-  /* mu kappa = 1/4: the result depends only on u = slip/(mu kappa) and the overlap. */
+  /* mu kappa = 1/4 (kappa: shear_mindlin_deresiewicz.c). The result depends only on u = slip/(mu kappa) and the
+   * overlap. */
   static const struct nb_pair pair = {.friction = 0.25, .young = 4e9, .shear = 1e9, .radius = 1};
   struct errors errors = {0};
   struct path path = path_of(kind, 3);

@@ -27,11 +27,11 @@ extern const char *const kind_names[KINDS], *const kind_titles[KINDS];
 struct path path_of(int kind, unsigned seed);
 struct point path_next(struct path *path);
 
-/* ---- laws.c: the contract of a law on such paths ---- */
+/* ---- laws.c: what a law promises, tested on such paths ---- */
 
-/* Violations of the contract. An energy account is for the shear force or for the normal force. A law that promises to
- * create no energy never returns more energy than it was given since first touch, except for the error of the finite
- * steps. */
+/* Violations of what a law promises (laws/law.h). Each contact has two energy accounts, one for the normal force and
+ * one for the shear force. A law that promises to create no energy never returns more energy than it was given since
+ * first touch, except for the error of the finite steps. */
 struct findings {
   long steps, contacts;
   double excess;     /* largest |T|/(mu N + c) - 1 */

@@ -1,4 +1,4 @@
-/* The paths of all contacts of a run, computed by the program and replayed one contact at a time.
+/* The paths of all contacts in a run of the program. Each path is replayed with the exact law and with by_hand.h.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -13,7 +13,7 @@ const char *const run_titles[RUNS] = {
     "all contacts of an assembly of 60 spheres that is sheared forward and back",
 };
 
-/* A replay for each pair of a first particle and a partner; walls come after the particles. */
+/* A replay for each pair of a particle and a partner. Partners are first all particles, then all walls. */
 struct replays {
   size_t particles, partners;
   struct replay **of;
