@@ -63,7 +63,8 @@ update_time() {
     echo "$(cat clock) $(sed -n 's/.* cycles, \([^ ]*\) contact updates.*/\1/p' said)"
   done | $awk '{ time[NR] = $1; updates[NR] = $2 } END { print (time[2] - time[1]) / (updates[2] - updates[1]) * 1e9 }'
 }
-# sample SEED RATE PART: prepares and shears a sample with this factor on the strain rates and this step; sets `cycles`.
+# sample SEED RATE PART: prepares and shears a sample of preparation-price with these values of its sweeps, and writes the number of
+# cycles to the file cycles.
 sample() {
   command time -f %U -o clock "$program" run "$folder/../../cases/7-assemblies/preparation-price.md" -o out --jobs 1 --threads 1 \
     --set seed="$1" --set rate="$2" --set part="$3" >said 2>&1 || { cat said >&2 && exit 2; }
