@@ -167,7 +167,7 @@ static void forces_scale_with_the_stiffnesses(struct contact it, struct chance *
   }
 }
 
-static void memory_that_is_not_the_laws_own_is_left_alone(struct contact it, struct chance *chance) {
+static void history_that_is_not_the_laws_own_is_unchanged(struct contact it, struct chance *chance) {
   for (int k = 0; k < 20; k++)
     contact_go(&it, k % 7 == 6 ? 0 : chance_scale(chance, 1e-9, 1e-3), chance_between(chance, -1e-4, 1e-4));
   for (int m = it.normal->history; m < NB_HISTORY; m++)
@@ -239,7 +239,7 @@ OF_SHEAR(shear_stiffness_is_the_slope_at_stick)
 OF_SHEAR(shear_stays_below_its_limit)
 OF_SHEAR(mirrored_slip_gives_the_mirrored_force)
 OF_SHEAR(forces_scale_with_the_stiffnesses)
-OF_SHEAR(memory_that_is_not_the_laws_own_is_left_alone)
+OF_SHEAR(history_that_is_not_the_laws_own_is_unchanged)
 
 void suite_laws(void) {
   CU_pSuite suite = CU_add_suite("laws", NULL, NULL);
@@ -255,5 +255,5 @@ void suite_laws(void) {
   CU_add_test(suite, "shear: mirrored slip, mirrored force", shear_mirrored_slip_gives_the_mirrored_force);
   CU_add_test(suite, "shear: forces scale with the stiffnesses", shear_forces_scale_with_the_stiffnesses);
   CU_add_test(suite, "history slots that a law does not declare are unchanged",
-              shear_memory_that_is_not_the_laws_own_is_left_alone);
+              shear_history_that_is_not_the_laws_own_is_unchanged);
 }

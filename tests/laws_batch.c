@@ -23,7 +23,7 @@ static inline struct nb_shear shear_scribble(struct nb_pair p, struct nb_normal 
 }
 #define LAW shear_scribble
 #define SHEAR
-#define TITLE "scribbles into its memory"
+#define TITLE "writes to its whole history"
 #define SOURCE "-"
 #define PARAMETERS ""
 #define HISTORY 4
@@ -179,7 +179,7 @@ static void same_bits(void) {
     }
 }
 
-static void memory_ends_with_the_contact(void) {
+static void history_ends_with_the_contact(void) {
   static struct fields fields;
   struct chance chance = chance_begin(3);
   const struct nb_law *law;
@@ -206,5 +206,5 @@ static void memory_ends_with_the_contact(void) {
 void suite_laws_batch(void) {
   CU_pSuite suite = CU_add_suite("laws_batch", NULL, NULL);
   CU_add_test(suite, "same bits as one contact at a time", same_bits);
-  CU_add_test(suite, "memory ends with the contact", memory_ends_with_the_contact);
+  CU_add_test(suite, "the history ends with the contact", history_ends_with_the_contact);
 }

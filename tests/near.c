@@ -39,7 +39,7 @@ static void cloud(struct written *it, double x, double y, double speed, unsigned
   written_scene(it, &page);
 }
 
-/* The gap between the surfaces of two particles, or of a particle and a wall. */
+/* The gap between the surfaces of the particles i and j, or of particle i and wall j. */
 static double gap(const struct nb_model *model, size_t i, size_t j, bool wall) {
   const struct nb_vec x = model->particles.position[i];
   if (!wall)

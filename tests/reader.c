@@ -19,6 +19,7 @@ struct read {
   enum nb_status status;
 };
 
+/* Reads a page with these bytes from a temporary file, and one of its runs with these settings. */
 static struct read read_bytes(const char *bytes, size_t size, size_t run, nb_settings settings) {
   struct read read = {.status = NB_BAD_USE};
   char path[] = "/tmp/nineball-reader-XXXXXX";
