@@ -27,7 +27,7 @@ struct plane {
   double q, mu, radius;
   int count;
   double begin[STAGES + 1];          /* s */
-  double p[STAGES][2], n[STAGES][2]; /* at the beginning and the end of each stage, m/s2 */
+  double p[STAGES][2], n[STAGES][2]; /* at the beginning and at the end of each stage, m/s2 */
 };
 
 /* The integral of p or n over the first `fraction` of a stage, divided by the length of the stage; `ends` are its first

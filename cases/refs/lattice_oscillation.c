@@ -80,7 +80,7 @@ static void add_wall_loads(const struct lattice *lattice, const struct oscillati
   gsl_vector_free(force);
 }
 
-/* The wave of a mode with the angular frequency `omega`. */
+/* The phase and the divisor `sine` of the wave of a mode with the angular frequency `omega`, rad/s. */
 static struct oscillation_term wave_of(double omega, double step, enum oscillation_time time) {
   double angle = omega * step;
   if (time == OSCILLATION_CONTINUOUS)

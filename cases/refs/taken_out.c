@@ -82,8 +82,9 @@ static double position(const void *data, double time) {
   return it->from + it->along * it->overlap * (angle < pi / 2 ? 1 - cos(angle) : 1 + angle - pi / 2);
 }
 
-/* Reads the motion of a particle at rest between one wall and one particle that stage 2 removes. False: the particle is
- * not such a neighbour, or the run ends before it leaves the wall. */
+/* Reads the motion of a particle at rest between one wall and one particle that stage 2 removes, and the normal of the
+ * wall. `end` is the time of the end of the run, s. False: the particle is not such a neighbour, or the run ends before
+ * it leaves the wall. */
 static bool read_neighbour(struct oscillation *oscillation, double normal[2], const struct nb_scene *scene,
                            const struct nb_particle *particle, double end) {
   size_t walls = 0, particles = 0;
