@@ -1,5 +1,6 @@
 /* Every source and sink of energy has its own term in the energy balance. A scene has none, one or several sources and
- * sinks: their terms are not 0, and all other terms are exactly 0. Energy that is dissipated twice is counted twice.
+ * sinks: their terms are not 0, and all other terms are exactly 0. Energy that the same contact dissipates at two
+ * separations is counted both times.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

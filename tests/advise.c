@@ -396,7 +396,7 @@ static void a_trial_that_would_end_after_the_budget(void) {
   finish(&advice, &page);
 }
 
-/* Counts the trials, and takes away the budget before the trial with the number `last`. */
+/* Counts the trials. When trial number `last` begins, sets the budget to 0, so that no later trial is run. */
 struct end {
   struct nb_advise_query *query;
   unsigned trials, last;

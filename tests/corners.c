@@ -42,7 +42,7 @@ static void one_go(struct one *it, double x, double u) {
   CU_ASSERT_EQUAL(it->m[0], floor(it->m[0]));
 }
 static int pieces(const struct one *it) { return (int)it->m[0]; }
-static double fraction(const struct one *it) { return it->s.force / (it->pair.friction * it->n.force); }
+static double fraction(const struct one *it) { return it->s.force / (it->pair.friction * it->n.force); } /* T/mu N */
 
 /* ---- the pieces themselves ---- */
 

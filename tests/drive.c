@@ -186,8 +186,8 @@ static void dashpots_see_the_strain(void) {
 }
 
 /* A circle shrinks to a fifth of its size. A disc joins it in the first cycle that begins with the centre of the disc
- * on the circle or outside. The size of the circle at the last search must not change in which cycle this is. So a
- * search must list the discs that are closer than the skin to the circle at its present size. */
+ * on the circle or outside. This cycle must not depend on the size of the circle at the last search. So a search must
+ * list the discs that are closer than the skin to the circle at its present size. */
 static void a_circle_that_has_shrunk_takes_in_a_disc(void) {
   enum { SHRINKS = 160, RESTS = 200 };
   for (int s = 0; s < 10; s++) {
@@ -245,8 +245,8 @@ static void discs_at_rest_join_the_boundary(void) {
   }
 }
 
-/* Four discs on the axes, two of them opposite each other on the x axis, are listed in their order round the centre,
- * whatever their numbers are, so the area is that of the square. */
+/* Four discs on the axes. The boundary lists them in their order round the centre, whatever their numbers are, so its
+ * area is that of a square. */
 static void any_order_of_numbers(void) {
   static const double at[4][2] = {{5, 0}, {0, 5}, {-5, 0}, {0, -5}};
   for (int order = 0; order < 256; order++) {

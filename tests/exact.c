@@ -256,7 +256,7 @@ static void very_small_friction(void) {
 }
 
 /* The friction is so high that the contact never comes near sliding. The error of T is small relative to T, not only
- * relative to mu N. The slip is a fraction of the overlap, so u is about a millionth of x. */
+ * relative to mu N. The tangential displacement is less than the overlap, so u is less than a millionth of x. */
 static void very_high_friction(void) {
   static struct by_hand hand;
   struct chance chance = chance_begin(8);

@@ -23,6 +23,7 @@ struct stage_end {
 
 static const struct nb_options options = {.threads = 1, .keep_all = true};
 
+/* Stores the present results of the model. */
 static void look(struct stage_end *ends, const struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
   struct nb_saved saved;
