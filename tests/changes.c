@@ -374,6 +374,21 @@ static void a_spin_ramps(void) {
   CU_ASSERT_EQUAL(after(DOOR "stage b\nwalls stop\ncycles 8\n", "W.y"), -2);
 }
 
+/* A statement that gives a wall a velocity keeps its spin, and one that gives it a spin keeps its velocity. The second
+ * statement takes effect at once, although the first one was a ramp. */
+static void a_wall_keeps_its_other_motion(void) {
+#define ROTATING                                                                                                       \
+  "material m density 1 kn 1\nbox 0 0 to 8 8 m\ndisc 4 4 radius 1 m\nmonitor W wall west\nrecord W.x W.angle\n"        \
+  "step 0.25\nstage a\nwall west spin 0.125\ncycles 4\n"
+  CU_ASSERT_EQUAL(after(ROTATING "stage b\nwalls inward 0.5\ncycles 4\n", "W.angle"), 0.125 + 0.125);
+  CU_ASSERT_EQUAL(after(ROTATING "stage b\nwalls inward 0.5\ncycles 4\n", "W.x"), 0.5);
+  CU_ASSERT_EQUAL(after(ROTATING "stage b\nramp walls inward 0.5\ncycles 4\n", "W.angle"), 0.125 + 0.125);
+  CU_ASSERT_EQUAL(after(ROTATING "stage b\nramp walls inward 0.5\ncycles 4\n", "W.x"), 0.25);
+  const char *const then = DOOR "stage b\nramp wall w velocity 3 0\ncycles 8\nstage c\nwall w spin 1\ncycles 4\n";
+  CU_ASSERT_EQUAL(after(then, "W.angle"), 0.5 + 1 + 1);
+  CU_ASSERT_EQUAL(after(then, "W.x"), 5 + 1 + 4 + 3);
+}
+
 void suite_changes(void) {
   CU_pSuite suite = CU_add_suite("changes", NULL, NULL);
   CU_add_test(suite, "a particle falls", a_particle_falls);
@@ -394,4 +409,5 @@ void suite_changes(void) {
   CU_add_test(suite, "weight counts in unbalanced.max", weight_counts_in_the_balance);
   CU_add_test(suite, "reverse velocities reverses walls", velocities_of_walls_reverse);
   CU_add_test(suite, "a spin ramps", a_spin_ramps);
+  CU_ADD_TEST(suite, a_wall_keeps_its_other_motion);
 }

@@ -555,6 +555,7 @@ static void warnings_of_removed_particles(void) {
        true},
       {"C.normal", "C.normal expected 0 within 0 [t]", NULL, false},
       {"A.x", "report A.x", NULL, false},
+      {"A.y", "report A.y", NULL, false},
       {"B.vx", "report B.vx", NULL, false},
       {"W.fx", "report W.fx", NULL, false},
   };

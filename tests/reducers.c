@@ -117,6 +117,8 @@ static void nothing_to_reduce(void) {
       {"A.x at 10 cycles in two within 9", "no row was recorded at that moment", 6, {1, 2, 3, 4, 5, 6}},
       {"A.x frequency within 9", "it rises through its mean less than twice", 3, {-1, 1, 1}},
       {"A.x frequency within 9", "it rises through its mean less than twice", 3, {1, 1, 1}},
+      {"A.x frequency in one within 9", "it rises through its mean less than twice", 6, {-1, 1, -1, 9, 0, 0}},
+      {"A.x frequency in two within 9", "it rises through its mean less than twice", 6, {0, 0, -9, 1, -1, 1}},
       {"A.x mean within 9", "the result is not a finite number", 3, {1e308, 1e308, 1e308}},
       {"A.x amplitude within 9", "the result is not a finite number", 3, {-1e308, 0, 1e308}},
       {"A.x within 9 % of A.y in two", "`A.y in two` cannot be computed", 3, {1, 2, 3}},

@@ -3,7 +3,9 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "planted.h"
 #include "suites.h"
@@ -70,8 +72,43 @@ static void hidden(void) {
   }
 }
 
+/* Creates a temporary file with this text. */
+static void write_file(char path[], const char *text) {
+  const int descriptor = mkstemp(path);
+  CU_ASSERT_FATAL(descriptor >= 0);
+  CU_ASSERT_EQUAL(write(descriptor, text, strlen(text)), (ssize_t)strlen(text));
+  close(descriptor);
+}
+
+/* If a setting replaces the segments of a contact test, each expectation of the page is reported as skipped, and no other
+ * line is. Without this setting the expectations are checked. */
+static void replaced_segments(void) {
+  static const char text[] =
+      "# A title\n```contact-test\nmaterial g young 70 GPa poisson 0.25 friction 0.3\nnormal hertz\nshear mindlin\n"
+      "contact sphere 1 mm g with sphere 1 mm g\nsegment press overlap to 2 um in 10 steps\n```\n\nWords.\n\n"
+      "```expect\n# the first one\n\noverlap expected 2 um within 1e-12 m [t]\nslip expected 0 m within 0 m [t]\n```\n"
+      "```gnuplot\nplot 1\n```\n";
+  for (int followed = 0; followed < 2; followed++) {
+    char page[] = "/tmp/nineball-verdict-XXXXXX", points[] = "/tmp/nineball-verdict-XXXXXX", follow[64];
+    struct nb_outcome outcome;
+    write_file(page, text), write_file(points, "overlap/um\tslip/um\n1\t0\n3\t1\n");
+    snprintf(follow, sizeof follow, "follow=%s", points);
+    nb_outcome_make(&outcome, page, (const char *const[]){followed ? follow : NULL, NULL}, NULL, NULL);
+    CU_ASSERT_EQUAL(outcome.status, NB_OK);
+    CU_ASSERT_EQUAL_FATAL(outcome.check_count, 2);
+    CU_ASSERT_EQUAL(outcome.mark_count[followed ? NB_SKIP : NB_PASS], 2);
+    for (int k = 0; k < 2; k++) {
+      CU_ASSERT_EQUAL(outcome.checks[k].line, 15 + k);
+      CU_ASSERT(!followed || strcmp(outcome.checks[k].message, "`follow` replaces the segments of the page") == 0);
+    }
+    nb_outcome_free(&outcome);
+    unlink(page), unlink(points);
+  }
+}
+
 void suite_verdict_skip(void) {
   CU_pSuite suite = CU_add_suite("verdict_skip", NULL, NULL);
   CU_add_test(suite, "expectations with nothing to compare are reported", skipped);
   CU_add_test(suite, "expect blocks that are prose are reported", hidden);
+  CU_add_test(suite, "expectations of replaced segments are reported", replaced_segments);
 }
