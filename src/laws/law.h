@@ -53,7 +53,7 @@ struct nb_shear {
   double dissipated; /* energy lost to micro-slip and sliding in this step, J; only laws that declare DISSIPATIVE */
 };
 
-/* An entry of the register; law_batch.h defines it. */
+/* An entry of the register, which law_batch.h defines for each law. */
 struct nb_law {
   const char *kind;       /* "normal" or "shear" */
   const char *name;       /* "linear" */
@@ -64,7 +64,7 @@ struct nb_law {
   int piece, pieces;      /* doubles for each piece; default number of pieces */
   unsigned needs;         /* set of fields that the law reads besides overlap, normal force and normal stiffness */
   bool elastic;           /* for elastic spheres: uses E*, G* and R* instead of k_n and k_s */
-  bool constant;          /* the stiffness is k_n or k_s of the pair, or 0; so its root can be stored */
+  bool constant;          /* the stiffness is k_n or k_s of the pair, or 0; so dashpots can store sqrt(M* k) */
   bool branching;         /* has loops or calls: its loop need not vectorise */
   bool cohesionless;      /* does not support cohesion: a page with cohesion is invalid */
   bool dissipative;       /* dissipates energy before gross sliding, and returns this energy */

@@ -51,7 +51,7 @@ bool nb_box_is_strained(const struct nb_model *model); /* the same for the curre
 /* Sets the velocities of the box's walls for the next step. Called before the motion. */
 void nb_box_set_velocities(struct nb_model *model);
 struct nb_vec nb_box_sides(const struct nb_model *model);         /* current width and height of the box, m */
-double nb_box_porosity(const struct nb_model *model);             /* areal, of all particles, 1 */
+double nb_box_porosity(const struct nb_model *model);             /* areal porosity of the box, 1 */
 struct nb_vec nb_box_initial_sides(const struct nb_scene *scene); /* width and height at time 0, m */
 struct nb_tensor nb_box_stress(const struct nb_model *model);     /* stress of the box, Pa (box.c) */
 struct nb_tensor nb_walls_stress(const struct nb_model *model);   /* mean traction of opposite walls, Pa */

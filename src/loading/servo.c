@@ -34,7 +34,7 @@
 #include "measure/boundary.h"
 #include "measure/region.h"
 
-/* B, Pa. */
+/* B, Pa. `volume`: A h, m3. */
 static double stiffness(const struct nb_model *model, const struct nb_servo *servo, double volume) {
   const struct nb_contacts *contacts = &model->contacts;
   double sum = 0;
@@ -50,7 +50,7 @@ static double stiffness(const struct nb_model *model, const struct nb_servo *ser
   return sum / (4 * volume);
 }
 
-/* rho, kg/m3. */
+/* rho, kg/m3. `volume`: A h, m3. */
 static double density(const struct nb_model *model, double volume) {
   double sum = 0;
   for (size_t k = 0; k < model->particles.count; k++)

@@ -10,7 +10,7 @@ struct nb_balance {
     struct nb_velocities before, now; /* velocities before the kick; at t_N */
     struct nb_vec position, imposed;  /* position at t_N, m; imposed displacement over the kick, m */
   } * particles;                      /* per slot */
-  struct nb_tensor copy_displacement; /* displacement of images over the kick, per side of the cell away, m */
+  struct nb_tensor copy_displacement; /* over the kick, of images one side away, relative to their particles, m */
   struct {
     struct nb_vec pivot;        /* P at t_N, m */
     struct nb_velocities speed; /* velocities of the wall over the step that ends at t_N */

@@ -8,8 +8,8 @@
 static inline bool nb_boundary_exists(const struct nb_model *model) {
   return model->boundary && model->boundary->ring.exists;
 }
-/* The vector from the boundary's centre to its particle number k, m. The particles are counted counterclockwise, k
- * modulo their number. */
+/* The vector from the boundary's centre to the boundary particle with the index k, m. The indices run counterclockwise;
+ * k counts modulo the number of these particles. */
 static inline struct nb_vec nb_boundary_position(const struct nb_model *model, size_t k) {
   const struct nb_ring *ring = &model->boundary->ring;
   return vec_sub(model->particles.position[ring->member[k % ring->count]], model->affine->centre);

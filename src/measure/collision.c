@@ -43,7 +43,7 @@ static struct approach circles_approach(struct nb_vec apart, struct nb_vec relat
 }
 
 /* Velocities of a wall in the stage that sets the step. When the step of the scene is set, the first stage has not
- * begun, so its velocities are read from the page. */
+ * begun; the velocities then follow from its statements. */
 static struct nb_velocities wall_state(const struct nb_model *model, int wall) {
   struct nb_velocities state = {model->walls.velocity[wall], model->walls.spin[wall]};
   const struct nb_stage *first = &model->scene->stages[0];

@@ -6,7 +6,7 @@
 #include "core/contacts.h"
 #include "snapshot.h"
 
-/* Creates model->configuration, or leaves it NULL if the scene has no such snapshots. False: out of memory. */
+/* Creates model->configuration, or leaves it NULL if the scene has no snapshot with `from`. False: out of memory. */
 bool nb_configuration_create(struct nb_model *model);
 void nb_configuration_free(struct nb_configuration *configuration);
 /* Number of stages that a `from` names; 0 for NULL. */
@@ -22,13 +22,14 @@ double nb_configuration_slip(const struct nb_model *model, int stage, size_t con
 /* Makes the table `lattice` of a snapshot of `stage`, with the changes since stage `from`. False: out of memory. */
 bool nb_configuration_lattice(struct nb_table *table, const struct nb_model *model, int stage, int from);
 
-/* A walk over the contacts that touch now or touched when the reference stage began, in the order of contacts. kind: 0:
- * at both times; 1: only now; -1: only then. */
+/* A walk over the pairs that touch now or touched when the reference stage began, in the order of contacts. */
 struct nb_configuration_walk {
   const struct nb_model *model;
   const struct nb_neighbour_pairs *reference;
   size_t now, past; /* indices in the contacts and in `reference` */
 };
+/* Goes to the next pair; false: no more. Sets *kind to 0 if the pair touches at both times, to 1 if only now, to -1 if
+ * only then. */
 bool nb_configuration_next(struct nb_configuration_walk *walk, struct nb_neighbour_pair *pair, int *kind);
 /* Lists the pairs that touch now. False: out of memory. */
 bool nb_touching_pairs(struct nb_neighbour_pairs *touching, const struct nb_model *model);

@@ -31,8 +31,8 @@ static bool is_rattler(const struct nb_model *model, size_t slot) {
   return is_free(model, slot) && model->regions->touching[slot] < 2;
 }
 
-/* For each particle, sets `touching` to the number of its contacts with walls and with particles that are not rattlers;
- * -1: the particle is a rattler. */
+/* Sets `touching` of each rattler to -1, and of each other particle to the number of its contacts with walls and with
+ * particles that are not rattlers. */
 static void find_rattlers(const struct nb_model *model) {
   int *touching = model->regions->touching, *queue = model->regions->queue;
   size_t queued = 0;

@@ -52,7 +52,7 @@ struct nb_changed_contacts {
   struct nb_tensor phi; /* Phi_ij, of trace 1; 0 without contacts */
 };
 struct nb_porosity {
-  double areal, volume, void_ratio;
+  double areal, volume, void_ratio; /* n by area, n by volume, and e, 1: region.c */
 };
 struct nb_coordination {
   double particles, contacts; /* number of particles inside; number of their contacts, each counted once */
@@ -78,7 +78,7 @@ struct nb_speeds {
   double mean, max, imposed, ratio; /* m/s, m/s, m/s, 1 */
 };
 struct nb_chains {
-  double count, length, fraction; /* number of chains; mean length; fraction of the free particles in chains */
+  double count, length, fraction; /* number of chains; particles per chain; fraction of free particles in chains */
   double bend;                    /* mean angle between successive links, rad */
 };
 /* Each measure has a function nb_measure_NAME, which only nb_region_measured calls. */
@@ -121,7 +121,8 @@ struct nb_region_state {
   struct nb_chains chains;
   struct nb_changed_contacts lost, gained;
   struct nb_neighbour_pairs reference_pairs; /* pairs that touched when the reference stage began */
-  struct nb_vec *reference_position;         /* index: particle number - 1; m; NAN: was outside; NULL: not needed */
+  /* Positions when the strain began, m, by particle number minus 1; NAN: the particle was outside. NULL: not needed. */
+  struct nb_vec *reference_position;
 };
 struct nb_regions {
   struct nb_region_state *list;              /* one for each region of the scene */
@@ -169,7 +170,7 @@ struct nb_end {
    * -e1). */
   double total_normal, total_shear;
 };
-static inline struct nb_vec nb_end_force(const struct nb_end *end) { /* from the particle on its partner, N */
+static inline struct nb_vec nb_end_force(const struct nb_end *end) { /* force of the particle on its partner, N */
   return vec_add(vec_scale(end->total_normal, end->e), vec_scale(end->total_shear, vec_clockwise(end->e)));
 }
 struct nb_ends {

@@ -63,7 +63,7 @@ bool nb_stability_overlaps(struct nb_model *model) {
   return above == 0;
 }
 
-/* h of the header, for all material pairs. */
+/* h, defined at the top of this file, for all material pairs. */
 static double max_stiffness_ratio(const struct nb_model *model) {
   double largest = 0;
   for (size_t p = 0; p < model->material_pair_count; p++) {

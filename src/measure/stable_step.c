@@ -276,7 +276,7 @@ struct nb_stable nb_stable_step_begin(const struct nb_model *model) {
   update_next_properties(model);
   keep_coefficients(model);
   memset(model->stability->sums, 0, particles->count * sizeof *model->stability->sums);
-  for (size_t c = 0; c < contacts->count; c++) { /* in the order of particle numbers, whatever the storage */
+  for (size_t c = 0; c < contacts->count; c++) { /* in the order of particle numbers, whatever the storage order */
     const int i = contacts->a[c], j = contacts->b[c];
     const struct nb_coefficients k = coefficients_of(model, c);
     if (model->stability->coefficients)

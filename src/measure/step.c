@@ -80,7 +80,8 @@ bool nb_step_loaded(const struct nb_model *model) {
   return false;
 }
 
-/* The reason why a step of this kind cannot be used; NULL: it can be used. */
+/* The reason why a step of this kind cannot be used; NULL: it can be used. `unit`: the time of which the step is a
+ * fraction, s; infinite if there is none. */
 static const char *objection(const struct nb_model *model, enum nb_step_kind kind, double unit) {
   if (kind == NB_STEP_COLLISION && model->cell && nb_step_elastic(model))
     return "collisions of elastic spheres are not predicted in a periodic cell";

@@ -94,11 +94,12 @@ bool nb_fracc_create(struct nb_model *model);       /* false: no memory */
 void nb_fracc_after_forces(struct nb_model *model); /* computes FRACC; called after the forces */
 
 /* step.c */
-bool nb_step_elastic(const struct nb_model *model);     /* the next normal law is for elastic spheres */
-bool nb_step_loaded(const struct nb_model *model);      /* some contact overlaps by more than rounding */
-double nb_step_collision(const struct nb_model *model); /* duration of the shortest possible collision, s */
-double nb_step_single_contact(const struct nb_model *model);
+bool nb_step_elastic(const struct nb_model *model);          /* the next normal law is for elastic spheres */
+bool nb_step_loaded(const struct nb_model *model);           /* some contact overlaps by more than rounding */
+double nb_step_collision(const struct nb_model *model);      /* duration of the shortest possible collision, s */
+double nb_step_single_contact(const struct nb_model *model); /* t_c of step.c, s */
 /* Sets `lightest` to the slots of the lightest particles of the two materials of a pair; -1: there is none, or the
  * second is a wall. */
 void nb_step_lightest(const struct nb_model *model, const struct nb_material_pair *material_pair, int lightest[2]);
+/* Sets the step of the model as a statement `step` requires. */
 enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, struct nb_error *error);

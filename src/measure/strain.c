@@ -55,7 +55,7 @@ enum nb_status nb_strain_begin(struct nb_model *model, int stage, struct nb_erro
  * well above the rounding error of 1e-15 and far below the value of 1 - r^2 in any packing. */
 static const double collinear = 1e-12;
 
-/* G of the header. A `reference` of NaN marks a particle that was outside. */
+/* G, defined at the top of this file. A `reference` of NaN marks a particle that was outside. */
 static struct nb_tensor fit(const struct nb_model *model, const struct nb_vec reference[]) {
   const struct nb_particles *particles = &model->particles;
   struct nb_vec middle = vec(0, 0), mean_displacement = vec(0, 0);

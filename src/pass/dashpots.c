@@ -64,7 +64,7 @@ struct dashpots {
   const double *normal_root, *shear_root; /* sqrt(M* k) of the contacts with k > 0; NULL: not stored */
 };
 
-/* Coefficient c of a dashpot of contact c of the block, N s/m. `root`: spec->normal_root or spec->shear_root. */
+/* Coefficient of a dashpot of contact c of the block, N s/m. `root`: spec->normal_root or spec->shear_root. */
 static inline NB_FORM double coefficient(const struct dashpots *spec, double stiffness, const double *root, size_t c) {
   const double oscillation = !spec->uses_damping_ratio ? 0
                              : root                    ? nb_where(stiffness > 0, root[c])
@@ -79,13 +79,13 @@ struct changes {
   double rotation[NB_BLOCK_SIZE];        /* change of w_x R_x + w_y R_y, m/s */
 };
 
-/* The change for particle i. `start`: at time 0. */
+/* The changes of the velocities of particle i, as in struct changes. `start`: at time 0. */
 static inline NB_FORM struct nb_velocities change_of(const struct nb_particles *particles, int i, bool start) {
   return start ? (struct nb_velocities){particles->velocity[i], particles->surface_speed[i]} : particles->ahead[i];
 }
 
-/* The change for the point of wall w nearest to x, the centre of a particle: the velocity of this point at the end of
- * the step minus its mean velocity over the step; at time 0, its velocity. */
+/* The change, as in struct changes, for the point of wall w nearest to x, the centre of a particle: the velocity of
+ * this point at the end of the step minus its mean velocity over the step; at time 0, its velocity. */
 static inline NB_FORM struct nb_vec wall_change(const struct nb_walls *walls, int w, struct nb_vec x, bool start) {
   const struct nb_vec q = nb_wall_nearest(walls, w, x), arm = vec_sub(q, walls->pivot[w]);
   const struct nb_vec v = vec_add(walls->velocity[w], vec_scale(walls->spin[w], vec(-arm.y, arm.x)));
