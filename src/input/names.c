@@ -182,23 +182,25 @@ static const struct nb_quantity_kind kinds[] = {
     {"dashpot.normal", PAIR, "N", NB_BIT(NB_NORMAL) | NB_BIT(NB_TOTAL_NORMAL), pair_dashpot_normal,
      "normal force of the dashpot, D_n [CS79 26]"},
     {"dashpot.shear", PAIR, "N", NB_BIT(NB_SHEAR), pair_dashpot_shear, "shear force of the dashpot, D_s [CS79 27]"},
+    {0},
 };
-enum { KINDS = sizeof kinds / sizeof *kinds };
 
-/* Row k: first the rows of this file, then those of the other files; NULL after the last one. */
-static const struct nb_quantity_kind *kind_at(size_t k) {
-  static const struct nb_quantity_kind *const others[] = {nb_step_kinds,        nb_wall_kinds,   nb_loading_kinds,
-                                                          nb_fill_kinds,        nb_impact_kinds, nb_region_kinds,
-                                                          nb_contact_test_kinds};
-  if (k < KINDS)
-    return &kinds[k];
-  k -= KINDS;
-  for (size_t o = 0; o < sizeof others / sizeof *others; o++)
-    for (const struct nb_quantity_kind *kind = others[o]; kind->name; kind++, k--)
-      if (k == 0)
-        return kind;
-  return NULL;
+/* The tables of all rows. The last row of a table has no name. */
+static const struct nb_quantity_kind *const tables[] = {
+    kinds,           nb_step_kinds,         nb_wall_kinds, nb_loading_kinds, nb_fill_kinds, nb_impact_kinds,
+    nb_region_kinds, nb_contact_test_kinds, NULL};
+
+/* `kind`, or the first row of the next table if `kind` is the last row of **table; NULL after the last table. */
+static const struct nb_quantity_kind *row_from(const struct nb_quantity_kind *const **table,
+                                               const struct nb_quantity_kind *kind) {
+  while (kind && !kind->name)
+    kind = *++*table;
+  return kind;
 }
+
+/* A loop over all rows: first those of this file, then those of the other files. */
+#define FOR_EACH(kind)                                                                                                 \
+  for (const struct nb_quantity_kind *const *table = tables, *kind = *table; (kind = row_from(&table, kind)); kind++)
 
 /* True if monitor w has the quantity; w = -1: the whole scene has it. */
 static bool applies(const struct nb_quantity_kind *kind, const struct nb_scene *scene, int w) {
@@ -235,18 +237,18 @@ static bool matches(const struct nb_quantity_kind *kind, const char *name, const
 
 bool nb_is_quantity(const char *name) {
   const struct nb_suffix *suffix;
-  size_t k = 0;
-  while (kind_at(k) && !matches(kind_at(k), name, &suffix))
-    k++;
-  return kind_at(k);
+  FOR_EACH (kind)
+    if (matches(kind, name, &suffix))
+      return true;
+  return false;
 }
 
 /* Finds a quantity of monitor w by the name after the dot; w = -1: a quantity of the whole scene. */
 static bool find_quantity(struct nb_quantity *quantity, const struct nb_scene *scene, int w, const char *name) {
   const struct nb_suffix *suffix;
-  for (size_t k = 0; kind_at(k); k++)
-    if (applies(kind_at(k), scene, w) && matches(kind_at(k), name, &suffix)) {
-      *quantity = (struct nb_quantity){kind_at(k), w, suffix};
+  FOR_EACH (kind)
+    if (applies(kind, scene, w) && matches(kind, name, &suffix)) {
+      *quantity = (struct nb_quantity){kind, w, suffix};
       return true;
     }
   return false;
@@ -256,9 +258,9 @@ static bool find_quantity(struct nb_quantity *quantity, const struct nb_scene *s
 static void offer_names(struct nb_guess *guess, const struct nb_scene *scene, int w) {
   char name[NB_NAME_SIZE], whole[3 * NB_NAME_SIZE];
   const struct nb_suffix *suffix;
-  for (size_t k = 0; kind_at(k); k++)
-    for (size_t s = 0; applies(kind_at(k), scene, w) && nth_suffix(kind_at(k), s, &suffix); s++) {
-      name_of(name, sizeof name, kind_at(k), suffix);
+  FOR_EACH (kind)
+    for (size_t s = 0; applies(kind, scene, w) && nth_suffix(kind, s, &suffix); s++) {
+      name_of(name, sizeof name, kind, suffix);
       snprintf(whole, sizeof whole, "%s%s%s", w < 0 ? "" : scene->monitors[w].name, w < 0 ? "" : ".", name);
       nb_guess_offer(guess, whole);
     }
@@ -365,14 +367,14 @@ static const struct owner *owner_of(unsigned monitors) {
 
 bool nb_quantity_row(struct nb_quantity_row *it, size_t k) {
   const struct nb_suffix *suffix;
-  for (size_t r = 0; kind_at(r); r++)
-    for (size_t s = 0; nth_suffix(kind_at(r), s, &suffix); s++)
+  FOR_EACH (kind)
+    for (size_t s = 0; nth_suffix(kind, s, &suffix); s++)
       if (k-- == 0) {
-        name_of(it->name, sizeof it->name, kind_at(r), suffix);
-        snprintf(it->help, sizeof it->help, "%s%s%s", suffix ? suffix->help : "", suffix ? ": " : "", kind_at(r)->help);
-        it->key = (const char *)kind_at(r) + s;
-        const struct owner *const owner = owner_of(kind_at(r)->monitors);
-        it->unit = unit_of(kind_at(r), suffix), it->of = owner->of;
+        name_of(it->name, sizeof it->name, kind, suffix);
+        snprintf(it->help, sizeof it->help, "%s%s%s", suffix ? suffix->help : "", suffix ? ": " : "", kind->help);
+        it->key = (const char *)kind + s;
+        const struct owner *const owner = owner_of(kind->monitors);
+        it->unit = unit_of(kind, suffix), it->of = owner->of;
         it->statement = owner->statement, it->prefix = owner->name;
         return true;
       }
@@ -380,14 +382,16 @@ bool nb_quantity_row(struct nb_quantity_row *it, size_t k) {
 }
 
 /* True if an earlier row has the same monitors and the same first part of the name: `stress.sinphi` after `stress`. */
-static bool is_of_earlier_family(size_t k) {
-  const size_t length = strcspn(kind_at(k)->name, ".");
-  size_t before = 0;
-  while (before < k &&
-         !(kind_at(before)->monitors == kind_at(k)->monitors && strcspn(kind_at(before)->name, ".") == length &&
-           strncmp(kind_at(before)->name, kind_at(k)->name, length) == 0))
-    before++;
-  return before < k;
+static bool is_of_earlier_family(const struct nb_quantity_kind *it) {
+  const size_t length = strcspn(it->name, ".");
+  FOR_EACH (kind) {
+    if (kind == it)
+      break;
+    if (kind->monitors == it->monitors && strcspn(kind->name, ".") == length &&
+        strncmp(kind->name, it->name, length) == 0)
+      return true;
+  }
+  return false;
 }
 
 /* Writes "`c` is a contact; its quantities are overlap, normal, …": the first parts of all names. */
@@ -396,12 +400,12 @@ static const char *list_quantities(char *hint, const struct nb_scene *scene, int
   char first[2 * NB_NAME_SIZE];
   struct nb_quantity quantity;
   *hint = '\0';
-  for (size_t k = 0; kind_at(k); k++) {
-    if (!applies(kind_at(k), scene, w) || is_of_earlier_family(k))
+  FOR_EACH (kind) {
+    if (!applies(kind, scene, w) || is_of_earlier_family(kind))
       continue;
     if (!*hint)
-      snprintf(hint, NB_HINT_SIZE, "`%s` is %s; its quantities are ", name, owner_of(kind_at(k)->monitors)->of);
-    snprintf(first, sizeof first, "%s.%.*s", name, (int)strcspn(kind_at(k)->name, "."), kind_at(k)->name);
+      snprintf(hint, NB_HINT_SIZE, "`%s` is %s; its quantities are ", name, owner_of(kind->monitors)->of);
+    snprintf(first, sizeof first, "%s.%.*s", name, (int)strcspn(kind->name, "."), kind->name);
     nb_append(hint, NB_HINT_SIZE, "%s%s%s", between, first + strlen(name) + 1,
               nb_quantity_find(&quantity, scene, first) ? "" : ".…"); /* `speed` alone is no quantity */
     between = ", ";
@@ -419,14 +423,16 @@ static const char *owner_hint(char *hint, const struct nb_scene *scene, const ch
   unsigned done = 0;
   const size_t length = strlen(text);
   size_t used = 0;
-  for (size_t k = 0; length && kind_at(k) && used < NB_HINT_SIZE / 2; k++) {
-    const struct owner *const owner = owner_of(kind_at(k)->monitors);
-    const bool begins = strncmp(kind_at(k)->name, text, length) == 0 && strchr(".", kind_at(k)->name[length]);
-    if (!owner->statement || done & owner->monitors || !(matches(kind_at(k), text, &suffix) || begins))
+  FOR_EACH (kind) {
+    if (!length || used >= NB_HINT_SIZE / 2)
+      break;
+    const struct owner *const owner = owner_of(kind->monitors);
+    const bool begins = strncmp(kind->name, text, length) == 0 && strchr(".", kind->name[length]);
+    if (!owner->statement || done & owner->monitors || !(matches(kind, text, &suffix) || begins))
       continue;
     if (begins)
-      nth_suffix(kind_at(k), 0, &suffix);
-    name_of(name, sizeof name, kind_at(k), suffix);
+      nth_suffix(kind, 0, &suffix);
+    name_of(name, sizeof name, kind, suffix);
     used += (size_t)snprintf(hint + used, NB_HINT_SIZE - used, "%s`%s` is a quantity of %s: `%s`, then `%s%s`",
                              used ? "; " : "", name, owner->of,
                              spheres && owner->of_spheres ? owner->of_spheres : owner->statement, owner->name, name);
@@ -448,8 +454,8 @@ static void list_meant(char *list, size_t size, unsigned kind, char monitor, con
   char item[NB_NAME_SIZE];
   snprintf(item, sizeof item, "%s", word);
   do
-    for (size_t k = 0; kind_at(k); k++)
-      if (kind_at(k)->monitors & kind && strcmp(kind_at(k)->name, item) == 0)
+    FOR_EACH (row)
+      if (row->monitors & kind && strcmp(row->name, item) == 0)
         nb_append(list, size, "%s`%c.%s`", *list ? " " : "", monitor, item);
   while (nb_item(&items, item));
 }
@@ -513,9 +519,9 @@ static void add_namesakes(char *hint, const char *text) {
   for (size_t o = 0; o < sizeof owners_here / sizeof *owners_here; o++) {
     const size_t stem = strlen(owners_here[o]);
     bool same = false;
-    for (size_t k = 0; !same && kind_at(k); k++)
-      for (size_t s = 0; !same && nth_suffix(kind_at(k), s, &suffix); s++) {
-        name_of(name, sizeof name, kind_at(k), suffix);
+    FOR_EACH (kind)
+      for (size_t s = 0; !same && nth_suffix(kind, s, &suffix); s++) {
+        name_of(name, sizeof name, kind, suffix);
         same = strncmp(name, owners_here[o], stem) == 0 && strncmp(name + stem, text, length) == 0 &&
                strchr(".", name[stem + length]);
       }
@@ -567,10 +573,10 @@ static const char *unmonitored(char *hint, const struct nb_scene *scene, const c
 static bool lacks_owner(const struct nb_scene *scene, const char *text) {
   const unsigned owners_without_name = NB_OF_CELL | NB_OF_BOX | NB_OF_IMPACT;
   const struct nb_suffix *suffix;
-  size_t k = 0;
-  while (kind_at(k) && !(kind_at(k)->monitors & owners_without_name && matches(kind_at(k), text, &suffix)))
-    k++;
-  return kind_at(k) && !scene->contact_test;
+  FOR_EACH (kind)
+    if (kind->monitors & owners_without_name && matches(kind, text, &suffix))
+      return !scene->contact_test;
+  return false;
 }
 
 /* Writes the note of the table of words on another name of a quantity: `box.strain.xx`, and `duration` of `C.duration`.
