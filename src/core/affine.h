@@ -1,7 +1,7 @@
 /* Affine (imposed) motion: a velocity c = L (x - x_0) in addition to the particle's own velocity.           [R89 4.41]
  *
  *   c   affine velocity, m/s         x    position of the particle, m
- *   L   strain rate tensor, 1/s      x_0  the point that the motion leaves in place, m
+ *   L   velocity gradient, 1/s       x_0  the point that the motion leaves in place, m
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #pragma once
@@ -9,9 +9,9 @@
 #include "model.h"
 #include "tensor.h"
 
-/* Where the strain rate of a particle comes from: in a cell from the cell; otherwise, for particles of the boundary,
- * from the boundary, and for free particles from `affine strain`. The strain rate of the box moves the walls of the
- * box. */
+/* Which L a particle has. In a cell, all particles have the L of the cell. Without a cell, particles of the boundary
+ * have the L of the boundary, and free particles that of `affine strain`. NB_AFFINE_BOX is not the source of a
+ * particle: its L moves the walls of the box. */
 enum nb_affine_source {
   NB_AFFINE_NONE,
   NB_AFFINE_FREE,
@@ -23,28 +23,29 @@ enum nb_affine_source {
 
 struct nb_affine {
   struct nb_vec centre;                               /* x_0, m */
-  struct nb_tensor rate[NB_AFFINE_SOURCES];           /* over the next step, 1/s */
+  struct nb_tensor rate[NB_AFFINE_SOURCES];           /* L in the next step, 1/s */
   struct nb_tensor base_rate[NB_AFFINE_SOURCES];      /* L of the stage, without the part that a servo adds, 1/s */
   struct nb_strain_rate requested[NB_AFFINE_SOURCES]; /* as the page gives them */
-  /* 1: c is stored separately from the particle's own velocity; 0: c is added to it. */
+  /* 1: c is stored separately from the particle's own velocity; 0: c is added to that velocity (`accumulated`). */
   double separate[NB_AFFINE_SOURCES];
-  bool twice;                   /* the affine part is added to relative velocities too: pass/affine_twice.c */
+  bool twice;                   /* the affine part is added to relative velocities again: pass/affine_twice.c */
   unsigned char *source;        /* per slot: enum nb_affine_source */
   bool used[NB_AFFINE_SOURCES]; /* some particle has this source, or had it before */
-  bool free_before, any_before; /* free particles, or any particles, moved affinely in the previous step */
-  bool uniform;                 /* all particles have the same rate */
+  bool free_before;             /* the free particles moved affinely in the previous step */
+  bool any_before;              /* some particles moved affinely in the previous step */
+  bool uniform;                 /* all particles have the same L */
   struct nb_servo_state {
     double stress[3];          /* the controlled stresses xx, yy, xy when the servo began, Pa */
     struct nb_tensor integral; /* Z of servo.c, 1/s */
     enum nb_servo_phase {
       NB_SERVO_BEGINS,  /* the integral has not been set */
-      NB_SERVO_LIMITED, /* the strain rate has been the largest one, `at most`, since the stage began */
-      NB_SERVO_FREE     /* it has been smaller */
+      NB_SERVO_LIMITED, /* since the stage began, the added rate has always been limited by `at most` */
+      NB_SERVO_FREE     /* the added rate has been below this limit */
     } phase;
   } servo_state;
 };
 
-/* c of the particle in a slot, if its position is x, m/s. */
+/* Returns c of the particle in a slot if its position is x, m/s. */
 static inline struct nb_vec nb_imposed_velocity(const struct nb_affine *affine, size_t slot, struct nb_vec x) {
   return tensor_times(affine->rate[affine->source[slot]], vec_sub(x, affine->centre));
 }
@@ -54,8 +55,8 @@ static inline void nb_affine_assign(struct nb_affine *affine, size_t slot, enum 
   affine->used[source] = true;
 }
 
-/* The part of c that is stored separately from the particle's own velocity, and the part that is added to that velocity
- * (`accumulated`), m/s. */
+/* The next two functions return the part of c that is stored separately from the particle's own velocity, and the part
+ * that is added to that velocity (`accumulated`), m/s. */
 static inline struct nb_vec nb_affine_separate(const struct nb_affine *affine, size_t slot, struct nb_vec x) {
   return vec_scale(affine->separate[affine->source[slot]], nb_imposed_velocity(affine, slot, x));
 }

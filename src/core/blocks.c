@@ -41,7 +41,7 @@ static size_t find_starts(size_t start[], const struct nb_contacts *contacts) {
   return n;
 }
 
-/* Creates the counters of each block that the plan needs. False: out of memory. */
+/* Creates, for each block, the counters that the plan needs. False: out of memory. */
 static bool create_counters(struct nb_model *model, size_t blocks) {
   const bool check_stable = model->plan.kept & NB_BIT(NB_STABLE_OVERLAP);
   if (!model->plan.elastic)
@@ -51,10 +51,10 @@ static bool create_counters(struct nb_model *model, size_t blocks) {
          (!check_stable || stable_overlap_begin(model, blocks));
 }
 
-/* Of n blocks, part p of P consists of those from n p/P to n (p+1)/P - 1. It has its own scratch memory. */
+/* Of n blocks, part p of P consists of those from n p/P to n (p+1)/P - 1. Each part has its own scratch memory. */
 enum nb_status nb_blocks_create(struct nb_model *model, struct nb_error *error) {
   const struct nb_contacts *contacts = &model->contacts;
-  /* a thread with fewer contacts waits longer than it computes */
+  /* A thread with fewer than NB_CONTACTS_PER_THREAD contacts waits longer than it computes. */
   const size_t threads = contacts->count / NB_CONTACTS_PER_THREAD;
   model->machine.threads_used = threads < 1                                ? 1
                                 : threads < (size_t)model->machine.threads ? (int)threads
@@ -72,7 +72,7 @@ enum nb_status nb_blocks_create(struct nb_model *model, struct nb_error *error) 
   const size_t n = start ? find_starts(start, contacts) : 0;
   struct nb_rooted *rooted = contacts->kept[NB_NORMAL_ROOT] ? nb_own(owner, n, sizeof *rooted) : NULL;
   if (owner->failed || !create_counters(model, n)) {
-    model->blocks.count = 0; /* the counters may be those of the new blocks, which do not exist */
+    model->blocks.count = 0; /* the counters may already be those of the new blocks, which do not exist */
     return nb_error_memory(error);
   }
   for (size_t v = 0, part = 0; v < n; v++) {

@@ -6,13 +6,15 @@
 
 #include "affine.h"
 
+/* The particles of the boundary, and the ellipse inside which the free particles are. The ellipse is a circle when the
+ * boundary begins, and then deforms with the strain rate of the boundary. */
 struct nb_ring {
   bool exists, held;             /* there is a boundary; its particles follow its strain rate */
-  double radius;                 /* of the circle when the boundary began, m */
-  struct nb_tensor shape;        /* deformation of the circle since then: x = centre + shape X with |X| = radius */
-  int *member;                   /* slots of its particles, counterclockwise; capacity for all */
+  double radius;                 /* of the circle, m */
+  struct nb_tensor shape;        /* deformation of the circle: x = centre + shape X with |X| = radius */
+  int *member;                   /* slots of its particles, counterclockwise; capacity for all particles */
   size_t count;                  /* number of its particles */
-  int *candidates;               /* slots, by number, of particles that may soon cross the circle; capacity for all */
+  int *candidates;               /* slots, by number, of particles that may soon cross the ellipse; capacity for all */
   size_t candidate_count;        /* number of candidates */
   struct nb_tensor listed_shape; /* shape when the candidates were listed */
   unsigned long long listed_search; /* 1 + number of searches when the candidates were listed; 0: list them again */

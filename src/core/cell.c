@@ -1,9 +1,9 @@
-/* The periodic cell.                                                                              [R89 sec. 2.3, sec. 4.5.2]
+/* The periodic cell.                                                                         [R89 sec. 2.3, sec. 4.5.2]
  *
- *   H <- (1 + L dt) H                    H  the two sides of the cell as columns, m;  L  strain rate tensor, 1/s (c_ij)
+ *   H <- (1 + L dt) H                    H  the two sides of the cell as columns, m;  L  velocity gradient, 1/s (c_ij)
  *                                                                                                  [R89 4.43, 4.44]
  *   c_i = L (x_i - x_0)                  affine velocity of a particle, besides its own velocity v_i (affine.h)
- *   x_i <- x_i + (v_i + c_i) dt          with v = 0, s in x_i - x_0 = H s is constant: the strain is uniform
+ *   x_i <- x_i + (v_i + c_i) dt          if v_i = 0, s in x_i - x_0 = H s is constant: the strain is uniform
  *   x_j + H m,   v_j + c_j + L H m       position and velocity of the image of j that i touches, m two integers
  *
  * Forces change v only. v is the same for all images of a particle; their total velocities differ by L H m.
@@ -13,12 +13,13 @@
  * bit of the results. Figures show the image inside the cell.
  *
  * A pair has at most one contact if all images of a particle are farther apart than twice the range of a contact. The
- * range is the largest diameter plus the skin. A sheared cell is equivalent to the reduced one with the same images
- * (Lagrange, Gauss), so the height of the reduced cell must be at least twice the range.
+ * range is the largest diameter plus the skin. A sheared cell has the same images as its reduced cell, the one with the
+ * shortest sides (Lagrange, Gauss). So the smaller height of the reduced cell must be at least twice the range.
  *
- * Let d (m) be the vector between two particles that the last search did not list, F the deformation gradient since
- * that search, and D (m) the largest diameter. The vector is now F d plus the two displacements relative to the affine
- * motion. So strain alone requires a search only when ||F - 1|| (D + skin) reaches the skin.
+ * Let d (m) be the vector between two particles at the last search, which did not list them, F the deformation gradient
+ * since that search, and D (m) the largest diameter. The vector is now F d plus the difference of the displacements of
+ * the two particles relative to the affine motion. So strain alone requires a search only when ||F - 1|| (D + skin)
+ * reaches the skin.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "affine.h"
@@ -63,8 +64,8 @@ int nb_cell_move(struct nb_model *model) {
 
 /* ---- images ---- */
 
-/* The reduction ends when the square of a side shrinks by less than this fraction. With 0, rounding (1e-16) could
- * repeat it without end. */
+/* The reduction ends when the square of a side shrinks by less than this fraction. With 0 instead, rounding (1e-16)
+ * could repeat the reduction without end. */
 static const double reduction_tolerance = 1e-12;
 
 struct nb_wrap nb_cell_wrap(const struct nb_cell *cell) {
@@ -92,7 +93,8 @@ double nb_wrap_width(const struct nb_wrap *wrap) {
   return fabs(tensor_determinant(wrap->h)) / (a > b ? a : b);
 }
 
-/* The integers m of the nearest image, as multiples of the sides of `wrap`. */
+/* Returns the integers m for which `apart` + h m, with the sides h of `wrap`, lies in the cell around the origin. It is
+ * then the vector to the nearest image, if that image is closer than half the smaller height. */
 static struct nb_vec nearest_image(const struct nb_wrap *wrap, struct nb_vec apart) {
   const struct nb_vec s = tensor_times(wrap->inverse, apart);
   return vec(-floor(s.x + 0.5), -floor(s.y + 0.5));
@@ -122,8 +124,8 @@ enum nb_status nb_cell_check_width(const struct nb_model *model, struct nb_error
   nb_error_set(
       error, model->cycle ? NB_BROKEN : NB_BAD_USE,
       "the cell is %g%s wide at cycle %lu, at time %g%s: a particle could touch two images of another particle. "
-      "Expected at "
-      "least twice the sum of the largest diameter and the skin, %g%s: make the cell wider, or the skin smaller",
+      "Expected at least twice the sum of the largest diameter and the skin, %g%s: make the cell wider, or the skin "
+      "smaller",
       width, m, model->cycle, model->time, s, least, m);
   error->line = model->scene->cell.line;
   return error->status;

@@ -12,11 +12,11 @@
 struct nb_cell {
   struct nb_vec centre;          /* the point that the strain does not move, m */
   struct nb_tensor h, initial_h; /* H now and at time 0, m */
-  /* L H in the last step, m/s: the velocity of an image m sides away minus that of its particle is L H m */
+  /* L H in the last step, m/s: L H m is the velocity of the image at x + H m minus that of the particle at x. */
   struct nb_tensor image_velocity;
   struct nb_tensor deformation; /* F since the last search, 1 */
-  double travel_limit;          /* displacement relative to the affine motion that requires a new search, m */
-  double largest_radius;        /* m */
+  double travel_limit;   /* a displacement relative to the affine motion beyond this limit requires a new search, m */
+  double largest_radius; /* m */
 };
 
 struct nb_model;
@@ -27,8 +27,9 @@ bool nb_cell_create(struct nb_model *model); /* leaves model->cell NULL in a sce
 int nb_cell_move(struct nb_model *model);
 /* Called before a search. NB_BROKEN or NB_BAD_USE when the cell is so narrow that a pair could have two contacts. */
 enum nb_status nb_cell_check_width(const struct nb_model *model, struct nb_error *error);
+/* Called after a search: sets F to 1 and the travel limit to half the skin. */
 void nb_cell_reset_travel(struct nb_cell *cell, double skin);
-/* The equivalent cell with the shortest sides: it generates the same images. */
+/* The equivalent cell with the shortest sides; it has the same images. */
 struct nb_wrap {
   struct nb_vec centre;
   struct nb_tensor h, inverse; /* the sides of the equivalent cell, m; inverse of h, 1/m */

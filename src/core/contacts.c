@@ -32,9 +32,9 @@ static void keep_doubles(double now[], const double old[], const int from[], siz
     now[c] = from[c] >= 0 ? old[from[c]] : now[c];
 }
 
-/* The fields whose values stay with a contact. If forces are kept, these are all except M* and its roots, which
- * change when a particle becomes part of a boundary, because its mass is then infinite. Otherwise they are the values of
- * the last step that the energy balance still needs. */
+/* The fields that a contact takes over from the old list. If forces are kept, these are all except M* and the roots
+ * that contain M*. M* changes when a particle becomes part of a boundary, because the mass of the particle is then
+ * infinite. If forces are not kept, these are the values of the last step that the energy balance reads. */
 static unsigned fields_that_stay(const struct nb_model *model) {
   if (model->search.keep_forces)
     return (NB_BIT(NB_FIELDS) - 1) & ~(NB_BIT(NB_MASS) | NB_BIT(NB_NORMAL_ROOT) | NB_BIT(NB_SHEAR_ROOT));
@@ -54,8 +54,8 @@ static void keep_fields(struct nb_contacts *now, const struct nb_contacts *old, 
       keep_doubles(now->kept[f], old->kept[f], from, now->count);
 }
 
-/* Finds the old index of each contact that stays, and -1 of a new one. Both lists have the same order, so one pass
- * through both is enough. */
+/* Sets from[c] to the old index of contact c, or to -1 if the contact is new. Both lists have the same order, so one
+ * pass through both is enough. */
 static void find_old(int from[], const struct nb_model *model, const struct nb_contacts *old,
                      const struct nb_contacts *now) {
   size_t o = 0;
@@ -80,8 +80,9 @@ static void copy_histories(const struct nb_model *model, const struct nb_contact
   nb_history_keep(&now->slip_sum, &old->slip_sum, from, now->count);
 }
 
-/* Sets M* and R* of contact c. Fixed particles and walls have infinite mass, and walls an infinite radius. M* is finite
- * because at least one particle of a listed pair is free. */
+/* Sets the sum of the radii, M* and R* of contact c. Fixed particles and walls have infinite mass, and walls an
+ * infinite radius, which is left out of the sum. M* is finite because at least one particle of a listed pair is
+ * free. */
 static void find_constants(struct nb_contacts *contacts, size_t c, const struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   const int a = contacts->a[c], b = contacts->b[c];
@@ -94,7 +95,7 @@ static void find_constants(struct nb_contacts *contacts, size_t c, const struct 
     contacts->kept[NB_REDUCED][c] = wall ? radius : nb_reduced_radius(radius, particles->radius[b]);
 }
 
-/* Selects the nearest image of the second particle: the cell is so wide that no other one comes within the skin. */
+/* Selects the nearest image of the second particle: the cell is so wide that no other image comes within the skin. */
 static void find_images(struct nb_contacts *contacts, const struct nb_model *model) {
   const struct nb_wrap wrap = nb_cell_wrap(model->cell);
   const struct nb_vec *x = model->particles.position;
@@ -102,7 +103,7 @@ static void find_images(struct nb_contacts *contacts, const struct nb_model *mod
     contacts->image[c] = nb_wrap_image(&wrap, vec_sub(x[contacts->b[c]], x[contacts->a[c]]));
 }
 
-/* Creates the arrays that the search does not fill. */
+/* Creates all arrays except those of enter_pairs. */
 static void create_arrays(struct nb_contacts *contacts, const struct nb_model *model) {
   const size_t n = contacts->count;
   struct nb_owner *owner = &contacts->owner;
@@ -119,8 +120,8 @@ static void create_arrays(struct nb_contacts *contacts, const struct nb_model *m
   contacts->slip_sum = nb_history_create(owner, model->plan.history.slip_sum, n);
 }
 
-/* Computes the contact index of each pair. Contacts are grouped by material pair; within a group they keep the order of
- * `pairs`. False: out of memory. */
+/* Sets contact[p] to the index of the contact of pair p. Contacts are grouped by material pair; within a group they
+ * keep the order of `pairs`. False: out of memory. */
 static bool number_contacts(int contact[], const struct nb_neighbour_pairs *pairs, const struct nb_model *model) {
   int *next = nb_array(model->material_pair_count + 1, sizeof *next);
   if (!next)
@@ -135,7 +136,8 @@ static bool number_contacts(int contact[], const struct nb_neighbour_pairs *pair
   return true;
 }
 
-/* Sets the particles and the material pair of each contact; contact[p] is the index of pair p. False: out of memory. */
+/* Begins the new list: sets the particles and the material pair of each contact, and contact[p] as number_contacts
+ * does. False: out of memory, also if `contact` is NULL. */
 static bool enter_pairs(struct nb_contacts *contacts, const struct nb_model *model,
                         const struct nb_neighbour_pairs *pairs, int contact[]) {
   const size_t n = pairs->count;
@@ -154,7 +156,7 @@ static bool enter_pairs(struct nb_contacts *contacts, const struct nb_model *mod
   return true;
 }
 
-/* Sets the constants of the contacts, after their arrays have been created. */
+/* Sets the constants and the images of the contacts, after their arrays have been created. */
 static void set_constants(struct nb_contacts *contacts, const struct nb_model *model) {
   for (size_t c = 0; c < contacts->count; c++)
     find_constants(contacts, c, model);
@@ -162,6 +164,7 @@ static void set_constants(struct nb_contacts *contacts, const struct nb_model *m
     find_images(contacts, model);
 }
 
+/* Writes the arrays of a history to `list`. Returns the length of the list. */
 static size_t list_history(void *list[], const struct nb_history *history) {
   for (int m = 0; m < NB_HISTORY; m++)
     list[m] = history->field[m];
@@ -184,8 +187,8 @@ static void free_unneeded(struct nb_contacts *old, const struct nb_model *model)
   nb_owner_keep(&old->owner, needed, n);
 }
 
-/* Makes the new list. Frees pairs and old arrays as soon as they are not needed any more, because this is where a run
- * needs the most memory. */
+/* Makes the rest of the new list after enter_pairs. Frees pairs and old arrays as soon as they are not needed any more,
+ * because a run needs the most memory here. `from`: memory for find_old. False: out of memory. */
 static bool make_contacts(struct nb_contacts *now, struct nb_contacts *old, const struct nb_model *model,
                           struct nb_neighbour_pairs *pairs, int contact[], int from[]) {
   find_old(from, model, old, now);

@@ -2,12 +2,13 @@
  *
  *   Motion     Newton's second law gives, from the forces at t_N, the velocities at t_(N+1/2) and the positions at
  *              t_(N+1); walls move with their given velocities.
- *   Contacts   If something has moved far enough, a search renews the list of contacts.
+ *   Contacts   If a particle or a wall has moved far enough since the last search, a search renews the list of
+ *              contacts.
  *   Forces     The force-displacement laws give the forces at t_(N+1) from positions and velocities.
  *
- * Forces and positions of a cycle belong to the same time. A team of threads (team.c) computes parts of the blocks,
- * then of the particles. Each contact and each particle is computed by one thread alone, so neither the number of
- * threads nor the thread that does a part changes a bit.
+ * Forces and positions of a cycle belong to the same time. A team of threads (team.c) shares the particles of the
+ * motion, then the blocks of the forces. Each particle and each contact is computed by one thread alone. So neither the
+ * number of threads nor the choice of the thread changes a bit of the results.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "model.h"
@@ -84,7 +85,7 @@ static enum nb_status rounded_search(struct nb_model *model, struct nb_error *er
   return status;
 }
 
-/* Runs the search unless a hook has already run one in this cycle. */
+/* Runs the search if something requires it (`out`) and no hook has run it in this cycle. Otherwise tests the guards. */
 static enum nb_status search(struct nb_model *model, bool out, struct nb_error *error) {
   if (out && model->search.last_cycle != model->cycle)
     return rounded_search(model, error);

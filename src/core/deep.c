@@ -1,4 +1,4 @@
-/* Counts contacts of elastic spheres whose overlap is too large, and describes the first one.              [R89 sec. 6.4.3]
+/* Counts contacts of elastic spheres whose overlap is too large, and describes the first one.          [R89 sec. 6.4.3]
  *
  * R89 assumes plastic flow above an overlap of 7 % of the smaller diameter, damps such contacts critically, and prints
  * their number as a warning. Hertz theory is inaccurate there too: with the effective radius R*, m, and the overlap
@@ -58,11 +58,11 @@ void nb_deep_record_first(struct nb_model *model) {
   const char *s = nb_unit(model->scene, " s");
   const int n = snprintf(deep->first, sizeof deep->first, "particle %d and ", model->particles.number[contacts->a[c]]);
   char *rest = deep->first + n;
-  const size_t room = sizeof deep->first - (size_t)n;
+  const size_t left = sizeof deep->first - (size_t)n;
   if (wall)
-    snprintf(rest, room, "wall %s, in cycle %lu, at time %g%s", model->scene->walls[contacts->b[c]].name, model->cycle,
+    snprintf(rest, left, "wall %s, in cycle %lu, at time %g%s", model->scene->walls[contacts->b[c]].name, model->cycle,
              model->time, s);
   else
-    snprintf(rest, room, "particle %d, in cycle %lu, at time %g%s", model->particles.number[contacts->b[c]],
+    snprintf(rest, left, "particle %d, in cycle %lu, at time %g%s", model->particles.number[contacts->b[c]],
              model->cycle, model->time, s);
 }

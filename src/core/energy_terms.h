@@ -10,7 +10,7 @@ enum nb_term {
   NB_TERM_DAMPED,     /* work of dashpots and of mass-proportional damping */
   NB_TERM_WALLS,      /* work done by walls, and by fixed particles that move */
   NB_TERM_GRAVITY,    /* work done by gravity */
-  NB_TERM_FRICTIONAL, /* energy dissipated by friction, of shear laws with stored energy */
+  NB_TERM_FRICTIONAL, /* energy dissipated by friction, with shear laws that have stored energy */
   NB_TERM_SLIDING,    /* part of NB_TERM_FRICTIONAL in steps that end with the contact sliding */
   NB_TERM_SHEAR,      /* work against the shear forces of all laws */
   NB_TERM_UNSTORED,   /* part of NB_TERM_SHEAR that is done against laws without stored energy */
@@ -20,7 +20,7 @@ enum nb_term {
   NB_TERMS
 };
 
-/* A sum with compensation of rounding errors (Neumaier 1974). */
+/* A sum with compensation of rounding errors (Neumaier 1974). Its value is sum + rest. */
 struct nb_sum {
   double sum, rest;
 };

@@ -1,9 +1,9 @@
-/* A grid of square boxes on several levels, to find objects near a point: for the neighbour search and for random
+/* A grid of square boxes on several levels, to find items near a point: for the neighbour search and for random
  * filling.
  *
  * A box is found by a hash of its integer coordinates, so the grid needs no origin and no extent. Each level has boxes
- * half as wide as the level above it. An object belongs to the finest level whose boxes are at least as wide as the
- * object, so a few large objects do not slow down the search among many small ones.
+ * half as wide as the level above it. An item belongs to the finest level whose boxes are at least as wide as the item,
+ * so a few large items do not slow down the search among many small ones.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #pragma once
@@ -14,7 +14,7 @@
 
 #include "vec.h"
 
-enum { NB_GRID_LEVELS = 24 }; /* the last level takes all objects smaller than 2^-23 of the largest one */
+enum { NB_GRID_LEVELS = 24 }; /* the last level takes all items smaller than 2^-23 of the largest one */
 
 struct nb_box {
   int level;
@@ -24,22 +24,23 @@ struct nb_box {
 struct nb_grid {
   double width[NB_GRID_LEVELS]; /* width of the boxes of each level, m */
   size_t count[NB_GRID_LEVELS]; /* number of items on each level */
-  size_t mask;                  /* buckets - 1; the number of buckets is a power of two */
-  int *first;                   /* for each bucket: the item added last, -1: none */
+  size_t mask; /* number of buckets, a power of two, minus 1; the boxes of a bucket have the same hash */
+  int *first;  /* for each bucket: the item added last, -1: none */
   struct nb_grid_entry {
     struct nb_box box;
     int next; /* the item added to this bucket before this one; -1: none */
   } * entry;  /* for each item */
 };
 
-/* Creates an empty grid for `items` items, of which the largest has the width `largest_width`, m. False: out of
+/* Creates an empty grid for `items` items, the widest of which has the width `largest_width`, m. False: out of
  * memory. */
 bool nb_grid_create(struct nb_grid *grid, size_t items, double largest_width);
 void nb_grid_free(struct nb_grid *grid);
+/* Adds an item with the position `at` and a width, m. `item`: its index, below `items`. */
 void nb_grid_add(struct nb_grid *grid, int item, struct nb_vec at, double width);
 
-/* The integer coordinate of the box that contains the coordinate x, m. All coordinates beyond 2^53 box widths share the
- * last box; such particles are still distinguished by their distances. */
+/* The integer coordinate of the box of this level that contains the coordinate x, m. All coordinates beyond 2^53 box
+ * widths share the last box; the search still compares the distances of the items in it. */
 static inline int64_t nb_grid_place(const struct nb_grid *grid, int level, double x) {
   const double widths = x / grid->width[level], last = 9007199254740992;
   return (int64_t)(widths < -last ? -last : widths > last ? last : floor(widths));
@@ -63,7 +64,7 @@ static inline int nb_grid_next(const struct nb_grid *grid, int item, struct nb_b
   return item;
 }
 
-/* Loops over all items in a box. */
+/* Loops over all items in the box `where`. */
 #define NB_GRID_FOR_BOX(grid, item, where)                                                                             \
   for (int item = nb_grid_next(grid, (grid)->first[nb_grid_bucket(grid, where)], where); item >= 0;                    \
        item = nb_grid_next(grid, (grid)->entry[item].next, where))

@@ -4,32 +4,35 @@
  *   displacement  no particle moves by more than its radius in one step
  *   overlap       no two particles overlap by more than the smaller radius: their distance d is at least max(R_i, R_j)
  *   rotation      no wall rotates so far in one step that the arc of its far end, at the distance h from the centre of
- *                 rotation, is farther from the chord than the smallest radius r:  angle^2 h/8 <= r, with h at least r
+ *                 rotation, is farther from the chord than the smallest radius r:
+ *                 angle^2 h/8 <= r, where h counts as r if it is smaller
  *
- * Together they prevent two particles from changing sides. A step begins with a distance d >= max(R_i, R_j), and the
- * two approach by at most R_i + R_j. A pair that changed sides is then at a distance of at most R_i + R_j - d <=
- * min(R_i, R_j), where the overlap is too large and the run stops. walls.c tests whether a particle's centre crossed a
- * wall. It compares the sides of the wall on which the centre is at the beginning and at the end of the step. This is
- * valid while the wall rotates by less than pi per step, here by at most 8^(1/2) rad.
+ * The first two guards prevent two particles from passing through each other. A step begins with a distance d >=
+ * max(R_i, R_j), and the two particles approach by at most R_i + R_j. If one passed through the other, their distance
+ * is then at most R_i + R_j - d <= min(R_i, R_j). Such an overlap is too large, and the run stops. For walls, walls.c
+ * tests whether a particle's centre crossed one. It compares the sides of the wall on which the centre is at the
+ * beginning and at the end of the step. This is valid while the wall rotates by less than pi per step; the guard allows
+ * at most 8^(1/2) rad.
  *
- * The guards cost almost nothing in a safe run. The motion reports particles that moved by half the skin since the last
- * search. They include all that moved by a radius in one step, as long as no radius is smaller than the skin. So the
- * displacements of a step are tested only at a search, and in every cycle if the skin is wider than a radius. A search
- * computes the distances of all pairs, and two particles approach by at most the skin until the next one. So the
- * overlaps of listed pairs are tested in every cycle only when the last search found a pair whose overlap was less than
- * the skin below its limit.
+ * The guards cost almost nothing in a safe run. The motion reports the particles that have moved by more than half the
+ * skin since the last search. As long as no radius is smaller than the skin, these include all particles that moved by
+ * more than their radius in one step. So the displacements of a step are tested only at a search. If the skin is wider
+ * than the smallest radius, they are tested in every cycle. A search computes the distances of all neighbours, and two
+ * particles approach by at most the skin before the next search. So the overlaps of listed pairs are tested in every
+ * cycle only if the last search found a pair whose overlap was less than the skin below its limit.
  *
  * An overlap is a difference of positions, and each coordinate is rounded to a multiple of its ulp, which grows with
- * the distance from the origin. The program warns when the ulp exceeds a thousandth of the mean overlap: the error of
- * forces is then up to about 0.1 %. Overlaps below 1e-9 of a radius come from rounding and do not count. Without any
- * contact, a thousandth of the smallest radius is used as the expected overlap.
+ * the distance from the origin. The program warns when the ulp exceeds a thousandth of the mean overlap, because the
+ * error of the forces may then exceed about 0.1 %. Overlaps below 1e-9 of a radius come from rounding and do not count.
+ * Without any contact, a thousandth of the smallest radius is used as the expected overlap.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "model.h"
 
 static int line_of(const struct nb_model *model, int number) { return model->scene->particles[number - 1].line; }
 
-/* Displacement of slot i in the last step, m; without the cell's affine motion, because that also moves the images. */
+/* Displacement of the particle in slot i in the last step, m; without the affine motion of a cell, because that also
+ * moves the images. */
 static double displacement_of(const struct nb_model *model, int i) {
   const struct nb_vec v = model->particles.velocity[i];
   return model->previous_step * vec_length(model->cell ? vec_sub(v, model->particles.imposed[i]) : v);
@@ -39,7 +42,7 @@ enum nb_status nb_guard_positions(const struct nb_model *model, struct nb_error 
   for (size_t k = 0; k < model->particles.count; k++) {
     const struct nb_vec x = model->particles.position[model->particles.slot[k]];
     const char *s = nb_unit(model->scene, " s");
-    if (!(x.x - x.x == 0 && x.y - x.y == 0)) /* infinity minus itself is NaN too */
+    if (!(x.x - x.x == 0 && x.y - x.y == 0)) /* x - x is NaN if x is NaN or infinite */
       return nb_error_set(error, NB_BROKEN,
                           "particle %zu (line %d): its position is NaN or infinite after cycle %lu, at time %g%s; the "
                           "step is %g%s, the single-contact step is %g%s: try a smaller step",
@@ -133,10 +136,10 @@ static double coordinate(const struct nb_model *model, int i) {
 
 static double ulp(double x) { return nextafter(x, INFINITY) - x; }
 
-/* Largest ratio of the resolution of a coordinate to the mean overlap without a warning: the error of forces is then
- * 0.1 %. */
+/* Largest ratio of the ulp of a coordinate to the mean overlap without a warning. At this ratio the error of the forces
+ * is about 0.1 %. */
 static const double resolution_limit = 1e-3;
-/* Largest ratio of an overlap to the radius at which the overlap counts as a rounding error. */
+/* An overlap of at most this fraction of the radius counts as a rounding error. */
 static const double touch_limit = 1e-9;
 
 void nb_guard_resolution(struct nb_model *model) {

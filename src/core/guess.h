@@ -8,16 +8,17 @@
 
 enum { NB_HINT_SIZE = 512, NB_RELATED_MAX = 3 };
 
-/* Terms of other programs and textbooks with the same meaning, and the keywords of nineball for them. */
+/* Terms of other programs and textbooks that have the same meaning, and the keywords of nineball for this meaning. */
 struct nb_synonym {
   const char *words, *ours; /* terms of other programs, "ball disk"; keywords of nineball, "disc, sphere" */
   const char *note;         /* "there is no local damping"; NULL: no note */
 };
 const struct nb_synonym *nb_synonym(const char *word); /* NULL: not a term of another program */
-/* Writes "`ball` of other programs is `disc` or `sphere` here: …" to `hint`, which has NB_HINT_SIZE bytes, and returns
- * it. NULL: the word is no term of another program. */
+/* Writes "`ball` of other programs is `disc` or `sphere` here: …" to `hint`, which has NB_HINT_SIZE bytes. Returns
+ * `hint`; NULL: the word is no term of another program. */
 const char *nb_synonym_hint(char *hint, const char *word);
-/* The same two functions for two words: `contact model`, or the name of a statement or place and a word in it. */
+/* The same two functions for a pair of words: a term such as `contact model`; or the name of a statement, or of a place
+ * such as `expect`, and a word that was found there. */
 const struct nb_synonym *nb_pair_synonym(const char *first, const char *second);
 const char *nb_pair_hint(char *hint, const char *first, const char *second);
 /* Copies the next item of a list like "disc, sphere" and advances the list; false: the list is empty. */
@@ -30,7 +31,7 @@ struct nb_guess {
   unsigned marked;                  /* bit i: keyword i of `synonym->ours` has been offered */
   char best[2 * NB_NAME_SIZE];      /* the most similar keyword so far */
   int distance;                     /* edits from the word to `best`; 1 if the word is a part of `best` between dots */
-  int related_count;                /* number of keywords of which the word is such a part; `related` has the first */
+  int related_count; /* keywords of which the word is such a part; `related` lists the first NB_RELATED_MAX */
   char related[NB_HINT_SIZE / 2 - 8];
 };
 struct nb_guess nb_guess_begin(const char *word);

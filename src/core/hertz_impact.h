@@ -21,10 +21,10 @@
 
 static inline double nb_reduced_radius(double one, double other) { return one * other / (one + other); }
 
-/* alpha_m, m */
+/* alpha_m, m, from E*, R*, M* and v. */
 static inline double nb_hertz_depth(double young, double radius, double mass, double speed) {
   return pow(15 * mass * speed * speed / (16 * young * sqrt(radius)), 0.4);
 }
 
-/* t, s */
+/* t, s, from alpha_m and v. */
 static inline double nb_hertz_duration(double depth, double speed) { return 2.9432751843247047 * depth / speed; }

@@ -1,9 +1,9 @@
 /* The contacts of each particle, in the order of force summation.
  *
- * A particle sums the contacts with its partners in the order of their numbers, walls last. The contacts in which it is
- * the second particle come first, because their partners have smaller numbers.
+ * A particle sums its contacts in the order of the partners' numbers, walls last. The contacts in which it is the
+ * second particle come first, because in them the partner has the smaller number.
  *
- * The sums of different particles are independent, so the particles may have any order. Those of a batch, up to
+ * The sums of different particles are independent, so the particles may have any order. The particles of a batch, up to
  * NB_BATCH_SIZE consecutive slots, are sorted into groups. All particles of a group have the same number of contacts in
  * which they are the second particle, and the same number in which they are the first. The loops over a group have
  * constant lengths, which the processor predicts. Without groups, wrong predictions of the ends of loops took two
@@ -12,7 +12,8 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "model.h"
 
-/* Numbers of contacts from `MOST` on share a place in the sort; each change of the numbers still begins a group. */
+/* The sort treats all numbers of contacts above MOST as MOST. A group still begins wherever one of the numbers
+ * changes. */
 enum { MOST = 15, PLACES = (MOST + 1) * (MOST + 1) };
 
 static bool with_wall(const struct nb_model *model, const struct nb_neighbour_pair *pair) {
@@ -29,6 +30,7 @@ static void count_entries(struct nb_incidence *of, const struct nb_neighbour_pai
   }
 }
 
+/* The place of a slot in the sort. */
 static int place(const struct nb_incidence *of, size_t slot) {
   const int seconds = of->middle[slot], firsts = of->end[slot];
   return (seconds < MOST ? seconds : MOST) * (MOST + 1) + (firsts < MOST ? firsts : MOST);
@@ -53,6 +55,7 @@ static bool group_begins(const struct nb_incidence *of, size_t k) {
   return of->middle[i] != of->middle[before] || of->end[i] != of->end[before];
 }
 
+/* Divides the order into groups, and sets the first group of each batch. */
 static void make_groups(struct nb_incidence *of, size_t particles) {
   int groups = 0;
   for (size_t k = 0; k < particles; k++) {
@@ -65,8 +68,8 @@ static void make_groups(struct nb_incidence *of, size_t particles) {
   of->batch[of->batches] = groups;
 }
 
-/* Replaces the numbers in `middle` and `end` by the indices at which the slot's entries as the second particle, and those
- * as the first particle, begin. */
+/* Replaces the numbers in `middle` and `end`: by the index at which the entries of the slot as second particle begin,
+ * and by the index at which its entries as first particle begin. */
 static void place_entries(struct nb_incidence *of, size_t particles) {
   int at = 0;
   for (size_t k = 0; k < particles; k++) {
@@ -77,7 +80,8 @@ static void place_entries(struct nb_incidence *of, size_t particles) {
   }
 }
 
-/* `pairs` is in the order of summation. `middle` and `end` become the ends of their parts. */
+/* Writes the entries; contact[p] is the index of the contact of pair p, and the pairs are in the order of summation.
+ * `middle` and `end` advance from the beginnings of their parts to the ends. */
 static void enter_contacts(struct nb_incidence *of, const struct nb_neighbour_pairs *pairs, const int contact[],
                            const struct nb_model *model) {
   for (size_t p = 0; p < pairs->count; p++) {
@@ -92,7 +96,7 @@ bool nb_incidence_fill(struct nb_contacts *contacts, const struct nb_neighbour_p
   struct nb_incidence *of = &contacts->incidence;
   struct nb_owner *owner = &contacts->owner;
   const size_t n = model->particles.count, share = n / nb_most_parts(&model->machine) + 1;
-  of->batch_size = share < NB_BATCH_SIZE ? share : NB_BATCH_SIZE; /* each part has a batch */
+  of->batch_size = share < NB_BATCH_SIZE ? share : NB_BATCH_SIZE; /* at least one batch for each part of the work */
   of->batches = (n + of->batch_size - 1) / of->batch_size;
   of->first = nb_own(owner, n, sizeof(int)), of->middle = nb_own(owner, n, sizeof(int));
   of->end = nb_own(owner, n, sizeof(int)), of->order = nb_own(owner, n, sizeof(int));

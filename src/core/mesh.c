@@ -8,7 +8,8 @@
 
 #include "model.h"
 
-/* Coordinates of boxes, in box widths, are integers that a double represents exactly. */
+/* The outermost boxes that contain a point. Their coordinates, in box widths, are integers that a double represents
+ * exactly. */
 struct extent {
   double left, right, bottom, top;
 };
@@ -24,7 +25,7 @@ static struct extent extent_of(struct nb_mesh_points points, double width) {
                          floor(it.top / width)};
 }
 
-/* Largest number of boxes per particle, because empty boxes cost time too. */
+/* Largest number of boxes per item; a search takes time for empty boxes too. */
 static const double most_boxes = 4;
 /* Largest coordinate, in box widths; it is far below 2^53, beyond which grid.h cannot distinguish boxes. */
 static const double farthest = 0x1p50;
@@ -34,7 +35,8 @@ static bool fits(struct extent it, size_t items) {
          (it.right - it.left + 3) * (it.top - it.bottom + 3) <= most_boxes * (double)items;
 }
 
-/* Sorts the points by box: counts the items of each box, sums the counts, and places the items. */
+/* Sorts the points into the boxes of the extent: counts the items of each box, sums the counts, and places the items.
+ * `box`: memory for the box of each point. */
 static void sort_items(struct nb_mesh *mesh, const struct nb_model *model, struct nb_mesh_points points, double width,
                        struct extent extent, size_t boxes, int box[]) {
   for (size_t i = 0; i < mesh->count; i++) {

@@ -17,12 +17,12 @@ struct nb_mesh_item {
   struct nb_vec x; /* m */
   double radius;   /* m */
   int slot;        /* of the particle; -1 - slot for an image */
-  int box;
+  int box;         /* index of its box */
 };
 static inline bool nb_mesh_is_image(int slot) { return slot < 0; }
 static inline int nb_mesh_particle(int slot) { return slot < 0 ? -1 - slot : slot; }
 
-/* What is sorted into the boxes. */
+/* The points that are sorted into the boxes. */
 struct nb_mesh_points {
   const struct nb_vec *x; /* m */
   const int *slot;        /* as in an item; NULL: point k is the particle in slot k */
@@ -30,7 +30,7 @@ struct nb_mesh_points {
 };
 
 struct nb_mesh {
-  size_t count; /* number of items; 0: the search needs grid.h, because of too many boxes or too few items */
+  size_t count; /* number of items; 0: the search needs grid.h, because there would be too many boxes */
   int row;      /* number of boxes of a row; the first and the last box and the first and the last row are empty */
   int *start;   /* for each box, the index of its first item; one element more than there are boxes */
   struct nb_mesh_item *item;

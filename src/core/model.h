@@ -23,7 +23,7 @@
 struct nb_velocities {
   struct nb_vec velocity;
   double spin;
-  double filling; /* 0, in the place that alignment leaves empty: checkpoints have the bytes of this structure */
+  double filling; /* 0; fills the place that alignment leaves empty, because checkpoints contain the whole structure */
 };
 
 struct nb_particles {
@@ -46,7 +46,7 @@ struct nb_particles {
   bool *removed;                       /* removed from the scene (remove.c); NULL when no stage removes any */
 };
 
-/* M*, the reduced mass of the particles in the slots i and j, kg [R89 4.6]; j < 0: of particle i and a wall. */
+/* M*, the reduced mass of the particles in the slots i and j, kg [R89 4.6]; if j < 0, of particle i and a wall. */
 static inline double nb_reduced_mass(const struct nb_particles *particles, int i, int j) {
   return 1 / (particles->inverse_mass[i] + (j < 0 ? 0 : particles->inverse_mass[j]));
 }
@@ -58,12 +58,13 @@ struct nb_pass {
 };
 /* The most passes of a material pair, the most threads, and the least number of contacts of a thread. */
 enum { NB_PASSES = 7, NB_THREADS = 256, NB_CONTACTS_PER_THREAD = 128 };
-enum { NB_PARTS_PER_THREAD = 4, NB_MOST_PARTS = NB_THREADS * NB_PARTS_PER_THREAD }; /* of the work of a cycle: team.c */
+/* Parts into which the work of a cycle is divided: team.c. */
+enum { NB_PARTS_PER_THREAD = 4, NB_MOST_PARTS = NB_THREADS * NB_PARTS_PER_THREAD };
 
 /* The contacts between two materials, or between particles and walls of two materials: their parameters and passes. */
 struct nb_material_pair {
   struct nb_pair values;               /* must be first: the parameters that laws read */
-  int a, b;                            /* materials */
+  int a, b;                            /* indices of the materials */
   bool wall;                           /* b is the material of walls */
   const struct nb_law *normal, *shear; /* shear NULL: no friction, or law `none` */
   struct nb_planned {
@@ -95,7 +96,7 @@ struct nb_active_laws {
 struct nb_machine {
   enum nb_isa isa;
   int threads;          /* upper limit */
-  int threads_used;     /* threads for the current number of contacts, at least NB_CONTACTS_PER_THREAD each */
+  int threads_used;     /* threads in use now: each has at least NB_CONTACTS_PER_THREAD contacts */
   struct nb_team *team; /* the threads; NULL as long as one thread is enough */
   struct nb_rounding rounding;
 };
@@ -167,7 +168,7 @@ struct nb_vertices {
   size_t count;
 };
 
-/* Optional actions at fixed places of a cycle. run/hooks.c lists those that the scene uses. */
+/* Hooks are optional actions at fixed places of a cycle. run/hooks.c lists those that the scene uses. */
 enum nb_when {
   NB_BEFORE_MOTION, /* sets the loading for the next step */
   NB_AFTER_MOTION,  /* forces and time step are still those of this motion */
@@ -197,13 +198,13 @@ struct nb_model {
   struct nb_vertices vertices;             /* wall_vertices.c */
   struct nb_properties properties;         /* properties.c */
   struct nb_active_laws laws, next_laws;   /* laws of the last and of the next force calculation (laws_now.c) */
-  struct nb_material_pair *material_pairs; /* plan.c */
+  struct nb_material_pair *material_pairs; /* run/plan.c, to `plan` */
   size_t material_pair_count;
   struct nb_plan plan;
-  struct nb_search search;
-  struct nb_contacts contacts; /* contacts.c */
-  struct nb_blocks blocks;
-  struct nb_hooks hooks[NB_WHENS];
+  struct nb_search search;         /* neighbours.c, guard.c */
+  struct nb_contacts contacts;     /* contacts.c */
+  struct nb_blocks blocks;         /* blocks.c */
+  struct nb_hooks hooks[NB_WHENS]; /* run/hooks.c */
 
   unsigned long cycle;        /* cycle.c, to `updates`: number of the last cycle */
   unsigned long stage_cycle;  /* cycles since the beginning of the stage */
@@ -232,7 +233,8 @@ struct nb_model {
   struct nb_configuration *configuration; /* measure/configuration.h; NULL: no snapshot requests changes */
   struct nb_fracc *fracc;                 /* measure/fracc.c; NULL: not requested */
   struct nb_deep {
-    unsigned long *counts;        /* per block, since the last search, NB_DEEP_STRIDE apart; NULL: no elastic law */
+    /* As `count`, for each block since the last search, NB_DEEP_STRIDE apart; NULL: no law of elastic spheres. */
+    unsigned long *counts;
     unsigned long long count;     /* contact updates with too large an overlap, up to the last search */
     char first[3 * NB_NAME_SIZE]; /* text: the first contact with too large an overlap; empty: none yet */
   } deep;                         /* deep.c */
@@ -244,10 +246,10 @@ struct nb_model {
 /* machine.c: instruction set and threads, from the options */
 enum nb_status nb_machine_choose(struct nb_model *model, const struct nb_options *options, struct nb_error *error);
 
-/* machine.c: sets the rounding mode of this thread for a part of the cycle; part NULL: to nearest */
+/* machine.c: sets the rounding mode of this thread for a part of the cycle, such as "motion"; part NULL: to nearest */
 void nb_rounding_set(const struct nb_rounding *rounding, const char *part);
-/* Called when a part of the cycle begins: changes the rounding mode if the options ask for it. part NULL: a part
- * ends. */
+/* Called when a part of the cycle begins, or, with part NULL, when it ends: changes the rounding mode if the options
+ * ask for it. */
 static inline void nb_rounding_begin(const struct nb_rounding *rounding, const char *part) {
   if (rounding->mode != NB_TO_NEAREST)
     nb_rounding_set(rounding, part);
@@ -257,7 +259,7 @@ static inline void nb_rounding_begin(const struct nb_rounding *rounding, const c
 enum nb_status nb_blocks_create(struct nb_model *model, struct nb_error *error);
 
 /* Bits of model->plan.requested for what columns and conditions read besides fields: */
-#define NB_REQUEST_CLOCK (1u << 24)  /* nothing else: the quantity depends on the number of cycles and the step alone */
+#define NB_REQUEST_CLOCK (1u << 24)  /* no fields: the quantity depends on the number of cycles and the step alone */
 #define NB_REQUEST_FRACC (1u << 27)  /* fracc.c */
 #define NB_REQUEST_STRAIN (1u << 28) /* strain.c */
 #define NB_REQUEST_WORK (1u << 29)   /* the work balance, energy.h */
@@ -306,13 +308,14 @@ void nb_guard_resolution(struct nb_model *model);
 enum nb_status nb_neighbours_search(struct nb_model *model, struct nb_error *error);
 /* The same where no force calculation follows: contacts keep their forces. */
 enum nb_status nb_neighbours_search_again(struct nb_model *model, struct nb_error *error);
-/* Replaces the first search of a resumed run: lists the contacts of a checkpoint. Their pairs are the next part of
+/* Replaces the first search of a resumed run: lists the contacts of a checkpoint, whose pairs are the next part of
  * `store`. */
 enum nb_status nb_neighbours_restore(struct nb_model *model, struct nb_store *store, struct nb_error *error);
 
 /* motion.c */
-/* These two move particles and walls by one step. They return how many of them have moved by more than half the skin
- * since the last search, or to NaN. */
+/* These two move particles and walls by one step: the particles of part `part` of `parts`, and all walls. They return
+ * how many of them require a new search: those that have moved by more than half the skin since the last search (in a
+ * cell: by more than its travel limit) or to NaN, and walls that rotated too far. */
 int nb_motion_part(struct nb_model *model, int part, int parts);
 int nb_motion_walls(struct nb_model *model); /* walls.c */
 /* Reverses all velocities, so that the next steps retrace the motion. model->step must be that of the next step. */
@@ -362,7 +365,9 @@ bool nb_deep_begin(struct nb_model *model, size_t blocks); /* makes counters, af
 void nb_deep_end(struct nb_model *model); /* called when a law of elastic spheres ends; the count is kept */
 /* Called after the force calculation: describes the first deep contact in model->deep.first. */
 void nb_deep_record_first(struct nb_model *model);
+/* True if the contact is deep at the current positions. */
 bool nb_is_deep(const struct nb_model *model, size_t contact);
+/* Number of deep contacts since the start; a contact counts once per cycle. */
 unsigned long long nb_deep_count(const struct nb_model *model);
 
 /* cycle.c: the force calculation at the current positions */
@@ -370,7 +375,7 @@ void nb_forces(struct nb_model *model);
 
 /* ---- contacts ---- */
 
-/* Sort key of b among the partners of a: the number of b, walls last. */
+/* Sort key of b among the partners of a: the number of a particle; walls last, in the order of the page. */
 static inline int nb_partner_rank(const struct nb_model *model, struct nb_neighbour_pair pair) {
   return model->material_pairs[pair.material_pair].wall ? INT_MAX / 2 + pair.b : model->particles.number[pair.b];
 }
@@ -395,7 +400,7 @@ static inline struct nb_vec nb_contacts_branch(const struct nb_model *model, siz
   return model->cell ? vec_add(branch, tensor_times(model->cell->h, contacts->image[contact])) : branch;
 }
 
-/* The overlap at the current positions, m; below 0: a gap. */
+/* The overlap of a contact at the current positions, m; below 0: a gap. */
 static inline double nb_overlap(const struct nb_model *model, size_t contact) {
   const bool wall = nb_with_wall(model, contact);
   const struct nb_particles *particles = &model->particles;

@@ -5,6 +5,8 @@
  *
  *   v, w  velocity, m/s, and angular velocity, rad/s      x, theta  position, m, and rotation, rad
  *
+ * A change of the velocities is a kick, a change of the positions a drift.
+ *
  * Gravity adds m g to sum F. Mass-proportional damping multiplies the old velocity by `keep` and the force by
  * `impulse`; alpha (1/s) is alpha_g of docs/METHOD.md:
  *
@@ -19,15 +21,15 @@
  *   u_(N+1/2) = keep (u_(N-1/2) - c_(N-1/2)) + impulse (sum F / m)_N dt + c_(N+1/2)
  *
  * Contacts read u; the affine part of the relative displacement of two particles with separation z is L z dt
- * [R89 4.42]. Particles held by a boundary have v = 0. A scene in which only a boundary moves affinely uses the loop
- * without c.
+ * [R89 4.42]. Particles held by a boundary have v = 0. If only a boundary moves affinely, the loop without c is used:
+ * the mass of its particles counts as infinite, and their stored velocity is c.
  *
  * Dashpots that are centred (pass/dashpots.c) need the velocity at t_(N+1). Its difference from v_(N+1/2) is predicted
  * from the acceleration at t_N: (v_(N+1/2) - v_(N-1/2)) dt/(2 tau), where tau is the duration of the kick.
  *
- * The velocities of a page are those at time 0; the velocities of the scheme are those at half steps. So the first kick
- * lasts half a step, and a kick between two steps of unequal length lasts their mean. CS79's program BALL starts from
- * rest without forces, so the half kick would change nothing there.
+ * A page gives the velocities at time 0; this scheme needs the velocities at half steps. So the first kick lasts half a
+ * step, and a kick between two steps of unequal length lasts their mean. CS79's program BALL starts from rest without
+ * forces, so the half kick would change nothing there.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "motion.h"
@@ -36,11 +38,12 @@
 struct batch {
   struct nb_vec force[NB_BATCH_SIZE], c[NB_BATCH_SIZE]; /* N, m/s */
   double moment[NB_BATCH_SIZE];                         /* moment over radius, N */
-  double keep[2 * NB_BATCH_SIZE], kick[2 * NB_BATCH_SIZE],
-      travel[2 * NB_BATCH_SIZE]; /* x and y of each particle in turn */
+  /* For x and y of each particle in turn: factor of the velocity, 1; factor of the force, s/kg; square of the
+   * displacement since the last search, m2. */
+  double keep[2 * NB_BATCH_SIZE], kick[2 * NB_BATCH_SIZE], travel[2 * NB_BATCH_SIZE];
 };
 
-/* The sums of one thread: group by group (incidence.c). */
+/* The state of the summation in a batch, which runs group by group (incidence.c). */
 struct sums {
   struct batch *batch;
   size_t from;             /* first slot of the batch */
@@ -48,7 +51,8 @@ struct sums {
   const struct nb_contact_force *force;
 };
 
-/* Sums the forces on the particles of a group. */
+/* Sums the forces on the particles of a group. Each particle has `seconds` contacts as second particle, and `firsts`
+ * contacts as first particle. */
 static inline NB_FORM void sum_group(struct sums *sums, int particles, int seconds, int firsts) {
   const int *slot = sums->slot, *entry = sums->entry;
   for (int p = 0; p < particles; p++, entry += seconds + firsts) {
@@ -89,8 +93,8 @@ static inline NB_FORM void sum_seconds(struct sums *sums, struct nb_incidence_gr
 #undef SUM
 }
 
-/* Sums the forces on the particles of batch `which`, whose first slot is `from`. A function of its own does it for each
- * instruction set, because registers are scarce within `move`. */
+/* Sums the forces on the particles of batch `which`, whose first slot is `from`. Each instruction set has a function of
+ * its own for this, which is not inlined into `move`, because registers are scarce there. */
 typedef void sum_function(struct batch *batch, const struct nb_contact_force *force, const struct nb_incidence *all,
                           size_t which, size_t from);
 #define SUM_FORM(isa, target)                                                                                          \
@@ -126,7 +130,7 @@ static void add_boundary_force(struct batch *batch, const struct nb_vec *boundar
     batch->force[k] = vec_add(batch->force[k], boundary_force[k]);
 }
 
-/* The arguments of one thread. */
+/* The arguments of nb_motion_part for its loops. */
 struct task {
   struct nb_particles particles; /* a copy, so that the compiler knows that writing particle data does not change it */
   const struct nb_contact_force *contact_force;
@@ -138,15 +142,15 @@ struct task {
   const struct nb_vec *boundary_force; /* NULL: no stress on a boundary */
   const struct nb_affine *affine;      /* NULL: no affine motion */
   bool along;                          /* all particles have an affine motion */
-  bool cell;                           /* the cell moves affinely too */
+  bool cell;                           /* the periodic cell moves affinely in this step */
   bool rotates;                        /* some particle rotates */
   bool predicts;                       /* centred dashpots need the velocity at the end of the step */
   double time, step;                   /* duration of the kick and of the drift, s */
-  double travel_limit;                 /* displacement since the last search that requires a new one, m */
+  double travel_limit; /* a displacement since the last search beyond this limit requires a new search, m */
 };
 
-/* Subtracts c of the last step from the velocities, which gives v, and computes c of the next step. With `accumulated`
- * c stays part of v. `alike`: all particles have the same strain rate. */
+/* Subtracts c of the last step from the velocities, which gives v. Computes c of the next step. With `accumulated`, c
+ * stays part of v. `alike`: all particles have the same L. */
 static inline NB_FORM void add_affine(const struct task *task, struct batch *batch, size_t from, size_t n, bool alike) {
   struct nb_vec *velocity = task->particles.velocity + from, *imposed = task->particles.imposed + from;
   const struct nb_vec *position = task->particles.position + from;
@@ -217,7 +221,7 @@ static inline NB_FORM void begin_prediction(const struct task *task, size_t from
     particles->ahead[k] = (struct nb_velocities){particles->velocity[k], particles->surface_speed[k]};
 }
 
-/* Called after the kick: replaces the stored velocities by their predicted change over half a step. */
+/* Called after the kick: replaces the stored velocities by the predicted change from t_(N+1/2) to t_(N+1). */
 static inline NB_FORM void end_prediction(const struct task *task, const struct batch *batch, size_t from, size_t n) {
   const struct nb_particles *particles = &task->particles;
   const double fraction = task->step / (2 * task->time);
@@ -232,14 +236,15 @@ static inline NB_FORM void end_prediction(const struct task *task, const struct 
 
 /* Moves the positions of the last search affinely with the cell, so that the travel limit applies to displacements
  * relative to the affine motion. */
-static inline NB_FORM void move_list(const struct task *task, size_t from, size_t n) {
+static inline NB_FORM void move_search_positions(const struct task *task, size_t from, size_t n) {
   struct nb_vec *search_position = task->particles.search_position;
   for (size_t k = from; k < from + n; k++)
     search_position[k] =
         vec_add(search_position[k], vec_scale(task->step, nb_imposed_velocity(task->affine, k, search_position[k])));
 }
 
-/* Moves the particles of the batches from `first` to `end` - 1. */
+/* Moves the particles of the batches from `first` to `end` - 1. Returns the number of particles that moved beyond the
+ * travel limit, or to NaN. */
 static inline NB_FORM int move(const struct task *task, size_t first, size_t end) {
   int out = 0;
   const size_t size = task->incidence->batch_size, count = task->particles.count;
@@ -254,7 +259,7 @@ static inline NB_FORM int move(const struct task *task, size_t first, size_t end
     if (task->boundary_force)
       add_boundary_force(&batch, task->boundary_force + from, n);
     if (task->cell)
-      move_list(task, from, n);
+      move_search_positions(task, from, n);
     if (task->along && task->affine->uniform)
       add_affine(task, &batch, from, n, true);
     else if (task->along)

@@ -6,14 +6,16 @@
 
 #include "affine.h"
 
+/* Duration of the next kick, s: from the middle of the last step to the middle of the next one. */
 static inline double nb_kick_time(const struct nb_model *model) { return (model->previous_step + model->step) / 2; }
 
-/* The momentum that mass-proportional damping removes in a kick of the duration dt, as fractions of m v-, of m v+, and
- * of the impulse of the forces; v- and v+ are the velocities before and after the kick, m/s. */
+/* In a kick, mass-proportional damping or CON1 removes the momentum old m v- + new m v+ + impulse J: v- and v+ are the
+ * velocities before and after the kick, m/s, and J is the impulse of the forces, N s. */
 struct nb_damping_losses {
   double old, new, impulse;
 };
 
+/* The losses with one damping in a kick of the duration dt, s. */
 static inline struct nb_damping_losses nb_damping_losses_of(const struct nb_damping *damping, double dt) {
   const double g = damping->global, half = g * dt / 2;
   switch (damping->global_kind) {
@@ -31,8 +33,8 @@ static inline struct nb_damping_losses nb_damping_losses_of(const struct nb_damp
   return (struct nb_damping_losses){0, 0, 0};
 }
 
-/* The losses of the next kick. In the kick around t_0, where a stage begins, the part before t_0 has the damping of the
- * previous stage; `before` is the fraction of the kick before t_0. */
+/* The losses in a kick of the duration dt, of which the fraction `before` precedes t_N. If a stage begins at t_N, this
+ * fraction has the damping of the previous stage. */
 static inline struct nb_damping_losses nb_damping_losses(const struct nb_model *model, double dt, double before) {
   const struct nb_damping_losses now = nb_damping_losses_of(&model->damping, dt);
   if (model->stage_cycle > 0 || before == 0 ||
@@ -44,10 +46,12 @@ static inline struct nb_damping_losses nb_damping_losses(const struct nb_model *
   return (struct nb_damping_losses){before * was.old + after * now.old, before * was.new + after *now.new,
                                     before *was.impulse + after *now.impulse};
 }
+/* The fraction of the next kick that lies in the last step. */
 static inline double nb_kick_fraction_before(const struct nb_model *model) {
   return model->previous_step / (model->previous_step + model->step);
 }
 
+/* The velocity after a kick of the duration dt by the force F is keep v- + impulse F dt/m. */
 struct nb_kick_factors {
   double keep, impulse;
 };
@@ -59,8 +63,9 @@ static inline struct nb_kick_factors nb_kick_factors(const struct nb_model *mode
 
 /* Sums the contact forces on a particle. Its entries are `seconds` contacts in which it is the second particle, then
  * `firsts` contacts in which it is the first one. The stored force acts on the contact's first particle; its opposite
- * acts on the second one. The moment of the shear force F_s is counterclockwise on both particles [CS79, The
- * force-displacement law]: `shear` is the sum of F_s, N. The moment is this sum times the radius. */
+ * acts on the second one. The moment of a shear force is counterclockwise on both particles [CS79, The
+ * force-displacement law]. So `shear` is the sum of the shear forces F_s + D_s, N, and the moment is this sum times the
+ * radius. */
 static inline NB_FORM void nb_contact_force_sum(struct nb_contact_force *sum, const struct nb_contact_force *force,
                                                 const int *entry, int seconds, int firsts) {
   nb_lanes both = {0, 0, 0, 0};
@@ -77,7 +82,7 @@ static inline bool nb_has_gravity(struct nb_vec gravity) { return gravity.x != 0
 
 /* The force of central gravity, mass times acceleration, N, towards the point; 0 at the point itself. */
 static inline struct nb_vec nb_central_force(const struct nb_central *gravity, double mass, struct nb_vec x) {
-  const struct nb_vec travel = vec_sub(gravity->point, x);
-  const double distance = vec_length(travel);
-  return vec_scale(distance > 0 ? mass * gravity->acceleration / distance : 0, travel);
+  const struct nb_vec towards = vec_sub(gravity->point, x);
+  const double distance = vec_length(towards);
+  return vec_scale(distance > 0 ? mass * gravity->acceleration / distance : 0, towards);
 }

@@ -16,14 +16,14 @@ enum nb_quantity_family {
   NB_FOURTH,     /* the five components of a symmetric fourth-order tensor */
   NB_STATISTICS, /* mean max min std */
 };
-enum { NB_COMPONENTS_MAX = 5 }; /* largest number of numbers from which a family is computed */
+enum { NB_COMPONENTS_MAX = 5 }; /* the most numbers from which a family is computed */
 
-/* Bounds of a quantity, which its row or its suffix states. A condition or an expectation that they decide is a
- * mistake. */
+/* Bounds of a quantity, which its row or its suffix states. A condition or an expectation that such a bound always or
+ * never fulfils is an error of the page. */
 enum nb_bound {
   NB_AT_LEAST_0 = 1,
   NB_AT_MOST_1 = 2,
-  NB_AT_LEAST_0_BY_LAW = 4, /* 0 or more with all laws of this program; a law of one's own may be tensile */
+  NB_AT_LEAST_0_BY_LAW = 4, /* 0 or more with all laws of this program; a law that a user adds may be tensile */
 };
 
 /* A row of the table: one quantity, or a family. */
@@ -35,7 +35,8 @@ struct nb_quantity_kind {
   unsigned fields; /* contact fields that the quantity reads; in a contact test, what it requires of the laws */
   double (*value)(const struct nb_model *model, const struct nb_monitor *monitor);
   const char *help;
-  unsigned bounds; /* set of enum nb_bound: in every state of every scene; of a family, those of all its quantities */
+  /* Set of enum nb_bound: valid in every state of every scene; of a family, valid for all its quantities. */
+  unsigned bounds;
 
   enum nb_quantity_family family;
   /* Computes the numbers of a family, or of a quantity of a region; `value` is then NULL. */
@@ -50,7 +51,7 @@ struct nb_quantity_kind {
 #define NB_OF_CONTACT_TEST (1u << 30) /* quantity of a contact test */
 enum { NB_OF_REGION = 1 << NB_MONITOR_REGION };
 
-/* Fields that stored energies, and the terms of the energy balance, need. */
+/* Fields that stored energies need, and those that the terms of the energy balance need. */
 enum { NB_OF_STORED = NB_BIT(NB_OVERLAP) | NB_BIT(NB_NORMAL) | NB_BIT(NB_STIFFNESS) | NB_BIT(NB_RADIUS) };
 #define NB_OF_BALANCE                                                                                                  \
   (NB_OF_STORED | NB_BIT(NB_EX) | NB_BIT(NB_EY) | NB_BIT(NB_TOTAL_NORMAL) | NB_BIT(NB_TANGENTIAL_INCREMENT) |          \
@@ -63,13 +64,13 @@ extern const struct nb_quantity_kind nb_contact_test_kinds[];
 /* input/names.c */
 /* Writes a hint what to type instead of a name that is no quantity of the scene: the nearest name, or a list. */
 const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const char *text);
-bool nb_is_quantity(const char *name);                     /* a quantity of any monitor, or of a scene, has this name */
+bool nb_is_quantity(const char *name);                     /* some quantity of a monitor or of a scene has this name */
 bool nb_quantity_is_residual(struct nb_quantity quantity); /* the quantity is a residual, 0 by definition */
-/* Fills a row with the k-th quantity, for the manual; false past the last one. */
+/* For the manual: nb_quantity_row fills a row with the k-th quantity. False past the last one. */
 struct nb_quantity_row {
   const void *key; /* identifies the quantity */
   char name[NB_NAME_SIZE], help[512];
-  const char *unit, *of;          /* unit; kind of monitor that has the quantity */
+  const char *unit, *of;          /* unit; the kind of monitor that has the quantity */
   const char *statement, *prefix; /* "region M all", "M."; NULL: a quantity of the scene */
 };
 bool nb_quantity_row(struct nb_quantity_row *row, size_t k);
@@ -87,7 +88,8 @@ const struct nb_suffix *nb_suffix(enum nb_quantity_family family, size_t k); /* 
 unsigned nb_quantity_bounds(struct nb_quantity quantity);                    /* set of enum nb_bound */
 double nb_quantity_now(struct nb_quantity quantity, const struct nb_model *model); /* current value, SI */
 
-/* Defines a function for one quantity, or for one tensor. */
+/* Defines the function of a quantity, or of a family that is computed from a tensor. `expression` may use `model` and
+ * `monitor`. */
 #define NB_QUANTITY(function, expression)                                                                              \
   static double function(const struct nb_model *model, const struct nb_monitor *monitor) {                             \
     (void)model, (void)monitor;                                                                                        \

@@ -1,18 +1,18 @@
-/* The neighbour list: pairs of particles, and of particles and walls, closer than the skin.     [CS79; R89 sec. 4.3.1, TOL]
+/* The neighbour list: pairs of particles, and of particles and walls, closer than the skin. [CS79; R89 sec. 4.3.1, TOL]
  *
- * All pairs closer than the skin are listed, touching or not. Until a particle or a wall has moved by more than half
- * the skin, a pair that is not listed cannot touch. A scene in which nothing moves is searched once, when the model is
- * created. If no free particle can touch anything, the skin is infinite and there is no search. A contact that stays in
- * the list keeps its history.
+ * All pairs whose gap is smaller than the skin are listed, touching or not. Until a particle or a wall has moved by
+ * more than half the skin, a pair that is not listed cannot touch. A scene in which nothing moves is searched once,
+ * when the model is created. If no free particle can touch anything, the skin is infinite and there is no search. A
+ * contact that stays in the list keeps its history.
  *
  * Particles are in a grid of boxes with levels by size (grid.h), each on the finest level whose boxes are at least as
  * wide as its diameter plus the skin. For each particle the nine boxes around it are searched, on its own level and on
  * those of larger particles. Scenes of a few particles need no grid. Particles of similar size that fill their
  * surroundings are sorted by box instead (mesh.h), which finds the same pairs faster.
  *
- * In a periodic cell (cell.c) each particle is represented by its image in the cell. The search starts also from those
- * of its images that are near the cell. A pair across an edge of the cell is found once: between the image of the
- * particle with the smaller number and the other particle in the cell.
+ * In a periodic cell (cell.c) each particle is represented by its image in the cell. The search for its neighbours also
+ * starts from those of its images outside the cell that are near the cell. A pair across an edge of the cell is found
+ * once: between the image of the particle with the smaller number and the other particle in the cell.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -28,7 +28,7 @@ struct search {
   struct nb_mesh mesh; /* without items: the grid is used */
   struct nb_grid grid;
   struct nb_wrap wrap;    /* the periodic cell with the shortest sides */
-  struct nb_vec *wrapped; /* position of the image of each slot in this cell, m; NULL without a cell */
+  struct nb_vec *wrapped; /* for each slot the position of the image in this cell, m; NULL without a cell */
 };
 
 static bool wrap_positions(struct search *search, const struct nb_model *model) {
@@ -44,19 +44,21 @@ static inline struct nb_vec wrapped_position(const struct search *search, const 
   return search->wrapped ? search->wrapped[i] : model->particles.position[i];
 }
 
-/* The search for images goes beyond the range of a contact by this fraction, so that rounding (1e-16) misses none. */
+/* Images are sought up to a distance that is larger than necessary by this fraction, so that rounding (1e-16) misses
+ * none. */
 static const double image_margin = 1e-12;
 
-/* In units of the sides of the cell, images up to this distance from its centre can touch a particle in the cell. */
+/* Largest coordinate, in sides of the cell from its centre, of an image that can touch a particle in the cell. `width`:
+ * range of a contact, m. */
 static double farthest_image(const struct search *search, double width) {
   return (0.5 + width / nb_wrap_width(&search->wrap)) * (1 + image_margin);
 }
 
-/* The particles in the periodic cell, and their images that can touch one of these. */
+/* The particles in the periodic cell, and those of their images outside the cell that can touch a particle in it. */
 struct images {
-  struct nb_vec *x; /* m */
-  int *slot;        /* as in an item of the mesh */
-  size_t count, slots;
+  struct nb_vec *x;    /* m */
+  int *slot;           /* as in an item of the mesh */
+  size_t count, slots; /* lengths of the two arrays; equal */
 };
 
 static bool add_image(struct images *images, struct nb_vec x, int slot) {
@@ -68,6 +70,8 @@ static bool add_image(struct images *images, struct nb_vec x, int slot) {
   return true;
 }
 
+/* Adds particle i, and those of its images that are at most `edge` from the centre (farthest_image). False: out of
+ * memory. */
 static bool add_images(struct images *images, const struct search *search, int i, double edge) {
   const struct nb_wrap *wrap = &search->wrap;
   const struct nb_vec x = search->wrapped[i], at = tensor_times(wrap->inverse, vec_sub(x, wrap->centre));
@@ -124,12 +128,12 @@ static bool pairs_reserve(struct nb_neighbour_pairs *pairs, size_t more) {
   struct nb_neighbour_pair *list =
       more < SIZE_MAX / sizeof *list - pairs->count ? realloc(pairs->list, (pairs->count + more) * sizeof *list) : NULL;
   if (list)
-    pairs->list = list, pairs->room = pairs->count + more;
+    pairs->list = list, pairs->capacity = pairs->count + more;
   return list != NULL;
 }
 
 static bool pairs_add(struct nb_neighbour_pairs *pairs, int a, int b, int material_pair) {
-  if (pairs->count == pairs->room && !pairs_reserve(pairs, pairs->count))
+  if (pairs->count == pairs->capacity && !pairs_reserve(pairs, pairs->count))
     return false;
   pairs->list[pairs->count++] = (struct nb_neighbour_pair){a, b, material_pair};
   return true;
@@ -145,7 +149,8 @@ static int material_pair_of(const struct nb_model *model, int material_a, int ma
   return -1;
 }
 
-/* Keeps the pair if it comes first, in the order of contacts, among those whose overlap exceeds the limit. */
+/* Stores a pair whose overlap exceeds the limit, unless an earlier pair, in the order of contacts, is stored
+ * already. */
 static void note_too_deep(struct nb_model *model, struct nb_close_pair pair) {
   const int *number = model->particles.number;
   struct nb_close_pair *first = &model->search.too_deep;
@@ -154,14 +159,14 @@ static void note_too_deep(struct nb_model *model, struct nb_close_pair pair) {
     *first = pair;
 }
 
-/* Lists particles i and j, whose gap is smaller than the skin. The particle with the smaller number comes first. A pair
- * whose overlap exceeds the limit ends the run. The search then lists no further pairs, because pairs of many coincident
- * particles would fill the memory. */
+/* Lists particles i and j, whose gap is smaller than the skin; `distance`: of their centres, m. The particle with the
+ * smaller number comes first. A pair whose overlap exceeds the limit ends the run. The search then lists no further
+ * pairs, because pairs of many coincident particles would fill the memory. False: out of memory. */
 static bool near_pair(struct nb_neighbour_pairs *pairs, struct nb_model *model, int i, int j, double distance) {
   const struct nb_particles *particles = &model->particles;
   const double one = particles->radius[i], other = particles->radius[j];
   if (!(particles->inverse_mass[i] > 0 || particles->inverse_mass[j] > 0))
-    return true; /* both are fixed */
+    return true; /* both are fixed: no force between them */
   if (nb_removed(model, (size_t)i) || nb_removed(model, (size_t)j))
     return true;
   const int a = particles->number[i] < particles->number[j] ? i : j, b = a == i ? j : i;
@@ -173,7 +178,8 @@ static bool near_pair(struct nb_neighbour_pairs *pairs, struct nb_model *model, 
          pairs_add(pairs, a, b, material_pair_of(model, particles->material[a], particles->material[b], false));
 }
 
-/* Lists particles i and j, whose centres are `apart` from each other, if the gap is smaller than the skin. */
+/* Lists particles i and j if their gap is smaller than the skin; `apart`: the vector between their centres, m. False:
+ * out of memory. */
 static bool neighbour_pair(struct nb_neighbour_pairs *pairs, struct nb_model *model, int i, int j,
                            struct nb_vec apart) {
   const struct nb_particles *particles = &model->particles;
@@ -189,8 +195,8 @@ struct origin {
   struct nb_vec from; /* m */
 };
 
-/* Tests the pairs of a particle with those in one box: with all on the levels of larger particles, and with those of
- * its own level that have larger numbers. False: out of memory. */
+/* Tests a particle against the particles in one box. On its own level it is tested against particles with larger
+ * numbers only, so each pair is tested once. False: out of memory. */
 static bool neighbours_in_box(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct search *search,
                               struct origin origin, struct nb_box box) {
   const int *number = model->particles.number;
@@ -204,6 +210,7 @@ static bool neighbours_in_box(struct nb_neighbour_pairs *pairs, struct nb_model 
   return true;
 }
 
+/* Tests a particle against all particles in the boxes around the origin. False: out of memory. */
 static bool neighbours_around(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct search *search,
                               struct origin origin) {
   const struct nb_grid *grid = &search->grid;
@@ -219,10 +226,10 @@ static bool neighbours_around(struct nb_neighbour_pairs *pairs, struct nb_model 
   return true;
 }
 
-/* Searches from those of the nine images of particle i that are in the cell, or outside it within the range of a
- * contact. */
-static bool neighbour_copies(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct search *search,
-                             int i) {
+/* Searches from the image of particle i in the cell, and from those of the eight images around it that are within the
+ * range of a contact of the cell. False: out of memory. */
+static bool neighbours_of_images(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct search *search,
+                                 int i) {
   const struct nb_wrap *wrap = &search->wrap;
   const double edge = farthest_image(search, search->grid.width[0]);
   for (int m = 0; m < 9; m++) {
@@ -234,8 +241,8 @@ static bool neighbour_copies(struct nb_neighbour_pairs *pairs, struct nb_model *
   return true;
 }
 
-/* Of two items that are images, neither is in the cell. Of a pair across an edge of the cell, the image is the particle
- * with the smaller number. */
+/* True if this pair of items counts. Two images outside the cell do not. Across an edge of the cell a pair counts once:
+ * if the image outside the cell is that of the particle with the smaller number. */
 static bool counts_once(const struct nb_model *model, int slot, int other) {
   const bool image = nb_mesh_is_image(slot), other_image = nb_mesh_is_image(other);
   if (!image && !other_image)
@@ -246,7 +253,7 @@ static bool counts_once(const struct nb_model *model, int slot, int other) {
 }
 
 /* Tests item `it` of the mesh against the items from `from` to `to` - 1. All distances of a batch are computed first,
- * because a loop without branches is faster. */
+ * because a loop without branches is faster. False: out of memory. */
 static bool neighbours_among(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct nb_mesh *mesh,
                              const struct nb_mesh_item *it, int from, int to) {
   enum { BATCH = 64 };
@@ -270,7 +277,8 @@ static bool neighbours_among(struct nb_neighbour_pairs *pairs, struct nb_model *
   return true;
 }
 
-/* Tests each particle against the later ones of its box and those of half the boxes around it: each pair once. */
+/* Tests each item against the later ones of its box and those of half the boxes around it, so each pair is tested once.
+ * False: out of memory. */
 static bool neighbours_in_mesh(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct nb_mesh *mesh) {
   for (size_t p = 0; p < mesh->count; p++) {
     const struct nb_mesh_item *it = &mesh->item[p];
@@ -282,6 +290,7 @@ static bool neighbours_in_mesh(struct nb_neighbour_pairs *pairs, struct nb_model
   return true;
 }
 
+/* Lists the pairs of particle i and a wall whose gap is smaller than the skin. False: out of memory. */
 static bool neighbour_walls(struct nb_neighbour_pairs *pairs, struct nb_model *model, int i) {
   const struct nb_walls *walls = &model->walls;
   const struct nb_particles *particles = &model->particles;
@@ -297,17 +306,17 @@ static bool neighbour_walls(struct nb_neighbour_pairs *pairs, struct nb_model *m
   return true;
 }
 
-/* The pairs of a particle: with walls, and unless the mesh has them, with other particles. */
+/* Lists the pairs of a particle with walls and, if there is no mesh, with other particles. False: out of memory. */
 static bool neighbours_of(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct search *search,
                           int i) {
   const bool found = search->mesh.count ? true
                      : model->cell
-                         ? neighbour_copies(pairs, model, search, i)
+                         ? neighbours_of_images(pairs, model, search, i)
                          : neighbours_around(pairs, model, search, (struct origin){i, model->particles.position[i]});
   return found && neighbour_walls(pairs, model, i);
 }
 
-/* All pairs of a few particles. */
+/* Tests all pairs of a few particles, and all pairs of a particle and a wall. False: out of memory. */
 static bool all_pairs(struct nb_neighbour_pairs *found, struct nb_model *model) {
   const int *slot = model->particles.slot, n = (int)model->particles.count;
   const struct nb_vec *x = model->particles.position;
@@ -320,7 +329,7 @@ static bool all_pairs(struct nb_neighbour_pairs *found, struct nb_model *model) 
   return ok;
 }
 
-/* Finds every pair closer than the skin once, unsorted; false: out of memory. */
+/* Finds every pair whose gap is smaller than the skin once, unsorted. False: out of memory. */
 static bool find_pairs(struct nb_neighbour_pairs *found, struct nb_model *model) {
   const int n = (int)model->particles.count;
   if (!pairs_reserve(found, model->contacts.count + (size_t)n / 8 + 16))
@@ -337,8 +346,8 @@ static bool find_pairs(struct nb_neighbour_pairs *found, struct nb_model *model)
   return ok;
 }
 
-/* Sorts the pairs: by the number of the first particle with a counting sort, then each particle's few pairs in the
- * order of force summation with an insertion sort. */
+/* Sorts the pairs: by the number of the first particle with a counting sort, then the few pairs of each particle in the
+ * order of force summation with an insertion sort. False: out of memory. */
 static bool sort_pairs(struct nb_neighbour_pairs *pairs, const struct nb_model *model) {
   const size_t n = pairs->count, particles = model->particles.count;
   const int *number = model->particles.number;

@@ -10,7 +10,7 @@ struct nb_store {
   struct nb_store_part {
     char name[NB_NAME_SIZE];
     size_t at, count; /* index of the first number in `values`; how many numbers */
-  } * parts;          /* owned; `values` too */
+  } * parts;          /* owned by the store, like `values` */
   size_t part_count;
   double *values;
   size_t value_count;
@@ -23,12 +23,13 @@ void nb_store_free(struct nb_store *store);
 /* Saves `count` numbers, or restores them, as the part `name`. Parts are restored in the order in which they were
  * saved; another name or length sets store->failed. */
 void nb_store_doubles(struct nb_store *store, const char *name, double *values, size_t count);
-/* Saves or restores integers of 1, 4 or 8 bytes. A restored number that is not an integer from -most to most, or from 0 to
- * most for 1 byte, sets store->failed. */
+/* Saves or restores integers of 1, 4 or 8 bytes. A restored number must be an integer from -most to most, for 1 byte
+ * from 0 to most. Any other number sets store->failed. */
 void nb_store_integers(struct nb_store *store, const char *name, void *values, size_t count, size_t size, double most);
 /* When restoring, the length of the next part, or 0 if its name is not `name`. When saving, `now`. */
 size_t nb_store_length(const struct nb_store *store, const char *name, size_t now);
-const struct nb_store_part *nb_store_find(const struct nb_store *store, const char *name); /* NULL: none */
+/* Returns the part `name`; NULL: there is none. */
+const struct nb_store_part *nb_store_find(const struct nb_store *store, const char *name);
 
 /* NB_STORE saves or restores objects that consist of doubles alone, NB_STORE_INTEGERS integers, Boolean values and
  * characters. */

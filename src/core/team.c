@@ -1,14 +1,15 @@
-/* A team of threads that share the parts of a cycle. The threads live as long as the model. Each of the two parallel
- * parts of a cycle is a round of several parts for each thread: the caller announces the work, and each thread does its
- * own parts and then those that other threads have not begun. The caller goes on when all parts are done. It does not
- * wait for a thread that has begun none of them, for example because the system runs another program instead.
+/* A team of threads that share the work of a cycle. The threads live as long as the model. A cycle has two rounds, the
+ * motion and the forces. The work of a round is divided into parts, several for each thread. The caller announces the
+ * round; each thread does its own parts and then those that other threads have not begun. The caller goes on when all
+ * parts are done. It does not wait for a thread that has begun no part, for example because the system runs another
+ * program instead.
  *
  * A thread that waits looks for a change for some ten microseconds, because on an idle machine the next round begins
  * within this time. Then it sleeps, and its processor is free for a thread that the system has stopped.
  *
- * A thread may also be stopped within a part, for as long as other programs run. So the caller compares the time that
- * it waits with the time that it saves. If the team has lost time, the caller does all parts, for twenty times as long
- * as the loss. Who does a part changes no result.
+ * The system may also stop a thread within a part, for as long as other programs run. So the caller compares the time
+ * that it waits with the time that the team saves. If the team has lost time, the caller does all parts, for twenty
+ * times as long as the loss. No result depends on which thread does a part.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "team.h"
@@ -23,9 +24,9 @@
 #include "array.h"
 #include "clock.h"
 
-/* Looks before a thread sleeps. With the pauses between them they take 10 to 50 us, as long as a part of a cycle of ten
- * thousand particles. With a fifth of them a thread often slept while the last part was done, and waking it took
- * longer. */
+/* Number of looks before a thread sleeps. With the pauses between them they take 10 to 50 us, as long as a part of a
+ * cycle of ten thousand particles. With a fifth of this number a thread often slept while the last part was done, and
+ * waking the thread took longer than that part. */
 enum { LOOKS = 1000 };
 
 /* A thread of the team; number 0 is the caller. */
@@ -33,14 +34,14 @@ struct member {
   struct nb_team *team;
   int number;
   pthread_t thread;
-  /* Its parts of the present round that nobody has begun: the end in the upper half, the first one in the lower half.
-   * The lower half may exceed the upper one. */
+  /* Its parts of the present round that no thread has begun: from the number in the lower 32 bits to that in the upper
+   * 32 bits minus 1. The lower number may exceed the upper one. */
   _Alignas(64) _Atomic uint64_t parts; /* in a cache line of its own */
 };
 
-/* What the team has saved, s. */
+/* What the team has saved. */
 struct balance {
-  double part;  /* duration of a part: the least of the last ones, s */
+  double part;  /* duration of a part: the shortest of the last rounds, s */
   double saved; /* since the last rest, s; negative: lost */
   double rest;  /* time until which the caller does all parts, s */
 };
@@ -49,14 +50,14 @@ struct nb_team {
   void (*work)(void *data, int part); /* of the present round; so are the next two members */
   void *data;
   int parts;
-  atomic_bool ends;  /* the next round is the end of the threads */
+  atomic_bool ends;  /* the threads end when the next round begins */
   atomic_uint round; /* number of rounds so far */
   atomic_int done;   /* parts of the present round that are done */
   pthread_mutex_t lock;
   pthread_cond_t begun, finished; /* a round has begun; all its parts are done */
   struct balance balance;         /* only the caller uses it */
-  int size;                       /* threads asked for, with the caller */
-  int count;                      /* threads that the system has started */
+  int size;                       /* number of threads that was asked for, with the caller */
+  int count;                      /* number of threads that the system has started */
   struct member *members;         /* `size` of them */
 };
 
@@ -86,14 +87,15 @@ static void await_parts(struct nb_team *team) {
   pthread_mutex_unlock(&team->lock);
 }
 
-/* The next part of a member that nobody has begun; -1: there is none. While a part that was begun is not done, the
- * round cannot end, so `work`, `data` and `parts` are those of this part. */
+/* Begins the next part of a member, and returns its number; -1: all parts of the member have been begun. The round
+ * cannot end before this part is done, so `work`, `data` and `parts` are those of its round until then. */
 static int begin_part(struct member *owner) {
   const uint64_t parts = atomic_fetch_add(&owner->parts, 1);
   return (uint32_t)parts < parts >> 32 ? (int)(uint32_t)parts : -1;
 }
 
-/* Does parts until all have been begun: first those of the thread itself. Returns their number. */
+/* Does parts until all parts have been begun: first those of the member `self`, then those of the others. Returns the
+ * number of parts that it has done. */
 static int do_parts(struct nb_team *team, int self) {
   int count = 0;
   for (int k = 0; k < team->size; k++) {
@@ -123,13 +125,13 @@ static void begin_round(struct nb_team *team, int parts) {
   pthread_mutex_unlock(&team->lock);
 }
 
-static void *live(void *argument) {
+static void *run_member(void *argument) {
   const struct member *member = argument;
   struct nb_team *team = member->team;
   for (unsigned last = 0;;) {
     await_round(team, last);
     last = atomic_load(&team->round);
-    if (atomic_load(&team->ends)) /* read after `round`: the last round is that of the end, and no other one follows */
+    if (atomic_load(&team->ends)) /* read after `round`: after the round that ends the threads, no other one follows */
       return NULL;
     do_parts(team, member->number);
   }
@@ -167,7 +169,7 @@ struct nb_team *nb_team_sized(struct nb_team *old, int threads) {
   pthread_cond_init(&team->finished, NULL);
   for (int m = 1; m < threads; m++) {
     members[m].team = team, members[m].number = m;
-    if (pthread_create(&members[m].thread, NULL, live, &members[m]) != 0)
+    if (pthread_create(&members[m].thread, NULL, run_member, &members[m]) != 0)
       break;
     team->count++;
   }
@@ -176,19 +178,20 @@ struct nb_team *nb_team_sized(struct nb_team *old, int threads) {
 
 /* ---- whether the team saves time ---- */
 
-static const double most_saved = 0.02, /* s; earlier savings do not count any more */
-    most_lost = 0.0002,                /* s; then the caller does all parts */
+static const double most_saved = 0.02, /* s; larger savings count as this, so that old ones are forgotten */
+    most_lost = 0.0002,                /* s; after a larger loss the caller does all parts */
     rests_per_loss = 20, /* time in which the caller does all parts, over the loss: a run takes at most 1/20 longer */
-    longest_rest = 1,    /* s; the clock may have been set, or the machine may have been suspended */
-    growth = 1.02;       /* of the duration of a part in a round, so that an old least duration is forgotten */
+    longest_rest = 1,    /* s; no rest is longer, even if the clock is set back */
+    growth = 1.02;       /* factor per round of the stored duration of a part, so that an old one is forgotten */
 
-/* Times of a round, s. */
+/* Times at which a round has begun, has been announced, the caller has done its parts, and all parts are done, s. */
 struct times {
   double begin, announced, worked, end;
 };
 
-/* Adds what a round has saved: the time of the parts that the caller did not do, minus that of announcing and waiting.
- * The duration of a part is the least one, because the caller may have been stopped too. */
+/* Adds what a round has saved: the time of the parts that the caller did not do, minus the time of announcing and
+ * waiting. `own`: number of the parts that the caller did. The duration of a part is the shortest one, because the
+ * caller may have been stopped too. */
 static void add_round(struct balance *balance, const struct times *times, int own, int parts) {
   const double part = own > 0 ? (times->worked - times->announced) / own : INFINITY;
   if (part > 0)

@@ -73,5 +73,6 @@ static inline double tensor_major(struct nb_tensor a) { return tensor_mean(a) + 
 static inline double tensor_minor(struct nb_tensor a) { return tensor_mean(a) - tensor_radius(a); }
 static inline double tensor_angle(struct nb_tensor a) { /* rad; 0 for an isotropic tensor */
   const double angle = atan2(a.xy + a.yx, a.xx - a.yy) / 2;
-  return angle > -1.57079632679489661923 ? angle : 1.57079632679489661923; /* atan2 of a negative zero */
+  return angle > -1.57079632679489661923 ? angle
+                                         : 1.57079632679489661923; /* atan2 gives -pi if its first argument is -0 */
 }

@@ -4,10 +4,10 @@
 #include "motion.h"
 
 struct nb_force nb_force_on(const struct nb_model *model, size_t slot) {
-  const struct nb_contact_range its = nb_contact_range(&model->contacts.incidence, slot);
+  const struct nb_contact_range entries = nb_contact_range(&model->contacts.incidence, slot);
   struct nb_contact_force sum;
-  nb_contact_force_sum(&sum, model->contacts.force, its.first, (int)(its.middle - its.first),
-                       (int)(its.end - its.middle));
+  nb_contact_force_sum(&sum, model->contacts.force, entries.first, (int)(entries.middle - entries.first),
+                       (int)(entries.end - entries.middle));
   return (struct nb_force){vec(sum.x, sum.y), sum.shear * model->particles.radius[slot]};
 }
 
@@ -18,7 +18,7 @@ struct nb_vec nb_weight(const struct nb_model *model, size_t slot, struct nb_vec
              : weight;
 }
 
-/* Returns `sum` plus the weight and the force of a stress on the boundary. */
+/* Returns `sum` plus the weight and the force of a stress on the boundary, if there are any. */
 static struct nb_force all_forces(const struct nb_model *model, size_t slot, struct nb_force sum) {
   if (nb_has_gravity(model->gravity) || model->central.acceleration != 0)
     sum.force = vec_add(sum.force, nb_weight(model, slot, model->particles.position[slot]));
@@ -38,8 +38,8 @@ struct nb_velocities nb_velocity_half(const struct nb_model *model, size_t slot)
                                 particles->spin ? particles->spin[slot] : 0};
 }
 
-/* Velocities after a kick, without the affine motion. A fixed particle keeps its velocities, because neither force nor
- * damping acts on it. */
+/* Velocities of a particle after a kick with the factors f and the duration `time`, s, without the affine motion. A
+ * fixed particle keeps its velocities, because neither force nor damping acts on it. */
 static struct nb_velocities kicked_velocities(const struct nb_model *model, size_t slot, struct nb_kick_factors f,
                                               double time) {
   const struct nb_particles *particles = &model->particles;
@@ -61,7 +61,7 @@ struct nb_velocities nb_velocity_now(const struct nb_model *model, size_t slot) 
   const struct nb_velocities before = nb_velocity_half(model, slot);
   const double dt = model->previous_step;
   if (!(dt > 0))
-    return before; /* at the start the velocities, from the page, are those at time 0 */
+    return before; /* at the start the stored velocities are those of the page, at time 0 */
   const struct nb_velocities next = kicked_velocities(model, slot, nb_kick_factors(model, dt, 1), dt);
   return (struct nb_velocities){vec_scale(0.5, vec_add(before.velocity, next.velocity)), (before.spin + next.spin) / 2};
 }
@@ -77,8 +77,8 @@ struct nb_vec nb_velocity_total(const struct nb_model *model, size_t slot) {
   return vec_add(nb_velocity_now(model, slot).velocity, nb_imposed_now(model, slot));
 }
 
-/* With v- and v+, the velocities before and after the kick, v_N = (v- + v+)/2 and v+ = keep v- + impulse (F/m) dt
- * (motion.c). So v_N stays the same if v- increases by impulse (F/m) dt/(1 + keep) when the force F ceases. */
+/* Let v- and v+ be the velocities before and after the kick: v_N = (v- + v+)/2, and v+ = keep v- + impulse (F/m) dt
+ * (motion.c). When the force F ceases, v_N stays the same if v- increases by impulse (F/m) dt/(1 + keep). */
 void nb_motion_offset_force(struct nb_model *model, size_t slot, struct nb_force ending) {
   struct nb_particles *particles = &model->particles;
   const double dt = model->previous_step;
@@ -108,8 +108,9 @@ void nb_motion_set_velocity(struct nb_model *model, size_t slot, struct nb_veloc
     particles->spin[slot] = (2 * now.spin - turned) / (1 + spin_kept);
 }
 
-/* A kick by the forces at t_N turns v_(N-1/2) into v_(N+1/2). To obtain -v_(N-1/2), which leads back to x_(N-1), the
- * velocity before the kick must be -v_(N+1/2). At the start the velocities are those of time 0. */
+/* A kick by the forces at t_N changes v_(N-1/2) to v_(N+1/2). After the reversal the kick must give -v_(N-1/2), which
+ * leads back to x_(N-1). So the velocity before the kick must be -v_(N+1/2). At the start the velocities are those of
+ * time 0, and only change their sign. */
 void nb_motion_reverse(struct nb_model *model) {
   struct nb_particles *particles = &model->particles;
   const double time = nb_kick_time(model);

@@ -11,8 +11,8 @@
  * wall to the other, the contact that becomes suppressed passes its history to the one that becomes active. So neither
  * the normal nor the shear force jumps at a vertex of a straight line or at an outer corner.
  *
- * Two ends form a vertex while their distance is at most `coincidence_limit` times the radius, plus the rounding error
- * of the coordinates. Two ends that are farther apart at time 0 never form a vertex.
+ * Two ends form a vertex for a disc while their distance is at most `coincidence_limit` times its radius, plus the
+ * rounding error of the coordinates. Two ends that are farther apart at time 0 never form a vertex.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
@@ -20,9 +20,10 @@
 
 #include "model.h"
 
-enum { NOW = 1, BEFORE = 2 }; /* bits of `suppressed`: in the current forces, and in the previous ones */
+enum { NOW = 1, BEFORE = 2 }; /* bits of `suppressed`: now, and in the previous force calculation */
 
-/* Ends closer than this fraction of the disc's radius form a vertex; the error of an overlap is no larger. */
+/* Ends closer than this fraction of the disc's radius form a vertex. The error of an overlap is then at most this
+ * fraction of the radius. */
 static const double coincidence_limit = 1e-9;
 
 static double coincidence_distance(struct nb_vec end, double radius) {
@@ -73,7 +74,8 @@ static bool find_vertices(struct nb_model *model, int c, int d) {
   return true;
 }
 
-/* Makes the contacts without a vertex active. Contacts at a vertex keep their state. */
+/* Makes the contacts without a vertex active. Contacts at a vertex keep their state. The bit BEFORE serves as their
+ * mark here. */
 static void reset_other_contacts(struct nb_model *model) {
   int *suppressed = model->contacts.suppressed;
   for (size_t c = model->contacts.wall_from; c < model->contacts.count; c++)
@@ -111,7 +113,7 @@ static bool nearest_is_end(const struct nb_model *model, int contact, int end) {
   return end ? s >= walls->h2[w] - tolerance : s <= walls->h1[w] + tolerance;
 }
 
-/* The contact to suppress; -1: neither. */
+/* Returns the contact at the vertex that is to be suppressed; -1: neither. */
 static int suppressed_contact(const struct nb_model *model, const struct nb_vertex *vertex) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_vec one = nb_wall_end(&model->walls, contacts->b[vertex->c], vertex->at_c);

@@ -6,21 +6,23 @@
  *   e_w  unit vector along the wall      w  angular velocity, rad/s, counterclockwise (CS79: dalpha/dt)
  *
  * The rotation is exact: e_w is rotated by the angle and normalised, so a wall neither grows nor drifts. Contacts use
- * the mean velocity v_P + w x (Q - P) of the wall's point Q over the last step: the displacement of that point divided
- * by the step. The particle's velocity is a mean over the same step.
+ * the mean velocity of the wall's point Q over the last step, its displacement divided by the step (nb_wall_velocity).
+ * For a small rotation it is v_P + w x (Q - P). The particle's velocity is a mean over the same step.
  *
  * A wall pushes a disc towards the side on which the disc's centre is. If the centre crosses to the other side, the
  * wall pushes the disc through: the disc was too fast for the step, or its overlap exceeded its radius. The test
- * compares the sides of the centre, in the frame of the wall, at both ends of the step. Each search tests all pairs.
- * Between searches a particle and a wall approach by at most the skin. So listed pairs are tested in every cycle only
- * if a centre was within the skin of a wall at the last search.
+ * compares the sides of the wall on which the centre is at the beginning and at the end of the step, in the frame of
+ * the wall. Each search tests all pairs of a particle and a wall. Between searches a particle and a wall approach by at
+ * most the skin. So listed pairs are tested in every cycle only if a centre was within the skin of a wall at the last
+ * search.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 
 #include "model.h"
 
-static struct nb_vec rotated(struct nb_vec e, struct nb_vec by) {
-  const double c = by.x, s = by.y;
+/* e rotated counterclockwise; `rotation`: cosine and sine of the angle. */
+static struct nb_vec rotated(struct nb_vec e, struct nb_vec rotation) {
+  const double c = rotation.x, s = rotation.y;
   const struct nb_vec to = vec(c * e.x - s * e.y, s * e.x + c * e.y);
   return vec_scale(1 / vec_length(to), to);
 }
@@ -70,7 +72,8 @@ static struct nb_vec wall_coordinates(struct nb_vec x, struct nb_vec pivot, stru
   return vec(vec_dot(from_p, along), -vec_dot(from_p, vec_clockwise(along)) - h0);
 }
 
-/* False when particle i is farther from the line of wall w than both can move in a step, which is the common case. */
+/* False when particle i is farther from the line of wall w than both together can have moved in the last step. This is
+ * the common case. */
 static inline bool may_cross(const struct nb_model *model, size_t i, size_t w) {
   const struct nb_walls *walls = &model->walls;
   const struct nb_vec x = model->particles.position[i], v = vec_sub(model->particles.velocity[i], walls->velocity[w]);
@@ -80,12 +83,12 @@ static inline bool may_cross(const struct nb_model *model, size_t i, size_t w) {
   return !(away > 2 * model->previous_step * (fabs(v.x) + fabs(v.y) + turn));
 }
 
-/* A crossing up to this fraction of a wall's length beyond its end counts, so that no particle slips through a vertex.
- * It is far above the rounding of a coordinate (1e-16) and far below any intended gap. */
+/* A crossing beyond an end of a wall counts up to this fraction of the wall's length, so that no particle slips through
+ * a vertex. The fraction is far above the rounding of a coordinate (1e-16) and far below any intended gap. */
 static const double beyond_end = 1e-12;
 
 /* True if the centre of particle i moved from one side of wall w to the other, or onto the wall, between the ends of
- * the wall. */
+ * the wall. Sets `displacement` to the displacement of the centre relative to the wall in the last step, m. */
 static bool crossed(const struct nb_model *model, size_t i, size_t w, double *displacement) {
   const struct nb_walls *walls = &model->walls;
   const double dt = model->previous_step, h0 = walls->h0[w];
@@ -120,7 +123,7 @@ static enum nb_status crossing_error(const struct nb_model *model, size_t i, siz
       error, NB_BROKEN,
       "particle %d (line %d) passed through wall `%s` (line %d) in cycle %lu, at time %g%s: its centre is now on the "
       "other side. The limit of the overlap with a wall is the particle's radius, %g%s; in this step of %g%s it moved "
-      "%g%s against the wall: try %s",
+      "%g%s relative to the wall: try %s",
       number, scene->particles[number - 1].line, scene->walls[w].name, scene->walls[w].line, model->cycle, model->time,
       s, radius, m, model->previous_step, s, displacement, m,
       displacement > radius / 2 ? "a smaller step" : "a stiffer wall, or a smaller load");

@@ -1,8 +1,8 @@
 /* Warnings: doubtful statements of a page, and numbers with too few valid digits.
  *
  * Each warning is given once for a line of the page. Two texts that are the same up to the first `:` are one warning.
- * The numbers in a warning may differ from run to run; the warning of the first run is kept. A list holds the first
- * NB_WARNINGS warnings and drops all others.
+ * The numbers in a warning may differ between the runs of a sweep; the warning of the first run is kept. A list holds
+ * the first NB_WARNINGS warnings and drops all others.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdarg.h>

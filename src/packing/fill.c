@@ -7,15 +7,15 @@
  * like R89's old generator (R89, section 6.4.1), and `else skip` continues with the next smaller size, like R89's new
  * generator (R89, section 4.4).
  *
- * There are no initial contacts (R89, section 6.4): with the positions in the scene and in rounded arithmetic,
- * d^2 >= (R_x + R_y)^2 for the distance d of two centres, m, and the radii R_x and R_y, m. The square root is correctly
+ * There are no initial contacts (R89, section 6.4): the distance d of two centres, m, and the radii R_x and R_y, m,
+ * satisfy d^2 >= (R_x + R_y)^2 for the stored positions and in rounded arithmetic. The square root is correctly
  * rounded, so the overlap R_x + R_y - d that the force calculation computes is not positive either.
  *
  * A centre in a circle is drawn by rejection from the surrounding square, which needs only + - * /. So, with
  * SplitMix64, the positions have the same bits on every machine.
  *
- * The particles are in a grid with levels by size (core/grid.h), so that no box of the grid contains many of them,
- * however wide the grading is.
+ * The particles are in a grid with levels by size (core/grid.h). So no box of the grid contains many of them, however
+ * wide the grading is.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -30,6 +30,7 @@ static double wrapped(double x, double from, double period) {
   return period > 0 ? x - period * floor((x - from) / period) : x;
 }
 
+/* Adds a particle to the grid; in a periodic cell, its image in the cell. */
 static void grid_add(struct nb_grid *grid, const struct nb_fill *fill, const struct nb_particle *particle,
                      size_t index) {
   const struct nb_vec at = {wrapped(particle->x, fill->x, fill->width), wrapped(particle->y, fill->y, fill->height)};
@@ -55,15 +56,16 @@ static bool overlap(const struct nb_fill *fill, const struct nb_particle *a, con
   return dx * dx + dy * dy < apart * apart;
 }
 
-/* True if particle number `count`, which is not placed yet, overlaps no particle on a level of the grid. `at`: the
- * position of this particle, or of one of its images. */
+/* True if particle number `count`, which is not placed yet, overlaps no particle on one level of the grid. `at`: the
+ * position of the particle, or of one of its images, around which to search. */
 static bool no_overlap_on_level(const struct nb_grid *grid, int level, const struct nb_fill *fill, struct nb_vec at,
                                 const struct nb_particle *particles, size_t count) {
   const struct nb_particle *particle = &particles[count];
   const double range = particle->radius + grid->width[level] / 2;
   const int64_t west = nb_grid_place(grid, level, at.x - range), east = nb_grid_place(grid, level, at.x + range);
   const int64_t south = nb_grid_place(grid, level, at.y - range), north = nb_grid_place(grid, level, at.y + range);
-  /* A particle far larger than those of the level may cover more boxes than there are particles. */
+  /* A particle far larger than those of the level may cover more boxes than there are particles. Then all particles are
+   * tested. */
   if ((double)(east - west) * (double)(north - south) > (double)count) {
     for (size_t k = 0; k < count; k++)
       if (overlap(fill, particle, &particles[k]))
@@ -78,9 +80,10 @@ static bool no_overlap_on_level(const struct nb_grid *grid, int level, const str
   return true;
 }
 
+/* True if particle number `count`, which is not placed yet, overlaps no particle. */
 static bool no_overlap(const struct nb_grid *grid, const struct nb_fill *fill, const struct nb_particle *particles,
                        size_t count) {
-  const int images = fill->width > 0; /* number of images to each side */
+  const int images = fill->width > 0; /* 1: also the images next to the cell */
   for (int level = 0; level < NB_GRID_LEVELS; level++)
     for (int x = -images; x <= images && grid->count[level]; x++)
       for (int y = -images; y <= images; y++) {
@@ -91,7 +94,7 @@ static bool no_overlap(const struct nb_grid *grid, const struct nb_fill *fill, c
   return true;
 }
 
-/* Draws the centre of a particle. False if rounding has put the particle across the edge. */
+/* Draws the centre of a particle. False if rounding has put the particle across the edge of the box or circle. */
 static bool draw_centre(struct nb_particle *particle, const struct nb_fill *fill, struct nb_random *random) {
   const double r = particle->radius;
   if (fill->width > 0) {
@@ -119,7 +122,7 @@ static bool fits(const struct nb_fill *fill, double radius) {
   return fill->circle ? fill->radius >= radius : fill->x1 - fill->x >= 2 * radius && fill->y1 - fill->y >= 2 * radius;
 }
 
-/* Places one more particle; memory for it is reserved. False if all attempts fail. */
+/* Places one more particle, a copy of `prototype`; memory for it is reserved. False if all attempts fail. */
 static bool place(struct nb_scene *scene, struct nb_fill *fill, struct nb_grid *grid, struct nb_random *random,
                   const struct nb_particle *prototype) {
   struct nb_particle *particle = &scene->particles[scene->particle_count];

@@ -37,7 +37,7 @@ static double attempts(const struct nb_model *model, const struct nb_monitor *mo
       total += (double)model->scene->fills[f].attempts_made;
   return total;
 }
-/* Gap between two particles, m; in a cell, between their nearest images. INFINITY: the two cannot touch. */
+/* Gap between two particles, m; in a cell, between the nearest images. INFINITY: no force can act between the two. */
 static double gap_between(const struct nb_model *model, const struct nb_wrap *wrap, int i, int j) {
   const struct nb_particles *particles = &model->particles;
   if (nb_removed(model, (size_t)i) || nb_removed(model, (size_t)j) ||
@@ -48,8 +48,8 @@ static double gap_between(const struct nb_model *model, const struct nb_wrap *wr
   return vec_length(nearest) - (particles->radius[i] + particles->radius[j]);
 }
 
-/* The smallest gap, m, or the skin if that is smaller. If no listed pair overlaps, all pairs are compared: a pair that is
- * not listed does not touch, but it may have the smallest gap. */
+/* The smallest gap, m, or the skin if that is smaller. If no listed pair overlaps, all pairs are compared: a pair that
+ * is not listed does not touch, but its gap may be the smallest one. */
 static double gap(const struct nb_model *model, const struct nb_monitor *monitor) {
   (void)monitor;
   const struct nb_contacts *contacts = &model->contacts;
