@@ -76,6 +76,10 @@ static void of_regions(void) {
   for (int s = 0; s < 2; s++) {
     CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[s], &error), NB_OK);
     written_cycles(model, 200);
+    if (s == 0) { /* until stage b begins, B refers to the start */
+      CU_ASSERT_EQUAL(written_now(model, "B.contacts.lost"), 2);
+      CU_ASSERT_EQUAL(written_now(model, "B.contacts.new"), 0);
+    }
   }
   CU_ASSERT_EQUAL(written_now(model, "A.contacts.lost"), 2);
   CU_ASSERT_EQUAL(written_now(model, "A.contacts.new"), 1);
