@@ -5,9 +5,9 @@
  * A merge removes the corner between two neighbouring pieces and joins their other ends by a straight piece. This
  * changes u(x) by a triangle. An error e(x) of u changes t by -Int e n'' dx with n'' = (3/4) x^(-1/2). So the cost of a
  * merge is the area of the triangle over x^(1/2), with the x of the removed corner. When all pieces are in use, the
- * corner with the lowest cost is removed. Its cost includes the errors of earlier merges in its two pieces. Then u of a
- * neighbouring corner is changed so that T keeps its value too. So u has an error only in the merged piece and in one
- * neighbour of it.
+ * corner with the lowest cost is removed. Its cost includes the errors of earlier merges in its two pieces. A merge
+ * does not change delta. To keep T, too, u of a neighbouring corner is changed. So u has an error only in the merged
+ * piece and in one neighbour of it.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #pragma once
