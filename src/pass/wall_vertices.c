@@ -1,4 +1,5 @@
-/* Sets the overlap of suppressed contacts at vertices of walls (core/wall_vertices.c) to 0.
+/* Sets the overlap of suppressed contacts at vertices of walls to 0. Bit 1 of `suppressed` marks the contacts that are
+ * suppressed in the current forces (core/wall_vertices.c).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "pass.h"
