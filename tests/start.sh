@@ -509,6 +509,9 @@ printf '# On\n```scene\nstart changed stage go\nmonitor D disc 1\nrecord cycle D
 run whole "$pages/changed.md" && run on "$pages/on.md" && grep '^more' "$work/whole/table.tsv" >"$work/wanted" &&
   grep '^more' "$work/on/table.tsv" | tail -n 20 | diff "$work/wanted" - >>"$work/said" && test "$(wc -l <"$work/wanted")" -eq 20
 result $? 'what stages have changed holds in the page that starts from them'
+"$nineball" explain "$pages/on.md" --states "$states" >"$work/said" && grep -q '^  mass-proportional damping 0.8, line ' "$work/said" &&
+  grep -q '^  damping ratio 0.2, line ' "$work/said"
+result $? 'explain shows the damping of the stage from which the page starts'
 
 # A state that takes some time to compute.
 sed 's/^cycles    40$/cycles    800000/; s/inward 0.12/inward 1e-5/; s/^record .*/record time/; s/^stage     load/&\nrecord none/' cases/3-nine-discs/nine-discs.md >"$pages/nine-discs.md"

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "measure/step.h"
 #include "suites.h"
 #include "written.h"
 
@@ -129,6 +130,38 @@ static void duration_of_collisions(void) {
                "sphere 0 0 radius 1 m velocity 1 0\nsphere 5 0 radius 3 w fixed\nsphere 0 9 radius 0.1 r velocity "
                "9 0 fixed\nsphere 5 9 radius 0.1 m fixed\nstep 1 of collision\n"),
        hertz(1. / 3, 0.75, 1, 1), 1e-14);
+}
+
+/* Of two collisions with the same duration, the one of the particles with the smaller numbers is kept. */
+static void equal_collisions(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page,
+            SPHERES "sphere 0 0 radius 1 m velocity 1 0\nsphere 5 0 radius 1 m\nsphere 0 9 radius 1 m velocity 1 "
+                    "0\nsphere 5 9 radius 1 m\nstep 1 of collision\nrecord step\nstage s\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  const struct nb_collision first = nb_collision_shortest(model);
+  CU_ASSERT(!first.wall && model->particles.number[first.a] == 1 && model->particles.number[first.b] == 2);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* A later stage predicts collisions with the velocities of the time at which it begins. They differ from the stored ones,
+ * which are those half a step earlier. */
+static void velocities_of_a_later_stage(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page,
+            SPHERES "gravity 0 -1\nwall w -9 0 to 9 0 r\nsphere 0 9 radius 1 m velocity 0 -1\nstep 0.1\n"
+                    "record step\nstage fall\nrecord none\ncycles 1\nstage b\nstep 40 per collision\ncycles 1\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT_EQUAL_FATAL(result.table.row_count, 1);
+  NEAR(result.table.values[0], hertz(1, 1, 1, 1.1) / 40, 1e-14);
+  nb_result_free(&result);
+  written_free(&it);
 }
 
 /* The step of the scene uses the velocity and the spin that the first stage gives a wall. It does not use those of a
@@ -417,6 +450,8 @@ void suite_steps(void) {
   CU_pSuite suite = CU_add_suite("steps", NULL, NULL);
   CU_add_test(suite, "a step relative to a limit", a_step_relative_to_a_limit);
   CU_add_test(suite, "duration of collisions of elastic spheres", duration_of_collisions);
+  CU_add_test(suite, "of equal collisions the first pair is kept", equal_collisions);
+  CU_add_test(suite, "collisions in a later stage", velocities_of_a_later_stage);
   CU_add_test(suite, "walls of the first stage", walls_of_the_first_stage);
   CU_add_test(suite, "walls of a later stage", walls_of_a_later_stage);
   CU_add_test(suite, "steps that elastic spheres do not have", steps_that_spheres_do_not_have);

@@ -34,6 +34,19 @@ static void skipped(void) {
   nb_outcome_free(&outcome);
 }
 
+/* The values of a sweep may depend on those of another one. Then a line is checked for some values of the other one, and
+ * skipped for those that leave nothing to compare. */
+static void skipped_in_part(void) {
+  struct nb_outcome outcome;
+  planted_page(&outcome, "sweep s 2 1\nsweep v with w  1 5  $s 6", "A.x increases with v");
+  CU_ASSERT_EQUAL_FATAL(outcome.run_count, 4);
+  planted_runs(&outcome, (double[]){1, 2, 3, 3});
+  planted_is(&outcome, NB_PASS);
+  CU_ASSERT(outcome.check_count == 2 && outcome.checks[1].mark == NB_SKIP);
+  CU_ASSERT_EQUAL(outcome.checks[1].line, outcome.checks[0].line);
+  nb_outcome_free(&outcome);
+}
+
 /* Blocks in quotations, lists or indented text are prose for Markdown: their expectations are reported as skipped. */
 static void hidden(void) {
   static const struct {
@@ -109,6 +122,7 @@ static void replaced_segments(void) {
 void suite_verdict_skip(void) {
   CU_pSuite suite = CU_add_suite("verdict_skip", NULL, NULL);
   CU_add_test(suite, "expectations with nothing to compare are reported", skipped);
+  CU_add_test(suite, "expectations with something to compare in a part of the runs", skipped_in_part);
   CU_add_test(suite, "expect blocks that are prose are reported", hidden);
   CU_add_test(suite, "expectations of replaced segments are reported", replaced_segments);
 }
