@@ -29,7 +29,7 @@ static enum nb_status ends(const char *statements, unsigned long *cycles, struct
   return status;
 }
 
-/* Particles that are far apart may touch later. So for every two materials the lightest particles count as if they
+/* Particles that are far apart may touch later. So the lightest two particles of each pair of materials count as if they
  * touched. The stable step is 2/omega, with omega^2 = k (1/m_1 + 1/m_2): 16 for two discs of radius 1, and 8 (1 + 1/9)
  * for the radii 1 and 3. */
 static void pairs_that_may_meet(void) {

@@ -8,7 +8,7 @@
  *   collision  duration of the shortest possible head-on collision of two particles, or of a particle and a wall,
  *              without damping:
  *              linear springs   pi sqrt(M* / k_n), half an oscillation of the reduced mass M* = m_x m_y/(m_x + m_y) on
- *                               the spring; the shortest for the lightest particles of every two materials
+ *                               the spring; the shortest for the lightest two particles of any pair of materials
  *              elastic spheres  2.943 alpha_m/v (hertz_impact.h), which depends on the speed v; the shortest of the
  *                               collisions predicted at the beginning of the stage that sets the step (collision.c)
  *   rayleigh   time in which a surface wave travels half round a sphere: rayleigh_step.c                [R89 4.33]

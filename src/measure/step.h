@@ -37,8 +37,8 @@ struct nb_stable nb_stable_step(const struct nb_model *model);
 /* The same, and keeps the coefficients of the contacts until nb_stable_step_end, if there is memory for them. */
 struct nb_stable nb_stable_step_begin(const struct nb_model *model);
 void nb_stable_step_end(const struct nb_model *model);
-/* The guaranteed stable step of pairs that could collide later: the lightest particles of every two materials, as if
- * they touched. */
+/* The guaranteed stable step of pairs that could collide later: the lightest two particles of each pair of
+ * materials, as if they touched. */
 struct nb_stable nb_stable_step_apart(const struct nb_model *model);
 struct nb_stable nb_stable_step_stage(const struct nb_model *model); /* the smaller one of the two: limit of a stage */
 double nb_stability_limit(const struct nb_damping *damping);         /* L of stable_step.c, 1 */
