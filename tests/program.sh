@@ -194,11 +194,12 @@ test "$(column 'D.x max/-' reports/values.tsv)" = 1 || echo 'a reported measure 
 verdict 'a page without expectations does not pass but can be run; `report` is not an expectation'
 
 # The reference of a measure in values.tsv is the expected value of the page, also of a later line, times the measure that
-# the line divides by. A claim without a value gives nan.
-sed 's/^step .*/&\nmonitor D disc 1\nrecord D.x D.y/' "$pages/asks-nothing.md" >expected.md
-printf '\n```expect\nreport D.x max\nD.x max expected (1 + 1) within 3 [sum]\nD.x min expected (1/4) of D.y within 300 %% [quarter]\nD.y above -9\n```\n' >>expected.md
+# the line divides by; of a residual 0, unless the page gives another value. A claim without a value gives nan.
+sed 's/^step .*/&\nmonitor D disc 1\nrecord D.x D.y energy.residual/' "$pages/asks-nothing.md" >expected.md
+printf '\n```expect\nreport D.x max\nD.x max expected (1 + 1) within 3 [sum]\nD.x min expected (1/4) of D.y within 300 %% [quarter]\nD.y above -9\nenergy.residual expected 3 within 4 [three]\nreport energy.residual max\n```\n' >>expected.md
 "$nineball" run expected.md -o expected >out 2>said
-for pair in 'reference D.x max/-=2' 'reference D.x min/-=0.5' 'reference D.y/-=nan'; do
+for pair in 'reference D.x max/-=2' 'reference D.x min/-=0.5' 'reference D.y/-=nan' \
+  'reference energy.residual/-=3' 'reference energy.residual max/-=0'; do
   test "$(column "${pair%=*}" expected/values.tsv)" = "${pair#*=}" || echo "not $pair" >>why
 done
 verdict 'the references in values.tsv are the expected values'
@@ -443,7 +444,7 @@ run 0 explain computed.md
 out '  damping ratio 0.141421, line '
 out '  damping walls stiffness 0.25, line '
 run 0 explain "$cases/2-hertz/overlap-deep.md"
-out ': damping critical beyond overlap '
+out '  damping critical beyond overlap 7 %, line 37'
 sed '/^%s$/d; s/^step/damping ratio 0.1\ndamping walls none\nstep/' pairs.md >walls-none.md
 run 0 explain walls-none.md
 out '  damping ratio 0.1, line '

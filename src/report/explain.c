@@ -287,13 +287,19 @@ static void explain_absent(FILE *out, const struct nb_model *model) {
 }
 
 /* Prints the damping of contacts with the value of its coefficient, which the page may give as an expression. */
-static void explain_dashpots(FILE *out, const struct nb_scene *scene, enum nb_contact_damping kind, double value,
-                             const char *where, int line) {
+static void explain_dashpots(FILE *out, const struct nb_scene *scene, const struct nb_damping *damping) {
   static const char *const words[] = {
       [NB_CONTACT_STIFFNESS] = "stiffness", [NB_CONTACT_R89_FRACTION] = "r89-fraction", [NB_CONTACT_RATIO] = "ratio"};
-  if (kind != NB_CONTACT_UNDAMPED)
-    fprintf(out, "  damping %s%s %g%s, line %d\n", where, words[kind], value,
-            kind == NB_CONTACT_STIFFNESS ? nb_unit(scene, " s") : "", line);
+  for (int wall = 0; wall <= damping->walls_separate; wall++) {
+    double value;
+    const enum nb_contact_damping kind = nb_damping_at(damping, wall, &value);
+    if (kind != NB_CONTACT_UNDAMPED)
+      fprintf(out, "  damping %s%s %g%s, line %d\n", wall ? "walls " : "", words[kind], value,
+              kind == NB_CONTACT_STIFFNESS ? nb_unit(scene, " s") : "",
+              wall ? damping->walls_line : damping->contact_line);
+  }
+  if (damping->deep > 0)
+    fprintf(out, "  damping critical beyond overlap %g %%, line %d\n", 100 * damping->deep, damping->deep_line);
 }
 
 /* Prints what acts on the particles at the start of the run without being a hook. */
@@ -303,10 +309,7 @@ static void explain_loading(FILE *out, const struct nb_scene *scene) {
     fputs("loading and damping, at the start of the run\n", out);
   explain_statement(out, scene, scene->circle.line, "\n");
   explain_statement(out, scene, scene->gravity.line, "\n");
-  explain_dashpots(out, scene, damping->contact_kind, damping->contact, "", damping->contact_line);
-  if (damping->walls_separate)
-    explain_dashpots(out, scene, damping->walls_kind, damping->walls, "walls ", damping->walls_line);
-  explain_statement(out, scene, damping->deep > 0 ? damping->deep_line : 0, "\n");
+  explain_dashpots(out, scene, damping);
   if (damping->global_kind) {
     fprintf(out, "  %s %g%s", damping->global_kind == NB_GLOBAL_MASS ? "mass-proportional damping" : "damping con1",
             damping->global, damping->global_kind == NB_GLOBAL_MASS ? nb_unit(scene, " 1/s") : "");

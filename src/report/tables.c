@@ -10,7 +10,6 @@
 #include "input/hash.h"
 #include "input/reader.h"
 #include "measure/snapshot.h"
-#include "verdict.h"
 
 static const char *unit_word(const char *unit, bool unitless) {
   return unitless || strcmp(unit, "1") == 0 ? "-" : unit;
@@ -115,11 +114,11 @@ static bool first_of_its_name(const struct nb_expectations *expectations, size_t
   return expectations->list[index].kind != NB_VERSUS;
 }
 
-/* The reference of expectation `index`: that of the solution, or else the value that the page gives in this or in a later
- * expectation with the same label. NaN: there is none. */
+/* The reference of expectation `index`: the value that the reference solution returns; or else the value that this or a
+ * later expectation with the same label gives; or else 0 for a residual. NaN: there is none. */
 static double reference_of(const struct nb_page_run *run, size_t index) {
   const struct nb_expectation *const list = run->expectations.list;
-  const double *solution = nb_check_solution(run, &list[index].measure);
+  const double *solution = nb_measure_solution(&list[index].measure, &run->solution);
   struct nb_error error;
   if (solution)
     return *solution;
@@ -129,7 +128,7 @@ static double reference_of(const struct nb_page_run *run, size_t index) {
         (!list[k].has_scale || nb_measure_value(&scale, &list[k].other, nb_run_table(run), &error)))
       return list[k].number * scale;
   }
-  return NAN;
+  return list[index].measure.is_residual ? 0 : NAN;
 }
 
 void nb_values_write(FILE *out, const struct nb_outcome *outcome) {
