@@ -39,10 +39,7 @@ static void note(void *data, const char *text) {
 /* Creates a temporary page with these statements and these expectations. `path` is the template of its name, and becomes
  * the name. */
 static void write_page(char path[], const char *scene, const char *expectations) {
-  const int descriptor = mkstemp(path);
-  CU_ASSERT_FATAL(descriptor >= 0);
-  FILE *file = fdopen(descriptor, "w");
-  CU_ASSERT_PTR_NOT_NULL_FATAL(file);
+  FILE *file = written_file(path);
   fprintf(file, "```scene\n%s\n```\n```expect\n%s\n```\n", scene, expectations);
   fclose(file);
 }
@@ -673,10 +670,7 @@ static void remove_file(void *data, const char *stage, double fraction, double s
  * file is gone. */
 static void a_file_that_is_removed(void) {
   char path[] = "/tmp/nineball-outcome-XXXXXX", scene[2048];
-  const int descriptor = mkstemp(path);
-  CU_ASSERT_FATAL(descriptor >= 0);
-  FILE *file = fdopen(descriptor, "w");
-  CU_ASSERT_PTR_NOT_NULL_FATAL(file);
+  FILE *file = written_file(path);
   fputs("x/-\ty/-\tradius/-\n", file);
   for (int k = 0; k < 10000; k++)
     fprintf(file, "%d\t%d\t1\n", 3 * (k % 100), 3 * (k / 100));

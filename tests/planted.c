@@ -8,12 +8,11 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "written.h"
+
 void planted_page(struct nb_outcome *outcome, const char *statements, const char *expectations) {
   char path[] = "/tmp/nineball-planted-XXXXXX";
-  const int descriptor = mkstemp(path);
-  CU_ASSERT_FATAL(descriptor >= 0);
-  FILE *file = fdopen(descriptor, "w");
-  CU_ASSERT_PTR_NOT_NULL_FATAL(file);
+  FILE *file = written_file(path);
   fprintf(file,
           "```scene\nunits none\n%s\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nmonitor A disc 1\nstep 0.1\n"
           "record time cycle A.x A.y A.vx energy.residual\nstage one\ncycles 1\nstage two\ncycles 1\n```\n"

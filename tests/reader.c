@@ -10,6 +10,7 @@
 
 #include "../src/input/reader.h"
 #include "suites.h"
+#include "written.h"
 
 /* A page from a text, and one of its runs. */
 struct read {
@@ -23,10 +24,9 @@ struct read {
 static struct read read_bytes(const char *bytes, size_t size, size_t run, nb_settings settings) {
   struct read read = {.status = NB_BAD_USE};
   char path[] = "/tmp/nineball-reader-XXXXXX";
-  int file = mkstemp(path);
-  CU_ASSERT_FATAL(file >= 0);
-  CU_ASSERT_EQUAL_FATAL(write(file, bytes, size), (ssize_t)size);
-  close(file);
+  FILE *file = written_file(path);
+  CU_ASSERT_EQUAL_FATAL(fwrite(bytes, 1, size, file), size);
+  fclose(file);
   if (nb_page_read(&read.page, path, &read.mistakes) == NB_OK)
     read.status = nb_scene_read(&read.scene, &read.page, run, settings, &read.mistakes);
   unlink(path);

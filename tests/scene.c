@@ -3,7 +3,6 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -23,10 +22,7 @@ struct read {
 static struct read read_scene(const char *statements) {
   struct read read = {0};
   char path[] = "/tmp/nineball-scene-XXXXXX";
-  int descriptor = mkstemp(path);
-  CU_ASSERT_FATAL(descriptor >= 0);
-  FILE *file = fdopen(descriptor, "w");
-  CU_ASSERT_PTR_NOT_NULL_FATAL(file);
+  FILE *file = written_file(path);
   fprintf(file, "```scene\n%s\n```\n", statements);
   fclose(file);
   nb_page_read(&read.page, path, &read.mistakes);

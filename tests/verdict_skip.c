@@ -3,12 +3,12 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "planted.h"
 #include "suites.h"
+#include "written.h"
 
 /* An expectation without anything to compare is reported once, as neither passed nor failed. */
 static void skipped(void) {
@@ -87,10 +87,9 @@ static void hidden(void) {
 
 /* Creates a temporary file with this text. */
 static void write_file(char path[], const char *text) {
-  const int descriptor = mkstemp(path);
-  CU_ASSERT_FATAL(descriptor >= 0);
-  CU_ASSERT_EQUAL(write(descriptor, text, strlen(text)), (ssize_t)strlen(text));
-  close(descriptor);
+  FILE *file = written_file(path);
+  fputs(text, file);
+  fclose(file);
 }
 
 /* If a setting replaces the segments of a contact test, each expectation of the page is reported as skipped, and no other

@@ -13,6 +13,14 @@
 
 #include "../src/core/model.h"
 
+FILE *written_file(char path[]) {
+  const int descriptor = mkstemp(path);
+  CU_ASSERT_FATAL(descriptor >= 0);
+  FILE *file = fdopen(descriptor, "w");
+  CU_ASSERT_PTR_NOT_NULL_FATAL(file);
+  return file;
+}
+
 void words_add(struct words *words, const char *format, ...) {
   va_list arguments;
   va_start(arguments, format);
@@ -31,10 +39,7 @@ void written_scene(struct written *written, struct words *words) { written_scene
 void written_scene_set(struct written *written, struct words *words, nb_settings settings) {
   char path[] = "/tmp/nineball-written-XXXXXX";
   struct nb_mistakes mistakes = {0};
-  const int descriptor = mkstemp(path);
-  CU_ASSERT_FATAL(descriptor >= 0);
-  FILE *file = fdopen(descriptor, "w");
-  CU_ASSERT_PTR_NOT_NULL_FATAL(file);
+  FILE *file = written_file(path);
   /* Contact tests have a kind of block of their own. */
   const bool contact_test = strncmp(words->text, "path\n", 5) == 0;
   fprintf(file, "```%s\n%s\n```\n", contact_test ? "contact-test" : "scene", words->text + (contact_test ? 5 : 0));

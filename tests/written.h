@@ -3,6 +3,8 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #pragma once
 
+#include <stdio.h>
+
 #include "../src/nineball.h"
 
 struct written {
@@ -35,6 +37,10 @@ void written_run(struct nb_result *result, const struct written *written, const 
 /* Column `name` of the given row, and of the last row; the test fails if there is no such row or column. */
 double written_cell(const struct nb_table *table, size_t row, const char *name);
 double written_last(const struct nb_result *result, const char *name);
+
+/* Creates a temporary file for writing; the test ends if this fails. `path` is the template of its name, which ends in
+ * XXXXXX, and becomes the name. The caller closes the file and removes it. */
+FILE *written_file(char path[]);
 
 /* True if the rows of two tables, or all tables of the snapshots of two results, are the same to the last bit. */
 bool written_same_table(const struct nb_table *a, const struct nb_table *b);
