@@ -170,7 +170,7 @@ walls search : core/walls.c
 vertices : pass/wall_vertices.c
 vertices search : core/wall_vertices.c
 cell : core/cell.c pass/periodic.c
-affine : loading/affine.c pass/affine_twice.c core/motion.c:add_affine core/motion.c:move_list core/cell.c:nb_cell_move
+affine : loading/affine.c pass/affine_twice.c core/motion.c:add_affine core/motion.c:move_search_positions core/cell.c:nb_cell_move
 boundary : loading/boundary.c core/motion.c:add_boundary_force
 boundary measures : measure/boundary.c measure/boundary.h
 box : loading/box.c
