@@ -290,7 +290,8 @@ static void explain_absent(FILE *out, const struct nb_model *model) {
 static void explain_dashpots(FILE *out, const struct nb_scene *scene, const struct nb_damping *damping) {
   static const char *const words[] = {
       [NB_CONTACT_STIFFNESS] = "stiffness", [NB_CONTACT_R89_FRACTION] = "r89-fraction", [NB_CONTACT_RATIO] = "ratio"};
-  for (int wall = 0; wall <= damping->walls_separate; wall++) {
+  const int kinds = damping->walls_separate ? 2 : 1; /* between particles; with walls */
+  for (int wall = 0; wall < kinds; wall++) {
     double value;
     const enum nb_contact_damping kind = nb_damping_at(damping, wall, &value);
     if (kind != NB_CONTACT_UNDAMPED)
