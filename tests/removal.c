@@ -14,8 +14,8 @@
 
 #define CLOSE(value, wanted, of) CU_ASSERT_DOUBLE_EQUAL(value, wanted, 1e-14 * (of))
 
-/* Six discs that are compressed and sheared, and a fixed disc that moves. Then two of the six, which touch each other,
- * are removed. */
+/* Six discs in a box, of which discs 2 and 5 touch each other, and a fixed disc that moves. Stages that move a wall and
+ * remove discs follow. */
 #define BUSY                                                                                                           \
   "units none\nmaterial m density 3 kn 4000 ks 2500 friction 0.3 cohesion 0.1\nshear linear\nbox 0 0 to 6 4 m\n"       \
   "lattice discs 3 by 2 m radius 0.98 spacing 1.95 from 1 1\ndisc 6.84 1.1 radius 0.9 m fixed velocity -0.1 0 spin "   \
@@ -49,9 +49,9 @@ static const char *const dampings[] = {"",
                                        "damping con1 0.98 as velocity\n",
                                        "damping con1 0.97 as all\n"};
 
-/* A servo whose target ramps begins from the stress of the region without the removed particles: here the contact force
- * of the two remaining discs, times the distance of their centres, over the area of the box around them. The area of
- * the region was recorded in the last row, and is computed again. */
+/* With `ramp` the target of a servo begins at the stress of its region without the removed particles. Here this is the
+ * contact force of the two remaining discs, times the distance of their centres, over the area of the box around them.
+ * The area of the region, which was computed before the removal, must be computed again. */
 static void a_servo_begins_without_the_removed(void) {
   static const char text[] =
       "units none\nmaterial m density 3 kn 1000\ndisc 0 0 radius 1 m fixed\ndisc 1.9 0 radius 1 m\n"
@@ -75,7 +75,7 @@ static void a_servo_begins_without_the_removed(void) {
   written_free(&it);
 }
 
-/* A removed particle stays where it was, also if it had an imposed motion when it was removed. */
+/* A removed particle stays where it was, even if it had an imposed motion when it was removed. */
 static void a_removed_particle_ends_its_imposed_motion(void) {
   static const char text[] = "units none\nmaterial m density 3 kn 1000\ndisc 3 2 radius 1 m\ndisc -3 2 radius 1 m\n"
                              "monitor A disc 1\nmonitor B disc 2\nrecord A.x A.y B.x\nstep 0.01\n"
@@ -99,8 +99,9 @@ static void a_removed_particle_ends_its_imposed_motion(void) {
   written_free(&it);
 }
 
-/* Compares values before the stage with values just after it has begun. Those of the removed particles become 0, and
- * their energy counts as removed. All others stay the same. */
+/* Compares values before a stage that removes discs 2 and 5 with values just after it has begun. The velocities and
+ * forces of the removed discs become 0, and their energy counts as removed. The positions of the removed discs, the
+ * velocities of the other discs, and the other terms of the energy balance stay the same. */
 static void at_the_moment(void) {
   for (size_t n = 0; n < sizeof dampings / sizeof *dampings; n++) {
     struct words page = {0};
@@ -139,7 +140,7 @@ static void at_the_moment(void) {
 }
 
 /* A particle removed at time 0 has no effect: the run gives the same bits as one without the particle. The test runs a
- * scene of 7 particles, and one of 37, so many that the search sorts them into boxes. */
+ * scene of 7 particles, and one of 37, which are so many that the search uses its grid. */
 static void removed_at_time_0(void) {
   for (int many = 0; many < 2; many++) {
     double seen[2][4];
@@ -218,7 +219,8 @@ static void different_radii(void) {
 }
 
 /* No measure of a region counts a removed disc, wherever it was: the values are those of the scene without this disc.
- * The first disc is inside the circle and the box; each of the other two would enlarge the region `all`. */
+ * The first of the three discs is inside the circle and the box; each of the other two would enlarge the region
+ * `all`. */
 static void regions_without_removed_particles(void) {
   static const char *const measures[] = {
       "area",      "porosity",       "porosity.volume",         "void_ratio", "particles",

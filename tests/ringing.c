@@ -15,11 +15,13 @@ static const struct nb_pair plain = {.friction = 0.25, .young = 4e9, .shear = 1e
 
 static struct by_hand hand_of_all;
 
+/* Errors of T/(mu N): the largest one, the sum of their squares, and the number of steps. */
 struct off {
   double worst, square;
   int count;
 };
 
+/* A new contact that keeps at most this number of pieces. The second implementation begins a new contact, too. */
 static struct contact begin(double pieces) {
   hand_of_all.count = 0;
   const struct nb_law *hertz = nb_law_find("normal", "hertz"), *exact = nb_law_find("shear", "mindlin_deresiewicz");
@@ -28,6 +30,7 @@ static struct contact begin(double pieces) {
   return it;
 }
 
+/* Makes one step to the overlap x with the tangential displacement u, in both implementations, and counts its error. */
 static void go(struct off *off, struct contact *it, double x, double u) {
   contact_go(it, x, u / 4);
   const double e = fabs(it->s.force / (it->pair.friction * it->n.force) - by_hand_go(&hand_of_all, x, u));
@@ -82,11 +85,13 @@ static void pieces_of_memory(void) {
 
 /* ---- decaying oscillations ---- */
 
+/* How the amplitude decreases at a reversal: by equal amounts, by the factor `factor`, or by a random factor between
+ * 2 `factor` - 1 and 1. */
 enum shrinks { EVENLY, BY_A_FACTOR, BY_CHANCE };
 
 /* The slip oscillates at constant overlap. Its amplitude decreases at every reversal. The oscillation ends after
  * `reversals` reversals, or when the amplitude is below 1e-6. Then the contact slips in the direction `way`, 1 or -1,
- * until it slides, and back. */
+ * until it slides, and back until it slides in the other direction. */
 static void slip_decays(struct off *off, double pieces, enum shrinks shrinks, double reversals, double factor,
                         int way) {
   struct contact it = begin(pieces);
@@ -106,7 +111,8 @@ static void slip_decays(struct off *off, double pieces, enum shrinks shrinks, do
 }
 
 /* Overlap and slip are decaying oscillations. The slip has 30 periods of 20 steps each, and the overlap has `frequency`
- * times the frequency of the slip. Then the contact slips in one direction and back, as above. */
+ * times the frequency of the slip. Both amplitudes decrease like exp(-decay t), where t is the phase of the slip in
+ * radians. Then the contact slips in one direction and back, as above. */
 static void both_decay(struct off *off, double pieces, double decay, double frequency) {
   struct contact it = begin(pieces);
   double x = 0, u = 0;
@@ -121,10 +127,11 @@ static void both_decay(struct off *off, double pieces, double decay, double freq
     go(off, &it, x, -2.2 * x / 60);
 }
 
-/* No error may be larger than the law's file and docs/CONTACT.md state. The limit of 1e-4 for 64 pieces is close to the
- * smallest possible one. If rings of the width w are merged in pairs, the area between the old and the new u(x) is up
- * to w^2, and the error of T/(mu N) is (3/4) w^2. It is half of this if a neighbouring ring takes half of the error. So
- * an error of 1e-4 requires w < 1/61, and no rule for merges reaches it with fewer than 61 pieces. */
+/* The limits are 10 to 45 % above the errors that docs/CONTACT.md states. The limit of 1e-4 for 64 pieces is close to
+ * the smallest possible one. Let rings of the width w with D = 1 and D = -1 be merged in pairs. Then the area between
+ * the old and the new function u(x) = Int_0^x D dx is w^2, and the error of T/(mu N) is (3/4) w^2, or half of this if a
+ * neighbouring merge takes the other half. So an error of 1e-4 requires w < 1/61, and no rule for merges reaches this
+ * error with fewer than 61 pieces. */
 static void oscillations_then_sliding(void) {
   static const struct {
     double pieces, evenly, others;

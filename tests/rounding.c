@@ -1,5 +1,5 @@
-/* Rounding modes of the processor: the parts of a cycle to which a mode applies, and that it applies in all threads.
- * Also the number of bits that two results have in common.
+/* Tests that a rounding mode of the processor applies to the parts of a cycle that the options name, and in all
+ * threads. Also tests the number of bits that two results have in common.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -20,8 +20,8 @@ static struct nb_options options_of(int mode, const char *part, int threads) {
   return (struct nb_options){.threads = threads, .rounding = {.mode = mode, .part = part}};
 }
 
-/* A free disc: x_(N+1) = x_N + v dt, with two roundings in x and two in y. The test computes the same sums in the same
- * mode. A mode that applies to the part `search` does not change the motion. */
+/* A free disc: x_(N+1) = x_N + v dt, where the product and the sum are rounded. The test computes the same sums in the
+ * same mode. A mode that applies to the part `search` does not change the motion. */
 static void motion_rounds_as_asked(void) {
   enum { CYCLES = 200 };
   static const char *const parts[] = {NULL, "motion", "search"};
@@ -60,8 +60,8 @@ static void heap(struct written *it) {
   written_scene(it, &page);
 }
 
-/* Each thread uses the mode, so the number of threads changes no bit. The mode changes bits. After the run all threads
- * round to nearest again. */
+/* Each thread uses the mode: results in a mode differ from those with rounding to nearest, and the number of threads
+ * changes no bit of them. After the run all threads round to nearest again. */
 static void all_threads_round(void) {
   struct written it;
   struct nb_result nearest, one, other;
@@ -173,25 +173,26 @@ static void bits_are_counted(void) {
   CU_ASSERT(nb_common_bits(NAN, 1, 1) == 0 && nb_common_bits(1, 1.5, NAN) == 0 && nb_common_bits(INFINITY, 1, 1) == 0);
 }
 
-/* Rows 0 to 2 belong to stage one, rows 3 and 4 to stage two. Only x differs between the two results, by 2^-(k + 10) in
- * row k. The number of common bits follows from the difference relative to the scale of the tolerance. */
+/* Rows 0 to 2 belong to stage one, rows 3 and 4 to stage two. In row k the two results of A.x, and of energy.residual,
+ * which equals A.x (planted.h), differ by 2^-(k + 10). The number of common bits follows from the difference relative
+ * to the scale of the tolerance. */
 static void bits_of_expectations(void) {
   static const double x[] = {1, 2, 8, 2, 4};
   static const struct {
     const char *expectation;
-    int bits; /* -1: none */
+    int bits; /* -1: the quantity has no bits to compare */
   } rows[] = {
       {"A.x versus time in one within 1 % of peak", 13}, /* 2^-10 in row 0, relative to the peak 8 */
       {"A.x versus time in two within 1 % of peak", 16}, /* 2^-13 in row 3, relative to the peak 8 */
       {"A.x within 1 %", 16},                            /* 2^-14 in the last row, relative to 4 */
       {"A.x at 10 cycles expected 2 within 1 % [t]", 12},
-      {"A.x at 0 cycles expected 1 within 1 [t]", 13}, /* an absolute tolerance: relative to the largest value */
+      {"A.x at 0 cycles expected 1 within 1 [t]", 13}, /* with an absolute tolerance, relative to the largest value */
       {"A.x within 1 % of A.x max in one", 17},        /* relative to 8 */
       {"A.x expected -1 of A.vx within 1 % [t]", 16},
       {"A.x expected -1 of A.vx within 0.01 [t]", 16}, /* a ratio is its own scale */
       {"A.x max in one above A.y max", 15},
       {"A.y max expected 4 within 1 % [t]", 53},
-      {"A.x expected 0 within 8 [t]", -1}, /* zero within the tolerance */
+      {"A.x expected 0 within 8 [t]", -1}, /* no value differs from 0 by more than the tolerance */
       {"A.x expected 0 within 7 [t]", 17},
       {"A.vx expected 0 within 4 [t]", -1}, /* its largest magnitude is 4 */
       {"A.vx expected 0 within 3 [t]", 53},

@@ -81,8 +81,8 @@ static void walls_keep_their_velocity(void) {
   written_free(&it);
 }
 
-/* Each row has the time since the start and the time since the beginning of the stage. The latter can end a stage:
- * stage a goes above 1 with the fifth step of 0.25, and stage b goes above 0.75 with the second step of 0.5. */
+/* Each row has the time since the start and the time since the beginning of the stage. The latter can end a stage. In
+ * stage a it exceeds 1 after the fifth step of 0.25, and in stage b it exceeds 0.75 after the second step of 0.5. */
 static void time_of_a_stage(void) {
   struct words page = {0};
   struct written it;
@@ -115,7 +115,8 @@ static void a_stage_ends_when_all_conditions_hold(void) {
   written_free(&it);
 }
 
-/* Runs a scene that must be aborted, and returns the error. *rows is the number of recorded rows. */
+/* Runs the scene of these statements, which must be aborted, and returns the error. *rows becomes the number of
+ * recorded rows. */
 static struct nb_error broken(const char *statements, size_t *rows) {
   struct words page = {0};
   struct written it;
@@ -183,8 +184,8 @@ static void a_snapshot_has_the_touching_contacts(void) {
     const double *values = contacts->values + r * contacts->column_count;
     const bool floor = values[2] == 1;
     CU_ASSERT(values[0] == 1 && values[1] == (floor ? 0 : 2));
-    /* The contact is half-way between the two surfaces. They are at y = 0 and -0.1 on the floor, at 1.9 and 1.7 between
-     * the discs. */
+    /* The contact is half-way between the two surfaces. These are at y = 0 and -0.1 for disc 1 and the floor, and at
+     * 1.9 and 1.7 for the two discs. */
     CU_ASSERT_DOUBLE_EQUAL(values[3], 0, 1e-6);
     CU_ASSERT_DOUBLE_EQUAL(values[4], floor ? -0.05 : 1.8, 1e-6);
     CU_ASSERT_DOUBLE_EQUAL(values[10], floor ? 10 : 20, 1e-6);  /* normal */
@@ -238,7 +239,8 @@ static void conditions_checked_every_n_cycles(void) {
   }
 }
 
-/* The hash of a page covers the particles of its packing: each number, the shape, and whether it is fixed. */
+/* The hash of a page covers the particles of its packing: their positions, radii, shapes and materials, and which of
+ * them are fixed. */
 static void packings_change_the_hash(void) {
   static const char *const discs[] = {"disc 1 2 radius 3 m",   "disc 1 2 radius 3 m fixed", "sphere 1 2 radius 3 m",
                                       "disc 1.5 2 radius 3 m", "disc 1 2.5 radius 3 m",     "disc 1 2 radius 3.5 m",
@@ -337,7 +339,7 @@ static void settings_change_the_hash(void) {
     for (int other = 0; other < k; other++)
       CU_ASSERT(hash[k] != hash[other]);
   }
-  /* The value of a `let` has no hash of its own, because the statements that use it have other hashes. */
+  /* A value for a `let` does not change this hash, because it changes the statements that use the `let`. */
   static const char *const value[] = {"speed=2", NULL};
   CU_ASSERT(nb_hash_settings(value) == hash[0]);
 }
@@ -351,8 +353,9 @@ static void count_call(void *data, int part) {
   counted->calls[part]++;
 }
 
-/* Each part of a round is done once, with more, fewer or as many parts as the team has threads, and without a team. The
- * pauses let the threads fall asleep between two rounds. nb_team_sized keeps a team that has the right size. */
+/* A call of nb_team_run (a round) does each part once, with more, fewer or as many parts as the team has threads, and
+ * without a team. The pauses let the threads fall asleep between two rounds. nb_team_sized keeps a team that has the
+ * right size. */
 static void parts_of_a_team(void) {
   struct nb_team *team = NULL;
   for (int threads = 2; threads <= 4; threads++) {
@@ -375,8 +378,8 @@ static void parts_of_a_team(void) {
 }
 
 /* The number of threads is that of the options, but at most NB_THREADS. 0 stands for OpenMP's default. Without options
- * there is one thread. The options can name an instruction set that this machine has; otherwise it is the widest
- * one. */
+ * there is one thread. The options can name an instruction set that this machine has. If they name none, it is the
+ * widest one of the machine. */
 static void threads_and_instruction_set(void) {
   static const struct {
     int given, chosen;

@@ -1,6 +1,6 @@
 /* Every page is run again with lengths, masses and times scaled by 2^l, 2^m and 2^t. Powers of two change no digit of a
- * product, a sum, a quotient or a root, so every result must scale with its unit, to the bit. The exponents are
- * multiples of 6, so this is true of square and cube roots, too.
+ * product, a sum or a quotient. They change no digit of a square root or a cube root either, because the exponents are
+ * multiples of 6. So every result must scale with its unit, to the bit.
  *
  * The second run also stores particles in another order and uses no vector instructions, which changes no bit either.
  *
@@ -164,7 +164,7 @@ static void scale_stage(struct nb_stage *stage) {
   scale_step(&stage->step), scale_damping(&stage->damping), scale_segment(&stage->segment);
 }
 
-/* True if the scene needs the duration of an impact. It contains a power 0.4, which does not scale exactly. */
+/* True if the scene needs the duration of an impact, in which a power 0.4 does not scale exactly. */
 static bool requests_duration(const struct nb_scene *scene) {
   bool asks = scene->impact.line || scene->step.kind == NB_STEP_COLLISION;
   for (size_t s = 0; s < scene->stage_count; s++)
@@ -193,7 +193,7 @@ static void scale(struct nb_scene *scene) {
     scale_stage(&scene->stages[s]);
 }
 
-/* False, with a message, at the first number that does not scale with its unit. */
+/* False, with a message, if a number does not scale with its unit. `name`: of the page; `what`: of the table. */
 static bool scales(const struct nb_table *small, const struct nb_table *large, const char *name, const char *what) {
   if (small->row_count != large->row_count || small->column_count != large->column_count) {
     printf("# %s, %s: another number of rows\n", name, what);
@@ -233,7 +233,7 @@ static void note_quantities(const struct nb_scene *scene) {
     }
 }
 
-/* Every recorded value is within the bounds that its quantity states. */
+/* True if every recorded value is within the bounds that its quantity states. Prints the columns that are not. */
 static bool within_bounds(const struct nb_scene *scene, const struct nb_table *table, const char *name) {
   size_t outside = 0;
   for (size_t c = 0; c < table->column_count; c++) {

@@ -172,8 +172,8 @@ static void monitors_whose_names_begin_alike(void) {
   written_free(&it);
 }
 
-/* The hash of a stage names the state at its end: statements that concern only output or advice do not change it, all
- * others do. */
+/* The hash of a stage identifies the state at its end. Statements that concern only output or advice do not change this
+ * hash. All other statements change it. */
 static void hash_of_a_stage(void) {
   static const struct {
     const char *head, *stage;

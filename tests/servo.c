@@ -1,9 +1,10 @@
 /* The servo on an assembly with known stiffness: six discs in a ring around a seventh. [R89 sec. 4.1]
  *
- * All particles follow the strain, so the radius R of the ring follows a recursion. k is the stiffness of the springs
- * between the ring and the middle disc, r the radius of a disc, M the mass of all discs and A the area of the hexagon.
- * The force F of a spring, the stress p, and the servo's bulk stiffness B and time T (docs/METHOD.md) are
- * F = k (2r - R), A = 3 sqrt(3)/2 R^2, p = 3 F R/A, B = 3 k R^2/(2 A), T = 2 R (M/(A B))^(1/2).
+ * All particles follow the strain, so a recursion gives the radius R of the ring after each cycle. The discs of the
+ * ring are a boundary, so there is no force between two of them. k is the stiffness of the springs between the ring and
+ * the middle disc, r the radius of a disc, M the mass of all discs and A the area of the hexagon. The force F of a
+ * spring, the stress p, and the servo's bulk stiffness B and time T (docs/METHOD.md) are F = k (2r - R), A = 3
+ * sqrt(3)/2 R^2, p = 3 F R/A, B = 3 k R^2/(2 A), T = 2 R (M/(A B))^(1/2).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -28,9 +29,9 @@ static double pressure(double radius) {
   return force > 0 ? 3 * force * radius / area : 0;
 }
 
-/* Returns the strain of one cycle. `wanted` is the target of the stress, `most` the largest strain of a cycle, and
- * `every` the number of cycles between two measurements. *gathered is the integral part Z of the strain rate
- * (docs/METHOD.md) times the step; NAN before the first measurement. */
+/* Returns the strain that the servo imposes in one cycle on a ring of this radius. `wanted` is the target of the
+ * stress, `most` the largest strain of a cycle, and `every` the number of cycles between two measurements. *gathered is
+ * the integral part Z of the strain rate (docs/METHOD.md) times the step; NAN before the first measurement. */
 static double strain(double radius, double wanted, double most, int every, double *gathered) {
   const double pi = 3.14159265358979323846, mass = 7 * 2 * pi, area = 1.5 * sqrt(3) * radius * radius, dt = 0.0125;
   const double stiffness = radius < 2 ? 1.5 * 1000 * radius * radius / area : 0;
@@ -75,7 +76,7 @@ static void the_error_is_relative(void) {
     written_cycles(model, 70);
     const struct nb_tensor now = nb_boundary_stress(model);
     const double off[] = {fabs(now.xx - rows[k].target[0]), fabs(now.yy - rows[k].target[1])};
-    const double largest = fmax(fabs(rows[k].target[0]), fabs(rows[k].target[1])); /* fmax and > ignore NAN */
+    const double largest = fmax(fabs(rows[k].target[0]), fabs(rows[k].target[1])); /* fmax ignores NAN */
     CU_ASSERT_DOUBLE_EQUAL(nb_servo_error(model), largest > 0 ? fmax(off[0], off[1]) / largest : 0, 1e-9);
     CU_ASSERT(!(largest > 0) || nb_servo_error(model) > 0.01);
     CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[1], &error), NB_OK);
@@ -85,8 +86,8 @@ static void the_error_is_relative(void) {
   }
 }
 
-/* The radius changes first at the largest rate, then as the recursion predicts, with a measurement every fifth cycle.
- * In the end the stress is at its target. */
+/* The radius follows the recursion, with a measurement every fifth cycle. At first it changes at the largest rate. In
+ * the end the stress is at its target. */
 static void stress_follows_the_recursion(void) {
   struct nb_result result;
   run(&result,
@@ -128,7 +129,7 @@ static void a_ramp_is_followed(void) {
 }
 
 /* Under a steady dilatation no offset of the stress remains, and the error has the two decay rates of the theory. The
- * proportional part alone would leave the offset B T d, with the dilatation rate d. */
+ * proportional part alone would leave the offset B T d, where d is the dilatation rate. */
 static void no_offset_under_a_dilatation(void) {
   struct nb_result result;
   run(&result,
@@ -138,8 +139,9 @@ static void no_offset_under_a_dilatation(void) {
   const double *row = result.table.values + 8000 * result.table.column_count, radius = row[0];
   const double pi = 3.14159265358979323846, dt = 0.0125, area = 1.5 * sqrt(3) * radius * radius;
   const double b = 1500 * radius * radius / area, t = 2 * radius * sqrt(14 * pi / (area * b)), d = 4e-6 / dt;
-  /* With the error e of the stress and the integral part y, e' = -(e/T + y) - B d and y' = e/(16 T^2). So
-   * e = -B d (exp(-s t) - exp(-f t))/(f - s), with the decay rates s and f. */
+  /* e is the error of the stress, and y = 2 B Z with the integral part Z of the strain rate. They obey
+   * e' = -(e/T + y) - B d and y' = e/(16 T^2). So e = -B d (exp(-s t) - exp(-f t))/(f - s), with the decay rates s
+   * (slow) and f (fast). */
   const double slow = (1 - sqrt(0.75)) / 2 / t, fast = (1 + sqrt(0.75)) / 2 / t;
   double worst = 0;
   for (int n = 0; n <= 8000; n += 10) {
@@ -153,8 +155,8 @@ static void no_offset_under_a_dilatation(void) {
   nb_result_free(&result);
 }
 
-/* A servo that controls the mean stress leaves the change of shape to the strain rate of the stage. A servo that
- * controls one component leaves the other components to it. */
+/* Under a servo that controls the mean stress, the strain rate of the stage changes the shape. Under a servo that
+ * controls one component, the strain rate of the stage changes the other components. */
 static void components_that_are_not_controlled(void) {
   struct nb_result result;
   run(&result,
@@ -275,8 +277,8 @@ static void servo_through_boundary_affine(void) {
 }
 
 /* A square lattice of discs in a cell. With the spacing s, the radius r, the stiffness k of the springs, the mass per
- * area rho and the side L of the cell, p = k (2r - s)/s, B = k/2 and T = L (rho/B)^(1/2). So the sides follow a
- * recursion. The strain rate of the stage is added to that of the servo. */
+ * area rho and the side L of the cell, p = k (2r - s)/s, B = k/2 and T = L (rho/B)^(1/2). So a recursion gives the
+ * sides after each cycle. The strain rate of the stage is added to that of the servo. */
 static void servo_through_a_cell(void) {
   const double pi = 3.14159265358979323846, dt = 0.0125, shear = 1e-7;
   struct nb_result result;
@@ -347,7 +349,8 @@ static void soft_springs_give_the_same_motion(void) {
   CU_ASSERT_DOUBLE_EQUAL(radius[0], radius[1], 1e-12);
 }
 
-/* The target of a ramp begins at the measured stress. Without a ramp it is the final target from the start. */
+/* With a ramp the target begins at the measured stress. Without a ramp the target has its final value from the
+ * start. */
 static void initial_targets(void) {
   for (int ramp = 0; ramp < 2; ramp++) {
     struct words page = {0};
@@ -374,8 +377,8 @@ static void initial_targets(void) {
   }
 }
 
-/* B and T of one disc between the lower and the upper wall of a box that is wider than high, with a stiff and a soft
- * spring. If the servo acts through a boundary, and the scene has none, B and T are 0. */
+/* Tests B and T for one disc between the lower and the upper wall of a box that is wider than high, with a stiff spring
+ * and with a soft one. If the servo acts through a boundary, and the scene has no boundary, B and T are 0. */
 static void scales_of_a_box(void) {
   static const double springs[] = {1000, 1};
   const double pi = 3.14159265358979323846, area = 6 * 1.9;

@@ -1,5 +1,5 @@
-/* The signs of forces and moments. Those on a pair are compared with the paper, and assemblies with their mirrored and
- * rotated copies.
+/* The signs of forces and moments. The signs on a pair of discs are compared with [CS79], and assemblies with their
+ * mirrored and rotated copies.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -44,7 +44,8 @@ static void forces_on_a_pair(void) {
   written_free(&it);
 }
 
-/* The floor pushes a disc that rotates counterclockwise in -x, and the disc pushes the floor in +x. */
+/* A disc rotates counterclockwise on the floor. So the floor pushes the disc in -x, and the disc pushes the floor in
+ * +x. */
 static void force_on_a_wall(void) {
   struct words page = {0};
   struct written it;
@@ -99,7 +100,8 @@ static void assembly(struct written *it, struct turn t) {
   written_scene(it, &page);
 }
 
-/* Runs the assembly and its transformed copy; returns the largest difference at the end. */
+/* Runs the assembly and its transformed copy. Compares the final positions and rotations of the copy with the
+ * transformed ones of the assembly, and returns the largest difference. */
 static double differ(struct turn t) {
   struct written straight, turned;
   struct nb_result a, b;

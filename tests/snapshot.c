@@ -117,7 +117,7 @@ static void rings(void) {
                            1e-14);
   }
   CU_ASSERT_DOUBLE_EQUAL(written_cell(table, 3, "porosity"), 0,
-                         0.02); /* the outermost ring in the large sphere; areas of overlaps count twice */
+                         0.02); /* the ring is inside the large sphere, and the areas of its overlaps count twice */
   nb_result_free(&result);
   written_free(&it);
 }
@@ -152,7 +152,8 @@ static void the_boundary_is_listed_counterclockwise(void) {
   written_free(&it);
 }
 
-/* A disc that has left the cell counts through its periodic image near the region's centre, as for A.porosity. */
+/* For a disc that has left the cell, the table of rings counts the periodic image near the region's centre, as
+ * A.porosity does. */
 static void rings_in_a_cell(void) {
   struct words page = {0};
   struct written it;
@@ -243,8 +244,8 @@ static void columns_are_the_quantities(void) {
   }
 }
 
-/* Two heavy discs that touch leave the cell together, from x = 9 to 13.5: the tables of contacts and of the lattice
- * have them in the cell, at 3.5. */
+/* Two heavy discs that touch leave the cell together, from x = 9 to 13.5. The tables of contacts and of the space
+ * lattice have them in the cell, at x = 3.5. */
 static void contacts_in_a_cell(void) {
   struct words page = {0};
   struct written it;

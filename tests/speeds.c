@@ -30,16 +30,16 @@ static void speeds(void) {
     written_scene(&it, &page);
     struct nb_result result;
     written_run(&result, &it, NULL);
-    /* v is the velocity that the page gives, c the imposed velocity, u = v + c the total one. c_0 is c at the position
-     * x_0, c_1 is c at x_1, and c at the time t_1 is their mean. The speeds at t_1 are those of w = u - c, which is v
-     * without `accumulated`. */
+    /* v is the velocity that the page gives, c the imposed velocity, u = v + c the total one. t_1 is the time after the
+     * step. c_0 is c at the position at the start, c_1 is c at the position at t_1, and c at the time t_1 is the mean
+     * of c_0 and c_1. The speeds at t_1 are the magnitudes of w = u - c. Without `accumulated` w is v. */
     const double more = k ? 0.5 : 0; /* fraction of c_0 in w */
     const double x = 3 + 0.125 * (0.3 + 0.03), y = 4 + 0.125 * (-0.4 - 0.08), x2 = -8 - 0.125 * 0.08,
                  y2 = 6 - 0.125 * 0.12;
     const double c1x = 0.01 * (3 + x) / 2, c1y = -0.02 * (4 + y) / 2;
     const double c2x = 0.01 * (-8 + x2) / 2, c2y = -0.02 * (6 + y2) / 2;
-    /* With `accumulated` u = (u- + u+)/2, where u- = v + c_0 and u+ = u- + c_1 are the velocities before and after the
-     * kick at t_1. So w = v + c_0 + c_1/2 - (c_0 + c_1)/2 = v + c_0/2. */
+    /* With `accumulated` u at t_1 is (u- + u+)/2, where u- = v + c_0 and u+ = u- + c_1 are the velocities before and
+     * after the kick at t_1. So w = v + c_0 + c_1/2 - (c_0 + c_1)/2 = v + c_0/2. */
     const double w1 = hypot(0.3 + more * 0.01 * 3, -0.4 - more * 0.02 * 4),
                  w2 = hypot(more * 0.01 * 8, more * 0.02 * 6);
     const double c = hypot(c1x, c1y) + hypot(c2x, c2y);
@@ -72,7 +72,7 @@ static void imposed_before_the_first_step(void) {
   written_free(&it);
 }
 
-/* The beginning of a stage changes no velocity, whatever the steps of both stages are. */
+/* The beginning of a stage changes no speed, even if the stage has another step than the stage before. */
 static void a_stage_with_another_step(void) {
   static const char *const codings[] = {"apart", "accumulated"};
   static const char *const names[] = {"A.speed.mean", "A.speed.max", "A.speed.imposed", "A.speed.ratio"};

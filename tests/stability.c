@@ -12,8 +12,8 @@
 #include "suites.h"
 #include "written.h"
 
-/* Runs the first stage until the stability check stops it, and tests after each cycle whether the check should have
- * stopped it. Returns the number of cycles. */
+/* Runs the first stage for `cycles` cycles, or until the stability check stops it. Tests after each cycle whether the
+ * check should have stopped it. Returns the number of completed cycles. */
 static int run_until_stopped(struct nb_model *model, const struct written *it, int cycles, struct nb_error *error) {
   enum nb_status status = nb_stage_begin(model, &it->scene.stages[0], error);
   int done = 0;
@@ -91,6 +91,7 @@ static void searches_add_checks(void) {
 
 #define SPHERE "units none\nmaterial m density 0.238732414637843 young 1 poisson 0.3 friction 1\nnormal hertz\n"
 
+/* The stable-overlap limit of a contact: the overlap up to which the step stays stable (measure/stability.c). */
 static double overlap_stable(const struct nb_model *model, int contact) {
   return model->contacts.kept[NB_STABLE_OVERLAP][contact];
 }
@@ -140,8 +141,9 @@ static struct nb_normal yields(struct nb_pair p, double overlap, double dn, doub
   return n;
 }
 
-/* The stable overlap follows from the largest stiffness of the law, which is here twice the stiffness of Hertz. So this
- * stiffness reaches the allowed value at a quarter of the overlap; the program finds this overlap by halving. */
+/* The stable-overlap limit follows from the largest stiffness of the law, which is here twice the stiffness of Hertz's
+ * law. So the stiffness reaches the allowed value at a quarter of the overlap. The program finds this overlap by
+ * halving. */
 static void stiffer_unloading_lowers_the_limit(void) {
   struct nb_law law = *nb_law_find("normal", "hertz");
   double stable_overlap[2];
@@ -176,9 +178,9 @@ static struct nb_normal stiffer(struct nb_pair p, double overlap, double dn, dou
   return n;
 }
 
-/* The stiffness at the limit exceeds what the step allows by at most the fraction 1e-6, the tolerance of stability.c. A
- * law that is stiffer by the fraction 3e-7 keeps the limit, and a law that is stiffer by 3e-6 gets half of it. If the
- * stiffness is too large at any overlap, the limit is 0. */
+/* The stiffness at the stable-overlap limit may exceed what the step allows by the fraction 1e-6, the tolerance of
+ * measure/stability.c. So a law that is stiffer than Hertz's by the fraction 3e-7 has the limit of Hertz's law, and one
+ * that is stiffer by 3e-6 has half of that limit. If the stiffness is too large at any overlap, the limit is 0. */
 static void the_limit_is_kept_to_a_millionth(void) {
   static const double rows[][2] = {{1 + 3e-7, 1}, {1 + 3e-6, 0.5}, {0, 0}};
   struct nb_law law = *nb_law_find("normal", "hertz");
@@ -203,8 +205,8 @@ static void the_limit_is_kept_to_a_millionth(void) {
   }
 }
 
-/* A very short step allows the stiffness (4/dt^2) M*. Its square is beyond the largest number, so the stable overlap is
- * infinite. */
+/* A very short step allows the stiffness (4/dt^2) M*. Its square is beyond the largest double, so the stable-overlap
+ * limit is infinite. */
 static void a_step_without_a_limit(void) {
   struct words page = {0};
   struct written it;
@@ -219,9 +221,9 @@ static void a_step_without_a_limit(void) {
   written_free(&it);
 }
 
-/* A contact that may become deep must be stable with the dashpot of a deep contact. The mass is M* = 1/2, and the sum q
- * = dt^2 k + 2 dt c of the pair may be at most 2. So the largest stiffness k satisfies dt^2 k + 2 dt max(2 ratio, 2)
- * (M* k)^(1/2) = 2. */
+/* A contact that may become deep must be stable with the critical dashpot of a deep contact, so c is max(2 ratio, 2)
+ * (M* k)^(1/2). The reduced mass M* is 1/2, and q = dt^2 k + 2 dt c of the pair may be at most 2. So the largest
+ * stiffness k satisfies dt^2 k + 2 dt max(2 ratio, 2) (M* k)^(1/2) = 2. */
 static void a_contact_may_become_deep(void) {
   static const double ratios[] = {0.3, 1.5};
   for (size_t n = 0; n < 2; n++) {
@@ -244,7 +246,7 @@ static void a_contact_may_become_deep(void) {
   }
 }
 
-/* A fixed particle takes no part of the limit. */
+/* In a pair of a fixed and a free particle, the free one gets all of L (measure/stability.c). */
 static void a_fixed_particle(void) {
   struct words page = {0};
   struct written it;
@@ -262,10 +264,10 @@ static void a_fixed_particle(void) {
   written_free(&it);
 }
 
-/* A row of a wall, sphere A of mass 1 and sphere B of mass 8, with normal springs only. q and L are those of
- * measure/stability.c; q is q0 at the contact A-B and q1 at the wall, and L = 4. So the remainder is 4 - (q0 + q1) at
- * the wall and 4 - (q0 + q1) - q0/8 at A-B, of which A and B get half each. A divides the smaller one of its two parts
- * among two contacts; B has only one contact. */
+/* A row of a wall, sphere A of mass 1 and sphere B of mass 8, with normal springs only. measure/stability.c defines q,
+ * L and the remainder of a contact. q is q0 at the contact A-B and q1 at the wall, and L = 4. So the remainder at the
+ * wall is 4 - (q0 + q1), and A gets all of it. The remainder at A-B is 4 - (q0 + q1) - q0/8, and A and B get half each.
+ * The smaller one of the two parts that A gets is divided among the two contacts of A. B has only one contact. */
 static void wall_and_two_spheres_share_the_limit(void) {
   struct words page = {0};
   struct written it;
@@ -298,7 +300,7 @@ static void wall_and_two_spheres_share_the_limit(void) {
 /* Moving spheres of two materials in a box, some in contact and some apart. */
 static void crowd(struct words *page, struct chance *chance, const char *shear) {
   words_add(page, "units none\nnormal hertz\nshear %s\nskin 0.3\n", shear);
-  for (int m = 0; m < 2; m++) { /* drawn one by one, because the order of arguments is up to the compiler */
+  for (int m = 0; m < 2; m++) { /* drawn one by one, because a compiler may evaluate arguments in any order */
     const double poisson = chance_between(chance, 0, 0.45);
     const double young = chance_scale(chance, 1, 30);
     const double density = chance_scale(chance, 0.1, 10);
@@ -390,8 +392,8 @@ static void cohesion_alone_counts(void) {
     CU_ASSERT(stable[k] == stable[1] && apart[k] == apart[1]);
 }
 
-/* The words of a message for the pair that limits the step: two particles, a particle and a wall, or the materials of a
- * pair that does not touch yet. */
+/* The words of a message for the pair that limits the step: two particles, a particle and a wall, or a particle and the
+ * material of walls. The words also say if the pair does not touch. */
 static void what_limits_the_step_in_words(void) {
   struct words page = {0};
   struct written it;
