@@ -2,12 +2,12 @@
  * from the centre of the contact outwards, joined by straight pieces. shear_mindlin_deresiewicz.c defines the symbols
  * and their units.
  *
- * A merge removes the corner between two neighbouring pieces and joins their other ends by a straight piece. This
- * changes u(x) by a triangle. An error e(x) of u changes t by -Int e n'' dx with n'' = (3/4) x^(-1/2). So the cost of a
- * merge is the area of the triangle over x^(1/2), with the x of the removed corner. When all pieces are in use, the
- * corner with the lowest cost is removed. Its cost includes the errors of earlier merges in its two pieces. A merge
- * does not change delta. To keep T, too, u of a neighbouring corner is changed. So u has an error only in the merged
- * piece and in one neighbour of it.
+ * A merge removes the corner between two neighbouring pieces and joins their other ends by a straight piece. The change
+ * of u, as a function of x, is a triangle. A change v(x) of u changes t by -Int v n'' dx with n'' = (3/4) x^(-1/2). So
+ * the cost of a merge is the area of the triangle over x^(1/2), with the x of the removed corner. When all pieces are
+ * in use, the corner with the lowest cost is removed. Its cost includes the errors of earlier merges in its two pieces.
+ * A merge does not change delta, but it changes T. A change of u at a neighbouring corner restores T. So u has an error
+ * only in the merged piece and in one neighbour of it.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #pragma once
@@ -26,8 +26,8 @@ static inline bool reachable(double x0, double u0, double x, double u) { return 
 
 static inline double n_of(double x) { return x * sqrt(x); }
 
-/* Twice the area of the triangle by which a merge changes u: its height times x1 + x2. The two pieces have the slopes
- * d1 and d2 and the spans x1 and x2. */
+/* Twice the area of the triangle by which a merge changes u: height times base, x1 + x2. The two pieces have the slopes
+ * d1 and d2 and the lengths x1 and x2 in x. */
 static inline double kink(double d1, double d2, double x1, double x2) { return fabs(d1 - d2) * (x1 * x2); }
 
 /* Int t du over a piece; stored_energy sums it over all pieces. */
@@ -75,7 +75,8 @@ static inline bool corners_valid(const double m[], int doubles, int max_pieces) 
   return is;
 }
 
-/* Removes corner k by merging the two pieces that meet there. Returns the change of t at all x beyond these pieces. */
+/* Removes corner k by merging the two pieces that meet there. Returns the change of t at all x beyond these pieces;
+ * leaves b of the pieces there as it is. */
 static inline double merge(struct corner at[], int k, int pieces) {
   const struct corner one = at[k - 1], two = at[k], end = at[k + 1];
   const double x1 = two.x - one.x, x2 = end.x - two.x, d = (end.u - one.u) / (x1 + x2);
@@ -86,8 +87,8 @@ static inline double merge(struct corner at[], int k, int pieces) {
   return at[k - 1].b - two.b + (d - two.d) * n_of(end.x);
 }
 
-/* Changes u of corner k so that t increases by `more` at all x beyond piece k. Returns false and changes nothing if a
- * ring would exceed its friction limit. */
+/* Changes u of corner k so that t increases by `more` at all x beyond piece k; leaves b of the pieces there as it is.
+ * Returns false and changes nothing if a ring would exceed its friction limit. */
 static inline bool shift_corner(struct corner at[], int k, double more) {
   const double x1 = at[k].x - at[k - 1].x, x2 = at[k + 1].x - at[k].x;
   const double n0 = n_of(at[k - 1].x), n1 = n_of(at[k].x), n2 = n_of(at[k + 1].x);
@@ -100,10 +101,11 @@ static inline bool shift_corner(struct corner at[], int k, double more) {
   return true;
 }
 
-/* Removes the corner with the lowest cost and moves a neighbouring corner, so that delta and T keep their values. The
- * error e of the merged piece is multiplied by three quarters. If it were kept in full, old pieces would keep corners
- * that new pieces need. If it were set to 0, the same pieces would be merged again and again. With 64 pieces these two
- * choices give errors of T of 2.3e-4 and 4e-4 mu N in decaying oscillations. */
+/* Removes the corner with the lowest cost and moves a neighbouring corner, so that delta and T keep their values. If
+ * neither neighbour can be moved, T changes. The member e of the merged piece is multiplied by three quarters. If e
+ * were kept in full, old pieces would keep corners that new pieces need. If e were set to 0, the same pieces would be
+ * merged again and again. With 64 pieces these two choices give errors of T of 2.3e-4 and 4e-4 mu N in decaying
+ * oscillations. */
 static NB_COLD void drop_corner(struct corner at[], int pieces) {
   int k = 1;
   double lowest = INFINITY;

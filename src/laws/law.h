@@ -5,12 +5,11 @@
  *   struct nb_shear  shear_NAME(struct nb_pair p, struct nb_normal n, double ds, double m[])
  *
  * `overlap`, in metres, is never negative. It is 0 without contact; force and stiffness must then be 0. A law with
- * plastic flow may return the force 0 while the particles overlap, if the overlap was larger before. The stable step
- * uses the greatest stiffness that can follow (measure/stable_step.c). `dn` and `ds` are the normal and the tangential
- * increment of this step, in metres. The array `m` is the history of this contact. It has as many doubles as the law
- * declares; a history of up to four doubles is 0 at first touch, and a longer one has m[0] = 0. The law updates the
- * history for the next step. Forces are elastic; the dashpots are added later, from the stiffnesses that the laws
- * return.
+ * plastic flow may return the force 0 while the particles overlap, if the overlap was larger before. `dn` and `ds` are
+ * the normal and the tangential increment of this step, in metres. The array `m` is the history of this contact. It has
+ * as many doubles as the law declares; a history of up to four doubles is 0 at first touch, and a longer one has m[0] =
+ * 0. The law updates the history for the next step. Forces are elastic; the dashpots are added later, from the
+ * stiffnesses that the laws return.
  *
  * A straight-line law has no branches. It uses only sums, products, quotients, sqrt, fabs, copysign, ?: and nb_where,
  * so that the compiler vectorises its loop.
@@ -37,12 +36,12 @@ static inline double nb_where(bool condition, double x) {
 
 struct nb_normal {
   double force;     /* F_n >= 0, N; above 0 at the largest overlap so far; may be 0 at a smaller overlap */
-  double stiffness; /* dF_n/d(overlap) for loading or unloading, as in this step, N/m; 0 without force */
+  double stiffness; /* dF_n/d(overlap) in the direction of this step, loading or unloading, N/m; 0 without force */
   double radius;    /* a, radius of the contact circle, m; 0 for laws without one */
   double overlap;   /* alpha, m, which shear laws read; set by the caller of a normal law, not by the law */
-  /* The greatest slope that the force can have when it goes on from this overlap, N/m; 0: equal to `stiffness`. This
-   * member must be the last one: if it came before members that shear laws read, R89's laws would take 1.6 times as
-   * long. */
+  /* The greatest slope that the force can have when the overlap changes from here, N/m, for the stable step
+   * (measure/stable_step.c); 0: equal to `stiffness`. This member must be the last one: if it came before members that
+   * shear laws read, R89's laws would take 1.6 times as long. */
   double max_stiffness;
 };
 
@@ -81,12 +80,13 @@ struct nb_law {
   /* True if these doubles, read from a file, are a valid row with at most `pieces` pieces. NULL: any row of the
    * declared length is valid. */
   bool (*valid)(const double m[], int doubles, int pieces);
-  /* For contact tests: sets x to the overlaps at which the pieces of a contact's history end, m, ascending to alpha,
-   * and d to D of each piece, 1. Returns the number of pieces, at most p.pieces. NULL: the law has no pieces. */
+  /* For contact tests: sets x to the overlaps at which the pieces of a contact's history end, m, in ascending order up
+   * to the present overlap, and d to the value of the memory diagram D on each piece, 1. Returns the number of pieces,
+   * at most p.pieces. NULL: the law has no pieces. */
   int (*pieces_of)(struct nb_pair, struct nb_normal, const double m[], double x[], double d[]);
 };
 
-/* The greatest slope that the normal force can have when it goes on from this overlap, N/m. */
+/* The greatest slope that the normal force can have when the overlap changes from here, N/m. */
 static inline double nb_normal_max_stiffness(struct nb_normal n) {
   return n.max_stiffness > n.stiffness ? n.max_stiffness : n.stiffness;
 }

@@ -8,7 +8,7 @@
  *   #define PARAMETERS "ks, friction"       properties on which the force depends; young, poisson: E* and G*
  *   #define HISTORY 1                       doubles of history per contact
  *   #define PIECE   4, #define PIECES  16   doubles for each piece of the history; default number of pieces (optional)
- *   #define NEEDS   NB_BIT(NB_NORMAL_INCREMENT)   fields that it reads besides those every law gets (optional)
+ *   #define NEEDS   NB_BIT(NB_NORMAL_INCREMENT)   fields that the law reads besides those every law gets (optional)
  *   #define STORED  shear_linear_stored     function that returns the stored elastic energy, J (optional)
  *   #define ELASTIC                         for elastic spheres: reads p.young, p.shear and p.radius (optional)
  *   #define CONSTANT                        returns the stiffness p.kn, or p.ks for a shear law, or 0 (optional)

@@ -29,8 +29,8 @@ void nb_properties_free(struct nb_properties *now);
 struct nb_pair nb_properties_pair(const struct nb_properties *now, int material_a, int material_b);
 /* The current values of the material or of the pair of materials that `change` names. */
 struct nb_pair nb_properties_before(const struct nb_properties *now, const struct nb_change *change);
-/* Sets these values by linear interpolation: to `from` at fraction 0, and to the values that `change` gives at fraction
- * 1. Values that `change` does not give stay as they are. */
+/* Sets the values of this material or pair by linear interpolation: to `from` at fraction 0, and to the values that
+ * `change` gives at fraction 1. Values that `change` does not give stay as they are. */
 void nb_properties_change(struct nb_properties *now, const struct nb_change *change, struct nb_pair from,
                           double fraction);
 /* Sets all values that the stage changes to those at its end. */

@@ -60,8 +60,8 @@ static const double merge_tolerance = 1e-7 / 1.5, small_fraction = 1e-2, least_f
  * contact slides anyway. */
 static const double max_friction_ratio = 1e150;
 
-/* The height, in u, that the triangle of a merge must not exceed. x: overlap at the end of the new piece; u1, u2: u at
- * its two ends. */
+/* The height that the triangle of a merge must not exceed: a change of u. x: overlap at the end of the new piece; u1,
+ * u2: u at its two ends. */
 static inline double merge_limit(double x, double u1, double u2) {
   const double one = fabs(u1), other = fabs(u2), larger = (one > other ? one : other) / small_fraction;
   const double least = least_fraction * x;

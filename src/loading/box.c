@@ -140,7 +140,7 @@ struct nb_tensor nb_walls_stress(const struct nb_model *model) {
   return tensor_scale(1 / volume(model), virial(model, ALL_SIDES, true));
 }
 
-/* The trace of the sum over two opposite walls is their mean normal force times their distance, whatever the direction
+/* The trace of `virial` over two opposite walls is their mean normal force times their distance, whatever the direction
  * of the box. */
 double nb_walls_ratio(const struct nb_model *model) {
   const struct nb_tensor vertical = virial(model, SOUTH_AND_NORTH, true),

@@ -19,7 +19,8 @@
 
 double nb_area_of_disc(double radius) { return NB_PI * radius * radius; }
 
-/* Area of the segment of the circle of radius r that the circle of radius R cuts off, m2. */
+/* Area of the part of the circle of radius r that lies beyond the common chord, inside the circle of radius R, m2; d:
+ * distance of the centres, m. */
 static double segment(double r, double R, double d) {
   const double difference = R - r, numerator = (R + r - d) * (d + difference),
                denominator = (d - difference) * (d + r + R);

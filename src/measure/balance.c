@@ -51,7 +51,8 @@
 
 /* ---- creation ---- */
 
-/* First law of the scene without stored energy; NULL: none. */
+/* The first law without stored energy, among the normal laws or among the shear laws of the material pairs; NULL:
+ * none. */
 static const struct nb_law *law_without_energy(const struct nb_model *model, bool normal) {
   for (size_t p = 0; p < model->material_pair_count; p++) {
     const struct nb_law *law = normal ? model->material_pairs[p].normal : model->material_pairs[p].shear;

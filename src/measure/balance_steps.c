@@ -211,8 +211,8 @@ void nb_balance_after_forces(struct nb_model *model) {
 
 /* ---- velocities that jump ---- */
 
-/* Kinetic energy that appears or vanishes without a force does not count as work, so it leaves both residuals
- * unchanged. */
+/* Kinetic energy that appears or vanishes without a force does not count as work: the residual of the work balance and
+ * the terms of the energy balance keep their values. The caller adds the change of the energy to a term. */
 void nb_balance_exclude(struct nb_model *model, bool before) {
   struct nb_balance *b = model->balance;
   const double sign = before ? -1 : 1;

@@ -8,7 +8,7 @@
  *   chain       three or more particles connected by links
  *
  *   bend        angle between two successive links, on opposite sides of the particle that they share, rad; 0: a
- *               straight chain. At a branch every pair of links counts
+ *               straight chain. If more than two links meet in a particle, every pair of them counts
  *   length      number of particles of a chain
  *   fraction    number of particles in chains over the number of free particles inside
  *

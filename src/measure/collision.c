@@ -1,5 +1,5 @@
-/* Collision prediction: finds the pairs that would collide at their current velocities, and which of these collisions
- * has the shortest duration by Hertz's law (hertz_impact.h).
+/* Collision prediction: finds the pairs that would collide at their current velocities, and among these collisions the
+ * one with the shortest duration by Hertz's law (hertz_impact.h).
  *
  * Two particles with the vector d = y - x between their centres, m, and the relative velocity w = v_x - v_y, m/s,
  * collide if w.d > 0 and their straight paths pass closer than s = R_x + R_y, m. The approach velocity along the line

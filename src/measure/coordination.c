@@ -4,10 +4,10 @@
  *   coordination.mechanical             the same without rattlers and their contacts
  *   constraint_ratio           constraints over degrees of freedom of the free particles   [Cundall and Strack 1983]
  *
- * The constraint ratio counts the free particles inside that are not rattlers, and each of their contacts once. A
- * particle has two degrees of freedom, or three if any of these contacts has friction. A contact is one constraint, or
- * two if it has friction and does not slide. If the ratio is below 1, the particles are a mechanism; if it is 1,
- * statics alone determines the forces.
+ * The constraint ratio counts the free particles inside that are not rattlers, and once each of their contacts with
+ * walls and with particles that are not rattlers. A particle has two degrees of freedom, or three if any of the counted
+ * contacts has friction. A contact is one constraint, or two if it has friction and does not slide. If the ratio is
+ * below 1, the particles are a mechanism; if it is 1, statics alone determines the forces.
  *
  * A rattler has fewer than two contacts, not counting contacts with other rattlers. Rattlers are found by removing
  * particles with fewer than two contacts, inside the region or not, until none is left. A fixed particle is not a

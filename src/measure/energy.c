@@ -4,8 +4,8 @@
  *   U = sum (U_n + U_s)                         the laws' state functions, J: F_n^2/2k_n and F_s^2/2k_s for springs
  *   p = sum m v,   L = sum (m (x cross v) + I w)      about the origin
  *
- * The velocities exclude the imposed motion (affine.c). The sums run over free particles, in the order of their
- * numbers.
+ * The velocities exclude the imposed motion (affine.c). The sums of K, p and L run over free particles, in the order of
+ * their numbers; the sum of U runs over contacts.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "energy.h"

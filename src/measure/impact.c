@@ -4,7 +4,7 @@
  *                                  touch, m/s; mu friction, 1; psi1 is psi at first touch, psi2 is psi at the end
  *   kappa = E* / (4 G*)            compliance ratio, 1: (2 - nu)/(2 (1 - nu)) of like materials; k_n/k_s of springs
  *   N_max = (5/4) M V_N^2/alpha_m  largest normal force, N; hertz_impact.h gives alpha_m, m, and the duration T_c, s,
- *                                  which is t there
+ *                                  with the symbol t
  *   linear springs:  T_c = pi sqrt(M/k_n),   N_max = V_N sqrt(M k_n)
  *
  * M is the reduced mass, kg. The state at first touch follows from the scene; a run stores only the time of first

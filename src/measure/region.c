@@ -1,9 +1,10 @@
 /* Regions: particles inside, area, thickness, porosity, and contact ends.
  *
- * A particle is inside if its centre is inside. The thickness, normal to the plane, is the mean over all particles of
+ * A particle is inside a region if its centre is. The thickness, normal to the plane, is the mean over all particles of
  * the scene: a sphere counts with its diameter [R89 sec. 4.4], a disc with 1 m.
  *
- *   areal       n = 1 - sum A_p/A                   A_p  exact area of a particle inside, m2; A  area of the region, m2
+ *   areal       n = 1 - sum A_p/A                   A_p  exact area of a particle's part in the region, m2
+ *                                               A    area of the region, m2
  *   volume      n = 1 - sum V_p (A_p/pi R^2)/(A s)  V_p  4/3 pi R^3 or pi R^2 times 1 m, m3; s  thickness, m
  *   void_ratio  e = n/(1 - n), of the areal porosity
  *

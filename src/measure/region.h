@@ -159,8 +159,8 @@ bool nb_region_contains(const struct nb_model *model, const struct nb_region_sta
 bool nb_region_next(const struct nb_model *model, const struct nb_region_state *region, size_t *k, size_t *slot);
 double nb_region_volume(const struct nb_model *model, size_t slot); /* volume of a particle, m3; a disc is 1 m thick */
 
-/* A contact end: a contact of a particle inside. Loops over the ends run in the order of particles, then of
- * partners. */
+/* A contact end: a contact of a particle inside, seen from this particle. Loops over the ends run in the order of
+ * particles, then of partners. */
 struct nb_end {
   size_t slot, contact;
   int partner;     /* slot of the other particle; -1: a wall */
@@ -186,6 +186,8 @@ static inline double nb_contact_arm(const struct nb_model *model, size_t contact
   const double overlap = model->contacts.kept[NB_OVERLAP][contact];
   return model->particles.radius[slot] - (wall ? overlap : overlap / 2);
 }
+/* Loops over the ends: for (struct nb_ends ends = nb_ends_begin(model, region); nb_ends_next(&ends, &end);) sets `end`
+ * to each. */
 struct nb_ends nb_ends_begin(const struct nb_model *model, const struct nb_region_state *region);
 bool nb_ends_next_particle(struct nb_ends *ends); /* goes to the next particle with listed contacts; false: no more */
 static inline bool nb_ends_next(struct nb_ends *ends, struct nb_end *end) {

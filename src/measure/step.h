@@ -34,14 +34,16 @@ struct nb_stable {
   const struct nb_material_pair *material_pair; /* material pair of the contact */
 };
 struct nb_stable nb_stable_step(const struct nb_model *model);
-/* The same, and keeps the coefficients of the contacts until nb_stable_step_end, if there is memory for them. */
+/* As nb_stable_step, but keeps the coefficients of the contacts until nb_stable_step_end, if there is memory for
+ * them. */
 struct nb_stable nb_stable_step_begin(const struct nb_model *model);
 void nb_stable_step_end(const struct nb_model *model);
 /* The guaranteed stable step of pairs that could collide later: the lightest two particles of each pair of
  * materials, as if they touched. */
 struct nb_stable nb_stable_step_apart(const struct nb_model *model);
-struct nb_stable nb_stable_step_stage(const struct nb_model *model); /* the smaller one of the two: limit of a stage */
-double nb_stability_limit(const struct nb_damping *damping);         /* L of stable_step.c, 1 */
+/* The limit when a stage begins: the smaller of nb_stable_step and nb_stable_step_apart. */
+struct nb_stable nb_stable_step_stage(const struct nb_model *model);
+double nb_stability_limit(const struct nb_damping *damping); /* L of stable_step.c, 1 */
 
 /* A contact with its part of the masses, for the terms of dt^2 k + 2 dt c (stable_step.c). */
 struct nb_element {

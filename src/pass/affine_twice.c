@@ -14,9 +14,10 @@
  *   dn, ds, e, t, alpha, R  as in disc_disc.c         D  distance of the centres, m
  *
  * L is the strain rate of `affine strain` for all contacts of two particles, also with a particle of the boundary,
- * because FORD has one tensor. Nothing is added in a contact with a wall, nor in the step of first touch, where laws
- * use the overlap as the normal increment. The overlap is computed from the positions and does not change. So this pass
- * changes only dashpots, shear forces, and normal laws that read dn.
+ * because FORD has one tensor. Nothing is added in a contact with a wall. Nothing is added in the step of first touch
+ * either, because laws then use the overlap as the normal increment. The overlap is computed from the positions and
+ * does not change. So this pass changes only the forces of dashpots, the shear forces, and the forces of normal laws
+ * that read dn.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "core/affine.h"

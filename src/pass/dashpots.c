@@ -25,17 +25,17 @@
  * predicted changes of the two velocities in the last half step, m/s (core/motion.c). At time 0 the rates follow from
  * the velocities of the page; in CS79's scheme they are then 0. The force of a dashpot jumps at first touch, so the
  * scheme is of second order only with a correction there. The force at t_N acts from t_(N-1/2) to t_(N+1/2). Let t_N be
- * the first time after first touch, and f the time between them over dt. No force acts before t_(N-1/2), but at
- * t_(N+1/2) the contact has existed for the time (f + 1/2) dt. Near first touch c is proportional to alpha^p, with p =
- * 0 for linear springs, 1/2 for the stiffness of elastic spheres and 1/4 for the root of this stiffness. So the force
- * is multiplied by
+ * the first time after first touch, and f the time from first touch to t_N, over dt. No force acts before t_(N-1/2),
+ * but at t_(N+1/2) the contact has existed for the time (f + 1/2) dt. Near first touch c is proportional to alpha^p,
+ * with p = 0 for linear springs, 1/2 for the stiffness of elastic spheres and 1/4 for the root of this stiffness. So
+ * the force is multiplied by
  *
  *   w(f) = Int_0^(f+1/2) t^p dt / f^p = (f + 1/2)^(1+p)/((1 + p) f^p)
  *
  * The end of a contact is treated in the same way, backwards in time: f is then the time from t_N to the end over dt.
- * This f is known only one cycle later, when the contact has opened. In this cycle w(f) - 1 times the force at t_N
- * acts. This force is computed again, from the previous overlap and the rate over the last step. The tangential dashpot
- * needs no such term, because a contact slides before it ends.
+ * This f is known only one cycle later, when the contact has opened. In that later cycle w(f) - 1 times the force at
+ * t_N acts on the particles. For this purpose the force at t_N is computed again, from the previous overlap and the
+ * rate over the last step. The tangential dashpot needs no such term, because a contact slides before it ends.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "laws/law.h"
@@ -79,7 +79,8 @@ struct changes {
   double rotation[NB_BLOCK_SIZE];        /* change of w_x R_x + w_y R_y, m/s */
 };
 
-/* The changes of the velocities of particle i, as in struct changes. `start`: at time 0. */
+/* The changes of the velocity and, as `spin`, of the surface speed of particle i, m/s, as in struct changes. `start`:
+ * at time 0. */
 static inline NB_FORM struct nb_velocities change_of(const struct nb_particles *particles, int i, bool start) {
   return start ? (struct nb_velocities){particles->velocity[i], particles->surface_speed[i]} : particles->ahead[i];
 }
@@ -112,7 +113,7 @@ static inline NB_FORM void predict(struct changes *changes, const struct nb_mode
  * step then belongs to the next step, with f = 1, whatever the sign of the overlap. Rounding is smaller than this
  * fraction even if the coordinates are 1e7 times the displacement. */
 static const double touch_rounding = 1e-9;
-/* nb_touch_began, where a touch at the end of the previous step counts as in this step. */
+/* As nb_touch_began, but a touch at the end of the previous step counts as a touch in this step. */
 static inline NB_FORM bool just_began(double overlap, double dn) {
   return overlap > 0 && overlap < dn * (1 + touch_rounding);
 }
@@ -127,7 +128,7 @@ static double weight(const struct dashpots *spec, const struct nb_law *law, doub
 }
 
 /* The force of the normal dashpot that acts although contact c has opened in the last step: w(f) - 1 times the force
- * one step earlier, N; 0 if the contact has not opened then. */
+ * one step earlier, N; 0 if the contact did not open in the last step. */
 static double end_force(const struct dashpots *spec, const struct nb_model *model, const struct nb_block *block,
                         size_t c) {
   const struct nb_law *law = block->material_pair->normal;

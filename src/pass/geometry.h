@@ -20,7 +20,7 @@ struct relative_motion {
   double rotation[NB_BLOCK_SIZE];                              /* w R, m/s */
 };
 
-/* Computes the fields of `approach` from the vectors of a block. */
+/* Computes the fields that `approach` names, from the vectors of a block. */
 static inline NB_FORM void nb_geometry(const struct nb_model *model, const struct nb_block *block,
                                        enum nb_approach approach, const struct relative_motion *relative) {
   double *overlap = block->f[NB_OVERLAP], *ex = block->f[NB_EX], *ey = block->f[NB_EY];

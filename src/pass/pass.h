@@ -12,8 +12,7 @@
 
 /* What a geometry pass computes: the overlap; overlap and dn; overlap, dn and ds. */
 enum nb_approach { NB_APPROACH_OVERLAP, NB_APPROACH_NORMAL, NB_APPROACH_TANGENTIAL };
-/* The dashpots of the stage: none; coefficients from k; from k and sqrt(M* k); from both, and from whether the contact
- * is deep. */
+/* The dashpots of the stage: none; coefficients from k; from k and sqrt(M* k); from k, sqrt(M* k) and NB_DEEP. */
 enum nb_dashpot_kind { NB_DASHPOTS_NONE, NB_DASHPOTS_TIME, NB_DASHPOTS_RATIO, NB_DASHPOTS_DEEP };
 
 extern const struct nb_pass nb_pass_disc_disc[3], nb_pass_periodic[3], nb_pass_disc_wall[3]; /* by enum nb_approach */
