@@ -1,5 +1,5 @@
 # Mohr's circle of a recorded symmetric tensor, from the last row of a table. X is the face with its normal in x, Y the face with
-# its normal in y; the ends of the diameter are the principal values. The angle of X from the major axis is doubled
+# its normal in y; the ends of the horizontal diameter are the principal values. The angle of X from the major axis is doubled
 # [R89 figure 4.1, 4.52-4.54]. Before it loads this recipe, the page sets
 #
 #   rows = '$table'; tensor = 'A.stress'; unit = 'Pa'    # columns tensor.xx/unit, .xy, .yx, .yy; fabric: unit = '-'

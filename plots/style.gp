@@ -22,6 +22,6 @@ set linetype cycle 6
 # For another size of the figure a page calls eval canvas(1100, 760).
 if (!exists('terminal')) terminal = GPVAL_TERM
 canvas(wide, high) = sprintf('set terminal %s size %d,%d', terminal, wide, high)
-# A recipe that draws a diagram begins with eval diagram, because the panel before it may have no axes. Without its set tics the
-# next command would mirror tics that were unset.
+# A recipe that draws a diagram begins with eval diagram, because the panel before it may have no axes. Without `set tics`
+# before it, `set tics nomirror` would mirror tics that were unset.
 diagram = 'set size noratio; set border 3; set tics; set tics nomirror'

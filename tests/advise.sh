@@ -1,7 +1,7 @@
 #!/bin/sh
-# Tests `nineball advise`: its claims must bound the errors against a reference that it does not use, its choice must be the
-# cheapest setting within the tolerance, and it must refuse invalid calls. TAP. $NINEBALL is the program, $srcdir the top of the
-# source tree.
+# Tests `nineball advise`: its estimated errors (claims) must not be below the errors against a reference that it does not use, its
+# choice must be the cheapest setting within the tolerance, and it must refuse invalid calls. TAP. $NINEBALL is the program, $srcdir
+# the top of the source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 

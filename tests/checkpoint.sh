@@ -209,8 +209,8 @@ test $? -eq 2 && said "process $first writes into this folder, $work/out/ninebal
 result $? 'two runs with one output folder: an error names the first one'
 wait $first && same
 result $? 'the folder has the files of the first one'
-# A second process is refused even between two runs of the sweep, when no run is locked: many attempts while the first process is
-# running.
+# A second process is refused even between two runs of the sweep, when no run is locked. The test makes many attempts while the first
+# process is running.
 start --checkpoint=0.01
 first=$!
 until_saved

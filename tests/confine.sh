@@ -121,7 +121,7 @@ EOF2
 attack start-up </dev/null
 attack style </dev/null
 
-# figure ARGUMENT ...: draws with a home folder and a folder where gnuplot looks for scripts.
+# figure ARGUMENT ...: draws a figure. The home folder, and the folder where gnuplot looks for scripts, have the files of the user.
 figure() {
   rm -rf out harm cases/harm
   HOME=$home GNUPLOT_LIB=$home "$nineball" figure "$@" >said 2>&1 </dev/null

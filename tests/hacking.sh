@@ -56,7 +56,7 @@ while read -r file list line; do
   cat "$work/file" >"$tree/$file"
 done <"$work/lists" 2>"$work/said"
 test ! -s "$work/said"
-result $? "its lines are in the lists"
+result $? "the lines of the examples are in the lists"
 
 cd "$tree" || exit 1
 {

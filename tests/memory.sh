@@ -32,7 +32,7 @@ D.y max  expected 0.1 m within 0.01 m [a guess]
 plot for [i=1:runs] sprintf('$table_%d', i) using 'time/s':'D.y/m' with lines
 ```
 END
-# Its state is longer than the buffers of the C library.
+# The state of this page is longer than the buffers of the C library.
 cat >"$work/large.md" <<'END'
 # A lattice
 
@@ -107,7 +107,8 @@ for mark in '' +; do
   result $? "state: each allocation$of"
 done
 
-# The test notices a lost character: the program is replaced by one that ignores a failure, and by one without a message.
+# The test must notice a lost character, and a failure without a message. So two scripts replace the program: one that ignores a
+# failure and prints less, and one that prints no message.
 cat >"$work/deaf" <<'END'
 #!/bin/sh
 test "$FAIL_AT" = 3 && echo "half" || echo "whole"

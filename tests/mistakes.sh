@@ -1,7 +1,7 @@
 #!/bin/sh
 # Tests error messages. Every page in tests/bad must be refused with exactly the messages of its block `mistake` and
 # status 2; the word `mistake` may be followed by options. Then pages at the limits of the language are made and tested.
-# Finally every message in the sources of the reader must have occurred: a new message needs a page. TAP. $NINEBALL is
+# Finally every message in the sources that read pages must have occurred: a new message needs a page. TAP. $NINEBALL is
 # the program, ./nineball by default; $srcdir is the top of the source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.

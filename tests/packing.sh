@@ -111,7 +111,7 @@ for field in 2:radius 3:y 4:x; do
   result $? "its state is out of date when the ${field#*:} of a particle has changed"
 done
 
-# A state has the same hash, whether `nineball state` writes it or a run of a page that starts from it.
+# A state has the same hash whether `nineball state` writes the state or a run of a page that starts from the state.
 "$nineball" state "$pages/first.md" -o "$work/first.state" >"$work/said" 2>&1 && "$nineball" run "$pages/second.md" --states "$states" -o "$work/second" >"$work/said" 2>&1 &&
   hash=$(sed -n 's/^hash //p' "$work/first.state") && test "$hash" != 0000000000000000 && test -s "$states/first-look-$hash.state" &&
   grep -qx "hash $hash" "$states/first-look-$hash.state"

@@ -28,7 +28,8 @@ named() {
     }
   }'
 }
-# These print the rows of a document, the figures in the first column of a row, and the pages to which its second column links.
+# rows prints the rows of a document, first the figures in the first column of a row, and cases the pages to which the second column
+# links.
 rows() { grep '^|' "docs/papers/$1.md" | grep -v '^| \(where\|figure\) |\|^| ---'; }
 first() { cut -d '|' -f 2 | sed 's/^ *//'; }
 cases() { cut -d '|' -f 3 | grep -o '(\.\./[^)#]*' | sed 's/^(//'; }

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Tests the program from outside: exit status, output, and files. TAP.
-# $NINEBALL is the program, ./nineball by default; $srcdir is where tests/pages lies.
+# $NINEBALL is the program, ./nineball by default; $srcdir is the top of the source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
@@ -194,7 +194,7 @@ test "$(column 'D.x max/-' reports/values.tsv)" = 1 || echo 'a reported measure 
 verdict 'a page without expectations does not pass but can be run; `report` is not an expectation'
 
 # The reference of a measure in values.tsv is the expected value of the page, also of a later line, times the measure that
-# the line divides by; of a residual 0, unless the page gives another value. A claim without a value gives nan.
+# the line divides by; of a residual 0, unless the page gives another value. An expectation without a value gives nan.
 sed 's/^step .*/&\nmonitor D disc 1\nrecord D.x D.y energy.residual/' "$pages/asks-nothing.md" >expected.md
 printf '\n```expect\nreport D.x max\nD.x max expected (1 + 1) within 3 [sum]\nD.x min expected (1/4) of D.y within 300 %% [quarter]\nD.y above -9\nenergy.residual expected 3 within 4 [three]\nreport energy.residual max\n```\n' >>expected.md
 "$nineball" run expected.md -o expected >out 2>said
@@ -504,7 +504,7 @@ out '  last, 34 cycles'
 sed '/^stage last/,$s/100 cycles/33 cycles/' clock.md >short.md
 run 0 explain short.md
 out '  last, does not end: the condition on line 21 does not hold within 33 cycles'
-# The last cycle of a stage is tested too, whether `every N cycles` divides their number or not.
+# The condition is also tested in the last cycle of a stage, even if this cycle is no multiple of N in `every N cycles`.
 for row in '1.4 3 8=6' '1.9 3 8=8' '1.4 10 8=8' '1.4 8 8=8' '0.9 4 9=4' '2.1 3 9=9'; do
   set -- ${row%=*}
   sed "/^stage fall/,/^until/s/above 2 every 3 cycles at most 100/above $1 every $2 cycles at most $3/" clock.md >every.md

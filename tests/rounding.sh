@@ -8,7 +8,7 @@
 top=$(pwd)
 cd "$work" || exit 1
 
-# Positions that are binary fractions are the same in each mode; v dt is not a binary fraction. Each of the 2^12 additions to x
+# Positions that are binary fractions are the same in each mode. For disc 2 v dt is not a binary fraction. Each of the 2^12 additions to x
 # differs by at most one unit in the last place, so x keeps at least 53-13 bits. Errors of directed rounding have one sign: they
 # amount to at least 2^12/2^7 units, so x keeps at most 53-6 bits.
 page() {

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Tests that the table is the same, byte by byte, for any number of threads and any instruction set. TAP. $NINEBALL is
-# the program, ./nineball by default; $srcdir is where tests/pages lies.
+# the program, ./nineball by default; $srcdir is the top of the source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 

@@ -53,7 +53,8 @@ struct axis {
   double values[AXIS];
   int count;
 };
-/* `other` is a further axis of some systems: rotation, angle. */
+/* `other` is a further axis of some systems: rotation, angle. `title` and `what` are the heading and the description of
+ * the system in docs/STABILITY.md, and `anchor` is the target of links to it. */
 struct system {
   const char *name, *title, *anchor, *what;
   void (*write)(FILE *page, const struct system *system, double mass, double other);
@@ -66,7 +67,7 @@ struct column {
 };
 
 static void materials(FILE *page, double mass) {
-  /* Discs of material a have the mass 1, those of material b the given one. */
+  /* Discs of radius 1 have the mass 1 if they are of material a, and the given mass if they are of material b. */
   const double pi = 3.14159265358979323846;
   fprintf(page, "material a density %.17g kn 1 ks $ratio friction 1\n", 1 / pi);
   fprintf(page, "material b density %.17g kn 1 ks $ratio friction 1\n", mass / pi);
@@ -123,7 +124,8 @@ static void write_wedge(FILE *page, const struct system *system, double mass, do
 }
 
 /* The random packing. A box is filled and made smaller without friction until the contacts carry a stress; then the
- * discs come to rest. It has no shear forces, so it is in equilibrium with any shear stiffness, masses and damping. */
+ * discs come to rest. The packing has no shear forces, so it is in equilibrium with any shear stiffness, masses and
+ * damping. */
 static struct nb_table packing_discs, packing_walls;
 static const char packing_page[] =
     "units none\nmaterial m density (1/pi) kn 1\nnormal linear\nbox 0 0 to 9.2 9.2 m\n"
@@ -398,8 +400,9 @@ static struct mode mode_of(const struct limit *limit, double a, double b, bool l
   return mode;
 }
 
-/* The cause of the limit, from its mode u: "damping" if more than half of u'(dt^2 K + 2 dt C)u is that of the dashpots,
- * else "rotation" if more than half of u'u is rotation, else "normal" or "tangential", whichever part is larger. */
+/* The cause of the limit, from its mode u. It is "damping" if the dashpots make up more than half of u'(dt^2 K + 2 dt
+ * C)u. Otherwise it is "rotation" if the rotations make up more than half of u'u, and else "normal" or "tangential",
+ * whichever part is larger. `step`: the limit. */
 static const char *cause_of(const struct limit *limit, double step) {
   struct mode mode = mode_of(limit, step * step, 2 * step, true);
   double parts[2] = {0}, dashpots = 0, rotation = 0, all = 0;
@@ -459,6 +462,7 @@ static double displacement(const struct nb_model *model, const struct mode *mode
   return sum;
 }
 
+/* Finds the slowest mode, and runs the system with 1/FINE of the limit `longest` (s) as its step, for comparison. */
 static void slow_begin(struct slow *slow, struct written *it, const struct limit *limit, double longest) {
   slow->mode = mode_of(limit, 1, 0, false);
   gsl_vector *stretched = gsl_vector_alloc(limit->lattice.stretch->size1);
@@ -488,7 +492,8 @@ static void slow_end(struct slow *slow) {
   gsl_vector_free(slow->mode.shape);
 }
 
-/* The largest error of the displacement in a run with the step `f` times `longest`, over the largest displacement. */
+/* The largest error of the displacement in a run with the step `f` times the limit `longest`, over the largest
+ * displacement. */
 static double error_of(const struct slow *slow, struct written *it, double longest, double f) {
   double rest[3 * MOST], most = 0;
   struct nb_error error = {0};
@@ -527,7 +532,8 @@ static const char *guard_of(const char *text) {
   return "motion";
 }
 
-/* Runs the scene with random velocities. `distance` is the displacement in the first cycle over the mean overlap. */
+/* Runs the scene with random velocities. `distance` is the largest displacement in the first cycle over the mean
+ * overlap. */
 static struct symptom symptom_of(struct written *it, double step, double distance, int cycles) {
   struct symptom symptom = {0};
   struct nb_error error = {0};
@@ -573,7 +579,7 @@ struct result {
   struct symptom usual; /* at half the limit */
   struct point points[STEPS + 1];
 };
-static double wrong_limit = 1, wrong_bound = 1; /* planted errors */
+static double wrong_limit = 1, wrong_bound = 1; /* planted errors: factors of the limit and of the bound */
 static size_t complaints;
 static bool silent; /* complaints are only counted */
 
@@ -764,7 +770,8 @@ static void add_column(struct map *map, const struct column *column, const struc
   }
 }
 
-/* True if a column is computed. `brief`: two or three columns of the system; otherwise all. */
+/* True if a column is computed. m, r, d and o are its indices on the axes: mass, ratio, damping, other. `brief`: two or
+ * three columns of each system; otherwise all. */
 static bool taken(const struct system *system, int m, int r, int d, int o, bool brief) {
   return !brief || (m == system->mass.count - 1 && r == 2 && d % 2 == 1 && o == system->other.count - 1);
 }

@@ -97,8 +97,8 @@ static void margins_stated_in_step_limit(void) {
   CU_ASSERT_DOUBLE_EQUAL(damped, 0.56, 0.005);
 }
 
-/* Nine discs that cannot rotate: omega^2 = 2 (2 + sqrt 2) k/m, from rows and columns together. With rotation omega^2 is
- * 2.05 times as large. */
+/* Nine discs that cannot rotate: omega^2 = 2 (2 + sqrt 2) k/m, of which rows and columns contribute half each. With
+ * rotation omega^2 is 2.05 times as large. */
 static void rotation_lowers_the_limit(void) {
   struct words page = {0};
   struct written it;
@@ -184,6 +184,8 @@ static void damping(struct words *page, struct chance *chance) {
     words_add(page, "damping mass %.17g\n", chance_scale(chance, 0.01, 10));
 }
 
+/* Tests `seeds` random networks of nx by ny particles. The guaranteed stable step must exceed `least` times the limit
+ * in each of them. `cycle`: also compares the limit of the modes with that of the cycle. */
 static void random_networks(unsigned seeds, size_t nx, size_t ny, bool cycle, double least) {
   double sum = 0, lowest = 1;
   for (unsigned seed = 1; seed <= seeds; seed++) {

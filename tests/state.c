@@ -1,5 +1,5 @@
 /* A run that continues from a saved state gives the same bits as the uninterrupted run, with every law and damping,
- * after every kind of change, and with other options for the second half.
+ * after every kind of change, and with other options after the state than before it.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -100,7 +100,8 @@ static void an_impact_with_a_phase(void) {
   written_free(&it);
 }
 
-/* The balances of a continued run count from the saved state on, and they close. */
+/* The balances of a continued run count from the saved state on. From then on their terms and residuals change as in
+ * the uninterrupted run. */
 static void balances_begin_anew(void) {
   static const char *const balance[] = {"work.residual", "energy.residual",   "energy.walls",
                                         "energy.damped", "energy.frictional", "energy.gravity"};
@@ -147,8 +148,8 @@ static void balances_begin_anew(void) {
   }
 }
 
-/* Rules for pairs that a stage makes are in the state and fit the page. A state with more rules than the page can
- * make does not fit. */
+/* The rules that `pair` statements of a stage make are in the state, which fits the page. A state with more rules than
+ * the page can make does not fit. */
 static void rules_of_stages_fit(void) {
   struct words page = {0};
   struct written it;

@@ -110,8 +110,9 @@ static void a_changed_law(void) {
        "");
 }
 
-/* Resumes the page from a state that differs from it; the state must be refused. `drop` selects the difference: 0 none,
- * 1 and 2 the imposed motion, 3 the cell, 4 the boundary, 5 the rotation, 6 the pressure on the boundary. */
+/* Resumes the page from a state that differs from the page and must be refused. `drop` selects the difference: 0 none
+ * (the state must be accepted), 1 and 2 the imposed motion, 3 the cell, 4 the boundary, 5 the rotation, 6 the pressure
+ * on the boundary. */
 static void resume_with_difference(const char *statements, int drop) {
   struct words words = {0};
   struct written it;

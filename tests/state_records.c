@@ -74,7 +74,7 @@ static const struct {
     {'k', {"", "x", "-", "-1", "+1", "1x", "0", "4000000000", "99999999999999999999"}}, /* from 1 on */
 };
 
-/* The start of the first line that begins with this word; there must be one. *end: the end of this line. */
+/* The start of the first line that begins with this word; there must be one. *end becomes the end of this line. */
 static char *line_of(char *text, const char *word, char **end) {
   const size_t length = strlen(word);
   char *at = text;
@@ -91,7 +91,7 @@ static size_t line_number(const char *text, const char *at) {
   return number;
 }
 
-/* Reads the text with the bytes from `from` to `to` replaced by others, and returns the error. */
+/* Reads the text with the bytes from `from` to `to` replaced by the text `by`, and returns the error. */
 static struct nb_error read_changed(const char *text, size_t size, const char *from, const char *to, const char *by) {
   struct nb_saved saved;
   struct nb_error error = {NB_OK, ""};
@@ -105,12 +105,14 @@ static struct nb_error read_changed(const char *text, size_t size, const char *f
   return error;
 }
 
+/* Tests that the state is refused if its field is replaced by the text `by`, with an error at this field. `vector`: the
+ * field is a component of a unit vector. */
 static void refused(const char *text, size_t size, char *field, size_t length, const char *by, bool vector) {
   char where[32], *line = field;
   while (line > text && line[-1] != '\n')
     line--;
   snprintf(where, sizeof where, "a.state:%zu:%zu: ", line_number(text, field), (size_t)(field - line) + 1);
-  where[vector ? strcspn(where, ":") + 1 : strlen(where)] = 0; /* at the last number of the unit vector */
+  where[vector ? strcspn(where, ":") + 1 : strlen(where)] = 0; /* the error is at the last component */
   const struct nb_error error = read_changed(text, size, field, field + length, by);
   if (strncmp(error.text, where, strlen(where)) != 0)
     printf("# `%s` in %.*s: expected %s…, found `%s`\n", by, (int)(strcspn(field, "\n") + (size_t)(field - line)), line,
@@ -218,7 +220,7 @@ static void at_most(void) {
   size_t size;
   char *text = state_of(state_plain, &size), *end, *at = line_of(text, "units", &end);
   char *many = calloc(NB_NAMED_MAX + 1, 16);
-  for (int k = 0; k + 1 < NB_NAMED_MAX; k++) /* there is one already */
+  for (int k = 0; k + 1 < NB_NAMED_MAX; k++) /* state_of has made one */
     strcat(many, "setting a=1\n");
   CU_ASSERT_EQUAL(read_changed(text, size, at, at, many).status, NB_OK);
   strcat(many, "setting a=1\n");

@@ -1,4 +1,4 @@
-/* Statements of a page, in cases in which no other test would detect a small error of the reader.
+/* Statements of a page, in cases in which no other test would detect a small error in the code that reads them.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -25,8 +25,8 @@ static struct nb_wall wall_of(const char *statement) {
   return wall;
 }
 
-/* A point of `about` on the line of a wall counts as on the line in spite of rounding; a point beside the line does
- * not. Both hold for walls of any size. */
+/* If the point after `about` is on the line of the wall, its distance h0 from the line is exactly 0, in spite of
+ * rounding. If the point is beside the line, h0 is its distance. Both hold for walls of any size. */
 static void a_wall_turns_about_a_point(void) {
   static const double sizes[] = {1e-6, 1e-3, 1, 1e3, 1e6};
   for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++)
@@ -57,8 +57,8 @@ static void one_rigid_sphere(void) {
   written_free(&it);
 }
 
-/* Reads the columns `a` (or `b`) and `c` of a file; c must be above 0. Returns the number of rows; *sum is the sum of
- * a + 1000 c, and *mistakes the number of errors. */
+/* Reads the columns `a` (or `b`) and `c` of a file with this text, for a scene without units if `unitless`; c must be
+ * above 0. Returns the number of rows. *sum becomes the sum of a + 1000 c, and *mistakes the number of errors. */
 static size_t columns(double *sum, size_t *mistakes, bool unitless, const char *text) {
   static const struct nb_wanted_column wanted[] = {{"a", "b", false}, {"c", NULL, true}};
   char path[] = "/tmp/nineball-columns-XXXXXX";
@@ -140,7 +140,7 @@ static void walls_of_the_first_stage(void) {
   const char *walls = "wall f -90 0 to 90 0 r\nwall g -90 90 to 90 90 r";
   const double slow = step_of("wall f -90 0 to 90 0 r velocity 0 0.1", "");
   const double fast = step_of("wall g -90 90 to 90 90 r velocity 0 -0.2", "");
-  CU_ASSERT_DOUBLE_EQUAL(slow, pow(2, 0.2) * fast, 1e-14 * slow); /* as v^(-1/5) */
+  CU_ASSERT_DOUBLE_EQUAL(slow, pow(2, 0.2) * fast, 1e-14 * slow); /* proportional to v^(-1/5) */
   CU_ASSERT_EQUAL(step_of(walls, "wall g velocity 0 5\nwall f velocity 0 0.1\n"), slow);
   CU_ASSERT_EQUAL(step_of(walls, "wall f velocity 0 0.1\nramp wall g velocity 0 -5\n"), slow);
   CU_ASSERT_EQUAL(step_of(walls, "wall g velocity 0 -0.2\nramp wall f velocity 0 5\n"), fast);
@@ -159,6 +159,7 @@ static const struct {
     {NB_IN_SEGMENT, "```contact-test\nlet speed = 1 m/s\nsegment go slip by 1 um\n", "\n```\n"},
 };
 
+/* The words of the message about a statement in the place `here` that is allowed in the places `where`. */
 static const char *rightly(unsigned where, unsigned here) {
   const unsigned test = NB_IN_CONTACT_TEST | NB_IN_SEGMENT, scene = NB_IN_SCENE | NB_IN_STAGE;
   if (!(where & (here & test ? test : scene)))
@@ -169,8 +170,8 @@ static const char *rightly(unsigned where, unsigned here) {
                                       : "before the first `segment`";
 }
 
-/* The line of the row's example that begins with the word of the row. The example may have any number of blanks between
- * the words. */
+/* Copies to `line` the line of the row's example that begins with the words of the row. The example may have any number
+ * of spaces between the words. */
 static void example_line(char *line, size_t size, const struct nb_keyword *row) {
   char words[128] = "";
   for (const char *at = row->example; *at && strcmp(words, row->word) != 0;

@@ -96,7 +96,7 @@ static void duration_of_collisions(void) {
        hertz(1, 1, 1, 0.1) / 20, 1e-14);
   NEAR(step_of(SPHERES "sphere 0 3 radius 1 m velocity -0.35 -0.1\nwall w -9 0 to 90 0 r\nstep 20 per collision\n"),
        hertz(1, 1, 1, 0.1) / 20, 1e-14);
-  /* at first touch the sphere is at x = 1.5 or -1.5, beyond the end of the wall, and hits this end */
+  /* the sphere reaches the height 1, its radius, at x = 1.5 or -1.5, beyond the end of the wall, so it hits this end */
   NEAR(step_of(SPHERES "sphere 0 3 radius 1 m velocity 0.3 -0.4\nwall w -90 0 to 1.25 0 r\nstep 20 per collision\n"),
        hertz(1, 1, 1, 0.3) / 20, 1e-14);
   NEAR(step_of(SPHERES "sphere 0 3 radius 1 m velocity -0.3 -0.4\nwall w -1.25 0 to 90 0 r\nstep 20 per collision\n"),
@@ -147,8 +147,8 @@ static void equal_collisions(void) {
   written_free(&it);
 }
 
-/* A later stage predicts collisions with the velocities of the time at which it begins. They differ from the stored ones,
- * which are those half a step earlier. */
+/* A later stage predicts collisions with the velocities at the time at which the stage begins. The stored velocities
+ * are those of half a step earlier. */
 static void velocities_of_a_later_stage(void) {
   struct words page = {0};
   struct written it;
@@ -329,7 +329,7 @@ static void a_collision_step_that_is_set_is_kept(void) {
 
 /* ---- the stability check ---- */
 
-/* The status of a run of these statements, its cycles and its message. */
+/* Runs these statements and returns the status. *cycles becomes the number of cycles, and *error has the message. */
 static enum nb_status ends(const char *statements, unsigned long *cycles, struct nb_error *error) {
   struct words page = {0};
   struct written it;

@@ -69,7 +69,8 @@ static void random_steps(void) {
 }
 
 /* A wall of length 2 on the x axis from h1 to h1 + 2, so that one of its ends can be at the origin, where
- * coordinates have the finest resolution. A disc of radius 1 is at (x, y) after a step of 1 by (dx, dy). */
+ * coordinates have the finest resolution. A disc of radius 1 is at (x, y) after a time step of 1 in which it moved by
+ * (dx, dy). Returns the message of *error, or "" if the disc has not crossed the wall. */
 static const char *crossing(struct nb_error *error, double h1, bool fixed, double x, double y, double dx, double dy) {
   struct words page = {0};
   struct written it;

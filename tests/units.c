@@ -107,7 +107,7 @@ static void written(void) {
 }
 
 /* Units of other systems, from their definitions: the inch, the foot, the pound (kg), the standard acceleration and
- * the standard atmosphere are exact by international agreement. A pound as a unit is the force. */
+ * the standard atmosphere are exact by international agreement. The unit `lb` means the force of a pound. */
 #define INCH 0.0254
 #define FOOT (12 * INCH)
 #define GRAVITY 9.80665

@@ -101,8 +101,8 @@ static void below_and_above(void) {
   planted_one("A.y above A.x", NULL, 0, 2, (double[]){0, nextafter(2, 3)}, NB_FAIL,
               "computed 2 and 2.0000000000000004");
   planted_one("A.y above A.x", NULL, 0, 2, (double[]){0, 2.0 / 3}, NB_PASS, "computed 2 and 0.666667");
-  /* The error is the difference over the larger number: at 1.0005e-5 of it seven digits show two digits of the
-   * difference, at 0.9995e-5 eight are needed. */
+  /* If the difference is 1.0005e-5 of the larger number, seven digits show two digits of the difference. If it is
+   * 0.9995e-5 of the larger number, eight digits are needed. */
   planted_one("A.x below 1.2345678", NULL, 0, 1, (double[]){1.2345678 * (1 - 1.0005e-5)}, NB_PASS, " and 1.234568");
   planted_one("A.x below 1.2345678", NULL, 0, 1, (double[]){1.2345678 * (1 - 0.9995e-5)}, NB_PASS, " and 1.2345678");
   planted_one("A.x above 1.2345678", NULL, 0, 1, (double[]){1.2345678 / (1 - 1.0005e-5)}, NB_PASS, " and 1.234568");
@@ -267,7 +267,7 @@ static void words(void) {
   nb_outcome_free(&outcome);
 }
 
-/* A reference solution may have a measure of one stage, or of every stage. */
+/* A reference solution may return the value of a measure for one stage, or a value for every stage. */
 static void reference_of_a_stage(void) {
   static const double x[] = {1, 2, 3, 4, 5, 6};
   planted_one("A.x in one within 0", "A.x in one", 3, 6, x, NB_PASS, "reference 3");
@@ -335,8 +335,9 @@ static void parts_of_the_message(void) {
   }
 }
 
-/* A residual has both signs. If its largest value passes and the smallest would not, the text says so, unless the page
- * checks the smallest one of the same rows, too. Rows 0 to 2 are those of stage one, rows 3 to 5 those of stage two. */
+/* A residual has both signs. If its largest value passes and its smallest one would not, the text says so, unless the
+ * page also checks the smallest one of the same rows. The same holds for a smallest value that passes. Rows 0 to 2 are
+ * those of stage one, rows 3 to 5 those of stage two. */
 static void one_sign_of_a_residual(void) {
   static const struct {
     const char *expectation;

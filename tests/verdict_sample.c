@@ -9,11 +9,13 @@
 #include "planted.h"
 #include "suites.h"
 
-/* Four pairs differ by m -+ 1, with the standard deviation s = sqrt(4/3). By Student's t with 3 degrees of freedom,
- * the 95 % confidence interval of their mean is +- t s/sqrt(4) = HALF. t: Abramowitz and Stegun, table 26.10. */
+/* The differences of four pairs of runs are m - 1 or m + 1, with the standard deviation s = sqrt(4/3). By Student's t
+ * with 3 degrees of freedom, the 95 % confidence interval of the mean difference is m +- HALF, where HALF is
+ * t s/sqrt(4). t: Abramowitz and Stegun, table 26.10. */
 static const double HALF = 3.182446305284263 * 1.1547005383792515 / 2;
 
-/* T is 1 and 2, seed 1 to 4. The runs scatter much more than the differences of pairs. */
+/* Tests an expectation over a sample: T is 1 and 2, seed 1 to 4. The mean of all runs is `level`, and `m` is the mean
+ * difference of the pairs. The runs scatter much more than these differences. */
 static void pairs(const char *expectation, double m, double level, enum nb_mark mark) {
   struct planted_sweep it = {
       "sweep T 1 2\nsweep seed 1 2 3 4", expectation, {0}, mark, "from 1 to 2: mean difference "};
@@ -93,7 +95,8 @@ static void samples(void) {
   planted_sweeps(list, COUNT(list));
 }
 
-/* The percentile of an expected value among the runs is a note. Only a value that is not a finite number fails. */
+/* The verdict on an expected value over a sample is a note with its percentile among the runs. It fails only if a value
+ * is not a finite number. */
 static void among(void) {
   static const struct planted_sweep list[] = {
       {"sweep s 1 2 3 4",

@@ -34,8 +34,8 @@ static void skipped(void) {
   nb_outcome_free(&outcome);
 }
 
-/* The values of a sweep may depend on those of another one. Then a line is checked for some values of the other one, and
- * skipped for those that leave nothing to compare. */
+/* The values of a sweep may depend on those of another sweep. Then an expectation is checked for some values of the
+ * other sweep, and skipped for values that leave nothing to compare. */
 static void skipped_in_part(void) {
   struct nb_outcome outcome;
   planted_page(&outcome, "sweep s 2 1\nsweep v with w  1 5  $s 6", "A.x increases with v");
@@ -75,7 +75,7 @@ static void hidden(void) {
     planted_page(&outcome, "", text);
     planted_rows(&outcome, 0, 1, (double[]){1});
     planted_is(&outcome, NB_PASS);
-    const int first = outcome.checks[0].line + 3; /* of the planted text */
+    const int first = outcome.checks[0].line + 3; /* line of the planted text */
     CU_ASSERT_EQUAL(outcome.mark_count[NB_SKIP], rows[k].skipped ? 1 : 0);
     if (rows[k].skipped) {
       CU_ASSERT_EQUAL(outcome.checks[1].line, first + rows[k].skipped - 1);
@@ -92,8 +92,8 @@ static void write_file(char path[], const char *text) {
   fclose(file);
 }
 
-/* If a setting replaces the segments of a contact test, each expectation of the page is reported as skipped, and no other
- * line is. Without this setting the expectations are checked. */
+/* If a setting replaces the segments of a contact test, each expectation of the page is reported as skipped, and no
+ * other line is. Without this setting the expectations are checked. */
 static void replaced_segments(void) {
   static const char text[] =
       "# A title\n```contact-test\nmaterial g young 70 GPa poisson 0.25 friction 0.3\nnormal hertz\nshear mindlin\n"

@@ -72,12 +72,14 @@ static void velocity_of_a_point(void) {
 
 /* ---- one contact at a common end ---- */
 
-/* A disc that rolls on a floor of one or several walls under gravity: its position and moment in each cycle. `turn`
- * rotates the scene, so that coordinates are not round numbers; `both` counts the cycles with two contacts. */
+/* A disc that rolls on a floor of one or several walls under gravity: its position and moment in each cycle, and the
+ * number of cycles with two contacts. */
 struct rolled {
   double x[2000], moment[2000], both;
 };
 
+/* Runs the disc on a floor of these walls. `skin` is a statement or empty. `turn`, rad, rotates the scene, so that
+ * coordinates are not round numbers. */
 static void roll(struct rolled *seen, const char *floor, const char *skin, double turn) {
   struct words page = {0};
   struct written it;
@@ -99,7 +101,7 @@ static void roll(struct rolled *seen, const char *floor, const char *skin, doubl
 }
 
 /* A disc beside the common end of two walls. The second wall has no contact with the disc as long as the ends coincide.
- * It has a contact from the cycle on in which it moves away. */
+ * This wall gets its contact in the first cycle in which it moves away. */
 static void a_wall_that_moves_away_has_a_contact_at_once(void) {
   struct words page = {0};
   struct written it;
@@ -147,7 +149,7 @@ static void move_end(double from, const double to[2], const int cycles[2], const
 }
 
 /* Ends that are apart at time 0 never become common. Ends that coincide at time 0 are common when they meet again. In
- * the second call the end of b is at 0.04 at the last search, so the ends do not coincide then. */
+ * the second call the end of b is at x = 0.04 at the last search, so this search does not see that the ends meet. */
 static void common_ends_are_those_of_time_0(void) {
   const double at_end = 400 * (1 - hypot(0.2, 0.95));
   const int equal[2] = {10, 10}, unequal[2] = {15, 3};
@@ -207,7 +209,7 @@ static double push(const char *walls, double x, double y, double *contacts) {
 }
 
 static void one_contact_at_a_corner(void) {
-  const char *corner = "wall a -9 0 to 0 0 m\nwall b 0 0 to 0 -9 m"; /* from outside, then from inside */
+  const char *corner = "wall a -9 0 to 0 0 m\nwall b 0 0 to 0 -9 m"; /* a disc outside the corner, then one inside */
   double contacts;
   for (double angle = -0.1; angle < pi / 2 + 0.1; angle += 0.05) { /* around the corner, from above to the right */
     const double x = 0.9 * sin(angle), y = 0.9 * cos(angle);
@@ -215,7 +217,7 @@ static void one_contact_at_a_corner(void) {
     CU_ASSERT_DOUBLE_EQUAL(push(corner, x, y, &contacts), 100 * alpha, 1e-9);
     CU_ASSERT_EQUAL(contacts, 1);
   }
-  CU_ASSERT_DOUBLE_EQUAL(push(corner, -0.9, -0.8, &contacts), 100 * hypot(0.1, 0.2), 1e-9); /* inner corner: two */
+  CU_ASSERT_DOUBLE_EQUAL(push(corner, -0.9, -0.8, &contacts), 100 * hypot(0.1, 0.2), 1e-9); /* inside: two contacts */
   CU_ASSERT_EQUAL(contacts, 2);
   push("wall a -9 0 to 0 0 m\nwall b 0 0 to 9 0 m\nwall c 0 0 to 0 -9 m", 0, 0.9,
        &contacts); /* three walls with a common end */
@@ -305,7 +307,8 @@ static void every_crossing_stops_the_run(void) {
           "particle 1 (line 6) passed through wall `w` (line 7)", 556);
   through("disc 0 1e-3 radius 1e-6 m velocity 0 -30\nwall w -5 0 to 5 0 m about 1 -2\ndisc 50 50 radius 30 m", passed,
           1);
-  /* Both move by less than half the skin, so there is no search. They meet after 3 at the speed 1.8. */
+  /* The disc and the wall each move by less than half the skin, so there is no search. They are at the distance 3 at
+   * first, and approach each other at the speed 1.8. */
   through("skin 4\nmaterial h density 1e9 kn 10\ndisc 0 3 radius 0.02 h velocity 0 -0.9\n"
           "wall w -5 0 to 5 0 m velocity 0 0.9\ndisc 50 50 radius 30 m",
           "particle 1 (line 7) passed through wall `w` (line 8)", 167);
@@ -321,7 +324,7 @@ static void every_crossing_stops_the_run(void) {
   through("disc 50 50 radius 1 m\ndisc 0 3 radius 1 m velocity 0 -999\nwall w -5 0 to 5 0 m",
           "particle 2 (line 6) passed through wall `w` (line 7)", 1);
   through("disc 0 3 radius 1 m velocity 0 -1\nwall w -5 0 to 5 0 m", NULL, 1000);  /* bounces */
-  through("disc 7 3 radius 1 m velocity 0 -99\nwall w -5 0 to 5 0 m", NULL, 1000); /* past its end */
+  through("disc 7 3 radius 1 m velocity 0 -99\nwall w -5 0 to 5 0 m", NULL, 1000); /* past the wall's end */
   through("disc 0 3 radius 1 m velocity 0 -999 fixed\nwall w -5 0 to 5 0 m", NULL,
           1000); /* fixed particles may cross */
   through("disc 0 3 radius 1 m velocity 5 -2\nwall w -5 0 to 5 0 m velocity 5 -2 spin 0.01", NULL, 1000);

@@ -1,5 +1,5 @@
-/* Waves in a lattice: the velocities of `perturb wave`, and the speeds of long waves in the reference
- * (cases/refs/waves.h), which must follow from the elastic moduli.
+/* Waves in a lattice: the velocities of `perturb wave`, and the reference (cases/refs/waves.h), in which the speeds of
+ * long waves must follow from the elastic moduli.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -36,8 +36,8 @@ static void a_wave_is_a_sine_from_the_centre(void) {
 }
 
 /* Sets `slow` and `fast` to rho c^2 of the two waves in the direction `angle`, with the density rho and the speed c.
- * The wave number q and the spacing s satisfy q s = 1e-3. The finite wavelength changes rho c^2 by a fraction of about
- * (q s)^2/12. */
+ * The lattice is hexagonal or square, its discs can rotate if `turns`, and its shear stiffness is `ks`. The wave number
+ * q and the spacing s satisfy q s = 1e-3. The finite wavelength changes rho c^2 by a fraction of about (q s)^2/12. */
 static void speeds(bool hexagonal, bool turns, double angle, double ks, double *slow, double *fast) {
   const double s = 2, q = 1e-3 / s, density = 4 / (s * s * (hexagonal ? sqrt(0.75) : 1));
   const struct waves_lattice lattice = {

@@ -209,7 +209,7 @@ TEXT
 
 ## Cycles of the processor
 
-\`tests/bench/passes PAGE\` repeats each pass of a cycle alone on the arrays of a run, and takes the least of 400 times
+\`tests/bench/passes PAGE\` repeats each pass of a cycle alone on the arrays of a run, and takes the least of the times
 ([passes.c](../tests/bench/passes.c)). Other programs hardly change it. The table has the processor's clock cycles per
 contact, the least of three runs. The shear law of Hertz's rows is \`mindlin\`, and its column includes the test for
 large overlaps. \`motion\` is the sum of forces and the integration. The whole cycle is the least time of one without a

@@ -18,6 +18,7 @@ static bool run_control(struct nb_advice *advice, enum estimator control, struct
          (run_trials(advice, &advice->variants[0], finer - 1, 1) && run_trials(advice, &advice->variants[0], finer, 1));
 }
 
+/* The error that the control estimates for a setting, in run r. */
 static double control_claim(const struct nb_advice *advice, enum estimator control, const struct nb_variant *variant,
                             int level, size_t r, size_t phases) {
   const struct nb_point *point = point_of(variant, level);
@@ -55,7 +56,7 @@ static double control_ratio(struct nb_advice *advice, enum estimator control, st
 }
 
 /* Finds the coarsest level whose estimated error is within the tolerance. The control NO_ANCHOR tests a level at one
- * phase first, and then at all phases. False: there is none, or it costs `most` updates or more. */
+ * phase first, and then at all phases. False: there is no such level, or it costs `most` updates or more. */
 static bool search_levels(struct chosen *chosen, struct nb_advice *advice, enum estimator control,
                           struct nb_variant *variant, double most) {
   const int highest = advice->anchor > FINEST ? advice->anchor : FINEST;

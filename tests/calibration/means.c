@@ -38,8 +38,8 @@ static void run_realization(struct mean *mean, int index, const struct means *me
   nb_outcome_free(&outcome);
 }
 
-/* Returns the realizations with this setting: those in the list if they have been computed before, otherwise it
- * computes them. */
+/* Returns the realizations of the variant with the step divided by `refine`. Computes them if they are not in the list
+ * `means` yet. */
 static const struct mean *realizations(struct means *means, const struct nb_scene *page, const char *path,
                                        const struct nb_variant *variant, double refine) {
   char texts[3 + NB_TRADES][3 * NB_NAME_SIZE], setting[3 * NB_NAME_SIZE];

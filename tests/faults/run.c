@@ -138,7 +138,8 @@ static int to_file(const char *name, int as) {
   return file < 0 ? -1 : dup2(file, as);
 }
 
-/* Runs a case in which call n fails. Returns the status of wait; *calls: number of calls that could have failed. */
+/* Runs a case in which call n fails, and if `lasting` all later calls. Returns the status that waitpid gives. *calls
+ * becomes the number of calls that could have failed. */
 static int run(int number, const char *folder, unsigned long n, bool lasting, unsigned long *calls) {
   int ends[2], status;
   prepare(folder);
@@ -174,7 +175,8 @@ static int run(int number, const char *folder, unsigned long n, bool lasting, un
   return status;
 }
 
-/* The reason why a run fails the test; NULL: it passes. */
+/* The reason why a run with this status of waitpid and these files in `folder` fails the test; NULL: it passes. The run
+ * without failing calls had the exit status `undisturbed` and left `whole` files in the folder `wanted`. */
 static const char *verdict(int status, int undisturbed, const char *folder, const char *wanted, size_t whole) {
   static char what[2 * PATH_SIZE];
   char path[PATH_SIZE];
@@ -201,7 +203,7 @@ static const char *verdict(int status, int undisturbed, const char *folder, cons
   return NULL;
 }
 
-/* Tests every call of a case, or only one. */
+/* Tests every call of a case, or only the call number `only` if this is not 0. True if all calls pass. */
 static bool inject(int number, unsigned long only) {
   char wanted[PATH_SIZE], folder[PATH_SIZE];
   unsigned long calls = 0, ignored, wrong = 0;

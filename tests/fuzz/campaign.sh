@@ -3,7 +3,7 @@
 #
 #   make fuzz                                       each reader for five minutes
 #   make fuzz FUZZ_SECONDS=60 FUZZ_READERS=pages    one reader for a minute
-#   make fuzz FUZZ=~/nights                         continues what the folder has from earlier nights
+#   make fuzz FUZZ=~/nights                         continues with the inputs that the folder has from earlier sessions
 #
 # The folder $FUZZ has the inputs found so far (READER/), those that failed (failed/), the program of each reader (build/)
 # and one row for each session (sessions.tsv). The table of all sessions is printed, and written to report.md. The command
@@ -31,7 +31,7 @@ test ! -w /dev/shm || export TMPDIR=/dev/shm
 
 # ---- the programs ----------------------------------------------------------------------------------------------------
 
-coverage=-fsanitize-coverage=inline-8bit-counters,pc-table # comparisons are not traced, which would halve the speed
+coverage=-fsanitize-coverage=inline-8bit-counters,pc-table # comparisons are not traced, because this would halve the speed
 checks=address,undefined,float-cast-overflow
 flags="-g -O2 -fno-omit-frame-pointer -fno-sanitize-recover=all"
 (

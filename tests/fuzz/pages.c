@@ -72,7 +72,7 @@ static void read_again(const struct nb_page *page, size_t run, nb_settings setti
   nb_mistakes_free(&same), nb_scene_free(&again);
 }
 
-/* Reads one run of the page, with its expectations; *runs: the number of runs. True if the run is valid. */
+/* Reads one run of the page, with its expectations. *runs becomes the number of runs. True if the run is valid. */
 static bool read_run(const struct nb_page *page, size_t run, nb_settings settings, size_t *runs) {
   struct nb_scene scene;
   struct nb_mistakes mistakes = {0};
@@ -93,7 +93,7 @@ static bool read_run(const struct nb_page *page, size_t run, nb_settings setting
   return !status && !expected;
 }
 
-/* Reads the first run of the page and the last one. True if both are valid. */
+/* Reads the first run of the page and the last one. True if the first one is valid. */
 static bool read_runs(const struct nb_page *page, nb_settings settings) {
   size_t runs;
   const bool valid = read_run(page, 0, settings, &runs);

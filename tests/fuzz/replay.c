@@ -104,8 +104,8 @@ static bool read_bytes(const struct fuzz_reader *reader, const unsigned char *by
   return reader->read(bytes, size);
 }
 
-/* Reads the inputs and random changes of them. Some inputs must be valid and others not; otherwise the test proves
- * nothing. */
+/* Reads the inputs, and prints the result as test number `test`. Some inputs must be valid and others not; otherwise
+ * the test proves nothing. */
 static void replay(struct corpus *corpus, int test) {
   size_t valid = 0;
   for (size_t k = 0; k < corpus->count; k++)
@@ -114,6 +114,7 @@ static void replay(struct corpus *corpus, int test) {
          corpus->count, corpus->reader->name, valid);
 }
 
+/* Reads random changes of the inputs. Some of them must be valid. */
 static void replay_changed(const struct corpus *corpus, int test) {
   const struct fuzz_reader *reader = corpus->reader;
   unsigned char *bytes = malloc(reader->longest);

@@ -66,7 +66,7 @@ static void make_state(struct continued *it, const struct nb_scene *scene) {
   nb_saved_free(&saved);
 }
 
-/* Page number K. Its name, "seedK", is also in the state. */
+/* Page number k. Its name is "seed" and this number, and the state contains this name. */
 static const struct continued *page_of(int k) {
   static struct continued all[PAGES];
   struct continued *it = &all[k];

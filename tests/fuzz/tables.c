@@ -10,7 +10,8 @@
 
 static const char version[] = "# nineball 1, advise --all\n", head[] = "page\thash\tresult\n";
 
-/* Opens the table, looks for a row and adds it if it is missing. True if the row was there. */
+/* Opens the table, looks for a row and adds it if it is missing. True if the row was there. *valid: whether the table
+ * can be opened. */
 static bool go_on(const char *path, const char *key, bool *valid) {
   struct nb_error error = {NB_OK, ""};
   struct nb_row_table table;

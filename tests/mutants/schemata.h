@@ -6,7 +6,7 @@
 #define NB_SCHEMATA_H
 
 extern int nb_mutant;                  /* the chosen mutant; 0: none */
-extern unsigned char *nb_site_reached; /* for each site, whether the program came there */
+extern unsigned char *nb_site_reached; /* for each site, whether the program has reached it */
 
 #define NB_SITE(s) nb_site_reached[s] = 1,
 

@@ -6,7 +6,7 @@
 libclang finds the mutants in the syntax tree; `alternatives` lists the kinds. A mutant that does not compile is left
 out. Every check runs once without a mutant, which records its time and the places it reaches. For each mutant
 of the sample (SAMPLE=all: every mutant) the checks that reach it run, the shortest first, until one fails. A check
-that takes three times as long as without a mutant, plus two seconds of processor time, has failed. The checks are the
+that takes more than three times its time without a mutant, plus two seconds of processor time, has failed. The checks are the
 unit suites and the invalid pages; ALSO adds the pages of `cases`, and scripts by name. MODULE is the name of a module in
 tests/mutants/rules.txt, or part of the name of a file. MUTANT=N runs one mutant. Rules `equal` name equivalent mutants.
 
@@ -444,7 +444,7 @@ def main():
     for k in range(jobs):
         os.makedirs(f"{work}/run{k}", exist_ok=True)
         folders.put(f"{work}/run{k}")
-    for name in os.listdir(source): # tests find their pages in `..` if they were built so
+    for name in os.listdir(source): # tests look for their pages in `..` if they were built to do so
         if name in ("cases", "tests", "docs", "plots", "src", "README.md", "HACKING.md", "NEWS", "build-aux", ".ci", "Makefile.am") and not os.path.lexists(f"{work}/{name}"):
             os.symlink(os.path.join(source, name), f"{work}/{name}")
     mutants, sites, left_out = make_program(module, names, work)

@@ -6,8 +6,8 @@
 #   -a, !a      a
 #   a < b       a > b, and the other way; <= becomes >, >= becomes <; == and != each the other
 #   a number    a thousandth more; 0 becomes 1
-#   a term      a thousandth more: after = return + - += -= ? : and an opening bracket or comma of arguments. If the
-#               result does not compile (a pointer, a structure), it is not a mutant.
+#   a term      a thousandth more, if the term follows = return + - += -= ? : or an opening bracket or comma of arguments. If
+#               the result does not compile (a pointer, a structure), it is not a mutant.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 

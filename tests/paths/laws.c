@@ -68,6 +68,8 @@ static void inspect(const struct contact *it, struct findings *findings) {
   findings->not_emptied += !(it->overlap > 0) && (it->s.force != 0 || it->n.force != 0);
 }
 
+/* Makes n equal steps to this overlap, with this tangential displacement in all, and returns their works. `findings` is
+ * NULL if the steps are not to be tested. */
 static struct works lead(struct contact *it, double overlap, double slip, int n, struct findings *findings) {
   const double from = it->overlap;
   struct works works = {0};
@@ -139,8 +141,8 @@ static void account_segment(struct contact *it, double overlap, double slip, str
 }
 
 /* The displacement at which a contact of this overlap slides: 3 mu N/(16 G* a) for elastic spheres [R89 3.25], and 1.5
- * times the displacement of a spring otherwise. It is at most the overlap, because contacts with high friction do not
- * move by more than that. */
+ * times the displacement of a spring otherwise. The result is at most the overlap, because contacts with high friction
+ * do not move by more than that. */
 static double slide_of(struct contact it, double overlap) {
   contact_go(&it, overlap, 0);
   const double slide = 1.5 * it.pair.friction * it.n.force / it.s.stiffness;

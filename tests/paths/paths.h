@@ -66,9 +66,10 @@ struct errors {
 struct replay;
 struct replay *replay_new(const struct nb_law *shear); /* `shear` is used as the exact law; free with replay_free */
 void replay_free(struct replay *replay);
-void replay_begin(struct replay *replay);
+void replay_begin(struct replay *replay); /* a new contact begins */
 /* Makes a step to this overlap, by the tangential increment ds. */
 void replay_go(struct replay *replay, struct nb_pair pair, double overlap, double ds, struct errors *errors);
+/* The errors in `steps` steps on random paths of this kind. */
 struct errors exact_on_paths(const struct nb_law *shear, int kind, long steps);
 
 /* ---- runs.c: the paths of contacts in runs of the program ---- */
