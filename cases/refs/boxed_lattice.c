@@ -93,8 +93,8 @@ static struct state equilibrium(const struct lattice *it, enum control control, 
   return s;
 }
 
-/* Reads the lattice. False: the page does not list equal touching discs row by row, in the order of y, or there are not
- * four walls with the stiffness of the discs. */
+/* Reads the lattice: equal touching discs, listed row by row in the order of y, and four walls with the stiffness of
+ * the discs. False: the scene is another one. */
 static bool find_lattice(struct lattice *it, const struct nb_scene *scene) {
   const struct nb_particle *first = scene->particles;
   size_t nx = 1;

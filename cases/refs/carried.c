@@ -10,11 +10,11 @@
  *
  *   x_(N+1) - (1 + K + e) x_N + K x_(N-1) = 0,   x_N = A l_1^N + B l_2^N,   l^2 - (1 + K + e) l + K = 0
  *
- * K is the fraction of the velocity that damping leaves in one cycle: 1 without damping; X/(2 - X), X and X with
- * `damping con1 X as cs79`, `as velocity` and `as all`. The roots l_1 and l_2 are complex for sufficiently negative e;
- * then the particle oscillates. A + B = x_0; from rest, x_1 = (1 + e) x_0.
+ * K is the fraction of the velocity that damping leaves in one cycle: 1 without damping, X/(2 - X) with
+ * `damping con1 X as cs79`, and X with `as velocity` or `as all`. The roots l_1 and l_2 are complex for sufficiently
+ * negative e; then the particle oscillates. A + B = x_0; from rest, x_1 = (1 + e) x_0.
  *
- * Returns, for D that monitors a particle:   D.x, D.y along cycle, m
+ * Returns, for D that monitors a particle:   D.x, D.y versus cycle, m
  * Accepts one or two stages with strains per cycle along the axes about the origin, one step and one damping; only the
  * last stage may be `accumulated`. Error: rounding.
  *

@@ -9,13 +9,13 @@
  *
  * In the cycle [CS79 22, 22a], from s = 0 with the velocity v, the amplitude of a mode after n cycles is exactly
  *
- *   s_n = v dt sin(n phi)/sin(phi),   sin(phi/2) = omega dt/2                 its frequency is slightly above omega, or
- *   s_n = v dt (-1)^(n-1) sinh(n g)/sinh(g),   cosh(g/2) = omega dt/2         it grows: the step is too long
+ *   s_n = v dt sin(n phi)/sin(phi),   sin(phi/2) = omega dt/2                 if omega dt < 2: an oscillation
+ *   s_n = v dt (-1)^(n-1) sinh(n g)/sinh(g),   cosh(g/2) = omega dt/2         if omega dt > 2: the mode grows
  *
  * Returns
- *   C.normal along cycle, time              for C that monitors a contact
+ *   C.normal versus cycle, time             for C that monitors a contact
  *   C.normal mean, C.normal frequency       for C that monitors a contact, if a single mode moves and is stable
- *   D.x, D.vx.half along cycle, time        for D that monitors a particle
+ *   D.x, D.vx.half versus cycle, time       for D that monitors a particle
  *   time in STAGE                           of a stage that lasts until one of these quantities is above a value
  *   step.stable                             2/omega with omega^2 = 4 k/m, for N > 1
  * Exact as long as no contact opens, which is not checked: a straight row of linear springs is a linear system.
@@ -44,7 +44,7 @@ struct mode_sum {
   bool velocity;
   size_t count;
   struct mode {
-    double amplitude; /* sin(q l) v dt */
+    double amplitude; /* factor of sin(n phi)/sin(phi), such as sin(q l) v dt */
     double half;      /* omega dt/2 */
   } modes[];
 };
@@ -77,8 +77,8 @@ static double shape(const struct chain *chain, size_t j, size_t l) {
   return l == 0 || l == chain->n + 1 ? 0 : sin(pi * (double)(j * l) / (double)(chain->n + 1));
 }
 
-/* Adds curves of rest + factor (u_a - u_b) along cycle and time; for b = a, of rest + factor u_a. `velocity`: of the
- * velocity in place of u. */
+/* Adds two curves of rest + factor (u_a - u_b), one versus cycle and one versus time. If b = a, they are curves of rest
+ * + factor u_a. If `velocity` is true, the velocity takes the place of u. */
 static void add_curves(struct nb_solution *solution, const struct chain *chain, const char *name, double rest,
                        double factor, size_t a, size_t b, bool velocity) {
   for (int axis = 0; axis < 2; axis++) {

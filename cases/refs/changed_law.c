@@ -12,14 +12,14 @@
  *                            A = 3 mu N/(2 alpha K(alpha)),    y = (A alpha - s)/(A - s_1/alpha)
  *
  *   s   tangential displacement since the shear law or its memory size changed, m. A stage that repeats the law, or
- *       changes the normal law alone, does not reset it. At t_0 < t <= t_N the laws of the stage from t_0 to t_N hold
+ *       changes the normal law alone, does not reset s. The laws of a stage from t_0 to t_N hold for t_0 < t <= t_N
  *   s_1 tangential displacement of the first step after that change, m. The law takes a contact without history as
  *       formed in that step, with overlap and s growing in proportion. The contact consists of springs side by side.
- *       The one that begins to touch at the overlap x has the stiffness dK and is displaced by s - s_1 x/alpha, until
- *       it slides at the displacement A (alpha - x). With s_1 = 0 this is
+ *       The spring that begins to touch at the overlap x has the stiffness dK and is displaced by s - s_1 x/alpha,
+ *       until it slides at the displacement A (alpha - x). The springs with x > y slide. With s_1 = 0 this is
  *       T = mu N (1 - (1 - s/(A alpha))^(3/2)) [R89 3.25]
  *
- * Returns, for C that monitors the contact:   C.normal, C.shear along time, N
+ * Returns, for C that monitors the contact:   C.normal, C.shear versus time, N
  * Accepts only T < mu N. Exact.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -37,7 +37,7 @@ struct course {
   size_t count;
   struct part {
     const char *normal, *shear;
-    double end, begin, step; /* s: end of the stage; begin of the shear law, and the step then */
+    double end, begin, step; /* end of the stage; beginning of the shear law and the step at that time; s */
   } parts[STAGES];
 };
 
@@ -60,7 +60,7 @@ static double normal_at(const void *data, double time) {
 
 static double stiffness(const struct course *it, double x) { return 8 * it->pair.shear * sqrt(it->radius * x); }
 
-/* Int x dK from 0 to x. */
+/* The integral of x' dK(x') from x' = 0 to x. */
 static double moment(const struct course *it, double x) { return stiffness(it, x) * x / 3; }
 
 static double exact(const struct course *it, const struct part *part, double s, double normal) {
@@ -83,8 +83,8 @@ static double shear_at(const void *data, double time) {
   return strcmp(part->shear, "none") == 0 ? 0 : copysign(exact(it, part, fabs(s), normal_at(data, time)), s);
 }
 
-/* False: a stage changes the motion of the wall, has a step that is not given as a time, or makes the contact slide; or
- * there are more than STAGES stages. */
+/* Reads the laws of the stages. False: a stage changes the motion of the wall, has a step that is not given as a time,
+ * or makes the contact slide; or there are more than STAGES stages. */
 static bool read_stages(struct course *it, const struct nb_scene *scene) {
   const char *normal = scene->normal, *shear = scene->shear;
   int pieces = scene->pieces;

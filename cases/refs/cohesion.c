@@ -1,4 +1,5 @@
-/* Reference: a disc between two plates that move it against a frictionless stop: the force at which it slips.
+/* Reference: the shear force at which a disc slips between two plates, which press the disc and then push it against a
+ * frictionless stop.
  *
  * A plate that has approached by d exerts F_n = k_n d/2, because two equal springs are in series. Then both plates move
  * by s = v t in x, the direction along which they extend. Each exerts F_s = k_s (s - u), where u is the displacement of

@@ -19,9 +19,9 @@
  * the other two.
  *
  * Returns shear (N) and work.shear (J) at each step and at the end of each segment, and `psi2 error`. This is the
- * largest error of the law in the rebound of an oblique impact (impact_laws.c, impact_springs.c) for 0.1 <= psi1 <= 6,
- * with the Poisson's ratio of the page. randall_literal has no `psi2 error`, because it does not converge there. The
- * work is integrated by Simpson's rule in 32 parts of a step.
+ * largest error of psi2, the normalized angle of rebound, that the law causes in an oblique impact (impact_laws.c,
+ * impact_springs.c) for 0.1 <= psi1 <= 6, with the Poisson's ratio of the page. randall_literal has no `psi2 error`,
+ * because it does not converge there. The work is integrated by Simpson's rule in 32 parts of a step.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -65,7 +65,7 @@ static double force_at(const struct state *s, double d) {
   return b->t + b->sense * b->size * (1 - pow(fmax(1 - b->sense * (d - b->d) / b->size, 0), 1.5));
 }
 
-/* The d at which the present branch ends, continued in its own direction. */
+/* The d at which the present branch ends if the motion continues in the direction of the branch. */
 static double end_of(const struct state *s) {
   const struct branch *b = &s->branches[s->count - 1];
   if (literal_third(s))
@@ -129,7 +129,8 @@ static double work(struct state s, double d) {
 enum { SHEAR, WORK, COLUMNS };
 static const char *const names[COLUMNS] = {"shear", "work.shear"};
 
-/* False: the normal force changes under shear, or a segment prescribes a shear force. */
+/* Computes the shear force and its work at each step of the path. False: the normal force changes under shear, or a
+ * segment prescribes a shear force. */
 static bool walk_path(struct state *s, const struct path_contact *contact, double ks, const struct nb_scene *scene,
                       struct path_column *columns[]) {
   struct path_walk walk = path_walk(scene);
@@ -166,7 +167,7 @@ static double psi2_of(const char *law, double chi, double psi1) {
 }
 
 /* The largest error of psi2 for a solid sphere that strikes a wall of its own material [R89 5.14]. `linear` has the
- * stiffness k_s = 8 G* a of the largest overlap. */
+ * stiffness k_s = 8 G* a at the largest overlap. law: the name of the shear law; kappa: the compliance ratio. */
 static double psi2_error(const char *law, double kappa) {
   const double chi = 3.5 / (2 * kappa);
   double largest = 0;

@@ -219,8 +219,8 @@ static bool lists_law(const char *laws, const char *law) {
   return false;
 }
 
-/* Lists what the reference covers: its laws of this kind, "normal " or "shear ", otherwise its features. A list that
- * does not fit ends in "…". */
+/* Lists what the reference covers. If `kind` is "normal " or "shear ", these are its laws of this kind; if `kind` is
+ * empty, its features. A list of features that does not fit ends in "…". */
 static void list_covered(char *list, size_t size, const struct nb_reference *reference, const char *kind) {
   const char *const laws = *kind == 'n' ? reference->normal : *kind == 's' ? reference->shear : "";
   const char *between = "";

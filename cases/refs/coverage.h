@@ -70,7 +70,7 @@ enum nb_feature {
 #define HAS_ALL_DAMPING                                                                                                \
   HAS_CONTACT_DAMPING, HAS_CRITICAL_DAMPING, HAS_MASS_DAMPING, HAS_CON1_CS79, HAS_CON1_VELOCITY, HAS_CON1_ALL
 
-/* The words of the page language. */
+/* The words of the page language for a feature, such as "damping mass". */
 const char *nb_feature_name(enum nb_feature feature);
 
 /* lines[f]: the line of the page that asks for feature f; 0: the scene has the feature, but no line asks for it; -1:

@@ -54,7 +54,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     return nb_error_set(error, NB_BAD_USE,
                         "the reference `force_chain` is for equal discs at equal distances on a straight line");
   const double force = matter_pair(scene, first->material, first->material).kn * overlap;
-  const double between_walls = length + 2 * (R - overlap); /* from wall to wall, if these have the same overlap */
+  /* L; the loop below checks that the overlaps at the walls equal those of the discs */
+  const double between_walls = length + 2 * (R - overlap);
   for (int w = 0; w < 2; w++) {
     const struct nb_wall *wall = &scene->walls[w];
     const struct nb_particle *end = hypot(wall->x - first->x, wall->y - first->y) < length / 2 ? first : last;

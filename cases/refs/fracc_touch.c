@@ -6,7 +6,7 @@
  *   F_2 = k (a_1 + (v - 2 F_1 dt/m) dt),      FRACC = (1/2) (|F_2 - F_1|/F_1)^(1/2)                     [R89 4.36-4.40]
  *
  * with the mass m and the stiffness k. This is the largest value for both discs during the contact if the step is
- * short. a_1 is the overlap after the first whole number of steps that closes the gap.
+ * short. a_1 is the overlap after the smallest number of steps that closes the gap.
  *
  * Returns step.fracc max.
  * Accepts two equal discs, the second at rest, linear springs, no damping, `step F of single-contact`. Error: rounding

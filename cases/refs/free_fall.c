@@ -10,9 +10,10 @@
  *             until u = 0 again
  *
  * The dashpot acts, and may pull, while the overlap is positive, as in the simulator. The end of a contact is found by
- * bisection between the lowest point and the next highest one. If u < 0 there, the particle stays in contact.
+ * bisection between the lowest point and the next highest one. If u is not above 0 at that highest point, the particle
+ * stays in contact.
  *
- * Returns, for D that monitors the particle and C its contact:   D.y, D.vy along time; C.overlap max
+ * Returns, for D that monitors the particle and C its contact:   D.y, D.vy versus time; C.overlap max
  * Exact in continuous time. In a run a contact begins within a step, and the force of a dashpot jumps there: the error
  * is of first order in the step with a dashpot, of second order without.
  *
@@ -31,7 +32,7 @@ struct piece {
 };
 
 struct fall {
-  double g, w, b, damped; /* m/s2, 1/s; w' */
+  double g, w, b, damped; /* g, m/s2; w, b and w', 1/s */
   double radius, floor;   /* m */
   struct piece pieces[PIECES];
   int count;
@@ -57,7 +58,7 @@ static double lowest_time(const struct fall *f, const struct piece *piece) {
   return (angle > 0 ? angle : angle + pi) / f->damped;
 }
 
-/* s; INFINITY: the piece has no end */
+/* The duration of the piece, s; INFINITY: the piece has no end. */
 static double duration(const struct fall *f, const struct piece *piece) {
   if (!piece->touching)
     return f->g > 0 ? (piece->v0 + sqrt(piece->v0 * piece->v0 + 2 * f->g * piece->u0)) / f->g : INFINITY;

@@ -36,8 +36,8 @@ double hertz_ratio(double restitution);
 /* The normal force at an overlap, N [R89 5.5] */
 double hertz_force(const struct hertz *hertz, double overlap);
 
-/* NB_BAD_USE unless the scene is such an impact without spin, and the step is given as a time or as a fraction of the
- * collision. A wall must have a constant velocity. */
+/* Reads the impact from the scene. NB_BAD_USE unless the impact is head-on and without spin, a wall has a constant
+ * velocity, and the step is given as a time or as a fraction of the duration of the collision. */
 enum nb_status hertz_read(struct hertz *hertz, const struct nb_scene *scene, const char *reference,
                           struct nb_error *error);
 
@@ -46,7 +46,7 @@ enum nb_status hertz_read(struct hertz *hertz, const struct nb_scene *scene, con
  * `deepest`. */
 void hertz_add_stages(struct nb_solution *solution, const struct hertz *hertz,
                       double (*overlap_at)(const void *data, double t), const void *data, double deepest, double when);
-/* Add C.WHAT for the monitor of the contact, if there is one: a value, or a curve along `time` or along C.overlap.
+/* Add C.WHAT for the monitor of the contact, if there is one: a value, or a curve versus `time` or versus C.overlap.
  * `size` bytes of data are copied. */
 void hertz_add(struct nb_solution *solution, const struct hertz *hertz, const char *what, double value);
 void hertz_curve(struct nb_solution *solution, const struct hertz *hertz, const char *what, const char *along,

@@ -10,10 +10,10 @@
  *   T_c - (dt^2/(24 m*)) d/dE Int N^2 dt = T_c - (11/96) B(8/5, 1/2) dt^2 V_N/alpha* = T_c (1 - 0.5104/n^2)
  *
  * At the two ends of the contact, the corners, the force is not smooth: at the time t from a corner it is
- * K (V_N t)^(3/2) inside the contact and 0 outside. A sum over steps, the outermost of which lies phi dt inside,
- * differs from the integral by zeta(-3/2, phi) K V_N^(3/2) dt^(5/2), with Hurwitz's zeta (Euler-Maclaurin). The work
- * differs by V_N times this. With K/m* = (5/4) V_N^2/alpha*^(5/2), and phi_in and phi_out at the beginning and the end
- * of the contact,
+ * K (V_N t)^(3/2) inside the contact and 0 outside. The outermost step lies at the time phi dt from the corner. Then
+ * the sum of the force over the steps, times dt, differs from the integral of the force over time by
+ * zeta(-3/2, phi) K V_N^(3/2) dt^(5/2), with Hurwitz's zeta function (Euler-Maclaurin). The work differs by V_N times
+ * this. With K/m* = (5/4) V_N^2/alpha*^(5/2), and phi_in and phi_out at the beginning and the end of the contact,
  *
  *   e - 1 = (5/4) (V_N dt/alpha*)^(5/2) (zeta(-3/2, phi_out) - zeta(-3/2, phi_in))
  *

@@ -1,7 +1,8 @@
 /* Reference: a column of spheres compressed slowly between two walls, or a contact test: the normal force against
  * overlap and wall position.
  *
- * The contact circle of radius a under a paraboloid of the pair's curvature, f(r) = r^2/(2 R*), has
+ * The contact circle of radius a under a paraboloid f(r) = r^2/(2 R*), which has the curvature of the pair of spheres,
+ * has
  *
  *   alpha = a Int_0^a f'(r) dr/(a^2 - r^2)^(1/2),    N = 2 E* Int_0^a r^2 f'(r) dr/(a^2 - r^2)^(1/2)     (Sneddon 1965)
  *
@@ -12,9 +13,9 @@
  * since all contacts just touched. Since N ~ alpha^(3/2) at each contact, each overlap is a constant fraction of s.
  *
  * Returns, for C that monitors a contact of the column and W the upper wall:
- *   C.normal along C.overlap
- *   C.normal, C.overlap along W.y       in equilibrium
- *   normal along overlap                in a contact test
+ *   C.normal versus C.overlap
+ *   C.normal, C.overlap versus W.y     in equilibrium
+ *   normal versus overlap              in a contact test
  *
  * Source   Sneddon, Int. J. Eng. Sci. 3 (1965) 47-57; [R89 sec. 5.2].
  *
@@ -32,7 +33,7 @@ enum { POINTS = 16, CONTACTS = 8 };
 struct contact {
   double radius, young; /* R*, m; E*, Pa */
   double fraction;      /* overlap of this contact over s, dimensionless */
-  double touch, rate;   /* y of the upper wall where all just touch, m; -ds/dy, dimensionless */
+  double touch, rate;   /* y of the upper wall at which all contacts just touch, m; -ds/dy, dimensionless */
 };
 
 /* alpha and N of a contact circle of radius a. */

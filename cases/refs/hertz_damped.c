@@ -10,7 +10,7 @@
  * closed form, for tests.
  *
  * Returns, for C that monitors the contact:
- *   C.overlap max, C.normal max;   C.overlap, C.normal (elastic force) and C.dashpot.normal along time
+ *   C.overlap max, C.normal max;   C.overlap, C.normal (elastic force) and C.dashpot.normal versus time
  *   C.overlap, C.normal in STAGE   at the end of each stage before the first with a condition or with another step; for
  *                                  the stage with the largest overlap also C.overlap max, C.normal max in STAGE
  *   impact.duration, impact.restitution

@@ -15,7 +15,7 @@
 #include "hertz.h"
 #include "hertz_motion.h"
 
-/* False: GSL failed, or s does not return to `end`. */
+/* Integrates y until s returns to `end` (hertz_rebound). False: GSL failed, or s does not return. */
 static bool integrate_to_rebound(double y[], double beta, double end, double deepest[]) {
   return hertz_rebound(y, beta, end, 50, deepest) && !(y[HERTZ_OVERLAP] > end);
 }

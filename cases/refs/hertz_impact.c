@@ -14,7 +14,7 @@
  * rounding. Brent's method inverts t(theta), which gives alpha(t).
  *
  * Returns, for C that monitors the contact:
- *   C.overlap max, C.normal max;   C.normal along C.overlap;   C.overlap, C.normal along time
+ *   C.overlap max, C.normal max;   C.normal versus C.overlap;   C.overlap, C.normal versus time
  *   C.overlap, C.normal in STAGE   at the end of each stage before the first with a condition or with another step; for
  *                                  the stage with the largest overlap also C.overlap max, C.normal max in STAGE
  *   impact.duration = T_c,  impact.restitution = 1
@@ -63,7 +63,7 @@ static double root(struct instant *instant) {
   return theta;
 }
 
-/* alpha/alpha* at t V_N/alpha* since first contact. */
+/* alpha/alpha* at the time t since first contact; `time` is t V_N/alpha*. */
 static double relative_overlap(double time) {
   const double whole = hertz_duration_factor();
   struct instant instant = {.time = time > whole / 2 ? whole - time : time};

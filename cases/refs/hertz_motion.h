@@ -19,8 +19,8 @@ enum { HERTZ_TIME, HERTZ_OVERLAP, HERTZ_SPEED, HERTZ_UNKNOWNS }; /* t, s, s' */
 #define HERTZ_FIRST_CONTACT                                                                                            \
   { 0, 0, 1 }
 
-/* Integrates y over its unknown `along`, until that has the value `to`. False: GSL failed. */
+/* Integrates y over its unknown `along`, until this unknown has the value `to`. False: GSL failed. */
 bool hertz_integrate(double y[], double beta, int along, double to);
-/* Integrates y until s, decreasing, is `end`; stops with s > `end` after the time `longest`. `deepest` becomes the
- * state of largest overlap, if y passes it. False: GSL failed. */
+/* Integrates y until s, decreasing, is `end`; stops with s > `end` after the time `longest`. `deepest` receives the
+ * state of largest overlap if the motion passes it. False: GSL failed. */
 bool hertz_rebound(double y[], double beta, double end, double longest, double deepest[]);
