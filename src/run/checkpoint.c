@@ -28,7 +28,8 @@ static const double spacing = 10, stage_spacing = 50, first_cost = 2e-3;
 
 /* ---- the variables of the model ---- */
 
-/* Stores fields of contacts. The other fields are in the state, or the next force calculation computes them. */
+/* Saves or restores fields of contacts. The other fields are in the state, or the next force calculation computes
+ * them. */
 static void store_contacts(struct nb_store *store, struct nb_contacts *contacts) {
   const size_t n = contacts->count;
   struct nb_history *slip_sum = &contacts->slip_sum;

@@ -21,13 +21,13 @@ enum nb_status nb_checkpoint_lock(struct nb_lock *lock, const struct nb_scene *s
 /* NB_BAD_USE if there is a checkpoint of the run with options->checkpoint.key and the options do not resume it. */
 enum nb_status nb_checkpoint_absent(const struct nb_scene *scene, const struct nb_options *options,
                                     struct nb_error *error);
-/* Sets up *checkpoint, and makes the folder of the run's checkpoints. If options->checkpoint.seconds or its key is 0,
- * no checkpoints are saved. NB_BAD_USE as from nb_checkpoint_absent. The calling process must hold the lock of the
- * page's checkpoints or, if it computes a state, the lock of this state. */
+/* Sets up *checkpoint, and makes the folder of the run's checkpoints. If options->checkpoint.seconds or
+ * options->checkpoint.key is 0, no checkpoints are saved. NB_BAD_USE as from nb_checkpoint_absent. The calling process
+ * must hold the lock of the page's checkpoints or, if it computes a state, the lock of this state. */
 enum nb_status nb_checkpoint_begin(struct nb_checkpoint *checkpoint, const struct nb_scene *scene,
                                    const struct nb_options *options, struct nb_error *error);
 /* Reads the last checkpoint into *saved, or the one before it if the last one is damaged. saved->store is empty if
- * there is no checkpoint. */
+ * there is no checkpoint or the options do not resume it. */
 enum nb_status nb_checkpoint_read(struct nb_saved *saved, const struct nb_checkpoint *checkpoint,
                                   const struct nb_progress *progress, struct nb_error *error);
 /* Saves the model and `store`, which has the other data of the run; frees `store`. */

@@ -110,7 +110,7 @@ static double smaller_radius(const struct nb_scene *scene) {
 /* The displacement that is sought, and the given value of the other one, m. */
 struct unknown {
   bool shear;            /* true: the tangential displacement is sought; false: the normal one */
-  double approach, slip; /* the given one; the other one is not used */
+  double approach, slip; /* the value of the given displacement; the value of the other one is not used */
 };
 
 /* The force, N, if the displacement that is sought is x, m. */

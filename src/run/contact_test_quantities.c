@@ -6,7 +6,7 @@
  *   p(r; x)  Hertz's pressure at the radius r and the overlap x, (2 E* / (pi R*)) sqrt(R* x - r^2) inside the circle,
  *            Pa
  *   q(r)     traction, mu times the integral of D(x) dp(r; x), Pa
- *   T        shear force, mu times the integral of D(x) dN(x), N: the integral of q over the circle
+ *   T        shear force, N: the integral of q over the circle, which equals mu times the integral of D(x) dN(x)
  *
  * D is constant over a piece, so a piece contributes mu D (p(r; x_i) - p(r; x_(i-1))) to q: the difference of two Hertz
  * pressures, as in [R89 3.23, 3.35].
@@ -38,7 +38,7 @@ static bool has_slipped(double D, double sense) { return D * sense > 1 - 1e-9; }
 
 static double stick_radius(const struct nb_contact_test *contact_test) {
   const struct history history = history_of(contact_test);
-  int edge = history.count; /* moves inwards from the edge, while the rings have slipped in one direction */
+  int edge = history.count; /* number of pieces left after outer pieces that have slipped in one direction */
   const double sense = edge && history.D[edge - 1] < 0 ? -1 : 1;
   while (edge > 0 && has_slipped(history.D[edge - 1], sense))
     edge--;

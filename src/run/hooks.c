@@ -31,7 +31,8 @@ HOOK(record_first_deep, nb_deep_record_first(model))
 HOOK(update_fracc, nb_fracc_after_forces(model))
 HOOK(add_slip, nb_configuration_add_slip(model))
 
-/* If the affine motion of the step does not include all particles, sets the velocities of the boundary separately. */
+/* Prepares the affine motion of the step. If it does not include all particles, sets the velocities of the boundary
+ * separately. */
 static enum nb_status move_affinely(struct nb_model *model, struct nb_error *error) {
   (void)error;
   if (!nb_affine_step(model) && model->boundary)

@@ -105,8 +105,8 @@ static void make_walls(struct nb_walls *w, const struct nb_scene *scene, struct 
   w->spin = numbers(owner, n), w->angle = numbers(owner, n);
 }
 
-/* Makes one material pair for any two materials of particles, and for each material of particles with each material of
- * walls. False: out of memory. */
+/* Makes a material pair for any two materials of particles, equal or not, and for each material of particles with each
+ * material of walls. False: out of memory. */
 static bool make_material_pairs(struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
   const size_t n = scene->material_count;
@@ -162,7 +162,7 @@ static bool make_parts(struct nb_model *model, const struct nb_scene *scene, boo
   return nb_cell_create(model) && nb_configuration_create(model);
 }
 
-/* Sets the values before the first stage. */
+/* Sets the values that hold before the first stage. */
 static void set_initial_values(struct nb_model *model, const struct nb_scene *scene, const struct nb_options *options) {
   model->critical = nb_step_single_contact(model);
   model->damping = scene->stages[0].damping;

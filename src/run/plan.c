@@ -40,7 +40,8 @@ static enum nb_dashpot_kind dashpot_kind(const struct nb_damping *damping) {
 static bool affine_twice(const struct nb_model *model) { return model->affine && model->affine->twice; }
 
 /* True if the normal stiffness depends only on the overlap and grows with it, and the shear stiffness is at most a
- * fixed multiple of it: laws of elastic spheres. The normal law by increments is no such law. */
+ * fixed multiple of the normal stiffness. This holds for the laws of elastic spheres, except for the normal law by
+ * increments. */
 static bool stiffens(const struct nb_law *normal, const struct nb_law *shear) {
   return normal->elastic && !normal->incremental && (shear->elastic || strcmp(shear->name, "none") == 0);
 }
@@ -81,7 +82,8 @@ static void plan_material_pair(struct nb_model *model, struct nb_material_pair *
   const struct nb_pass *geometry = geometry_pass(model, material_pair);
   const struct nb_pass *resolve = &nb_pass_resolve[material_pair->shear != NULL];
   const enum nb_isa isa = model->machine.isa;
-  add_pass(material_pair, geometry->run[isa], model->scene->cell.line, "", geometry->name); /* a cell has no walls */
+  /* The line of `cell` is 0 for a pass of a wall, because a scene with a cell has no walls. */
+  add_pass(material_pair, geometry->run[isa], model->scene->cell.line, "", geometry->name);
   if (material_pair->wall && model->vertices.any)
     add_pass(material_pair, nb_pass_vertices.run[isa], 0, "", nb_pass_vertices.name);
   add_affine_twice(model, material_pair);
@@ -105,7 +107,7 @@ static unsigned needed_fields(unsigned kept, bool dissipative, const struct nb_p
     kept &= ~NB_BIT(NB_DISSIPATED);
   if (!plan->dashpots && kept & NB_BIT(NB_TOTAL_NORMAL)) /* without dashpots the two fields are equal: one is enough */
     kept = (kept & ~NB_BIT(NB_TOTAL_NORMAL)) | NB_BIT(NB_NORMAL);
-  return kept & ~NB_BIT(NB_TOTAL_SHEAR); /* it is kept as a part of the contact force */
+  return kept & ~NB_BIT(NB_TOTAL_SHEAR); /* it is stored as a part of the contact force */
 }
 
 static int larger(int a, int b) { return a > b ? a : b; }
@@ -122,7 +124,8 @@ enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
   plan->affine_twice = affine_twice(model);
   plan->kept =
       (plan->requested & (NB_BIT(NB_FIELDS) - 1)) | NB_BIT(NB_RADIUS_SUM) | (plan->keep_all ? NB_SAVED_MASK : 0);
-  if (nb_laws_elastic(scene)) /* in any stage: a change of the law computes the stored energy of the old one */
+  /* True if a law of any stage is elastic: a change of the law computes the stored energy of the old law. */
+  if (nb_laws_elastic(scene))
     plan->kept |= NB_BIT(NB_REDUCED);
   bool dissipative = false;
   plan->has_friction = false;

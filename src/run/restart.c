@@ -114,8 +114,8 @@ void nb_note(const struct nb_progress *progress, const char *message) {
     progress->note(progress->data, message);
 }
 
-/* Reads the number of the process that holds the lock. The process writes it after it has taken the lock, so a second
- * attempt follows. If it also fails, `holder` is `?`. */
+/* Reads the number of the process that holds the lock. The process writes the number after it has taken the lock, so a
+ * second attempt follows if there is no number yet. If it also fails, `holder` is `?`. */
 static void read_holder(int file, char *holder, size_t size) {
   size_t digits = 0;
   for (int attempt = 0; attempt < 2 && digits == 0; attempt++) {

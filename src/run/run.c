@@ -175,7 +175,7 @@ static void propose(char *text, size_t size, const struct nb_scene *scene, const
 }
 
 /* If the relative difference of a controlled stress from the target of its servo is larger than this, the end of a
- * stage is doubtful. At a stress of 0 the difference is 1. */
+ * stage is doubtful. If the present stress is 0, the difference is 1. */
 static const double servo_tolerance = 0.1;
 
 /* True if the servo of the next stage goes on towards the same target, or ramps its target from the present stress. */
@@ -247,7 +247,7 @@ static enum nb_status run_cycle(struct run *run, int index, int *outcome, struct
 
 /* ---- checkpoints ---- */
 
-/* Stores a table. The stages of restored rows must be stages of the scene. */
+/* Saves or restores a table. The stages of restored rows must be stages of the scene. */
 static void store_table(struct nb_store *store, const struct run *run, struct nb_table *table) {
   nb_store_table(store, table);
   for (size_t k = 0; k < table->row_count && store->restoring; k++)
@@ -275,7 +275,7 @@ static void store_snapshots(struct nb_store *store, struct run *run) {
   }
 }
 
-/* Stores everything that the run keeps: its model, and what it has recorded. */
+/* Saves everything that the run keeps: its model, and what it has recorded; if store->restoring, restores it. */
 static void store_run(struct nb_store *store, struct run *run) {
   double seconds = nb_clock() - run->reporter.began, stage_seconds = nb_processor_clock() - run->reporter.stage_began;
   nb_model_store(store, run->model);

@@ -291,7 +291,7 @@ static void restore_stage(struct nb_model *model, size_t stages) {
   model->properties.pieces = model->laws.pieces;
   model->stage = &scene->stages[stages - 1];
   model->damping = model->stage->damping;
-  /* not 0 in the state of another page: --set step applies to stages of this page */
+  /* for a stage of another page the line is not 0, because --set step applies only to stages of this page */
   model->stability->step_line = model->stage->step.line;
 }
 
@@ -386,8 +386,8 @@ static void restore_ring(struct nb_model *model, const struct nb_saved_ring *sav
     nb_boundary_set_forces(model);
 }
 
-/* True if the state fits the model. Both or neither have a cell, and in both the particles rotate, or in neither. If
- * the state has an imposed motion, a boundary or a stress on the boundary, the model must have it too. */
+/* True if the state fits the model. State and model must agree in whether there is a cell, and in whether particles
+ * rotate. If the state has an imposed motion, a boundary or a stress on the boundary, the model must have it too. */
 static bool same_loading(const struct nb_model *model, const struct nb_saved *saved) {
   enum nb_rotation rotation = NB_ROTATION_ON;
   for (const struct nb_stage *stage = model->scene->stages; stage <= model->stage; stage++)
