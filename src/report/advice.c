@@ -257,8 +257,8 @@ static void print_advice(struct nb_advice *advice) {
 
 /* ---- table and figure ---- */
 
-/* Rows are written for the settings of all variants, of the variant with index `which`, or only for the chosen
- * setting. */
+/* Values of `which` besides the index of a variant: write_rows then writes the settings of all variants, or only the
+ * chosen setting. */
 enum { ALL_VARIANTS = -1, CHOSEN = -2 };
 static void write_rows(FILE *out, const struct nb_advice *advice, int which) {
   const struct nb_scene *scene = &advice->page.runs[0].scene;

@@ -1,22 +1,23 @@
-/* Advice: the cheapest setting whose error in one quantity is within a tolerance, found by running the page.
+/* Advice: the cheapest setting with which the error of one quantity is within a tolerance, found by running the page.
  *
- * Errors are relative to the limit of the page's result for a step towards zero, with the page's own laws and values;
- * the anchor of estimate.c approximates this limit. The reference solution of the page is not used, because for a
- * candidate with other laws it would return another solution. A setting consists of a variant and a level. A variant is
- * the page with other laws, softer contacts, centred dashpots or other values of the names that the page trades. At a
- * level the variant is run with --set refine=2^level. Each setting is run in several trials (trials.c).
+ * An error is the difference of a result from the limit that the page, with its own laws and values, approaches when
+ * the step goes to zero. The anchor of estimate.c approximates this limit. The reference solution of the page is not
+ * used, because for a variant with other laws it would return another solution. A setting consists of a variant and a
+ * level. A variant is the page with other laws, softer contacts, centred dashpots or other values of the names in its
+ * `trade` statements. At a level the variant is run with --set refine=2^level. Each setting is run in several trials
+ * (trials.c).
  *
  * The estimated error of a setting needs the results at its level, at the next two finer levels, and an anchor that is
  * at least two levels finer. Levels are tried from the coarsest one on; the first level within the tolerance is the
- * cheapest of its variant. A variant is left out if the page or its reference solution refuses it, or if it gives the
- * values of another variant. It is also left out if its values differ from the anchor by more than twice the tolerance.
- * These values are those of its first trial, at the level that was found for the page's own laws and values, or at the
- * first finer level with which it can be run.
+ * cheapest of its variant. A variant is left out if the page or its reference solution refuses it, if it gives the
+ * values of another variant, or if its values differ from the anchor by more than twice the tolerance. To find this
+ * out, one trial is run at the level that was found for the page's own laws and values. If the variant cannot be run at
+ * this level, the trial is run at the first finer level at which it can.
  *
- * With realizations only the error of their mean is estimated. The anchor is then the page with half its step, no step
- * is shorter than that of the page, and no variant is left out because its values are equal to others or too far from
- * the anchor. The guaranteed stable step differs between realizations, so a setting is left
- * out if another realization may stop. This is the case if
+ * With realizations only the error of their mean is estimated. The anchor is then the page with half its step, and no
+ * setting has a shorter step than the page. No variant is left out because its values are equal to others or too far
+ * from the anchor. The guaranteed stable step differs between realizations, so a setting is left out if the stability
+ * check could abort a realization that was not run. This is the case if
  *
  *   s + t d (1 + 1/m)^(1/2) > 1
  *
@@ -40,9 +41,11 @@ enum { PARTICLES_MAX = 50 };
 static const double anchor_fraction = 0.5; /* largest uncertainty of the anchor, as a fraction of the tolerance */
 static const double variant_distance = 2;  /* largest distance of a variant from the anchor, over the tolerance */
 static const double confidence = 0.95;     /* confidence level of a mean over realizations */
-static const double runnable = 0.998;      /* two-sided level: one further realization in a thousand stops */
+/* two-sided confidence level: one further realization in a thousand is aborted */
+static const double runnable = 0.998;
 static const double softer[] = {10, 100, 1000};
-static const double equal_fraction = 0.1; /* numbers of updates that differ by less are nearly equal */
+/* numbers of updates that differ by less than this fraction are nearly equal */
+static const double equal_fraction = 0.1;
 
 /* Runs `count` of the trials, evenly spaced. */
 static bool run_trials(struct nb_advice *advice, struct nb_variant *variant, int level, size_t count) {
@@ -62,7 +65,8 @@ static bool run_anchor(struct nb_advice *advice, int level) {
          run_trials(advice, &advice->variants[0], level, anchor_trials(advice));
 }
 
-/* The estimated error of the mean over realizations at `point`, and the difference of the means. */
+/* The estimated error of the mean over realizations at `point`. *difference receives the difference between this mean
+ * and the mean at the anchor. */
 static double claim_of_mean(double *difference, const struct nb_advice *advice, const struct nb_point *point,
                             size_t run) {
   const struct nb_point *fine = &advice->variants[0].points[advice->anchor - NB_LEVEL_LOW];
@@ -84,8 +88,8 @@ static struct nb_anchor anchor_of(const struct nb_advice *advice, int level, siz
   return anchor;
 }
 
-/* Sets the tolerance of each run from the anchor. Returns the largest ratio of uncertainty to tolerance; *worst: the
- * run with this ratio. */
+/* Sets the tolerance of each run from the anchor at this level. Returns the largest ratio of the anchor's uncertainty
+ * to the tolerance of the run; *worst receives the run with this ratio. */
 static double anchor_ratio(struct nb_advice *advice, int level, size_t *worst) {
   double largest = 0;
   for (size_t r = 0; r < advice->runs; r++) {
@@ -163,7 +167,8 @@ static bool run_setting(struct nb_advice *advice, struct nb_variant *variant, in
   return run_anchor(advice, level + 2 > advice->anchor ? level + 2 : advice->anchor);
 }
 
-/* The estimated error of a run of the page, and the part that is due to the step. */
+/* The estimated error of a run of the page. *step receives the part that is due to the step; for a mean over
+ * realizations, the difference of the means. */
 static double claim_of(double *step, const struct nb_advice *advice, const struct nb_point *point, int level,
                        size_t run) {
   if (is_mean(advice))
@@ -173,7 +178,8 @@ static double claim_of(double *step, const struct nb_advice *advice, const struc
                            anchor_of(advice, level + 2 > advice->anchor ? level + 2 : advice->anchor, run));
 }
 
-/* Adds the setting and its estimated error to the list. False: the error cannot be estimated. */
+/* Adds variant number `index` at this level to the list of settings, with its estimated error. False: the error cannot
+ * be estimated. */
 static bool add_claim(struct nb_advice *advice, size_t index, int level) {
   struct nb_setting setting = {.variant = index, .level = level};
   if (!run_setting(advice, &advice->variants[index], level))
@@ -202,7 +208,7 @@ bool nb_setting_cheaper(const struct nb_advice *advice, const struct nb_setting 
   return one->soften != other->soften ? one->soften < other->soften : one->history < other->history;
 }
 
-/* Notes why a variant has no result: it cannot be run even with the finest step, or the budget was used up before. */
+/* Notes why a variant has no result: it cannot be run even at the highest level, or the budget was used up before. */
 static void leave_out(const struct nb_advice *advice, struct nb_variant *variant, int highest) {
   variant->too_late = advice->exhausted;
   snprintf(variant->reason, sizeof variant->reason, "%s",
@@ -211,7 +217,7 @@ static void leave_out(const struct nb_advice *advice, struct nb_variant *variant
 
 /* Tries the levels of a variant from the coarsest one on, up to the first level within the tolerance. The search also
  * stops when the next level, which usually has twice the updates, would have more updates than the chosen setting. A
- * level with nearly as many updates is tried, because its laws may store less. */
+ * level with nearly as many updates is still tried, because the laws of the variant may store less per contact. */
 static void search_levels(struct nb_advice *advice, size_t index, int highest) {
   struct nb_variant *variant = &advice->variants[index];
   const size_t before = advice->setting_count;
@@ -231,8 +237,8 @@ static void search_levels(struct nb_advice *advice, size_t index, int highest) {
     leave_out(advice, variant, highest);
 }
 
-/* The first variant before this one that gives the same values, to the last bit and in each run, because the scene does
- * not use the property in which the two differ. NULL: there is none. */
+/* The first variant before this one that gives the same values at this level, to the last bit and in each run. Two
+ * variants are equal if the scene does not use the property in which they differ. NULL: there is none. */
 static const struct nb_variant *equal_variant(const struct nb_advice *advice, const struct nb_variant *variant,
                                               int level) {
   const struct nb_point *point = &variant->points[level - NB_LEVEL_LOW];
@@ -247,10 +253,11 @@ static const struct nb_variant *equal_variant(const struct nb_advice *advice, co
   return NULL;
 }
 
-/* True if the variant is near enough to the anchor to be tried. It is run with the longest step, from this level on,
- * with which it can be run. False: variant->reason has the reason. With realizations every variant that can be run is
- * near, because the mean is known only after all trials, and the values of one trial, such as numbers of contacts, can
- * be equal by chance. Softer contacts that change nothing are not left out, because they allow a longer step. */
+/* True if the variant is near enough to the anchor to be tried. One trial is run at this level, or at the first finer
+ * level at which the variant can be run. False: variant->reason has the reason. With realizations every variant that
+ * can be run counts as near. The mean is known only after all trials, and the values of a single trial, such as numbers
+ * of contacts, can be equal by chance. Softer contacts that change nothing are not left out, because they allow a
+ * longer step. */
 static bool is_near(struct nb_advice *advice, struct nb_variant *variant, int level, int highest) {
   while (!nb_trials_run(advice, variant, level, 0, 1, 1) && level < highest && !advice->exhausted)
     level++;
@@ -300,7 +307,7 @@ static bool trades_laws(const struct nb_advice *advice) {
   if (scene->trade_laws != NB_TRADE_LAWS_DEFAULT)
     return scene->trade_laws == NB_TRADE_LAWS_ALL;
   return !is_mean(advice) && NB_FIND(scene->bindings, scene->binding_count, "normal") < 0 &&
-         NB_FIND(scene->bindings, scene->binding_count, "shear") < 0; /* not a page that sweeps its laws */
+         NB_FIND(scene->bindings, scene->binding_count, "shear") < 0; /* the page does not sweep its laws */
 }
 
 /* Adds a variant, a copy of variant number `of`. NULL: there are too many. */
@@ -351,7 +358,8 @@ static bool list_values(struct nb_advice *advice, size_t trade) {
   return true;
 }
 
-/* True if the page has dashpots and neither `damping centred` nor `damping late`; then they use the late velocity. */
+/* True if the page has dashpots and neither `damping centred` nor `damping late`. Such dashpots use the velocity of
+ * half a step before. */
 static bool has_late_dashpots(const struct nb_advice *advice) {
   bool dashpots = false, timing = false;
   for (size_t r = 0; r < advice->runs; r++)
@@ -375,8 +383,8 @@ static bool trades_softness(const struct nb_advice *advice) {
   return !scene->contact_test && scene->start.stages == 0 && !nb_advice_softness_is_useless(advice);
 }
 
-/* Adds the page with softer contacts, unless they save nothing, and with centred dashpots, if has_late_dashpots returns
- * true. */
+/* Adds the variants that keep the page's laws: softer contacts and centred dashpots, where they can make the run
+ * cheaper. */
 static void list_own_laws(struct nb_advice *advice) {
   for (size_t k = 0; k < sizeof softer / sizeof *softer && trades_softness(advice); k++)
     copy_variant(advice, 0)->soften = softer[k];
@@ -384,9 +392,9 @@ static void list_own_laws(struct nb_advice *advice) {
     copy_variant(advice, 0)->centred = true;
 }
 
-/* Lists the variants: the page as it is; if the laws may change, the page with each other pair of laws and, without
- * realizations, with softer contacts and with centred dashpots; and each of these with all combinations of traded
- * values. */
+/* Lists the variants. The first one is the page as it is. If the laws may change, the page with each other pair of laws
+ * follows. Without realizations, the page with softer contacts and with centred dashpots then belongs to the list, too.
+ * Each of these is listed with all combinations of the values in `trade` statements. */
 static enum nb_status list_variants(struct nb_advice *advice, struct nb_error *error) {
   const size_t trades = advice->page.runs[0].scene.trade_count;
   advice->variant_count = 1;
@@ -403,7 +411,8 @@ static enum nb_status list_variants(struct nb_advice *advice, struct nb_error *e
                       NB_TRADES, NB_VARIANTS_MAX);
 }
 
-/* Finds the quantity: the caller's, or the one of the page's first expectation of one value. */
+/* Finds the quantity: the caller's, or the one of the first expectation of the page that has a single value. Reads the
+ * tolerance. */
 static enum nb_status find_quantity(struct nb_advice *advice, struct nb_error *error) {
   const struct nb_page_run *run = &advice->page.runs[0];
   const char *quantity = advice->query->quantity;

@@ -6,8 +6,9 @@
 #include "estimate.h"
 #include "outcome.h"
 
-/* The step of the page is divided by 2^level, or by the next larger number that divides its stages into whole numbers
- * of cycles. A trial is one phase, or one realization. */
+/* At a level the step of the page is divided by 2^level. If the stages would then not have whole numbers of cycles, it
+ * is divided by the next larger number with which they have. A trial runs the page with one phase (estimate.c), or with
+ * one realization. */
 enum { NB_LEVEL_LOW = -7, NB_LEVEL_HIGH = 12, NB_LEVELS = NB_LEVEL_HIGH - NB_LEVEL_LOW + 1 };
 enum { NB_REALIZATIONS_MIN = 8, NB_VARIANTS_MAX = 500, NB_TRADES = 8 };
 
@@ -20,10 +21,11 @@ struct nb_point {
   double recorded;             /* number of values in the rows of all runs, in the last trial */
   double step;                 /* mean step of the first run, s; 0: a contact test, which has no time */
   double stability[NB_TRIALS]; /* for each trial: largest ratio of the step to the guaranteed stable step in all runs */
-  char reason[512];            /* the reason why it could not be run; empty: it could be run */
+  char reason[512];            /* the reason why the point could not be run; empty: it could be run */
 };
 
-/* The page with other laws, softer contacts or centred dashpots, or with other values of names that the page trades. */
+/* The page with other laws, softer contacts or centred dashpots, or with other values of the names in its `trade`
+ * statements. */
 struct nb_variant {
   char normal[NB_NAME_SIZE], shear[NB_NAME_SIZE]; /* empty: the laws of the page */
   double soften;                                  /* divisor of the page's stiffnesses; 0: they are not changed */
@@ -31,19 +33,21 @@ struct nb_variant {
   int history;                                    /* number of doubles that its laws store per contact */
   size_t value[NB_TRADES]; /* for each `trade` of the page: 0: the page's own value; k: value number k of the `trade` */
   struct nb_point points[NB_LEVELS];
-  bool covered;     /* the reference solution of the page, if there is one, accepts the variant */
-  bool equal;       /* the variant gives the same values as an earlier one */
-  bool too_late;    /* the budget was used up before the variant had a result */
-  double distance;  /* distance from the anchor over the tolerance, if it was left out because of this; else 0 */
-  char reason[512]; /* the reason why it was left out; empty: it was not left out */
+  bool covered;  /* the reference solution of the page, if there is one, accepts the variant */
+  bool equal;    /* the variant gives the same values as an earlier one */
+  bool too_late; /* the budget was used up before the variant had a result */
+  /* distance from the anchor (estimate.h) over the tolerance, if the variant was left out for this reason; else 0 */
+  double distance;
+  char reason[512]; /* the reason why the variant was left out; empty: it was not left out */
 };
 
-/* A setting with its estimated error. */
+/* A setting is a variant at a level. Its estimated error is stored with it. */
 struct nb_setting {
   size_t variant;
   int level;
   double ratio; /* largest ratio of the estimated error to the tolerance in all runs */
-  /* the part of this ratio that is due to the step; for a mean over realizations, to the difference of the means */
+  /* the part of this ratio that is due to the step; for a mean over realizations, the part that is due to the
+   * difference between the means of the setting and of the anchor */
   double step_ratio;
   size_t worst; /* the run with the largest ratio */
 };
@@ -54,9 +58,10 @@ struct nb_advise_query {
   struct nb_options options;
   const char *quantity; /* NULL: the quantity of the first expectation */
   const char *within;   /* "1 %", "0.01", "20 N" */
-  const char *over;     /* the name whose values 1, 2, … are realizations; NULL: each run counts by itself */
-  size_t realizations;  /* NB_REALIZATIONS_MIN to NB_TRIALS */
-  double budget;        /* largest time of the search, s */
+  /* the name whose values 1, 2, … select the realizations; NULL: the quantity is not a mean over realizations */
+  const char *over;
+  size_t realizations; /* NB_REALIZATIONS_MIN to NB_TRIALS */
+  double budget;       /* largest time of the search, s */
   struct nb_progress progress;
 };
 
@@ -68,11 +73,11 @@ struct nb_advice {
   struct nb_outcome page; /* the page, read with these settings */
   struct nb_tolerance tolerance;
   const char *unit;
-  unsigned long divisor; /* greatest common divisor of all numbers of cycles; 0: there are none */
+  unsigned long divisor; /* greatest common divisor of all numbers of cycles that the page gives; 0: it gives none */
   size_t runs;
   size_t trials;   /* number of realizations; or NB_PHASES; or 1, if the moment of first touch cannot vary */
-  double *allowed; /* the tolerance of each run; owned */
-  int anchor;      /* level of the coarsest anchor */
+  double *allowed; /* the tolerance of each run, in the unit of the quantity; owned */
+  int anchor;      /* level of the coarsest anchor that is certain enough */
   struct nb_variant *variants; /* owned; the first one is the page's own */
   size_t variant_count;
   struct nb_setting *settings; /* all settings that have an estimated error; owned */
@@ -89,8 +94,8 @@ static inline const struct nb_point *nb_point_at(const struct nb_advice *advice,
 }
 
 /* Searches for the cheapest setting. NB_BAD_USE: a mistake in the query or in the page; mistakes of the page are in
- * advice->page. NB_FAILED: the page cannot be run with its own step and half of it, or the uncertainty of the anchor is
- * too large for the tolerance. The caller frees the advice in any case; the query must outlive it. */
+ * advice->page. NB_FAILED: the page cannot be run with its own step and with half of it, or the uncertainty of the
+ * anchor is too large for the tolerance. The caller frees the advice in any case; the query must outlive it. */
 enum nb_status nb_advise(struct nb_advice *advice, const struct nb_advise_query *query, struct nb_error *error);
 void nb_advice_free(struct nb_advice *advice);
 
@@ -99,16 +104,18 @@ double nb_level_refine(const struct nb_advice *advice, int level);
 /* The ratios of the steps of three levels: this level, the next finer one and the one after that. */
 struct nb_ratios nb_level_ratios(const struct nb_advice *advice, int level);
 
-/* True if setting a is cheaper than setting b. The numbers of updates decide. They are nearly equal for different laws
- * with the same step; then contacts as stiff as those of the page count as cheaper than softer contacts, and after that
- * laws that store less per contact count as cheaper. Measured times do not decide, because another call would then give
- * other advice. */
+/* True if setting a is cheaper than setting b. The setting with fewer updates is cheaper. For different laws with the
+ * same step the numbers of updates are nearly equal. Then the setting with the stiffer contacts counts as cheaper. If
+ * the stiffnesses are equal too, the setting whose laws store less per contact counts as cheaper. Measured times are
+ * not compared, because another call would then give other advice. */
 bool nb_setting_cheaper(const struct nb_advice *advice, const struct nb_setting *a, const struct nb_setting *b);
-/* The most expensive setting that is cheaper than this one; of several equal ones, the most accurate. NULL: none. */
+/* The setting with the most updates of all that have fewer updates than `setting`; of several with this number, the
+ * most accurate one. NULL: there is none. */
 const struct nb_setting *nb_advice_cheaper(const struct nb_advice *advice, const struct nb_setting *setting);
-/* The first of the most accurate settings; NULL: none. */
+/* The most accurate setting, the first one if there are several; NULL: none. */
 const struct nb_setting *nb_advice_most_accurate(const struct nb_advice *advice);
-/* The standard deviation of single realizations at the setting: the largest of all runs. */
+/* The standard deviation of the quantity over the realizations at the setting; if the page has several runs, the
+ * largest. */
 double nb_advice_scatter(const struct nb_advice *advice, const struct nb_setting *setting);
 /* Writes in words the page's step divided by a number: "that of the page", "2 times as long as that of the page". */
 void nb_refine_text(char *text, size_t size, double refine);
@@ -126,7 +133,7 @@ struct nb_left_out nb_advice_left_out(const struct nb_advice *advice);
 /* True if softer contacts save nothing, because the step is a fraction of the duration of a collision, so that step and
  * collision become longer in proportion. */
 bool nb_advice_softness_is_useless(const struct nb_advice *advice);
-/* True if the setting may fail checks that the page passes as it is. */
+/* True if the page may fail checks with this setting that it passes with its own step, laws and values. */
 static inline bool nb_setting_loosens(const struct nb_setting *setting) {
   return setting->level < 0 || setting->variant > 0;
 }
@@ -148,7 +155,7 @@ size_t nb_phase_count(const struct nb_scene *scene);
  * False: one of them cannot be run, or the budget is used up. */
 bool nb_trials_run(struct nb_advice *advice, struct nb_variant *variant, int level, size_t first, size_t stride,
                    size_t count);
-/* The time of the first trial, s. The trial is run once more, and no value is stored. NaN: the trial fails. */
+/* Runs the first trial once more and returns its time, s. No value is stored. NaN: the trial fails. */
 double nb_trials_time(struct nb_advice *advice, struct nb_variant *variant, int level);
 /* Records that memory ran out, which ends the search; other failures only exclude a setting. Returns false. */
 bool nb_advice_no_memory(struct nb_advice *advice);

@@ -27,7 +27,7 @@
 
 enum { QUANTITIES = 3, DEPTH_MAX = 16, TEXT_SIZE = 512 };
 static const char default_tolerances[] = "10 %; 1 %; 0.1 %";
-static const double exact = 1e-9; /* smaller errors are rounding */
+static const double exact = 1e-9; /* smaller errors are rounding errors */
 
 struct search_all {
   const struct nb_call *call;
@@ -41,7 +41,7 @@ struct search_all {
   enum nb_status worst;
 };
 
-/* A quantity of a page. */
+/* A quantity of a page, and the settings with which it is searched for. */
 struct wanted {
   char measure[4 * NB_NAME_SIZE], condition[TEXT_SIZE];
   char absolute[NB_NAME_SIZE]; /* absolute tolerance of the expectation, or empty */
@@ -110,16 +110,17 @@ static enum nb_status open_table(struct search_all *all, struct nb_error *error)
                                               : nb_row_table_open(&all->table, path, version, head, error);
 }
 
-/* Writes the first line of a text, with spaces instead of tabs, because tabs and line ends separate columns and
- * rows. */
+/* Writes the first line of a text with spaces instead of tabs, because tabs and line ends separate columns and rows.
+ * Then writes `end`. */
 static void put_text(FILE *out, const char *text, const char *end) {
   for (const char *c = text[0] ? text : "-"; *c && *c != '\n'; c++)
     fputc(*c == '\t' ? ' ' : *c, out);
   fputs(end, out);
 }
 
-/* The order of convergence: the slope of the estimated error against the step, over the three finest steps with the
- * page's own laws and values. Errors of rounding are left out. NaN: fewer than three steps are left. */
+/* The order of convergence: the slope of the logarithm of the estimated error against the logarithm of the step, over
+ * the three finest steps with the page's own laws and values. Rounding errors are left out. NaN: fewer than three steps
+ * are left. */
 static double order_of(const struct nb_advice *advice) {
   double error[3] = {0};
   int level[3] = {0};
@@ -133,7 +134,8 @@ static double order_of(const struct nb_advice *advice) {
   return count < 3 ? NAN : log2(error[0] / error[2]) / (level[2] - level[0]);
 }
 
-/* Whether the law of a variant that changes only this law is accurate enough: 1 yes, 0 no, -1 unknown. */
+/* Whether the shear law of a variant in which only this law differs from the page is accurate enough: 1 yes, 0 no, -1
+ * unknown. */
 static int is_enough(const struct nb_advice *advice, size_t variant) {
   const struct nb_variant *law = &advice->variants[variant];
   int enough = law->equal && strstr(law->reason, "the page") ? 1 : law->distance > 0 ? 0 : -1;
@@ -143,7 +145,8 @@ static int is_enough(const struct nb_advice *advice, size_t variant) {
   return enough;
 }
 
-/* Writes the other shear laws that, with the normal law of the page, are accurate enough (1) or not (0). */
+/* Writes the names of the other shear laws that, with the normal law of the page, are accurate enough (`enough` is 1)
+ * or not accurate enough (0). */
 static void put_laws(FILE *out, const struct nb_advice *advice, int enough) {
   char text[TEXT_SIZE] = "";
   for (size_t k = 1; k < advice->variant_count; k++) {
@@ -209,8 +212,8 @@ static void draw(struct search_all *all, const struct nb_advice *advice) {
     note_status(all, nb_print_plain_error(&error));
 }
 
-/* Searches for a setting, unless the table has a row of this search. `first`: the quantity is the first one of the
- * page, for which the figure is drawn. Returns the first letter of the result; 0: memory ran out. */
+/* Searches for the cheapest setting, unless the table has a row of this search. `first`: the quantity is the first one
+ * of the page, for which the figure is drawn. Returns the first letter of the result; 0: memory ran out. */
 static char search_one(struct search_all *all, const struct nb_page *page, const struct wanted *wanted,
                        const char *tolerance, bool first) {
   char key[4096];
@@ -253,7 +256,8 @@ static char search_one(struct search_all *all, const struct nb_page *page, const
   return status == NB_NO_MEMORY ? 0 : result[0];
 }
 
-/* The next text of a list whose parts are separated by `;`, without spaces around it. False: there is none. */
+/* Writes the next text of a list whose texts are separated by `;`, without spaces around it, and moves *list behind it.
+ * False: there is none. */
 static bool next_text(char *text, size_t size, const char **list) {
   const char *at = *list + strspn(*list, " ;");
   size_t length = strcspn(at, ";");
@@ -357,7 +361,7 @@ static void free_run(struct wanted *wanted, const struct search_all *all) {
   free(wanted->settings);
 }
 
-/* Searches for quantities that the page expects. */
+/* Searches for settings for the first quantities that the page expects, at most QUANTITIES. */
 static void search_expected(struct search_all *all, const struct nb_outcome *page, struct wanted *wanted) {
   const struct nb_page_run *run = &page->runs[(page->run_count - 1) / 2];
   size_t count = 0;

@@ -1,6 +1,6 @@
 /* The leading bits that two values of an expected quantity have in common.
  *
- * A value x and the value x_nearest of a run rounded to nearest have floor(-log2(|x - x_nearest| / scale)) bits in
+ * A value x and the value x_nearest of a run that rounds to nearest have floor(-log2(|x - x_nearest| / scale)) bits in
  * common, 53 if they are equal. The scale is |x_nearest|, or the quantity of which the tolerance is a fraction. With an
  * absolute tolerance, and for a curve, the scale is the largest magnitude of the quantity in the run, because a force
  * that returns to 0 has no leading bits. Residuals, and quantities that stay within their absolute tolerance, have no
@@ -17,7 +17,7 @@ int nb_common_bits(double value, double nearest, double scale) {
   const double difference = fabs(value - nearest);
   if (difference == 0)
     return NB_ALL_BITS;
-  const double bits = floor(-log2(difference / scale)); /* NaN: a value is not finite */
+  const double bits = floor(-log2(difference / scale)); /* NaN if a value is not finite; the result is then 0 */
   return bits > 0 ? bits < NB_ALL_BITS ? (int)bits : NB_ALL_BITS : 0;
 }
 
@@ -34,8 +34,8 @@ bool nb_expected_has_bits(const struct nb_page_run *nearest, size_t index) {
                                      largest(&nearest->result.table, e->measure.column) > e->tolerance.value);
 }
 
-/* The bits of a curve: the fewest bits of the rows of its stage. The runs have equal numbers of rows, unless `until`
- * ends a stage earlier. */
+/* The bits of a curve: the smallest number of all rows of its stage. The result is 0 if the numbers of rows differ,
+ * because `until` has ended a stage earlier in one of the runs. */
 static int curve_bits(const struct nb_measure *measure, const struct nb_table *table, const struct nb_table *nearest) {
   size_t first, end, from, to;
   nb_measure_rows(measure, table, &first, &end);

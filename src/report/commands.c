@@ -212,7 +212,7 @@ static int stage_of(const struct nb_call *call, const struct nb_outcome *outcome
   return -1;
 }
 
-/* Runs the scene to the end of the stage and writes the state with the settings of the page. */
+/* Runs the scene to the end of the stage, and writes the state together with the settings of the call. */
 static enum nb_status write_state(struct nb_scene *scene, size_t stage, const char *path, const struct nb_call *call,
                                   struct nb_error *error) {
   struct nb_saved saved = {0};

@@ -24,7 +24,7 @@ struct nb_call {
   const char *quantity, *within, *budget, *over; /* options of `advise` */
   int realizations;
   const char *rounding; /* option of `check`: "all" or "parts"; NULL: to nearest only */
-  unsigned given;       /* set of options, by their index in the table */
+  unsigned given;       /* bit set of the options that the call has, by their index in the table of main.c */
 };
 
 /* ---- commands.c: one function for each command ---- */
@@ -72,10 +72,11 @@ void nb_print_warnings(FILE *out, const char *before, const char *path, const st
 void nb_repeat_warnings(const char *before, const char *path, const struct nb_warnings *warnings);
 void nb_print_verdict(const struct nb_outcome *outcome);
 void nb_print_tap(const struct nb_outcome *outcome, const char *path);
-/* The first function prints to stderr an error that belongs to no page, and returns its status; the second one prints the
- * mistakes or the error of an outcome, the third one an error of a page. */
+/* Prints to stderr an error that belongs to no page, and returns its status. */
 enum nb_status nb_print_plain_error(const struct nb_error *error);
+/* Prints to stderr the mistakes or the error of an outcome. */
 void nb_print_errors(const struct nb_outcome *outcome, const char *path);
+/* Prints to stderr an error of a page. */
 void nb_print_error(const struct nb_error *error, const struct nb_page *page, const char *path);
 struct nb_progress_line {
   const char *page;
@@ -84,7 +85,7 @@ struct nb_progress_line {
 struct nb_progress nb_print_progress(struct nb_progress_line *line); /* no progress if stderr is not a terminal */
 void nb_print_progress_end(struct nb_progress_line *line);
 
-/* Prints the text with some characters replaced; the list ends in a row of zeros. */
+/* Prints the text with each character of the list replaced by its text `by`; the list ends in a row of zeros. */
 struct nb_escape {
   char character;
   const char *by;
@@ -113,8 +114,9 @@ void nb_preamble_write(FILE *out, const struct nb_outcome *outcome);
 
 /* ---- figure.c ---- */
 
-/* Writes to `plots` the folder of style and recipes, with a slash at the end. The folder is beside the program,
- * as in the build tree, or where both were installed; never a folder of the page. Empty with an error if not found. */
+/* Writes to `plots` the path of the folder with the figure style and the plot recipes, with a slash at the end. It is
+ * the folder beside the program, as in the build tree, or the installed folder, but never a folder of the page. If
+ * neither is found, `plots` is empty and *error says so. */
 void nb_plots_find(char *plots, size_t size, struct nb_error *error);
 bool nb_page_has_figure(const struct nb_page *page); /* the page has a `gnuplot` block */
 /* Writes NAME.gp into the folder, and lets gnuplot draw NAME.svg and NAME.png. If the page has no figure, *drawn is
@@ -123,8 +125,8 @@ bool nb_page_has_figure(const struct nb_page *page); /* the page has a `gnuplot`
 enum nb_status nb_figure_draw(const struct nb_outcome *outcome, const char *folder, bool trust, bool *drawn,
                               struct nb_error *error);
 
-/* What nb_script_draw writes to FOLDER/NAME.gp: the style of figures, then the lines that `write` adds. It draws
- * NAME.svg and NAME.png, with gnuplot confined as in nb_figure_draw. */
+/* What nb_script_draw writes to FOLDER/NAME.gp: the style of figures, then the lines that `write` adds. Then
+ * nb_script_draw draws NAME.svg and NAME.png, with gnuplot confined as in nb_figure_draw. */
 struct nb_script {
   const char *name;
   const struct nb_outcome *outcome; /* for the first lines of the file */

@@ -21,13 +21,13 @@ struct nb_length {
 struct nb_cost {
   struct nb_bounds cycles, updates; /* contact updates */
   struct nb_bounds seconds;  /* processor time, s, with reading, reference, tables and verdict, without the figure */
-  struct nb_bounds measured; /* the part of it for cycles with conditions and rows, s; 0: could not be measured */
+  struct nb_bounds measured; /* the part of `seconds` for cycles with conditions and rows; 0: could not be measured */
   double reading;            /* time per run to start the program and to read the page, s; the caller sets it */
   struct nb_length *lengths; /* for each stage; owned */
 };
-/* Finds the expected cost of a run. The model is at the beginning of the run, and its clock is changed; NULL: a contact
- * test. If the time of a cycle cannot be measured, returns NB_OK with error->text. The caller frees cost->lengths in
- * any case. */
+/* Finds the expected cost of a run. The model is at the beginning of the run, and its clock is changed; for a contact
+ * test it is NULL. If the time of a cycle cannot be measured, returns NB_OK with the reason in error->text. The caller
+ * frees cost->lengths in any case. */
 enum nb_status nb_cost_expect(struct nb_cost *cost, const struct nb_page_run *run, struct nb_model *model,
                               const struct nb_options *options, struct nb_error *error);
 /* Finds only the bounds of the cycles, without a model. A stage with conditions lasts from the first cycle in which they

@@ -1,14 +1,14 @@
 /* Estimates of the error of a quantity Q that was computed with several time steps.
  *
- * Q(n) is the result with n steps per unit of time; p is the order of its error, Q(n) = Q + C/n^p.
+ * Q(n) is the result with n steps per unit of time. Its limit is Q, and p is the order of its error: Q(n) = Q + C/n^p.
  *
  *   d_1 = Q(n) - Q(2n),   d_2 = Q(2n) - Q(4n),   p = log2(|d_1|/|d_2|), limited to the range 0.5 to 2
  *   G = |d_1| 2^p/(2^p - 1)                  error of Q(n) by Richardson's extrapolation
  *   G = 3 max(|d_1|, |d_2|)                  if |d_2| >= |d_1|, because no order is visible
  *
  * The numbers of cycles of a page may allow no step of half the length, but only a step of the length 1/r with 1 < r <
- * 2. Then the difference d of the two results counts as d ln 2/ln r, as if Q changed in proportion to the logarithm of
- * the step.
+ * 2. Then the difference d of the two results is replaced by d ln 2/ln r, as if the result changed in proportion to the
+ * logarithm of the step.
  *
  * The moment of first touch within a step changes Q(n). So Q(n) is computed for several such moments, the phases, and
  * the largest G is used. The anchor is a result with the laws of the page and a smaller step:
@@ -21,7 +21,8 @@
  * The factors 3 and 1.25 are calibrated (make accuracy), not derived.
  *
  * An assembly is chaotic: only the mean over m realizations has a limit. Realization k begins with the same random
- * assembly in both runs. D is the mean and s the standard deviation of D_k = Q_k(n) - Q_k(anchor):
+ * assembly in the run with n steps and in the run of the anchor. D is the mean and s the standard deviation of
+ * D_k = Q_k(n) - Q_k(anchor):
  *
  *   |D| + t s/m^(1/2)                        the estimated error of the mean; t: quantile of Student's distribution
  *

@@ -14,7 +14,7 @@ struct nb_ratios {
 };
 
 /* The estimate G of the error of Q(n) that is due to the step, from Q(n), Q(2n) and Q(4n), where n is the number of
- * steps per unit of time (estimate.c). Infinite if one of them is not finite. */
+ * steps per unit of time (estimate.c). Infinite if one of the three results is not finite. */
 double nb_estimate_step(double n, double n2, double n4, struct nb_ratios ratios);
 
 /* The anchor: the value from which the error of a setting is measured, and its uncertainty. */
@@ -32,6 +32,7 @@ double nb_estimate_claim(double *step, const double n[], const double n2[], cons
 /* The mean and the standard deviation. */
 double nb_estimate_average(const double values[], size_t count);
 double nb_estimate_scatter(const double values[], size_t count);
-/* The estimated error of the mean over realizations, from Q of each realization and from that of the same realization
- * at the anchor; `quantile`: Student's, of count values. *difference receives the difference of the two means. */
+/* The estimated error of the mean over realizations, from the result of each realization and from the result of the
+ * same realization at the anchor. `quantile` is the quantile of Student's distribution for `count` values. *difference
+ * receives the difference of the two means. */
 double nb_estimate_mean(double *difference, const double n[], const double anchor[], size_t count, double quantile);

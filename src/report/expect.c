@@ -104,7 +104,7 @@ static bool begins_expectation(const char *word) {
 }
 
 /* Writes the hint for arithmetic with measures, `A.x max / B.x max`: `label` is the first measure, `first` the first
- * word of the second one. The next tokens are its other words. */
+ * word of the second one. The next tokens of the line are the other words of the second measure. */
 static const char *ratio_hint(char *hint, const struct nb_reader *reader, const char *label, const char *first) {
   char other[4 * NB_NAME_SIZE];
   snprintf(other, sizeof other, "%s", first);
@@ -150,7 +150,7 @@ static bool take_stage(struct nb_reader *reader, const struct nb_scene *scene, s
   return true;
 }
 
-/* Takes the value after `at`: a number of cycles, in a contact test of steps, or a time. */
+/* Takes the value after `at`: a number of cycles, a number of steps in a contact test, or a time. */
 static bool take_time(struct nb_reader *reader, const struct nb_scene *scene, struct nb_measure *measure) {
   const char *const words[] = {scene->contact_test ? "steps" : "cycles", scene->contact_test ? "step" : "cycle"};
   const struct nb_token *number = nb_token_peek(reader);
@@ -213,7 +213,8 @@ static bool is_bare_reducer(const struct nb_reader *reader, size_t k) {
          (*after == '[' || strcmp(after, "within") == 0);
 }
 
-/* Takes a measure to compare with one in `unit`: it must have the same dimension, unless the page has `units none`. */
+/* Takes a measure that is compared with a measure in `unit`. Both must have the same dimension, unless the page has
+ * `units none`. */
 static bool take_measure_like(struct nb_reader *reader, const struct nb_scene *scene, const char *unit,
                               struct nb_measure *measure) {
   const struct nb_token *token = nb_token_peek(reader);
@@ -249,7 +250,7 @@ static bool take_fraction(struct nb_reader *reader, const struct nb_scene *scene
                                        : take_measure_like(reader, scene, unit, &tolerance->of);
 }
 
-/* True if the word follows the next token. */
+/* True if the token after the next one is this word. */
 static bool is_before(const struct nb_reader *reader, const char *word) {
   return reader->next + 1 < reader->count && strcmp(reader->tokens[reader->next + 1].text, word) == 0;
 }
@@ -361,7 +362,8 @@ static bool is_decided(struct nb_reader *reader, const struct nb_token *token, c
   return true;
 }
 
-/* Appends the tokens up to the source or the token `end`; `first` of other programs becomes `at 0 cycles`. */
+/* Appends the tokens from number `from` up to the source, or up to number `end` if there is no source before it;
+ * `first` of other programs becomes `at 0 cycles`. */
 static void append_words(char *hint, const struct nb_reader *reader, size_t from, size_t end) {
   for (size_t k = from; k < end && reader->tokens[k].text[0] != '['; k++)
     nb_append(hint, NB_HINT_SIZE, " %s",
@@ -544,7 +546,8 @@ struct reading {
   const struct nb_scene *scene;
 };
 
-/* Reads the expectation by the row of its word. The hint for an unknown word also suggests reducers and `in`. */
+/* Reads the rest of the expectation as the row of its word says. The hint for an unknown word also suggests reducers
+ * and `in`. */
 static bool take_kind(struct nb_reader *reader, const struct reading *reading, struct nb_expectation *expectation) {
   char hint[NB_HINT_SIZE], words[256] = "";
   const struct nb_token *token = nb_token_peek(reader);

@@ -22,7 +22,7 @@ struct nb_measure {
   enum nb_reducer reducer;
   double at;        /* for NB_AT_CYCLE the number of the cycle, for NB_AT_TIME the time, s */
   int stage;        /* index; NB_STAGE_ALL: `in all`; -1: not given (see nb_measure_rows) */
-  bool is_residual; /* the quantity is a residual: 0 by definition, without a reference */
+  bool is_residual; /* the quantity is a residual: it should be 0 and needs no reference */
 };
 
 enum nb_tolerance_kind { NB_ABSOLUTE, NB_RELATIVE, NB_OF_PEAK, NB_OF_MEASURE };
@@ -83,7 +83,7 @@ struct nb_expectation_row {
   const char *word; /* the word after the measure */
   enum nb_expectation_kind kind;
   const char *syntax; /* syntax of the whole statement, for the manual */
-  /* Reads the rest of the line after the word; expectation->measure is set. */
+  /* Reads the rest of the line after the word. The measure has been read before. */
   bool (*take)(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation);
   const char *help;
   const char *example; /* as in struct nb_keyword */

@@ -290,7 +290,7 @@ static void explain_absent(FILE *out, const struct nb_model *model) {
 static void explain_dashpots(FILE *out, const struct nb_scene *scene, const struct nb_damping *damping) {
   static const char *const words[] = {
       [NB_CONTACT_STIFFNESS] = "stiffness", [NB_CONTACT_R89_FRACTION] = "r89-fraction", [NB_CONTACT_RATIO] = "ratio"};
-  const int kinds = damping->walls_separate ? 2 : 1; /* between particles; with walls */
+  const int kinds = damping->walls_separate ? 2 : 1; /* 0: between particles; 1: with walls */
   for (int wall = 0; wall < kinds; wall++) {
     double value;
     const enum nb_contact_damping kind = nb_damping_at(damping, wall, &value);
@@ -303,7 +303,7 @@ static void explain_dashpots(FILE *out, const struct nb_scene *scene, const stru
     fprintf(out, "  damping critical beyond overlap %g %%, line %d\n", 100 * damping->deep, damping->deep_line);
 }
 
-/* Prints what acts on the particles at the start of the run without being a hook. */
+/* Prints the loading and the damping that act at the start of the run and are not hooks. */
 static void explain_loading(FILE *out, const struct nb_scene *scene) {
   const struct nb_damping *damping = &scene->stages[scene->start.stages].damping;
   if (scene->circle.line || scene->gravity.line || damping->global_kind || nb_damping_contact_line(damping))
@@ -391,12 +391,12 @@ static void explain_collision(FILE *out, const struct nb_model *model, const cha
   fprintf(out, " at %g%s\n", collision.speed, nb_unit(model->scene, " m/s"));
 }
 
-/* Prints the error of quantities of the cases with this number of steps per collision: docs/ACCURACY.md. */
+/* Prints how large the errors in the cases were with about this number of steps per collision (docs/ACCURACY.md). */
 static void explain_accuracy(FILE *out, double steps) {
   static const struct {
     double steps; /* steps per collision: this number or more, up to twice as many */
     unsigned count;
-    double half, most; /* largest relative error of half of the quantities, and of 90 % of them */
+    double half, most; /* half of the relative errors are below `half`, 90 % of them below `most` */
   } rows[] = {
 #include "accuracy_rows.h"
   };
@@ -447,7 +447,7 @@ static void explain_step(FILE *out, const struct nb_model *model) {
 
 /* ---- stages ---- */
 
-/* Prints the gain of a servo: B and T of servo.c at the beginning, if there are contacts. */
+/* Prints the gain of a servo, with B and T of servo.c at the start of the run if there are contacts. */
 static void explain_gain(FILE *out, const struct nb_model *model, const struct nb_servo *servo) {
   const struct nb_scene *scene = model->scene;
   double b, t;
@@ -492,8 +492,9 @@ static void explain_strain_rate(FILE *out, const struct nb_scene *scene, int lin
             rate->xy == 0 || rate->yx == 0 ? "simple shear" : "shear with rotation", sum, unit);
 }
 
-/* A stage with shear may end when the component xy of a strain, half the engineering shear strain, passes a value. Then
- * prints the statement that ends the stage when the engineering shear strain has this value. */
+/* A stage with shear may end when the component xy of a strain, half the engineering shear strain, passes a value. For
+ * such a stage this function prints the statement that ends the stage when the engineering shear strain has this
+ * value. */
 static void explain_shear_end(FILE *out, const struct nb_scene *scene, const struct nb_stage *stage) {
   static const char xy[] = ".strain.xy";
   const struct nb_strain_rate *const rate = stage->cell_line       ? &stage->cell
@@ -524,8 +525,8 @@ static const struct nb_scene *scene_of(const struct nb_scene *scene, size_t stag
   return scene;
 }
 
-/* Prints the statement of an earlier stage that still moves something. `scene`: the scene of the page that has the
- * statement; `here`: it is the page that is explained. */
+/* Prints the statement of an earlier stage that still moves something. `scene` is the scene of the page that has the
+ * statement; `here` is true if this is the page that is explained. */
 static void print_inherited(FILE *out, const struct nb_scene *scene, size_t from, int line, bool here) {
   struct nb_reader reader;
   if (!read_statement(&reader, scene, (size_t)line))
@@ -536,7 +537,8 @@ static void print_inherited(FILE *out, const struct nb_scene *scene, size_t from
   fputc('\n', out);
 }
 
-/* True if a later motion of the wall, or the strain of its box, replaces motion `m` of stage `from` in stage `s`. */
+/* True if motion `m` of stage `from` does not act in stage `s`, because a later motion of the wall, or the strain of
+ * its box, replaces it. */
 static bool is_replaced(const struct nb_scene *scene, size_t from, const struct nb_wall_motion *m, size_t s) {
   const int first = nb_box_first_wall(scene);
   bool replaced = first >= 0 && m->wall >= first && m->wall < first + 4 && nb_box_strained_in(scene, s);
@@ -553,7 +555,7 @@ static void explain_inherited(FILE *out, const struct nb_scene *scene, size_t s)
     if (from < 0)
       continue;
     const struct nb_scene *of = scene_of(scene, (size_t)from);
-    nb_affine_given(&of->stages[from], source, &line); /* if another page has the stage, `line` was that of `start` */
+    nb_affine_given(&of->stages[from], source, &line); /* for a stage of another page, `line` was the line of `start` */
     print_inherited(out, of, (size_t)from, line, of == scene);
   }
   for (size_t from = 0; from < s; from++) {
@@ -657,8 +659,8 @@ static enum nb_status explain_contact_test(FILE *out, const struct nb_scene *sce
 
 /* ---- nb_explain ---- */
 
-/* A model of a page whose state does not exist: with the particles of the other page at time 0, and with the laws and
- * the properties at the end of the other page's stages. */
+/* A model of a page that starts from a state which does not exist yet. The model has the particles of that state's page
+ * at time 0, and the laws and the properties at the end of the stages before the state. */
 static struct nb_model *model_before_start(const struct nb_scene *scene, const struct nb_options *options,
                                            struct nb_error *error) {
   struct nb_model *model = nb_model_resume(scene, options, NULL, error);
@@ -677,7 +679,8 @@ static struct nb_model *model_before_start(const struct nb_scene *scene, const s
   return NULL;
 }
 
-/* Prints the plan of a page whose state does not exist, as far as it follows from the scene. */
+/* Prints the plan of a page that starts from a state which does not exist yet, as far as the plan follows from the
+ * scene. */
 static enum nb_status explain_before_start(FILE *out, const struct nb_scene *scene, const struct nb_options *options,
                                            struct nb_cost *cost, struct nb_error *error) {
   const struct nb_start *start = &scene->start;

@@ -1,6 +1,6 @@
 /* The figure of a page: one gnuplot script with the style, all computed and reference values, and the gnuplot blocks of
  * the page. The script can be edited and run by hand. `nineball --help gnuplot` (manual.c) lists the variables and data
- * that it defines.
+ * that the script defines.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <ctype.h>
@@ -107,7 +107,7 @@ void nb_plots_find(char *plots, size_t size, struct nb_error *error) {
                  "the style of figures, plots/style.gp, is neither beside the program nor in %s/plots", NB_DATADIR);
 }
 
-/* Writes a text in single quotes, in which gnuplot interprets nothing; a quote in the text is doubled. */
+/* Writes NAME = 'TEXT'. Gnuplot interprets nothing in single quotes; a quote in the text is doubled. */
 static void write_quoted(FILE *out, const char *name, const char *text) {
   static const struct nb_escape quote[] = {{'\'', "''"}, {0, NULL}};
   fprintf(out, "%s = '", name);
@@ -136,7 +136,7 @@ static void write_page_figure(FILE *out, const struct nb_outcome *outcome, const
     write_run(out, outcome, r);
   for (size_t k = 0; k < page->line_count; k++)
     if (page->kind_of[k] == 1 + NB_BLOCK_GNUPLOT) {
-      if (page->kind_of[k - 1] != page->kind_of[k]) /* a fence is above the block */
+      if (page->kind_of[k - 1] != page->kind_of[k]) /* the first line of a block; the line before it is the fence */
         fprintf(out, NB_PAGE_LINE "\n", k + 1);
       fprintf(out, "%s\n", page->lines[k]);
     }

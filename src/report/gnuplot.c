@@ -9,7 +9,7 @@
 #include "core/clean.h"
 #include "tool.h"
 
-/* Appends the line of the page to a message about a line of the script, `"./NAME.gp" line 812: …`. */
+/* Appends the number of the line of the page to a message about a line of the script, `"./NAME.gp" line 812: …`. */
 static void add_page_line(const struct nb_gnuplot *drawing, char *message, size_t size) {
   const char *const said = strstr(message, ".gp\" line ");
   size_t wanted, page = 0, at = 0, room = 0;

@@ -60,14 +60,15 @@ const char *nb_html_verdict(char *text, size_t size, const struct nb_report_page
 
 enum { WIDE = 140, HIGH = 50, MARGIN = 5 }; /* sizes of the picture of a trend, in units of its view box */
 
-/* Fraction of the way from the smallest to the largest value, logarithmic if they differ by more than `decades`. */
+/* Fraction of the way from the smallest to the largest value. The scale is logarithmic if the largest value is more
+ * than `decades` powers of ten above the smallest. */
 static double position(double value, double smallest, double largest, double decades) {
   if (smallest > 0 && log10(largest / smallest) > decades)
     return log(value / smallest) / log(largest / smallest);
   return largest > smallest ? (value - smallest) / (largest - smallest) : 0.5;
 }
 
-/* Writes a picture of the computed values against the swept values, with the numbers as its description. */
+/* Writes a picture of the computed values against the swept values. The message of the check is its description. */
 static void write_points(FILE *out, const struct nb_check *check) {
   double least[2] = {INFINITY, INFINITY}, most[2] = {-INFINITY, -INFINITY};
   for (size_t k = 0; k < 2 * check->point_count; k++) {

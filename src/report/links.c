@@ -1,7 +1,7 @@
 /* The targets of a page's links in the report: another page, or a copy of a file.
  *
- * A page may come from a stranger, and a report may be published. So a file is copied only if it is in the folder of
- * the page or below, unless the pages are trusted; and only if it is a small picture or text.
+ * A page may come from a stranger, and a report may be published. So a file is copied only if it is a small picture or
+ * text. It must also be in the folder of the page or below, unless the pages are trusted.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdio.h>
@@ -14,7 +14,8 @@
 #include "input/text.h"
 #include "report.h"
 
-enum { LIST_BYTES = 100000, FILE_BYTES = 300000 }; /* largest size of all links of a page; of a file that is copied */
+/* largest size of the list of a page's links, and of a file that is copied */
+enum { LIST_BYTES = 100000, FILE_BYTES = 300000 };
 
 static bool has_ending(const char *name, const char *endings) {
   const char *dot = strrchr(name, '.');

@@ -36,7 +36,7 @@ static const struct {
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
-/* Which commands take an option. */
+/* Lists of the commands that take an option. */
 #define CHECKING "run, check, figure, report"
 #define ALL CHECKING ", explain, advise, state"
 
@@ -106,7 +106,7 @@ static const double checkpoint_seconds = 60;
 static volatile sig_atomic_t stop_signal;
 static void note_signal(int number) { stop_signal = number; }
 
-/* The first signal stops the run after its cycle; a second one of the same kind ends the process. */
+/* The first signal stops the run after the present cycle; a second one of the same kind ends the process. */
 static void catch_signals(struct nb_call *call) {
   struct sigaction action = {.sa_handler = note_signal, .sa_flags = (int)SA_RESETHAND};
   signal(SIGPIPE, SIG_IGN); /* output files are written even if nobody reads the verdict */

@@ -161,7 +161,7 @@ static bool tail_parts(const struct manual *to, const char *help, const char *wo
   return found;
 }
 
-/* "Place: the scene; a stage." */
+/* Appends where a statement may stand: " Place: the scene; a stage." */
 static void append_place(char *text, size_t size, unsigned where) {
   static const struct {
     unsigned all, none; /* flags that the statement must have, and flags that it must not have */
@@ -526,7 +526,7 @@ static bool find_statement(const struct manual *to, const char *word, struct nb_
   const struct nb_keyword *row;
   char first[NB_NAME_SIZE], syntax[512];
   bool found = false;
-  for (int t = 0; t < 6; t++) /* both tables: first words, then clauses, then the words of tails */
+  for (int t = 0; t < 6; t++) /* three times through both tables: first words, then clauses, then the words of tails */
     for (size_t k = 0; (row = nb_keyword_row(tables[t % 2], k)); k++) {
       nb_first_word(first, row->word ? row->word : "");
       nb_guess_offer(guess, first);
@@ -560,8 +560,8 @@ static bool find_expectation(const struct manual *to, const char *word, struct n
   return found;
 }
 
-/* Prints the statement that names the owner of a quantity, unless it is `last`, that of the previous quantity. Returns
- * the statement. */
+/* Prints the statement that names the owner of a quantity, unless it is `last`, the statement of the previous quantity.
+ * Returns the statement. */
 static const char *own_line(const struct manual *to, const struct nb_quantity_row *row, const char *last) {
   if (row->statement && row->statement != last)
     fprintf(to->out, "  `%s`, then `%s%s`\n", row->statement, row->prefix, row->name);
@@ -645,7 +645,7 @@ static bool find(const struct manual *to, const char *word, struct nb_guess *gue
 }
 
 /* Prints the help on one word. For several words, the last one comes first, because it is the noun in `contact
- * damping`. */
+ * damping`. False: there is no help. */
 static bool words_help(const struct manual *to, const char *text, struct nb_guess *guess) {
   const struct manual brief = {to->out, false, false, to->shown};
   const struct nb_synonym *const synonym = nb_synonym(text);

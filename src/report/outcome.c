@@ -46,7 +46,8 @@ static void read_again(const struct nb_outcome *outcome, struct nb_page_run *run
 
 /* ---- quantities of removed particles ---- */
 
-/* The index of the first stage that removes particle `i`, and *line that of the statement; -1: none does. */
+/* The index of the first stage that removes particle `i`; *line receives the line of the statement `remove`. -1: no
+ * stage removes it. */
 static int removal_of(const struct nb_scene *scene, int i, int *line) {
   for (size_t s = 0; i >= 0 && s < scene->stage_count; s++)
     for (size_t k = 0; k < scene->stages[s].removal_count; k++) {
@@ -68,7 +69,7 @@ static bool is_expected_0(const struct nb_expectations *expectations, size_t col
   return false;
 }
 
-/* As removal_of, for the particles of a monitor. Regions, walls and gradings have none. */
+/* As removal_of, for the particles of a monitor. -1 also for the monitor of a region, a wall or a grading. */
 static int removal_of_monitor(const struct nb_scene *scene, const struct nb_monitor *monitor, int *line) {
   const bool pair = monitor->kind == NB_MONITOR_PARTICLE_PARTICLE;
   if (!pair && monitor->kind != NB_MONITOR_PARTICLE && monitor->kind != NB_MONITOR_PARTICLE_WALL)
@@ -77,8 +78,8 @@ static int removal_of_monitor(const struct nb_scene *scene, const struct nb_moni
   return stage < 0 && pair ? removal_of(scene, monitor->b, line) : stage;
 }
 
-/* Warns of one column. The line is that of the statement `remove`, or that of `start` if the page from which this one
- * starts removes the particle. */
+/* Warns that a column is 0 from a stage on. The warning is about the line of the statement `remove`. If the page from
+ * which this one starts removes the particle, it is about the line of `start`. */
 static void warn_of_0(struct nb_warnings *warnings, const struct nb_scene *scene, const char *column, size_t stage,
                       int line) {
   const char *const name = scene->stages[stage].name;
@@ -93,7 +94,8 @@ static void warn_of_0(struct nb_warnings *warnings, const struct nb_scene *scene
     nb_warn(warnings, line, "`%s` is 0 in all stages, because this line removes its particle in the first one", column);
 }
 
-/* Warns of recorded quantities that are 0 because a stage removes their particle. The position stays the last one. */
+/* Warns of recorded quantities that are 0 because a stage removes their particle. The position keeps its last value, so
+ * there is no warning of it. */
 static void warn_removed(struct nb_outcome *outcome, const struct nb_page_run *run) {
   const struct nb_scene *const scene = &run->scene;
   for (size_t c = 0; c < scene->column_count; c++) {

@@ -41,7 +41,8 @@ struct nb_check {
   struct nb_part {
     unsigned short at, length;
   } parts[NB_PARTS]; /* parts of the message, for a table; length 0: the message has no such part */
-  /* for a trend: pairs of the swept value (its position if it is a word) and the computed value or error; owned */
+  /* for a trend: pairs of a swept value, or of its position in the sweep if it is a word, and the computed value or its
+   * error; owned */
   double *points;
   size_t point_count;
   enum nb_mark mark;
@@ -92,8 +93,8 @@ void nb_outcome_free_runs(struct nb_outcome *outcome); /* keeps page, checks, wa
 
 /* ---- spool.c: results of runs that are not in memory ---- */
 
-/* Writes the tables that the run has recorded to the file of the spool, unless the results in memory, with this one,
- * have at most limit->bytes. After an error the result stays in memory. */
+/* Writes the tables that the run has recorded to the file of the spool, unless all results in memory and this one
+ * together have at most limit->bytes. After an error the result stays in memory. */
 enum nb_status nb_spool_put(struct nb_spool *spool, struct nb_page_run *run, const struct nb_results_kept *limit,
                             struct nb_error *error);
 /* The first function returns the table of a run, the second one the result with its snapshots. They are valid until one

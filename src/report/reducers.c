@@ -3,8 +3,8 @@
  *   mean        sum of the rows divided by their number
  *   amplitude   half the difference of largest and smallest value
  *   frequency   number of upward crossings of the mean, minus one, divided by the time from the first to the last
- *               crossing; the time of a crossing is interpolated linearly between two rows. A row at the mean counts
- *               as above it
+ *               crossing; the time of a crossing is interpolated linearly between two rows. A value equal to the mean
+ *               counts as above it
  *   at N cycles the row of that cycle
  *   at TIME     interpolated linearly between two rows
  *

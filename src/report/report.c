@@ -49,7 +49,7 @@ static bool is_document(const struct nb_page *page) {
   return page->line_count > 0 && k == page->line_count;
 }
 
-/* Reads the text of a page; documents and pages that are not run keep it. */
+/* Reads the text of a page. For a document, and for a page that is not run, page->outcome keeps the text. */
 static void survey(struct nb_report_page *page) {
   struct nb_mistakes mistakes = {0};
   struct nb_page content;

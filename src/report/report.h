@@ -11,9 +11,9 @@
 
 /* A page of the report. */
 struct nb_report_page {
-  const char *path;                                 /* as the caller gives it */
+  const char *path;                                 /* the path that the caller gives */
   char *real;                                       /* its real path; owned; NULL: it cannot be read */
-  char name[NB_NAME_SIZE], title[NB_NAME_SIZE * 2]; /* unique in the report; first heading */
+  char name[NB_NAME_SIZE], title[NB_NAME_SIZE * 2]; /* `name` is unique in the report; `title` is the first heading */
   char message[512];                                /* an error other than a failed check, or empty */
   char figure[NB_NAME_SIZE + 8];                    /* NAME.svg, or NAME.png */
   char cost[256];                                   /* one line, or empty */
@@ -42,7 +42,8 @@ struct nb_report {
 void nb_html_text(FILE *out, const char *before, const char *text, const char *after);
 /* Appends a file name as a part of a URL, percent-encoded (RFC 3986). */
 void nb_html_address(char *address, size_t size, const char *name);
-/* Writes everything up to the body. `top` is the path to the folder of the report: "" or "../". */
+/* Writes everything up to the body. `top` is the path to the folder of the report: "" or "../". `script` is a script in
+ * this folder, or NULL. */
 void nb_html_begin(FILE *out, const char *title, const char *top, const char *script);
 /* Writes "12 checks passed", or the failure; returns the class pass, fail or none. The text is empty for a document. */
 const char *nb_html_verdict(char *text, size_t size, const struct nb_report_page *page);

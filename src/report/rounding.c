@@ -13,7 +13,7 @@
 
 static const char *const mode_words[NB_ROUNDINGS] = {"nearest", "up", "down", "zero"};
 
-/* The fewest bits of an expectation, over some modes and all runs. */
+/* The fewest bits of expectation number `index`, over all runs and all modes so far; `run` is the run that has them. */
 struct least {
   int bits;
   size_t run, index;
@@ -34,7 +34,7 @@ static enum nb_status make(struct nb_outcome *outcome, const struct nb_call *cal
   struct nb_progress_line line = {.page = path};
   const struct nb_progress progress = nb_print_progress(&line);
   options.rounding = rounding;
-  if (!nb_outcome_read(outcome, path, call->settings)) /* unlike nb_outcome_make, it keeps all scenes */
+  if (!nb_outcome_read(outcome, path, call->settings)) /* nb_outcome_make would not keep all scenes */
     outcome->status = nb_outcome_run(outcome, &options, &progress);
   if (!outcome->status)
     outcome->status = nb_verdict(outcome);
@@ -87,7 +87,7 @@ static void try_part(const struct nb_call *call, const struct nb_page_run *neare
 
 enum { MOST_PARTS = 64 }; /* a model has about twenty */
 
-/* Adds a part that is not in the list yet. The list and its parts are valid as long as the model exists. */
+/* Adds a part unless the list has it. The names of the parts belong to the model. */
 static void add_part(const char **parts, size_t *count, const char *part) {
   size_t k = 0;
   while (k < *count && strcmp(parts[k], part) != 0)

@@ -12,8 +12,9 @@ struct nb_row_table {
   char *before; /* the rows of earlier calls; NULL: none; owned */
 };
 
-/* Opens the table or makes it. Complete rows stay; an incomplete last row is removed. The caller closes the table, also
- * after an error. */
+/* Opens the table or makes it. `version` and `head` are the first two lines of a new table; an existing table must
+ * begin with `version`. Complete rows stay; an incomplete last row is removed. The caller closes the table, also after
+ * an error. */
 enum nb_status nb_row_table_open(struct nb_row_table *table, const char *path, const char *version, const char *head,
                                  struct nb_error *error);
 /* The text after `key` in the row that begins with `key`; NULL: there is no such row. */

@@ -105,7 +105,8 @@ static void write_all_runs(FILE *out, const struct nb_outcome *outcome) {
 
 /* ---- values ---- */
 
-/* True if the expectation has one value, and no earlier one of these has the same label. Then it gets a column. */
+/* True if the expectation gets a column: it has a single value, and no earlier expectation with a single value has the
+ * same label. */
 static bool first_of_its_name(const struct nb_expectations *expectations, size_t index) {
   for (size_t k = 0; k < index; k++)
     if (expectations->list[k].kind != NB_VERSUS &&

@@ -1,5 +1,5 @@
-/* Trials: runs of a page for `nineball advise`, each with the laws, values and step of a candidate, and with one of
- * several phases or realizations.
+/* Trials for `nineball advise`. A trial runs the page with the laws and values of a variant, with the step of a level,
+ * and with one of several phases or realizations.
  *
  * A phase is a moment of first touch within a step. `impact` sets this moment. A page whose stages all end by `until`,
  * and in which nothing is given per cycle, is run with slightly different steps instead. Any other page has one phase.
@@ -60,7 +60,7 @@ static void set_phase(struct nb_scene *scene, double phase) {
 
 /* ---- one trial ---- */
 
-/* The data of a thread for one run of the page; all of them owned. */
+/* The data of one trial; owned. */
 struct trial {
   size_t index;
   const char **settings;
@@ -73,7 +73,8 @@ static void add_setting(struct trial *trial, size_t *count, size_t *text, const 
   trial->settings[(*count)++] = trial->texts[(*text)++];
 }
 
-/* Reads the page with the settings of the caller and then those of the candidate. False: no memory. */
+/* Reads the page with the settings of the caller, and then those of the variant, the level and the realization. False:
+ * no memory. */
 static bool read_trial(struct trial *trial, const struct nb_advice *advice, const struct nb_variant *variant,
                        int level) {
   const struct nb_scene *page = &advice->page.runs[0].scene;
@@ -109,8 +110,8 @@ static bool read_trial(struct trial *trial, const struct nb_advice *advice, cons
   return true;
 }
 
-/* Finds out whether the reference solution of the page covers the laws; otherwise `nineball run` would refuse the
- * setting. The runs of the search use no reference solution. */
+/* Finds out whether the reference solution of the page accepts the variant. If it does not, `nineball run` would refuse
+ * the setting. The trials use no reference solution. */
 static bool take_references(struct nb_advice *advice, struct nb_point *point, struct nb_variant *variant,
                             struct nb_outcome *outcome) {
   for (size_t r = 0; r < outcome->run_count; r++) {

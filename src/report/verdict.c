@@ -64,7 +64,7 @@ static int digit_count(double a, double b) {
 
 void nb_check_error(struct nb_check *check, const char *what, double error, double scale,
                     const struct nb_tolerance *tolerance, const char *unit) {
-  const bool relative = tolerance->kind != NB_ABSOLUTE; /* printed in per cent, unless most digits would be zeros */
+  const bool relative = tolerance->kind != NB_ABSOLUTE; /* printed in per cent, unless that would give many zeros */
   const bool percent = relative && !(tolerance->value > 0 && (tolerance->value < 1e-7 || tolerance->value > 1e7));
   const double of = relative ? fabs(scale) : 1, factor = percent ? 100 : 1;
   const char *in = percent ? " %" : relative ? "" : unit;
@@ -182,7 +182,7 @@ static void check_value(struct nb_check *check, const struct nb_page_run *run, c
     note_other_sign(check, run, e, e->tolerance.value * (e->tolerance.kind == NB_ABSOLUTE ? 1 : fabs(scale)));
 }
 
-/* Reports a curve that the reference does not return, with those that it returns. */
+/* Reports that the reference does not return a curve, and names the curves that it returns. */
 static void lacks_curve(struct nb_check *check, const struct nb_solution *solution, const char *quantity,
                         const char *against) {
   nb_check_result(check, false, "the reference returns no curve of `%s` versus `%s`", quantity, against);

@@ -14,8 +14,8 @@ double nb_error_ratio(const struct nb_tolerance *tolerance, double computed, dou
 /* Writes a space and the unit of the measure to `text`, of NB_NAME_SIZE bytes; empty if the measure is
  * dimensionless. */
 const char *nb_check_unit(char *text, const struct nb_page_run *run, const struct nb_expectation *expectation);
-/* Appends the error, called `what`, and the tolerance to the message: with the unit, or as fractions of the scale, in
- * per cent unless the tolerance is tiny or huge. */
+/* Appends the error, called `what`, and the tolerance to the message. If the tolerance is absolute, both have the unit.
+ * Otherwise both are fractions of the scale, in per cent unless the tolerance is tiny or huge. */
 void nb_check_error(struct nb_check *check, const char *what, double error, double scale,
                     const struct nb_tolerance *tolerance, const char *unit);
 /* Finds the computed value of the measure, or, with `has_scale`, its ratio to the other measure of the expectation.
