@@ -31,8 +31,8 @@ static void advance(struct field *field, size_t bytes) {
   field->at += bytes;
 }
 
-/* Goes to the first or the next field of a line. False if there is none; then the field is empty, at the end of the
- * line. */
+/* Goes to the first or the next field of a line. `spaces`: spaces, not tabs, separate the fields. False if there is no
+ * such field; then *field is empty, at the end of the line. */
 static bool next_field(struct field *field, bool spaces, bool first) {
   advance(field, field->length);
   const bool there = first || *field->at;

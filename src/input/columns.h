@@ -19,7 +19,7 @@ struct nb_wanted_column {
   bool positive;                  /* all values must be above 0 */
 };
 
-/* Reads `count` columns row by row, in m. The caller frees *lengths in any case. False after a mistake, which has been
- * reported. */
+/* Sets *lengths to the values of `count` columns, in m, row by row, and *rows to the number of rows. The caller frees
+ * *lengths in any case. False after a mistake, which has been reported. */
 bool nb_columns_read(double **lengths, size_t *rows, const char *path, const struct nb_wanted_column *wanted, int count,
                      bool unitless, struct nb_mistakes *mistakes);

@@ -11,7 +11,7 @@ enum { NB_REQUEST_STORE = 1, NB_REQUEST_LOSS = 2, NB_REQUEST_PIECES = 4 };
 #define NB_CONTACT_TEST_QUANTITIES(X)                                                                                  \
   X(step, "step", "1", 0, NB_AT_LEAST_0, "steps made since the start")                                                 \
   X(approach, "approach", "m", 0, 0,                                                                                   \
-    "decrease, since they touched, of the distance of the centres, or of centre and wall; below 0: a gap")             \
+    "decrease of the distance of the centres, or of centre and wall, since first touch; below 0: a gap")               \
   X(overlap, "overlap", "m", 0, NB_AT_LEAST_0,                                                                         \
     "overlap of the particles, or of particle and wall; 0 if there is a gap")                                          \
   X(slip, "slip", "m", 0, 0, "tangential displacement since the start")                                                \

@@ -96,7 +96,7 @@ static size_t read_word(const struct parser *p, const char *signs, char text[WOR
   return n;
 }
 
-/* Reports a mistake at `length` bytes from `at`. The returned value is never used. */
+/* Reports a mistake and marks `length` bytes from `at` on. The returned value is never used. */
 static struct quantity mistake(struct parser *p, const char *at, size_t length, const char *hint, const char *format,
                                ...) __attribute__((format(printf, 5, 6)));
 static struct quantity mistake(struct parser *p, const char *at, size_t length, const char *hint, const char *format,
@@ -177,8 +177,8 @@ static bool is_number(struct parser *p, const char *from, size_t length, const c
 
 /* ---- operands ---- */
 
-/* Reports the word `text` after a number, which cannot be the number's unit here. `is`: the word is a unit; `glued`: no
- * space is before it. */
+/* Reports the word `text`, which follows a number but cannot be its unit here. `length`: bytes of the word; `is`: the
+ * word is a unit; `glued`: no space is before the word. */
 static void wrong_unit(struct parser *p, size_t length, const char *text, bool is, bool glued) {
   char hint[NB_HINT_SIZE], other[NB_HINT_SIZE];
   const char *const form =

@@ -31,7 +31,7 @@ static const struct nb_argument impact_fields[] = {
          "Angle of incidence, between the velocity of the particle's centre and the contact normal, below 90 deg."),
   CLAUSE("psi1", "P", NB_UNIT_NUMBER, NB_NOT_NEGATIVE, AT_PSI1, 1, "|from `angle`",
          "Dimensionless angle of incidence V_T/(mu kappa V_N) [R89 5.15]. V_T and V_N are the tangential and the normal velocity of the contact point, spin included; kappa = E*/(4 G*), or k_n/k_s of linear springs."),
-  CLAUSE("phase", "F", NB_UNIT_NUMBER, NB_FRACTION, AT_PHASE, 1, "0", "Fraction of the first step after which the contact begins."),
+  CLAUSE("phase", "F", NB_UNIT_NUMBER, NB_FRACTION, AT_PHASE, 1, "0", "The contact begins after this fraction of the first step."),
   END
 };
 /* clang-format on */

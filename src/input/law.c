@@ -79,7 +79,7 @@ NB_APPLY(apply_law) {
 
 /* ---- requirements of laws ---- */
 
-/* Reports a mistake at the first word of a line. */
+/* Reports a mistake at the first word of a line. `what`: the format of the message, which contains `name`. */
 static void report(struct nb_scene_reading *reading, int line, const char *hint, const char *what, const char *name) {
   nb_line_mistake(&reading->reader, (size_t)line, hint, what, name);
 }
@@ -101,7 +101,8 @@ static void check_material(struct nb_scene_reading *reading, int index, const ch
   given[index] = true;
 }
 
-/* Reports two materials that may touch and are both rigid. */
+/* Reports two materials that may touch and are both rigid. The arrays have the numbers of particles and of walls of
+ * each material. */
 static void check_rigid(struct nb_scene_reading *reading, const int *on_particle, const int *on_wall) {
   const struct nb_scene *scene = reading->scene;
   for (size_t i = 0; i < scene->material_count; i++) {

@@ -2,7 +2,7 @@
  *
  * A sweep is a small table: each row is one run, each column a name. The runs of a page are all combinations of the
  * rows of its sweeps; the last sweep varies fastest. The row of a run depends on the lengths of the sweeps below, so a
- * page is read twice.
+ * page is read twice (scene.c).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -85,8 +85,8 @@ size_t nb_setting_find(const struct nb_scene_reading *reading, const char *name)
   return 0;
 }
 
-/* True if a --set gives a value to the name; *value is then this value. An invalid value is reported, and the statement
- * becomes bad. */
+/* True if a --set gives a value to the name; *value is then this value. `number`: the value must be an expression;
+ * otherwise a word, or a number and its unit. An invalid value is reported, and the statement becomes bad. */
 static bool set_value(struct nb_scene_reading *reading, struct nb_reader *reader, const char *name, bool number,
                       struct nb_binding *value) {
   struct nb_reader *setting = &reading->setting;
@@ -135,7 +135,8 @@ NB_APPLY(apply_let) {
 /* The product a b, but at most NB_RUNS_MAX + 1. */
 static size_t capped_product(size_t a, size_t b) { return a * b > NB_RUNS_MAX ? NB_RUNS_MAX + 1 : a * b; }
 
-/* The row of this sweep for the current run. In the first pass, stores the number of rows and returns the first row. */
+/* The row of this sweep for the current run. When the page is read for the first time, stores the number of rows and
+ * returns the first row. */
 static size_t row_of_run(struct nb_scene_reading *reading, struct nb_reader *reader, size_t rows) {
   size_t sweep = reading->sweep++, above = 1, below = 1;
   if (reading->survey) {
@@ -242,8 +243,9 @@ static size_t take_rows(struct nb_reader *reader, struct nb_binding *values, siz
   return 0;
 }
 
-/* A value that --set gives to a name selects the rows with this value. If no row has the value, it replaces the values
- * of the name in all rows. Returns the number of selected rows, which are moved to the front. */
+/* A value that --set gives to a name selects the rows with this value. If no row has the value, all rows stay, and
+ * apply_sweep gives the value to the name in each of them. Returns the number of selected rows, which are moved to the
+ * front. is_set[i]: --set gives the value set[i] to the name in column i. */
 static size_t select_rows(struct nb_binding *values, size_t rows, size_t columns, const bool is_set[],
                           const struct nb_binding *set) {
   for (size_t i = 0; i < columns; i++) {

@@ -124,7 +124,7 @@ static const struct nb_quantity_kind kinds[] = {
      NB_AT_LEAST_0},
     {"unbalanced.max", 0, "1", 0, unbalanced_max,
      "largest unbalanced force on a particle over largest contact force, dF/F of [CS79 table 1]; infinite if "
-     "forces act but no contact has one, 0 if no force acts",
+     "forces act but all contact forces are 0, 0 if no force acts",
      NB_AT_LEAST_0},
     {"energy.kinetic", 0, "J", 0, kinetic_energy, "kinetic energy of all free particles, rotation included",
      NB_AT_LEAST_0},
@@ -213,7 +213,8 @@ static bool applies(const struct nb_quantity_kind *kind, const struct nb_scene *
          (kind->monitors == NB_OF_BOX && nb_box_first_wall(scene) >= 0);
 }
 
-/* The suffix of the s-th quantity of a row, NULL if the row is a scalar; false after the last one. */
+/* Sets *suffix to the suffix of the s-th quantity of a row, to NULL if the row is a scalar. False after the last
+ * quantity. */
 static bool nth_suffix(const struct nb_quantity_kind *kind, size_t s, const struct nb_suffix **suffix) {
   *suffix = kind->family == NB_SCALAR ? NULL : nb_suffix(kind->family, s);
   return *suffix || (kind->family == NB_SCALAR && s == 0);
@@ -266,7 +267,7 @@ static void offer_names(struct nb_guess *guess, const struct nb_scene *scene, in
     }
 }
 
-/* The monitor of this name; -1: none. */
+/* Index of the monitor with this name, which has `length` bytes; -1: none. */
 static int monitor_named(const struct nb_scene *scene, const char *name, size_t length) {
   int w = (int)scene->monitor_count - 1;
   while (w >= 0 && (strncmp(scene->monitors[w].name, name, length) != 0 || scene->monitors[w].name[length]))
@@ -447,7 +448,8 @@ static const struct nb_synonym *meaning(const char *word) {
   return synonym ? synonym : nb_synonym(word);
 }
 
-/* Appends the quantities of a kind of monitor that a word may mean: for `velocity` "`A.vx` `A.vy`". */
+/* Appends the quantities of a kind of monitor that a word may mean, for a monitor with the name `monitor`: for
+ * `velocity` "`A.vx` `A.vy`". */
 static void list_meant(char *list, size_t size, unsigned kind, char monitor, const char *word) {
   const struct nb_synonym *const synonym = meaning(word);
   const char *items = synonym ? synonym->ours : "";

@@ -179,8 +179,8 @@ static size_t index_of(const char *pattern, const char *word, size_t length) {
   return k;
 }
 
-/* Rewrites the line by a row that matches at `at`. A new word takes the position of the old word with the same
- * index. */
+/* Rewrites the line by a row that matches at `at`. A new word takes the position of the old word with the same index.
+ * False, without a change: the line would have too many words. */
 static bool rewrite(struct line *line, const struct nb_old_word *row, const size_t *at) {
   struct line made = {.rest = line->rest};
   const size_t matched = index_of(row->old, "", 1);
@@ -206,7 +206,8 @@ static bool rewrite(struct line *line, const struct nb_old_word *row, const size
 
 /* ---- names of quantities ---- */
 
-/* True if the row matches whole parts of a name from byte `at` on; in a variable of gnuplot `_` replaces the dot. */
+/* True if the row matches whole parts of a name from byte `at` on. `dot`: the character between the parts, which is `_`
+ * in a variable of gnuplot. */
 static bool is_part(const struct nb_old_word *row, const char *name, size_t at, size_t length, char dot) {
   if (row->kind != NB_OLD_QUANTITY && !(row->kind == NB_OLD_PLAIN && at == 0))
     return false;
@@ -222,7 +223,7 @@ static bool is_part(const struct nb_old_word *row, const char *name, size_t at, 
   return true;
 }
 
-/* Adds a rewritten name; returns a row that has changed it, or NULL. */
+/* Adds a rewritten name; returns a row that has changed it, or NULL. `dot`: as in is_part. */
 static const struct nb_old_word *add_name(struct nb_text *text, const char *name, size_t length, char dot) {
   const struct nb_old_word *found = NULL;
   for (size_t at = 0; at < length;) {
@@ -254,7 +255,8 @@ static bool may_be_quantity(const struct line *line, size_t w, enum nb_old_block
 
 /* ---- figures ---- */
 
-/* True if a quoted name is the name of a column with a unit: `C.normal/N`, `C.normal max in load/N`. */
+/* True if a quoted name is the name of a column with a unit: `C.normal/N`, `C.normal max in load/N`. `behind`: the text
+ * after the first word of the name. */
 static bool has_unit(const char *behind) {
   const size_t n = strcspn(behind, "'\"/");
   return behind[n] == '/' && (n == 0 || (*behind == ' ' && behind[n - 1] != ' '));

@@ -28,9 +28,10 @@ const struct nb_old_word *nb_old_words(void); /* the last row has no words */
  * possible; it does not change a line without old words. */
 enum nb_old_block { NB_OLD_STATEMENTS, NB_OLD_EXPECTATIONS, NB_OLD_GNUPLOT, NB_OLD_OPENING, NB_OLD_PROSE };
 void nb_old_line(struct nb_text *text, const char *line, enum nb_old_block block);
-/* Writes the hint for the old word in a line of a page, which may be the first line of a block, to a text of
- * NB_HINT_SIZE. NULL: the line has no old word. */
+/* Writes the hint for the old word in a line of a block, or of the --set texts, to a text of NB_HINT_SIZE. NULL: the
+ * line has no old word. */
 const char *nb_old_hint(char *hint, const struct nb_page *page, size_t line);
+/* Does the same for the line that opens a block, with its old kind. */
 const char *nb_old_fence(char *hint, const char *line);
 /* The hint for the old name of a quantity; NULL: not an old one. */
 const char *nb_old_name(char *hint, const char *name);

@@ -1,7 +1,7 @@
 /* The reader of pages. A line is split into tokens, each with its column. A row of a table of keywords says which
- * tokens its statement takes; other tokens are mistakes, which are reported with a caret. The reading of a statement
- * ends at its first mistake, and continues with the next statement. An unknown name is reported once, and not at all if
- * the statement that should define it has a mistake.
+ * tokens its statement takes; other tokens are mistakes, which are reported with a caret. The reader stops reading a
+ * statement at its first mistake, and goes on with the next statement. An unknown name is reported once, and not at all
+ * if the statement that should define it has a mistake.
  *
  *   mistakes.c     messages, suppressed names       value.c      values from tokens
  *   line.c         tokens                           statement.c  a statement from tokens, by a row of a table
@@ -30,7 +30,7 @@ enum {
 
 /* ---- mistakes.c ---- */
 
-/* Reports a mistake, sorted by line among those of the page. `line` and `column` are counted from 1, `length` in
+/* Reports a mistake. The messages of a page are sorted by line. `line` and `column` are counted from 1, `length` in
  * characters; line 0: the whole page. `hint` may be NULL. A page without kind_of consists of --set texts; its messages
  * show no line number. At most a thousand mistakes are reported. */
 void nb_mistake(struct nb_mistakes *mistakes, const struct nb_page *page, size_t line, int column, int length,
@@ -78,7 +78,7 @@ struct nb_binding {
   struct nb_dimension dimension;
   bool computed; /* by an expression; the value is then accepted as an angle or an angular velocity, too */
   bool swept;    /* the name has several values and is a column of the tables */
-  int sweep;     /* index of its `sweep` in the page, even if --set has left one value; -1: the name is from a `let` */
+  int sweep;     /* index of its `sweep` in the page, also if --set has left one value only; -1: it is from a `let` */
 };
 
 struct nb_keyword;
@@ -151,7 +151,7 @@ bool nb_no_memory(struct nb_reader *reader);
 
 enum nb_range { NB_ANY, NB_POSITIVE, NB_NOT_NEGATIVE, NB_FRACTION, NB_HALF }; /* all, > 0, >= 0, 0 to 1, 0 to 0.5 */
 
-/* " above 0", ", 0 or more", " from 0 to 1", … */
+/* The words for a range in a message: " above 0", ", 0 or more", " from 0 to 1", … */
 const char *nb_range_words(enum nb_range range);
 bool nb_take_number(struct nb_reader *reader, enum nb_unit_kind kind, enum nb_range range, double *value); /* SI */
 /* Takes the time after `at`; the message says that a number of cycles is possible, too. */

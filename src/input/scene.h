@@ -32,11 +32,12 @@ struct nb_scene_reading {
   struct nb_reader reader;  /* reads the page */
   struct nb_reader setting; /* reads the --set texts, which are stored as the lines of a page */
   struct nb_page settings;
-  bool before_start;         /* the page has a `start`, which has not been read */
-  bool law_set[2], step_set; /* --set gives this law, the step: that of the page is only checked */
+  bool before_start; /* the page has a `start`, which has not been read yet */
+  /* --set gives the normal law, the shear law; the step. Those of the page are then only checked. */
+  bool law_set[2], step_set;
 
-  bool survey; /* the first pass: it reads only units, let and sweep, and reports no mistakes */
-  size_t run;
+  bool survey;               /* the first pass: it reads only units, let and sweep, and reports no mistakes */
+  size_t run;                /* index of the run that is read */
   size_t *rows;              /* number of rows of each sweep, in page order, from the first pass; owned */
   size_t sweep_count, sweep; /* number of sweeps; index of the next one in this pass */
 
@@ -74,7 +75,7 @@ bool nb_too_many(struct nb_reader *reader, size_t count, int most, const char *w
 bool nb_too_many_particles(struct nb_reader *reader, const struct nb_scene *scene, size_t more);
 /* The name is taken. line: the line that defines it; 0: it is not taken. */
 bool nb_exists(struct nb_reader *reader, const struct nb_token *name, const char *what, int line);
-/* The first corner of a box has not the smaller x and y. */
+/* The first corner of a box does not have the smaller x and the smaller y. */
 bool nb_corners_swapped(struct nb_reader *reader, double x, double y, double x1, double y1);
 /* A statement that defines particles has a mistake, so numbers of particles cannot be checked. */
 bool nb_particles_incomplete(const struct nb_scene_reading *reading);
@@ -172,7 +173,7 @@ bool nb_scene_transform(struct nb_scene *scene, const struct nb_transform *trans
 
 /* ---- a page from which another one starts ---- */
 
-/* Reads the scene of another page for `start`. */
+/* Reads the scene of another page for `start`. `parent`: the page that has the `start`. */
 enum nb_status nb_scene_read_nested(struct nb_scene *scene, const struct nb_page *page, nb_settings settings,
                                     struct nb_mistakes *mistakes, const struct nb_scene_reading *parent);
 void nb_start_free(struct nb_start *start);

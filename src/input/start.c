@@ -1,7 +1,7 @@
 /* `start PAGE stage NAME`: continues the scene of another page from the end of one of its stages.
  *
  * The scene has the other page's materials, particles, walls, laws and stages, so that reference solutions can read all
- * of them; their line is the line of `start`. Regions, monitors and columns are only those of this page. Statements
+ * of them; all copies have the line of `start`. Regions, monitors and columns are only those of this page. Statements
  * before the first stage of this page belong to that stage.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -317,7 +317,7 @@ void nb_hash_line(struct nb_scene_reading *reading) {
 /* clang-format off */
 NB_STATEMENTS(start) = {
   {"start", NB_IN_SCENE | NB_OWN_EXAMPLE, start_fields, "{with NAME=VALUE …}", 0, false, apply_start,
-   "Continues from the end of a stage of another page, PAGE.md. The program runs the other page up to there once and saves its state in a folder: docs/STATE.md. Particles, walls, a boundary or a cell, materials, laws, damping, gravity and step are those at the end of that stage; cycles and time continue. Monitors and columns are this page's own. Statements of this page before its first stage take effect at the beginning of that stage. Only `units`, `let` and `sweep` may precede `start`. The program searches for the page in the folder of this page, then in the nearest folder `cases` above it and all folders below that, where only one file may have that name. A name that begins with `../` or `/` is a path from this page's folder or from the root.\n"
+   "Continues from the end of a stage of another page, PAGE.md. The program runs the other page up to there once and saves its state in a folder: docs/STATE.md. Particles, walls, a boundary or a cell, materials, laws, damping, gravity and step are those at the end of that stage; cycles and time continue. Monitors and columns are this page's own. Statements of this page before its first stage take effect when this first stage begins. Only `units`, `let` and `sweep` may precede `start`. The program searches for the page in the folder of this page, then in the nearest folder `cases` above it and all folders below that, where only one file may have that name. A name that begins with `../` or `/` is a path from this page's folder or from the root.\n"
    "with NAME=VALUE …: values for names of the other page, as --set gives them; without it: the values in that page.",
    "start     nine-discs stage load\nmonitor   C  disc 5 with disc 6\nrecord    cycle C.normal\nstage     rest\n  walls   stop\n  cycles  400"},
   {0},

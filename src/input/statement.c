@@ -198,8 +198,8 @@ static const char *clause_hint(char *hint, const struct nb_family *table, unsign
   return *list ? hint : NULL;
 }
 
-/* The hint for a word that begins another statement, in a line of which it is no clause: `disc … rotation off`; NULL:
- * the word begins no statement. */
+/* The hint for a word that is no clause of this line but begins another statement: `disc … rotation off`; NULL: the
+ * word begins no other statement. */
 static const char *other_statement(char *hint, const struct nb_reader *reader, const char *word) {
   const struct nb_keyword *found = NULL, *row;
   char first[NB_NAME_SIZE], syntax[NB_HINT_SIZE / 2];
@@ -428,7 +428,7 @@ static size_t positional_count(const struct nb_keyword *keyword, unsigned set) {
 
 /* The hint for a statement of another place with the same words, such as `wall` in the scene and in a stage; NULL: no
  * hint. The hint is given in two cases: this line has too many positional arguments and the other statement takes more;
- * or this line has too few and the other statement takes exactly as many as it has. */
+ * or this line has too few and the other statement takes exactly as many as this line has. */
 static const char *namesake_hint(const struct nb_reader *reader, char *hint, const struct nb_argument *missing) {
   const size_t count = reader->namesake ? positional_count(reader->namesake, ~0u) : 0;
   const bool fits = nb_token_peek(reader) ? count > positional_count(reader->keyword, ~0u)
@@ -483,8 +483,9 @@ static int values_around(const struct nb_reader *reader, size_t k, bool forward)
   return count;
 }
 
-/* The hint for the third of three values. It is a third coordinate if no clause is missing, or if the word of the
- * missing clause follows. Otherwise this word may have been left out before the value. NULL: no third coordinate. */
+/* The hint for a value that is the third of three. The value is a third coordinate if no clause is missing, or if the
+ * word of the missing clause follows later. Otherwise this word may have been left out before the value. NULL: the
+ * value is no third coordinate. */
 static const char *third_coordinate(char *hint, const struct nb_reader *reader, const struct nb_argument *missing) {
   const struct nb_argument *field = reader->keyword->arguments;
   char example[NB_HINT_SIZE];
@@ -597,8 +598,9 @@ static void read_fields(struct nb_reader *reader, struct nb_record *record) {
 
 /* ---- statements ---- */
 
-/* The row whose words all match and which has most words, of this place or of another place. Of two such rows the one
- * of this kind of block is returned. A row of this place without words matches every line. */
+/* The row whose words all match and which has most words: of this place or, with `elsewhere`, of another place. *most:
+ * number of these words. Of two such rows the one of this kind of block is returned. A row of this place without words
+ * matches every line. */
 static const struct nb_keyword *whole_match(const struct nb_reader *reader, const struct nb_family *table,
                                             unsigned here, bool elsewhere, size_t *most) {
   const struct nb_keyword *found = NULL;

@@ -16,7 +16,7 @@ static const enum nb_step_kind kinds[] = {NB_STEP_STABLE,           NB_STEP_COLL
                                           NB_STEP_RAYLEIGH,         NB_STEP_RAYLEIGH_MEAN, NB_STEP_RAYLEIGH_FIT,
                                           NB_STEP_RAYLEIGH_FIT_MEAN};
 
-/* True if one of the words follows a number such as `0.2` or `20 %`. */
+/* True if one of `words`, which `|` separates, follows the next number, such as `0.2` or `20 %`. */
 static bool follows(const struct nb_reader *reader, const char *words) {
   size_t behind = reader->next + 1;
   behind += behind < reader->count && strcmp(reader->tokens[behind].text, "%") == 0;

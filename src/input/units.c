@@ -40,7 +40,8 @@ static const struct {
 } prefixes[] = {{"", 0},   {"n", -9}, {"u", -6}, {"\xC2\xB5", -6}, {"\xCE\xBC", -6},
                 {"m", -3}, {"c", -2}, {"k", 3},  {"M", 6},         {"G", 9}};
 
-/* Multiplies by a factor to the power `sign`, 1 or -1. False if the text is not a factor. */
+/* Multiplies *unit by the factor in `length` bytes of `text`, to the power `sign`, 1 or -1. False if the text is not a
+ * factor. */
 static bool multiply(struct nb_unit *unit, const char *text, size_t length, int sign) {
   const int power = length > 1 && isdigit((unsigned char)text[length - 1]) ? text[--length] - '0' : 1,
             times = sign * power;

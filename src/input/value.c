@@ -135,8 +135,8 @@ static bool names_angle(const struct wanted *it, const char *text) {
   return is_dimensionless(it) && nb_unit_read(&unit, text) && unit.angle;
 }
 
-/* Adds the statement's example, ", for example `gravity 0 m/s2 -9.81 m/s2`"; if the page has had no unit so far, also
- * ", or begin the scene with `units none` instead of `units si`, the default". */
+/* If `example`, adds the statement's example, ", for example `gravity 0 m/s2 -9.81 m/s2`"; if the page has had no unit
+ * so far, also ", or begin the scene with `units none` instead of `units si`, the default". */
 static void add_advice(char *text, const struct nb_reader *reader, bool example) {
   char as[NB_HINT_SIZE];
   if (example && nb_example_hint(as, reader))
@@ -221,8 +221,8 @@ static const char *unit_hint(char *hint, const struct nb_reader *reader, const s
   return hint;
 }
 
-/* True if the token after the number is a unit of the right dimension. A computed value fits both as an angle and as a
- * number. */
+/* True if the token after the number is a unit of the right dimension; *unit is then this unit. A computed value fits
+ * both as an angle and as a number. */
 static bool unit_fits(struct nb_unit *unit, const struct nb_reader *reader, const struct wanted *it) {
   const struct nb_token *token = token_after(reader, 1);
   *unit = (struct nb_unit){.factor = 1};
@@ -254,7 +254,8 @@ static bool unit_mistake(struct nb_reader *reader, const struct nb_token *unit, 
              : number_mistake(reader, number, unit, unit_hint(hint, reader, number, unit, it), what);
 }
 
-/* Writes the hint for a name that a `let` or a `sweep` defines, `R` or `-R`, in place of its value; NULL: it is none. */
+/* Writes the hint for a name that a `let` or a `sweep` defines, `R` or `-R`, in place of its value; NULL: the token is
+ * no such name. */
 static const char *bare_name_hint(char *hint, const struct nb_reader *reader, const struct nb_token *token) {
   const char *const sign = token && strchr("+-", token->text[0]) ? "-" : "", *const name = token ? token->text : "";
   const char *const bare = name + (*sign && *name);
@@ -339,7 +340,7 @@ static bool read_count(const struct nb_token *token, unsigned long low, unsigned
   return *value >= low && *value <= high;
 }
 
-/* As nb_take_count; the message says what is counted, `a whole number` or `a number of cycles`. */
+/* As nb_take_count; `counted`: what the message expects, such as "a number of cycles". */
 static bool take_count(struct nb_reader *reader, unsigned long low, unsigned long high, unsigned long *value,
                        const char *hint, const char *counted) {
   const struct nb_token *token = nb_token_peek(reader);

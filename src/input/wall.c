@@ -62,7 +62,7 @@ bool nb_lacks_box(const struct nb_scene *scene, struct nb_reader *reader) {
 
 /* ---- in the scene ---- */
 
-/* Adds a wall from one end to the other; messages point at `place`. */
+/* Adds a wall from the end at wall.x, wall.y to the end at x1, y1; messages point at `place`. */
 static void add_wall(struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *place, const char *name,
                      struct nb_wall wall, double x1, double y1) {
   const int same = NB_FIND(scene->walls, scene->wall_count, name);

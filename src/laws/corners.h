@@ -49,7 +49,7 @@ static inline double mean_n(double x0, double x1) {
 }
 
 /* Int (n(x) - n(y) - n'(y)(x - y)) dy, where x is the overlap when the slip front is at y: the front moves inwards from
- * y1 to y0 while the overlap changes linearly from x1 to x0. Multiplied by 1 - s D, this is the energy lost. */
+ * y1 to y0 while the overlap changes linearly from x1 to x0. The energy lost is 1 - s D times this integral. */
 static inline double front_loss(double y0, double x0, double y1, double x1) {
   const double slope = (x1 - x0) / (y1 - y0), foot = x0 - slope * y0; /* x = foot + slope y */
   const double n0 = n_of(y0), n1 = n_of(y1);

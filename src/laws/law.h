@@ -52,7 +52,7 @@ struct nb_shear {
   double dissipated; /* energy lost to micro-slip and sliding in this step, J; only laws that declare DISSIPATIVE */
 };
 
-/* An entry of the register, which law_batch.h defines for each law. */
+/* An entry of the register; law_batch.h defines one for each law. */
 struct nb_law {
   const char *kind;       /* "normal" or "shear" */
   const char *name;       /* "linear" */

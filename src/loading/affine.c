@@ -96,7 +96,8 @@ void nb_affine_begin(struct nb_model *model, const struct nb_stage *stage) {
     affine->rate[c] = affine->base_rate[c] = rate_of(model, &requested[c]);
 }
 
-/* True if all particles with an imposed motion have the same L, and either all or none of them accumulate c. */
+/* True if all particles with an imposed motion have the L of the source `reference`, and either all or none of them
+ * accumulate c. */
 static bool same_rate(const struct nb_affine *affine, enum nb_affine_source reference) {
   for (int c = 0; c < NB_AFFINE_SOURCES; c++)
     if (affine->used[c] && (tensor_largest(tensor_sub(affine->rate[c], affine->rate[reference])) != 0 ||

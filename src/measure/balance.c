@@ -195,7 +195,8 @@ static double damping_loss(const struct nb_model *model, size_t i, struct nb_vel
   return vec_dot(linear, mean.velocity) + angular * mean.spin;
 }
 
-/* Energy that accumulated affine motion and a boundary stress give to a particle in a kick, J. */
+/* Energy that accumulated affine motion and a boundary stress give to a particle in a kick, J. `mean`: mean velocity of
+ * the particle in the kick, m/s; `time`: duration of the kick, s. */
 static double imposed_work(const struct nb_model *model, size_t i, struct nb_vec mean, double time) {
   struct nb_vec impulse = vec_scale(model->particles.mass[i], accumulated(model, i));
   if (model->particles.boundary_force)

@@ -77,7 +77,8 @@ static struct approach wall_approach(const struct nb_model *model, struct nb_vec
   return first;
 }
 
-/* Duration of a collision of elastic spheres, s. */
+/* Duration of a collision of elastic spheres, s. `young`: E*, Pa; `radius`: R*, m; `mass`: M*, kg; `speed`: approach
+ * velocity, m/s. */
 static double duration(double young, double radius, double mass, double speed) {
   return nb_hertz_duration(nb_hertz_depth(young, radius, mass, speed), speed);
 }

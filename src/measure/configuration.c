@@ -85,7 +85,7 @@ void nb_configuration_store(struct nb_store *store, struct nb_model *model) {
   }
 }
 
-/* The slip of a contact since reference r, m. */
+/* Pointer to the slip of a contact since the reference with the index r, m. */
 static double *slid(const struct nb_contacts *contacts, size_t r, size_t contact) {
   const struct nb_history *history = &contacts->slip_sum;
   return history->rows ? &history->rows[contact * (size_t)history->doubles + r] : &history->field[r][contact];

@@ -87,7 +87,8 @@ static double ends_inside(const struct nb_model *model, const struct nb_region_s
          (!wall && nb_region_contains(model, region, (size_t)pair.b));
 }
 
-/* Adds a lost or a new contact with this number of ends inside. `line`: vector between its centres, or to the wall. */
+/* Adds a lost or a new contact with this number of ends inside. `line`: vector between the centres of its particles, or
+ * from the centre to the wall. */
 static void count(struct nb_changed_contacts *it, double ends, struct nb_vec line) {
   const double square = vec_dot(line, line); /* 0 if a centre is on a wall */
   it->count += ends > 0, it->ends += ends;

@@ -160,7 +160,7 @@ bool nb_region_next(const struct nb_model *model, const struct nb_region_state *
   return false;
 }
 
-/* The area of a particle that is inside the region, m2. */
+/* The area of the part of a particle that is inside the region, m2. */
 static double area_inside(const struct nb_model *model, const struct nb_region_state *region, size_t slot) {
   const double radius = model->particles.radius[slot];
   const struct nb_vec x = nb_region_position(model, region, slot);

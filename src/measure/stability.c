@@ -181,8 +181,8 @@ static void proposed_step(char *text, size_t size, const struct nb_model *model,
     snprintf(text, size, "step %.2g%s", value, step->kind || !model->scene->unitless ? of[step->kind] : "");
 }
 
-/* Checks the step. With `step 1 of stable` the step may exceed the bound by rounding, which must not count as too
- * long. */
+/* NB_BROKEN if the step is longer than the stable one. With `step 1 of stable` it may be longer by rounding, which must
+ * not count. */
 static enum nb_status check_step(const struct nb_model *model, const struct nb_stable *stable, struct nb_error *error) {
   const double ratio = model->step / stable->step;
   model->stability->largest = ratio > model->stability->largest ? ratio : model->stability->largest;

@@ -23,10 +23,10 @@
  * At z = -1 centred dashpots count twice: dt^2 k + 4 dt c <= L. Below this limit no z leaves the unit circle (Jury's
  * criterion).
  *
- * The mass of each particle may be distributed over its contacts in any way. The largest k of the network is then at
- * most the largest k of its parts, because Rayleigh's quotient is a weighted mean of the quotients of the parts. The
- * masses are distributed in proportion to k_n, and the moments of inertia in proportion to k_s R^2. The parts are then
- * single contacts, for which k has a closed form. With
+ * The mass of each particle may be distributed over its contacts in any way. Each contact with its part of the masses
+ * is then a system of its own. The largest k of the scene is at most the largest k of these systems, because Rayleigh's
+ * quotient of the scene is a weighted mean of the quotients of the systems. The masses are distributed in proportion to
+ * k_n, and the moments of inertia in proportion to k_s R^2. Then k of a single contact has a closed form. With
  *
  *   S = sum k_n,  Q = sum k_s R^2  over the contacts of a particle
  *   A = S_i/m_i + S_j/m_j,  with zero terms for a wall or a fixed particle
@@ -173,7 +173,7 @@ static double largest_step(const struct nb_element *element, double limit) {
   }
 }
 
-/* Adds a contact to the sums of one of its particles. */
+/* Adds a contact to the sums of one of its particles. `radius`: radius of this particle, m. */
 static void add(struct nb_particle_sums *load, const struct nb_coefficients *k, double radius) {
   const double square = radius * radius;
   load->kn += k->kn, load->cn += k->cn;
@@ -187,7 +187,8 @@ static void add_particle(struct nb_element *element, const struct nb_particle_su
   element->q += load->ks * inverse_inertia, element->p += load->cs * inverse_inertia;
 }
 
-/* Replaces *stable by the stable step of this contact, if that is smaller. */
+/* Replaces *stable by the stable step of this contact, if that is smaller. `limit`: L; `a`, `b`: as in struct
+ * nb_stable. */
 static void keep_smaller(struct nb_stable *stable, const struct nb_element *element, double limit, int a, int b,
                          const struct nb_material_pair *material_pair) {
   const double step = stable->step;

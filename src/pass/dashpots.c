@@ -5,7 +5,7 @@
  *   c = beta k                  `damping stiffness`, beta a time       [CS79 28]
  *   c = beta k t_c/2            `damping r89-fraction`; R89 writes dN beta/(2 FRAC), with dt = FRAC t_c  [R89 4.3, 4.4]
  *   c = beta 2 sqrt(M* k)       `damping ratio`, beta a fraction of critical  [R89 4.13, 4.19]
- *   c = 2 sqrt(M* k)            instead of these for a deep contact, `critical beyond overlap` [R89 sec. 6.4.3]
+ *   c = 2 sqrt(M* k)            `critical beyond overlap`, for deep contacts in place of the others [R89 sec. 6.4.3]
  *
  *   D_n, D_s  forces of the normal and the shear dashpot, N      c, c_n, c_s  coefficients, N s/m
  *   k    stiffness, N/m: k_n for c_n and k_s for c_s; for elastic spheres 2 E* a and 8 G* a
@@ -14,8 +14,8 @@
  * Contacts with walls may have their own beta.
  *
  * If no coefficient contains sqrt(M* k), no M* is kept and no square root is computed. If the laws have constant
- * stiffnesses and no deep contact is damped critically, the roots are stored for each contact instead of M*, and
- * computed again when the pair's k_n or k_s changes.
+ * stiffnesses and the page does not damp deep contacts critically, the roots are stored for each contact instead of M*.
+ * They are computed again when the pair's k_n or k_s changes.
  *
  * The stiffnesses are those that the laws returned in this cycle. D_s is 0 while the contact slides [CS79, Damping];
  * F_n + D_n may be tensile. ds/dt is the mean over the whole last step, even if the contact began in it and the law
@@ -64,7 +64,8 @@ struct dashpots {
   const double *normal_root, *shear_root; /* sqrt(M* k) of the contacts with k > 0; NULL: not stored */
 };
 
-/* Coefficient of a dashpot of contact c of the block, N s/m. `root`: spec->normal_root or spec->shear_root. */
+/* Coefficient of a dashpot of contact c of the block, N s/m. `stiffness`: k of the contact, N/m; `root`:
+ * spec->normal_root or spec->shear_root. */
 static inline NB_FORM double coefficient(const struct dashpots *spec, double stiffness, const double *root, size_t c) {
   const double oscillation = !spec->uses_damping_ratio ? 0
                              : root                    ? nb_where(stiffness > 0, root[c])

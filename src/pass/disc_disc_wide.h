@@ -26,7 +26,7 @@ struct NAME(loaded) {
   WIDE rotation;       /* w R, m/s */
 };
 
-/* The vectors p[i[0]], p[i[2]], ... of every other of W contacts. */
+/* The vectors p[i[0]], p[i[2]], ...: those of every second one of W contacts. */
 TARGET static inline NB_FORM WIDE NAME(vectors)(const struct nb_vec *p, const int *i) {
 #if W == 8
   return _mm512_insertf64x4(_mm512_castpd256_pd512(vectors_4(p, i)), vectors_4(p, i + 4), 1);
