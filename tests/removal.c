@@ -140,7 +140,7 @@ static void at_the_moment(void) {
 }
 
 /* A particle removed at time 0 has no effect: the run gives the same bits as one without the particle. The test runs a
- * scene of 7 particles, and one of 37, which are so many that the search uses its grid. */
+ * scene of 7 particles, and one of 37, which are so many that the search sorts them into boxes. */
 static void removed_at_time_0(void) {
   for (int many = 0; many < 2; many++) {
     double seen[2][4];

@@ -60,8 +60,8 @@ static void heap(struct written *it) {
   written_scene(it, &page);
 }
 
-/* Each thread uses the mode: results in a mode differ from those with rounding to nearest, and the number of threads
- * changes no bit of them. After the run all threads round to nearest again. */
+/* Each thread uses the mode: results in a mode differ from those with rounding to nearest, but they do not depend on
+ * the number of threads. After the run all threads round to nearest again. */
 static void all_threads_round(void) {
   struct written it;
   struct nb_result nearest, one, other;
@@ -122,7 +122,7 @@ static void parts_round_alone(void) {
   nb_result_free(&nearest), written_free(&it);
 }
 
-/* A mode applies to the steps of a contact test: it changes the work, which is a sum of products. */
+/* A mode applies to the steps of a contact test, and so to the work, which is a sum of products. */
 static void contact_tests_round(void) {
   for (int mode = 0; mode < NB_ROUNDINGS; mode++) {
     struct written it;

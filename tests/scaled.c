@@ -40,7 +40,7 @@ static const struct {
 static struct {
   int l, m, t;
   bool discs;
-} by; /* exponents of the factors 2^l, 2^m, 2^t of the present scene; whether it has discs */
+} by; /* exponents of the factors 2^l, 2^m, 2^t of the present scene; whether the scene has discs */
 
 static double times(double value, struct power p) {
   return ldexp(value, by.l * (p.l + (by.discs ? p.thick : 0)) + by.m * p.m + by.t * p.t);

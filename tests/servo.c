@@ -3,8 +3,9 @@
  * All particles follow the strain, so a recursion gives the radius R of the ring after each cycle. The discs of the
  * ring are a boundary, so there is no force between two of them. k is the stiffness of the springs between the ring and
  * the middle disc, r the radius of a disc, M the mass of all discs and A the area of the hexagon. The force F of a
- * spring, the stress p, and the servo's bulk stiffness B and time T (docs/METHOD.md) are F = k (2r - R), A = 3
- * sqrt(3)/2 R^2, p = 3 F R/A, B = 3 k R^2/(2 A), T = 2 R (M/(A B))^(1/2).
+ * spring, the stress p, and the servo's bulk stiffness B and time T (docs/METHOD.md) are
+ *
+ *   F = k (2r - R), A = 3 sqrt(3)/2 R^2, p = 3 F R/A, B = 3 k R^2/(2 A), T = 2 R (M/(A B))^(1/2)
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -253,7 +254,8 @@ static void stress_of_a_region(void) {
   written_free(&it);
 }
 
-/* With `through boundary affine` a disc without contacts moves like the ring; with `through boundary` it stays. */
+/* With `through boundary affine` a disc without contacts moves like the ring. With `through boundary` this disc does
+ * not move. */
 static void servo_through_boundary_affine(void) {
   static const char *const by[] = {"boundary", "boundary affine"};
   for (int k = 0; k < 2; k++) {

@@ -10,8 +10,8 @@
 #include "written.h"
 
 /* The force on the first disc is -(F_n e + F_s t), with the contact normal e and the contact tangent t, and the force
- * on the second disc is its opposite. The moment on each disc is F_s times its radius, counterclockwise. [CS79, The
- * force-displacement law] */
+ * on the second disc is the opposite force. The moment on each disc is F_s times the radius of the disc,
+ * counterclockwise. [CS79, The force-displacement law] */
 static void forces_on_a_pair(void) {
   struct words page = {0};
   struct written it;

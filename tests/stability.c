@@ -30,12 +30,14 @@ static int run_until_stopped(struct nb_model *model, const struct written *it, i
   return done;
 }
 
-/* A light sphere touches a wall, and a heavy sphere, which is hardly slowed down, approaches the light one. The
- * stiffness of both contacts increases for longer than half a period of the light sphere. E* = 1/2, k = 2 E* (R*
- * alpha)^(1/2) with R* = 1/2 between the spheres and 1 at the wall. The light sphere of mass 1 is in equilibrium, so
- * 4/3 E* (R*)^(1/2) alpha^(3/2) = F at both contacts and k = (6 F E*^2 R*)^(1/3). Then omega^2 is the sum of both k,
- * plus 1e-6 of the k between the spheres because of the heavy sphere. The run stops when 2/omega has fallen to the
- * step. */
+/* A light sphere of mass 1 touches a wall. A heavy sphere, which is hardly slowed down, pushes it towards the wall for
+ * longer than half a period of the light sphere. So the light sphere is close to equilibrium, and the force F is the
+ * same at both contacts. E* is 1/2, and R* is 1/2 between the spheres and 1 at the wall. By Hertz's law
+ *
+ *   F = 4/3 E* (R*)^(1/2) alpha^(3/2),    k = 2 E* (R* alpha)^(1/2) = (6 F E*^2 R*)^(1/3)
+ *
+ * omega^2 is the sum of both stiffnesses k, plus 1e-6 of the one between the spheres because of the heavy sphere. The
+ * run stops when 2/omega has fallen to the step. */
 static void an_impact_between_two_checks(void) {
   struct words page = {0};
   struct written it;
@@ -221,9 +223,9 @@ static void a_step_without_a_limit(void) {
   written_free(&it);
 }
 
-/* A contact that may become deep must be stable with the critical dashpot of a deep contact, so c is max(2 ratio, 2)
- * (M* k)^(1/2). The reduced mass M* is 1/2, and q = dt^2 k + 2 dt c of the pair may be at most 2. So the largest
- * stiffness k satisfies dt^2 k + 2 dt max(2 ratio, 2) (M* k)^(1/2) = 2. */
+/* A contact that may become deep must be stable with the critical dashpot of a deep contact. So its damping coefficient
+ * is c = b k^(1/2), where b = max(2 ratio, 2) (M*)^(1/2) and the reduced mass M* is 1/2. q = dt^2 k + 2 dt c of the
+ * pair may be at most 2, so the largest stiffness k satisfies dt^2 k + 2 dt b k^(1/2) = 2. */
 static void a_contact_may_become_deep(void) {
   static const double ratios[] = {0.3, 1.5};
   for (size_t n = 0; n < 2; n++) {

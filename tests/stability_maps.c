@@ -6,14 +6,14 @@
  *
  * A column of a map is one system with one mass ratio, stiffness ratio and damping. Its limit is the step at which the
  * largest eigenvalue of dt^2 K + 2 dt C equals 4 (cases/refs/limit.c). Its points are steps, as fractions of the limit.
- * At each point the library runs an assembly that is at rest but for a perturbation:
+ * At each point the library runs an assembly that is at rest, except for a perturbation:
  *
  *   unstable     the perturbation grows. At first it moves particles by about 1e-9 R in a cycle. Later the changes of
  *                velocity in a cycle become more than `growth_limit` times as large as at first, while the same
  *                contacts are closed.
- *   inaccurate   at some time in half a period of the slowest mode, or in 2000 times the limit if that is shorter, the
+ *   inaccurate   within half a period of the slowest mode, or within 2000 times the limit if this is shorter, the
  *                displacement in this mode differs from that of a run with 1/64 of the limit as its step. The
- *                difference is more than `displacement_tolerance` times the largest displacement.
+ *                largest difference is more than `displacement_tolerance` times the largest displacement.
  *   stable       neither
  *
  * The program compares the limit with the step at which perturbations begin to grow, with the step at which the
@@ -400,9 +400,9 @@ static struct mode mode_of(const struct limit *limit, double a, double b, bool l
   return mode;
 }
 
-/* The cause of the limit, from its mode u. It is "damping" if the dashpots make up more than half of u'(dt^2 K + 2 dt
- * C)u. Otherwise it is "rotation" if the rotations make up more than half of u'u, and else "normal" or "tangential",
- * whichever part is larger. `step`: the limit. */
+/* The cause of the limit `step`, from its mode u. The cause is "damping" if the dashpots make up more than half of
+ * u'(dt^2 K + 2 dt C)u. Otherwise it is "rotation" if the rotations make up more than half of u'u, and else "normal" or
+ * "tangential", whichever part is larger. */
 static const char *cause_of(const struct limit *limit, double step) {
   struct mode mode = mode_of(limit, step * step, 2 * step, true);
   double parts[2] = {0}, dashpots = 0, rotation = 0, all = 0;
@@ -591,9 +591,9 @@ static void complain(const struct column *column, const char *what, double value
 }
 
 /* The largest eigenvalue of dt^2 K + 2 dt C for a disc of mass 1 and radius 1 in a wedge; the limit is the step at
- * which it is 4. A contact has h = dt^2 k + 2 dt c, h_n normal and h_s tangential. Each wall adds h_n cos^2 + h_s sin^2
- * of the angle of its normal from the vertical to the eigenvalue of the vertical motion. The horizontal motion and the
- * rotation are coupled: their eigenvalues are those of a symmetric matrix with two rows. */
+ * which it is 4. A contact has h = dt^2 k + 2 dt c, h_n normal and h_s tangential. The normal of each wall is at the
+ * angle a from the vertical. Each wall adds h_n cos^2 a + h_s sin^2 a to the eigenvalue of the vertical motion. The
+ * horizontal motion and the rotation are coupled: their eigenvalues are those of a symmetric matrix with two rows. */
 static double planar_eigenvalue(const struct column *column, double dt) {
   const double angle = column->other * 3.14159265358979323846 / 180, s2 = pow(sin(angle), 2), c2 = 1 - s2;
   const double ks = column->ratio, inertia = 0.5;
@@ -1171,7 +1171,7 @@ static void write_document(const char *document, const char *folder) {
 
 /* ---- the test, TAP ---- */
 
-/* Tests that there is no complaint about the system; with planted factors of limit and bound, that there is one. */
+/* Tests that the system causes no complaint. With a planted factor of the limit or of the bound it must cause one. */
 static void test(int number, const struct system *system, const char *what, double of_limit, double of_bound) {
   const bool planted = of_limit > 1 || of_limit < 1 || of_bound > 1;
   wrong_limit = of_limit, wrong_bound = of_bound, complaints = 0, silent = planted;

@@ -1,5 +1,5 @@
-/* Makes one allocation of a process fail, in whatever library it is: a shared object for LD_PRELOAD. The calls that
- * tests/faults/run makes fail are those of the program only.
+/* A shared object for LD_PRELOAD, which makes an allocation of a process fail, in any library. tests/faults/run makes
+ * only calls of the program itself fail.
  *
  *   FAIL_AT=N     the N-th call of malloc, calloc or realloc fails, counted from 1
  *   FAIL_AT=N+    this call and all later ones fail

@@ -43,7 +43,7 @@ static void die(const char *what) {
   exit(1);
 }
 
-/* The contents of a file, with a terminating zero; NULL if it does not exist. */
+/* The contents of a file, with a terminating zero; *size becomes the size of the file. NULL if there is no file. */
 static char *bytes_of(const char *path, size_t *size) {
   FILE *file = fopen(path, "r");
   struct stat status;
