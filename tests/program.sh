@@ -193,8 +193,9 @@ run 0 run reports.md -o reports
 test "$(column 'D.x max/-' reports/values.tsv)" = 1 || echo 'a reported measure is not in values.tsv' >>why
 verdict 'a page without expectations does not pass but can be run; `report` is not an expectation'
 
-# The reference of a measure in values.tsv is the expected value of the page, also of a later line, times the measure that
-# the line divides by; of a residual 0, unless the page gives another value. An expectation without a value gives nan.
+# The reference of a measure in values.tsv is the expected value of this measure, also if a later line of the page gives it. If
+# this line divides the measure by another one, the reference is the expected quotient times the other measure. The reference of
+# a residual is 0, unless the page expects another value. An expectation without a value gives nan.
 sed 's/^step .*/&\nmonitor D disc 1\nrecord D.x D.y energy.residual/' "$pages/asks-nothing.md" >expected.md
 printf '\n```expect\nreport D.x max\nD.x max expected (1 + 1) within 3 [sum]\nD.x min expected (1/4) of D.y within 300 %% [quarter]\nD.y above -9\nenergy.residual expected 3 within 4 [three]\nreport energy.residual max\n```\n' >>expected.md
 "$nineball" run expected.md -o expected >out 2>said

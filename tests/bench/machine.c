@@ -2,8 +2,9 @@
  * bandwidth of caches and memory. docs/PERFORMANCE.md compares the passes of a cycle with these rates.
  *
  * Each rate is the greatest of many short repeats, which other programs hardly disturb. This is not a test: it prints
- * one line for each rate, and never fails. Columns, separated by tabs: quantity, unit, value with vectors of four
- * doubles (AVX2), value with vectors of eight (AVX-512); `-`: this machine lacks these instructions.
+ * one line for each rate, and fails only if there is not enough memory. Columns, separated by tabs: quantity, unit,
+ * value with vectors of four doubles (AVX2), value with vectors of eight (AVX-512); `-`: this machine lacks these
+ * instructions.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdio.h>
@@ -141,6 +142,8 @@ static double rate(void (*function)(void), double units, int repeats) {
   return units / least * 1e-9;
 }
 
+/* Prints a line of the output. The function `narrow` has vectors of four doubles and does `of_four` units in a call;
+ * `wide` has vectors of eight and does `of_eight`. */
 static void line(const char *what, const char *unit, void (*narrow)(void), double of_four, void (*wide)(void),
                  double of_eight, int repeats) {
   printf("%s\t%s\t", what, unit);

@@ -4,7 +4,7 @@
  * five runs are printed. A contact update is one cycle of one pair of the neighbour list, including the motion of the
  * particles.
  *
- * This is not a test: it prints, and never fails. Compare only columns of one run.
+ * This is not a test: it prints, and fails only if there is not enough memory. Compare only columns of one run.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -52,7 +52,7 @@ static int by_size(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* Millions of contact updates per second; below 0 if this machine lacks the instruction set. */
+/* Millions of contact updates per second; -1 if this machine lacks the instruction set. */
 static double measure(const struct nb_scene *scene, const char *isa, int threads) {
   double rates[RUNS];
   for (int k = 0; k < RUNS; k++) {

@@ -76,6 +76,7 @@ static bool search_levels(struct chosen *chosen, struct nb_advice *advice, enum 
   return false;
 }
 
+/* The setting with the fewest updates of those that search_levels finds. */
 static struct chosen search(struct nb_advice *advice, enum estimator control) {
   struct chosen chosen = {.variant = NULL};
   double most = INFINITY;

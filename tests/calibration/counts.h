@@ -36,7 +36,8 @@ extern const double quantile_fractions[QUANTILES]; /* 5 %, 50 %, 90 % */
 struct score {
   size_t draws, answered, within; /* number of draws; of answers; of answers whose true error is within the tolerance */
   size_t met, met_answered;       /* draws with `met`; those of them that are answered */
-  double worst_fraction; /* smallest fraction of answers within the tolerance of a kind of page; 1: no answers */
+  /* The fraction of answers within the tolerance in the kind of page where this fraction is smallest; 1: no answers. */
+  double worst_fraction;
   char worst_kind[64];
   size_t costs, claims; /* answers with a known `cost`; with a known `claim` */
   double cost[QUANTILES], claim[QUANTILES];
@@ -48,7 +49,7 @@ struct score score_of(const struct draw draws[], size_t count, enum estimator es
 /* The score of the draws of one kind of page; its members worst_… have no meaning. */
 struct score score_of_kind(const struct draw draws[], size_t count, const char *kind);
 
-/* True if it is enough that `within` of `answered` answers are within the tolerance. */
+/* True if the criterion WITHIN holds for `answered` answers, `within` of which are within the tolerance. */
 bool is_enough(size_t within, size_t answered);
 
 /* The criteria of the calibration. */

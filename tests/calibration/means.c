@@ -21,7 +21,7 @@ struct means {
   size_t count;
 };
 
-/* Stores the values of one realization. */
+/* Runs the page with these settings, and stores its values as realization `index` of *mean. */
 static void run_realization(struct mean *mean, int index, const struct means *means, const char *path,
                             const char *settings[]) {
   struct nb_outcome outcome;

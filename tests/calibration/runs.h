@@ -22,7 +22,7 @@ static inline bool run_one(struct nb_advice *advice, struct nb_variant *variant,
   return level <= NB_LEVEL_HIGH && nb_trials_run(advice, variant, level, trial, 1, 1);
 }
 
-/* Runs `count` of the trials, evenly spaced. */
+/* Runs `count` of the trials, evenly spaced. False: one of them cannot be run. */
 static inline bool run_trials(struct nb_advice *advice, struct nb_variant *variant, int level, size_t count) {
   return level <= NB_LEVEL_HIGH && nb_trials_run(advice, variant, level, 0, advice->trials / count, count);
 }
@@ -35,10 +35,10 @@ struct truth {
   double *values; /* value of each run */
   double change;  /* largest change when the step was last halved, over the tolerance */
   int level;
-  double tolerance;
+  double tolerance; /* relative */
 };
 
-/* Takes the truth from this level and the one before. False: they cannot be run, and nothing is changed. */
+/* Takes the truth from this level and the one before. False: one of them cannot be run, and *truth stays as it is. */
 bool take_truth(struct truth *truth, struct nb_advice *advice, int level);
 /* Finds the truth. False: it is not known well enough. */
 bool find_truth(struct truth *truth, struct nb_advice *advice);

@@ -1,6 +1,6 @@
 /* Replacements of calls that can fail: allocation, and opening, writing, flushing and renaming files. The linker
- * replaces the calls of the C library by these (--wrap) in the objects of this program only, not in the library itself
- * or in the sanitizers.
+ * replaces calls of the C library by these (--wrap) in the objects of this program only, not in the C library itself or
+ * in the sanitizers.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _GNU_SOURCE /* fopencookie */
@@ -17,13 +17,14 @@
 #include "faults.h"
 
 static struct {
-  unsigned long calls, turn;
-  bool lasting;
+  unsigned long calls, turn; /* number of calls so far; number of the call that fails, 0: none */
+  bool lasting;              /* all later calls fail too */
 } faults;
 
 void faults_begin(unsigned long n, bool lasting) { faults.calls = 0, faults.turn = n, faults.lasting = lasting; }
 unsigned long faults_calls(void) { return faults.calls; }
 
+/* Counts a call. True if this call must fail; errno is then `why`. */
 static bool fails(int why) {
   faults.calls++;
   if (!faults.turn || (faults.lasting ? faults.calls < faults.turn : faults.calls != faults.turn))
@@ -32,6 +33,7 @@ static bool fails(int why) {
   return true;
 }
 
+/* Defines the replacement of the function `name`. A call that fails returns `failed`, and errno is `why`. */
 #define WRAP(type, name, why, failed, declared, given)                                                                 \
   type __real_##name declared;                                                                                         \
   type __wrap_##name declared;                                                                                         \

@@ -32,7 +32,7 @@ void fuzz_hold(bool holds, const char *what) {
   abort();
 }
 
-/* Tests the form of a message: "PATH:7:12: error: …", "PATH: error: …", or such a message about a setting. */
+/* Tests that a message, which ends at `end`, has the form "PLACE: error: TEXT". */
 static void hold_message(const char *message, const char *end) {
   static const char mark[] = ": error: ";
   const size_t length = sizeof mark - 1;

@@ -1,6 +1,7 @@
-/* The readers of saved states and of checkpoints. A changed state gets a new checksum, so that its records are read.
- * A state that was read must be complete, and an error must have a position. If the page accepts a state, it runs for a
- * few cycles from this state: whatever the numbers are, the run must end with a status.
+/* The readers of saved states and of checkpoints. About half of the inputs get a new checksum, so that their records
+ * are read even if they were changed. A state that was read must be complete, and an error must have a position. If the
+ * page accepts a state, it runs for a few cycles from this state: whatever the numbers are, the run must end with a
+ * status.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>

@@ -4,7 +4,7 @@
 #
 #   a + b       a - b, and the other way; the same with += and -=, * and /, *= and /=, && and ||
 #   -a, !a      a
-#   a < b       a > b, and the other way; <= becomes >, >= becomes <; == and != each the other
+#   a < b       a > b, and the other way; <= becomes >, >= becomes <, == becomes !=, != becomes ==
 #   a number    a thousandth more; 0 becomes 1
 #   a term      a thousandth more, if the term follows = return + - += -= ? : or an opening bracket or comma of arguments. If
 #               the result does not compile (a pointer, a structure), it is not a mutant.

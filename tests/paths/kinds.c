@@ -47,12 +47,13 @@ static void begin(struct path *path) {
   }
   if (rings) /* until a thousandth of the amplitude is left */
     path->count = (int)fmin(path->period * log(1e-3) / log(1 - path->decay), 20000);
-  path->left = path->count + (rings ? 120 : 0);
+  path->left = path->count + (rings ? 120 : 0); /* the last 120 points: slide_both_ways */
 }
 
 static double drawn(struct path *path, double size) { return chance_between(&path->chance, -size, size); }
 
-/* Moves until the contact slides, and back. */
+/* One of the last 120 points. In the first half of them the contact moves until it slides, in the second half it moves
+ * back until it slides the other way. */
 static void slide_both_ways(struct path *path) {
   path->u += (path->left >= 60 ? 1 : -2) * 1.5 / 60 * path->x * (path->phase < turn / 2 ? 1 : -1);
 }

@@ -20,6 +20,8 @@ struct account {
   double work, given, sum; /* work; energy given to the contact; sum of the magnitudes of all works */
   double error;            /* error of `work` because of the finite steps */
 };
+/* The work of the normal force and of the shear force in some steps. `sum` has the sums of the magnitudes of the work
+ * of each step, [0] normal, [1] shear. */
 struct works {
   double normal, shear, sum[2];
 };

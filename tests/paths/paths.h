@@ -40,7 +40,7 @@ struct findings {
   long not_emptied;  /* contacts that opened and kept a force */
   double created[2]; /* largest energy created by a contact, over the energy that it was given; [1]: friction above 1 */
   long creations;    /* segments at whose end a contact had created energy beyond the error of the steps */
-  double grown;      /* largest growth of the stored energy that is not work, over the energy given */
+  double grown;      /* largest growth of the stored energy beyond the work, over the energy given */
 };
 /* The findings for a normal law with a shear law. The steps of the kind DECADES are too large for an energy account. */
 struct findings law_on_paths(const struct nb_law *normal, const struct nb_law *shear, int kind, long steps);
