@@ -447,6 +447,23 @@ static void resolution_and_mean_overlap(void) {
   CU_ASSERT_PTR_NOT_NULL(strstr(warned(text, statements), "particle 2: its coordinate 8.38861e+06 has"));
 }
 
+/* The warning is given once in a run: not again when another particle is farther from the origin. */
+static void resolution_is_reported_once(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc 1e10 0 radius 1 m\ndisc 0 0 radius 1 m\nstep 1e-9\n"
+                   "record time\nstage s\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL_FATAL(model->warnings.count, 1);
+  CU_ASSERT_PTR_NOT_NULL(strstr(model->warnings.list[0].text, "particle 1: its coordinate 1e+10 has"));
+  model->particles.position[model->particles.slot[1]].x = 3e10;
+  nb_guard_resolution(model);
+  CU_ASSERT_EQUAL(model->warnings.count, 1);
+  nb_model_free(model);
+  written_free(&it);
+}
+
 /* Two heavy discs with an overlap of 900 x 2^-29 move together by 0.5 in a cycle, which is more than half the skin. The
  * first disc begins at 2^23 - 4 and is at 2^23 after 8 cycles. Below 2^23 the ulp is 2^-30, which is fine enough for
  * the overlap. */
@@ -496,5 +513,6 @@ void suite_guard(void) {
   CU_add_test(suite, "resolution of coordinates", resolution_of_coordinates);
   CU_add_test(suite, "resolution that gets coarse", resolution_that_gets_coarse);
   CU_add_test(suite, "resolution and mean overlap", resolution_and_mean_overlap);
+  CU_add_test(suite, "resolution is reported once", resolution_is_reported_once);
   CU_add_test(suite, "each warning once", each_warning_once);
 }

@@ -321,6 +321,36 @@ static void warnings_of_servos(void) {
   }
 }
 
+/* Stage `press` ends at a stress of 0, far from the target of its servo. There is no warning only if the servo of the
+ * next stage controls the same components of the same stress towards the same target. */
+static void servos_that_go_on(void) {
+  static const struct {
+    const char *press, *rest;
+    bool warned;
+  } rows[] = {{"xx 5 yy 6 on box", "xx 5 yy 6 on box", false}, {"xx 5 yy 6 on box", "xx 5 yy 6 on walls", true},
+              {"xx 5 yy 6 on walls", "xx 5 yy 6 on M", true},  {"xx 5 yy 6 on M", "xx 5 yy 6 on M", false},
+              {"xx 5 yy 6 on M", "xx 5 yy 6 on N", true},      {"xx 5 yy 6 on box", "xx 4 yy 6 on box", true},
+              {"xx 5 yy 6 on box", "xx 5 yy 7 on box", true}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct nb_outcome outcome;
+    char text[1024];
+    snprintf(text, sizeof text,
+             "units none\nmaterial m density 1 kn 1000\nbox 0 0 to 9 9 m\ndisc 4 4 radius 1 m\nregion M all\n"
+             "region N all\nstep 0.001\nrecord time\nstage press\nservo %s through box at most 1e-9\ncycles 2\n"
+             "stage rest\nservo %s through box at most 1e-9\ncycles 2",
+             rows[k].press, rows[k].rest);
+    carry_out(&outcome, text, "report time", NULL);
+    CU_ASSERT_EQUAL(outcome.status, NB_OK);
+    bool warned = false;
+    for (size_t w = 0; w < outcome.warnings.count; w++)
+      warned = warned || strncmp(outcome.warnings.list[w].text, "stage `press` ended while", 25) == 0;
+    if (warned != rows[k].warned)
+      printf("# %s, then %s: %s\n", rows[k].press, rows[k].rest, outcome.error.text);
+    CU_ASSERT_EQUAL(warned, rows[k].warned);
+    nb_outcome_free(&outcome);
+  }
+}
+
 /* With friction at the walls, an expectation causes a warning if its stress is not the one that the servo of its stage
  * controls. */
 static void expectations_of_another_stress(void) {
@@ -826,6 +856,7 @@ void suite_outcome(void) {
   CU_add_test(suite, "warnings of regions without particles or contacts, and of a negative porosity",
               warnings_of_regions);
   CU_add_test(suite, "warnings of stages that end far from the target of a servo", warnings_of_servos);
+  CU_add_test(suite, "servos that go on in the next stage", servos_that_go_on);
   CU_add_test(suite, "warnings of expectations of another stress than the servo controls",
               expectations_of_another_stress);
   CU_add_test(suite, "servos at the largest rate", servos_at_the_largest_rate);
