@@ -142,6 +142,13 @@ static void two_ramps(void) {
     CU_ASSERT_EQUAL(row_of(page, "C.normal", 4), 0.25 * 2);
     CU_ASSERT_EQUAL(row_of(page, "D.vx", 4), 1);
   }
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\nmaterial m density 1 kn 1\ncell 0 0 to 9 9\ndisc 1 1 radius 1 m\nstep 0.1\nrecord "
+                   "time\nstage a\nramp servo xx 5 on cell through cell at most 1\nramp material m kn 2\ncycles 1\n");
+  written_scene(&it, &page);
+  CU_ASSERT(it.scene.stages[0].servo.ramp && it.scene.stages[0].changes[0].ramp);
+  written_free(&it);
 }
 
 #define WALL                                                                                                           \
@@ -159,8 +166,9 @@ static void a_wall_ramps(void) {
 }
 
 /* Each of two stages has 8 cycles of 1/4. In one stage all walls ramp: wall k from rest to the velocity k, which
- * displaces it by k. In the other stage only wall 1 ramps. If this is the second stage, wall 1 ramps from 1 to 0, and
- * the other walls move on by 2 k. If it is the first stage, wall 1 ramps from 0 to 1 and keeps this velocity. */
+ * displaces it by k. In the other stage only wall 1 ramps, and a statement gives wall 2 the velocity that it has. If
+ * this is the second stage, wall 1 ramps from 1 to 0, and the other walls move on by 2 k. If it is the first stage,
+ * wall 1 ramps from 0 to 1 and keeps this velocity. */
 static void many_walls_ramp(void) {
   enum { WALLS = 40 };
   for (int first = 0; first < 2; first++) {
@@ -177,7 +185,7 @@ static void many_walls_ramp(void) {
       for (int k = 1; k <= WALLS && stage == first; k++)
         words_add(&page, "ramp wall w%d velocity %d 0\n", k, k);
       if (stage != first)
-        words_add(&page, "ramp wall w1 velocity %d 0\n", first);
+        words_add(&page, "ramp wall w1 velocity %d 0\nwall w2 velocity %d 0\n", first, stage ? 2 : 0);
       words_add(&page, "cycles 8\n");
     }
     written_scene(&it, &page);
@@ -209,6 +217,18 @@ static void materials_change(void) {
   CU_ASSERT_EQUAL(row_of(ramps, "O.normal", 3), 5);
   CU_ASSERT_EQUAL(row_of(ramps, "O.normal", 4), 6);
   CU_ASSERT_EQUAL(after(ramps, "O.normal"), 6);
+}
+
+/* Two ramps from different values and a jump after them. Two springs of k_1 and k_2 have the force
+ * 2 k_1 k_2/(k_1 + k_2)/4 at the overlap 1/4. */
+static void two_materials_ramp(void) {
+  const char *ramps = DEEP "stage a\nmaterial n kn 16\ncycles 4\nstage b\nramp material m kn 24\n"
+                           "ramp material n kn 48\nmaterial n ks 2\ncycles 4\n";
+  for (size_t cycle = 1; cycle <= 4; cycle++) {
+    const double m = 8 + 4. * (double)cycle, n = 16 + 8. * (double)cycle;
+    CU_ASSERT_DOUBLE_EQUAL(row_of(ramps, "C.normal", 4 + cycle), 2 * m * n / (m + n) / 4, 1e-14);
+    CU_ASSERT_EQUAL(row_of(ramps, "O.normal", 4 + cycle), m / 4);
+  }
 }
 
 static void pairs_change(void) {
@@ -401,6 +421,7 @@ void suite_changes(void) {
   CU_ADD_TEST(suite, two_ramps);
   CU_add_test(suite, "a wall ramps", a_wall_ramps);
   CU_add_test(suite, "materials change", materials_change);
+  CU_ADD_TEST(suite, two_materials_ramp);
   CU_add_test(suite, "pairs change", pairs_change);
   CU_add_test(suite, "zero velocities is a start from rest", zero_velocities_starts_from_rest);
   CU_add_test(suite, "friction switches shear on and off", friction_switches_shear);

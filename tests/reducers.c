@@ -182,10 +182,23 @@ static void not_finite(void) {
   nb_outcome_free(&outcome);
 }
 
+/* A number at the end of a line is a time, although the line above has the word `cycles` at the next place. */
+static void a_time_at_the_end_of_a_line(void) {
+  struct nb_outcome outcome;
+  planted_page(&outcome, "", "report A.x at 20 cycles\nreport A.x at 1");
+  planted_rows(&outcome, 0, 3, (double[]){1, 4, 3});
+  planted_is(&outcome, NB_NOTE);
+  CU_ASSERT_EQUAL_FATAL(outcome.check_count, 2);
+  CU_ASSERT_STRING_EQUAL(outcome.checks[0].message, "computed 3");
+  CU_ASSERT_STRING_EQUAL(outcome.checks[1].message, "computed 4");
+  nb_outcome_free(&outcome);
+}
+
 void suite_reducers(void) {
   CU_pSuite suite = CU_add_suite("reducers", NULL, NULL);
   CU_add_test(suite, "every reducer over a stage, the last stage and all stages", reducers);
   CU_add_test(suite, "a measure that cannot be computed fails, with the reason", nothing_to_reduce);
   CU_add_test(suite, "values that are not finite fail every check", not_finite);
   CU_add_test(suite, "the value for the stage is preferred", the_value_for_the_stage_is_preferred);
+  CU_ADD_TEST(suite, a_time_at_the_end_of_a_line);
 }
