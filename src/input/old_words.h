@@ -13,7 +13,7 @@ enum nb_old_kind {
   NB_OLD_QUANTITY,  /* parts of a quantity's name after its owner: in `record`, `until`, expectations and figures */
   NB_OLD_PLAIN,     /* the whole name of a quantity without an owner: in the same places */
   NB_OLD_COLUMN,    /* a whole name in a figure: a column of a snapshot, or a variable that a plot recipe reads */
-  NB_OLD_FIGURE,    /* a word before such a name in a figure: `known C.normal/N`, `known_C_normal` */
+  NB_OLD_FIGURE,    /* a word before the name of a quantity in a figure: `known C.normal/N`, `known_C_normal` */
   NB_OLD_FENCE      /* the kind of a block */
 };
 

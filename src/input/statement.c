@@ -521,7 +521,7 @@ static bool fields_hint(const struct nb_reader *reader, char *hint, const struct
                         const struct nb_argument *missing) {
   const struct nb_guess guess = guess_clause(reader, token ? token->text : "");
   usage_hint(reader, hint, token, missing);
-  return (token && nb_pair_hint(hint, reader->tokens[0].text, token->text)) || /* before the guesses */
+  return (token && nb_pair_hint(hint, reader->tokens[0].text, token->text)) || /* has priority over guesses */
          (number_next(reader) && third_coordinate(hint, reader, missing)) || nb_guess_hint(&guess, hint) ||
          (token && reader->given && other_statement(hint, reader, token->text)) || namesake_hint(reader, hint, missing);
 }

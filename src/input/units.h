@@ -47,7 +47,7 @@ bool nb_unit_read(struct nb_unit *unit, const char *name);
 bool nb_unit_without_dimension(const char *name);
 /* A unit that the program does not have, and its factor to a unit of the program: 1 in is 25.4 mm. */
 struct nb_foreign_unit {
-  const char *names, *ours; /* "inch inches in", "mm" */
+  const char *names, *ours; /* "in, inch, inches"; "mm" */
   double factor;
 };
 /* The foreign unit with this name and, if `dimension` is not NULL, this dimension; NULL: there is none. */

@@ -301,7 +301,7 @@ bool nb_take_number(struct nb_reader *reader, enum nb_unit_kind kind, enum nb_ra
 bool nb_take_time_at(struct nb_reader *reader, double *value) {
   struct wanted it = wanted_of(NB_UNIT_TIME);
   const struct nb_token *const number = nb_token_peek(reader);
-  char what[256], units[NB_NAME_SIZE]; /* the first two are in the hint */
+  char what[256], units[NB_NAME_SIZE]; /* the hint has the first two units */
   const bool whole = !number || !number->text[strspn(number->text, "0123456789")];
   snprintf(units, sizeof units, whole ? "cycles, %s" : "%s, cycles", it.units);
   it.name = "a number of cycles or a time", it.units = units;

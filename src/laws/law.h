@@ -57,7 +57,7 @@ struct nb_law {
   const char *kind;       /* "normal" or "shear" */
   const char *name;       /* "linear" */
   const char *title;      /* one line for `nineball laws` */
-  const char *source;     /* equation tags */
+  const char *source;     /* tags of the equations: "[CS79 17-19]" */
   const char *parameters; /* material properties on which the force depends: "ks, friction, cohesion" */
   int history;            /* doubles per contact, without those of the pieces */
   int piece, pieces;      /* doubles for each piece; default number of pieces */

@@ -7,9 +7,9 @@
  *   link        a contact of two strong particles, within 45 degrees of the major axes of both
  *   chain       three or more particles connected by links
  *
- *   bend        angle between two successive links, on opposite sides of the particle that they share, rad; 0: a
- *               straight chain. If more than two links meet in a particle, every pair of them counts
- *   length      number of particles of a chain
+ *   bend        mean angle between two successive links, on opposite sides of the particle that they share, rad; 0: a
+ *               straight chain. If more than two links meet in a particle, every pair on opposite sides counts
+ *   length      mean number of particles of a chain
  *   fraction    number of particles in chains over the number of free particles inside
  *
  * Only free particles inside count. Let d be the angle of a contact from the major axis. The condition d < 45 degrees

@@ -11,7 +11,7 @@ bool nb_configuration_create(struct nb_model *model);
 void nb_configuration_free(struct nb_configuration *configuration);
 /* Number of stages that a `from` names; 0 for NULL. */
 size_t nb_configuration_count(const struct nb_configuration *configuration);
-void nb_configuration_store(struct nb_store *store, struct nb_model *model); /* saves or restores its data */
+void nb_configuration_store(struct nb_store *store, struct nb_model *model); /* saves or restores the references */
 bool nb_configuration_begin(struct nb_model *model, int stage); /* called when a stage begins; false: out of memory */
 void nb_configuration_add_slip(struct nb_model *model); /* adds the slip of the last step; called after the forces */
 

@@ -1,7 +1,7 @@
 /* Measures of an impact, in Maw's dimensionless numbers.                         [R89 5.9, 5.11, 5.12, 5.15]
  *
  *   psi = V_T/(mu kappa V_N)       V_T current tangential velocity of the contact, m/s; V_N normal velocity at first
- *                                  touch, m/s; mu friction, 1; psi1 is psi at first touch, psi2 is psi at the end
+ *                                  touch, m/s; mu friction, 1; psi1 is psi at first touch, psi2 the current psi
  *   kappa = E* / (4 G*)            compliance ratio, 1: (2 - nu)/(2 (1 - nu)) of like materials; k_n/k_s of springs
  *   N_max = (5/4) M V_N^2/alpha_m  largest normal force, N; hertz_impact.h gives alpha_m, m, and the duration T_c, s,
  *                                  with the symbol t

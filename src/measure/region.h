@@ -107,7 +107,7 @@ struct nb_region_state {
   struct nb_vec corners[4];            /* counterclockwise, m */
   double area, thickness;              /* m2; m */
   unsigned long placed_cycle;          /* number of the cycle of this geometry, plus 1; 0: not computed yet */
-  unsigned long measured[NB_MEASURES]; /* the same for each measure */
+  unsigned long measured[NB_MEASURES]; /* number of the cycle in which each measure was computed, plus 1; 0: not yet */
   struct nb_stress stress;
   struct nb_fabric fabric;
   struct nb_directions directions;
