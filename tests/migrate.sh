@@ -112,7 +112,7 @@ result $? 'a block ends at a line of as many of the same signs'
 printf 'a\0b' >"$work/one.md"
 cp "$work/one.md" "$work/wanted"
 "$nineball" migrate --in-place "$work/one.md" 2>"$work/said"
-test $? -eq 2 && grep -q 'no text' "$work/said" && cmp "$work/one.md" "$work/wanted"
+test $? -eq 2 && grep -q 'not text' "$work/said" && cmp "$work/one.md" "$work/wanted"
 result $? 'a file that is not text stays unchanged'
 "$nineball" migrate "$work/none.md" 2>"$work/said"
 test $? -eq 2 && grep -q 'cannot be read' "$work/said"

@@ -577,7 +577,7 @@ static void warnings_of_removed_particles(void) {
   } cases[] = {
       {"A.vx", "A.vx in one below 3", "`A.vx` is 0 from stage `two` on", false},
       {"C.normal", "report C.normal", "`C.normal` is 0 from stage `two` on", false},
-      {"F.normal", "report F.normal", "a value before is `F.normal in one`", false},
+      {"F.normal", "report F.normal", "for a value before, write `F.normal in one`", false},
       {"A.vx", "report A.vx", "`A.vx` is 0 in all stages, because this line removes its particle in the first one",
        true},
       {"C.normal", "C.normal expected 0 within 0 [t]", NULL, false},

@@ -40,7 +40,7 @@ struct branch {
 
 struct law {
   const char *name;
-  int branches;  /* how many it keeps; 0: it is a spring */
+  int branches;  /* number of branches that the law keeps; 0: the law is a spring */
   double spring; /* k */
   bool literal;  /* randall_literal */
 };

@@ -30,7 +30,7 @@ struct nb_variant {
   char normal[NB_NAME_SIZE], shear[NB_NAME_SIZE]; /* empty: the laws of the page */
   double soften;                                  /* divisor of the page's stiffnesses; 0: they are not changed */
   bool centred;                                   /* --set damping=centred */
-  int history;                                    /* number of doubles that its laws store per contact */
+  int history;                                    /* number of doubles that the laws store per contact */
   size_t value[NB_TRADES]; /* for each `trade` of the page: 0: the page's own value; k: value number k of the `trade` */
   struct nb_point points[NB_LEVELS];
   bool covered;  /* the reference solution of the page, if there is one, accepts the variant */

@@ -297,7 +297,7 @@ static const char *kind_of(const struct nb_measure *measure, const struct nb_sce
                                                     : "time";
 }
 
-/* The name of the quantity without its monitor, `normal` of `C.normal max`, and its length. */
+/* The name of the quantity without its monitor, `normal` of `C.normal max`. *length receives the length of the name. */
 static const char *bare_name(const struct nb_measure *measure, size_t *length) {
   const size_t word = strcspn(measure->label, " "), dot = strcspn(measure->label, ".");
   const char *name = dot < word ? measure->label + dot + 1 : measure->label;

@@ -286,7 +286,7 @@ static enum nb_status migrate(const char *path, bool in_place, struct nb_error *
     return error->status;
   if (strlen(page) < size) {
     free(page);
-    return nb_error_set(error, NB_BAD_USE, "expected a page, found a file that is no text");
+    return nb_error_set(error, NB_BAD_USE, "expected a page, found a file that is not text");
   }
   nb_migrate(&text, page, path, stderr);
   enum nb_status status = text.failed ? nb_error_memory(error) : NB_OK;
@@ -304,7 +304,7 @@ static enum nb_status migrate(const char *path, bool in_place, struct nb_error *
 enum nb_status nb_command_migrate(const struct nb_call *call) {
   enum nb_status worst = NB_OK;
   if (call->page_count > 1 && !call->in_place) {
-    fputs("nineball: several pages are rewritten with --in-place\n", stderr);
+    fputs("nineball: several pages can be rewritten only with --in-place\n", stderr);
     return NB_BAD_USE;
   }
   for (size_t k = 0; k < call->page_count; k++) {
@@ -328,9 +328,9 @@ enum nb_status nb_command_laws(const struct nb_call *call) {
            (*law)->piece > 0 ? " or as many as `memory` asks for" : "",
            (*law)->stored ? "reports its stored energy" : "does not report stored energy",
            (*law)->non_conservative ? "; may create energy" : "");
-  puts("Two particles of one material have its full kn and ks at their contact. Two materials with the stiffnesses a "
-       "and b\n"
-       "have 2ab/(a+b), twice that of two springs in series (PFC), unless `pair` gives another stiffness.");
+  puts("A contact of two particles of one material has the kn and ks of this material. A contact of two materials\n"
+       "with the stiffnesses a and b has 2ab/(a+b), twice that of two springs in series (PFC), unless `pair` gives\n"
+       "another stiffness.");
   return NB_OK;
 }
 

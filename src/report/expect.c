@@ -515,7 +515,7 @@ static const struct nb_expectation_row rows[] = {
   {"decreases", NB_DECREASES, "MEASURE decreases with NAME {over SAMPLE}", take_trend, "As `increases`, for a measure that decreases.",
    "A.vx in strike  decreases with speed"},
   {"constant", NB_CONSTANT, "MEASURE constant with NAME {over SAMPLE} within TOLERANCE", take_constant,
-   "The difference between the largest and the smallest value over the sweep NAME is within TOLERANCE; a percentage is of their mean. "
+   "The difference between the largest and the smallest value over the sweep NAME is within TOLERANCE. A percentage is a fraction of the mean of all values. "
    "With `over` the 95 % confidence interval of every mean difference lies within TOLERANCE.",
    "time at 100 cycles in strike  constant with speed within 1 ns"},
   {"order", NB_ORDER, "MEASURE order NUMBER in NAME within TOLERANCE", take_order,

@@ -50,7 +50,7 @@ struct nb_expectation {
   enum nb_expectation_kind kind;
   struct nb_measure measure;
   /* NB_LESS, NB_GREATER: the measure to compare with, unless `has_number`. NB_EXPECTED with `has_scale`: `number` is a
-   * fraction of it. */
+   * fraction of this measure. */
   struct nb_measure other;
   bool has_scale, has_number;
   struct nb_tolerance tolerance;

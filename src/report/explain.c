@@ -451,7 +451,7 @@ static void explain_step(FILE *out, const struct nb_model *model) {
 static void explain_gain(FILE *out, const struct nb_model *model, const struct nb_servo *servo) {
   const struct nb_scene *scene = model->scene;
   double b, t;
-  fputs("    gain of the servo: rate = error/(2 B T), and the integral of the error over 16 T; ", out);
+  fputs("    gain of the servo: strain rate P = error/(2 B T), plus the time integral of P/(16 T); ", out);
   if (nb_servo_scales(model, servo, &b, &t))
     fprintf(out, "now the bulk stiffness B is %g%s, the travel time T of a wave across the assembly %g%s\n", b,
             nb_unit(scene, " Pa"), t, nb_unit(scene, " s"));
@@ -518,7 +518,7 @@ static void explain_shear_end(FILE *out, const struct nb_scene *scene, const str
   }
 }
 
-/* The scene of the page that has the stage: this one, or one from which it starts. */
+/* The scene of the page that has the stage: `scene`, or one from which `scene` starts. */
 static const struct nb_scene *scene_of(const struct nb_scene *scene, size_t stage) {
   while (stage < scene->start.stages)
     scene = scene->start.scene;

@@ -42,11 +42,11 @@ enum { COMMANDS = sizeof commands / sizeof *commands };
 
 #define AT(member) offsetof(struct nb_call, member)
 static const struct option_row {
-  const char *name, *value;                                 /* name; name of its value in the help, NULL: no value */
+  const char *name, *value;                                 /* name; name of the value in the help, NULL: no value */
   int letter;                                               /* short form; 0: none */
   enum { TEXT, NUMBER, SECONDS, FLAG, SETTING, PAGE } kind; /* the value of SECONDS may be missing */
   size_t at;                                                /* offset in struct nb_call */
-  const char *commands;                                     /* commands that take it; NULL: it is used alone */
+  const char *commands;                                     /* commands that take the option; NULL: it is used alone */
   const char *help;
 } options[] = {
     {"output", "FOLDER", 'o', TEXT, AT(folder), "run, figure, report, advise, state",
@@ -60,10 +60,11 @@ static const struct option_row {
     {"states", "FOLDER", 0, TEXT, AT(options.states), ALL,
      "folder of the saved states from which pages start (default: $NINEBALL_STATES, or states)"},
     {"all", NULL, 0, FLAG, AT(all), "advise",
-     "advise on each page, also on those below a FOLDER (default: cases): --quantity and --within may be lists "
-     "separated by `;`, by default up to three quantities that the page expects, at the middle run of a sweep, and 10 "
-     "%; 1 %; 0.1 %. The output folder (default: trades) gets the table trades.tsv, to which a later call adds, and a "
-     "figure of each page. Exit status 1: a search ended without advice"},
+     "search for advice on each page, also on those below a FOLDER (default: cases). --quantity and --within may be "
+     "lists separated by `;`. Without --quantity, advice is about up to three quantities that the page expects, in the "
+     "middle run of a sweep. Without --within, the tolerances are 10 %, 1 % and 0.1 %. The output folder (default: "
+     "trades) gets a figure of each page and the table trades.tsv, to which a later call adds rows. Exit status 1: a "
+     "search ended without advice"},
     {"quantity", "MEASURE", 0, TEXT, AT(quantity), "advise",
      "quantity whose error counts, as in an expect block (default: that of the first expectation)"},
     {"within", "TOLERANCE", 0, TEXT, AT(within), "advise",

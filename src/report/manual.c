@@ -143,8 +143,8 @@ static void argument(const struct manual *to, const struct nb_argument *field) {
   part(to, name, NULL, text);
 }
 
-/* Prints the parts of a statement's tail: the lines of its help after the first one, "NAME: TEXT". `word`: prints only
- * parts with this word in their names; NULL: all. Returns true if there was one. */
+/* Prints the parts of a statement's tail (struct nb_keyword). They are the lines of the help after the first one,
+ * "NAME: TEXT". `word`: prints only parts with this word in their names; NULL: all. Returns true if there was one. */
 static bool tail_parts(const struct manual *to, const char *help, const char *word) {
   bool found = false;
   for (const char *line = strchr(help, '\n'); line; line = strchr(line, '\n')) {

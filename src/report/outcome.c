@@ -87,9 +87,10 @@ static void warn_of_0(struct nb_warnings *warnings, const struct nb_scene *scene
     nb_warn(warnings, scene->start.line, "`%s` is 0, because stage `%s` of `%s` removes its particle", column, name,
             scene->start.page->name);
   else if (stage > scene->start.stages)
-    nb_warn(warnings, line,
-            "`%s` is 0 from stage `%s` on, because this line removes its particle; a value before is `%s in %s`",
-            column, name, column, scene->stages[stage - 1].name);
+    nb_warn(
+        warnings, line,
+        "`%s` is 0 from stage `%s` on, because this line removes its particle; for a value before, write `%s in %s`",
+        column, name, column, scene->stages[stage - 1].name);
   else
     nb_warn(warnings, line, "`%s` is 0 in all stages, because this line removes its particle in the first one", column);
 }

@@ -13,7 +13,8 @@ struct nb_page_run {
   struct nb_expectations expectations;
   struct nb_solution solution;
   struct nb_result result;
-  struct nb_spool *spool; /* has the recorded tables of the result, from byte `at` on; NULL: the result has them */
+  /* has the recorded tables of the result, from byte `at` on; NULL: the tables are in `result` */
+  struct nb_spool *spool;
   long at;
   char label[256];       /* "v=0.12 n=40", empty without a sweep */
   bool released;         /* the scene has its particles only during the run */

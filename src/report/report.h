@@ -11,17 +11,18 @@
 
 /* A page of the report. */
 struct nb_report_page {
-  const char *path;                                 /* the path that the caller gives */
-  char *real;                                       /* its real path; owned; NULL: it cannot be read */
+  const char *path; /* the path that the caller gives */
+  /* the real path of the page; owned; NULL: the page cannot be read */
+  char *real;
   char name[NB_NAME_SIZE], title[NB_NAME_SIZE * 2]; /* `name` is unique in the report; `title` is the first heading */
   char message[512];                                /* an error other than a failed check, or empty */
   char figure[NB_NAME_SIZE + 8];                    /* NAME.svg, or NAME.png */
   char cost[256];                                   /* one line, or empty */
   char *dropped;                                    /* names of large files that were removed; owned */
   struct nb_outcome outcome;                        /* without its runs */
-  bool document;                                    /* it has no block of the page language */
+  bool document;                                    /* the page has no block of the page language */
   bool unrun;                                       /* the page is shown without its results */
-  bool saved, drawn;                                /* it has tables; it has a figure */
+  bool saved, drawn;                                /* the page has tables; the page has a figure */
   double seconds;
 };
 
@@ -31,7 +32,7 @@ struct nb_report {
   size_t count;
   bool trust; /* copy any file to which a page links, not only those below the folder of the page */
   struct nb_report_file {
-    char *real, *name; /* its real path; its name in the folder `files`; both owned */
+    char *real, *name; /* the real path of the file; its name in the folder `files`; both owned */
   } * files;
   size_t file_count;
 };

@@ -6,8 +6,8 @@
  * bubblewrap also files in the folders of libraries. With bubblewrap it has no network; with Landlock it has no TCP if
  * the kernel has version 4 of the interface (Linux 6.7).
  *
- * Both methods let it read the files of the list below. The system's headers may be older than the kernel, so the
- * constants of Landlock are defined here, and the program asks the kernel for the version of the interface.
+ * Both methods let the program read the files of the list below. The system's headers may be older than the kernel. So
+ * the constants of Landlock are defined here, and prepare_landlock asks the kernel for the version of the interface.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _GNU_SOURCE

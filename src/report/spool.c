@@ -113,8 +113,8 @@ enum nb_status nb_spool_put(struct nb_spool *spool, struct nb_page_run *run, con
   return NB_OK;
 }
 
-/* The result of a run: the one in memory, or the one in the file, which is read unless it was the last one that was read.
- * `snapshots`: with its snapshots. */
+/* The result of a run, from memory or from the file. The file is not read again for the run that was read last.
+ * `snapshots`: the snapshots are needed, too. */
 static const struct nb_result *load(const struct nb_page_run *run, bool snapshots) {
   struct nb_spool *spool = run->spool;
   if (!spool)

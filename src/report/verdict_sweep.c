@@ -127,7 +127,7 @@ static size_t next_run(const struct group *group, size_t r) {
   return next;
 }
 
-/* Finds the value of the measure in run r; false with a message if it is undefined. */
+/* Finds the value of the measure in run r; false with a message if the value is undefined. */
 static bool compute_value(double *value, const struct group *group, size_t r) {
   const struct nb_page_run *run = &group->outcome->runs[r];
   return nb_check_computed(value, group->check, run, &run->expectations.list[group->index]);

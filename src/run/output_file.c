@@ -47,8 +47,9 @@ static void remove_leftovers(const char *path) {
 }
 
 /* Creates and locks a temporary file for `path`, and writes its name to `temporary`. Returns its descriptor; -1:
- * failure. The function never opens an existing file and follows no link. After the lock it tests that the name still
- * leads to the file, because another process may have removed the file as a leftover before it was locked. */
+ * failure. The function never opens an existing file and follows no link. When it has the lock, the function tests that
+ * the name still leads to the file, because another process may have removed the file as a leftover before it was
+ * locked. */
 static int create(char *temporary, size_t size, const char *path) {
   const unsigned long process = (unsigned long)getpid();
   for (unsigned long number = process; number < process + 1000; number++) {

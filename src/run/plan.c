@@ -107,7 +107,7 @@ static unsigned needed_fields(unsigned kept, bool dissipative, const struct nb_p
     kept &= ~NB_BIT(NB_DISSIPATED);
   if (!plan->dashpots && kept & NB_BIT(NB_TOTAL_NORMAL)) /* without dashpots the two fields are equal: one is enough */
     kept = (kept & ~NB_BIT(NB_TOTAL_NORMAL)) | NB_BIT(NB_NORMAL);
-  return kept & ~NB_BIT(NB_TOTAL_SHEAR); /* it is stored as a part of the contact force */
+  return kept & ~NB_BIT(NB_TOTAL_SHEAR); /* the total shear force is stored in the contact force */
 }
 
 static int larger(int a, int b) { return a > b ? a : b; }

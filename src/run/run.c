@@ -28,7 +28,7 @@ struct run {
   struct nb_checkpoint checkpoint;
   unsigned long stop_at;      /* for tests: cycle after which the run stops; 0: none */
   unsigned long long updates; /* contact updates before the stage */
-  bool stage_ended;           /* the checkpoint was saved at the end of its stage */
+  bool stage_ended;           /* the checkpoint was saved at the end of a stage */
   bool met_before;            /* the conditions of the stage were met when it began */
 };
 

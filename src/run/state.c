@@ -346,7 +346,7 @@ enum nb_status nb_saved_restore_contacts(struct nb_model *model, const struct nb
       restore_contact(&model->contacts, (size_t)c, it, saved->history);
     else if (it->field[NB_OVERLAP] > 0)
       return nb_error_set(error, NB_BAD_USE,
-                          "the state has a contact of particle %d with %s %d, which do not touch in it", it->a + 1,
+                          "the state has a contact of particle %d with %s %d, but these two do not touch", it->a + 1,
                           it->wall ? "wall" : "particle", it->b + 1);
   }
   return NB_OK;
@@ -356,7 +356,7 @@ static void restore_affine(struct nb_model *model, const struct nb_saved *saved)
   struct nb_affine *affine = model->affine;
   struct nb_particles *particles = &model->particles;
   affine->centre = saved->centre;
-  affine->free_before = affine->any_before = true; /* the state does not contain them */
+  affine->free_before = affine->any_before = true; /* the state does not contain these two */
   for (int c = 0; c < NB_AFFINE_SOURCES; c++) {
     affine->requested[c] = saved->sources[c].requested;
     affine->rate[c] = saved->sources[c].rate;
