@@ -156,9 +156,8 @@ void nb_box_check(struct nb_scene_reading *reading) {
       continue;
     if (moved)
       report(reading, line,
-             "move the walls with `box strain EXX EYY`, with a `servo`, or with both: then both opposite walls move, "
-             "and no wall "
-             "moves alone; remove `wall` and `walls`",
+             "remove `wall` and `walls`: `box strain EXX EYY` and a `servo` move opposite walls together, and no wall "
+             "moves alone",
              "expected one statement that moves the walls of the box in this stage, found two");
     if (turned)
       report(reading, line, NULL, "expected a box whose walls have no `spin`, found a wall that rotates");

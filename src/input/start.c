@@ -229,7 +229,7 @@ static bool truncate_scene(struct nb_reader *reader, struct nb_scene *other, con
   char list[NB_HINT_SIZE / 2] = "", hint[NB_HINT_SIZE];
   for (size_t k = other->start.stages; k < other->stage_count; k++)
     nb_append_item(list, sizeof list, other->stages[k].name, k + 1 == other->stage_count);
-  snprintf(hint, sizeof hint, "the state is that at the end of a stage of that page: %s", list);
+  snprintf(hint, sizeof hint, "name a stage of that page: %s", list);
   const int s = NB_NAMED(reader, name, other->stages, other->stage_count, "the name of a stage of that page", hint);
   if (s < 0)
     return false;
