@@ -28,7 +28,7 @@
  * 20 to 3000 reversals the measured error of T is at most 1.2e-4 mu N with 64 pieces, the default (docs/CONTACT.md).
  * The decrease of the stored energy by a merge counts as energy lost; it may be negative.
  *
- * Stores     Int_0^alpha T(x) d(delta). The tractions are a sum of flat punches of radius a(x), each displaced by
+ * Stores     Int_0^alpha T(x) d(delta). The tractions are those of flat punches with the radii a(x), each displaced by
  *            d(delta)(x), with the force 8 G* a(x) d(delta). A punch of radius a(x) displaces the whole area of a
  *            smaller punch, with the radius a(y), by its d(delta). So by reciprocity the interaction energy of the two
  *            punches is the force of the smaller one times the displacement of the larger one: U = Int d(delta)(x)

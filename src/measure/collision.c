@@ -10,9 +10,9 @@
  * A particle hits the face of a wall along the wall's normal, and an end of a wall like a particle without radius. A
  * pair that already touches approaches at v = w.d/|d|.
  *
- * Walls move as in the stage that sets the step; a step of the scene belongs to the first stage. The prediction neglects
- * gravity, the rotation of walls before the collision, and particles in between. It tests every moving particle with
- * every other particle once, so a gas of a million particles takes long.
+ * Walls move as in the stage that sets the step; a step that stands before the first stage belongs to this stage. The
+ * prediction neglects gravity, the rotation of walls before the collision, and particles in between. It tests every
+ * moving particle with every other particle once, so a gas of a million particles takes long.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
