@@ -74,7 +74,8 @@ for pair in "velocity:velocity VX VY" stiffness:young "refine:divides the step" 
   "vertical:y points up" "horizontal:x points to the right" "order:order NUMBER in NAME" "advise:cheapest step" "within:MEASURE within" \
   "rate:cell strain" "seed:fill discs" "porosity:box.porosity" "strain:Which strain" "stage:Begins a stage" "budget:time for the search" \
   "psi:1 psi is 6.894757293 kPa" "inch:1 inch is 25.4 mm" "lb:1 lb is 4.448221615 N" "restitution:damping ratio" "fix:fixed" \
-  "simple_shear:c12 0.1 1/s" "simple-shear:c12 0.1 1/s" "shear rate:c12 0.1 1/s" "pure shear:2 EXY"; do
+  "mindlin:mindlin_deresiewicz has it" "micro-slip:mindlin_deresiewicz" "reset:region S all from STAGE" \
+  "slope:at 2 ms" "simple_shear:c12 0.1 1/s" "simple-shear:c12 0.1 1/s" "shear rate:c12 0.1 1/s" "pure shear:2 EXY"; do
   "$nineball" --help "${pair%%:*}" 2>&1 | head -n 3 | grep -qF -e "${pair#*:}" || echo "nineball --help ${pair%%:*} does not begin with ${pair#*:}"
 done >"$work/said"
 for command in $("$nineball" --help | sed -n 's/^  \([a-z][a-z]*\) .*/\1/p'); do
@@ -87,6 +88,9 @@ result $? 'nineball --help strain compares the four statements'
 "$nineball" --help strain | tr -s ' \n' '  ' >"$work/said"
 grep -qF 'With `region S all from STAGE`, `S.strain.xx`' "$work/said"
 result $? 'nineball --help strain says how a strain counts from a stage'
+"$nineball" --help gnuplot | tr -s ' \n' '  ' >"$work/said"
+grep -qF "rows of all stages" "$work/said" && grep -qF "strcol('stage') eq 'load'" "$work/said"
+result $? 'nineball --help gnuplot says how to plot one stage'
 "$nineball" --help material | tr -s ' \n' '  ' | grep -qF 'full `kn` and `ks`, not half of them' &&
   "$nineball" --help until | tr -s ' \n' '  ' | grep -qF 'far above 50 kPa, and only a servo holds it'
 result $? 'nineball --help: the stiffness of equal materials, and a stress after a wait for rest'

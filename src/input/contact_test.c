@@ -8,6 +8,7 @@
 
 #include "columns.h"
 #include "contact_test_quantities.h"
+#include "core/clean.h"
 #include "core/names.h"
 #include "laws/law.h"
 #include "statement.h"
@@ -225,25 +226,33 @@ void nb_contact_test_check(struct nb_scene_reading *reading) {
 
 /* ---- requirements of quantities and snapshots ---- */
 
-/* Reports a mistake at the name of a column. */
-static void report_law(struct nb_scene_reading *reading, const struct nb_requested *requested,
-                       const struct nb_law *law) {
+/* True if the law reports what the quantities need; stored energies need it of both laws. */
+static bool reports(const struct nb_law *law, unsigned needs) {
+  const bool normal = strcmp(law->kind, "normal") == 0;
+  const bool stored = law->stored || !(needs & NB_REQUEST_STORE);
+  const bool loss = normal || law->dissipative || !(needs & NB_REQUEST_LOSS);
+  const bool pieces = normal || law->pieces_of || !(needs & NB_REQUEST_PIECES);
+  return stored && loss && pieces;
+}
+
+/* Reports a mistake at the name of a column, with the laws of the same kind that report it. */
+static void report_law(struct nb_scene_reading *reading, const struct nb_requested *requested, const struct nb_law *law,
+                       unsigned needs) {
+  char hint[NB_HINT_SIZE] = "";
+  for (const struct nb_law *const *other = nb_laws(); *other; other++)
+    if (strcmp((*other)->kind, law->kind) == 0 && reports(*other, needs))
+      nb_append(hint, sizeof hint, "%s`%s %s`", *hint ? ", " : "it is reported by ", law->kind, (*other)->name);
   nb_mistake(reading->reader.mistakes, reading->reader.page, requested->line, requested->column, requested->length,
-             "`nineball laws` lists what each law reports", "expected a law that reports `%s`, `%s %s` does not",
-             requested->name, law->kind, law->name);
+             hint, "expected a law that reports `%s`, `%s %s` does not", requested->name, law->kind, law->name);
 }
 
 void nb_contact_test_laws_check(struct nb_scene_reading *reading) {
   const struct nb_scene *scene = reading->scene;
-  const struct nb_law *normal = nb_law_find("normal", scene->normal), *shear = nb_law_find("shear", scene->shear);
-  for (size_t k = 0; k < reading->requested_count; k++) {
-    const unsigned needs = scene->columns[k].quantity.kind->fields;
-    if (needs & NB_REQUEST_STORE && !normal->stored)
-      report_law(reading, &reading->requested[k], normal);
-    if ((needs & NB_REQUEST_STORE && !shear->stored) || (needs & NB_REQUEST_LOSS && !shear->dissipative) ||
-        (needs & NB_REQUEST_PIECES && !shear->pieces_of))
-      report_law(reading, &reading->requested[k], shear);
-  }
+  const struct nb_law *const laws[] = {nb_law_find("normal", scene->normal), nb_law_find("shear", scene->shear)};
+  for (size_t k = 0; k < reading->requested_count; k++)
+    for (int shear = 0; shear < 2; shear++)
+      if (!reports(laws[shear], scene->columns[k].quantity.kind->fields))
+        report_law(reading, &reading->requested[k], laws[shear], scene->columns[k].quantity.kind->fields);
 }
 
 /* clang-format off */

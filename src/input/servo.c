@@ -33,6 +33,10 @@ static const struct nb_argument servo_fields[] = {
 static void find_stress(struct nb_scene_reading *reading, struct nb_reader *reader, const struct nb_token *place,
                         struct nb_servo *servo) {
   static const char *const parts[] = {"xx", "xy", "yx", "yy"};
+  const bool cell = strcmp(place->text, "cell") == 0;
+  const bool box = strcmp(place->text, "box") == 0 || strcmp(place->text, "walls") == 0;
+  if ((cell && nb_lacks_cell(reading->scene, reader)) || (box && nb_lacks_box(reading->scene, reader)))
+    return;
   for (int k = 0; k < 4; k++) {
     char name[3 * NB_NAME_SIZE];
     snprintf(name, sizeof name, "%.63s.stress.%s", place->text, parts[k]);

@@ -242,11 +242,24 @@ static bool truncate_scene(struct nb_reader *reader, struct nb_scene *other, con
   return true;
 }
 
+/* After a `start` with a mistake the rest of the page is not read, because it may depend on the other page. After a
+ * word of another program that means `start`, it is read, but no name in it is unknown. */
+static void leave_unjudged(struct nb_scene_reading *reading, const struct nb_reader *reader) {
+  const bool start = strcmp(reader->tokens[0].text, "start") == 0;
+  if (!start)
+    nb_suppress_name(reader->mistakes, NB_ANYTHING);
+  reading->start_failed = start && reading->here == NB_IN_SCENE;
+}
+
 NB_APPLY(apply_start) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
   struct nb_start *start = &scene->start;
   const struct nb_token *word = record->value[AT_PAGE].token, *name = record->value[AT_STAGE].token;
+  if (reader->bad) {
+    leave_unjudged(reading, reader);
+    return;
+  }
   reading->start_failed = true; /* set to false at the end, when `start` has succeeded */
   if (scene->start.line || reading->first_line != reader->line) {
     nb_token_mistake(reader, &reader->tokens[0], NULL,
@@ -316,7 +329,7 @@ void nb_hash_line(struct nb_scene_reading *reading) {
 
 /* clang-format off */
 NB_STATEMENTS(start) = {
-  {"start", NB_IN_SCENE | NB_OWN_EXAMPLE, start_fields, "{with NAME=VALUE …}", 0, false, apply_start,
+  {"start", NB_IN_SCENE | NB_OWN_EXAMPLE, start_fields, "{with NAME=VALUE …}", 0, true, apply_start,
    "Continues from the end of a stage of another page, PAGE.md. The program runs the other page up to there once and saves its state in a folder: docs/STATE.md. Particles, walls, a boundary or a cell, materials, laws, damping, gravity and step are those at the end of that stage; cycles and time continue. Monitors and columns are this page's own. Statements of this page before its first stage take effect when this first stage begins. Only `units`, `let` and `sweep` may precede `start`. The program searches for the page in the folder of this page, then in the nearest folder `cases` above it and all folders below that, where only one file may have that name. A name that begins with `../` or `/` is a path from this page's folder or from the root.\n"
    "with NAME=VALUE …: values for names of the other page, as --set gives them; without it: the values in that page.",
    "start     nine-discs stage load\nmonitor   C  disc 5 with disc 6\nrecord    cycle C.normal\nstage     rest\n  walls   stop\n  cycles  400"},

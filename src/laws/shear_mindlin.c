@@ -32,7 +32,7 @@ static inline struct nb_shear shear_mindlin(struct nb_pair p, struct nb_normal n
 #define LAW shear_mindlin
 #define SHEAR
 #define ELASTIC
-#define TITLE "elastic spheres without micro-slip: T += 8 G* a ds, |T| <= mu N + c"
+#define TITLE "elastic spheres without micro-slip (mindlin_deresiewicz has it): T += 8 G* a ds, |T| <= mu N + c"
 #define SOURCE "[R89 3.27]"
 #define PARAMETERS "young, poisson, friction, cohesion"
 #define HISTORY 1

@@ -338,7 +338,7 @@ static inline void shear_mindlin_deresiewicz_prefetch(const double m[]) {
 #define SOLVED struct piece
 #define DISSIPATIVE
 #define COHESIONLESS
-#define TITLE "exact law of elastic spheres by Cattaneo and Mindlin, for any loading history"
+#define TITLE "exact law of elastic spheres with micro-slip, by Cattaneo and Mindlin, for any loading history"
 #define SOURCE "[R89 sec. 3.2-3.5]"
 #define PARAMETERS "young, poisson, friction"
 #define HISTORY 12

@@ -108,6 +108,33 @@ void nb_remove_checkpoints(struct nb_outcome *outcome, enum nb_status status, co
     nb_outcome_remove_checkpoints(outcome, &call->options);
 }
 
+/* True if a line of the page states an expectation, also one that was not checked; `report` states none. */
+static bool has_expectation(const struct nb_outcome *outcome) {
+  const struct nb_expectations *const all = &outcome->runs[0].expectations;
+  bool found = outcome->mark_count[NB_SKIP];
+  for (size_t k = 0; k < all->count; k++)
+    found = found || all->list[k].kind != NB_REPORTED;
+  return found;
+}
+
+/* Makes it an error that no expectation of the page was checked. */
+static void report_unchecked(struct nb_outcome *outcome, const char *path) {
+  char word[4096] = "";
+  nb_append_word(word, sizeof word, path);
+  if (has_expectation(outcome))
+    outcome->status = nb_error_set(&outcome->error, NB_BAD_USE,
+                                   "the page ran without mistakes, but no expectation of this page could fail, so "
+                                   "nothing was checked; see the notes and reasons above, or use `nineball run %s`",
+                                   word);
+  else
+    outcome->status = nb_error_set(
+        &outcome->error, NB_BAD_USE,
+        "the page ran without mistakes, but it has no expectation, so nothing was checked; `nineball run %s` runs a "
+        "page without expectations%s; to check the page, add a line such as `QUANTITY max below VALUE` to a block "
+        "`expect`: see `nineball --help expect`",
+        word, outcome->check_count ? " and prints the values of its lines `report`" : "");
+}
+
 static enum nb_status process_page(const struct nb_call *call, const char *path, unsigned actions, double began) {
   struct nb_outcome outcome;
   char name[NB_NAME_SIZE + 8];
@@ -116,11 +143,7 @@ static enum nb_status process_page(const struct nb_call *call, const char *path,
   if (actions & VERDICT && !call->tap && outcome.status <= NB_FAILED)
     nb_print_verdict(&outcome);
   if (actions & REQUIRE_CHECKS && nb_outcome_is_unchecked(&outcome))
-    outcome.status = nb_error_set(
-        &outcome.error, NB_BAD_USE,
-        "the scene is read and run without mistakes, but %s, so nothing was checked; %s, or use `nineball run`",
-        outcome.check_count ? "no expectation of this page could fail" : "nothing is expected",
-        outcome.check_count ? "see the notes and reasons above" : "add a block `expect`");
+    report_unchecked(&outcome, path);
   nb_print_errors(&outcome, path);
   if (actions & VERDICT && call->tap)
     nb_print_tap(&outcome, path);

@@ -546,28 +546,42 @@ struct reading {
   const struct nb_scene *scene;
 };
 
+/* Offers the reducers that may still follow, and `in`, and lists them. Returns true if the next word is a reducer
+ * although the measure has one: `C.normal max min`. */
+static bool offer_reducers(const struct nb_reader *reader, const struct nb_measure *measure, struct nb_guess *guess,
+                           char *words, size_t size) {
+  bool again = false;
+  char word[NB_NAME_SIZE], before[NB_NAME_SIZE] = "";
+  for (const struct nb_reducer_row *row = reducers; row->word; row++) {
+    nb_first_word(word, row->word);
+    const bool stage = strcmp(word, "in") == 0;
+    if (strcmp(word, before) != 0 && (stage ? measure->stage == -1 : reader->next == 1)) {
+      nb_append_item(words, size, word, false);
+      nb_guess_offer(guess, word);
+    }
+    again = again || (!stage && measure->reducer != NB_LAST && nb_token_is(reader, word));
+    strcpy(before, word);
+  }
+  return again;
+}
+
 /* Reads the rest of the expectation as the row of its word says. The hint for an unknown word also suggests reducers
  * and `in`. */
 static bool take_kind(struct nb_reader *reader, const struct reading *reading, struct nb_expectation *expectation) {
-  char hint[NB_HINT_SIZE], words[256] = "";
+  char hint[NB_HINT_SIZE], words[512] = "";
   const struct nb_token *token = nb_token_peek(reader);
   struct nb_guess guess = nb_guess_begin(token ? token->text : "");
-  for (const struct nb_expectation_row *row = rows; row->word; row++) {
+  for (const struct nb_expectation_row *row = rows; row->word; row++)
     if (nb_token_is(reader, row->word)) {
       reader->next += row->kind != NB_WITHIN; /* `within` is part of the tolerance */
       expectation->kind = row->kind;
       return row->take(reader, reading->scene, expectation);
     }
+  const bool again = offer_reducers(reader, &expectation->measure, &guess, words, sizeof words);
+  for (const struct nb_expectation_row *row = rows; row->word; row++) {
     nb_append_item(words, sizeof words, row->word, !row[1].word);
     nb_guess_offer(&guess, row->word);
   }
-  bool again = false; /* a second reducer: `C.normal max min` */
-  for (const struct nb_reducer_row *row = reducers; row->word; row++)
-    if (expectation->measure.reducer == NB_LAST)
-      nb_guess_offer(&guess, row->word);
-    else
-      again = again || nb_token_is(reader, row->word);
-  nb_guess_offer(&guess, "in");
   if (token && strchr("+-*/", token->text[0]) && !token->text[1]) {
     reader->next++;
     ratio_hint(hint, reader, expectation->measure.label, "");

@@ -247,9 +247,12 @@ static void expectations(const struct manual *to) {
 static void figures(const struct manual *to) {
   static const char *const given[][2] = {
       {"$table",
-       "the recorded rows of the run. `column('C.normal/N')` selects a column by its head. The column `reference "
-       "C.normal/N` has the reference at every row, for a quantity that an expectation compares with `versus`. With a "
-       "sweep there is one table for each run, `$table_1`, `$table_2`, …, also when `--set` leaves only one value"},
+       "the recorded rows of all stages of the run. `column('C.normal/N')` selects a column by its head. The column "
+       "`stage` has the name of the stage of each row: `using (strcol('stage') eq 'load' ? column('time/s') : "
+       "NaN):'C.normal/N'` plots only the rows of the stage `load`; in a contact test it has the name of the segment. "
+       "The column `reference C.normal/N` has the reference at every row, for a quantity that an expectation compares "
+       "with `versus`. With a sweep there is one table for each run, `$table_1`, `$table_2`, …, also when `--set` "
+       "leaves only one value"},
       {"$values", "one row for each run: the swept values, then the computed value and the reference of every measure "
                   "of the expect blocks"},
       {"runs", "the number of runs; `run[i]` are the swept values of run i: \"v=0.12, n=40\""},
