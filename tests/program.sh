@@ -334,7 +334,7 @@ out 'normal  linear'
 out 'shear   linear'
 out 'parameters of the materials: ks, friction, cohesion'
 out '[CS79 17-19]'
-out 'full kn and ks at their contact'
+out 'has the kn and ks of this material'
 run 0 list
 out 'nine_discs'
 verdict 'laws and list'
