@@ -1,8 +1,8 @@
 /* Reference: particles without contacts in an affine strain of the rate L. The velocity L x of this strain moves the
  * particles in addition to their own velocities, or is accumulated in these velocities.
  *
- * x is the position along an axis of the strain, x_N after N cycles, and e = L dt the strain of a cycle, at the strain
- * rate L. `affine strain`, from rest:
+ * x is the position along an axis of the strain, and x_N its value after N cycles. e = L dt is the strain of a cycle.
+ * With `affine strain`, from rest:
  *
  *   x_N = (1 + e)^N x_0
  *

@@ -212,9 +212,9 @@ static void print_count(size_t count, const char *one, const char *several, cons
     printf("  %zu other variant%s %s %s", count, count > 1 ? "s" : "", count > 1 ? several : one, rest);
 }
 
-/* Prints how many variants were left out because they give the values of another variant, how many because they cannot
- * be run, how many because the budget was used up, and how many because their values are too far from the anchor
- * (estimate.h), with the nearest of these. */
+/* Prints how many variants were left out for each of four reasons: they give the values of another variant, they cannot
+ * be run, the budget was used up, or their values are too far from the anchor (estimate.h). Of the last kind it also
+ * prints the nearest variant. */
 static void print_left_out(const struct nb_advice *advice) {
   const struct nb_left_out out = nb_advice_left_out(advice);
   char name[512];

@@ -21,8 +21,8 @@
  *
  *   s + t d (1 + 1/m)^(1/2) > 1
  *
- * where s is the mean and d the standard deviation, over the m realizations, of the largest ratio of the step to the
- * stable step, and t the quantile of Student's distribution for one realization in a thousand.
+ * Each realization has a largest ratio of the step to the stable step. s is the mean and d the standard deviation of
+ * this ratio over the m realizations. t is the quantile of Student's distribution for one realization in a thousand.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "advise.h"

@@ -145,8 +145,8 @@ const char *nb_check_unit(char *text, const struct nb_page_run *run, const struc
   return unit_suffix(text, run, e->has_scale ? "1" : e->measure.unit);
 }
 
-/* If the largest value of a residual passes but its smallest value would not, or the other way round, appends a note,
- * because such a check says nothing about the error. */
+/* Appends a note if the largest value of a residual passes and its smallest value would not, or the other way round.
+ * Such a check says nothing about the error. */
 static void note_other_sign(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e,
                             double allowed) {
   struct nb_measure other = e->measure;
