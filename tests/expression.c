@@ -252,7 +252,7 @@ static void mistakes(void) { /* the column, from 1, and the message */
       {"2 ** 3", "p:1:4: error: expected a number, a name or `(`, found `*`\n      1 | 2 ** 3\n", false},
       {"b + 1", "p:1:1: error: expected a name that a `let` or `sweep` above defines, found `b`", false},
       {"mm", "hint: a unit follows a number", false},
-      {"law", "p:1:1: error: expected the name of a number, `law` stands for `linear`", false},
+      {"law", "p:1:1: error: expected the name of a number, found `law`, which stands for `linear`", false},
       {"$a + 1", "hint: an expression has names without `$`: `a`", false},
       {"foo(2)", "p:1:1: error: expected the name of a function, found `foo`", false},
       {"sin 2", "p:1:5: error: expected `(`, found `2`", false},

@@ -119,7 +119,7 @@ NB_APPLY(apply_affine) {
     affine.strain = nb_strain_rate_of(reader, value);
   if ((value[AT_APART].token != NULL) + accumulated + twice > 1)
     nb_token_mistake(reader, value[accumulated ? AT_ACCUMULATED : AT_TWICE].token, NULL,
-                     "expected one of `apart`, `accumulated` and `accumulated-twice`, found more");
+                     "expected one of `apart`, `accumulated` and `accumulated-twice`, found several");
   if (!nb_given_twice(reader, stage->affine.line))
     stage->affine = affine;
 }
@@ -156,9 +156,8 @@ void nb_box_check(struct nb_scene_reading *reading) {
       continue;
     if (moved)
       report(reading, line,
-             "remove `wall` and `walls`: `box strain EXX EYY` and a `servo` move opposite walls together, and no wall "
-             "moves alone",
-             "expected one statement that moves the walls of the box in this stage, found two");
+             "remove `wall` and `walls`, or this line: `box strain` and `servo` move opposite walls together",
+             "expected `box strain` and `servo`, or `wall` and `walls`, to move the box in this stage, found both");
     if (turned)
       report(reading, line, NULL, "expected a box whose walls have no `spin`, found a wall that rotates");
   }

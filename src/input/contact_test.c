@@ -243,7 +243,7 @@ static void report_law(struct nb_scene_reading *reading, const struct nb_request
     if (strcmp((*other)->kind, law->kind) == 0 && reports(*other, needs))
       nb_append(hint, sizeof hint, "%s`%s %s`", *hint ? ", " : "it is reported by ", law->kind, (*other)->name);
   nb_mistake(reading->reader.mistakes, reading->reader.page, requested->line, requested->column, requested->length,
-             hint, "expected a law that reports `%s`, `%s %s` does not", requested->name, law->kind, law->name);
+             hint, "expected a law that reports `%s`; `%s %s` does not", requested->name, law->kind, law->name);
 }
 
 void nb_contact_test_laws_check(struct nb_scene_reading *reading) {

@@ -285,7 +285,7 @@ static struct quantity named_value(struct parser *p) {
   if (index >= 0 && !isnan(reader->bindings[index].value))
     return (struct quantity){reader->bindings[index].value, reader->bindings[index].dimension};
   if (index >= 0)
-    return mistake(p, from, length, NULL, "expected the name of a number, `%s` stands for `%s`", name,
+    return mistake(p, from, length, NULL, "expected the name of a number, found `%s`, which stands for `%s`", name,
                    reader->bindings[index].text);
   if (nb_name_suppressed(reader->mistakes, name))
     return nb_fail_silently(reader), (struct quantity){0};
@@ -295,7 +295,7 @@ static struct quantity named_value(struct parser *p) {
   }
   const char *near = nb_syntax_hint(reader, hint, name);
   near = near ? near : NB_NEAREST(hint, name, reader->bindings, reader->binding_count);
-  near = near || !nb_unit_read(&unit, name) ? near : "a unit follows a number";
+  near = near || !nb_unit_read(&unit, name) ? near : "a unit follows a number, without an operator: `2 mm`";
   near = near ? near : nb_arithmetic_hint(reader);
   if (length >= NB_NAME_SIZE)
     mistake(p, from, length, near, "expected a name of at most %d characters, found `%.*s…`", NB_NAME_SIZE - 1,

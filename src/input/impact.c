@@ -80,7 +80,8 @@ static const char *set_incidence(struct nb_scene *scene) {
                  : "expected a particle beside the wall, found its centre on the wall";
   const double slope = it->psi1 > 0 ? it->psi1 * incidence.friction * incidence.kappa : 0;
   if (it->psi1 > 0 && !(slope > 0))
-    return "expected a contact with friction and a shear stiffness for `psi1`, found one that lacks one of them";
+    return "expected a contact with friction and a shear stiffness for `psi1`: give its material both, or write `angle "
+           "A`";
   if (isnan(it->angle))
     it->angle = atan(slope) - asin(incidence.surface / (it->speed * sqrt(1 + slope * slope)));
   if (!(cos(it->angle) > 0))

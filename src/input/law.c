@@ -111,10 +111,13 @@ static void check_rigid(struct nb_scene_reading *reading, const int *on_particle
     for (size_t k = 0; k < scene->material_count; k++)
       if (isinf(scene->materials[k].young) &&
           (k == i ? on_particle[i] > 1 || on_wall[i] : on_particle[k] || on_wall[k])) {
-        report(reading, scene->materials[i].line, "give one of the two materials `young E  poisson NU`",
-               "expected at most one `rigid` material in a contact, found that this material can touch `%s`, which is "
-               "rigid "
-               "too",
+        report(reading, scene->materials[i].line,
+               k == i ? "write `young E  poisson NU` in place of `rigid`"
+                      : "give one of the two materials `young E  poisson NU`",
+               k == i
+                   ? "expected at most one `rigid` side of a contact, found that both sides can be of `%s`"
+                   : "expected at most one `rigid` side of a contact, found that this material can touch `%s`, which "
+                     "is rigid too",
                scene->materials[k].name);
         return;
       }

@@ -148,7 +148,7 @@ static size_t row_of_run(struct nb_scene_reading *reading, struct nb_reader *rea
   for (size_t i = sweep + 1; i < reading->sweep_count; i++)
     below = capped_product(below, reading->rows[i]);
   if (above <= NB_RUNS_MAX && capped_product(above, rows) > NB_RUNS_MAX)
-    nb_token_mistake(reader, &reader->tokens[0], NULL, "expected at most %d runs, the sweeps up to this one make %zu",
+    nb_token_mistake(reader, &reader->tokens[0], NULL, "expected at most %d runs, found %zu with this sweep",
                      NB_RUNS_MAX, above * rows);
   return reading->run / below % rows;
 }

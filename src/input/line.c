@@ -331,9 +331,12 @@ static void operator_hint(const struct nb_reader *reader, char *hint, const char
   const char *const arithmetic = after_quantity && reader->here != NB_IN_EXPECT ? nb_arithmetic_hint(reader) : NULL;
   if (arithmetic)
     snprintf(hint, NB_HINT_SIZE, "%s", arithmetic);
+  else if (token && token->name)
+    snprintf(hint, NB_HINT_SIZE, "put operators into parentheses, where a name has no `$`: `(2*%.80s)`", token->name);
+  else if (!text[1])
+    snprintf(hint, NB_HINT_SIZE, "put the whole expression into parentheses: `(5 mm * 2)`");
   else
-    snprintf(hint, NB_HINT_SIZE, "put operators and functions into parentheses: `(%.80s)`",
-             text[1] && !(token && token->name) ? text : "2 * 3");
+    snprintf(hint, NB_HINT_SIZE, "put operators and functions into parentheses: `(%.80s)`", text);
 }
 
 /* Writes the hint for `O.dt=1e-5`: the line to write for a word of another program; false: there is no such line. */
@@ -428,7 +431,8 @@ bool nb_expected(struct nb_reader *reader, const char *hint, const char *format,
   const char *const context = context_hint(reader, text, token);
   const char *const typed = context ? context : nb_syntax_hint(reader, text, token->text);
   hint = typed ? typed : hint ? hint : reader->otherwise;
-  if (!hint && (nb_synonym_hint(text, token->text) || nb_example_hint(text, reader)))
+  const bool complete = strcmp(what, "the end of the line") == 0; /* then an example could only contradict the line */
+  if (!hint && (nb_synonym_hint(text, token->text) || (!complete && nb_example_hint(text, reader))))
     hint = text;
   if (token->name)
     return nb_token_mistake(reader, token, hint, "expected %s, found `%.80s` (`$%s`)", what, token->text, token->name);

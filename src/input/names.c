@@ -449,7 +449,7 @@ static const struct nb_synonym *meaning(const char *word) {
 }
 
 /* Appends the quantities of a kind of monitor that a word may mean, for a monitor with the name `monitor`: for
- * `velocity` "`A.vx` `A.vy`". */
+ * `velocity` "`A.vx` or `A.vy`". */
 static void list_meant(char *list, size_t size, unsigned kind, char monitor, const char *word) {
   const struct nb_synonym *const synonym = meaning(word);
   const char *items = synonym ? synonym->ours : "";
@@ -458,7 +458,7 @@ static void list_meant(char *list, size_t size, unsigned kind, char monitor, con
   do
     FOR_EACH (row)
       if (row->monitors & kind && strcmp(row->name, item) == 0)
-        nb_append(list, size, "%s`%c.%s`", *list ? " " : "", monitor, item);
+        nb_append(list, size, "%s`%c.%s`", *list ? " or " : "", monitor, item);
   while (nb_item(&items, item));
 }
 
@@ -507,8 +507,8 @@ const char *nb_phrase_hint(char *hint, const struct nb_scene *scene, const struc
     list_meant(names, sizeof names, kind, *monitor, tokens[k].text);
   if (!*names)
     list_meant(names, sizeof names, kind, *monitor, "force");
-  snprintf(hint, NB_HINT_SIZE, "define a monitor before the stages, `monitor %s %s`; its quantities are then %s",
-           monitor, of, names);
+  snprintf(hint, NB_HINT_SIZE, "define a monitor before the stages, `monitor %s %s`; then write %s", monitor, of,
+           names);
   return kind ? hint : NULL;
 }
 

@@ -54,8 +54,10 @@ static void from_state(struct nb_scene *scene, struct nb_reader *reader, const s
   else if (error.status)
     nb_token_mistake(reader, file, NULL, "cannot read the particles of the file: %s", error.text);
   else if (saved.unitless != reader->unitless)
-    nb_token_mistake(reader, file, "either this page or the page of the file has `units none`",
-                     "expected a file from a page with the same `units`");
+    nb_token_mistake(reader, file,
+                     "write this page in the units of the file, or save a file from a page in these units",
+                     "expected a file from a page with the same `units`, found one from a page with `units %s`",
+                     saved.unitless ? "none" : "si");
   else if (!nb_too_many_particles(reader, scene, saved.particle_count))
     for (size_t k = 0; k < saved.particle_count && !reader->bad; k++) {
       const struct nb_saved_particle *it = &saved.particles[k];

@@ -54,7 +54,8 @@ struct nb_particle nb_particle_of(struct nb_reader *reader, const struct nb_scen
   struct nb_particle particle = {.shape = shape, .fixed = fixed, .line = (int)reader->line};
   particle.material = nb_material_of(scene, reader, material);
   if (!reader->bad && scene->materials[particle.material].density == 0 && !fixed)
-    nb_expected_at(reader, material, "give the material a `density`, or hold the particle with `fixed`",
+    nb_expected_at(reader, material,
+                   "give the material a `density`, or hold the particle with `fixed` in a line `disc` or `sphere`",
                    "a material with a density for a free particle");
   nb_too_many_particles(reader, scene, count);
   return particle;

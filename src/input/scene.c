@@ -237,7 +237,7 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
     nb_impact_set(reading);
   if (!nb_scene_transform(scene, &reading->transform) && mistakes->total == before)
     nb_line_mistake(&reading->reader, (size_t)reading->transform.line, NULL,
-                    "expected finite coordinates after `transform`, these are too large");
+                    "expected finite coordinates after `transform`; these are too large");
   scene->unitless = reading->reader.unitless;
   if (mistakes->total == before)
     nb_refine(reading);

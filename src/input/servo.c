@@ -83,8 +83,9 @@ NB_APPLY(apply_servo) {
     nb_take_count_of(reader, "cycle", &servo.every);
   nb_given_twice(reader, stage->servo.line);
   if (servo.box && value[AT_XY].token)
-    nb_token_mistake(reader, value[AT_XY].token, NULL,
-                     "expected `xx` or `yy` for a box, whose walls do not rotate, found `xy`");
+    nb_token_mistake(reader, value[AT_XY].token,
+                     "the servo does not rotate the walls of a box, so it cannot control a shear stress",
+                     "expected `xx` or `yy` for a servo through a box, found `xy`");
   servo.controlled[2] = servo.controlled[2] && !servo.box;
   (servo.cell ? nb_lacks_cell : servo.box ? nb_lacks_box : nb_lacks_boundary)(scene, reader);
   if (!reader->bad)

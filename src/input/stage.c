@@ -55,7 +55,7 @@ NB_APPLY(apply_stage) {
 static bool ends_twice(const struct nb_stage *stage, struct nb_reader *reader) {
   if (stage->cycles != 0)
     nb_token_mistake(reader, &reader->tokens[0], NULL,
-                     "expected one end of the stage `%s`, `cycles` or `until`, found a second one", stage->name);
+                     "expected one `cycles` or one `until` in the stage `%s`, found a second one", stage->name);
   return stage->cycles != 0;
 }
 

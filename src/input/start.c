@@ -179,7 +179,7 @@ static bool find_page(const struct nb_scene_reading *reading, struct nb_reader *
         reader, word, "save a state of one of them with `nineball state`, and take its particles with `packing`",
         "expected a chain of at most %d pages that start from each other, found a longer one", CHAIN_MAX);
   if (parent < 0)
-    return nb_token_mistake(reader, word, NULL, "expected another page, `%.200s` would start from itself", path);
+    return nb_token_mistake(reader, word, NULL, "expected another page: `%.200s` would start from itself", path);
   return true;
 }
 
@@ -236,7 +236,7 @@ static bool truncate_scene(struct nb_reader *reader, struct nb_scene *other, con
   if (s < (int)other->start.stages)
     return nb_token_mistake(
         reader, name, "start from the page that defines this stage",
-        "expected a stage that the other page defines itself, `%s` belongs to the page from which that page starts",
+        "expected a stage that the other page defines itself; `%s` belongs to the page from which that page starts",
         name->text);
   nb_scene_truncate(other, (size_t)s);
   return true;
@@ -272,8 +272,9 @@ NB_APPLY(apply_start) {
   if (reader->bad || !read_other(reading, reader, start, word) || !truncate_scene(reader, start->scene, name))
     return;
   if (reading->units_line && reader->unitless != start->scene->unitless) {
-    nb_token_mistake(reader, word, "either this page or the other page has `units none`",
-                     "expected a page with the same `units`");
+    nb_token_mistake(reader, word, "remove the line `units`: without it this page has the units of the other page",
+                     "expected a page with the same `units`, found one with `units %s`",
+                     start->scene->unitless ? "none" : "si");
     return;
   }
   reading->reader.unitless = reading->setting.unitless = start->scene->unitless;

@@ -208,8 +208,12 @@ static const char *other_statement(char *hint, const struct nb_reader *reader, c
     if (strcmp(first, word) == 0 && (!found || (row->where & reader->here && !(found->where & reader->here))))
       found = row;
   }
-  if (!found || found == reader->row)
+  if (!found)
     return NULL;
+  if (found == reader->row) {
+    snprintf(hint, NB_HINT_SIZE, "each statement `%s` has its own line", word);
+    return hint;
+  }
   nb_keyword_syntax(syntax, sizeof syntax, found);
   const char *const place = found->where & reader->here ? "" : where_words(found->where, reader->here);
   snprintf(hint, NB_HINT_SIZE, "`%s` is a statement of its own%s%s", syntax, *place ? ", " : "", place);

@@ -67,14 +67,19 @@ static void add_wall(struct nb_scene *scene, struct nb_reader *reader, const str
                      struct nb_wall wall, double x1, double y1) {
   const int same = NB_FIND(scene->walls, scene->wall_count, name);
   const double length = hypot(x1 - wall.x, y1 - wall.y);
-  if (same >= 0)
+  const struct nb_wall *const other = same < 0 ? NULL : &scene->walls[same];
+  if (other && (place == reader->tokens || other->inx != 0 || other->iny != 0))
     nb_token_mistake(reader, place,
-                     place == reader->tokens ? "`box` makes the walls `south`, `east`, `north` and `west`" : NULL,
-                     "there is a wall `%s` already, on line %d", name, scene->walls[same].line);
+                     "`box` makes the walls `south`, `east`, `north` and `west`: a scene has one box, and no other "
+                     "wall with one of these names",
+                     "there is a wall `%s` already, on line %d", name, other->line);
+  else
+    nb_exists(reader, place, "wall", other ? other->line : 0);
   if (!isfinite(length))
-    nb_token_mistake(reader, place, NULL, "expected a wall of finite length, this one is too long");
+    nb_token_mistake(reader, place, NULL, "expected a wall of finite length; this one is too long");
   if (!isnormal(length)) /* the vector e would not have the length 1 */
-    nb_token_mistake(reader, place, NULL, "expected a wall with two ends, the ends of this one are the same point");
+    nb_token_mistake(reader, place, NULL,
+                     "expected a wall with a length above 0; its two ends are the same point, or too close");
   if (reader->bad || nb_too_many(reader, scene->wall_count, NB_NAMED_MAX, "walls"))
     return;
   wall.ex = (x1 - wall.x) / length;
@@ -118,7 +123,7 @@ NB_APPLY(apply_wall) {
 bool nb_corners_swapped(struct nb_reader *reader, double x, double y, double x1, double y1) {
   if (isinf(x1 - x) || isinf(y1 - y))
     nb_token_mistake(reader, &reader->tokens[0], NULL,
-                     "expected two corners at a finite distance, these are too far apart");
+                     "expected two corners at a finite distance; these are too far apart");
   else if (!(x1 > x && y1 > y))
     nb_token_mistake(reader, &reader->tokens[0], "write the smaller x and the smaller y before `to`",
                      "expected a second corner with larger x and larger y than the first corner");

@@ -55,7 +55,7 @@ static const char *reducer_hint(char *hint, const struct nb_reader *reader, cons
   else if (!dot) { /* `max normal` may be `M.normal.max` */
     nb_append(name, sizeof name, ".%s", guess.best), nb_quantity_hint(hint, scene, name);
     if (!strstr(hint, name + strcspn(name, ".")))
-      snprintf(hint, NB_HINT_SIZE, "write the quantity before the reducer: `C.normal %s`", guess.best);
+      snprintf(hint, NB_HINT_SIZE, "write the quantity before `%s`: `C.normal %s`", guess.best, guess.best);
   }
   return dot && !quantity.kind ? NULL : hint;
 }
@@ -220,7 +220,7 @@ static bool take_measure_like(struct nb_reader *reader, const struct nb_scene *s
   const struct nb_token *token = nb_token_peek(reader);
   struct nb_unit wanted = {0}, found = {0};
   char wanted_words[NB_NAME_SIZE], found_words[NB_NAME_SIZE], hint[NB_HINT_SIZE];
-  snprintf(hint, sizeof hint, "write the quantity before the word: `%.80s max in all`", reader->tokens[0].text);
+  snprintf(hint, sizeof hint, "name the quantity of this value: `%.80s max in all`", reader->tokens[0].text);
   if (is_bare_reducer(reader, reader->next))
     return nb_expected(reader, hint, "a quantity that the page records");
   if (!take_measure(reader, scene, measure))
@@ -230,11 +230,23 @@ static bool take_measure_like(struct nb_reader *reader, const struct nb_scene *s
     return true;
   nb_dimension_words(wanted_words, sizeof wanted_words, wanted.dimension);
   nb_dimension_words(found_words, sizeof found_words, found.dimension);
-  return nb_token_mistake(reader, token, NULL, "expected %s, found `%s`, which is %s", wanted_words, measure->label,
+  return nb_token_mistake(reader, token, NULL, "expected %s, found `%s`, which is %s",
+                          strcmp(unit, "1") == 0 ? "a quantity without a unit" : wanted_words, measure->label,
                           found_words);
 }
 
 /* ---- tolerances ---- */
+
+/* The unit as a hint writes it after a number: "" for a number without a unit. */
+static const char *shown_unit(const struct nb_reader *reader, const char *unit) {
+  return reader->unitless || strcmp(unit, "1") == 0 ? "" : unit;
+}
+
+/* The quantity that a hint proposes as the scale of a tolerance. It has the dimension of the measure that begins the
+ * line: the kinetic energy for an energy of a scene, otherwise the quantity of the measure. */
+static const char *scale_name(const struct nb_reader *reader, const struct nb_scene *scene, const char *unit) {
+  return strcmp(unit, "J") == 0 && !scene->contact_test ? "energy.kinetic" : reader->tokens[0].text;
+}
 
 /* Takes a fraction: `0.1 %`, `0.5 % of peak`, `1e-9 of energy.kinetic max`; the last two only if `scene` is not
  * NULL. */
@@ -258,9 +270,13 @@ static bool is_before(const struct nb_reader *reader, const char *word) {
 /* Takes `within` and a fraction, or `within` and a number in the unit of the measure: `within 2 nm`, `within 1e-12`. */
 static bool take_tolerance(struct nb_reader *reader, const struct nb_scene *scene, const char *unit,
                            struct nb_tolerance *tolerance) {
-  if (!nb_token_peek(reader))
-    return nb_expected(reader, "a tolerance is a percentage, `within 1 %`, or a number with its unit, `within 2 mm`",
-                       "`within`");
+  if (!nb_token_peek(reader)) {
+    char hint[NB_HINT_SIZE];
+    const char *const shown = shown_unit(reader, unit);
+    snprintf(hint, sizeof hint, "a tolerance is a percentage, `within 1 %%`, or a number%s, `within 2%s%s`",
+             *shown ? " with its unit" : "", *shown ? " " : "", shown);
+    return nb_expected(reader, hint, "`within`");
+  }
   if (!nb_take_word(reader, "within"))
     return false;
   const size_t from = reader->next;
@@ -279,16 +295,18 @@ static bool take_tolerance(struct nb_reader *reader, const struct nb_scene *scen
 static bool take_tolerance_of(struct nb_reader *reader, const struct nb_scene *scene, const char *unit, bool zero,
                               struct nb_tolerance *tolerance) {
   const size_t at = reader->next + 1;
+  char hint[NB_HINT_SIZE] = "give a number, `within 1e-6`";
   if (!take_tolerance(reader, scene, unit, tolerance))
     return false;
+  if (strcmp(unit, "1") != 0)
+    snprintf(hint, sizeof hint,
+             "give a number%s, `within 1e-6%s%s`, or a fraction of a measure, `within 1 %% of %.80s max`",
+             reader->unitless ? "" : " with its unit", reader->unitless ? "" : " ", shown_unit(reader, unit),
+             scale_name(reader, scene, unit));
   return !zero || (tolerance->kind != NB_RELATIVE && tolerance->kind != NB_OF_PEAK) ||
-         nb_token_mistake(
-             reader, &reader->tokens[at],
-             strcmp(unit, "1") == 0
-                 ? "give a number, `within 1e-6`"
-                 : "give an absolute tolerance with its unit, or a fraction of another quantity: `within 1 % of "
-                   "energy.kinetic max`",
-             "expected an absolute tolerance, because the reference value is 0, found `%s`", tolerance->text);
+         nb_token_mistake(reader, &reader->tokens[at], hint,
+                          "expected an absolute tolerance, because the reference value is 0, found `%s`",
+                          tolerance->text);
 }
 
 /* ---- the expectation ---- */
@@ -423,7 +441,7 @@ static bool fraction_mistake(struct nb_reader *reader, const struct nb_scene *sc
   const struct nb_measure *const measure = &expectation->measure;
   const size_t from = reader->next, of = from + (is_before(reader, "of") ? 1 : 2); /* `of`: the index of this word */
   const bool less = expectation->kind == NB_LESS;
-  const char *const unit = reader->unitless || strcmp(measure->unit, "1") == 0 ? "" : measure->unit;
+  const char *const unit = shown_unit(reader, measure->unit);
   char hint[NB_HINT_SIZE];
   const bool bare = is_bare_reducer(reader, of + 1);
   snprintf(hint, sizeof hint, "write `%s expected", measure->label);
@@ -433,7 +451,7 @@ static bool fraction_mistake(struct nb_reader *reader, const struct nb_scene *sc
   if (bare)
     nb_append(hint, sizeof hint, " %.80s max in all", reader->tokens[0].text);
   else if (reader->count == from + 2)
-    nb_append(hint, sizeof hint, " of %s", scene->contact_test ? "normal max" : "energy.kinetic max in all");
+    nb_append(hint, sizeof hint, " of %.80s max in all", scale_name(reader, scene, measure->unit));
   nb_append(hint, sizeof hint, "%s [SOURCE]`; a line with `%s` compares with a number or with another measure",
             less ? "" : " within 1 %", less ? "below" : "above");
   return nb_token_mistake(reader, number, hint, "expected a number with its unit, or a measure, found a fraction");
@@ -465,7 +483,7 @@ static bool take_trend(struct nb_reader *reader, const struct nb_scene *scene, s
 
 static bool take_constant(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
   const struct nb_measure *const measure = &expectation->measure;
-  const char *const unit = strcmp(measure->unit, "1") == 0 || reader->unitless ? "" : measure->unit;
+  const char *const unit = shown_unit(reader, measure->unit);
   char hint[NB_HINT_SIZE];
   snprintf(
       hint, sizeof hint,
