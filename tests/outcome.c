@@ -764,14 +764,14 @@ static void interrupt(void *data, const char *stage, double fraction, double sec
  * outcome can run the page with these settings. After that, the page with these settings is refused unless it resumes,
  * because the checkpoint of the second run exists. With the settings `other` the page can be run at any time. */
 static void interrupted_with(nb_settings own, nb_settings other) {
-  static const char scene[] = "units none\nlet w = 1\nsweep v 1 2\nmaterial m density 1 kn 1\n"
-                              "disc 0 0 radius 1 m velocity $v 0\nmonitor A disc 1\nstep 1e-3\nrecord A.x\nstage s\n"
-                              "cycles 40000";
+  static const char scene[] = "let w = 1 m\nlet x = 1\nlet mx = 1\nsweep v 1 m/s 2 m/s\n"
+                              "material m density 1 kg/m3 kn 1 N/m\ndisc 0 m 0 m radius 1 m m velocity $v 0 m/s\n"
+                              "monitor A disc 1\nstep 1 ms\nrecord A.x\nstage s\ncycles 40000";
   char path[] = "/tmp/nineball-outcome-XXXXXX", states[] = "/tmp/nineball-outcome-XXXXXX";
   struct nb_outcome first, second;
   struct interruption interruption = {0};
   const struct nb_progress progress = {interrupt, NULL, &interruption};
-  write_page(path, scene, "A.x expected 80 within 50 [t]");
+  write_page(path, scene, "A.x expected 80 m within 50 m [t]");
   struct nb_options options = {.threads = 1, .jobs = 1, .states = mkdtemp(states)};
   options.checkpoint.seconds = 1e9, options.checkpoint.stop = &interruption.stop;
   CU_ASSERT_EQUAL(nb_outcome_make(&first, path, own, &options, &progress), NB_BROKEN);
@@ -826,10 +826,11 @@ static void lock_of_one_run(void) {
   unlink(path);
 }
 
-/* Locks and checkpoints depend on every setting, not only on the last one. */
+/* Locks and checkpoints depend on every setting, not only on the last one, and on where one ends and the next begins. */
 static void locks_and_checkpoints(void) {
-  interrupted_with(NULL, (const char *const[]){"w=2", NULL});
-  interrupted_with((const char *const[]){"w=3", "refine=1", NULL}, (const char *const[]){"w=2", "refine=1", NULL});
+  interrupted_with(NULL, (const char *const[]){"w=2 m", NULL});
+  interrupted_with((const char *const[]){"w=3 m", "refine=1", NULL}, (const char *const[]){"w=2 m", "refine=1", NULL});
+  interrupted_with((const char *const[]){"w=1 m", "mx=2", NULL}, (const char *const[]){"w=1 mm", "x=2", NULL});
 }
 
 /* Without --jobs the number of runs at once is the number of processors divided by the threads of each run; it is at

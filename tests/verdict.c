@@ -197,6 +197,10 @@ static void worst_row(void) {
        {4, 8, INFINITY}},
       {"A.x versus time within 9 %", "computed 4, reference -inf: not a finite number", {-INFINITY, 8, 2}, {4, 8, 2}},
       {"A.x versus time within 9", "computed 2, reference nan: not a finite number", {4, 8, NAN}, {4, 8, 2}},
+      {"A.x versus time within 100 %", /* near the largest double: the tolerance does not overflow */
+       "error 200 %, tolerance 100 %; the worst of 3 rows, at time = 1",
+       {1.797e308, 8, 2},
+       {1.797e308, 24, 2}},
       {"A.x versus time within 9 % of peak",
        "a fraction of inf is not a finite tolerance",
        {4, 8, INFINITY},
