@@ -24,7 +24,8 @@ struct trace {
   } points[];
 };
 
-/* The recorded forces: one trace for each, of the force in row rows[k] of the network. */
+/* The recorded forces, each with its trace. rows[k] is the index of force k in the vector `forces` of add_point: 2 c for
+ * the normal force of contact c, 2 c + 1 for its shear force. */
 struct recorder {
   const struct nb_scene *scene;
   size_t count;

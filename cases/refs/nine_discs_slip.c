@@ -1,6 +1,6 @@
 /* Reference: touching discs between walls that approach slowly, with friction: the forces in equilibrium [CS79 19].
  *
- * Returns the values of nine_discs_statics. Slow means that oscillations cause no sliding that the growing load alone
+ * Returns forces under the names of nine_discs_statics, here in the equilibrium with sliding contacts. Slow means that oscillations cause no sliding that the growing load alone
  * would not cause. The difference between a run and these values is proportional to the speed of the walls, with
  * damping or without. At finite speed the equilibrium depends on the path.
  *

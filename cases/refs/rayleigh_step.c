@@ -13,10 +13,9 @@
  *   step.rayleigh, step.rayleigh-fit             of the particle for which it is shortest
  *   step.rayleigh-mean, step.rayleigh-fit-mean   of the means of R, rho, G and nu over the particles
  *   D.vx, D.vy                                   at the end, for D that monitors a particle: the equal spheres 1 and 2,
- *                                                3 and 4, ... exchange their velocities, with the error of the steps
- *                                                (hertz_corner.h)
- * Error    The steps have rounding errors only. The error of the velocities is of the order n^(-5/2) with n steps per
- *          collision: some percent for few steps, depending on where in a step the contact begins.
+ *                                                3 and 4, ... exchange their velocities; the leading error of the run's
+ *                                                time integration, n^(-5/2), is included (hertz_corner.h)
+ * Error    `step.*`: rounding. Velocities: the next order, n^(-7/2), with n steps per collision.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_poly.h>

@@ -167,7 +167,9 @@ bool nb_columns_read(double **lengths, size_t *rows, const char *path, const str
     *rows += whole;
   }
   if (*rows == 0 && mistakes->total == before)
-    nb_mistake(mistakes, &table.file, 0, 0, 0, NULL, "expected a head line and rows of numbers below it, found none");
+    nb_mistake(mistakes, &table.file, 0, 0, 0, NULL,
+               head ? "expected rows of numbers below the head line, found none"
+                    : "expected a head line and rows of numbers below it, found neither");
   nb_page_free(&table.file);
   return mistakes->total == before;
 }

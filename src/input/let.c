@@ -172,22 +172,23 @@ static bool same_type(struct nb_reader *reader, const struct nb_binding *first, 
     return nb_token_mistake(reader, token - 1, "a sweep lists each value: `sweep mu 0.1 0.3 0.5`",
                             "expected the first value of the sweep, found `from`");
   if (isnan(first->value))
-    return isnan(value->value) || nb_expected_at(reader, token, NULL, "a word like the value before it");
+    return isnan(value->value) ||
+           nb_expected_at(reader, token, NULL, "a word, because the first value of this name is a word");
   if (!isnan(value->value) && like)
     return true;
   nb_dimension_words(words, sizeof words, first->dimension);
   if (!isnan(value->value) && (!next || nb_number_read(&number, next->text, 0) == NB_READ))
-    return nb_token_mistake(reader, token, NULL, "expected %s like the value before it, found `%s`", words,
+    return nb_token_mistake(reader, token, NULL, "expected %s, as the first value of this name, found `%s`", words,
                             value->text);
   token = isnan(value->value) ? token : next;
   struct nb_guess guess = nb_guess_begin(token->text);
   for (int kind = 0; kind < NB_UNIT_KINDS; kind++)
     nb_unit_offer(&guess, nb_unit_list((enum nb_unit_kind)kind));
   return nb_expected_at(reader, token, nb_guess_hint(&guess, hint),
-                        "a number or a unit, because the value before it is a number");
+                        "a number or a unit, because the first value of this name is a number");
 }
 
-/* Reports two equal rows, because a sample would count the run twice. */
+/* Reports two equal rows, because a statistic over the runs would count the run twice. */
 static bool rows_differ(struct nb_reader *reader, const struct nb_binding *values,
                         const struct nb_token *const tokens[], size_t count, size_t columns) {
   for (size_t row = columns; row < count; row += columns)
@@ -198,7 +199,8 @@ static bool rows_differ(struct nb_reader *reader, const struct nb_binding *value
       if (equal < columns)
         continue;
       return nb_token_mistake(reader, tokens[row], NULL,
-                              "expected different values, found the same value in places %zu and %zu",
+                              columns > 1 ? "expected different rows, found the same values in rows %zu and %zu"
+                                          : "expected different values, found the same value in places %zu and %zu",
                               above / columns + 1, row / columns + 1);
     }
   return true;
@@ -339,7 +341,8 @@ NB_APPLY(apply_trade) {
   NB_APPEND(reader, scene->trades, scene->trade_count, trade);
 }
 
-/* Names that --set accepts on every page: first the statements that it overrides. */
+/* Names that --set accepts without a `let` or `sweep`: first the statements that it overrides. `follow` is for contact
+ * tests only. */
 static const struct {
   char name[NB_NAME_SIZE];
 } settable[] = {{"normal"}, {"shear"}, {"step"}, {"damping"}, {"trade"}, {"refine"}, {"soften"}, {"follow"}};

@@ -8,9 +8,9 @@
 
 #include "law.h"
 
-/* x^(1/3), within two units of the last place. The function uses only sums, products and quotients, and returns the
+/* x^(1/3), within three units of the last place. The function uses only sums, products and quotients, and returns the
  * same bits on all machines, whereas the functions cbrt of different libraries round differently. The start value, from
- * the exponent, has an error of at most 3 %; each step of Halley's method changes a relative error e to (2/3) e^3. */
+ * the exponent, has an error of at most 3.3 %; each step of Halley's method changes a relative error e to (2/3) e^3. */
 static inline double cube_root(double x) {
   const double size = fabs(x);
   uint64_t bits;

@@ -19,7 +19,7 @@
  * after Cundall and Strack (1983) and Barnes (1985). `fabric` is the stress that equal normal forces would cause, and
  * `variation` is the contribution of their deviations from the mean.
  *
- *   f      force on the particle at a contact, with dashpots, N
+ *   f      force on the particle at a contact, in sums over contacts on the first particle; with dashpots, N
  *   l_i    vector l e_i from the particle's centre to the contact, m; l its length, m
  *   d      vector from the centre of the contact's first particle to that of the second, only its part inside, m
  *   V      area of the region times thickness, m3

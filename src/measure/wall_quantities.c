@@ -3,7 +3,8 @@
  *   eccentricity   (sum s F_n/sum F_n)/(L/2)      s    position of a contact along the wall, from its middle, m
  *                                                 F_n  force of the particle on the wall along the wall's normal, N
  *                                                 L    length of the wall, m           e/(L/2) of [CS79 tables 1-3]
- *   obliquity      |F_s|/(mu F_n + c), 1, the largest of the wall's contacts; without dashpots (loads.c)
+ *   obliquity      the largest |F_s|/(mu F_n + c) of the wall's contacts, dimensionless, with friction mu and
+ *                  cohesion c, N; here F_s and F_n are without dashpots (loads.c)
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "region.h"

@@ -3,7 +3,7 @@
  *
  *   D_n = c_n dn/dt,   D_s = c_s ds/dt                                  [CS79 26, 27]
  *   c = beta k                  `damping stiffness`, beta a time       [CS79 28]
- *   c = beta k t_c/2            `damping r89-fraction`; R89 writes dN beta/(2 FRAC), with dt = FRAC t_c  [R89 4.3, 4.4]
+ *   c = beta k t_c/2            `damping r89-fraction`; R89: D_n = dN beta/(2 FRAC), dN = k dn, dt = FRAC t_c [R89 4.3, 4.4]
  *   c = beta 2 sqrt(M* k)       `damping ratio`, beta a fraction of critical  [R89 4.13, 4.19]
  *   c = 2 sqrt(M* k)            `critical beyond overlap`, for deep contacts in place of the others [R89 sec. 6.4.3]
  *
@@ -21,8 +21,9 @@
  * F_n + D_n may be tensile. ds/dt is the mean over the whole last step, even if the contact began in it and the law
  * used only a part of ds. The friction limit of F_s was computed from F_n alone, before this pass.
  *
- * With `damping centred` the rates are those at the time of the force: dn/dt + (a_x - a_y).e, where a_x and a_y are the
- * predicted changes of the two velocities in the last half step, m/s (core/motion.c). At time 0 the rates follow from
+ * With `damping centred` the rates are those at the time of the force: dn/dt + (u_1 - u_2).e, where u_1 and u_2 are the
+ * predicted changes of the velocities of the two bodies at the contact in the last half step, m/s (core/motion.c), and e
+ * is the unit vector from body 1 to body 2. At time 0 the rates follow from
  * the velocities of the page; in CS79's scheme they are then 0. The force of a dashpot jumps at first touch, so the
  * scheme is of second order only with a correction there. The force at t_N acts from t_(N-1/2) to t_(N+1/2). Let t_N be
  * the first time after first touch, and f the time from first touch to t_N, over dt. No force acts before t_(N-1/2),

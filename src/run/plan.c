@@ -124,7 +124,8 @@ enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
   plan->affine_twice = affine_twice(model);
   plan->kept =
       (plan->requested & (NB_BIT(NB_FIELDS) - 1)) | NB_BIT(NB_RADIUS_SUM) | (plan->keep_all ? NB_SAVED_MASK : 0);
-  /* True if a law of any stage is elastic: a change of the law computes the stored energy of the old law. */
+  /* R* is kept if the normal law of any stage is for elastic spheres, because a change of the law computes the stored
+   * energy of the old law from it. */
   if (nb_laws_elastic(scene))
     plan->kept |= NB_BIT(NB_REDUCED);
   bool dissipative = false;
