@@ -21,9 +21,9 @@
  * F_n + D_n may be tensile. ds/dt is the mean over the whole last step, even if the contact began in it and the law
  * used only a part of ds. The friction limit of F_s was computed from F_n alone, before this pass.
  *
- * With `damping centred` the rates are those at the time of the force: dn/dt + (u_1 - u_2).e, where u_1 and u_2 are the
- * predicted changes of the velocities of the two bodies at the contact in the last half step, m/s (core/motion.c), and e
- * is the unit vector from body 1 to body 2. At time 0 the rates follow from
+ * With `damping centred` the rates are those at the time of the force: dn/dt + (u_x - u_y).e. Here e is the unit vector
+ * from particle x to particle (or wall) y, and u_x and u_y are the predicted changes of their velocities at the contact
+ * in the last half step, m/s (core/motion.c). At time 0 the rates follow from
  * the velocities of the page; in CS79's scheme they are then 0. The force of a dashpot jumps at first touch, so the
  * scheme is of second order only with a correction there. The force at t_N acts from t_(N-1/2) to t_(N+1/2). Let t_N be
  * the first time after first touch, and f the time from first touch to t_N, over dt. No force acts before t_(N-1/2),
