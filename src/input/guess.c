@@ -58,7 +58,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"contact", "damping, monitor, region"}, {"all", "region", "`region M all` measures all particles and contacts"},
     {"calm relax quench", "zero velocities"}, {"unfix free release", "fixed", "a `fixed` particle stays fixed, and nothing releases it; in a stage `remove disc 1` removes it, and `wall NAME velocity 0 m/s -1 mm/s` moves a wall away from particles that it holds"},
     {"newton", "momentum.x", "the forces on the two particles of a contact are always equal and opposite: delete the line"}, {"reset_timestep", "stage.time", "the time of a stage is `stage.time`, from 0: `until stage.time above 0.1 s at most 1000000 cycles`; `time` and `cycle` count from the start of the run"},
-    {"O.engines engines NewtonIntegrator InteractionLoop", "normal, shear, gravity", "the calculation cycle needs no list: the laws are `normal hertz` and `shear mindlin`, gravity is `gravity 0 m/s2 -9.81 m/s2`, damping is `damping ratio 0.1`"}, {"fix freeze clamp", "fixed", "forces do not move a particle with `fixed`: `disc X Y radius R MATERIAL fixed`; it keeps its `velocity` and `spin`, and two fixed particles have no contact; `rotation off` prevents all rotation"},
+    {"O.engines engines NewtonIntegrator InteractionLoop", "normal, shear, gravity", "the calculation cycle needs no list: the laws are `normal hertz` and `shear mindlin`, gravity is `gravity 0 m/s2 -9.81 m/s2`, damping is `damping ratio 0.1`"}, {"fix freeze clamp", "fixed", "forces do not move a particle with `fixed`: `disc X Y radius R MATERIAL fixed`; it keeps its `velocity` and `spin`, and two fixed particles have no contact; `rotation off`, in a stage, prevents the rotation of all particles"},
     {"apply load", "gravity, boundary stress, servo, wall"}, {"confine confining confinement membrane pressure", "servo, boundary stress, stress.mean"}, {"goal target", "servo"},
     {"simple_shear shear_rate simple_shear_rate shearing pure_shear engineering_shear", "cell strain, boundary strain, affine strain", SIMPLE_SHEAR},
     {"deform strain strain_rate rate change_box fix_deform", "cell strain, box strain, boundary strain, affine strain", "in a cell write `cell strain 0 1/s 0 1/s c12 0.1 1/s` for simple shear, between walls `box strain 0 1/s -0.1 1/s`; `nineball --help strain` compares the four statements"},
@@ -112,6 +112,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"wall_servo walls_servo wall_force wall_activate", "servo", "for example `servo yy 100 kPa on walls through box at most 1e-6 per cycle`"},
     {"stop_wall stop_walls stop_all stop_box", "wall, walls", "in a stage write `walls stop`, or for one wall `wall NAME velocity 0 m/s 0 m/s`"},
     {"until_equals until_equal until_= until_== until_is until_reaches until_to until_until", "until", "a condition has `above` or `below`: `until stage.time above 0.1 s at most 1000000 cycles`"},
+    {"until_within until_between", "until", "a condition has `above` or `below`, and a range has two: `until stage.time above 0.1 s and energy.kinetic below 1 mJ at most 1000000 cycles`"},
     {"until_at", "until", "a condition has `above` or `below`: `until stage.time above 0.1 s at most 1000000 cycles`, or, to wait for rest, `until unbalanced.max below 1e-4 and contacts above 0 at most 1000000 cycles`"},
     {"until_rest until_equilibrium until_static until_steady until_settled until_quiet until_converged until_relaxed stage_equilibrate stage_settle stage_rest", "until, unbalanced.max", "at rest the contact forces balance: `until unbalanced.max below 1e-4 and contacts above 0 at most 1000000 cycles`"},
     {"until_cycles until_cycle", "cycles", "a number of cycles is `cycles 1000`"},
@@ -330,6 +331,22 @@ bool nb_guess_found(const struct nb_guess *guess) {
   return guess->best[0] && guess->distance <= allowed;
 }
 
+/* True if the note of a synonym shows, between backquotes, how a marked keyword is written: then it needs no question. */
+static bool shows_marked(const struct nb_guess *guess) {
+  const char *list = guess->synonym->ours, *const note = guess->synonym->note;
+  char item[NB_NAME_SIZE];
+  for (unsigned bit = 1; nb_item(&list, item); bit <<= 1)
+    for (const char *at = note; guess->marked & bit && (at = strstr(at, item)); at++) {
+      const char before = at > note ? at[-1] : ' ', after = at[strlen(item)];
+      bool quoted = false;
+      for (const char *c = note; c < at; c++)
+        quoted ^= *c == '`';
+      if (quoted && strchr("` ", before) && strchr("` ", after))
+        return true;
+    }
+  return false;
+}
+
 const char *nb_guess_hint(const struct nb_guess *guess, char *text) {
   if (!nb_guess_found(guess))
     return NULL;
@@ -340,6 +357,9 @@ const char *nb_guess_hint(const struct nb_guess *guess, char *text) {
   if (guess->marked)
     list_ours(list, guess->synonym, guess->marked);
   const char *const note = guess->marked && guess->synonym->note ? guess->synonym->note : "";
-  snprintf(text, NB_HINT_SIZE, "%s%sdid you mean %s?", note, *note ? ": " : "", list);
+  if (*note && shows_marked(guess))
+    snprintf(text, NB_HINT_SIZE, "%s", note);
+  else
+    snprintf(text, NB_HINT_SIZE, "%s%sdid you mean %s?", note, *note ? ": " : "", list);
   return text;
 }
