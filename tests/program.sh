@@ -654,6 +654,29 @@ grep -v '^#' again/table.tsv >again.tsv
 grep -v '^#' passes.out/table.tsv | cmp -s - again.tsv || echo 'the same value gives another table' >>why
 verdict 'sweeps'
 
+cat >several.md <<'END'
+# Checks of each run come before those of all runs
+```scene
+sweep     v  1 m/s 2 m/s
+sweep     h  1 us 2 us
+material  m  density 1 g/cm3  kn 1 MN/m
+disc      0 m 0 m  radius 10 mm  m  velocity $v 0 m/s
+monitor   D  disc 1
+step      $h
+record    D.vx
+stage     go
+cycles    2
+```
+```expect
+D.vx  increases with v
+D.vx  expected 1.00100105 m/s within 0.1 % [error just above the tolerance]
+```
+END
+run 1 check several.md
+awk '/ D.vx increases/ { up = 1 } / D.vx expected/ && up { bad = 1 } END { exit bad || !up }' out || echo 'wrong order' >>why
+out 'error 0.100005 %, tolerance 0.1 %'
+verdict 'checks of several runs follow those of each run; error and tolerance are printed with digits that differ'
+
 # Each of three runs leaves its snapshots of two stages: the disc is where its speed has brought it in 1 and in 2 s.
 sed 's/^cycles .*/cycles 8\nsnapshot\nstage further\ncycles 8\nsnapshot/' "$pages/swept.md" >snapped.md
 run 0 run snapped.md -o snapped
@@ -721,7 +744,7 @@ out 'line 45: D.x constant with v within 0'
 out '`w` has one value only, so there is nothing to compare'
 run 0 check "$pages/hidden.md" --tap
 out '1..8'
-out 'ok 2 - D.x constant with v within 0 # SKIP `v` has one value only, so there is nothing to compare'
+out 'ok 3 - D.x constant with v within 0 # SKIP `v` has one value only, so there is nothing to compare'
 run 0 run "$pages/hidden.md" -o hidden
 grep -q '^skip	45	' hidden/verdict.tsv || echo 'verdict.tsv does not have it' >>why
 run 0 report "$pages/hidden.md" -o hidden

@@ -62,19 +62,32 @@ static int digit_count(double a, double b) {
   return (int)fmin(fmax(needed, 6), 17);
 }
 
+/* Number of digits, from 3 to 17, with which two different numbers are printed differently. */
+static int distinct_digits(double a, double b) {
+  char one[32], other[32];
+  int digits = 2;
+  do {
+    digits++;
+    snprintf(one, sizeof one, "%.*g", digits, a), snprintf(other, sizeof other, "%.*g", digits, b);
+  } while (a != b && digits < 17 && strcmp(one, other) == 0);
+  return digits;
+}
+
 void nb_check_error(struct nb_check *check, const char *what, double error, double scale,
                     const struct nb_tolerance *tolerance, const char *unit) {
   const bool relative = tolerance->kind != NB_ABSOLUTE; /* printed in per cent, unless that would give many zeros */
   const bool percent = relative && !(tolerance->value > 0 && (tolerance->value < 1e-7 || tolerance->value > 1e7));
   const double of = relative ? fabs(scale) : 1, factor = percent ? 100 : 1;
   const char *in = percent ? " %" : relative ? "" : unit;
+  const double shown = error > 0 ? factor * error / of : 0, allowed = factor * tolerance->value;
+  const int digits = check->mark == NB_FAIL ? distinct_digits(shown, allowed) : 3;
   char fraction[sizeof tolerance->of.label + 8] = "";
   if (tolerance->kind == NB_OF_PEAK || tolerance->kind == NB_OF_MEASURE)
     snprintf(fraction, sizeof fraction, " of %s", tolerance->kind == NB_OF_PEAK ? "peak" : tolerance->of.label);
   nb_append(check->message, sizeof check->message, ", %s ", what);
-  append_part(check, NB_PART_ERROR, "%.3g%s", error > 0 ? factor * error / of : 0, in);
+  append_part(check, NB_PART_ERROR, "%.*g%s", digits, shown, in);
   nb_append(check->message, sizeof check->message, ", tolerance ");
-  append_part(check, NB_PART_TOLERANCE, "%.3g%s%s", factor * tolerance->value, in, fraction);
+  append_part(check, NB_PART_TOLERANCE, "%.*g%s%s", digits, allowed, in, fraction);
 }
 
 /* Compares two numbers. The message has both numbers, the error and the tolerance, or the reason why there is no error.
@@ -316,14 +329,14 @@ static bool skip_unread(struct nb_outcome *outcome) {
   return stored;
 }
 
-/* Evaluates the expectations of run r, except those that were evaluated at an earlier run of the same group. */
-static bool evaluate_run(struct nb_outcome *outcome, size_t r) {
+/* Evaluates the expectations of run r about this run alone, or, with `over`, those about a group of runs of which it is
+ * the first one. */
+static bool evaluate_run(struct nb_outcome *outcome, size_t r, bool over) {
   const struct nb_expectations *expectations = &outcome->runs[r].expectations;
   bool stored = true;
   for (size_t k = 0; k < expectations->count && stored; k++) {
     const struct nb_expectation *e = &expectations->list[k];
-    const bool over = nb_is_over_sweep(e);
-    if (over && !nb_sweep_is_first(outcome, r, e))
+    if (nb_is_over_sweep(e) != over || (over && !nb_sweep_is_first(outcome, r, e)))
       continue;
     const char *single = over ? nb_sweep_single_value(outcome, r, e) : NULL;
     if (single) {
@@ -342,8 +355,9 @@ static bool evaluate_run(struct nb_outcome *outcome, size_t r) {
 
 enum nb_status nb_verdict(struct nb_outcome *outcome) {
   bool stored = true;
-  for (size_t r = 0; r < outcome->run_count && stored; r++)
-    stored = evaluate_run(outcome, r);
+  for (int over = 0; over < 2; over++) /* what is about several runs follows after all runs */
+    for (size_t r = 0; r < outcome->run_count && stored; r++)
+      stored = evaluate_run(outcome, r, over);
   if (!stored || !skip_unread(outcome))
     return nb_error_memory(&outcome->error);
   if (nb_spool_status(&outcome->spool, &outcome->error))
