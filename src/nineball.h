@@ -181,6 +181,7 @@ struct nb_wall {
   double ex, ey;   /* e, unit vector */
   double h1, h2;   /* m */
   double h0;       /* distance of the wall's line from P, m; positive to the left of e */
+  bool has_about;  /* the page gives P; otherwise P is the middle of the wall */
   double inx, iny; /* unit normal into the box that the wall belongs to; 0, 0: no box */
   double vx, vy;   /* velocity of P at time 0, m/s */
   double spin;     /* angular velocity about P at time 0, rad/s, counterclockwise */
@@ -440,6 +441,7 @@ struct nb_stage {
   unsigned long cycles;          /* number of cycles; with conditions, a limit: a stage that reaches it has failed */
   unsigned long check_interval;  /* cycles between two tests of the conditions */
   unsigned long record_interval; /* cycles between two rows; 0: no rows */
+  int record_line;               /* of `record` in the stage; 0: it has none */
   bool snapshot;                 /* keep particles, walls and contacts at the end of the stage */
   int snapshot_from;             /* index of the stage from whose beginning a snapshot measures changes; -1: none */
   struct nb_step step;           /* as in the stage before, unless the stage gives its own */

@@ -131,6 +131,15 @@ static void note_of_memory_size(void) {
   }
 }
 
+/* Drops the warnings of overlaps at the start, which some of the following scenes need. */
+static void drop_overlaps(struct nb_warnings *warnings) {
+  size_t kept = 0;
+  for (size_t k = 0; k < warnings->count; k++)
+    if (!strstr(warnings->list[k].text, "too much at the start"))
+      warnings->list[kept++] = warnings->list[k];
+  warnings->count = kept;
+}
+
 /* Warnings of stages that end too early: without contact forces, where `unbalanced.max` is 0, or because their
  * conditions were met before the stage began. In other scenes there is no warning. */
 static void warnings_of_ends(void) {
@@ -170,6 +179,7 @@ static void warnings_of_ends(void) {
     char text[sizeof one + 96];
     snprintf(text, sizeof text, one, rows[k].x, rows[k].condition);
     carry_out(&outcome, text, "report A.x", NULL);
+    drop_overlaps(&outcome.warnings);
     if (outcome.status)
       printf("# %zu: %s\n", k, outcome.error.text);
     CU_ASSERT_EQUAL(outcome.status, NB_OK);
@@ -218,6 +228,7 @@ static void warnings_of_regions(void) {
     char text[sizeof scene + 96];
     snprintf(text, sizeof text, scene, rows[k].x, rows[k].region, rows[k].column);
     carry_out(&outcome, text, "report time", NULL);
+    drop_overlaps(&outcome.warnings);
     const struct nb_warning *const warning = outcome.warnings.list;
     CU_ASSERT_EQUAL(outcome.status, NB_OK);
     CU_ASSERT_EQUAL(outcome.warnings.count, rows[k].warning ? 1 : 0);

@@ -137,6 +137,59 @@ run 0 check later.md
 grep -q 'warning: friction' said && echo 'warning of friction, although a stage has a shear law' >>why
 verdict 'warnings: once on standard error, repeated by verdict and explain, no change of the status'
 
+cat >doubtful.md <<'END'
+# What can hardly be meant
+```scene
+material  m  density 1 g/cm3  kn 1 MN/m
+let       tilt = 20
+let       a = sin(20)*1 mm
+let       b = cos(-tilt)*1 mm
+let       c = (sin(20 deg) + tan(0) + cos(pi/3) + cos(2*tilt) + exp(1))*1 mm
+disc      0 mm 5 mm  radius 10 mm  m
+disc      300 mm 0 mm  radius 10 mm  m
+disc      315 mm 0 mm  radius 10 mm  m
+wall      floor  -20 mm 0 mm  to 20 mm 0 mm  m
+wall      blade  0 m 1 m  to 1 m 1 m  m  spin 1 rad/s
+wall      gate   0 m 2 m  to 1 m 2 m  m
+wall      fan    0 m 3 m  to 1 m 3 m  m  about 0 m 3 m  spin 1 rad/s
+region    A  all
+step      1 us
+record    A.porosity
+stage     one
+record    every 2 cycles
+wall      gate  spin 1 rad/s
+cycles    2
+stage     two
+cycles    2
+stage     three
+record    every 1 cycle
+cycles    1
+```
+END
+run 0 explain doubtful.md
+said 'doubtful.md:5: warning: the argument of `sin()` has no unit, so it is in radians: write `20 deg` for degrees, or `20 rad`'
+said 'doubtful.md:6: warning: the argument of `cos()` has no unit, so it is in radians: write `-20 deg` for degrees, or `-20 rad`'
+out 'doubtful.md:8: warning: particle 1 overlaps wall `floor` (line 11) too much at the start: by 0.005 m, 25 % of the diameter; above 7 %'
+said 'doubtful.md:12: warning: wall `blade` rotates about its middle: 0.5 m 1 m; its line in the scene has no `about X Y`'
+said 'doubtful.md:20: warning: wall `gate` rotates about its middle: 0.5 m 2 m; its line in the scene has no `about X Y`'
+test "$(grep -c warning out)" -eq 5 || echo 'not five warnings' >>why
+out 'region A all: 3 particles now; area 0.008375 m2, that of the smallest rectangle around all particles, without the gaps at walls'
+out '    a row every cycle: the `record` of stage `one` (line 19) holds only there'
+test "$(grep -c 'a row every cycle' out)" -eq 1 || echo 'not for one stage' >>why
+sed '/^wall *floor/d' doubtful.md >pair.md
+run 0 explain pair.md
+out 'pair.md:10: warning: particle 3 overlaps particle 2 (line 9) too much at the start: by 0.005 m, 25 % of the smaller diameter; above 7 %'
+sed 's/^disc *0 mm 5 mm/disc 0 mm 8.61 mm/; s/315 mm/318.61 mm/' doubtful.md >less.md
+run 0 explain less.md
+grep -q 'overlaps' out && echo 'a warning of an overlap below the limit' >>why
+sed 's/^disc *0 mm 5 mm/disc 0 mm 8.59 mm/; s/315 mm/318.61 mm/' doubtful.md >more.md
+run 0 explain more.md
+out 'particle 1 overlaps wall `floor` (line 11) too much at the start: by 0.00141 m, 7'
+printf '```scene\nunits none\nmaterial m density 1 kn 1\nlet a = sin(20)\ndisc $a 0 radius 1 m\nstep 0.1\nstage one\ncycles 1\n```\n' >bare.md
+run 0 explain bare.md
+grep -q 'radians' said && echo 'a warning of an angle on a page without units' >>why
+verdict 'warnings: overlaps at the start, angles without a unit, walls that rotate about their middle; explained: area of a region, rows of a stage'
+
 for command in check run 'check --tap' explain; do
   "$nineball" $command "$pages/warns.md" >out 2>&1 </dev/null
   test "$(grep -c 'warns.md:4: warning: friction' out)" -eq 1 || echo "not once in a file: $command" >>why

@@ -304,6 +304,9 @@ enum nb_status nb_guard_cycle(const struct nb_model *model, struct nb_error *err
 /* Warns when the resolution of positions is too coarse for the current overlaps. */
 void nb_guard_resolution(struct nb_model *model);
 
+/* Warns of particles that overlap each other or a wall too much at the start. */
+void nb_guard_start(struct nb_model *model);
+
 /* neighbours.c: runs the guards, then builds a new contact list */
 enum nb_status nb_neighbours_search(struct nb_model *model, struct nb_error *error);
 /* The same where no force calculation follows: contacts keep their forces. */

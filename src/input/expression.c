@@ -233,10 +233,42 @@ static struct quantity parenthesis(struct parser *p) {
   return skip(p, ')') ? it : expected(p, "an operator or `)`");
 }
 
+/* The value of a function's argument that is a bare literal, or the name of one; 0 for any other argument. p->at is
+ * behind the function's `(`. */
+static double bare_argument(struct parser p) {
+  const struct nb_reader *const reader = p.reader;
+  char text[WORD_SIZE];
+  double value;
+  const bool minus = peek(&p) == '-';
+  p.at += minus;
+  const size_t digits = nb_number_length(p.at), length = digits ? digits : read_word(&p, "_", text);
+  const int index = digits ? -1 : NB_FIND(reader->bindings, reader->binding_count, text);
+  const struct nb_binding *const named = index < 0 ? NULL : &reader->bindings[index];
+  if (named) /* the text of a number with a unit is no number */
+    snprintf(text, sizeof text, "%s", named->computed ? "" : named->text);
+  else
+    snprintf(text, sizeof text, "%.*s", (int)digits, p.at);
+  p.at += length;
+  const bool bare = peek(&p) == ')' && nb_number_read(&value, text, 0) == NB_READ;
+  return !bare ? 0 : minus ? -value : value;
+}
+
+/* Warns of `sin(20)`, in which 20 may be meant in degrees. Without units all angles are bare numbers. */
+static void warn_of_angle(const struct parser *p, const struct function *f) {
+  const struct nb_reader *const reader = p->reader;
+  const bool of_angle = f->one == sin || f->one == cos || f->one == tan;
+  const double value = of_angle && reader->warnings && !reader->unitless ? bare_argument(*p) : 0;
+  if (value != 0)
+    nb_warn(reader->warnings, (int)reader->line,
+            "the argument of `%s()` has no unit, so it is in radians: write `%g deg` for degrees, or `%g rad`", f->name,
+            value, value);
+}
+
 static struct quantity call(struct parser *p, const struct function *f, const char *from) {
   const size_t length = strlen(f->name);
   if (!skip(p, '('))
     return expected(p, "`(`");
+  warn_of_angle(p, f);
   struct quantity a, b;
   if (f->two) {
     a = sum(p);

@@ -82,11 +82,12 @@ struct nb_binding {
 };
 
 struct nb_keyword;
-/* The state of the reader. The caller sets page, mistakes, unitless and the bindings, and the other members to 0. The
+/* The state of the reader. The caller sets page, mistakes, warnings, unitless and the bindings, and the other members to 0. The
  * reader owns nothing; its size is about 60 kB. */
 struct nb_reader {
   const struct nb_page *page;
   struct nb_mistakes *mistakes;
+  struct nb_warnings *warnings;      /* of the scene; NULL: doubtful expressions are not reported */
   bool unitless;                     /* `units none` */
   bool has_units;                    /* a number with a unit has been read */
   const struct nb_binding *bindings; /* the values of $NAME */

@@ -261,6 +261,7 @@ static enum nb_status read_run(struct nb_scene *scene, const struct nb_page *pag
     scene->contact_test = nb_page_fence(page, NB_BLOCK_CONTACT_TEST) != 0;
     reading->here = scene->contact_test ? NB_IN_CONTACT_TEST : NB_IN_SCENE;
     reading->reader.page = page;
+    reading->reader.warnings = &scene->warnings;
     reading->setting.page = &reading->settings;
     read_scene(reading, mistakes);
     scene->runs = nb_run_count(reading);

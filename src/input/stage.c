@@ -261,7 +261,7 @@ NB_STATEMENTS(stage) = {
    "  cycles  400"},
   {"until", NB_IN_STAGE, no_fields,
    "QUANTITY above|below VALUE {and QUANTITY above|below VALUE …} {every N cycles} at most N cycles", 0, false, apply_until,
-   "Ends the stage as soon as all conditions hold. If they do not hold after N cycles, the run is aborted. All conditions must hold in the same cycle: after `box.stress.mean above 50 kPa and unbalanced.max below 1e-3` the stress may be far above 50 kPa, and only a servo holds it. Oscillating forces are balanced for a moment, so a wait for rest also needs `and energy.kinetic below VALUE`.\n"
+   "Ends the stage as soon as all conditions hold. If they do not hold after N cycles, the run is aborted. All conditions must hold in the same cycle: after `box.stress.mean above 50 kPa and unbalanced.max below 1e-3` the stress may be far above 50 kPa, and only a servo holds it. Oscillating forces are balanced for a moment, so a wait for rest also needs `and energy.kinetic below VALUE`. `time` counts from the start of the run, `stage.time` from the start of the stage.\n"
    "QUANTITY above|below VALUE: a condition: a quantity, as in `record`, and a number with the unit of the quantity.\n"
    "every N cycles: a whole number, 1 or more; without it: 1. How often the conditions are checked.\n"
    "at most N cycles: a whole number, 1 or more. Largest length of the stage.",

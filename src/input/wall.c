@@ -105,6 +105,18 @@ static void move_pivot(struct nb_wall *wall, double x, double y) {
   wall->y = y;
 }
 
+/* Warns of a wall that rotates about its middle because its line does not say about which point. */
+static void warn_of_spin(struct nb_scene *scene, const struct nb_reader *reader, const struct nb_wall *wall,
+                         double spin) {
+  const char *const m = reader->unitless ? "" : " m";
+  const bool of_box = wall->inx != 0 || wall->iny != 0; /* a `box` has no `about` */
+  if (spin != 0 && !wall->has_about && !of_box)
+    nb_warn(&scene->warnings, (int)reader->line,
+            "wall `%s` rotates about its middle: %g%s %g%s; its line in the scene has no `about X Y`, which sets the "
+            "centre",
+            wall->name, wall->x, m, wall->y, m);
+}
+
 NB_APPLY(apply_wall) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   const struct nb_value *value = record->value;
@@ -116,8 +128,13 @@ NB_APPLY(apply_wall) {
                               .spin = value[AT_SPIN].number,
                               .material = nb_material_of(scene, reader, value[AT_MATERIAL].token)};
   add_wall(scene, reader, name, name->text, one, value[AT_X1].number, value[AT_Y1].number);
-  if (value[AT_ABOUT_X].token && !reader->bad)
-    move_pivot(&scene->walls[scene->wall_count - 1], value[AT_ABOUT_X].number, value[AT_ABOUT_Y].number);
+  if (reader->bad)
+    return;
+  struct nb_wall *const wall = &scene->walls[scene->wall_count - 1];
+  wall->has_about = value[AT_ABOUT_X].token != NULL;
+  if (wall->has_about)
+    move_pivot(wall, value[AT_ABOUT_X].number, value[AT_ABOUT_Y].number);
+  warn_of_spin(scene, reader, wall, wall->spin);
 }
 
 bool nb_corners_swapped(struct nb_reader *reader, double x, double y, double x1, double y1) {
@@ -217,6 +234,7 @@ NB_APPLY(apply_wall_motion) {
     motion.vx = value[AT_VX].number, motion.vy = value[AT_VY].number;
   if (value[AT_SPIN].token)
     motion.spin = value[AT_SPIN].number;
+  warn_of_spin(scene, reader, &scene->walls[wall], motion.spin);
   move_wall(scene, reader, motion);
 }
 

@@ -359,7 +359,12 @@ static void explain_regions(FILE *out, const struct nb_model *model) {
     if (monitor->kind != NB_MONITOR_REGION)
       continue;
     explain_statement(out, scene, scene->regions[monitor->a].line, "");
-    fprintf(out, ": %zu particles now\n", count_inside(model, monitor->a));
+    const bool all = scene->regions[monitor->a].kind == NB_REGION_ALL;
+    const double area = nb_region_state(model, monitor->a)->area;
+    fprintf(out, ": %zu particles now; area %g%s%s\n", count_inside(model, monitor->a), area, nb_unit(scene, " m2"),
+            !all          ? ""
+            : model->cell ? ", that of the cell"
+                          : ", that of the smallest rectangle around all particles, without the gaps at walls");
   }
 }
 
@@ -576,6 +581,14 @@ static void explain_strain_rates(FILE *out, const struct nb_scene *scene, const 
   explain_shear_end(out, scene, stage);
 }
 
+/* Says that the `record` of the stage before does not last, if stage `s` has none. */
+static void explain_record(FILE *out, const struct nb_scene *scene, size_t s) {
+  const struct nb_stage *const before = s > scene->start.stages ? &scene->stages[s - 1] : NULL;
+  if (before && before->record_line && before->record_interval != 1 && !scene->stages[s].record_line)
+    fprintf(out, "    a row every cycle: the `record` of stage `%s` (line %d) holds only there\n", before->name,
+            before->record_line);
+}
+
 static void explain_stages(FILE *out, const struct nb_model *model, const struct nb_cost *cost) {
   const struct nb_scene *scene = model->scene;
   fputs("stages\n", out);
@@ -585,6 +598,7 @@ static void explain_stages(FILE *out, const struct nb_model *model, const struct
     nb_cost_print_length(out, &cost->lengths[s], stage);
     fputc('\n', out);
     explain_statements(out, scene, s);
+    explain_record(out, scene, s);
     explain_inherited(out, scene, s);
     explain_strain_rates(out, scene, stage);
     if (stage->servo.line && cost->seconds.to > 0)

@@ -91,12 +91,34 @@ static const char *servo_limit(char *text, size_t size, const struct nb_model *m
   return text;
 }
 
+static bool has_contact_force(const struct nb_model *model) {
+  for (size_t c = 0; c < model->contacts.count; c++)
+    if (model->contacts.force[c].x != 0 || model->contacts.force[c].y != 0)
+      return true;
+  return false;
+}
+
+/* True if a condition of the stage is about contacts. */
+static bool waits_for_contacts(const struct nb_stage *stage) {
+  bool waits = false;
+  for (size_t k = 0; k < stage->condition_count; k++) {
+    const char *const name = stage->conditions[k].quantity.kind->name;
+    waits = waits || strncmp(name, "contacts", strlen("contacts")) == 0 || strstr(name, "stress") ||
+            strcmp(name, "normal") == 0;
+  }
+  return waits;
+}
+
 static enum nb_status conditions_not_met(const struct nb_stage *stage, const struct nb_model *model,
                                          struct nb_error *error) {
   char text[256], servo[160];
   list_conditions(text, sizeof text, stage, model, " and should be");
-  return nb_error_set(error, NB_BROKEN, "stage `%s` (line %d) did not end within %lu cycles: %s%s", stage->name,
-                      stage->line, stage->cycles, text, servo_limit(servo, sizeof servo, model));
+  return nb_error_set(error, NB_BROKEN, "stage `%s` (line %d) did not end within %lu cycles: %s%s%s", stage->name,
+                      stage->line, stage->cycles, text, servo_limit(servo, sizeof servo, model),
+                      waits_for_contacts(stage) && !has_contact_force(model)
+                          ? "; no contact has a force now: do gravity, walls and velocities bring the particles "
+                            "together, or apart?"
+                          : "");
 }
 
 /* Notes a change of a law, because the history of the old law is discarded. */
@@ -119,13 +141,6 @@ static void note_laws(const struct run *run, const struct nb_stage *stage) {
              stage->name, shear ? "shear" : "normal", law->name, memory, old);
     progress->note(progress->data, text);
   }
-}
-
-static bool has_contact_force(const struct nb_model *model) {
-  for (size_t c = 0; c < model->contacts.count; c++)
-    if (model->contacts.force[c].x != 0 || model->contacts.force[c].y != 0)
-      return true;
-  return false;
 }
 
 /* The name of the unbalanced force in a condition of the stage, if no contact has a force. Such a condition waits for
