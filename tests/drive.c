@@ -103,6 +103,21 @@ static void held_again(int discs) {
 
 static void a_boundary_is_held_again(void) { held_again(1), held_again(4); }
 
+/* A new circle is a circle, although the old boundary has been strained to an ellipse: a disc at 5 is outside the radius
+ * 4.5, and a disc at 4 is inside. */
+static void a_new_boundary_is_not_strained(void) {
+  static const char *const rates[] = {"0", "-4", "4"}; /* 1/s, for one step of 1/8 s: sides times 1, 1/2 and 3/2 */
+  for (size_t k = 0; k < sizeof rates / sizeof *rates; k++) {
+    char page[512];
+    snprintf(page, sizeof page,
+             "disc 5 0 radius 1 m\ndisc 0 4 radius 1 m\nrecord boundary.particles\nboundary circle 0 0 radius 9\n"
+             "stage s\nboundary strain %s %s\ncycles 1\nstage t\nboundary circle 0 0 radius 4.5\n"
+             "boundary strain 0 0\ncycles 1\n",
+             rates[k], rates[k]);
+    CU_ASSERT_EQUAL(after(page, "boundary.particles"), 1);
+  }
+}
+
 /* A circle that has all particles inside: every quantity of the boundary is 0. */
 static void a_boundary_without_particles(void) {
   static const char *const names[] = {"particles", "radius", "area", "roughness", "stress.xx", "stress.residual"};
@@ -534,6 +549,7 @@ void suite_drive(void) {
   CU_pSuite suite = CU_add_suite("drive", NULL, NULL);
   CU_add_test(suite, "the boundary and a particle inside have their own gradients", each_has_its_own_gradient);
   CU_add_test(suite, "a boundary is held again", a_boundary_is_held_again);
+  CU_add_test(suite, "a new boundary is not strained", a_new_boundary_is_not_strained);
   CU_add_test(suite, "a boundary without particles", a_boundary_without_particles);
   CU_add_test(suite, "discs at rest join the boundary", discs_at_rest_join_the_boundary);
   CU_add_test(suite, "a circle that has shrunk takes in a disc", a_circle_that_has_shrunk_takes_in_a_disc);

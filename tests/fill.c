@@ -8,6 +8,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "../src/core/model.h"
 #include "../src/packing/random_numbers.h"
 #include "suites.h"
 #include "written.h"
@@ -412,6 +413,28 @@ static void one_that_fills_the_cell(void) {
   }
 }
 
+/* Two discs approach each other by less than the skin after the search, which has not listed them, because their gap was
+ * above the skin. The gap counts this pair, whatever the numbers of its particles. */
+static void gap_of_a_pair_that_is_not_listed(void) {
+  static const char *const left = "disc 0 0 radius 1 rock velocity 1 0\n";
+  static const char *const right = "disc 3.0625 0 radius 1 rock velocity -1 0\n";
+  static const char *const far = "disc 20 0 radius 1 rock\n";
+  const char *const orders[][3] = {{left, right, far}, {left, far, right}, {far, left, right}};
+  for (size_t k = 0; k < sizeof orders / sizeof *orders; k++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page, ROCK "%s%s%sskin 1\nstep 0.0625\nrecord gap\nstage go\ncycles 6\n", orders[k][0], orders[k][1],
+              orders[k][2]);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    written_cycles(model, 6);
+    CU_ASSERT_EQUAL(model->contacts.count, 0);
+    CU_ASSERT_EQUAL(written_now(model, "gap"), 1.0625 - 6 * 0.125);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 static void hexagonal(void) {
   struct written it;
   make(&it, ROCK "lattice discs hexagonal 3 by 4 from 10 20 radius 1 spacing 2.5 rock\n");
@@ -446,5 +469,6 @@ void suite_fill(void) {
   CU_add_test(suite, "in a cell uniform to the edges", uniform_in_a_cell);
   CU_add_test(suite, "in a cell any copy of existing particles", any_copy_of_existing_particles);
   CU_add_test(suite, "in a cell no particle overlaps its own image", one_that_fills_the_cell);
+  CU_add_test(suite, "gap of a pair that is not listed", gap_of_a_pair_that_is_not_listed);
   CU_add_test(suite, "hexagonal", hexagonal);
 }

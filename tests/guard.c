@@ -269,6 +269,9 @@ static void friction_without_effect(void) {
       {"material m density 1 kn 1 friction 0.5\ndisc 0 0 radius 1 m\ndisc 3 0 radius 1 m\nstep 1e-7\nstage a\nmaterial "
        "m ks 1\nshear linear\ncycles 1",
        NULL},
+      {"material m density 1 kn 1 ks 1\ndisc 0 0 radius 1 m\ndisc 3 0 radius 1 m\nstep 1e-7\nstage a\nshear linear\n"
+       "cycles 1\nstage b\ncycles 1\nstage c\nmaterial m friction 0.5\ncycles 1", /* the law of `a` stays */
+       NULL},
   };
   for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
     const char *wanted = cases[k].words;

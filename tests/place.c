@@ -338,13 +338,14 @@ static void controlled_components(void) {
 }
 
 /* The program rotates by multiples of 90 deg without rounding. It must not take multiples of 91 deg for these. */
-static void angles_near_quarter_turns(void) {
+static void quarter_turns_and_angles_near_them(void) {
   const double degree = 3.14159265358979323846 / 180;
   for (int n = -4; n <= 4; n++)
-    for (int order = 0; order < 2; order++) {
+    for (int k = 0; k < 4; k++) {
       struct words page = {0};
       struct written it;
-      const double angle = order ? n * (91 * degree) : 91 * n * degree;
+      const int unit = k / 2 ? 90 : 91; /* deg */
+      const double angle = k % 2 ? n * (unit * degree) : unit * n * degree;
       words_add(&page,
                 "units none\nmaterial m density 1 kn 1\ntransform rotate %.17g\ndisc 5 0 radius 1 m\nstep 1\n"
                 "record time\nstage s\ncycles 1\n",
@@ -358,7 +359,7 @@ static void angles_near_quarter_turns(void) {
 
 void suite_place(void) {
   CU_pSuite suite = CU_add_suite("place", NULL, NULL);
-  CU_add_test(suite, "angles near quarter turns", angles_near_quarter_turns);
+  CU_add_test(suite, "quarter turns and angles near them", quarter_turns_and_angles_near_them);
   CU_ADD_TEST(suite, scenes_are_transformed_as_a_whole);
   CU_ADD_TEST(suite, normals_of_the_box_point_inward);
   CU_ADD_TEST(suite, every_keyword_is_in_a_list);

@@ -637,6 +637,9 @@ sed 's/^record    time D.y D.vy C.overlap/record    D.vy C.overlap D.y time/' "$
 run 0 run order.md -o order
 for name in D.y/m D.vy/m/s; do
   column "reference $name" fall/table.tsv >wanted
+  column "$name" fall/table.tsv | paste - wanted | awk -v name="$name" '
+    { error = ($1 - $2) ^ 2; most = error > most ? error : most; peak = $2 ^ 2 > peak ? $2 ^ 2 : peak }
+    END { if (!(most <= 1e-4 * peak)) print name " is not within 1 % of its curve" }' >>why
   column "reference $name" order/table.tsv | cmp -s wanted - && test "$(sort -u wanted | wc -l)" -gt 9 || echo "another curve of $name" >>why
 done
 verdict 'tables in the default folder and in a new folder'

@@ -272,6 +272,26 @@ static void the_history(void) {
   }
 }
 
+/* When N rises without slip, the new rings stick, and DD grows. If T reaches T* before the slip has used up DD, virgin
+ * loading begins, and the rest of DD is deleted. */
+static void return_to_virgin_loading_deletes_DD(void) {
+  enum { DEFICIT = 4, BRANCH = 6, RELOADING = 2 };
+  struct contact it = contact_of("randall");
+  const double a = slope() * deep(N), h = 1e-4 * a;
+  double rest = 0;
+  go(&it, deep(N), 0);
+  lead(&it, deep(N), 0.7 * a, 200), lead(&it, deep(N), -0.2 * a, 200), lead(&it, deep(N), 0.199 * a, 200);
+  lead(&it, deep(2 * N), 0, 200);
+  CU_ASSERT(it.m[BRANCH] == RELOADING && it.m[DEFICIT] > 100 * h);
+  for (int k = 0; k < 100000 && it.m[BRANCH] == RELOADING; k++) {
+    rest = it.m[DEFICIT] - h;
+    go(&it, deep(2 * N), h);
+  }
+  CU_ASSERT(rest > 10 * h);
+  CU_ASSERT_EQUAL(it.m[BRANCH], 0);
+  CU_ASSERT_EQUAL(it.m[DEFICIT], 0);
+}
+
 void suite_randall(void) {
   CU_pSuite suite = CU_add_suite("randall", NULL, NULL);
   CU_add_test(suite, "constant N: loading, unloading, reloading", curves_of_constant_normal_force);
@@ -279,5 +299,6 @@ void suite_randall(void) {
   CU_add_test(suite, "loss of a closed loop", loss_of_a_closed_loop);
   CU_add_test(suite, "re-unloading retraces reloading", unloading_again_retraces_reloading);
   CU_add_test(suite, "N and T rising and falling", all_ways_of_normal_and_tangential_force);
+  CU_add_test(suite, "return to virgin loading deletes DD", return_to_virgin_loading_deletes_DD);
   CU_add_test(suite, "the slip front while N falls", slip_front_while_N_falls);
 }

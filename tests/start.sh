@@ -157,6 +157,15 @@ rm "$states"/*
 run third-anew "$pages/third.md" && test "$(made)" -eq 2 && cmp "$work/third/table.tsv" "$work/third-anew/table.tsv"
 result $? 'chains: both states are computed'
 sed 's/^start .*/start third stage more/; s/stage   more/stage again/' "$pages/third.md" >"$pages/fourth.md"
+named() { "$nineball" explain "$pages/fourth.md" --states "$states" | sed -n 's/.*\(third-more-[0-9a-f]*\).*/\1/p'; }
+first=$(named)
+cp "$pages/saved-stage.md" "$work/kept.md"
+sed 's/^\( *cycles\) .*/\1 7/' "$work/kept.md" >"$pages/saved-stage.md"
+second=$(named)
+cp "$work/kept.md" "$pages/saved-stage.md"
+echo "before: $first; after the change: $second" >"$work/said"
+test -n "$second" && test "$first" != "$second" && test "$first" = "$(named)"
+result $? 'chains: a state depends on the last stage of the page in the middle'
 sed 's/^start .*/start fourth stage again/' "$pages/saved-stage.md" >"$pages/other.md"
 mv "$pages/other.md" "$pages/saved-stage.md"
 "$nineball" explain "$pages/third.md" --states "$states" >"$work/out" 2>"$work/said"
