@@ -220,6 +220,12 @@ for page in away farther; do
 done
 test "$page" = farther && test -s "$work/again-$page/table.tsv"
 result $? 'pages that start from one with an impact run again from its state'
+
+# The balance of work begins with the state. The velocity of a disc that falls differs between t_N and half a step before.
+printf '```scene\nunits none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\ngravity 0 -1\nstep 0.015625\nrecord time\nstage a\ncycles 8\n```\n' >"$pages/fell.md"
+printf '```scene\nunits none\nstart fell stage a\nrecord work.residual\nstage b\ncycles 8\n```\n```expect\nwork.residual min expected 0 within 1e-12 [weight]\nwork.residual max expected 0 within 1e-12 [weight]\n```\n' >"$pages/falls.md"
+"$nineball" check "$pages/falls.md" --states "$states" >"$work/said" 2>&1
+result $? 'the balance of work of a page that starts from another one'
 rm "$states"/*.state
 run again "$pages/saved-stage.md"
 
