@@ -101,6 +101,11 @@ static void duration_of_collisions(void) {
        hertz(1, 1, 1, 0.3) / 20, 1e-14);
   NEAR(step_of(SPHERES "sphere 0 3 radius 1 m velocity -0.3 -0.4\nwall w -1.25 0 to 90 0 r\nstep 20 per collision\n"),
        hertz(1, 1, 1, 0.3) / 20, 1e-14);
+  /* a wall that rotates about its middle: at first touch the foot of the sphere's centre has moved from 8 to 8.75 */
+  NEAR(step_of(SPHERES "sphere 8 3 radius 1 m\nwall w -8.9 0 to 8.9 0 r spin 0.5\nstep 20 per collision\n"),
+       hertz(1, 1, 1, 4) / 20, 1e-14);
+  NEAR(step_of(SPHERES "sphere 8 3 radius 1 m\nwall w -8.3 0 to 8.3 0 r spin 0.5\nstep 20 per collision\n"),
+       hertz(1, 1, 1, 4.15 * sqrt(1 - 0.09)) / 20, 1e-14);
   /* the end of a wall acts as a point; a sphere that passes it, or moves away from a wall, does not collide */
   const double bent = 0.2 * sqrt(1 - 0.36);
   NEAR(step_of(SPHERES "sphere 0.6 5 radius 1 m velocity 0 -0.2\nwall w -9 0 to 0 0 r\nstep 1 of collision\n"),

@@ -53,16 +53,21 @@ static struct nb_velocities wall_state(const struct nb_model *model, int wall) {
   return state;
 }
 
+/* Velocity relative to wall w, at a point that would move with the wall, m/s. */
+static struct nb_vec relative_to_wall(const struct nb_model *model, int w, struct nb_vec velocity,
+                                      struct nb_vec point) {
+  const struct nb_velocities state = wall_state(model, w);
+  const struct nb_vec arm = vec_sub(point, model->walls.pivot[w]);
+  return vec_sub(velocity, vec_add(state.velocity, vec_scale(state.spin, vec(-arm.y, arm.x))));
+}
+
 /* The collision of a particle with wall w. */
 static struct approach wall_approach(const struct nb_model *model, struct nb_vec position, struct nb_vec velocity,
                                      double radius, int w) {
   const struct nb_walls *walls = &model->walls;
   const struct nb_vec along = walls->along[w], from = vec_sub(position, walls->point[w]);
   const double s = vec_dot(from, along);
-  const struct nb_velocities state = wall_state(model, w);
-  const struct nb_vec nearest = nb_wall_nearest(walls, w, position);
-  const struct nb_vec arm = vec_sub(nearest, walls->pivot[w]);
-  const struct nb_vec relative = vec_sub(velocity, vec_add(state.velocity, vec_scale(state.spin, vec(-arm.y, arm.x))));
+  const struct nb_vec relative = relative_to_wall(model, w, velocity, position);
   /* The particle hits the face if, at first touch, the foot of the perpendicular from its centre is on the wall. */
   const double side = vec_cross(along, from), height = fabs(side),
                speed = -copysign(1, side) * vec_cross(along, relative);
@@ -71,7 +76,9 @@ static struct approach wall_approach(const struct nb_model *model, struct nb_vec
     return (struct approach){speed, time};
   struct approach first = no_collision();
   for (int end = 0; end < 2; end++) {
-    const struct approach there = circles_approach(vec_sub(nb_wall_end(walls, w, end), position), relative, radius);
+    const struct nb_vec point = nb_wall_end(walls, w, end);
+    const struct approach there =
+        circles_approach(vec_sub(point, position), relative_to_wall(model, w, velocity, point), radius);
     first = there.time < first.time ? there : first;
   }
   return first;
