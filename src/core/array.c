@@ -28,8 +28,8 @@ void *nb_array(size_t count, size_t size) {
 }
 
 void *nb_array_reserve(void *array, size_t count, size_t more, size_t element) {
-  /* The capacity is at least 8, and at least the smallest power of two that is not below `count`. So it need not be
-   * stored. */
+  /* If the array has elements, its capacity is at least 8, and at least the smallest power of two that is not below
+   * `count`. So it need not be stored. */
   if (more == 1 && count > 8 && (count & (count - 1)) != 0)
     return array;
   size_t have = 0, need = 8;

@@ -40,7 +40,8 @@ double nb_wrap_width(const struct nb_wrap *wrap);                      /* smalle
 struct nb_vec nb_wrapped(const struct nb_wrap *wrap, struct nb_vec x); /* the image of x inside the equivalent cell */
 /* The image of a particle inside the cell; without a cell its position. */
 struct nb_vec nb_cell_wrapped_position(const struct nb_model *model, size_t slot);
-/* The integers m of the image x_j + H m that is nearest to x_i, for `apart` = x_j - x_i. */
+/* The integers m of the image x_j + H m that is nearest to x_i, for `apart` = x_j - x_i, if the nearest image is closer
+ * than half the smaller height of the equivalent cell. */
 struct nb_vec nb_wrap_image(const struct nb_wrap *wrap, struct nb_vec apart);
 
 double nb_cell_area(const struct nb_cell *cell);             /* current area, m2 */

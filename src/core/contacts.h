@@ -32,8 +32,8 @@ struct nb_contact_force {
 /* The three numbers of a contact, and the first number of the next contact, in one register. */
 typedef double nb_lanes __attribute__((vector_size(4 * sizeof(double)), aligned(sizeof(double)), may_alias));
 
-/* Every pair whose gap is smaller than the skin, touching or not. Sorted by material pair, then by the number of a,
- * then by the partner b (nb_partner_rank). */
+/* Every pair whose gap is smaller than the skin, touching or not; at least one particle of a pair is free. Sorted by
+ * material pair, then by the number of a, then by the partner b (nb_partner_rank). */
 struct nb_contacts {
   struct nb_owner owner; /* of these arrays, and of the blocks */
   size_t count;

@@ -40,7 +40,7 @@ void nb_grid_free(struct nb_grid *grid);
 void nb_grid_add(struct nb_grid *grid, int item, struct nb_vec at, double width);
 
 /* The integer coordinate of the box of this level that contains the coordinate x, m. All coordinates beyond 2^53 box
- * widths share the last box; the search still compares the distances of the items in it. */
+ * widths, on one side of the origin, share the last box; the search still compares the distances of the items in it. */
 static inline int64_t nb_grid_place(const struct nb_grid *grid, int level, double x) {
   const double widths = x / grid->width[level], last = 9007199254740992;
   return (int64_t)(widths < -last ? -last : widths > last ? last : floor(widths));

@@ -3,9 +3,9 @@
  *
  *   displacement  no particle moves by more than its radius in one step
  *   overlap       no two particles overlap by more than the smaller radius: their distance d is at least max(R_i, R_j)
- *   rotation      no wall rotates so far in one step that the arc of its far end, at the distance h from the centre of
- *                 rotation, is farther from the chord than the smallest radius r:
- *                 angle^2 h/8 <= r, where h counts as r if it is smaller
+ *   rotation      no wall rotates so far in one step that the arc of its far end departs from the chord by more than the
+ *                 smallest radius r: angle^2 h/8 <= r, where h is the larger of r and the bound |h0| + max(|h1|, |h2|)
+ *                 of the distance from the centre of rotation to the far end (walls.h)
  *
  * The first two guards prevent two particles from passing through each other. A step begins with a distance d >=
  * max(R_i, R_j), and the two particles approach by at most R_i + R_j. If one passed through the other, their distance

@@ -96,7 +96,7 @@ bool nb_incidence_fill(struct nb_contacts *contacts, const struct nb_neighbour_p
   struct nb_incidence *of = &contacts->incidence;
   struct nb_owner *owner = &contacts->owner;
   const size_t n = model->particles.count, share = n / nb_most_parts(&model->machine) + 1;
-  of->batch_size = share < NB_BATCH_SIZE ? share : NB_BATCH_SIZE; /* at least one batch for each part of the work */
+  of->batch_size = share < NB_BATCH_SIZE ? share : NB_BATCH_SIZE; /* few particles: about one batch for each part */
   of->batches = (n + of->batch_size - 1) / of->batch_size;
   of->first = nb_own(owner, n, sizeof(int)), of->middle = nb_own(owner, n, sizeof(int));
   of->end = nb_own(owner, n, sizeof(int)), of->order = nb_own(owner, n, sizeof(int));

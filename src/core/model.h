@@ -378,7 +378,7 @@ void nb_forces(struct nb_model *model);
 
 /* ---- contacts ---- */
 
-/* Sort key of b among the partners of a: the number of a particle; walls last, in the order of the page. */
+/* Sort key of b among the partners of a: a particle's number; walls last, in the order of the page. */
 static inline int nb_partner_rank(const struct nb_model *model, struct nb_neighbour_pair pair) {
   return model->material_pairs[pair.material_pair].wall ? INT_MAX / 2 + pair.b : model->particles.number[pair.b];
 }

@@ -1,7 +1,7 @@
 /* The neighbour list: pairs of particles, and of particles and walls, closer than the skin. [CS79; R89 sec. 4.3.1, TOL]
  *
- * All pairs whose gap is smaller than the skin are listed, touching or not. Until a particle or a wall has moved by
- * more than half the skin, a pair that is not listed cannot touch. A scene in which nothing moves is searched once,
+ * All pairs with a free particle whose gap is smaller than the skin are listed, touching or not. Until a particle or a
+ * wall has moved by more than half the skin, a pair that is not listed cannot touch. A scene in which nothing moves is searched once,
  * when the model is created. If no free particle can touch anything, the skin is infinite and there is no search. A
  * contact that stays in the list keeps its history.
  *
@@ -12,7 +12,8 @@
  *
  * In a periodic cell (cell.c) each particle is represented by its image in the cell. The search for its neighbours also
  * starts from those of its images outside the cell that are near the cell. A pair across an edge of the cell is found
- * once: between the image of the particle with the smaller number and the other particle in the cell.
+ * once: between an image of one particle and the other particle in the cell. The image is that of the particle with the
+ * smaller number, but if the particles are on different levels of the grid, that of the particle on the finer level.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -22,7 +23,7 @@
 #include "mesh.h"
 #include "model.h"
 
-enum { GRID_MIN_PARTICLES = 16 }; /* up to this number there is no grid, and all pairs are tested */
+enum { GRID_MIN_PARTICLES = 16 }; /* up to this number, and without a cell, all pairs are tested without a grid */
 
 struct search {
   struct nb_mesh mesh; /* without items: the grid is used */
@@ -149,8 +150,8 @@ static int material_pair_of(const struct nb_model *model, int material_a, int ma
   return -1;
 }
 
-/* Stores a pair whose overlap exceeds the limit, unless an earlier pair, in the order of contacts, is stored
- * already. */
+/* Stores a pair whose overlap exceeds the limit, unless an earlier pair, in the order of the particles' numbers, is
+ * stored already. */
 static void note_too_deep(struct nb_model *model, struct nb_close_pair pair) {
   const int *number = model->particles.number;
   struct nb_close_pair *first = &model->search.too_deep;

@@ -8,8 +8,8 @@
  * within this time. Then it sleeps, and its processor is free for a thread that the system has stopped.
  *
  * The system may also stop a thread within a part, for as long as other programs run. So the caller compares the time
- * that it waits with the time that the team saves. If the team has lost time, the caller does all parts, for twenty
- * times as long as the loss. No result depends on which thread does a part.
+ * that it waits with the time that the team saves. If the team has lost more than 0.2 ms, the caller does all parts, for
+ * twenty times as long as the loss, but at most for 1 s. No result depends on which thread does a part.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "team.h"
@@ -180,8 +180,9 @@ struct nb_team *nb_team_sized(struct nb_team *old, int threads) {
 
 static const double most_saved = 0.02, /* s; larger savings count as this, so that old ones are forgotten */
     most_lost = 0.0002,                /* s; after a larger loss the caller does all parts */
-    rests_per_loss = 20, /* time in which the caller does all parts, over the loss: a run takes at most 1/20 longer */
-    longest_rest = 1,    /* s; no rest is longer, even if the clock is set back */
+    rests_per_loss = 20, /* time in which the caller does all parts, over the loss: losses of less than 50 ms make a run
+                          * at most 1/20 longer */
+    longest_rest = 1,    /* s; no rest is longer, not even after a larger loss or if the clock is set back */
     growth = 1.02;       /* factor per round of the stored duration of a part, so that an old one is forgotten */
 
 /* Times at which a round has begun, has been announced, the caller has done its parts, and all parts are done, s. */

@@ -26,8 +26,8 @@ static inline bool reachable(double x0, double u0, double x, double u) { return 
 
 static inline double n_of(double x) { return x * sqrt(x); }
 
-/* Twice the area of the triangle by which a merge changes u: height times base, x1 + x2. The two pieces have the slopes
- * d1 and d2 and the lengths x1 and x2 in x. */
+/* Twice the area of the triangle by which a merge changes u, that is its height times its base x1 + x2. The two pieces
+ * have the slopes d1 and d2 and the lengths x1 and x2 in x. */
 static inline double kink(double d1, double d2, double x1, double x2) { return fabs(d1 - d2) * (x1 * x2); }
 
 /* Int t du over a piece; stored_energy sums it over all pieces. */
@@ -49,7 +49,7 @@ static inline double mean_n(double x0, double x1) {
 }
 
 /* Int (n(x) - n(y) - n'(y)(x - y)) dy, where x is the overlap when the slip front is at y: the front moves inwards from
- * y1 to y0 while the overlap changes linearly from x1 to x0. The energy lost is 1 - s D times this integral. */
+ * y1 to y0 while the overlap changes linearly from x1 to x0. The energy lost is (1 - s D) times this integral. */
 static inline double front_loss(double y0, double x0, double y1, double x1) {
   const double slope = (x1 - x0) / (y1 - y0), foot = x0 - slope * y0; /* x = foot + slope y */
   const double n0 = n_of(y0), n1 = n_of(y1);

@@ -7,11 +7,12 @@
  * At first touch a is 0, so the first force is  N = (4/3) E* (R* dn^3)^(1/2)  [R89 4.11].
  *
  * Source     [R89 4.11, 4.12, 4.14]. The returned stiffness 2 E* a uses the new a, which the next step reads. R89's
- *            dashpot [R89 4.13] uses the a before the step; the two agree to first order.
+ *            dashpot [R89 4.13] uses the a before the step; the two values of a differ by a term of first order in the
+ *            step.
  * Order      first, with an error of one sign: the increment at the old radius is too small while N increases, and too
  *            large while N decreases. After an impact the sphere has 0.971, 0.975 and 0.978 of its speed at 30, 35 and
- *            40 steps per collision (cases/2-hertz/hertz-increment.md), and the force ends while the overlap is still a
- *            tenth of its largest value.
+ *            40 steps per collision (cases/2-hertz/hertz-increment.md), and the force ends while the overlap is still
+ *            about a tenth of its largest value.
  * Separation when N <= 0, and then "the contact data is set to zero" (R89, section 4.3.1): N, a, and the history of the
  *            shear law. The particles may still overlap. While they separate, dn is negative, so [R89 4.11] would need
  *            the root of a negative number. Interpretation in this file: there is no force while the particles

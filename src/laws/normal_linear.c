@@ -4,8 +4,9 @@
  *   k_n     normal stiffness of the pair, N/m
  *
  * Source     [CS79 16, 18]. CS79 adds dF_n = k_n dn in each step; this law computes F_n from the overlap. If the
- *            direction of the contact is constant, the two agree except for rounding. If it rotates, the sum of the
- *            increments leaves a force when the discs separate; this law leaves none.
+ *            direction of the contact is constant, and in the step of first touch only the part of dn after the touch
+ *            counts, the two agree except for rounding. If the direction rotates, the sum of the increments leaves a
+ *            force when the discs separate; this law leaves none.
  * Range      any overlap; the paper requires overlaps that are small compared with the discs.
  * History    none.
  * Stores     F_n^2 / (2 k_n).

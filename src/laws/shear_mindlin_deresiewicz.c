@@ -4,7 +4,7 @@
  *
  *   alpha     a^2/R*, the overlap at which Hertz's law has the contact radius a, m;  R* effective radius, m
  *   N(x)      N (x/alpha)^(3/2), Hertz's force at the overlap x; N the present normal force, in newtons
- *   delta     tangential displacement since the last gross sliding, m;  T  shear force, in newtons
+ *   delta     tangential displacement of the contact without gross sliding, m;  T  shear force, in newtons
  *   E*, G*    effective moduli, Pa: normal_hertz.c, shear_mindlin.c
  *   D(x)      traction of the ring that joined the contact at the overlap x, as a fraction of its friction limit; 1 or
  *             -1 in a ring that has slipped

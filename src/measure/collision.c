@@ -10,8 +10,8 @@
  * A particle hits the face of a wall along the wall's normal, and an end of a wall like a particle without radius. A
  * pair that already touches approaches at v = w.d/|d|.
  *
- * Walls move as in the stage that sets the step; a step that stands before the first stage belongs to this stage. The
- * prediction neglects gravity, the rotation of walls before the collision, and particles in between. It tests every
+ * Walls move as in the stage that sets the step; a step that the page gives before its first stage counts as one of the
+ * first stage. The prediction neglects gravity, the rotation of walls before the collision, and particles in between. It tests every
  * moving particle with every other particle once, so a gas of a million particles takes long.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */

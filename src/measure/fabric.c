@@ -7,10 +7,11 @@
  *   R     mean radius of the particles inside, m      V  area times thickness, m3
  *
  * The mean is over the contact ends on particles inside: a contact of two particles inside counts twice, a contact with
- * a wall or with a particle outside once. In an assembly without walls this is R89's mean over contacts. Weighted by
+ * a wall or with a particle outside once. If the region contains all particles and there are no walls, this is R89's
+ * mean over contacts. Weighted by
  * the normal force, Phi is sum F_n n_i n_j over sum F_n; weighted by the shear force, sum |F_s| n_i n_j over sum |F_s|.
  * Phi of sliding contacts is the mean over contacts with |F_s| at 0.99 of its limit or above, as sliding.near of
- * loads.c. The trace is 1 in all four cases.
+ * loads.c. The trace of each of the four is 1, or 0 if there is no such contact.
  *
  * k contacts evenly spaced round a particle give Phi_ij = delta_ij/2 for k >= 3, and Phi_xxxx = 3/8 and Phi_xxyy = 1/8
  * for k = 3 and k >= 5.

@@ -24,7 +24,7 @@
  *   N, T       normal and shear force, dashpots included, N
  *   theta      direction of the contact normal n, rad; t is the unit vector at right angles to n
  *   V          area of the region times thickness, m3; a contact of two particles inside counts once, another contact
- *              with the part of l inside the region
+ *              with the fraction of l that is inside the region
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "region.h"

@@ -150,7 +150,8 @@ void nb_regions_free(struct nb_regions *regions, size_t count);
 struct nb_region_state *nb_region_state(const struct nb_model *model, int region);
 /* Computes the measure `which` of a region, unless it has been computed in this cycle. Returns the region's state. */
 const struct nb_region_state *nb_region_measured(const struct nb_model *model, int region, enum nb_measure which);
-/* Position of a particle, m; in a periodic cell, position of the image nearest to the region's centre. */
+/* Position of a particle, m; in a periodic cell, position of its image in the equivalent cell (core/cell.h) around the
+ * region's centre. */
 struct nb_vec nb_region_position(const struct nb_model *model, const struct nb_region_state *region, size_t slot);
 /* True if the centre of a particle is inside. */
 bool nb_region_contains(const struct nb_model *model, const struct nb_region_state *region, size_t slot);

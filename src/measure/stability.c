@@ -23,8 +23,9 @@
  * reaches this limit. pass/deep.c compares the overlaps with it. The first contact above its limit triggers a new
  * check, before its force has moved a particle.
  *
- * h is k_s/k_n = 4 G* / E* without dashpots. With dashpots proportional to sqrt(M* k), where M* is the reduced mass, h
- * lies between k_s/k_n and sqrt(k_s/k_n).
+ * Without dashpots h is the largest k_s/k_n = 4 G* / E* of all pairs of materials. With dashpots, whose coefficients
+ * are proportional to k or to sqrt(M* k) with the reduced mass M*, the right side lies between k_s/k_n, which is at
+ * most 1, and sqrt(k_s/k_n). So h is then the largest sqrt(k_s/k_n).
  *
  * Range     normal laws whose stiffness increases with the overlap, except Hertz's law by increments, whose stiffness
  *           follows from the force; and shear laws of elastic spheres, or no shear law: k_s of other shear laws is not

@@ -111,7 +111,8 @@ double nb_inverse_mass(const struct nb_model *model, size_t c) {
   return inverse[model->contacts.a[c]] + (wall ? 0 : inverse[model->contacts.b[c]]);
 }
 
-/* The smallest positive overlap, m. A pair that does not touch counts with this overlap. */
+/* The smallest normal number, as an overlap in metres. A pair that does not touch counts with this overlap, unless its
+ * law is for elastic spheres: these count with the overlap 0. */
 static const double smallest_overlap = DBL_MIN;
 
 /* Copies the history of a contact, because laws write into it. If the law changes, the copy is empty: its first double

@@ -22,7 +22,7 @@
  *
  * R89 calls v the perturbation velocity and c the fixed imposed velocity. `speed.ratio` is mean |v| over mean |c|. R89
  * can be read in two ways: c is stored apart from the particle's own velocity, or c is added to that velocity in every
- * cycle (`accumulated`). v is u - c in both.
+ * cycle (`accumulated`). In both readings v is u - c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "core/affine.h"

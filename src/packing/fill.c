@@ -56,7 +56,7 @@ static bool overlap(const struct nb_fill *fill, const struct nb_particle *a, con
   return dx * dx + dy * dy < apart * apart;
 }
 
-/* True if particle number `count`, which is not placed yet, overlaps no particle on one level of the grid. `at`: the
+/* True if the particle with the index `count`, not placed yet, overlaps no particle on one level of the grid. `at`: the
  * position of the particle, or of one of its images, around which to search. */
 static bool no_overlap_on_level(const struct nb_grid *grid, int level, const struct nb_fill *fill, struct nb_vec at,
                                 const struct nb_particle *particles, size_t count) {
@@ -80,7 +80,7 @@ static bool no_overlap_on_level(const struct nb_grid *grid, int level, const str
   return true;
 }
 
-/* True if particle number `count`, which is not placed yet, overlaps no particle. */
+/* True if the particle with the index `count`, not placed yet, overlaps no placed particle. */
 static bool no_overlap(const struct nb_grid *grid, const struct nb_fill *fill, const struct nb_particle *particles,
                        size_t count) {
   const int images = fill->width > 0; /* 1: also the images next to the cell */

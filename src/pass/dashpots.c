@@ -23,20 +23,20 @@
  *
  * With `damping centred` the rates are those at the time of the force: dn/dt + (u_x - u_y).e. Here e is the unit vector
  * from particle x to particle (or wall) y, and u_x and u_y are the predicted changes of their velocities at the contact
- * in the last half step, m/s (core/motion.c). At time 0 the rates follow from
- * the velocities of the page; in CS79's scheme they are then 0. The force of a dashpot jumps at first touch, so the
- * scheme is of second order only with a correction there. The force at t_N acts from t_(N-1/2) to t_(N+1/2). Let t_N be
- * the first time after first touch, and f the time from first touch to t_N, over dt. No force acts before t_(N-1/2),
- * but at t_(N+1/2) the contact has existed for the time (f + 1/2) dt. Near first touch c is proportional to alpha^p,
- * with p = 0 for linear springs, 1/2 for the stiffness of elastic spheres and 1/4 for the root of this stiffness. So
- * the force is multiplied by
+ * in the last half step, m/s (core/motion.c). At time 0 the rates follow from the velocities of the page; in CS79's
+ * scheme they are then 0. The force of a dashpot jumps at first touch, so the scheme is of second order only with a
+ * correction there. The force at t_N acts from t_(N-1/2) to t_(N+1/2). Let t_N be the first time after first touch, and
+ * f the time from first touch to t_N, over dt. No force acts before t_(N-1/2), but at t_(N+1/2) the contact has existed
+ * for the time (f + 1/2) dt. Near first touch c is proportional to alpha^p, with p = 0 for linear springs, 1/2 for the
+ * stiffness of elastic spheres and 1/4 for the root of this stiffness. So the force is multiplied by
  *
  *   w(f) = Int_0^(f+1/2) t^p dt / f^p = (f + 1/2)^(1+p)/((1 + p) f^p)
  *
  * The end of a contact is treated in the same way, backwards in time: f is then the time from t_N to the end over dt.
  * This f is known only one cycle later, when the contact has opened. In that later cycle w(f) - 1 times the force at
  * t_N acts on the particles. For this purpose the force at t_N is computed again, from the previous overlap and the
- * rate over the last step. The tangential dashpot needs no such term, because a contact slides before it ends.
+ * rate over the last step. The tangential dashpot has no such term, because a contact without
+ * cohesion slides before it ends.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "laws/law.h"
@@ -113,7 +113,7 @@ static inline NB_FORM void predict(struct changes *changes, const struct nb_mode
 
 /* An overlap smaller than this fraction of the displacement in the step counts as rounding: a touch at the end of a
  * step then belongs to the next step, with f = 1, whatever the sign of the overlap. Rounding is smaller than this
- * fraction even if the coordinates are 1e7 times the displacement. */
+ * fraction even if the coordinates are 1e6 times the displacement. */
 static const double touch_rounding = 1e-9;
 /* As nb_touch_began, but a touch at the end of the previous step counts as a touch in this step. */
 static inline NB_FORM bool just_began(double overlap, double dn) {

@@ -1,4 +1,4 @@
-/* Sets the overlap of suppressed contacts at vertices of walls to 0. Bit 1 of `suppressed` marks the contacts that are
+/* Sets the overlap of suppressed contacts at vertices of walls to 0. Bit 0 of `suppressed` marks the contacts that are
  * suppressed in the current forces (core/wall_vertices.c).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
