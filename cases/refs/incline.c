@@ -11,8 +11,10 @@
  * integrals.
  *
  * Returns, for D that monitors the particle:   D.vx, D.spin along time and at the end of each stage
- * Error: with springs the speed lags by F'/k_s, the rate at which the deflection of the shear spring grows. When the
- * ramp ends, the speed oscillates about its value; a dashpot damps this oscillation.
+ * Refuses a particle that rolls again after it has slid.
+ * Error: with springs a rolling particle has v + R w = F'/k_s, the rate at which the deflection of the shear spring
+ * grows. So v is larger by F'/((1 + q) k_s), and R |w| is smaller by q times this. When the ramp ends, the velocities
+ * oscillate about their values; a dashpot damps this oscillation.
  *
  * Source   elementary.
  *

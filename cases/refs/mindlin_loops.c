@@ -22,7 +22,7 @@
  * gross sliding the contact dissipates mu N times the sliding displacement.
  *
  * Returns slip (delta), shear (T), radius.stick (c), dissipated and work.shear (the integral of T d(delta)), as curves
- * along step and at the end of each segment. Error: rounding.
+ * along step and at the end of each segment. Refuses a normal force that changes under shear. Error: rounding.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -34,13 +34,13 @@
 enum { BRANCHES = 1000 };
 
 struct branch {
-  double shear, slip, lost, work; /* at its beginning: T/mu N, delta/A, energy lost and work over mu N A */
+  double shear, slip, lost, work; /* at its beginning: T/(mu N), delta/A; energy lost and work, divided by mu N A */
   double sense;                   /* 1 or -1, of its slip */
   double size;                    /* 1: the first loading; 2: any other */
 };
 
 struct loops {
-  double limit, scale, radius; /* mu N, N; A, m; a, m */
+  double limit, scale, radius; /* mu N, in N; A and a, in m */
   int capacity;                /* branches stored; 0: T = 8 G* a delta */
   struct branch branches[BRANCHES];
   int count;
@@ -118,7 +118,7 @@ static void advance_spring(struct loops *loops, double target, bool force) {
   loops->shear = shear, loops->slip = slip;
 }
 
-/* Moves to `target`: T/mu N if `force` is true, otherwise delta/A. */
+/* Moves to `target`: T/(mu N) if `force` is true, otherwise delta/A. */
 static void advance(struct loops *loops, double target, bool force) {
   if (loops->capacity == 0) {
     advance_spring(loops, target, force);
@@ -151,7 +151,7 @@ static double stick_radius(const struct loops *loops) {
 enum { SLIP, SHEAR, STICK, LOST, WORK, COLUMNS };
 static const char *const names[COLUMNS] = {"slip", "shear", "radius.stick", "dissipated", "work.shear"};
 
-/* False: the normal force changes under shear. */
+/* False: the normal force decreases, or changes after the first branch has begun. */
 static bool walk_path(struct loops *loops, const struct path_contact *contact, const struct nb_scene *scene,
                       struct path_column *columns[]) {
   struct path_walk walk = path_walk(scene);

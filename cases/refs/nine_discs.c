@@ -22,7 +22,7 @@
 
 enum { TEXT = 3 * NB_NAME_SIZE };
 
-/* Adds one of these values, such as `C.normal mean`, of the run and of every stage in which the walls are at rest.
+/* Adds the values of one name, such as `C.normal mean`, of the run and of every stage in which the walls are at rest.
  * `at_rest` is the index of the first such stage. */
 static void add_value(struct nb_solution *solution, const struct nb_scene *scene, size_t at_rest, const char *quantity,
                       const char *reducer, double value) {

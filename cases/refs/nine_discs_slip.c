@@ -1,8 +1,9 @@
 /* Reference: touching discs between walls that approach slowly, with friction: the forces in equilibrium [CS79 19].
  *
- * Returns forces under the names of nine_discs_statics, here in the equilibrium with sliding contacts. Slow means that oscillations cause no sliding that the growing load alone
- * would not cause. The difference between a run and these values is proportional to the speed of the walls, with
- * damping or without. At finite speed the equilibrium depends on the path.
+ * Returns forces under the names of nine_discs_statics, here in the equilibrium with sliding contacts. "Slowly" means
+ * that oscillations cause no sliding that the growing load alone would not cause. The difference between a run and these
+ * values is proportional to the speed of the walls, with damping or without. At finite speed the equilibrium depends on
+ * the path.
  *
  * For nine equal discs, in the symbols of nine_discs_statics.c, with f = tan phi: the corner discs slide on the walls
  * when r d_c > f (1 - d_c) in the solution without sliding. Then

@@ -6,9 +6,10 @@
  *
  *   psi1 = V_T/(mu kappa V_N)       chi = (1 + m R^2/I)/(2 kappa)       kappa = (E* / G*)/4     [R89 5.14, 5.15]
  *
- * Two spheres x and y have chi = M (1/m_x + R_x^2/I_x + 1/m_y + R_y^2/I_y)/(2 kappa) with 1/M = 1/m_x + 1/m_y. If psi1
- * >= 4 chi - 1, the contact slides from first touch to separation, and psi2 = psi1 - 4 chi. The dissipated energy
- * follows from the velocities: it is N_max mu^2 kappa alpha_max (psi1^2 - psi2^2)/(5 chi).
+ * Two spheres x and y have chi = M (1/m_x + R_x^2/I_x + 1/m_y + R_y^2/I_y)/(2 kappa) with 1/M = 1/m_x + 1/m_y. With
+ * `mindlin_deresiewicz`, `mindlin` and `randall`, if psi1 >= 4 chi - 1, the contact slides from first touch to
+ * separation, and psi2 = psi1 - 4 chi. The dissipated energy follows from the velocities: it is
+ * N_max mu^2 kappa alpha_max (psi1^2 - psi2^2)/(5 chi).
  *
  * Returns:
  *   impact.psi1, .psi2, .angle, .restitution, .duration, impact.energy.normal .tangential .rotational    at the end
@@ -19,8 +20,9 @@
  *   C.normal max, C.overlap max                    for C that monitors the contact
  *
  * Source   Maw, Barber and Fawcett (1976) for the numbers [R89 sec. 5.3.2]; Popov and Hess (2015) for the springs.
- * Error    of psi2, and of the curves:   exact contact 1e-6, 1e-5 (interpolation between 2000 steps)
- *                                        mindlin and mindlin_scaled 1e-6, 1e-4;   randall 1e-4, 1e-3
+ * Error    of psi2, and of the curves:   exact contact 1e-6, 3e-5 (2000 steps)
+ *                                        linear, mindlin and mindlin_scaled 1e-6, 1e-4;   randall 1e-4, 1e-3
+ *                                        (20000 steps)
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>

@@ -98,7 +98,8 @@ static void put_particle(struct pair *pair, double y[], const struct nb_scene *s
   pair->radius[k] = particle->radius;
 }
 
-/* The duration of all stages, s; 0: unknown, because a stage changes something or ends with a condition. */
+/* The duration of all stages, s; 0: unknown, because a stage changes something or ends with a condition, or the step is
+ * not given as a time. */
 static double duration(const struct nb_scene *scene) {
   double time = 0;
   for (size_t s = 0; s < scene->stage_count; s++) {

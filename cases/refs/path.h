@@ -31,8 +31,8 @@ struct path_point {
   double approach, slip, normal, shear; /* m, N */
 };
 
-/* Iterates over the targets of a path. Relative targets depend on the point `now`, which the previous steps have
- * reached. */
+/* Iterates over the targets of a path. `now` is the point that the previous steps have reached. path_next uses it only
+ * at the first step of a segment, where it becomes `begin`: the targets of the segment are interpolated from there. */
 struct path_walk {
   const struct nb_scene *scene;
   int segment;

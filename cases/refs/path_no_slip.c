@@ -9,9 +9,9 @@
  *
  *   Int a d(delta) = (2/3) R*^(1/2) (alpha_1^(3/2) - alpha_0^(3/2)) d(delta)/d(alpha)
  *
- * Returns slip (delta), shear (T) and work.shear at each step and at the end of each segment. Simpson's rule integrates
- * the work over the step; this is exact where only one of alpha and delta changes. Refuses paths on which the shear
- * force exceeds Coulomb's limit.
+ * Returns slip (delta), shear (T) and work.shear at each step and at the end of each segment; for the exact law, what
+ * path_springs.c returns. Simpson's rule integrates the work over the step; this is exact where only one of alpha and
+ * delta changes. With a simplified law, refuses paths on which the shear force exceeds Coulomb's limit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>

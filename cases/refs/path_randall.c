@@ -25,7 +25,7 @@
  * small steps.
  *
  * Returns slip (delta), shear (T) and work.shear at each step and at the end of each segment.
- * Accepts paths on which mu N is not reached, T* is positive, and T does not reach -T*.
+ * Accepts paths on which mu N is not reached, T* is positive, T does not reach -T*, and no segment prescribes T.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>

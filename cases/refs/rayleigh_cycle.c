@@ -8,7 +8,8 @@
  * until they separate; there is no force at time 0. The sum of their momenta is constant. dt is a fraction of
  * pi R (rho/G)^(1/2)/(0.1631 nu + 0.876605) with the mean radius R of all particles [R89 4.33, 4.34].
  *
- * Like the run, the solution has the error of few steps per collision, so it checks the time step and not the law.
+ * A collision has few steps, and the solution has the same discretization error as the run. So it checks the time step
+ * and not the law.
  *
  * Returns D.vx at the end, for D that monitors particle 1 or 2.
  * Accepts one material, particles 1 and 2 that begin apart and collide along x without touching others, and

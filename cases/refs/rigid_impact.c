@@ -11,8 +11,8 @@
  *   e^2 = 1 - 2 mu sin(2 theta) + 2 mu^2 (1 + cos(2 theta))
  *
  * with the angle of incidence theta of a sphere without spin; its smallest value is sqrt(1 + mu^2) - mu, at
- * tan(2 theta) = -1/mu. An elastic contact that slides to the end dissipates the same energy, so this e holds for
- * psi1 >= 4 chi - 1.
+ * tan(2 theta) = -1/mu. An elastic contact that slides to the end has the tangential impulse 2 mu m V_N for any sign of
+ * V_T', so this e holds for it already for psi1 >= 4 chi - 1.
  *
  * Returns impact.psi2 and impact.restitution at the end, for a particle that strikes a wall at rest. Exact.
  *

@@ -4,7 +4,8 @@
  * time.
  *
  * Returns, at the end, for D that monitors a particle:
- *   D.x, D.y, D.angle; D.vx, D.vy, D.spin with the opposite sign
+ *   D.x, D.y, D.angle      as at the start; the angle is 0
+ *   D.vx, D.vy, D.spin     as at the start, with the opposite sign
  * Accepts one stage with `reverse velocities`, equal numbers of cycles before and after its beginning, one time step,
  * and walls whose motion only the first stage sets. Error: rounding.
  *
