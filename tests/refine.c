@@ -124,6 +124,33 @@ static void expectations_at_a_cycle(void) {
   written_free(&written);
 }
 
+/* An expectation that is not in a page, as the quantity of `advise`: its tolerance is in the unit of the measure. */
+static void an_expectation_outside_a_page(void) {
+  static const struct {
+    const char *text, *message;
+  } rows[] = {{"D.x in a within 1 mm", NULL},
+              {"D.x in a within 1 ms", "expected a length and its unit (m, mm, um, nm, cm, km), found `1 ms`"},
+              {"D.x in a within 1", "expected a length and its unit (m, mm, um, nm, cm, km), found `1`"}};
+  struct words words = {0};
+  struct written written;
+  words_add(&words, "material m density 1 kg/m3 kn 1 N/m\ndisc 0 m 0 m radius 1 m m\nmonitor D disc 1\n"
+                    "record D.x\nstep 0.25 s\nstage a\ncycles 4\n");
+  written_scene_set(&written, &words, NULL);
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct nb_mistakes mistakes = {0};
+    struct nb_expectation expectation;
+    const enum nb_status status = nb_expectation_read(&expectation, "a test", rows[k].text, &written.scene, &mistakes);
+    CU_ASSERT_EQUAL(status, rows[k].message ? NB_BAD_USE : NB_OK);
+    if (rows[k].message) {
+      CU_ASSERT(mistakes.text && strstr(mistakes.text, rows[k].message));
+    } else {
+      CU_ASSERT_EQUAL(expectation.tolerance.value, 1e-3);
+    }
+    nb_mistakes_free(&mistakes);
+  }
+  written_free(&written);
+}
+
 /* With a longer step, intervals of one cycle do not change, and the number of `at most` is rounded up. */
 static void a_longer_step(void) {
   struct words words = {0};
@@ -213,6 +240,7 @@ void suite_refine(void) {
   CU_pSuite suite = CU_add_suite("refine", NULL, NULL);
   CU_ADD_TEST(suite, tables_of_a_page_with_all_numbers_multiplied);
   CU_ADD_TEST(suite, expectations_at_a_cycle);
+  CU_ADD_TEST(suite, an_expectation_outside_a_page);
   CU_ADD_TEST(suite, a_longer_step);
   CU_ADD_TEST(suite, tables_of_a_page_with_softer_contacts);
   CU_ADD_TEST(suite, tables_of_a_page_with_other_dashpots);
