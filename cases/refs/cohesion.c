@@ -8,7 +8,7 @@
  *   F_s = min(k_s s/(1 + 2 k_s/k_stop),  F_n tan phi + c)        c, tan phi: the smaller ones of both materials
  *                                                                [CS79 19]
  *
- * After the plates have separated from the disc, F_n = F_s = 0 for any c.
+ * After the second plate has separated from the disc, it exerts F_n = F_s = 0 for any c.
  *
  * Returns, for L and U that monitor the contacts with the first (lower) and second (upper) wall:
  *   L.normal, L.shear, U.normal, U.shear in the stage that moves both plates; the two F_s have opposite signs

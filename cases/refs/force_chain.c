@@ -2,9 +2,9 @@
  *
  * All contacts have the same overlap a, also those of the outer discs with the walls, and the same force F = k_n a. Let
  * a region of the volume V (m3; discs are 1 m thick) contain the row and end at the walls, whose distance is L. With
- * the unit vector u along the row, stress, fabric and mobilized friction are
+ * the unit vector u along the row, stress, fabric and mobilized friction angle phi are
  *
- *   sigma_ij = F L u_i u_j/V          Phi_ij = u_i u_j,  Phi_xxxx = u_x^4          sin Phi = 1
+ *   sigma_ij = F L u_i u_j/V          Phi_ij = u_i u_j,  Phi_xxxx = u_x^4          sin phi = 1
  *
  * because only the forces F at the two ends of the region act on it. All normal forces are F and there is no shear, so
  * the part `fabric` is the whole stress, and `variation` and `shear` are zero. n discs have n - 1 contacts with each

@@ -6,7 +6,7 @@
 
 #include "hertz_corner.h"
 
-/* zeta(-3/2, a), a > 0: ten terms, and the rest by Euler-Maclaurin; error below 1e-9. */
+/* zeta(-3/2, a), a > 0: ten terms, and the rest by Euler-Maclaurin; error below 2e-8. */
 static double zeta(double a) {
   enum { TERMS = 10 };
   double sum = 0;

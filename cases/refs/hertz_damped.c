@@ -6,8 +6,9 @@
  * variable finds the largest overlap, integration with s as the independent variable finds the end of the contact.
  *
  * The dashpot acts, and at the end pulls, while the overlap is positive, as in the simulator: the contact ends when the
- * overlap is 0 again. For beta >= (5/6)^(1/2) = 0.9129 the contact does not end. hertz_restitution computes the
- * restitution in closed form, for tests.
+ * overlap is 0 again. For beta >= (5/6)^(1/2) = 0.9129 the contact does not end. A contact longer than 20 alpha* / V_N
+ * is treated like that: it has the restitution 0 and no duration. hertz_restitution computes the restitution in closed
+ * form, for tests.
  *
  * Returns, for C that monitors the contact:
  *   C.overlap max, C.normal max;   C.overlap, C.normal (elastic force) and C.dashpot.normal versus time
@@ -27,7 +28,7 @@ enum { NODES = 256 }; /* stored states, from which a point of a curve is integra
 
 struct impact {
   struct hertz hertz;
-  double end, rebound;                /* t at which s is 0 again, and -s' then; INFINITY and 0: no end */
+  double end, rebound;                /* t at which s is 0 again, and -s' then; INFINITY and 0: no end up to t = 20 */
   double largest, largest_time;       /* the largest s, and the t at which it occurs */
   double last;                        /* t up to which there are nodes: the end of the contact, or 20 */
   double node[NODES][HERTZ_UNKNOWNS]; /* states at t = 0, last/NODES, 2 last/NODES, … */

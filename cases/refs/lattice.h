@@ -57,9 +57,9 @@ struct lattice {
   size_t change_count;
   gsl_vector **travel; /* per stage: displacements of the walls at its end, x, y and angle of each in turn, m, rad */
   size_t stage_count;
-  double largest_travel;  /* of any end of a wall, m */
-  double step;            /* s; of the first stage */
-  bool one_step;          /* all stages have that step */
+  double largest_travel; /* at the end of a stage: largest displacement of a P in x or y, or of an end by rotation, m */
+  double step;           /* s; of the first stage */
+  bool one_step;         /* all stages have that step */
   unsigned long undamped; /* number of cycles from the start without damping */
   unsigned long cycles;   /* number of cycles of all stages */
 };
@@ -79,8 +79,8 @@ int lattice_contact_of(const struct lattice *lattice, const struct nb_monitor *m
 
 /* ---- lattice_walls.c: the motion of the walls ---- */
 
-/* Sets the members from `changes` to `cycles`. NB_BAD_USE: the displacements of the walls, or a step, depend on the
- * run. */
+/* Sets the members from `changes` to `cycles`. NB_BAD_USE: the displacements of the walls depend on the run, or a step
+ * is neither a time nor a fraction of single-contact. */
 enum nb_status lattice_read_walls(struct lattice *lattice, const struct nb_scene *scene, struct nb_error *error);
 /* The index of the first stage from whose beginning all walls stay at rest; stage_count: there is none. */
 size_t lattice_first_at_rest(const struct lattice *lattice, const struct nb_scene *scene);
@@ -125,7 +125,8 @@ struct oscillation_modes oscillation_modes_create(const struct lattice *lattice)
 void oscillation_modes_free(struct oscillation_modes *modes);
 
 /* The force `row` (2c: normal, 2c + 1: shear of contact c) in a motion from rest. `unit`: see struct oscillation. NULL
- * and an error when memory runs out, the step is too long, or the modes could not be computed. Free with free(). */
+ * and an error when memory runs out or, with OSCILLATION_STEPS, when the step is too long or the modes could not be
+ * computed. Free with free(). */
 struct oscillation *oscillation_create(const struct lattice *lattice, const struct oscillation_modes *modes, size_t row,
                                        enum oscillation_time time, double unit, struct nb_error *error);
 double oscillation_at(const void *oscillation, double x);       /* N; x is cycles times unit */

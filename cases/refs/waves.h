@@ -21,5 +21,5 @@ struct waves_modes {
   double shape[WAVES_MODES][WAVES_MODES];  /* shape[k]: displacements u_x, u_y and rotation psi in mode k */
   double weight[WAVES_MODES][WAVES_MODES]; /* weight[k][i]: amplitude of mode k per unit of velocity i */
 };
-/* The modes of the wave vector (qx, qy), 1/m; NAN: GSL failed. */
+/* The modes of the wave vector (qx, qy), 1/m. Shapes and weights are NAN if GSL failed. */
 struct waves_modes waves_modes(const struct waves_lattice *lattice, double qx, double qy);
