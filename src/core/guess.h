@@ -30,7 +30,8 @@ struct nb_guess {
   const struct nb_synonym *synonym; /* keywords with the meaning of the word; NULL: none */
   unsigned marked;                  /* bit i: keyword i of `synonym->ours` has been offered */
   char best[2 * NB_NAME_SIZE];      /* the most similar keyword so far */
-  int distance;                     /* edits from the word to `best`; 1 if the word is a part of `best` between dots */
+  /* Edits from the word to `best`; 1 if the word is a part of `best` between dots, 0 if `best` has its meaning. */
+  int distance;
   int related_count; /* keywords of which the word is such a part; `related` lists the first NB_RELATED_MAX */
   char related[NB_HINT_SIZE / 2 - 8];
 };

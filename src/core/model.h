@@ -97,7 +97,7 @@ struct nb_machine {
   enum nb_isa isa;
   int threads;          /* upper limit */
   int threads_used;     /* threads in use now: each has at least NB_CONTACTS_PER_THREAD contacts */
-  struct nb_team *team; /* the threads; NULL as long as one thread is enough */
+  struct nb_team *team; /* the threads; NULL: there never were several */
   struct nb_rounding rounding;
 };
 
@@ -239,7 +239,7 @@ struct nb_model {
     char first[3 * NB_NAME_SIZE]; /* text: the first contact with too large an overlap; empty: none yet */
   } deep;                         /* deep.c */
   struct nb_warnings warnings;    /* of this model only; the scene has its own */
-  double impact_time;             /* time at which the sphere of `impact` touches, s (measure/impact.c) */
+  double impact_time;             /* time at which the particle of `impact` touches, s (measure/impact.c) */
   const char *states;             /* folder of saved states; NULL: the default (run/restart.c) */
 };
 

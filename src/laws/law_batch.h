@@ -6,7 +6,7 @@
  *   #define TITLE   "..."                   one line
  *   #define SOURCE  "[CS79 17-19]"          source of the equations
  *   #define PARAMETERS "ks, friction"       properties on which the force depends; young, poisson: E* and G*
- *   #define HISTORY 1                       doubles of history per contact
+ *   #define HISTORY 1                       doubles of history per contact, without those of the pieces
  *   #define PIECE   4, #define PIECES  16   doubles for each piece of the history; default number of pieces (optional)
  *   #define NEEDS   NB_BIT(NB_NORMAL_INCREMENT)   fields that the law reads besides those every law gets (optional)
  *   #define STORED  shear_linear_stored     function that returns the stored elastic energy, J (optional)

@@ -19,7 +19,7 @@ struct nb_balance {
   struct nb_active_laws laws; /* laws at t_N before the stage begins */
   struct nb_new_overlap {
     int a, b;
-  } * overlaps;                           /* pairs that already overlapped when they were listed; NULL: none so far */
+  } * overlaps;                           /* pairs that already overlapped when they were listed; NULL: never sought */
   size_t overlap_count;                   /* number of these pairs; set to 0 after the next forces */
   bool changed, shear_law_changed;        /* the stage has changed parameters or laws; it has changed the shear law */
   double initial_kinetic, initial_energy; /* K_0; (K + U)_0, J */

@@ -23,7 +23,7 @@ struct reference {
   int stage;
   bool begun;
   struct nb_vec *position; /* per slot, m */
-  double *angle;           /* per slot, rad; NULL in a scene without spin */
+  double *angle;           /* per slot, rad; 0 in a scene without rotation */
   struct nb_neighbour_pairs touching;
 };
 struct nb_configuration {

@@ -36,11 +36,11 @@
  *
  * For other dashpots dt is the largest step with dt^2 k + 2 dt c <= L in all contacts, which has no closed form.
  *
- * All listed pairs count, touching or not, so the bound holds until the next search, whichever contacts open or close.
- * Pairs that do not touch count as if they were just touching. When a stage begins, pairs that could collide later
- * count as well: the lightest two particles of each pair of materials, however far apart. Otherwise the step could be
- * too long for the first contact that forms. The bound neglects two effects: the rotation of contacts, which is of the
- * order of overlap over radius, and the smaller stiffness of sliding contacts.
+ * All listed pairs count, touching or not. So with constant stiffnesses the bound holds until the next search, whichever
+ * contacts open or close. Pairs that do not touch count as if they were just touching. When a stage begins, pairs that
+ * could collide later count as well: the lightest two particles of each pair of materials, however far apart. Otherwise
+ * the step could be too long for the first contact that forms. The bound neglects two effects: the rotation of contacts,
+ * which is of the order of overlap over radius, and the smaller stiffness of sliding contacts.
  *
  * The computation of the bound costs as much as a few cycles, with elastic spheres up to a dozen cycles.
  * stability.c decides when to compute it.

@@ -27,10 +27,10 @@ struct nb_particle_sums {
 };
 /* The guaranteed stable step for the current contacts and damping, and the contact that limits it. */
 struct nb_stable {
-  double step;                                  /* s; infinite if nothing can vibrate */
-  int a, b;                                     /* slots; b is a wall's index in a pair with walls; -1: no contact */
-  bool apart;                                   /* the pair does not touch and counts as if it did */
-  bool rotational;                              /* shear and rotation limit the step, not the normal motion */
+  double step;     /* s; infinite if nothing can vibrate */
+  int a, b;        /* slots; b is a wall's index in a pair with walls, or -1 if `apart`; a -1: no contact */
+  bool apart;      /* the pair does not touch and counts as if it did */
+  bool rotational; /* shear and rotation limit the step, not the normal motion */
   const struct nb_material_pair *material_pair; /* material pair of the contact */
 };
 struct nb_stable nb_stable_step(const struct nb_model *model);
