@@ -77,13 +77,17 @@ NB_APPLY(apply_circle) {
 
 bool nb_lacks_boundary(const struct nb_scene *scene, struct nb_reader *reader) {
   bool begun = scene->circle.line > 0;
+  int removed = 0; /* the line that has removed the last boundary */
   for (size_t s = 0; s < scene->stage_count; s++) {
     begun = begun || scene->stages[s].circle.line > 0;
     if (scene->stages[s].boundary.line && scene->stages[s].boundary.control == NB_CONTROL_NONE)
-      begun = false;
+      begun = false, removed = scene->stages[s].boundary.line;
   }
   if (!begun && nb_statement_suppressed(reader->mistakes, "boundary"))
     nb_fail_silently(reader);
+  if (!begun && removed)
+    nb_token_mistake(reader, &reader->tokens[0], "begin a new one above this line with `boundary circle X Y radius R`",
+                     "expected a boundary in this stage, found that line %d has removed it", removed);
   if (!begun)
     nb_token_mistake(reader, &reader->tokens[0],
                      NB_DEFINE(reader, "define it above with `boundary circle X Y radius R`"),
@@ -103,7 +107,7 @@ NB_APPLY(apply_boundary) {
     boundary.strain = nb_strain_rate_of(reader, value);
   if (variant == 1)
     boundary.sxx = value[AT_SXX].number, boundary.syy = value[AT_SYY].number, boundary.sxy = value[AT_SXY].number;
-  if (!nb_given_twice(reader, stage->boundary.line) && !nb_lacks_boundary(scene, reader))
+  if (!nb_set_twice(reader, "the control of the boundary", stage->boundary.line) && !nb_lacks_boundary(scene, reader))
     stage->boundary = boundary;
 }
 
@@ -127,7 +131,7 @@ NB_APPLY(apply_affine) {
 NB_APPLY(apply_box_strain) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   struct nb_stage *stage = nb_current_stage(scene);
-  if (nb_lacks_box(scene, reader) || nb_given_twice(reader, stage->box_line))
+  if (nb_lacks_box(scene, reader) || nb_set_twice(reader, "`box strain`", stage->box_line))
     return;
   stage->box = nb_strain_rate_of(reader, record->value);
   stage->box_line = (int)reader->line;
@@ -159,7 +163,8 @@ void nb_box_check(struct nb_scene_reading *reading) {
              "remove `wall` and `walls`, or this line: `box strain` and `servo` move opposite walls together",
              "expected `box strain` and `servo`, or `wall` and `walls`, to move the box in this stage, found both");
     if (turned)
-      report(reading, line, NULL, "expected a box whose walls have no `spin`, found a wall that rotates");
+      report(reading, line, NULL,
+             "expected a box whose walls never rotate, found one with a `spin` in this stage or an earlier one");
   }
 }
 
@@ -198,7 +203,8 @@ void nb_imposed_motion_check(struct nb_scene_reading *reading) {
     if (stage->reverse_velocities && line)
       nb_line_mistake(
           &reading->reader, (size_t)stage->line, NULL,
-          "expected a stage without `reverse velocities`: the motion that line %d imposes is not reversible", line);
+          "expected a stage without `reverse velocities`, because of line %d: an imposed motion is not reversible",
+          line);
   }
 }
 

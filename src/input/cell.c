@@ -34,7 +34,8 @@ bool nb_lacks_cell(const struct nb_scene *scene, struct nb_reader *reader) {
     nb_fail_silently(reader);
   if (!scene->cell.line)
     nb_token_mistake(reader, &reader->tokens[0],
-                     NB_DEFINE(reader, "define it above, before the stages, with `cell X Y to X Y`"),
+                     reader->starts ? "the page from which this page starts has none"
+                                    : NB_DEFINE(reader, "define it above, before the stages, with `cell X Y to X Y`"),
                      "expected a scene with a periodic cell, found none");
   return reader->bad;
 }
@@ -59,7 +60,7 @@ NB_APPLY(apply_wave) {
   const bool good_x = nx == round(nx) && fabs(nx) <= most, good_y = ny == round(ny) && fabs(ny) <= most;
   if (!good_x || !good_y)
     nb_token_mistake(reader, &reader->tokens[reader->next - (good_x ? 1 : 2)], NULL,
-                     "expected whole numbers of periods, from -1e6 to 1e6, found %g and %g", nx, ny);
+                     "expected whole numbers of periods, from -1e6 to 1e6, found %.15g and %.15g", nx, ny);
   for (size_t i = 0; i < scene->particle_count && !reader->bad; i++) {
     struct nb_particle *particle = &scene->particles[i];
     const double sine = sin(2 * NB_PI *

@@ -21,6 +21,7 @@ struct table {
   struct {
     int index; /* index of the field in a line; -1: the file has no such column */
     int shift; /* power of ten of the unit */
+    const char *name;
   } columns[NB_COLUMNS_MAX];
   struct nb_mistakes *mistakes;
 };
@@ -93,9 +94,11 @@ static bool read_head(struct table *table, size_t line, const struct nb_wanted_c
     table->columns[c].index = -1;
     field = line_begin(table, line);
     for (int k = 0; next_field(&field, table->spaces, k == 0); k++)
-      if (is_column(&field, wanted[c].name, table->unitless, &table->columns[c].shift) ||
-          is_column(&field, wanted[c].alternative, table->unitless, &table->columns[c].shift))
-        table->columns[c].index = k;
+      for (int other = 0; other < 2; other++) {
+        const char *const name = other ? wanted[c].alternative : wanted[c].name;
+        if (is_column(&field, name, table->unitless, &table->columns[c].shift))
+          table->columns[c].index = k, table->columns[c].name = name;
+      }
     whole = whole && table->columns[c].index >= 0;
     nb_append(names, sizeof names, "%s`%s/%s`", !c ? "" : c + 1 < count ? ", " : " and ", wanted[c].name, unit);
   }
@@ -115,9 +118,13 @@ static bool read_number(double *value, const struct table *table, size_t line, i
     memcpy(text, field.at, field.length);
     text[field.length] = '\0';
   }
-  if (nb_number_read(value, text, table->columns[c].shift) == NB_READ && (*value > 0 || !wanted->positive))
+  const enum nb_reading reading = nb_number_read(value, text, table->columns[c].shift);
+  if (reading == NB_READ && (*value > 0 || !wanted->positive))
     return true;
-  snprintf(text, sizeof text, "a number%s in the column `%.20s`", wanted->positive ? " above 0" : "", wanted->name);
+  if (reading == NB_TOO_LARGE || reading == NB_TOO_SMALL)
+    return report(table, line, field, nb_reading_words(reading)), false;
+  snprintf(text, sizeof text, "a number%s in the column `%.20s`", wanted->positive ? " above 0" : "",
+           table->columns[c].name);
   report(table, line, field, text);
   return false;
 }
@@ -127,15 +134,18 @@ bool nb_file_named(struct nb_reader *reader, const struct nb_token *token, const
   if (!token || !nb_file_find(reader, token, "", path))
     return false;
   FILE *file = nb_file_open(path, &error);
+  const bool has_no_search = token->text[0] == '/' || strncmp(token->text, "../", 3) == 0 ||
+                             strstr(token->text, "/../"); /* see nb_file_find */
   if (file)
     fclose(file);
   else if (error.status == NB_NO_MEMORY)
     nb_no_memory(reader);
   else
     nb_token_mistake(reader, token,
-                     hint ? hint
-                          : "the program searches the folder of the page, then the nearest folder `cases` above it, "
-                            "and all folders in `cases`",
+                     hint            ? hint
+                     : has_no_search ? "this path is used as it is, from the root or from the folder of the page"
+                                     : "the program searches the folder of the page, then the nearest folder `cases` "
+                                       "above it, and all folders in `cases`",
                      "expected a file that can be read, found `%s`, which %s", token->text, error.text);
   return file != NULL;
 }

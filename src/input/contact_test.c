@@ -129,6 +129,16 @@ static void take_part(struct nb_reader *reader, struct nb_stage *stage, enum wor
     take_target(reader, target, word == NORMAL || word == SHEAR, part == PART_NORMAL);
 }
 
+/* Reports a word that cannot follow the given parts of a segment, or that the line ends without an overlap or a slip. */
+static bool expected_part(struct nb_reader *reader, const bool given[PARTS]) {
+  const bool ends = !nb_token_peek(reader), whole = given[PART_NORMAL] || given[PART_SHEAR];
+  return nb_expected(reader, NULL,
+                     whole ? "`overlap`, `normal`, `slip`, `shear`, `hold`, `in N steps` or the end of the line"
+                     : given[PART_STEPS] ? "`overlap`, `normal`, `slip`, `shear` or `hold`"
+                     : ends              ? "`overlap`, `normal`, `slip`, `shear`, `hold` or `follow FILE`"
+                            : "`overlap`, `normal`, `slip`, `shear`, `hold`, `in N steps` or `follow FILE`");
+}
+
 /* Takes the parts of a segment, in any order, each at most once. */
 static bool take_segment(struct nb_reader *reader, struct nb_stage *stage) {
   static const char *const once[] = {[PART_NORMAL] = "only one of `overlap`, `normal` and `hold normal` in a segment",
@@ -143,8 +153,7 @@ static bool take_segment(struct nb_reader *reader, struct nb_stage *stage) {
     if (word == FOLLOW && any)
       reader->next--;
     if (word == WORDS || (word == FOLLOW && any))
-      return nb_expected(reader, NULL,
-                         "`overlap`, `normal`, `slip`, `shear`, `hold`, `in N steps` or the end of the line");
+      return expected_part(reader, given);
     if (word == FOLLOW)
       return take_points(reader, &stage->segment);
     const enum part part = part_of(reader, word);
@@ -155,8 +164,7 @@ static bool take_segment(struct nb_reader *reader, struct nb_stage *stage) {
     given[part] = true;
     take_part(reader, stage, word, part);
   }
-  return given[PART_NORMAL] || given[PART_SHEAR] ||
-         nb_expected(reader, NULL, "`overlap`, `normal`, `slip`, `shear`, `hold` or `follow FILE`");
+  return given[PART_NORMAL] || given[PART_SHEAR] || expected_part(reader, given);
 }
 
 /* A line with a mistake also begins a segment, because the lines below belong to this segment. */
@@ -212,7 +220,9 @@ void nb_contact_test_check(struct nb_scene_reading *reading) {
     nb_scene_mistake(reading, "contact", "add `contact sphere R MATERIAL with sphere R MATERIAL`",
                      "expected a contact test with a `contact`, found none");
   if (scene->stage_count == 0 && !reading->follow)
-    nb_scene_mistake(reading, "segment", "add a line such as `segment NAME overlap to 1 um in 10 steps`",
+    nb_scene_mistake(reading, "segment",
+                     reading->reader.unitless ? "add a line such as `segment NAME overlap to 1e-6 in 10 steps`"
+                                              : "add a line such as `segment NAME overlap to 1 um in 10 steps`",
                      "expected a contact test with a `segment`, found none");
   if (reading->follow)
     replace_segments(reading);

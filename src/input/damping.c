@@ -88,16 +88,17 @@ NB_APPLY(apply_damping) {
   take_damping(reader, &given);
   override_timing(reading, reader, &given);
   const struct {
+    const char *name;
     bool given;
     int *line;
-  } parts[] = {{given.all, &damping->contact_line},
-               {given.walls, &damping->walls_line},
-               {given.global, &damping->global_line},
-               {given.deep, &damping->deep_line},
-               {given.timing, &damping->centred_line}};
+  } parts[] = {{"the damping of contacts", given.all, &damping->contact_line},
+               {"the damping of contacts with walls", given.walls, &damping->walls_line},
+               {"the damping of all particles", given.global, &damping->global_line},
+               {"`damping critical`", given.deep, &damping->deep_line},
+               {"the time of the dashpots' velocity", given.timing, &damping->centred_line}};
   for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
     if (parts[k].given && *parts[k].line > stage_line && *parts[k].line < line)
-      nb_given_twice(reader, *parts[k].line);
+      nb_set_twice(reader, parts[k].name, *parts[k].line);
   if (reader->bad)
     return;
   for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)

@@ -112,6 +112,8 @@ static struct quantity mistake(struct parser *p, const char *at, size_t length, 
 }
 
 static struct quantity expected(struct parser *p, const char *what) {
+  static const char unit_place[] =
+      "a unit follows a number or an expression in parentheses, `(2*n) mm`, and a value has one unit";
   char text[WORD_SIZE], hint[NB_HINT_SIZE];
   struct nb_unit unit;
   const char c = peek(p);
@@ -126,8 +128,8 @@ static struct quantity expected(struct parser *p, const char *what) {
                                 : c == ',' ? "the decimal point is `.`; `sweep` has several values, without commas"
                                 : strcmp(what, "an operator") != 0 ? NULL
                                 : isdigit((unsigned char)c)        ? "use `sweep` for several values"
-                                : nb_unit_read(&unit, text) ? "the value before this unit has its own unit already"
-                                                            : NULL;
+                                : nb_unit_read(&unit, text)        ? unit_place
+                                                                   : NULL;
   const char *const typed = length ? nb_syntax_hint(p->reader, hint, text) : NULL;
   return mistake(p, p->at, length ? length : 1, typed ? typed : otherwise, "expected %s, found `%s`", what, text);
 }
@@ -181,12 +183,16 @@ static bool is_number(struct parser *p, const char *from, size_t length, const c
  * word is a unit; `glued`: no space is before the word. */
 static void wrong_unit(struct parser *p, size_t length, const char *text, bool is, bool glued) {
   char hint[NB_HINT_SIZE], other[NB_HINT_SIZE];
-  const char *const form =
-      is && glued           ? "put a space between the number and the unit `%s`"
-      : is                  ? "the scene has `units none`, so `%s` is not a unit"
-      : strpbrk(text, "/.") ? "a unit is one word, such as `kg/m3`; to divide put spaces around `/`"
-      : memchr(p->line, '(', (size_t)(p->at - p->line)) ? "add the missing `)`, or write a product as `* %s`"
-                                                        : "a product is written `* %s`";
+  const bool has_none = p->reader->unitless && !nb_unit_without_dimension(text);
+  int open = 0; /* parentheses */
+  for (const char *c = p->line; c < p->at; c++)
+    open += (*c == '(') - (*c == ')');
+  const char *const form = is && glued && !has_none ? "put a space between the number and the unit `%s`"
+                           : is                     ? "the scene has `units none`, so `%s` is not a unit"
+                           : strpbrk(text, "/.")
+                               ? "a unit is one word, such as `kg/m3`; to divide put spaces around `/`"
+                           : open > 0 ? "add the missing `)`, or write a product as `* %s`"
+                                      : "a product is written `* %s`";
   const struct nb_foreign_unit *const foreign = is ? NULL : nb_unit_foreign(text, NULL);
   snprintf(hint, sizeof hint, form, text);
   if (foreign)

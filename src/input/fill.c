@@ -38,7 +38,8 @@ static const struct nb_argument fill_fields[] = {
 
 static int grading_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token) {
   return NB_NAMED(reader, token, scene->gradings, scene->grading_count, "the name of a grading",
-                  "define it above with `grading NAME …`");
+                  reader->starts ? "a page that starts from another has the gradings of that page only"
+                                 : "define it above with `grading NAME …`");
 }
 
 int nb_take_grading(const struct nb_scene *scene, struct nb_reader *reader, int *size) {
@@ -121,7 +122,7 @@ static void report_no_space(struct nb_reader *reader, const struct nb_scene *sce
   }
   nb_token_mistake(
       reader, &reader->tokens[0],
-      "fill a larger area, make more attempts, or write `else skip`: smaller particles may still fit",
+      "fill a larger area, make more attempts, or write `else skip`, which leaves out the particles that do not fit",
       "expected space for all %zu particles of `%s`, found none for the next one in %lu attempts; placed: %s",
       it->count, it->name, fill->attempts, list);
 }

@@ -204,17 +204,18 @@ static void check_laws(struct nb_scene_reading *reading, const struct nb_active_
 
 /* ---- friction without a shear force ---- */
 
-/* Bits of a pair of materials. FRICTION: it has friction in some stage. TRANSMITTED: in such a stage it also has a
- * shear law and a shear stiffness. */
-enum { FRICTION = 1, TRANSMITTED = 2 };
+/* Bits of a pair of materials. FRICTION: it has friction in some stage. LAW: in such a stage it also has a shear law.
+ * TRANSMITTED: in such a stage it has a shear law and a shear stiffness. */
+enum { FRICTION = 1, TRANSMITTED = 2, LAW = 4 };
 
 static void find_friction(unsigned char pairs[NB_MATERIALS_MAX][NB_MATERIALS_MAX], const struct nb_scene *scene,
                           const struct nb_properties *now, const struct nb_law *shear) {
   for (int a = 0; a < (int)scene->material_count; a++)
     for (int b = 0; b < (int)scene->material_count; b++) {
       const struct nb_pair pair = nb_properties_pair(now, a, b);
-      const bool transmitted = strcmp(shear->name, "none") != 0 && (shear->elastic || pair.ks > 0);
-      pairs[a][b] |= (unsigned char)(pair.friction > 0 ? FRICTION | (transmitted ? TRANSMITTED : 0) : 0);
+      const bool law = strcmp(shear->name, "none") != 0, transmitted = law && (shear->elastic || pair.ks > 0);
+      if (pair.friction > 0)
+        pairs[a][b] |= (unsigned char)(FRICTION | (law ? LAW : 0) | (transmitted ? TRANSMITTED : 0));
     }
 }
 
@@ -258,12 +259,14 @@ static void warn_unused_friction(struct nb_scene_reading *reading) {
   nb_properties_free(&now);
   for (int a = 0; a < (int)scene->material_count; a++)
     for (int b = 0; b < (int)scene->material_count; b++) {
-      if (pairs[a][b] != FRICTION || !may_touch(scene, a, b) || (b < a && may_touch(scene, b, a)))
+      if (!(pairs[a][b] & FRICTION) || pairs[a][b] & TRANSMITTED || !may_touch(scene, a, b) ||
+          (b < a && may_touch(scene, b, a)))
         continue;
       nb_warn(&scene->warnings, line_of_pair(scene, a, b), "friction between `%s` and `%s` has no effect: %s",
               scene->materials[a].name, scene->materials[b].name,
-              nb_laws_shear(scene) ? "their shear stiffness `ks` is 0"
-                                   : "there is no `shear` law, such as `shear linear`");
+              pairs[a][b] & LAW      ? "their shear stiffness `ks` is 0"
+              : nb_laws_shear(scene) ? "there is no `shear` law in the stages with this friction"
+                                     : "there is no `shear` law, such as `shear linear`");
     }
 }
 

@@ -61,9 +61,11 @@ static void bind(struct nb_scene_reading *reading, struct nb_reader *reader, con
                                              : "this name is a function or a constant of expressions",
                      "expected a valid name for a value, found `%s`", name->text);
   const int before = NB_FIND(scene->bindings, scene->binding_count, name->text);
+  const bool same_line = before >= 0 && value.sweep >= 0 && scene->bindings[before].sweep == value.sweep;
   snprintf(hint, sizeof hint,
-           "keep one of the two lines: a `let` gives one value, a `sweep` a run for each of its values; `--set "
-           "%.60s=VALUE` replaces either",
+           same_line ? "the names of a sweep differ: remove one `%.60s`, and its values"
+                     : "keep one of the two lines: a `let` gives one value, a `sweep` a run for each of its values; "
+                       "`--set %.60s=VALUE` replaces either",
            name->text);
   if (before >= 0)
     nb_token_mistake(reader, name, hint, "expected a new name, `%s` already has a value", name->text);
@@ -160,32 +162,45 @@ size_t nb_run_count(const struct nb_scene_reading *reading) {
   return runs <= NB_RUNS_MAX ? runs : 1;
 }
 
-/* True if a value has the type of the first one in its column. A column has either words or numbers of one dimension; a
- * word among numbers is a mistyped unit. */
-static bool same_type(struct nb_reader *reader, const struct nb_binding *first, const struct nb_binding *value,
-                      const struct nb_token *token) {
-  char hint[NB_HINT_SIZE], words[2 * NB_NAME_SIZE];
-  const struct nb_token *next = nb_token_peek(reader);
-  const bool like = nb_dimension_same(first->dimension, value->dimension);
-  double number;
-  if (isnan(first->value) && !isnan(value->value) && strcmp(first->text, "from") == 0)
-    return nb_token_mistake(reader, token - 1, "a sweep lists each value: `sweep mu 0.1 0.3 0.5`",
-                            "expected the first value of the sweep, found `from`");
-  if (isnan(first->value))
-    return isnan(value->value) ||
-           nb_expected_at(reader, token, NULL, "a word, because the first value of this name is a word");
-  if (!isnan(value->value) && like)
-    return true;
-  nb_dimension_words(words, sizeof words, first->dimension);
-  if (!isnan(value->value) && (!next || nb_number_read(&number, next->text, 0) == NB_READ))
-    return nb_token_mistake(reader, token, NULL, "expected %s, as the first value of this name, found `%s`", words,
-                            value->text);
-  token = isnan(value->value) ? token : next;
+static const char *unit_of(const struct nb_binding *value) { return value->text + strcspn(value->text, " "); }
+
+/* Reports a word among numbers. `unit`: it may be a mistyped unit. */
+static bool word_mistake(struct nb_reader *reader, const struct nb_token *token, bool unit) {
+  char hint[NB_HINT_SIZE];
   struct nb_guess guess = nb_guess_begin(token->text);
   for (int kind = 0; kind < NB_UNIT_KINDS; kind++)
     nb_unit_offer(&guess, nb_unit_list((enum nb_unit_kind)kind));
   return nb_expected_at(reader, token, nb_guess_hint(&guess, hint),
-                        "a number or a unit, because the first value of this name is a number");
+                        unit ? "a number or a unit, because the first value of this name is a number"
+                             : "a number, because the first value of this name is a number");
+}
+
+/* Refuses a number after a word: `sweep mu from 0.1 to 0.3`, or a number in a column of words. */
+static bool word_wanted(struct nb_reader *reader, const struct nb_token *token) {
+  return strcmp(token[-1].text, "from") == 0 && strcmp(reader->tokens[0].text, "sweep") == 0
+             ? nb_token_mistake(reader, token - 1, "a sweep lists each value: `sweep mu 0.1 0.3 0.5`",
+                                "expected the first value of the sweep, found `from`")
+             : nb_expected_at(reader, token, NULL, "a word, because the first value of this name is a word");
+}
+
+/* True if a value has the type of the first one in its column. A column has either words or numbers of one dimension; a
+ * word among numbers is a mistyped unit. */
+static bool same_type(struct nb_reader *reader, const struct nb_binding *first, const struct nb_binding *value,
+                      const struct nb_token *token) {
+  char words[2 * NB_NAME_SIZE];
+  const struct nb_token *next = nb_token_peek(reader);
+  const bool number = !isnan(value->value);
+  double other;
+  if (isnan(first->value))
+    return !number || word_wanted(reader, token);
+  if (number && nb_dimension_same(first->dimension, value->dimension))
+    return true;
+  nb_dimension_words(words, sizeof words, first->dimension);
+  if (number && (!next || *unit_of(value) || nb_number_read(&other, next->text, 0) == NB_READ))
+    return nb_token_mistake(reader, token, NULL, "expected %s, as the first value of this name, found `%s`", words,
+                            value->text);
+  const bool after_number = number || nb_number_read(&other, token[-1].text, 0) == NB_READ;
+  return word_mistake(reader, number ? next : token, after_number && !reader->unitless);
 }
 
 /* Reports two equal rows, because a statistic over the runs would count the run twice. */
@@ -205,8 +220,6 @@ static bool rows_differ(struct nb_reader *reader, const struct nb_binding *value
     }
   return true;
 }
-
-static const char *unit_of(const struct nb_binding *value) { return value->text + strcspn(value->text, " "); }
 
 /* Converts a column with several units to SI, because a column of a table has one unit. */
 static void unify(struct nb_binding *values, size_t count, size_t columns) {
@@ -310,7 +323,7 @@ NB_APPLY(apply_trade) {
   }
   char hint[NB_HINT_SIZE];
   struct nb_binding values[NB_TOKENS_MAX];
-  static const struct nb_binding soften = {.value = 1};
+  static const struct nb_binding soften = {.value = 1, .text = "1"};
   const int index = NB_FIND(scene->bindings, scene->binding_count, name->text);
   if (index < 0 && strcmp(name->text, "soften") != 0) {
     nb_unknown_name(reader, name, NB_NEAREST(hint, name->text, scene->bindings, scene->binding_count),

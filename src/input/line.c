@@ -88,6 +88,22 @@ static bool append_value(struct nb_reader *reader, const struct nb_binding *valu
          (!unit || (begin_token(reader, second) && append_text(reader, unit + 1, strlen(unit + 1))));
 }
 
+/* Writes the hint for `$v*$w`, `(v*w)`; for `v=$v*2` `v=(v*2)`; for `$v,` `$v`. The `$` is `before` bytes after the
+ * beginning of the word. */
+static void expression_hint(char *hint, const char *word, size_t before, size_t length) {
+  const char *const equals = memchr(word, '=', before);
+  const size_t from = equals ? (size_t)(equals - word) + 1 : 0;
+  if (strchr(",;", word[length - 1])) {
+    snprintf(hint, NB_HINT_SIZE, "leave out the `%c`", word[length - 1]);
+    return;
+  }
+  snprintf(hint, NB_HINT_SIZE, "write the whole expression in parentheses: `%.*s(", (int)from, word);
+  for (size_t k = from; k < length; k++)
+    if (word[k] != '$')
+      nb_append(hint, NB_HINT_SIZE, "%c", word[k]);
+  nb_append(hint, NB_HINT_SIZE, ")`");
+}
+
 /* Appends the word of a token with a $NAME: `$v`, `-$v`, `v=$v`. `before` is the position of the `$` in the word. */
 static bool append_variable(struct nb_reader *reader, const char *word, size_t before, size_t length) {
   const struct nb_token *token = &reader->tokens[reader->count - 1];
@@ -102,8 +118,7 @@ static bool append_variable(struct nb_reader *reader, const char *word, size_t b
   if (!isnan(value->value) && end_of_name < end) {
     snprintf(hint, sizeof hint, "%.*s", (int)(end - end_of_name), end_of_name);
     char whole[NB_HINT_SIZE];
-    snprintf(whole, sizeof whole, "write the whole expression in parentheses: `(%.*s%.*s)`", (int)before, word,
-             (int)(word + length - name), name);
+    expression_hint(whole, word, before, length);
     nb_token_mistake(reader, token, whole, "expected a space after `$%s`, found `%.*s`", text, (int)(end - end_of_name),
                      end_of_name);
   }
@@ -289,16 +304,25 @@ bool nb_line_mistake(struct nb_reader *reader, size_t line, const char *hint, co
 /* ---- hints for syntax of other languages ---- */
 
 /* Writes the hint for `50mm`, a number and its unit without a space, or for `1,5`, a decimal comma. */
-static bool number_hint(char *hint, const char *text) {
+static bool number_hint(char *hint, const struct nb_reader *reader, const char *text) {
   struct nb_unit read;
   const size_t n = strspn(text, "+-.0123456789"), point = text[n] == ',',
                all = n + point + strspn(text + n + point, "0123456789");
   const bool unit = nb_unit_read(&read, text + n), comma = point && !text[all];
   if (n == 0 || n >= 40 || !(unit || comma))
     return false;
-  const char *form = unit          ? "put a space between the number and its unit: `%.*s %s`"
-                     : all > n + 1 ? "write `%.*s.%s`, without a comma"
-                                   : "leave out the comma: `%.*s%s`";
+  if (unit && reader->unitless && !nb_unit_without_dimension(text + n)) {
+    char number[NB_NAME_SIZE];
+    double value;
+    snprintf(number, sizeof number, "%.*s", (int)n, text);
+    snprintf(hint, NB_HINT_SIZE, "the scene has `units none`, so numbers are in SI: write `%.10g`",
+             nb_quantity_read(&value, number, false, &read) == NB_READ ? value : 0);
+    return nb_quantity_read(&value, number, false, &read) == NB_READ;
+  }
+  const char *form = unit                                  ? "put a space between the number and its unit: `%.*s %s`"
+                     : memchr(text, '.', n) && all > n + 1 ? "put a space, not a comma, between two numbers: `%.*s %s`"
+                     : all > n + 1                         ? "write `%.*s.%s`, without a comma"
+                                                           : "leave out the comma: `%.*s%s`";
   snprintf(hint, NB_HINT_SIZE, form, (int)n, text, text + n + comma);
   return true;
 }
@@ -334,7 +358,8 @@ static void operator_hint(const struct nb_reader *reader, char *hint, const char
   else if (token && token->name)
     snprintf(hint, NB_HINT_SIZE, "put operators into parentheses, where a name has no `$`: `(2*%.80s)`", token->name);
   else if (!text[1])
-    snprintf(hint, NB_HINT_SIZE, "put the whole expression into parentheses: `(5 mm * 2)`");
+    snprintf(hint, NB_HINT_SIZE, "put the whole expression into parentheses: `(%s * 2)`",
+             reader->unitless ? "5" : "5 mm");
   else
     snprintf(hint, NB_HINT_SIZE, "put operators and functions into parentheses: `(%.80s)`", text);
 }
@@ -352,7 +377,11 @@ static bool program_hint(char *hint, const char *text, size_t length) {
 static void equals_hint(const struct nb_reader *reader, bool let, char *hint, const char *text, size_t length) {
   if (!reader->keyword && program_hint(hint, text, length))
     return;
-  snprintf(hint, NB_HINT_SIZE, let ? "put spaces around `=`: `%.*s = %.80s`" : "write `%.*s %.80s`, without `=`",
+  const bool start = let && strcmp(reader->tokens[0].text, "start") == 0;
+  snprintf(hint, NB_HINT_SIZE,
+           start ? "write `with %.*s=%.80s`"
+           : let ? "put spaces around `=`: `%.*s = %.80s`"
+                 : "write `%.*s %.80s`, without `=`",
            length < 80 ? (int)length : 80, text, text + length + 1);
 }
 
@@ -388,8 +417,22 @@ const char *nb_syntax_hint(const struct nb_reader *reader, char *hint, const cha
                {"\"", quotes}};
   for (size_t k = 0; k < sizeof signs / sizeof *signs; k++)
     if (strstr(text, signs[k].sign))
-      return signs[k].hint;
-  return number_hint(hint, text) || sign_hint(reader, hint, text) ? hint : NULL;
+      return reader->unitless && strcmp(signs[k].sign, "\u00B0") == 0
+                 ? "without units an angle is in rad: write `(30*pi/180)` for 30 degrees"
+                 : signs[k].hint;
+  return number_hint(hint, reader, text) || sign_hint(reader, hint, text) ? hint : NULL;
+}
+
+/* Appends a tolerance for the value in token `at`. A percentage of 0 would allow no error. */
+static void append_tolerance(char *hint, const struct nb_reader *reader, size_t at) {
+  const char *const number = at < reader->count ? reader->tokens[at].text : "";
+  const char *const unit =
+      at + 1 < reader->count && reader->tokens[at + 1].text[0] != '[' ? reader->tokens[at + 1].text : "";
+  double value;
+  if (nb_number_read(&value, number, 0) == NB_READ && value == 0)
+    nb_append(hint, NB_HINT_SIZE, " within 1e-6%s%.80s", *unit ? " " : "", unit);
+  else
+    nb_append(hint, NB_HINT_SIZE, " within 1 %%");
 }
 
 /* Writes the line with `expected` in place of a sign: "write `C.normal max expected 3 N within 1 % [SOURCE]`". */
@@ -401,8 +444,11 @@ static const char *compared_hint(char *hint, const struct nb_reader *reader) {
     nb_append(hint, NB_HINT_SIZE, "%s%.80s", k ? " " : "", k == reader->next ? "expected" : tokens[k].text);
     within = within || strcmp(tokens[k].text, "within") == 0;
   }
-  nb_append(hint, NB_HINT_SIZE, "%s%s [SOURCE]`; see `nineball --help expected`",
-            reader->next + 1 < reader->count ? "" : " VALUE", within ? "" : " within 1 %");
+  if (reader->next + 1 == reader->count)
+    nb_append(hint, NB_HINT_SIZE, " VALUE");
+  if (!within)
+    append_tolerance(hint, reader, reader->next + 1);
+  nb_append(hint, NB_HINT_SIZE, " [SOURCE]`; see `nineball --help expected`");
   return hint;
 }
 

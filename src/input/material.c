@@ -51,7 +51,8 @@ static const struct nb_argument pair_change_fields[] = {TWO, NB_PAIR_ROWS(OF_CHA
 
 int nb_material_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token) {
   return NB_NAMED(reader, token, scene->materials, scene->material_count, "the name of a material",
-                  "define it above with `material NAME …`");
+                  reader->starts ? "a page that starts from another has the materials of that page only"
+                                 : "define it above with `material NAME …`");
 }
 
 NB_APPLY(apply_material) {

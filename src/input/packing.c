@@ -82,8 +82,8 @@ static void from_list(struct nb_scene *scene, struct nb_reader *reader, const st
   double *lengths;
   size_t rows;
   if (!all) {
-    nb_token_mistake(reader, file, "give the particles a material: `packing FILE discs MATERIAL`",
-                     "expected a file of `nineball state`, found a list, which names no materials");
+    nb_token_mistake(reader, file, "a list of particles needs a material: `packing FILE discs MATERIAL`",
+                     "expected a file of `nineball state`, found another kind of file");
     return;
   }
   if (!nb_columns_read(&lengths, &rows, path, wanted, 3, reader->unitless, reader->mistakes))

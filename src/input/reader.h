@@ -89,6 +89,7 @@ struct nb_reader {
   struct nb_mistakes *mistakes;
   struct nb_warnings *warnings;      /* of the scene; NULL: doubtful expressions are not reported */
   bool unitless;                     /* `units none` */
+  bool starts;                       /* the page continues another one: it has a `start` */
   bool has_units;                    /* a number with a unit has been read */
   const struct nb_binding *bindings; /* the values of $NAME */
   size_t binding_count;

@@ -40,12 +40,12 @@ static bool multiply(struct nb_scene_reading *reading, const struct nb_stage *st
   double whole;
   if (product > NB_COUNT_MAX)
     return nb_line_mistake(&reading->reader, (size_t)stage->line, NULL,
-                           "expected at most %d %s in `%s` with --set refine=%g, found %g", NB_COUNT_MAX, what,
+                           "expected at most %d %s in `%s` with --set refine=%.12g, found %.12g", NB_COUNT_MAX, what,
                            stage->name, refine, product);
   if (!nb_refined_is_whole(product, &whole)) /* never 0, because the product is positive */
     return nb_line_mistake(&reading->reader, (size_t)stage->line, "choose another number for `refine`",
-                           "expected a whole number of %s in `%s` with --set refine=%g, found %g", what, stage->name,
-                           refine, product);
+                           "expected a whole number of %s in `%s` with --set refine=%.12g, found %.12g", what,
+                           stage->name, refine, product);
   *count = (unsigned long)whole;
   return true;
 }
@@ -107,8 +107,8 @@ void nb_refine(struct nb_scene_reading *reading) {
   if (first > 0 && first < scene->stage_count && scene->stages[first].step.kind == NB_STEP_COLLISION &&
       scene->stages[first].step.line == scene->stages[first - 1].step.line) {
     nb_line_mistake(&reading->reader, (size_t)scene->stages[first].line, "give the stage a `step`",
-                    "expected a stage with its own `step` for `refine`, found one that keeps `step N per collision` of "
-                    "the stage before");
+                    "expected a stage with its own `step` for `refine`, found one that keeps the step of the stage "
+                    "before, a fraction of the collision time");
     return;
   }
   scene->step.value /= scene->refine;

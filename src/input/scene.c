@@ -27,11 +27,16 @@ const struct nb_family *nb_keywords(void) {
 
 /* ---- mistakes common to several statements ---- */
 
-bool nb_given_twice(struct nb_reader *reader, int line) {
+bool nb_set_twice(struct nb_reader *reader, const char *what, int line) {
   if (line)
-    nb_token_mistake(reader, &reader->tokens[0], NULL, "`%s` is given twice, first on line %d", reader->tokens[0].text,
-                     line);
+    nb_token_mistake(reader, &reader->tokens[0], NULL, "%s is given twice, first on line %d", what, line);
   return reader->bad;
+}
+
+bool nb_given_twice(struct nb_reader *reader, int line) {
+  char what[NB_NAME_SIZE + 2];
+  snprintf(what, sizeof what, "`%.63s`", reader->tokens[0].text);
+  return nb_set_twice(reader, what, line);
 }
 
 bool nb_too_many(struct nb_reader *reader, size_t count, int most, const char *what) {
@@ -178,6 +183,18 @@ static bool lacks_end(const struct nb_scene *scene, const struct nb_mistakes *mi
   return first == stage && scene->stages[stage].cycles == 0 && !nb_name_suppressed(mistakes, scene->stages[stage].name);
 }
 
+static void check_step(struct nb_scene_reading *reading) {
+  const struct nb_scene *scene = reading->scene;
+  size_t stepped = 0; /* the first stage with a step */
+  while (stepped < scene->stage_count && scene->stages[stepped].step.value == 0)
+    stepped++;
+  if ((scene->stage_count > 0 ? scene->stages[0].step.value : scene->step.value) == 0)
+    nb_scene_mistake(reading, "step", "add `step TIME` or `step F of stable` above the first `stage`",
+                     stepped < scene->stage_count
+                         ? "expected a `step` for the first stage, found one in a later stage only"
+                         : "expected a scene with a `step`, found none");
+}
+
 static void check_whole(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
   struct nb_reader *reader = &reading->reader;
@@ -213,9 +230,7 @@ static void check_whole(struct nb_scene_reading *reading) {
       nb_line_mistake(reader, (size_t)scene->stages[i].line,
                       "add `cycles N`, or `until QUANTITY above|below VALUE at most N cycles`",
                       "expected a stage that ends, found neither `cycles` nor `until` in `%s`", scene->stages[i].name);
-  if ((scene->stage_count > 0 ? scene->stages[0].step.value : scene->step.value) == 0)
-    nb_scene_mistake(reading, "step", "add `step TIME` or `step F of stable`",
-                     "expected a scene with a `step`, found none");
+  check_step(reading);
 }
 
 static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mistakes) {

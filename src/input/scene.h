@@ -71,6 +71,8 @@ struct nb_stage *nb_current_stage(const struct nb_scene *scene);
 
 /* The statement is given twice. line: the line of the first one; 0: there is none. */
 bool nb_given_twice(struct nb_reader *reader, int line);
+/* The same for a statement whose first word does not say what is given twice; `what` says it. */
+bool nb_set_twice(struct nb_reader *reader, const char *what, int line);
 bool nb_too_many(struct nb_reader *reader, size_t count, int most, const char *what); /* count has reached most */
 bool nb_too_many_particles(struct nb_reader *reader, const struct nb_scene *scene, size_t more);
 /* The name is taken. line: the line that defines it; 0: it is not taken. */

@@ -82,8 +82,8 @@ static bool fraction_mistake(struct nb_reader *reader, const struct nb_condition
       "write the value, `until %s %s 1e-9%s%s at most 1000000 cycles`; to wait for rest, write `until unbalanced.max "
       "below 1e-4 and contacts above 0 at most 1000000 cycles`",
       condition->name, condition->relation == NB_BELOW ? "below" : "above", number ? "" : " ", number ? "" : unit);
-  return nb_token_mistake(reader, nb_token_peek(reader), hint,
-                          "expected a number with its unit, found a fraction of another value");
+  return nb_token_mistake(reader, nb_token_peek(reader), hint, "expected a number%s, found a fraction of another value",
+                          number ? "" : " with its unit");
 }
 
 /* Takes a condition: QUANTITY above|below VALUE. */

@@ -289,6 +289,7 @@ NB_APPLY(apply_start) {
   reading->start_failed = false;
   reading->before_first_stage = true;
   reading->here = NB_IN_START;
+  reading->reader.starts = true;
 }
 
 void nb_start_free(struct nb_start *start) {

@@ -59,14 +59,14 @@ static bool number_next(const struct nb_reader *reader) {
 enum { CONTACT_TEST = NB_IN_CONTACT_TEST | NB_IN_SEGMENT };
 
 /* Says where a row belongs that is not allowed here: if possible, a place in the same kind of block. */
-static const char *where_words(unsigned where, unsigned here) {
+static const char *where_words(const struct nb_reader *reader, unsigned where, unsigned here) {
   if (here & CONTACT_TEST && !(where & CONTACT_TEST))
     return "in a block of kind `scene`";
   if (here & CONTACT_TEST)
     return where & NB_IN_CONTACT_TEST ? "before the first `segment`" : "in a segment: below a line `segment NAME …`";
   if (!(where & ~(unsigned)CONTACT_TEST))
     return "in a block of kind `contact-test`";
-  if (here == NB_IN_START && where & NB_IN_SCENE)
+  if ((here == NB_IN_START || reader->starts) && where & NB_IN_SCENE && !(where & NB_IN_START))
     return "in a page that does not `start` from another";
   return where & NB_IN_SCENE ? "before the first `stage`" : "in a stage: below a line `stage NAME`";
 }
@@ -112,6 +112,32 @@ static void syntax_hint(char *hint, const struct nb_keyword *keyword) {
   snprintf(hint, NB_HINT_SIZE, "the statement is `%s`", syntax);
 }
 
+/* Removes the units of an example, for a page without units: `radius 5 mm` becomes `radius 0.005`. */
+static void remove_units(char *hint) {
+  char text[NB_HINT_SIZE], word[NB_NAME_SIZE], next[NB_NAME_SIZE];
+  size_t gap;
+  snprintf(text, sizeof text, "%s", hint);
+  *hint = '\0';
+  for (const char *at = text; *at;) {
+    const size_t length = strcspn(at, " `"), blanks = strspn(at + length, " `");
+    const char *const behind = at + length + blanks;
+    struct nb_unit unit;
+    double value;
+    snprintf(word, sizeof word, "%.*s", (int)length, at);
+    snprintf(next, sizeof next, "%.*s", (int)strcspn(behind, " `"), behind);
+    gap = strlen(next);
+    if (length && nb_number_read(&value, word, 0) == NB_READ && blanks == 1 && at[length] == ' ' &&
+        nb_unit_read(&unit, next) && !nb_unit_without_dimension(next) &&
+        nb_quantity_read(&value, word, false, &unit) == NB_READ) {
+      nb_append(hint, NB_HINT_SIZE, "%.10g", value);
+      at = behind + gap;
+    } else {
+      nb_append(hint, NB_HINT_SIZE, "%.*s", (int)(length + blanks), at);
+      at = behind;
+    }
+  }
+}
+
 const char *nb_example_hint(char *hint, const struct nb_reader *reader) {
   const char *line = reader->row && reader->row->example ? reader->row->example : "", *best = "";
   char first[NB_NAME_SIZE] = "", padded[NB_HINT_SIZE], word[NB_NAME_SIZE + 2];
@@ -133,6 +159,8 @@ const char *nb_example_hint(char *hint, const struct nb_reader *reader) {
     while (length > 0 && strncmp(best + length, "  ", 2) != 0)
       length--;
   snprintf(hint, NB_HINT_SIZE, "for example `%.*s`", (int)length, best);
+  if (reader->unitless)
+    remove_units(hint);
   /* if the example has several lines, one common word, the first one, is not enough to choose a line */
   return most > (lines > 1) ? hint : NULL;
 }
@@ -215,7 +243,7 @@ static const char *other_statement(char *hint, const struct nb_reader *reader, c
     return hint;
   }
   nb_keyword_syntax(syntax, sizeof syntax, found);
-  const char *const place = found->where & reader->here ? "" : where_words(found->where, reader->here);
+  const char *const place = found->where & reader->here ? "" : where_words(reader, found->where, reader->here);
   snprintf(hint, NB_HINT_SIZE, "`%s` is a statement of its own%s%s", syntax, *place ? ", " : "", place);
   return hint;
 }
@@ -226,7 +254,7 @@ static const char *quantity_hint(char *hint, unsigned here, const char *word) {
   size_t k = 0;
   while (nb_quantity_row(&row, k) && strcmp(row.name, word) != 0)
     k++;
-  if (!(here & (NB_IN_SCENE | NB_IN_STAGE)) || !nb_quantity_row(&row, k))
+  if (!(here & (NB_IN_SCENE | NB_IN_STAGE)) || !nb_quantity_row(&row, k) || strcmp(row.of, "a contact test") == 0)
     return NULL;
   const char *const prefix = row.prefix ? row.prefix : "";
   snprintf(
@@ -305,7 +333,7 @@ static const struct nb_keyword *misplaced(struct nb_reader *reader, const struct
   if (begins)
     nb_keyword_syntax(syntax, sizeof syntax, begins);
   if (reader->count < 2 || !nb_pair_hint(hint, word, reader->tokens[1].text)) {
-    snprintf(hint, sizeof hint, "`%s` belongs %s%s%s%s", row->word, where_words(row->where, here),
+    snprintf(hint, sizeof hint, "`%s` belongs %s%s%s%s", row->word, where_words(reader, row->where, here),
              begins ? "; the statement here is `" : "", syntax, begins ? "`" : "");
     if (nb_pair_hint(other, place_name(here), word))
       nb_append(hint, sizeof hint, "; %s", other);
@@ -441,7 +469,7 @@ static const char *namesake_hint(const struct nb_reader *reader, char *hint, con
   if (!reader->namesake || !fits)
     return NULL;
   nb_keyword_syntax(syntax, sizeof syntax, reader->namesake);
-  snprintf(hint, NB_HINT_SIZE, "`%s` belongs %s", syntax, where_words(reader->namesake->where, reader->here));
+  snprintf(hint, NB_HINT_SIZE, "`%s` belongs %s", syntax, where_words(reader, reader->namesake->where, reader->here));
   return hint;
 }
 

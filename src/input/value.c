@@ -141,7 +141,7 @@ static void add_advice(char *text, const struct nb_reader *reader, bool example)
   char as[NB_HINT_SIZE];
   if (example && nb_example_hint(as, reader))
     snprintf(text, NB_HINT_SIZE / 2, ", %.200s", as);
-  if (!reader->has_units)
+  if (!reader->has_units && !reader->starts)
     nb_append(text, NB_HINT_SIZE / 2, ", or begin the %s with `units none` instead of `units si`, the default",
               reader->here & (NB_IN_CONTACT_TEST | NB_IN_SEGMENT) ? "contact test" : "scene");
 }
@@ -194,6 +194,18 @@ static bool special_hint(char *hint, const struct nb_reader *reader, const char 
          (next && !is_number(next) && nb_pair_hint(hint, reader->tokens[0].text, next->text));
 }
 
+/* The number without its unit: its value in SI if the page has no units and the unit has the wanted dimension. */
+static const char *in_si(char si[NB_NAME_SIZE], const struct nb_reader *reader, const struct nb_token *number,
+                         const struct nb_token *unit, const struct wanted *it) {
+  struct nb_unit read;
+  double value;
+  if (!reader->unitless || !nb_unit_read(&read, unit->text) || !nb_dimension_same(read.dimension, it->unit.dimension) ||
+      (read.shift == 0 && read.factor == 1) || nb_quantity_read(&value, number->text, false, &read) != NB_READ)
+    return number->text;
+  snprintf(si, NB_NAME_SIZE, "%.10g", value);
+  return si;
+}
+
 /* Writes the hint for a number without a unit, or with the wrong unit. */
 static const char *unit_hint(char *hint, const struct nb_reader *reader, const struct nb_token *number,
                              const struct nb_token *unit, const struct wanted *it) {
@@ -202,6 +214,7 @@ static const char *unit_hint(char *hint, const struct nb_reader *reader, const s
   struct nb_guess guess = nb_guess_begin(without_comma(bare, text));
   const struct nb_foreign_unit *const foreign = nb_unit_foreign(bare, &it->unit.dimension);
   const char *const n = number->computed ? "(...)" : number->text;
+  char si[NB_NAME_SIZE];
   double value;
   nb_unit_offer(&guess, it->units);
   if (unit && number->computed && !foreign)
@@ -210,8 +223,8 @@ static const char *unit_hint(char *hint, const struct nb_reader *reader, const s
     return hint;
   if (unit && (reader->unitless || is_dimensionless(it)))
     snprintf(hint, NB_HINT_SIZE,
-             names_angle(it, text) ? "write the tangent of this angle: `(tan(%.40s %.40s))`" : "write `%.40s`", n,
-             text);
+             names_angle(it, text) ? "write the tangent of this angle: `(tan(%.40s %.40s))`" : "write `%.40s`",
+             in_si(si, reader, number, unit, it), text);
   else if (foreign && nb_number_read(&value, number->text, 0) == NB_READ)
     snprintf(hint, NB_HINT_SIZE, "1 %s is %.10g %s: write `%.10g %s`", bare, foreign->factor, foreign->ours,
              value * foreign->factor, foreign->ours);

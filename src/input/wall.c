@@ -44,7 +44,8 @@ int nb_wall_of(const struct nb_scene *scene, struct nb_reader *reader, const str
     nb_fail_silently(reader);
   return NB_NAMED(
       reader, token, scene->walls, scene->wall_count, "the name of a wall",
-      nb_box_first_wall(scene) < 0
+      reader->starts && nb_box_first_wall(scene) < 0 ? "a page that starts from another has the walls of that page only"
+      : nb_box_first_wall(scene) < 0
           ? "define it above with `wall NAME …` or `box …`"
           : "the walls of a box are `south`, `east`, `north` and `west`; `box strain` or `servo` moves all");
 }
@@ -55,7 +56,8 @@ bool nb_lacks_box(const struct nb_scene *scene, struct nb_reader *reader) {
     nb_fail_silently(reader);
   if (none)
     nb_token_mistake(reader, &reader->tokens[0],
-                     NB_DEFINE(reader, "define it before the stages with `box X Y to X Y MATERIAL`"),
+                     reader->starts ? "the page from which this page starts has none"
+                                    : NB_DEFINE(reader, "define it before the stages with `box X Y to X Y MATERIAL`"),
                      "expected a scene with a box of walls, found none");
   return reader->bad;
 }
@@ -219,7 +221,9 @@ NB_APPLY(apply_walls) {
     nb_fail_silently(reader);
   if (moved == 0)
     nb_token_mistake(reader, &reader->tokens[0],
-                     inward->token ? "define it before the stages with `box X Y to X Y MATERIAL`" : NULL,
+                     reader->starts  ? "the page from which this page starts has none"
+                     : inward->token ? "define it before the stages with `box X Y to X Y MATERIAL`"
+                                     : NULL,
                      "expected a scene with %s, found none", inward->token ? "a box" : "walls");
 }
 

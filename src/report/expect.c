@@ -103,10 +103,24 @@ static bool begins_expectation(const char *word) {
   return row->word;
 }
 
+/* True if two quantities have different dimensions; false if one of the words is no quantity. */
+static bool dimensions_differ(const struct nb_scene *scene, const char *one, const char *other) {
+  struct nb_quantity a, b;
+  struct nb_unit unit_a, unit_b;
+  return !scene->unitless && nb_quantity_find(&a, scene, one) && nb_quantity_find(&b, scene, other) &&
+         nb_unit_read(&unit_a, nb_quantity_unit(a)) && nb_unit_read(&unit_b, nb_quantity_unit(b)) &&
+         !nb_dimension_same(unit_a.dimension, unit_b.dimension);
+}
+
 /* Writes the hint for arithmetic with measures, `A.x max / B.x max`: `label` is the first measure, `first` the first
  * word of the second one. The next tokens of the line are the other words of the second measure. */
-static const char *ratio_hint(char *hint, const struct nb_reader *reader, const char *label, const char *first) {
+static const char *ratio_hint(char *hint, const struct nb_reader *reader, const struct nb_scene *scene,
+                              const char *label, const char *first) {
   char other[4 * NB_NAME_SIZE];
+  const struct nb_token *const next = nb_token_peek(reader);
+  if (dimensions_differ(scene, reader->tokens[0].text, *first || !next ? first : next->text))
+    return strcpy(hint, "a line has no arithmetic with measures, and it compares only measures of the same dimension: "
+                        "compare each measure with a number, in a line of its own");
   snprintf(other, sizeof other, "%s", first);
   for (size_t k = reader->next; k < reader->count && !begins_expectation(reader->tokens[k].text); k++)
     nb_append(other, sizeof other, "%s%s", *other ? " " : "", reader->tokens[k].text);
@@ -124,7 +138,7 @@ static const char *stage_hint(char *hint, const struct nb_reader *reader, const 
   const char *const slash = strchr(text, '/');
   char measure[4 * NB_NAME_SIZE];
   snprintf(measure, sizeof measure, "%.120s in %.*s", label, slash ? (int)(slash - text) : 0, text);
-  return slash && slash[1] ? ratio_hint(hint, reader, measure, slash + 1)
+  return slash && slash[1] ? ratio_hint(hint, reader, scene, measure, slash + 1)
                            : NB_NEAREST(hint, text, scene->stages, scene->stage_count);
 }
 
@@ -166,8 +180,8 @@ static bool take_time(struct nb_reader *reader, const struct nb_scene *scene, st
     measure->reducer = NB_AT_CYCLE;
     if (!nb_refined_is_whole((double)count * scene->refine, &measure->at))
       return nb_token_mistake(reader, number, "choose another number for `refine`",
-                              "expected a whole number of %s with --set refine=%g, found %g", words[0], scene->refine,
-                              (double)count * scene->refine);
+                              "expected a whole number of %s with --set refine=%.12g, found %.12g", words[0],
+                              scene->refine, (double)count * scene->refine);
     nb_append(measure->label, sizeof measure->label, " at %lu %s", count, words[0]);
     return true;
   }
@@ -202,6 +216,12 @@ static bool take_measure(struct nb_reader *reader, const struct nb_scene *scene,
   return take_stage(reader, scene, measure);
 }
 
+/* The reducer of a measure with the dimension of the one that begins the line. A frequency has another dimension than
+ * its quantity. */
+static const char *scale_reducer(const struct nb_reader *reader) {
+  return reader->count > 1 && strcmp(reader->tokens[1].text, "frequency") == 0 ? "frequency" : "max";
+}
+
 /* True if token k is a reducer without a quantity, `max` of `within 1e-6 of max`, or `peak`. */
 static bool is_bare_reducer(const struct nb_reader *reader, size_t k) {
   const char *const word = k < reader->count ? reader->tokens[k].text : "";
@@ -220,7 +240,8 @@ static bool take_measure_like(struct nb_reader *reader, const struct nb_scene *s
   const struct nb_token *token = nb_token_peek(reader);
   struct nb_unit wanted = {0}, found = {0};
   char wanted_words[NB_NAME_SIZE], found_words[NB_NAME_SIZE], hint[NB_HINT_SIZE];
-  snprintf(hint, sizeof hint, "name the quantity of this value: `%.80s max in all`", reader->tokens[0].text);
+  snprintf(hint, sizeof hint, "name the quantity of this value: `%.80s %s in all`", reader->tokens[0].text,
+           scale_reducer(reader));
   if (is_bare_reducer(reader, reader->next))
     return nb_expected(reader, hint, "a quantity that the page records");
   if (!take_measure(reader, scene, measure))
@@ -246,6 +267,14 @@ static const char *shown_unit(const struct nb_reader *reader, const char *unit) 
  * line: the kinetic energy for an energy of a scene, otherwise the quantity of the measure. */
 static const char *scale_name(const struct nb_reader *reader, const struct nb_scene *scene, const char *unit) {
   return strcmp(unit, "J") == 0 && !scene->contact_test ? "energy.kinetic" : reader->tokens[0].text;
+}
+
+/* What a hint says about the scale of a tolerance that the page does not record. */
+static const char *scale_note(const struct nb_scene *scene, const char *scale) {
+  for (size_t c = 0; c < scene->column_count; c++)
+    if (strcmp(scene->columns[c].name, scale) == 0)
+      return "";
+  return ", with `record energy.kinetic` in the scene";
 }
 
 /* Takes a fraction: `0.1 %`, `0.5 % of peak`, `1e-9 of energy.kinetic max`; the last two only if `scene` is not
@@ -300,9 +329,10 @@ static bool take_tolerance_of(struct nb_reader *reader, const struct nb_scene *s
     return false;
   if (strcmp(unit, "1") != 0)
     snprintf(hint, sizeof hint,
-             "give a number%s, `within 1e-6%s%s`, or a fraction of a measure, `within 1 %% of %.80s max`",
+             "give a number%s, `within 1e-6%s%s`, or a fraction of a measure, `within 1 %% of %.80s %s`%s",
              reader->unitless ? "" : " with its unit", reader->unitless ? "" : " ", shown_unit(reader, unit),
-             scale_name(reader, scene, unit));
+             scale_name(reader, scene, unit), scale_reducer(reader),
+             scale_note(scene, scale_name(reader, scene, unit)));
   return !zero || (tolerance->kind != NB_RELATIVE && tolerance->kind != NB_OF_PEAK) ||
          nb_token_mistake(reader, &reader->tokens[at], hint,
                           "expected an absolute tolerance, because the reference value is 0, found `%s`",
@@ -402,6 +432,15 @@ static bool multiple_mistake(struct nb_reader *reader, const struct nb_measure *
   return nb_expected(reader, hint, "%s", what);
 }
 
+/* Refuses `expected 15 %` without `of`. */
+static bool percentage_mistake(struct nb_reader *reader, const char *unit) {
+  return nb_expected(reader,
+                     strcmp(unit, "1") == 0 ? "a percentage is a fraction of another measure; the value of this one is "
+                                              "a number without `%`: 0.15 for 15 %"
+                                            : "a fraction of another quantity: `15 % of C.normal mean`",
+                     "`of` and a quantity");
+}
+
 static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
   const char *unit = expectation->measure.unit;
   const struct nb_token *const token = nb_token_peek(reader);
@@ -415,7 +454,7 @@ static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene
     if (!nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &expectation->number))
       return false;
     if (!nb_token_skip(reader, "of"))
-      return nb_expected(reader, "a fraction of another quantity: `15 % of C.normal mean`", "`of` and a quantity");
+      return percentage_mistake(reader, expectation->measure.unit);
     if (!take_measure_like(reader, scene, expectation->measure.unit, &expectation->other))
       return false;
   } else if (is_before(reader, "*")) {
@@ -441,7 +480,7 @@ static bool fraction_mistake(struct nb_reader *reader, const struct nb_scene *sc
   const struct nb_measure *const measure = &expectation->measure;
   const size_t from = reader->next, of = from + (is_before(reader, "of") ? 1 : 2); /* `of`: the index of this word */
   const bool less = expectation->kind == NB_LESS;
-  const char *const unit = shown_unit(reader, measure->unit);
+  const char *const unit = shown_unit(reader, measure->unit), *const scale = scale_name(reader, scene, measure->unit);
   char hint[NB_HINT_SIZE];
   const bool bare = is_bare_reducer(reader, of + 1);
   snprintf(hint, sizeof hint, "write `%s expected", measure->label);
@@ -449,12 +488,14 @@ static bool fraction_mistake(struct nb_reader *reader, const struct nb_scene *sc
     nb_append(hint, sizeof hint, " 0%s%s within", *unit ? " " : "", unit);
   append_words(hint, reader, from, bare ? of + 1 : reader->count);
   if (bare)
-    nb_append(hint, sizeof hint, " %.80s max in all", reader->tokens[0].text);
+    nb_append(hint, sizeof hint, " %.80s %s in all", reader->tokens[0].text, scale_reducer(reader));
   else if (reader->count == from + 2)
-    nb_append(hint, sizeof hint, " of %.80s max in all", scale_name(reader, scene, measure->unit));
-  nb_append(hint, sizeof hint, "%s [SOURCE]`; a line with `%s` compares with a number or with another measure",
-            less ? "" : " within 1 %", less ? "below" : "above");
-  return nb_token_mistake(reader, number, hint, "expected a number with its unit, or a measure, found a fraction");
+    nb_append(hint, sizeof hint, " of %.80s %s in all", scale, scale_reducer(reader));
+  nb_append(hint, sizeof hint, "%s [SOURCE]`%s; a line with `%s` compares with a number or with another measure",
+            less ? "" : " within 1 %", !bare && reader->count == from + 2 ? scale_note(scene, scale) : "",
+            less ? "below" : "above");
+  return nb_token_mistake(reader, number, hint, "expected a number%s or a measure, found a fraction",
+                          *unit ? " with its unit," : "");
 }
 
 static bool take_other(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
@@ -482,14 +523,16 @@ static bool take_trend(struct nb_reader *reader, const struct nb_scene *scene, s
 }
 
 static bool take_constant(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
-  const struct nb_measure *const measure = &expectation->measure;
-  const char *const unit = shown_unit(reader, measure->unit);
+  const char *const name = reader->tokens[0].text;
+  struct nb_quantity quantity;
+  const char *const unit =
+      nb_quantity_find(&quantity, scene, name) ? shown_unit(reader, nb_quantity_unit(quantity)) : "";
   char hint[NB_HINT_SIZE];
   snprintf(
       hint, sizeof hint,
       "`constant with NAME` compares the runs of a sweep; to check that a quantity is constant in time, write `%.80s "
       "amplitude in all  expected 0%s%s within FRACTION of %.80s max in all [SOURCE]`",
-      measure->label, *unit ? " " : "", unit, measure->label);
+      name, *unit ? " " : "", unit, name);
   if (!nb_token_is(reader, "with"))
     return nb_expected(reader, hint, "`with` and the name of a `sweep`");
   return take_trend(reader, scene, expectation) &&
@@ -602,7 +645,7 @@ static bool take_kind(struct nb_reader *reader, const struct reading *reading, s
   }
   if (token && strchr("+-*/", token->text[0]) && !token->text[1]) {
     reader->next++;
-    ratio_hint(hint, reader, expectation->measure.label, "");
+    ratio_hint(hint, reader, reading->scene, expectation->measure.label, "");
     return nb_expected_at(reader, token, hint, words);
   }
   return nb_expected(reader,
