@@ -188,6 +188,16 @@ out 'particle 1 overlaps wall `floor` (line 11) too much at the start: by 0.0014
 printf '```scene\nunits none\nmaterial m density 1 kn 1\nlet a = sin(20)\ndisc $a 0 radius 1 m\nstep 0.1\nstage one\ncycles 1\n```\n' >bare.md
 run 0 explain bare.md
 grep -q 'radians' said && echo 'a warning of an angle on a page without units' >>why
+printf '```scene\nmaterial m density 1 g/cm3 kn 1 MN/m\nbox 0 m 0 m to 0.3 m 0.3 m m\n' >outside.md
+printf 'lattice discs 4 by 3 radius 50 mm m\ntransform rotate 1 rad\nstep 1 us\nstage one\ncycles 1\n```\n' >>outside.md
+run 0 explain outside.md
+said 'outside.md:4: warning: 3 particles begin outside the box; the first is particle 4'
+sed 's/4 by 3/3 by 3/; s/^transform.*/disc 0.1 m 0.301 m radius 1 mm m\ndisc 0.1 m 0.5 m radius 1 mm m fixed/' outside.md >single.md
+run 0 explain single.md
+said 'single.md:5: warning: particle 10 begins outside the box'
+sed 's/0.301/0.298/' single.md >within.md
+run 0 explain within.md
+grep -q 'outside the box' said && echo 'a particle in the box or a fixed one counts as outside' >>why
 verdict 'warnings: overlaps at the start, angles without a unit, walls that rotate about their middle; explained: area of a region, rows of a stage'
 
 for command in check run 'check --tap' explain; do

@@ -158,6 +158,8 @@ void nb_ramps_check(struct nb_scene_reading *reading);
 void nb_box_check(struct nb_scene_reading *reading);
 /* Warns of an inherited strain rate against which a servo works, and of conditions: nb_servo_compare. */
 void nb_servo_check(struct nb_scene_reading *reading);
+/* Warns of particles whose centres begin outside the box. */
+void nb_outside_check(struct nb_scene *scene);
 /* Imposed motion is not reversed; a scene with a cell has neither a boundary nor `affine strain`. */
 void nb_imposed_motion_check(struct nb_scene_reading *reading);
 /* A contact test has a contact and a segment. The function also applies `--set follow=FILE`. */

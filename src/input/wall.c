@@ -165,6 +165,25 @@ NB_APPLY(apply_box) {
   add_wall(scene, reader, verb, "west", (struct nb_wall){.x = x0, .y = y1, .inx = 1, .material = m}, x0, y0);
 }
 
+void nb_outside_check(struct nb_scene *scene) {
+  size_t outside = 0, first = 0;
+  for (size_t k = scene->particle_count; k-- > 0;) {
+    const struct nb_particle *particle = &scene->particles[k];
+    bool inside = true;
+    for (size_t w = 0; w < scene->wall_count; w++) {
+      const struct nb_wall *wall = &scene->walls[w];
+      inside = inside && (particle->x - wall->x) * wall->inx + (particle->y - wall->y) * wall->iny >= 0;
+    }
+    if (!inside && !particle->fixed)
+      outside++, first = k;
+  }
+  if (outside == 1)
+    nb_warn(&scene->warnings, scene->particles[first].line, "particle %zu begins outside the box", first + 1);
+  else if (outside > 0)
+    nb_warn(&scene->warnings, scene->particles[first].line,
+            "%zu particles begin outside the box; the first is particle %zu", outside, first + 1);
+}
+
 /* ---- in a stage ---- */
 
 /* The motion of a wall at this place of the page; `reverse velocities` changes the sign of earlier motions. */
