@@ -81,9 +81,12 @@ static void progress(void) {
     double fraction;
   } rows[] = {
       {"", "one",
-       "stage `two` begins with empty contact histories, because its law is `shear none` instead of `linear`", 1, 1, 0},
+       "stage `two` begins with empty histories of the shear force, because its law is `shear none` instead of "
+       "`linear`",
+       1, 1, 0},
       {"sweep v 1 2\nsweep w 3 4", "one of v=2, w=4",
-       "stage `two` begins with empty contact histories, because its law is `shear none` instead of `linear`, run v=2, "
+       "stage `two` begins with empty histories of the shear force, because its law is `shear none` instead of "
+       "`linear`, run v=2, "
        "w=4",
        4, 4, 0.75},
   };
@@ -121,7 +124,8 @@ static void note_of_memory_size(void) {
     char text[sizeof scene + 32], expected[256];
     snprintf(text, sizeof text, scene, given ? " memory 9" : "");
     snprintf(expected, sizeof expected,
-             "stage `two` begins with empty contact histories, because its law is `shear mindlin_deresiewicz memory 6` "
+             "stage `two` begins with empty histories of the shear force, because its law is `shear "
+             "mindlin_deresiewicz memory 6` "
              "instead of `memory %d`",
              given ? 9 : 64);
     carry_out(&outcome, text, "A.x expected 10 mm within 1e-12 m [t]", &progress);

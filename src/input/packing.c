@@ -144,7 +144,7 @@ NB_APPLY(apply_packing) {
 /* clang-format off */
 NB_STATEMENTS(packing) = {
   {"packing", NB_IN_SCENE | NB_OWN_EXAMPLE, packing_fields, NULL, 0, false, apply_packing,
-   "Adds the particles of a file that `nineball state` has written (docs/STATE.md), in the order of the file. Shape, position, radius, material by its name, and whether a particle is fixed come from the file, to the last bit. The particles are at rest, and their contacts have no history. `nineball --help start` says where the program searches for the file. With `discs` or `spheres` all particles are free, of that shape and that material. Then the file may also be a list under a head line with columns `x/m`, `y/m` and `radius/m`, in any unit of length, separated by tabs or by spaces. Other columns, and lines that begin with `#`, are ignored. STAGE-particles.tsv of any run is such a list.",
+   "Adds the particles of a file that `nineball state` has written (docs/STATE.md), in the order of the file. Shape, position, radius, material by its name, and whether a particle is fixed come from the file, to the last bit. The particles are at rest, and their contacts have no history. `nineball --help start` says where the program searches for the file. With `discs` or `spheres` all particles are free, of that shape and that material. Then the file may also be a list under a head line with columns `x/m`, `y/m` and `radius/m`, in any unit of length, separated by tabs or by spaces. Other columns, and lines that begin with `#`, are ignored. The file STAGE-particles.tsv of a stage with `snapshot` is such a list.",
    "material  rock  density 2000 kg/m3  kn 1 MN/m\npacking   heap.state\npacking   heap.tsv discs rock\npacking   heap.tsv spheres rock"},
   {0},
 };

@@ -137,8 +137,8 @@ static void note_laws(const struct run *run, const struct nb_stage *stage) {
       snprintf(old, sizeof old, "memory %g", before->pieces);
     }
     snprintf(text, sizeof text,
-             "stage `%s` begins with empty contact histories, because its law is `%s %s%s` instead of `%s`",
-             stage->name, shear ? "shear" : "normal", law->name, memory, old);
+             "stage `%s` begins with empty histories of the %s force, because its law is `%s %s%s` instead of `%s`",
+             stage->name, shear ? "shear" : "normal", shear ? "shear" : "normal", law->name, memory, old);
     progress->note(progress->data, text);
   }
 }
