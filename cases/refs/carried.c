@@ -30,7 +30,7 @@ struct motion {
   double begin, from;  /* cycle at which the last stage begins; position of the particle then, m */
   double early, late;  /* e before that stage and in it */
   bool accumulated;    /* in that stage */
-  double complex a, b; /* A, B, m */
+  double complex a, b; /* A and B, in m */
   double complex l1, l2;
 };
 

@@ -37,7 +37,7 @@ static double step_of(const struct nb_scene *scene) {
 }
 
 struct loading {
-  double approach, travel; /* d, s: m */
+  double approach, travel; /* d and s, in m */
   int shear_stage;         /* index of the stage that moves both plates */
 };
 

@@ -6,7 +6,7 @@
  *   mindlin_scaled   the same, plus df = f dxi/(2 xi) while xi decreases      T proportional to a while N decreases
  *   randall          df = (3/2) xi^(1/2) theta dd +- (1 - theta) dn           two stored reversals [R89 3.94]
  *
- * in the units of impact_springs.h, with n = N/N_max = xi^(3/2). Coulomb's law limits all of them: |f| <= n. In
+ * in the units of impact_springs.h, with n = N/N_max = xi^(3/2). Coulomb's law limits f in all of them: |f| <= n. In
  * `randall`, theta is R89's slip factor [R89 3.95, 3.96]; the sign is the present direction. While N grows, new rings
  * stick (theta = 1) if dd <= dxi, which is d(delta) <= mu dN/(8 G* a) [R89 4.16].
  *

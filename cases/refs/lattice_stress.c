@@ -24,7 +24,7 @@
 static const double pi = 3.14159265358979323846;
 
 struct lattice {
-  double x1, y1, x2, y2; /* a_1, a_2, m */
+  double x1, y1, x2, y2; /* a_1 and a_2, in m */
   double area;           /* m2 */
 };
 

@@ -42,8 +42,8 @@ struct contact {
   enum sense sense;
   bool back;           /* re-unloading */
   bool sheared;        /* there was a tangential displacement; before it there is no deficit */
-  double alpha, force; /* m; T, N */
-  double star, star2;  /* T*, T**, N */
+  double alpha, force; /* in m; T, in N */
+  double star, star2;  /* T* and T**, in N */
   double deficit;      /* DD, m */
   double work;         /* J */
 };

@@ -14,9 +14,9 @@
  *         because that of the dashpot, Int c(alpha) d(alpha) from 0 to 0, is zero.
  *   V_T'  If the contact slides all the time, J_t = mu J_n, so psi = V_T/(mu kappa V_N) changes from psi1 to
  *         psi2 = psi1 - 2 chi (1 + e),    chi = M B/(2 kappa),    kappa = (E* / G*)/4 or k_n/k_s  [R89 5.14, 5.15]
- *         This holds for psi1 >= 4 chi and any law with Coulomb's limit that slides at once for psi1 > 1. A contact
- *         with psi1 = 0 has no tangential force. In between, for `shear mindlin_deresiewicz` only, psi2 is that of
- *         independent springs (impact_springs.c, impact_damped.c).
+ *         This holds where psi1 >= 4 chi and psi1 > 1, for any law with Coulomb's limit that slides at once for
+ *         psi1 > 1. Only psi1 >= 4 chi is checked. A contact with psi1 = 0 has no tangential force. In between, for
+ *         `shear mindlin_deresiewicz` only, psi2 is that of independent springs (impact_springs.c, impact_damped.c).
  *
  * Returns, at the end: D.vx, D.vy, D.spin for D that monitors a particle; impact.psi1, impact.psi2, impact.restitution
  * (ratio of the relative speeds of the centres); energy.kinetic. Also energy.kinetic max, the initial value.

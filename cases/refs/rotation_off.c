@@ -8,8 +8,8 @@
  *
  * The velocity of the contact point is s' = v + R w. With rotation it falls by (1 + q) mu g per second until the
  * particle rolls, v = -R w. Without rotation s' = v falls by mu g per second until the particle stops. A stage with
- * `until C.sliding below X` ends at that time. mu is the friction of the contact, which the statement `pair` in a stage
- * may change.
+ * `until C.sliding below X` ends when the particle rolls or stops. mu is the friction of the contact, which the
+ * statement `pair` in a stage may change.
  *
  * Returns, for D that monitors the particle:
  *   D.vx, D.spin in STAGE       at the end of each stage

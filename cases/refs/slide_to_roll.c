@@ -33,7 +33,7 @@
 
 struct slide {
   double u0, q, radius, x0; /* m/s, 1, m, m */
-  double b, damped;         /* b, w_d, 1/s */
+  double b, damped;         /* b and w_d, in 1/s */
   double limit;             /* d_m, m */
   double brake;             /* (1 + q) F_m/m, m/s2 */
   double stick, slide;      /* times at which they end, s */

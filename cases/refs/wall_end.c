@@ -30,7 +30,7 @@
 
 struct scatter {
   double v, b, rate2;     /* m/s, m, k/m in 1/s2 */
-  double radius, closest; /* R, r_0, m */
+  double radius, closest; /* R and r_0, in m */
 };
 
 static double radial2(const struct scatter *it, double r) { /* r'^2 */

@@ -10,7 +10,7 @@
  *
  * Returns:
  *   C.normal, C.overlap in STAGE    for C that monitors a contact, at the end of the first stage, at rest
- *   D.x, D.y in STAGE               for D that monitors the particle, the same
+ *   D.x, D.y in STAGE               for D that monitors the particle, also at the end of the first stage
  *   step.stable in STAGE            2 (m/(k_1 + k_2))^(1/2)
  * Exact. Damping has no effect at rest; the step is that without dashpots.
  *
@@ -23,7 +23,7 @@
 struct side {
   double nx, ny;   /* n_i */
   double gap;      /* n_i P_i, m */
-  double k, force; /* k_i, N/m; N_i, N */
+  double k, force; /* k_i, in N/m; N_i, in N */
 };
 
 static struct side side_of(const struct nb_scene *scene, const struct nb_wall *wall) {
