@@ -7,9 +7,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The step in s; NAN: it is neither a time nor a fraction of single-contact. A step `of single-contact` is a fraction of 2 sqrt(m/k) [CS79, Motion],
- * where m is the smallest mass of a free particle, and k the largest normal stiffness between the materials of two
- * particles or of a particle and a wall. */
+/* The step in s; NAN: it is neither a time nor a fraction of single-contact. A step `of single-contact` is a fraction of
+ * 2 sqrt(m/k) [CS79, Motion], where m is the smallest mass of a free particle, and k the largest normal stiffness
+ * between the materials of two particles or of a particle and a wall. */
 static double step_length(const struct nb_scene *scene, const struct nb_step *step) {
   if (step->kind == NB_STEP_TIME)
     return step->value;
