@@ -217,6 +217,36 @@ static void an_aborted_stage_has_no_snapshot(void) {
   }
 }
 
+/* A stage that waits in vain asks whether the particles move apart, if no contact has a force and a condition that is
+ * not met has the value 0. */
+static void waits_for_contacts_in_vain(void) {
+  static const struct {
+    double x;              /* of the disc; it touches the wall at 0 if this is below 1 */
+    const char *condition; /* never met */
+    bool asked;
+  } rows[] = {{3, "contacts above 0", true},       {3, "C.normal above 1", true},
+              {3, "M.stress.xx below -1", true},   {3, "time above 0 and M.stress.xx above 5", true},
+              {3, "D.x above 10", false},          {3, "time above 100 and contacts below 1", false},
+              {0.9, "M.stress.xy above 1", false}, {0.9, "D.x above 10", false}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    struct nb_error error = {0};
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 1\nwall w 0 -9 to 0 9 m\ndisc %g 0 radius 1 m\nmonitor D disc 1\n"
+              "monitor C disc 1 with wall w\nregion M all\nstep 1e-3\nrecord time\nstage s\n"
+              "until %s at most 2 cycles\n",
+              rows[k].x, rows[k].condition);
+    written_scene(&it, &page);
+    CU_ASSERT_EQUAL(nb_run(&result, &it.scene, NULL, NULL, &error), NB_BROKEN);
+    CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "did not end within 2 cycles"));
+    CU_ASSERT_EQUAL(strstr(error.text, "no contact has a force now") != NULL, rows[k].asked);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
 /* The condition holds from cycle 10 on. It is checked every N cycles, and in the last allowed cycle. */
 static void conditions_checked_every_n_cycles(void) {
   static const struct {
@@ -423,6 +453,7 @@ void suite_run(void) {
   CU_add_test(suite, "a position that is NaN or infinite", a_position_that_is_nan_or_infinite);
   CU_add_test(suite, "a snapshot has the contacts that touch", a_snapshot_has_the_touching_contacts);
   CU_add_test(suite, "an aborted stage has no snapshot", an_aborted_stage_has_no_snapshot);
+  CU_add_test(suite, "until, in vain, without a contact force", waits_for_contacts_in_vain);
   CU_add_test(suite, "until ... every N cycles", conditions_checked_every_n_cycles);
   CU_add_test(suite, "repeated stages", repeated_stages);
   CU_ADD_TEST(suite, repeated_stages_with_long_names);

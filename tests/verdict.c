@@ -271,7 +271,18 @@ static void words(void) {
   nb_outcome_free(&outcome);
 }
 
-/* A reference solution may return the value of a measure for one stage, or a value for every stage. */
+/* The error of a failed check is printed with two significant digits of its difference from the tolerance, and that of
+ * a passed one with three digits in all. */
+static void digits_of_errors(void) {
+  planted_one("A.x within 0.1 %", "A.x", 1, 1, (double[]){1.00100005}, NB_FAIL, "error 0.100005 %, tolerance 0.1 %");
+  planted_one("A.x within 0.1 %", "A.x", 1, 1, (double[]){1.00099995}, NB_PASS, "error 0.1 %, tolerance 0.1 %");
+  planted_one("A.x within 0.1", "A.x", 0, 1, (double[]){0.101234}, NB_FAIL, "error 0.1012, tolerance 0.1");
+  planted_one("A.x within 0.1", "A.x", 0, 1, (double[]){0.151234}, NB_FAIL, "error 0.151, tolerance 0.1");
+  planted_one("A.x within 0.1", "A.x", 0, 1, (double[]){0.091234}, NB_PASS, "error 0.0912, tolerance 0.1");
+  planted_one("A.x within 0", "A.x", 0, 1, (double[]){0.151234}, NB_FAIL, "error 0.151, tolerance 0");
+}
+
+/* A reference solution may return a value for one stage only, or one that holds in all stages. */
 static void reference_of_a_stage(void) {
   static const double x[] = {1, 2, 3, 4, 5, 6};
   planted_one("A.x in one within 0", "A.x in one", 3, 6, x, NB_PASS, "reference 3");
@@ -394,6 +405,7 @@ void suite_verdict(void) {
   CU_add_test(suite, "a percentage of 0 is explained", percentage_of_zero);
   CU_add_test(suite, "the text of a check", words);
   CU_add_test(suite, "the parts of the text", parts_of_the_message);
+  CU_add_test(suite, "digits of errors", digits_of_errors);
   CU_add_test(suite, "values of a reference for one stage", reference_of_a_stage);
   CU_add_test(suite, "a residual is checked with one sign only", one_sign_of_a_residual);
   CU_add_test(suite, "checks are counted by their marks", counted);

@@ -8,8 +8,8 @@
 #include <stddef.h>
 
 /* Replaces by `?` every byte of the text that is not part of a valid UTF-8 character, and every byte of a control
- * character other than tab. Returns the column of the first replaced byte, counted in characters from 1, and sets `byte`
- * to its value. Returns 0 if it replaced no byte. `length`: of the text in bytes. */
+ * character other than tab. Returns the column of the first replaced byte, counted in characters from 1, and sets
+ * `byte` to its value. Returns 0 if it replaced no byte. `length`: of the text in bytes. */
 int nb_clean(char *text, size_t length, unsigned *byte);
 
 /* Appends a word to the text so that a POSIX shell reads it unchanged: in quotes if it is empty or has a

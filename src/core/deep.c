@@ -1,8 +1,13 @@
-/* Counts contacts of elastic spheres whose overlap is too large, and describes the first one.          [R89 sec. 6.4.3]
+/* Counts contacts of elastic spheres whose overlap is too large, and describes the first one; for other laws, warns of
+ * such a contact at the start.                                                                         [R89 sec. 6.4.3]
  *
  * R89 assumes plastic flow above an overlap of 7 % of the smaller diameter, damps such contacts critically, and prints
  * their number as a warning. Hertz theory is inaccurate there too: with the effective radius R*, m, and the overlap
  * alpha, m, the contact radius a = (R* alpha)^(1/2) exceeds 0.26 of the smaller radius, and 0.37 of it at a wall.
+ *
+ * The other laws have no such limit, but an overlap above it at the start may be a mistake in a coordinate or a radius.
+ * The overlap with a wall is the radius minus the distance of the centre from the wall. It is at most the radius,
+ * because particles touch a wall from both sides.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -38,12 +43,46 @@ void nb_deep_end(struct nb_model *model) {
   model->deep.counts = NULL;
 }
 
-/* True if contact c has too large an overlap. This is the same test as in pass/deep.c. */
-bool nb_is_deep(const struct nb_model *model, size_t c) {
+/* Radius of the smaller particle of a contact, or of the particle that touches a wall, m. */
+static double smaller_radius(const struct nb_model *model, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
   const double a = model->particles.radius[contacts->a[c]];
   const double b = nb_with_wall(model, c) ? a : model->particles.radius[contacts->b[c]];
-  return nb_overlap(model, c) > 2 * nb_deep_fraction(model) * (a < b ? a : b);
+  return a < b ? a : b;
+}
+
+/* This is the same test as in pass/deep.c. */
+bool nb_is_deep(const struct nb_model *model, size_t c) {
+  return nb_overlap(model, c) > 2 * nb_deep_fraction(model) * smaller_radius(model, c);
+}
+
+void nb_deep_warn(struct nb_model *model) {
+  const struct nb_contacts *contacts = &model->contacts;
+  double largest = 0; /* overlap over the smaller diameter */
+  size_t deepest = 0;
+  for (size_t c = 0; c < contacts->count && !model->plan.elastic; c++) {
+    const double relative = nb_is_deep(model, c) ? nb_overlap(model, c) / (2 * smaller_radius(model, c)) : 0;
+    if (relative > largest)
+      largest = relative, deepest = c;
+  }
+  if (largest == 0)
+    return;
+  const bool wall = nb_with_wall(model, deepest);
+  const struct nb_scene *scene = model->scene;
+  const int *number = model->particles.number;
+  const int a = number[contacts->a[deepest]], one = wall ? a : number[contacts->b[deepest]];
+  char other[2 * NB_NAME_SIZE];
+  if (wall)
+    snprintf(other, sizeof other, "wall `%s` (line %d)", scene->walls[contacts->b[deepest]].name,
+             scene->walls[contacts->b[deepest]].line);
+  else
+    snprintf(other, sizeof other, "particle %d (line %d)", a, scene->particles[a - 1].line);
+  nb_warn(
+      &model->warnings, scene->particles[one - 1].line,
+      "particle %d overlaps %s too much at the start: by %g%s, %.2g %% of the %sdiameter; above %g %% real particles "
+      "deform plastically, and the force may be very large: move the particle away, or make it smaller",
+      one, other, nb_overlap(model, deepest), nb_unit(scene, " m"), 100 * largest, wall ? "" : "smaller ",
+      100 * nb_deep_fraction(model));
 }
 
 void nb_deep_record_first(struct nb_model *model) {

@@ -3,9 +3,9 @@
  *
  *   displacement  no particle moves by more than its radius in one step
  *   overlap       no two particles overlap by more than the smaller radius: their distance d is at least max(R_i, R_j)
- *   rotation      no wall rotates so far in one step that the arc of its far end departs from the chord by more than the
- *                 smallest radius r: angle^2 h/8 <= r, where h is the larger of r and the bound |h0| + max(|h1|, |h2|)
- *                 of the distance from the centre of rotation to the far end (walls.h)
+ *   rotation      no wall rotates so far in one step that the arc of its far end departs from the chord by more than
+ *                 the smallest radius r: angle^2 h/8 <= r, where h is the larger of r and the bound
+ *                 |h0| + max(|h1|, |h2|) of the distance from the centre of rotation to the far end (walls.h)
  *
  * The first two guards prevent two particles from passing through each other. A step begins with a distance d >=
  * max(R_i, R_j), and the two particles approach by at most R_i + R_j. If one passed through the other, their distance
@@ -25,13 +25,6 @@
  * the distance from the origin. The program warns when the ulp exceeds a thousandth of the mean overlap, because the
  * error of the forces may then exceed about 0.1 %. Overlaps below 1e-9 of a radius come from rounding and do not count.
  * Without any contact, a thousandth of the smallest radius is used as the expected overlap.
- *
- * An overlap at the start that the limit of overlaps allows may still be a mistake in a coordinate or a radius. The
- * program warns of the relatively largest overlap, of two particles or of a particle and a wall, if it exceeds the 7 %
- * of the smaller diameter above which R89 assumes plastic flow. The overlap with a wall is at most the radius, because
- * a wall has no inside: it is the radius minus the distance of the centre from the wall. Deep contacts of elastic
- * spheres are counted and reported during the whole run (core/deep.c), so this warning is for the other laws.
- *                                                                                                  [R89 sec. 6.4.3]
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "model.h"
@@ -178,34 +171,4 @@ void nb_guard_resolution(struct nb_model *model) {
           particles->number[i], x, m, ulp(x), m, 100 * ulp(x) / overlap,
           count > 0 ? "the mean overlap of all contacts" : "the expected overlap, a thousandth of the smallest radius",
           overlap, m, model->cycle);
-}
-
-/* Overlap of contact c over the smaller diameter; of a particle and a wall, over the diameter of the particle. */
-static double relative_overlap(const struct nb_model *model, size_t c) {
-  const double *radius = model->particles.radius, a = radius[model->contacts.a[c]];
-  return nb_overlap(model, c) / (2 * (nb_with_wall(model, c) ? a : fmin(a, radius[model->contacts.b[c]])));
-}
-
-void nb_guard_start(struct nb_model *model) {
-  const struct nb_contacts *contacts = &model->contacts;
-  const struct nb_particles *particles = &model->particles;
-  size_t deepest = 0;
-  for (size_t c = 1; c < contacts->count; c++)
-    deepest = relative_overlap(model, c) > relative_overlap(model, deepest) ? c : deepest;
-  if (model->plan.elastic || contacts->count == 0 || !(relative_overlap(model, deepest) > nb_deep_fraction(model)))
-    return;
-  const bool wall = nb_with_wall(model, deepest);
-  const int a = particles->number[contacts->a[deepest]], b = wall ? 0 : particles->number[contacts->b[deepest]];
-  const struct nb_wall *const it = wall ? &model->scene->walls[contacts->b[deepest]] : NULL;
-  char other[2 * NB_NAME_SIZE];
-  if (wall)
-    snprintf(other, sizeof other, "wall `%s` (line %d)", it->name, it->line);
-  else
-    snprintf(other, sizeof other, "particle %d (line %d)", a, line_of(model, a));
-  nb_warn(
-      &model->warnings, line_of(model, wall ? a : b),
-      "particle %d overlaps %s too much at the start: by %g%s, %.2g %% of the %sdiameter; above %g %% real particles "
-      "deform plastically, and the force may be very large: move the particle away, or make it smaller",
-      wall ? a : b, other, nb_overlap(model, deepest), nb_unit(model->scene, " m"),
-      100 * relative_overlap(model, deepest), wall ? "" : "smaller ", 100 * nb_deep_fraction(model));
 }

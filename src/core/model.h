@@ -304,9 +304,6 @@ enum nb_status nb_guard_cycle(const struct nb_model *model, struct nb_error *err
 /* Warns when the resolution of positions is too coarse for the current overlaps. */
 void nb_guard_resolution(struct nb_model *model);
 
-/* Warns of particles that overlap each other or a wall too much at the start. */
-void nb_guard_start(struct nb_model *model);
-
 /* neighbours.c: runs the guards, then builds a new contact list */
 enum nb_status nb_neighbours_search(struct nb_model *model, struct nb_error *error);
 /* The same where no force calculation follows: contacts keep their forces. */
@@ -360,7 +357,7 @@ bool nb_vertices_exist(const struct nb_scene *scene); /* two walls have a common
 bool nb_vertices_find(struct nb_model *model);        /* lists vertices after a search; false: out of memory */
 void nb_vertices_suppress(struct nb_model *model);    /* before the force calculation: marks the suppressed contacts */
 
-/* deep.c: overlaps beyond the range of Hertz theory */
+/* deep.c: overlaps beyond the range of Hertz theory, and of elastic deformation */
 enum { NB_DEEP_STRIDE = 8 }; /* counters from block to block: two threads must not write to the same cache line */
 /* Overlap over the smaller diameter above which a contact is deep: from the page, or 0.07 [R89 sec. 6.4.3]. */
 double nb_deep_fraction(const struct nb_model *model);
@@ -370,6 +367,8 @@ void nb_deep_end(struct nb_model *model); /* called when a law of elastic sphere
 void nb_deep_record_first(struct nb_model *model);
 /* True if the contact is deep at the current positions. */
 bool nb_is_deep(const struct nb_model *model, size_t contact);
+/* Called after the first force calculation: warns of a deep contact of laws that are not for elastic spheres. */
+void nb_deep_warn(struct nb_model *model);
 /* Number of deep contacts since the start; a contact counts once per cycle. */
 unsigned long long nb_deep_count(const struct nb_model *model);
 

@@ -8,8 +8,8 @@
  * within this time. Then it sleeps, and its processor is free for a thread that the system has stopped.
  *
  * The system may also stop a thread within a part, for as long as other programs run. So the caller compares the time
- * that it waits with the time that the team saves. If the team has lost more than 0.2 ms, the caller does all parts, for
- * twenty times as long as the loss, but at most for 1 s. No result depends on which thread does a part.
+ * that it waits with the time that the team saves. If the team has lost more than 0.2 ms, the caller does all parts,
+ * for twenty times as long as the loss, but at most for 1 s. No result depends on which thread does a part.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "team.h"

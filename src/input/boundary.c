@@ -85,10 +85,12 @@ bool nb_lacks_boundary(const struct nb_scene *scene, struct nb_reader *reader) {
   }
   if (!begun && nb_statement_suppressed(reader->mistakes, "boundary"))
     nb_fail_silently(reader);
-  if (!begun && removed)
+  if (begun)
+    return reader->bad;
+  if (removed)
     nb_token_mistake(reader, &reader->tokens[0], "begin a new one above this line with `boundary circle X Y radius R`",
                      "expected a boundary in this stage, found that line %d has removed it", removed);
-  if (!begun)
+  else
     nb_token_mistake(reader, &reader->tokens[0],
                      NB_DEFINE(reader, "define it above with `boundary circle X Y radius R`"),
                      "expected a scene with a boundary, found none");

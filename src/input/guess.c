@@ -331,7 +331,8 @@ bool nb_guess_found(const struct nb_guess *guess) {
   return guess->best[0] && guess->distance <= allowed;
 }
 
-/* True if the note of a synonym shows, between backquotes, how a marked keyword is written: then it needs no question. */
+/* True if the note of a synonym shows, between backquotes, how a marked keyword is written. Then no question follows
+ * the note. */
 static bool shows_marked(const struct nb_guess *guess) {
   const char *list = guess->synonym->ours, *const note = guess->synonym->note;
   char item[NB_NAME_SIZE];

@@ -82,8 +82,8 @@ struct nb_binding {
 };
 
 struct nb_keyword;
-/* The state of the reader. The caller sets page, mistakes, warnings, unitless and the bindings, and the other members to 0. The
- * reader owns nothing; its size is about 60 kB. */
+/* The state of the reader. The caller sets page, mistakes, warnings, unitless and the bindings, and the other members
+ * to 0. The reader owns nothing; its size is about 60 kB. */
 struct nb_reader {
   const struct nb_page *page;
   struct nb_mistakes *mistakes;

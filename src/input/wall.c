@@ -64,13 +64,15 @@ bool nb_lacks_box(const struct nb_scene *scene, struct nb_reader *reader) {
 
 /* ---- in the scene ---- */
 
+static bool is_of_box(const struct nb_wall *wall) { return wall->inx != 0 || wall->iny != 0; }
+
 /* Adds a wall from the end at wall.x, wall.y to the end at x1, y1; messages point at `place`. */
 static void add_wall(struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *place, const char *name,
                      struct nb_wall wall, double x1, double y1) {
   const int same = NB_FIND(scene->walls, scene->wall_count, name);
   const double length = hypot(x1 - wall.x, y1 - wall.y);
   const struct nb_wall *const other = same < 0 ? NULL : &scene->walls[same];
-  if (other && (place == reader->tokens || other->inx != 0 || other->iny != 0))
+  if (other && (place == reader->tokens || is_of_box(other)))
     nb_token_mistake(reader, place,
                      "`box` makes the walls `south`, `east`, `north` and `west`: a scene has one box, and no other "
                      "wall with one of these names",
@@ -111,8 +113,7 @@ static void move_pivot(struct nb_wall *wall, double x, double y) {
 static void warn_of_spin(struct nb_scene *scene, const struct nb_reader *reader, const struct nb_wall *wall,
                          double spin) {
   const char *const m = reader->unitless ? "" : " m";
-  const bool of_box = wall->inx != 0 || wall->iny != 0; /* a `box` has no `about` */
-  if (spin != 0 && !wall->has_about && !of_box)
+  if (spin != 0 && !wall->has_about && !is_of_box(wall)) /* a `box` has no `about` */
     nb_warn(&scene->warnings, (int)reader->line,
             "wall `%s` rotates about its middle: %g%s %g%s; its line in the scene has no `about X Y`, which sets the "
             "centre",
@@ -166,11 +167,12 @@ NB_APPLY(apply_box) {
 }
 
 void nb_outside_check(struct nb_scene *scene) {
+  const int first_wall = nb_box_first_wall(scene);
   size_t outside = 0, first = 0;
-  for (size_t k = scene->particle_count; k-- > 0;) {
+  for (size_t k = scene->particle_count; k-- > 0 && first_wall >= 0;) {
     const struct nb_particle *particle = &scene->particles[k];
     bool inside = true;
-    for (size_t w = 0; w < scene->wall_count; w++) {
+    for (int w = first_wall; w < first_wall + NB_BOX_SIDES; w++) {
       const struct nb_wall *wall = &scene->walls[w];
       inside = inside && (particle->x - wall->x) * wall->inx + (particle->y - wall->y) * wall->iny >= 0;
     }
@@ -225,8 +227,7 @@ NB_APPLY(apply_walls) {
   }
   for (size_t i = 0; i < scene->wall_count; i++) {
     const struct nb_wall *wall = &scene->walls[i];
-    bool of_box = wall->inx != 0 || wall->iny != 0;
-    if (inward->token && !of_box)
+    if (inward->token && !is_of_box(wall))
       continue;
     struct nb_wall_motion motion = current_motion(scene, i);
     motion.vx = stop->token ? 0 : wall->inx * inward->number + 0.0; /* + 0.0 turns -0 into 0 */

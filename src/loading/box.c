@@ -27,10 +27,8 @@
 #include "core/affine.h"
 #include "measure/region.h"
 
-enum { SIDES = 4 }; /* sides w and w + 2 are opposite */
-
 int nb_box_first_wall(const struct nb_scene *scene) {
-  for (size_t w = 0; w + SIDES <= scene->wall_count; w++)
+  for (size_t w = 0; w + NB_BOX_SIDES <= scene->wall_count; w++)
     if (scene->walls[w].inx != 0 || scene->walls[w].iny != 0)
       return (int)w;
   return -1;
@@ -42,7 +40,7 @@ bool nb_box_strained_in(const struct nb_scene *scene, size_t stage) {
   for (size_t s = 0; s <= stage && first >= 0; s++) {
     const struct nb_stage *it = &scene->stages[s];
     for (size_t m = 0; m < it->motion_count; m++)
-      if (it->motions[m].wall >= first && it->motions[m].wall < first + SIDES)
+      if (it->motions[m].wall >= first && it->motions[m].wall < first + NB_BOX_SIDES)
         follows = false;
     follows = follows || it->box_line || it->servo.box;
   }
@@ -57,7 +55,7 @@ bool nb_box_is_strained(const struct nb_model *model) {
 /* The middle between opposite walls. */
 static struct nb_vec centre(const struct nb_walls *walls, int first) {
   struct nb_vec sum = {0, 0};
-  for (int w = first; w < first + SIDES / 2; w++) {
+  for (int w = first; w < first + NB_BOX_SIDES / 2; w++) {
     const struct nb_vec n = vec_clockwise(walls->along[w]);
     sum = vec_add(sum, vec_scale(vec_dot(n, vec_add(walls->pivot[w], walls->pivot[w + 2])) / 2, n));
   }
@@ -69,7 +67,7 @@ void nb_box_set_velocities(struct nb_model *model) {
   const int first = nb_box_first_wall(model->scene);
   const struct nb_tensor rate = model->affine->rate[NB_AFFINE_BOX];
   const struct nb_vec middle = centre(walls, first);
-  for (int w = first; w < first + SIDES; w++) {
+  for (int w = first; w < first + NB_BOX_SIDES; w++) {
     const struct nb_vec e = walls->along[w], n = vec_clockwise(e);
     const double distance = vec_dot(n, vec_sub(walls->pivot[w], middle));
     const double stretch = 1 + model->step * vec_dot(e, tensor_times(rate, e));
@@ -118,7 +116,7 @@ static struct nb_tensor virial(const struct nb_model *model, enum box_sides whic
   struct nb_tensor sum = {0, 0, 0, 0};
   for (size_t c = model->contacts.wall_from; c < contacts->count; c++) {
     const int w = contacts->b[c];
-    if (w < first || w >= first + SIDES || (which != ALL_SIDES && (w - first) % 2 != (int)which))
+    if (w < first || w >= first + NB_BOX_SIDES || (which != ALL_SIDES && (w - first) % 2 != (int)which))
       continue;
     const struct nb_vec at = nb_wall_nearest(walls, w, model->particles.position[contacts->a[c]]);
     const struct nb_vec n = vec_clockwise(walls->along[w]), x = vec_sub(at, middle);
@@ -154,7 +152,7 @@ double nb_walls_residual(const struct nb_model *model) {
   const int first = nb_box_first_wall(model->scene);
   struct nb_vec sum = vec(0, 0);
   for (size_t c = model->contacts.wall_from; c < model->contacts.count; c++)
-    if (model->contacts.b[c] >= first && model->contacts.b[c] < first + SIDES)
+    if (model->contacts.b[c] >= first && model->contacts.b[c] < first + NB_BOX_SIDES)
       sum = vec_add(sum, nb_contact_force(&model->contacts, c));
   return vec_length(sum);
 }

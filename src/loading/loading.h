@@ -42,6 +42,7 @@ void nb_affine_clear(struct nb_model *model);      /* sets all imposed velocitie
 void nb_affine_remove(struct nb_model *model, size_t slot); /* for a particle that is removed from the scene */
 
 /* ---- box.c: four walls that follow a strain rate, and the stress on them ---- */
+enum { NB_BOX_SIDES = 4 }; /* walls of a box; sides w and w + 2 are opposite */
 /* Index of the box's first wall; its walls are in the order south, east, north, west. -1: no box. */
 int nb_box_first_wall(const struct nb_scene *scene);
 /* True if the walls follow the box's strain rate in the stage with this index: this stage or an earlier one has `box

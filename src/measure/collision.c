@@ -11,8 +11,8 @@
  * pair that already touches approaches at v = w.d/|d|.
  *
  * Walls move as in the stage that sets the step; a step that the page gives before its first stage counts as one of the
- * first stage. The prediction neglects gravity, the rotation of walls before the collision, and particles in between. It tests every
- * moving particle with every other particle once, so a gas of a million particles takes long.
+ * first stage. The prediction neglects gravity, the rotation of walls before the collision, and particles in between.
+ * It tests every moving particle with every other particle once, so a gas of a million particles takes long.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -53,11 +53,10 @@ static struct nb_velocities wall_state(const struct nb_model *model, int wall) {
   return state;
 }
 
-/* Velocity relative to wall w, at a point that would move with the wall, m/s. */
-static struct nb_vec relative_to_wall(const struct nb_model *model, int w, struct nb_vec velocity,
-                                      struct nb_vec point) {
-  const struct nb_velocities state = wall_state(model, w);
-  const struct nb_vec arm = vec_sub(point, model->walls.pivot[w]);
+/* The velocity relative to wall w, m/s, at a point that moves as the wall does. `state`: the wall's velocities. */
+static struct nb_vec relative_to_wall(const struct nb_walls *walls, int w, struct nb_velocities state,
+                                      struct nb_vec velocity, struct nb_vec point) {
+  const struct nb_vec arm = vec_sub(point, walls->pivot[w]);
   return vec_sub(velocity, vec_add(state.velocity, vec_scale(state.spin, vec(-arm.y, arm.x))));
 }
 
@@ -67,7 +66,8 @@ static struct approach wall_approach(const struct nb_model *model, struct nb_vec
   const struct nb_walls *walls = &model->walls;
   const struct nb_vec along = walls->along[w], from = vec_sub(position, walls->point[w]);
   const double s = vec_dot(from, along);
-  const struct nb_vec relative = relative_to_wall(model, w, velocity, position);
+  const struct nb_velocities state = wall_state(model, w);
+  const struct nb_vec relative = relative_to_wall(walls, w, state, velocity, position);
   /* The particle hits the face if, at first touch, the foot of the perpendicular from its centre is on the wall. */
   const double side = vec_cross(along, from), height = fabs(side),
                speed = -copysign(1, side) * vec_cross(along, relative);
@@ -78,7 +78,7 @@ static struct approach wall_approach(const struct nb_model *model, struct nb_vec
   for (int end = 0; end < 2; end++) {
     const struct nb_vec point = nb_wall_end(walls, w, end);
     const struct approach there =
-        circles_approach(vec_sub(point, position), relative_to_wall(model, w, velocity, point), radius);
+        circles_approach(vec_sub(point, position), relative_to_wall(walls, w, state, velocity, point), radius);
     first = there.time < first.time ? there : first;
   }
   return first;

@@ -8,8 +8,8 @@
  *
  * The mean is over the contact ends on particles inside: a contact of two particles inside counts twice, a contact with
  * a wall or with a particle outside once. If the region contains all particles and there are no walls, this is R89's
- * mean over contacts. Weighted by
- * the normal force, Phi is sum F_n n_i n_j over sum F_n; weighted by the shear force, sum |F_s| n_i n_j over sum |F_s|.
+ * mean over contacts. Weighted by the normal force, Phi is sum F_n n_i n_j over sum F_n; weighted by the shear force,
+ * sum |F_s| n_i n_j over sum |F_s|.
  * Phi of sliding contacts is the mean over contacts with |F_s| at 0.99 of its limit or above, as sliding.near of
  * loads.c. The trace of each of the four is 1, or 0 if there is no such contact.
  *

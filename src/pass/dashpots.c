@@ -3,7 +3,8 @@
  *
  *   D_n = c_n dn/dt,   D_s = c_s ds/dt                                  [CS79 26, 27]
  *   c = beta k                  `damping stiffness`, beta a time       [CS79 28]
- *   c = beta k t_c/2            `damping r89-fraction`; R89: D_n = dN beta/(2 FRAC), dN = k dn, dt = FRAC t_c [R89 4.3, 4.4]
+ *   c = beta k t_c/2            `damping r89-fraction`; R89 writes D_n = dN beta/(2 FRAC)  [R89 4.3, 4.4]
+ *                               with dN = k dn and dt = FRAC t_c
  *   c = beta 2 sqrt(M* k)       `damping ratio`, beta a fraction of critical  [R89 4.13, 4.19]
  *   c = 2 sqrt(M* k)            `critical beyond overlap`, for deep contacts in place of the others [R89 sec. 6.4.3]
  *
@@ -24,11 +25,12 @@
  * With `damping centred` the rates are those at the time of the force: dn/dt + (u_x - u_y).e. Here e is the unit vector
  * from particle x to particle (or wall) y, and u_x and u_y are the predicted changes of their velocities at the contact
  * in the last half step, m/s (core/motion.c). At time 0 the rates follow from the velocities of the page; in CS79's
- * scheme they are then 0. The force of a dashpot jumps at first touch, so the scheme is of second order only with a
- * correction there. The force at t_N acts from t_(N-1/2) to t_(N+1/2). Let t_N be the first time after first touch, and
- * f the time from first touch to t_N, over dt. No force acts before t_(N-1/2), but at t_(N+1/2) the contact has existed
- * for the time (f + 1/2) dt. Near first touch c is proportional to alpha^p, with p = 0 for linear springs, 1/2 for the
- * stiffness of elastic spheres and 1/4 for the root of this stiffness. So the force is multiplied by
+ * scheme they are then 0. At first touch the force of a dashpot jumps, or with Hertz's law rises steeply, so the scheme
+ * is of second order only with a correction there. The force at t_N acts from t_(N-1/2) to t_(N+1/2). Let t_N be the
+ * first time after first touch, and f the time from first touch to t_N, over dt. No force acts before t_(N-1/2), but at
+ * t_(N+1/2) the contact has existed for the time (f + 1/2) dt. Near first touch c is proportional to alpha^p, with p =
+ * 0 for linear springs, 1/2 for the stiffness of elastic spheres and 1/4 for the root of this stiffness. So the force
+ * is multiplied by
  *
  *   w(f) = Int_0^(f+1/2) t^p dt / f^p = (f + 1/2)^(1+p)/((1 + p) f^p)
  *

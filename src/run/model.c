@@ -205,7 +205,7 @@ static enum nb_status initial_forces(struct nb_model *model, const struct nb_sav
   if (model->scene->impact.line)
     begin_impact(model);
   nb_forces(model), nb_deep_record_first(model);
-  nb_guard_start(model);
+  nb_deep_warn(model);
   return NB_OK;
 }
 

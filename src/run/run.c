@@ -98,15 +98,13 @@ static bool has_contact_force(const struct nb_model *model) {
   return false;
 }
 
-/* True if a condition of the stage is about contacts. */
-static bool waits_for_contacts(const struct nb_stage *stage) {
+/* True if no contact has a force, and a condition is not met because its quantity is 0, as a stress then is. */
+static bool waits_for_contacts(const struct nb_stage *stage, const struct nb_model *model) {
   bool waits = false;
-  for (size_t k = 0; k < stage->condition_count; k++) {
-    const char *const name = stage->conditions[k].quantity.kind->name;
-    waits = waits || strncmp(name, "contacts", strlen("contacts")) == 0 || strstr(name, "stress") ||
-            strcmp(name, "normal") == 0;
-  }
-  return waits;
+  for (size_t k = 0; k < stage->condition_count; k++)
+    waits = waits || (!nb_condition_met(&stage->conditions[k], model) &&
+                      nb_quantity_value(stage->conditions[k].quantity, model) == 0);
+  return waits && !has_contact_force(model);
 }
 
 static enum nb_status conditions_not_met(const struct nb_stage *stage, const struct nb_model *model,
@@ -115,7 +113,7 @@ static enum nb_status conditions_not_met(const struct nb_stage *stage, const str
   list_conditions(text, sizeof text, stage, model, " and should be");
   return nb_error_set(error, NB_BROKEN, "stage `%s` (line %d) did not end within %lu cycles: %s%s%s", stage->name,
                       stage->line, stage->cycles, text, servo_limit(servo, sizeof servo, model),
-                      waits_for_contacts(stage) && !has_contact_force(model)
+                      waits_for_contacts(stage, model)
                           ? "; no contact has a force now: do gravity, walls and velocities bring the particles "
                             "together, or apart?"
                           : "");
