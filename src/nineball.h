@@ -569,8 +569,9 @@ struct nb_options {
   } checkpoint;
 };
 
-/* Creates a model of the scene at time 0. Returns NULL and fills `error` when the model cannot be created. The scene
- * must outlive the model. */
+/* Creates a model of the scene at time 0, or, with `start`, at the end of the stage from which the scene starts; the
+ * state of this end must exist. Returns NULL and fills `error` when the model cannot be created. The scene must outlive
+ * the model. */
 struct nb_model *nb_model_create(const struct nb_scene *scene, const struct nb_options *options,
                                  struct nb_error *error);
 void nb_model_free(struct nb_model *model);

@@ -3,8 +3,8 @@
  * has the same results as an uninterrupted run, to the last bit, and the same number of searches.
  *
  * The last two checkpoints are kept in the folder of saved states. The file name has the name of the page and a number
- * that identifies the settings and the run of a sweep. The file has a hash of the statements, so a checkpoint of
- * another text of the page is refused.
+ * that identifies the settings and the run of a sweep. The file has a hash of the statements, so the checkpoint of a
+ * page with other statements is refused.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "checkpoint.h"
@@ -22,8 +22,9 @@
 #include "plan.h"
 
 /* `spacing` and `stage_spacing`: smallest time between two checkpoints as a multiple of the time for saving one, during
- * a stage and at the end of a stage. So saving takes at most a tenth of the time of the run during stages, and a
- * fiftieth at their ends. `first_cost`: assumed time for saving the first checkpoint, s. */
+ * a stage and at the end of a stage. If each checkpoint takes as long as the one before it, saving takes at most a
+ * tenth of the time of the run during stages, and a fiftieth at their ends. `first_cost`: assumed time for saving the
+ * first checkpoint, s. */
 static const double spacing = 10, stage_spacing = 50, first_cost = 2e-3;
 
 /* ---- the variables of the model ---- */
@@ -219,7 +220,7 @@ void nb_checkpoint_remove(const struct nb_scene *scene, const struct nb_options 
   remove(path), remove(old);
 }
 
-/* The first stage whose text differs from that of the checkpoint; NULL: there is none. */
+/* The first stage up to whose end the page differs from that of the checkpoint; NULL: there is none. */
 static const struct nb_stage *changed_stage(const struct nb_saved *saved, const struct nb_scene *scene) {
   for (size_t s = 0; s < scene->stage_count; s++) {
     const unsigned char *hash = (const unsigned char *)&scene->stages[s].hash;

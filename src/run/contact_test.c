@@ -4,9 +4,9 @@
  * and the tangential increment counts only for the fraction of the step in which the contact is closed.
  *
  * A segment has two components, normal and tangential. In the steps of the segment each component goes linearly from
- * its current value to its target, which is a displacement or a force. For a force, the displacement is found by trial
- * steps on copies of the contact history: first for the normal force, which does not depend on the tangential
- * displacement, then for the shear force.
+ * its current value to its target, which is a displacement or a force. With `follow` the file gives the two
+ * displacements of each step instead. For a force, the displacement is found by trial steps on copies of the contact
+ * history: first for the normal force, which does not depend on the tangential displacement, then for the shear force.
  *
  * The force of a law never decreases as the approach or the tangential displacement grows, so bisection down to
  * adjacent doubles finds the displacement. The force is then exact to rounding.
@@ -139,8 +139,8 @@ static double bisect(struct nb_contact_test *contact_test, const struct unknown 
 }
 
 /* Sets *place to the displacement nearest to `from`, m, at which the force reaches `target`, N. Returns false if the
- * force never reaches the target; *reached is then the force at the largest displacement tried. A force that misses the
- * target only by rounding counts as reached. */
+ * force does not reach the target within a change of the displacement by twice the smaller radius; *reached is then the
+ * force at the last displacement tried. A force that misses the target only by rounding counts as reached. */
 static bool find_displacement(double *place, double *reached, struct nb_contact_test *contact_test,
                               const struct unknown *unknown, double from, double target) {
   static const double rounding = 1e-13;
@@ -148,7 +148,7 @@ static bool find_displacement(double *place, double *reached, struct nb_contact_
   if (*reached == target)
     return true;
   const double sign = target > *reached ? 1 : -1;
-  const double largest = 2 * smaller_radius(contact_test->scene); /* largest displacement that is tried, m */
+  const double largest = 2 * smaller_radius(contact_test->scene); /* limit of the change of the displacement, m */
   const double stiffness = unknown->shear ? contact_test->trial.s.stiffness : contact_test->trial.n.stiffness;
   double width = stiffness > 0 ? fabs(target - *reached) / stiffness : 0;
   if (!(width > 1e-12 * largest && width < largest))
@@ -199,7 +199,7 @@ static enum nb_status force_unreachable(const struct nb_contact_test *contact_te
       stage->line, step, stage->cycles, shear ? "shear" : "normal", target, unit, reached, unit, limit);
 }
 
-/* Runs step number `step` of the segment, from 1. NB_BROKEN when a force cannot be reached. */
+/* Runs step number `step` of the segment, from 1. NB_BROKEN when a force cannot be reached or is not finite. */
 static enum nb_status segment_step(struct nb_contact_test *contact_test, const struct segment *segment,
                                    unsigned long step, struct nb_error *error) {
   const struct nb_stage *stage = segment->stage;

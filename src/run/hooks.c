@@ -1,5 +1,5 @@
-/* The hooks of a cycle: the actions of a scene besides motion, search and force calculation. The list of a scene has
- * only the hooks that the scene needs.
+/* The hooks of a cycle: the actions of a scene besides motion, search and force calculation. The list has only the
+ * hooks that the scene needs in its current stage.
  *
  * The hooks run in the order of the table. The order matters: the energy balance reads the forces before and after the
  * motion, the boundary gets its velocities before the particles move, and a stage changes properties before the search.
@@ -84,7 +84,7 @@ NEEDED(has_reference, model->configuration != NULL)
 static const struct {
   enum nb_when when;
   const char *name;
-  bool (*needed)(const struct nb_model *model); /* NULL: every scene needs it */
+  bool (*needed)(const struct nb_model *model); /* NULL: every stage needs it */
   enum nb_status (*run)(struct nb_model *model, struct nb_error *error);
 } table[] = {
     {NB_BEFORE_MOTION, "walls ramp", ramps_walls, move_walls},

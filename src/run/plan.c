@@ -1,10 +1,12 @@
 /* The plan: the passes that the contacts of each material pair need in a stage, and no others.
  *
- * The forces at the beginning of a stage are those of the previous stage. A stage that needs another plan makes it in
- * its first cycle, between the motion and the force calculation (stage.c).
+ * The forces at the beginning of a stage are those of the previous stage. A stage that needs another plan makes it
+ * between the motion and the force calculation (stage.c): in its first cycle, or, if a ramp takes a friction to 0, in
+ * its last cycle.
  *
- * A frictionless contact has no tangential increment and no shear force. A contact without dashpots has no normal
- * increment, unless its law needs it. A field that nothing reads later is not kept. `nineball explain` prints the plan.
+ * A contact without friction and cohesion has no tangential increment and no shear force. If it has no dashpots either,
+ * it has no normal increment, unless its normal law needs it. A field that nothing reads later is not kept. `nineball
+ * explain` prints the plan.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -59,8 +61,8 @@ static const struct nb_pass *geometry_pass(const struct nb_model *model, const s
                              : &nb_pass_disc_disc[approach];
 }
 
-/* For `affine strain … accumulated-twice`: adds the pass that adds the imposed velocity to the increments once more, if
- * another pass reads the increments. */
+/* For `affine strain … accumulated-twice`: adds the pass that adds the imposed velocity to the increments of contacts
+ * between particles once more, if another pass reads the increments. */
 static void add_affine_twice(struct nb_model *model, struct nb_material_pair *material_pair) {
   const enum nb_approach approach = needed_approach(model, material_pair);
   const struct nb_pass *again = &nb_pass_affine_twice[approach == NB_APPROACH_TANGENTIAL];

@@ -7,7 +7,7 @@
 
 /* plan.c: the passes of each material pair, and the fields that are kept */
 enum nb_status nb_plan(struct nb_model *model, struct nb_error *error);
-bool nb_plan_is_current(const struct nb_model *model); /* false: the stage needs other passes */
+bool nb_plan_is_current(const struct nb_model *model); /* false: friction, damping or affine motion need other passes */
 
 /* hooks.c: selects the hooks. Must be called again after any change on which the selection depends. */
 void nb_hooks_plan(struct nb_model *model);
@@ -28,6 +28,7 @@ enum nb_status nb_stage_change(struct nb_model *model, struct nb_error *error);
 /* model.c */
 struct nb_saved;
 /* Creates a model as nb_model_create does, but with particles, walls and contacts from `saved`: the state at the end of
- * stage scene->start.stages - 1, or a checkpoint. If `saved` is NULL, the model begins at time 0. */
+ * the stage with the index scene->start.stages - 1, or a checkpoint. If `saved` is NULL, the model begins at time 0.
+ * Returns NULL and fills `error` when the model cannot be created. The caller still owns `saved`. */
 struct nb_model *nb_model_resume(const struct nb_scene *scene, const struct nb_options *options, struct nb_saved *saved,
                                  struct nb_error *error);

@@ -3,7 +3,7 @@
  * The name of a state file has the page, the stage, and a hash of everything on which the state depends: the version of
  * the program, the page up to the end of the stage with the values of its variables, and the state from which that page
  * starts. So a file with the expected name is valid. A state of an older text of the page has another name; its file is
- * deleted when the new one is written.
+ * deleted when the new one, with the same values, is written.
  *
  * A process that computes a state holds a lock (flock) on a file beside it; the system releases the lock when the
  * process ends. Other threads and processes that need the same state wait for the lock, then read the state.
@@ -65,7 +65,8 @@ static bool same_values(const char *path, const struct nb_start *start) {
   return same;
 }
 
-/* True if the folder has states of the stage from an older text of the page. `delete`: deletes them. */
+/* True if the folder has states of the stage from an older text of the page, with the same values of its variables.
+ * `delete`: deletes them. */
 static bool find_outdated(const struct nb_scene *scene, const struct nb_options *options, bool delete) {
   char prefix[3 * NB_NAME_SIZE], path[PATH_SIZE], current[PATH_SIZE];
   struct nb_error error;
@@ -128,8 +129,9 @@ static void read_holder(int file, char *holder, size_t size) {
   snprintf(holder + digits, size - digits, "%s", digits > 0 ? "" : "?");
 }
 
-/* Waits until the lock of a state is free, and reports which process holds it. Does not wait for a lock with lock->use:
- * NB_BAD_USE if another process holds it. */
+/* Waits until the lock of a state is free, and reports which process holds it. NB_BAD_USE if the lock is not free
+ * within LOCK_TIMEOUT, or NINEBALL_WAIT seconds. Does not wait for a lock with lock->use: NB_BAD_USE if another process
+ * holds it. */
 static enum nb_status lock_wait(struct nb_lock *lock, const struct nb_progress *progress, struct nb_error *error) {
   char message[PATH_SIZE + 128], holder[32];
   const char *wait = getenv("NINEBALL_WAIT");
@@ -161,8 +163,8 @@ static enum nb_status lock_wait(struct nb_lock *lock, const struct nb_progress *
   return nb_error_system(error, "cannot lock %s", lock->path);
 }
 
-/* Acquires the lock. A process that waits for the lock of a state stops waiting when the state appears; lock->file is
- * then -1. */
+/* Acquires the lock. If another process has written the state and removed the lock in the meantime, the function
+ * returns NB_OK without a lock; lock->file is then -1. */
 static enum nb_status lock_acquire(struct nb_lock *lock, const char *path, const struct nb_progress *progress,
                                    struct nb_error *error) {
   snprintf(lock->path, sizeof lock->path, "%s.lock", path);
@@ -207,7 +209,7 @@ void nb_lock_release(struct nb_lock *lock) {
 
 /* ---- reading and computing ---- */
 
-/* Computes the state and writes it. The caller holds the lock. */
+/* Computes the state, writes it, and keeps it in *saved. The caller holds the lock. */
 static enum nb_status make_state(struct nb_saved *saved, const char *path, const struct nb_scene *scene,
                                  const struct nb_options *options, const struct nb_progress *progress,
                                  struct nb_error *error) {

@@ -5,8 +5,8 @@
 
 #include "core/model.h"
 
-/* The first function makes an empty table with the columns of the scene, the second one adds a row. Both return false
- * when out of memory. */
+/* The first function makes an empty table with the columns of the scene, and the list of the costs of stages; the
+ * second function adds a row. Both return false when out of memory. The caller frees the result, also then. */
 bool nb_result_begin(struct nb_result *result, const struct nb_scene *scene);
 bool nb_result_add_row(struct nb_table *table, const struct nb_model *model, int stage);
 /* The set of contact fields that columns, conditions, servos and snapshots of the scene read, and the NB_REQUEST_ bits

@@ -1,4 +1,4 @@
-/* Runs a scene from its first stage to its last.
+/* Runs a scene from its first stage, or from a saved state or a checkpoint, to its last stage.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -187,8 +187,8 @@ static void propose(char *text, size_t size, const struct nb_scene *scene, const
            servo->stress[k] > 0 ? "above" : "below", near * servo->stress[k], scene->unitless ? "" : " Pa");
 }
 
-/* If the relative difference of a controlled stress from the target of its servo is larger than this, the end of a
- * stage is doubtful. If the present stress is 0, the difference is 1. */
+/* If the largest difference of a controlled stress from its target, over the largest target, is above this, the end of
+ * a stage is doubtful. This ratio is 1 if all stresses are 0. */
 static const double servo_tolerance = 0.1;
 
 /* True if the servo of the next stage goes on towards the same target, or ramps its target from the present stress. */
@@ -201,7 +201,7 @@ static bool servo_goes_on(const struct run *run, const struct nb_stage *stage) {
           memcmp(next->stress, now->stress, sizeof now->stress) == 0);
 }
 
-/* Warns of a stage whose conditions were met without the loading that its author had in mind. */
+/* Warns of a stage that ended without the loading that its author had in mind. */
 static void warn_of_end(const struct run *run, const struct nb_stage *stage) {
   struct nb_model *model = run->model;
   const char *const unbalanced = met_without_contact(model, stage);
@@ -331,8 +331,8 @@ static enum nb_status stop(struct run *run, bool stage_ended, struct nb_error *e
                       run->model->cycle, 100 * fraction, left, run->checkpoint.path);
 }
 
-/* Called after a cycle, or at the end of a stage: saves a checkpoint if one is due. A checkpoint that cannot be written
- * does not end the run. */
+/* Called after a cycle, or at the end of a stage: stops the run if it has been asked to stop, or else saves a
+ * checkpoint if one is due. If that checkpoint cannot be written, the user is told and the run continues. */
 static enum nb_status check_in(struct run *run, bool stage_ended, struct nb_error *error) {
   const struct nb_model *model = run->model;
   const bool last = stage_ended && model->stage == &run->scene->stages[run->scene->stage_count - 1];
@@ -432,7 +432,8 @@ static enum nb_status run_stages(struct run *run, struct nb_error *error) {
 }
 
 /* Runs all stages of the scene, or the stages after the state from which the scene starts. The result has everything
- * that was recorded, even after an error. *end receives the state at the end, unless `end` is NULL. */
+ * that was recorded, even after an error. *end receives the state at the end, unless `end` is NULL; it is not changed
+ * if the run fails. */
 static enum nb_status run_scene(struct run *run, const struct nb_options *options, struct nb_saved *end,
                                 struct nb_error *error) {
   const struct nb_scene *scene = run->scene;

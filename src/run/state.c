@@ -7,7 +7,7 @@
  * The saved strain rates are those of the last step, because the first row of the next stage records them. The strain
  * rates that the page requests apply until a stage requests others; the contribution of a servo ends with its stage.
  * The search positions, and the particles that may cross the boundary before the next search, are not saved, because
- * they do not affect results.
+ * they do not affect results; a checkpoint saves the search positions (checkpoint.c).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "state.h"

@@ -10,15 +10,18 @@
  * options.keep_all; a checkpoint needs only the fields that the run keeps. The caller frees *saved, also after an
  * error. */
 enum nb_status nb_saved_capture(struct nb_saved *saved, const struct nb_model *model, struct nb_error *error);
-/* Checks that the state belongs to the scene. NB_BAD_USE if not; the message names the state file, `path`, and the
- * difference. */
+/* Checks that the state belongs to the scene. NB_BAD_USE if not; the message names the state file, `path`, and what was
+ * expected. */
 enum nb_status nb_saved_fits(const struct nb_saved *saved, const struct nb_scene *scene, const char *path,
                              struct nb_error *error);
-/* Restores the variables of all particles and walls, properties, laws, gravity and time. Called before nb_plan. */
+/* Restores the variables of all particles and walls, properties, laws, uniform gravity and time. Called before
+ * nb_plan. */
 void nb_saved_restore(struct nb_model *model, const struct nb_saved *saved);
-/* Restores cell, boundary and affine motion. Called after nb_saved_restore. */
+/* Restores cell, boundary, affine motion, central gravity and whether particles rotate. Called after nb_saved_restore.
+ * NB_BAD_USE if the model and the state do not agree in them. */
 enum nb_status nb_saved_restore_loading(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error);
-/* Restores forces and histories of the contacts. Called after the search has listed the contacts. */
+/* Restores forces and histories of the contacts. Called after the search has listed the contacts. NB_BAD_USE if the
+ * state has an overlapping contact that is not listed. */
 enum nb_status nb_saved_restore_contacts(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error);
 /* Writes the state to a file as text. Before that it parses this text, so that every written state can be read
  * again. */
