@@ -357,8 +357,8 @@ a whole number of cycles.
 $(own_cost '1 %' 0.25) and $(own_cost '1 %' 0.75). Most pages check a theory to many digits, so their steps are shorter than an engineering
 result needs.
 
-**Where the error is of first order.** The order is the slope of the estimated error against the step, over the three finest steps
-that were tried. The table has the median, and in parentheses the quartiles and the number of quantities. The first column is for
+**Where the error is of first order.** The order is the slope of the logarithm of the estimated error against that of
+the step, over the three finest steps that were tried. The table has the median, and in parentheses the quartiles and the number of quantities. The first column is for
 pages that have neither dashpots nor laws that add up increments of the force (\`hertz_increment\`, \`randall\`). The second column
 is for the other pages. Dashpots use the velocity of half a step before, unless the page has \`damping centred\`.
 
