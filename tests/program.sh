@@ -135,7 +135,42 @@ out 'their shear stiffness `ks` is 0'
 sed 's/friction/ks 1 MN\/m friction/; s/^cycles/shear linear\ncycles/' "$pages/warns.md" >later.md
 run 0 check later.md
 grep -q 'warning: friction' said && echo 'warning of friction, although a stage has a shear law' >>why
+sed 's/^cycles.*/&\nstage after\nmaterial m friction 0\nshear linear\ncycles 1/' "$pages/warns.md" >after.md
+run 0 explain after.md
+said 'after.md:4: warning: friction between `m` and `m` has no effect: there is no `shear` law in the stages with this friction'
 verdict 'warnings: once on standard error, repeated by verdict and explain, no change of the status'
+
+cat >oblique.md <<'END'
+# An elastic sphere hits a wall at an angle
+```scene
+material  m  density 1 g/cm3  young 1 GPa  poisson 0.3  friction 0.3
+sphere    0 mm 10.1 mm  radius 10 mm  m  velocity 1 m/s -1 m/s
+wall      floor  -1 m 0 m  to 1 m 0 m  m
+normal    hertz
+shear     mindlin
+step      0.2 of rayleigh
+stage     fall
+cycles    2
+```
+END
+printf '```contact-test\nmaterial m young 1 GPa poisson 0.3 friction 0.3\ncontact sphere 10 mm m with sphere 10 mm m\nnormal hertz\nshear mindlin\n' >loop.md
+printf 'segment press normal to 100 N in 9 steps\nsegment load shear to 20 N hold normal in 9 steps\n```\n' >>loop.md
+run 0 explain oblique.md
+said 'oblique.md:7: warning: `shear mindlin` has no micro-slip at the edge of the contact, which decides a collision without damping: the exact law is `shear mindlin_deresiewicz`'
+run 0 explain loop.md
+said 'loop.md:5: warning: `shear mindlin` has no micro-slip at the edge of the contact, which decides the path of this contact: the exact law'
+for change in '/^stage/i gravity 0 m/s2 -9 m/s2' '/^stage/i damping ratio 0.1' '/^stage/a damping ratio 0.1' 's/friction 0.3/friction 0/' 's/velocity 1 m.s -1 m.s//' \
+  's/mindlin/$law/; 2a let law mindlin' '/^segment load/d'; do
+  for page in oblique loop; do
+    sed "$change" $page.md >changed.md
+    cmp -s $page.md changed.md && continue
+    run 0 explain changed.md
+    grep -q 'micro-slip at the edge' said && echo "a warning of micro-slip on the page $page after $change" >>why
+  done
+done
+run 0 explain oblique.md --set shear=mindlin
+grep -q 'micro-slip at the edge' said && echo 'a warning of micro-slip with --set' >>why
+verdict 'warnings: `shear mindlin` where micro-slip decides'
 
 cat >doubtful.md <<'END'
 # What can hardly be meant

@@ -74,6 +74,8 @@ NB_APPLY(apply_law) {
   if (shear)
     *(stage ? &stage->laws.pieces : &scene->pieces) = (int)pieces;
   *line = setting ? 0 : (int)reader->line;
+  if (shear && !stage)
+    reading->shear_written = !setting && !token->name;
   snprintf(name, NB_NAME_SIZE, "%s", token->text);
 }
 
@@ -270,6 +272,44 @@ static void warn_unused_friction(struct nb_scene_reading *reading) {
     }
 }
 
+/* ---- an elastic contact without micro-slip ---- */
+
+/* True if a segment of a contact test moves or loads the contact tangentially. */
+static bool has_tangential_segment(const struct nb_scene *scene) {
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_segment *segment = &scene->stages[s].segment;
+    if (segment->points || !segment->shear.relative || segment->shear.value != 0)
+      return true;
+  }
+  return false;
+}
+
+/* True if particles collide that a page throws, and only their contacts dissipate energy. */
+static bool is_free_collision(const struct nb_scene *scene) {
+  bool moving = scene->impact.line > 0, free = nb_damping_none(&scene->damping) && !scene->gravity.line;
+  for (size_t k = 0; k < scene->particle_count && !moving; k++)
+    moving = scene->particles[k].vx != 0 || scene->particles[k].vy != 0 || scene->particles[k].spin != 0;
+  for (size_t s = 0; s < scene->stage_count; s++)
+    free = free && nb_damping_none(&scene->stages[s].damping) && !scene->stages[s].gravity.line;
+  return moving && free;
+}
+
+/* Warns of `shear mindlin`, whose name suggests the exact law, where micro-slip decides: in a contact test with
+ * tangential segments, and in a collision without damping. There is no warning if the law is the value of a name or of
+ * --set, because such a page compares laws. */
+static void warn_no_micro_slip(struct nb_scene_reading *reading) {
+  struct nb_scene *scene = reading->scene;
+  bool friction = false;
+  for (size_t m = 0; m < scene->material_count; m++)
+    friction = friction || scene->materials[m].friction > 0;
+  if (reading->shear_written && strcmp(scene->shear, "mindlin") == 0 && friction &&
+      (scene->contact_test ? has_tangential_segment(scene) : is_free_collision(scene)))
+    nb_warn(&scene->warnings, scene->shear_line,
+            "`shear mindlin` has no micro-slip at the edge of the contact, which decides %s: the exact law is `shear "
+            "mindlin_deresiewicz`",
+            scene->contact_test ? "the path of this contact" : "a collision without damping");
+}
+
 void nb_laws_check(struct nb_scene_reading *reading, bool complete) {
   char text[NB_HINT_SIZE];
   struct nb_scene *scene = reading->scene;
@@ -293,6 +333,7 @@ void nb_laws_check(struct nb_scene_reading *reading, bool complete) {
   }
   if (!scene->contact_test)
     warn_unused_friction(reading);
+  warn_no_micro_slip(reading);
 }
 
 /* clang-format off */

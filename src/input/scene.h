@@ -35,6 +35,7 @@ struct nb_scene_reading {
   bool before_start; /* the page has a `start`, which has not been read yet */
   /* --set gives the normal law, the shear law; the step. Those of the page are then only checked. */
   bool law_set[2], step_set;
+  bool shear_written; /* the shear law of the scene is a word of its line, not the value of a name or of --set */
 
   bool survey;               /* the first pass: it reads only units, let and sweep, and reports no mistakes */
   size_t run;                /* index of the run that is read */
