@@ -145,7 +145,8 @@ static void print_machine(void) {
   printf("on %s\n", name);
 }
 
-/* Measures the time of the chosen setting and of the page as it is. The two are run alternately. */
+/* Measures the time of the chosen setting and of the page as it is. The two are run alternately. If that would take
+ * longer than longest_timing, the times of the trials are printed instead. */
 static void time_choice(struct nb_advice *advice, const struct nb_setting *chosen) {
   double times[2][REPEATS];
   const double one = nb_point_at(advice, chosen)->seconds, own = advice->variants[0].points[-NB_LEVEL_LOW].seconds;

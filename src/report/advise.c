@@ -4,8 +4,8 @@
  * the step goes to zero. The anchor of estimate.c approximates this limit. The reference solution of the page is not
  * used, because for a variant with other laws it would return another solution. A setting consists of a variant and a
  * level. A variant is the page with other laws, softer contacts, centred dashpots or other values of the names in its
- * `trade` statements. At a level the variant is run with --set refine=2^level. Each setting is run in several trials
- * (trials.c).
+ * `trade` statements. At a level the variant is run with its step divided by 2^level (advise.h). Each setting is run in
+ * several trials (trials.c).
  *
  * The estimated error of a setting needs the results at its level, at the next two finer levels, and an anchor that is
  * at least two levels finer. Levels are tried from the coarsest one on; the first level within the tolerance is the
@@ -23,6 +23,7 @@
  *
  * Each realization has a largest ratio of the step to the stable step. s is the mean and d the standard deviation of
  * this ratio over the m realizations. t is the quantile of Student's distribution for one realization in a thousand.
+ * For the page's own laws, values and step this is not required.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "advise.h"
@@ -392,9 +393,10 @@ static void list_own_laws(struct nb_advice *advice) {
     copy_variant(advice, 0)->centred = true;
 }
 
-/* Lists the variants. The first one is the page as it is. If the laws may change, the page with each other pair of laws
- * follows. Without realizations, the page with softer contacts and with centred dashpots then belongs to the list, too.
- * Each of these is listed with all combinations of the values in `trade` statements. */
+/* Lists the variants. The first one is the page as it is. If the laws may change, the list also has the page with each
+ * other pair of laws. Without realizations it then also has the page with softer contacts and with centred dashpots,
+ * where they can make the run cheaper. Each of these is listed with all combinations of the values in `trade`
+ * statements. */
 static enum nb_status list_variants(struct nb_advice *advice, struct nb_error *error) {
   const size_t trades = advice->page.runs[0].scene.trade_count;
   advice->variant_count = 1;

@@ -56,7 +56,7 @@ struct nb_advise_query {
   const char *path;
   nb_settings settings; /* not NULL */
   struct nb_options options;
-  const char *quantity; /* NULL: the quantity of the first expectation */
+  const char *quantity; /* NULL: that of the first expectation of a single value */
   const char *within;   /* "1 %", "0.01", "20 N" */
   /* the name whose values 1, 2, … select the realizations; NULL: the quantity is not a mean over realizations */
   const char *over;
@@ -93,9 +93,10 @@ static inline const struct nb_point *nb_point_at(const struct nb_advice *advice,
   return &advice->variants[setting->variant].points[setting->level - NB_LEVEL_LOW];
 }
 
-/* Searches for the cheapest setting. NB_BAD_USE: a mistake in the query or in the page; mistakes of the page are in
- * advice->page. NB_FAILED: the page cannot be run with its own step and with half of it, or the uncertainty of the
- * anchor is too large for the tolerance. The caller frees the advice in any case; the query must outlive it. */
+/* Searches for the cheapest setting. NB_OK: the search has ended; advice->chosen is -1 if no setting is within the
+ * tolerance. NB_BAD_USE: a mistake in the query or in the page; mistakes of the page are in advice->page. NB_FAILED:
+ * the page cannot be run with its own step and with half of it, or the uncertainty of the anchor is too large for the
+ * tolerance. The caller frees the advice in any case; the query must outlive it. */
 enum nb_status nb_advise(struct nb_advice *advice, const struct nb_advise_query *query, struct nb_error *error);
 void nb_advice_free(struct nb_advice *advice);
 
@@ -104,10 +105,10 @@ double nb_level_refine(const struct nb_advice *advice, int level);
 /* The ratios of the steps of three levels: this level, the next finer one and the one after that. */
 struct nb_ratios nb_level_ratios(const struct nb_advice *advice, int level);
 
-/* True if setting a is cheaper than setting b. The setting with fewer updates is cheaper. For different laws with the
- * same step the numbers of updates are nearly equal. Then the setting with the stiffer contacts counts as cheaper. If
- * the stiffnesses are equal too, the setting whose laws store less per contact counts as cheaper. Measured times are
- * not compared, because another call would then give other advice. */
+/* True if setting a is cheaper than setting b. The setting with fewer updates is cheaper, if the numbers differ by more
+ * than a tenth. For different laws with the same step they are nearly equal. Then the setting with the stiffer contacts
+ * counts as cheaper. If the stiffnesses are equal too, the setting whose laws store less per contact counts as cheaper.
+ * Measured times are not compared, because another call would then give other advice. */
 bool nb_setting_cheaper(const struct nb_advice *advice, const struct nb_setting *a, const struct nb_setting *b);
 /* The setting with the most updates of all that have fewer updates than `setting`; of several with this number, the
  * most accurate one. NULL: there is none. */
@@ -130,8 +131,8 @@ struct nb_left_out {
   const struct nb_variant *nearest;
 };
 struct nb_left_out nb_advice_left_out(const struct nb_advice *advice);
-/* True if softer contacts save nothing, because the step is a fraction of the duration of a collision, so that step and
- * collision become longer in proportion. */
+/* True for a page with `impact` and without realizations in which softer contacts save nothing: its step is a fraction
+ * of the duration of a collision, so that step and collision become longer in proportion. */
 bool nb_advice_softness_is_useless(const struct nb_advice *advice);
 /* True if the page may fail checks with this setting that it passes with its own step, laws and values. */
 static inline bool nb_setting_loosens(const struct nb_setting *setting) {
@@ -144,15 +145,15 @@ static inline bool nb_setting_loosens(const struct nb_setting *setting) {
 void nb_advice_options(char *text, size_t size, const struct nb_advice *advice, const struct nb_setting *setting);
 /* The unit of estimated errors: "%", the unit of the quantity, or "". */
 const char *nb_advice_unit(const struct nb_advice *advice);
-/* Draws FOLDER/NAME.svg and NAME.png: the estimated error against cost. */
+/* Writes FOLDER/NAME.gp and draws NAME.svg and NAME.png: the estimated error against cost. */
 enum nb_status nb_advice_draw(const struct nb_advice *advice, const char *folder, const char *name, bool trust,
                               struct nb_error *error);
 
 /* ---- trials.c ---- */
 
-size_t nb_phase_count(const struct nb_scene *scene);
+size_t nb_phase_count(const struct nb_scene *scene); /* NB_PHASES, or 1 if the page allows no other phase */
 /* Runs `count` trials of a variant at a level, from number `first` on, `stride` apart, unless they have been run.
- * False: one of them cannot be run, or the budget is used up. */
+ * False: one of them cannot be run, the budget is used up, or memory ran out. */
 bool nb_trials_run(struct nb_advice *advice, struct nb_variant *variant, int level, size_t first, size_t stride,
                    size_t count);
 /* Runs the first trial once more and returns its time, s. No value is stored. NaN: the trial fails. */

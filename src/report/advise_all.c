@@ -1,5 +1,5 @@
 /* `nineball advise --all`: the cheapest settings of many pages. Writes a table with one row for each search, and a
- * figure for each page.
+ * figure of each page with advice for its first quantity.
  *
  * The command searches for settings for up to three quantities that a page expects, in the middle run of the sweeps.
  * With --quantity it does so for the quantities that the option names, in all runs. It tries the tolerances in their
@@ -118,9 +118,9 @@ static void put_text(FILE *out, const char *text, const char *end) {
   fputs(end, out);
 }
 
-/* The order of convergence: the slope of the logarithm of the estimated error against the logarithm of the step, over
- * the three finest steps with the page's own laws and values. Rounding errors are left out. NaN: fewer than three steps
- * are left. */
+/* The order of convergence: the slope of the logarithm of the estimated error against the logarithm of the step, from
+ * the first to the last of the three finest steps with the page's own laws and values. Rounding errors are left out.
+ * NaN: fewer than three steps are left. */
 static double order_of(const struct nb_advice *advice) {
   double error[3] = {0};
   int level[3] = {0};
@@ -191,8 +191,8 @@ static void put_result(FILE *out, const struct nb_advice *advice, const char *re
 
 /* ---- a search ---- */
 
-/* Returns the result of a search in one word, "yes" if there is advice. *reason receives the reason for which there is
- * none. */
+/* Returns the result of a search in one word: "yes" if there is advice, else "none", "budget", "unknown" (the value is
+ * too uncertain) or "refused". *reason then receives the reason. */
 static const char *result_of(const struct nb_advice *advice, enum nb_status status, const struct nb_error *error,
                              const char **reason) {
   const char *mistakes = advice->page.mistakes.text ? strstr(advice->page.mistakes.text, "error: ") : NULL;
@@ -268,7 +268,7 @@ static bool next_text(char *text, size_t size, const char **list) {
   return length > 0;
 }
 
-/* Searches with each tolerance. False: memory ran out. */
+/* Searches with the tolerances in their order, up to the first one without advice. False: memory ran out. */
 static bool search_tolerances(struct search_all *all, const struct nb_page *page, const struct wanted *wanted,
                               bool first) {
   const char *list = all->call->within ? all->call->within : default_tolerances;
@@ -310,7 +310,8 @@ static bool is_searched(const struct nb_expectation *e) {
          strncmp(e->measure.label, "time", 4) != 0 && strncmp(e->measure.label, "step", 4) != 0;
 }
 
-/* True if an earlier expectation has the same quantity, of any monitor, and a reducer of the same kind. */
+/* True if an earlier expectation that is searched has the same quantity, of any monitor, and a reducer of the same
+ * kind. */
 static bool is_repeated(const struct nb_expectations *list, size_t index, const struct nb_scene *scene) {
   const struct nb_measure *this = &list->list[index].measure;
   size_t length, other_length;

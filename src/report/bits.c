@@ -1,10 +1,11 @@
 /* The leading bits that two values of an expected quantity have in common.
  *
  * A value x and the value x_nearest of a run that rounds to nearest have floor(-log2(|x - x_nearest| / scale)) bits in
- * common, 53 if they are equal. The scale is |x_nearest|, or the quantity of which the tolerance is a fraction. With an
+ * common, 53 if they are equal. The scale is |x_nearest|, or the measure of which the tolerance is a fraction. With an
  * absolute tolerance, and for a curve, the scale is the largest magnitude of the quantity in the run, because a force
- * that returns to 0 has no leading bits. Residuals, and quantities that stay within their absolute tolerance, have no
- * bits, because they consist of rounding errors.
+ * that returns to 0 has no leading bits. For `expected NUMBER of MEASURE` x is the ratio of the two measures; with an
+ * absolute tolerance its scale is |x_nearest|, too. Residuals, and quantities that stay within their absolute
+ * tolerance, have no bits, because they consist of rounding errors.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "bits.h"

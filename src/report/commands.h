@@ -22,9 +22,9 @@ struct nb_call {
   bool trust;                                    /* draw even if gnuplot cannot be confined */
   bool help, version;                            /* print help or version and do nothing else */
   const char *quantity, *within, *budget, *over; /* options of `advise` */
-  int realizations;
-  const char *rounding; /* option of `check`: "all" or "parts"; NULL: to nearest only */
-  unsigned given;       /* bit set of the options that the call has, by their index in the table of main.c */
+  int realizations;                              /* number of realizations for `advise --over`; 0: not given */
+  const char *rounding;                          /* option of `check`: "all" or "parts"; NULL: to nearest only */
+  unsigned given; /* bit set of the options that the call has, by their index in the table of main.c */
 };
 
 /* ---- commands.c: one function for each command ---- */
@@ -41,14 +41,16 @@ enum nb_status nb_command_advise_all(const struct nb_call *call, double budget, 
 enum nb_status nb_command_laws(const struct nb_call *call);
 enum nb_status nb_command_list(const struct nb_call *call);
 
-/* Runs a page. Without a folder of output files the outcome keeps only what the verdict needs. */
+/* Runs a page. If `folder` is NULL, there are no output files, and the outcome keeps only what the verdict needs. The
+ * caller frees the outcome in any case. */
 void nb_run_page(struct nb_outcome *outcome, const struct nb_call *call, const char *path, const char *folder);
 bool nb_is_stopped(const struct nb_call *call); /* a signal has stopped the program */
-/* True if there are rows to write. Aborted runs may have rows, too. */
+/* True if tables can be written: all runs have ended, or a run was aborted and some run has rows. */
 bool nb_outcome_has_rows(const struct nb_outcome *outcome);
-/* True if no expectation of the page was checked. Such a page must not pass. */
+/* True if the page ran without an error and none of its expectations was checked. Such a page must not pass. */
 bool nb_outcome_is_unchecked(const struct nb_outcome *outcome);
-/* Deletes the checkpoints of the outcome's runs. Called when all output has been written. */
+/* Deletes the checkpoints of the outcome's runs. Called when all output has been written. Does nothing if the status is
+ * an error, or if the output on stdout cannot be written. */
 void nb_remove_checkpoints(struct nb_outcome *outcome, enum nb_status status, const struct nb_call *call);
 
 /* ---- rounding.c ---- */
@@ -57,8 +59,7 @@ enum nb_status nb_rounding_check(const struct nb_call *call); /* `check --roundi
 
 /* ---- manual.c ---- */
 
-/* Prints the manual of the page language: as Markdown, with arguments and examples; or for a terminal, with one
- * sentence for each word. */
+/* Prints the manual of the page language: as Markdown, with arguments and examples; or for a terminal, without them. */
 void nb_manual(FILE *out, bool markdown);
 /* Prints the help for a word that pages, version 0.3 or another program use, or for several words. False: there is no
  * help; `hint` (NB_HINT_SIZE bytes) then has the nearest word, or is empty. */
@@ -74,7 +75,7 @@ void nb_print_verdict(const struct nb_outcome *outcome);
 void nb_print_tap(const struct nb_outcome *outcome, const char *path);
 /* Prints to stderr an error that belongs to no page, and returns its status. */
 enum nb_status nb_print_plain_error(const struct nb_error *error);
-/* Prints to stderr the mistakes or the error of an outcome. */
+/* Prints to stderr the mistakes or the error of an outcome, and its warnings. */
 void nb_print_errors(const struct nb_outcome *outcome, const char *path);
 /* Prints to stderr an error of a page. */
 void nb_print_error(const struct nb_error *error, const struct nb_page *page, const char *path);
@@ -82,7 +83,7 @@ struct nb_progress_line {
   const char *page;
   double shown; /* time of the run when the line was last written, s; 0: never */
 };
-struct nb_progress nb_print_progress(struct nb_progress_line *line); /* no progress if stderr is not a terminal */
+struct nb_progress nb_print_progress(struct nb_progress_line *line); /* only notes if stderr is not a terminal */
 void nb_print_progress_end(struct nb_progress_line *line);
 
 /* Prints the text with each character of the list replaced by its text `by`; the list ends in a row of zeros. */
@@ -99,13 +100,15 @@ enum nb_status nb_save_begin_in(struct nb_save *file, struct nb_error *error, co
                                 ...) __attribute__((format(printf, 4, 5)));
 /* Ends the file as nb_save_end does, unless a result of the outcome could not be read; then the file is discarded. */
 enum nb_status nb_outcome_save_end(const struct nb_outcome *outcome, struct nb_save *file, struct nb_error *error);
-/* Writes into the folder: table.tsv, values.tsv, verdict.tsv; for each snapshot STAGE-particles.tsv, -walls.tsv,
- * -contacts.tsv, and of a contact test SEGMENT-traction.tsv, -pieces.tsv. If the page has several runs, the names of
- * snapshots end in the number of the run: STAGE-particles-2.tsv. */
+/* Writes into the folder: table.tsv, values.tsv, verdict.tsv; for each snapshot STAGE-particles.tsv, -walls.tsv and
+ * -contacts.tsv, if it has them also -rings.tsv, -boundary.tsv and -lattice.tsv, and of a contact test
+ * SEGMENT-traction.tsv and -pieces.tsv. If the page has several runs, the names of snapshots end in the number of the
+ * run: STAGE-particles-2.tsv. */
 enum nb_status nb_tables_save(const struct nb_outcome *outcome, const char *folder, struct nb_error *error);
 /* Writes a head row and the rows of one run, with reference curves beside the computed quantities. */
 void nb_table_write_run(FILE *out, const struct nb_page_run *run);
-/* Writes one row for each run: the swept values, then every measure of the expect blocks, computed and reference. */
+/* Writes a head row and one row for each run: the swept values, the number of the run, then every measure of the expect
+ * blocks except curves, computed and reference. */
 void nb_values_write(FILE *out, const struct nb_outcome *outcome);
 void nb_table_write(FILE *out, const struct nb_table *table);
 /* Writes the first lines of every file, after `# `: program, page, settings, the hash of page and settings, and whether
@@ -119,9 +122,10 @@ void nb_preamble_write(FILE *out, const struct nb_outcome *outcome);
  * neither is found, `plots` is empty and *error says so. */
 void nb_plots_find(char *plots, size_t size, struct nb_error *error);
 bool nb_page_has_figure(const struct nb_page *page); /* the page has a `gnuplot` block */
-/* Writes NAME.gp into the folder, and lets gnuplot draw NAME.svg and NAME.png. If the page has no figure, *drawn is
- * false and nothing is written. Only the commands `figure` and `report` call it, because gnuplot then runs code of the
- * page. gnuplot is confined (sandbox.h), or unconfined if the page is trusted and the system cannot confine it. */
+/* Writes NAME.gp into the folder, and lets gnuplot draw NAME.svg and NAME.png. If the page has no figure, nothing is
+ * written and NB_OK is returned. *drawn is true only if both were drawn. Only the commands `figure` and `report` call
+ * it, because gnuplot then runs code of the page. gnuplot is confined (sandbox.h), or unconfined if the page is trusted
+ * and the system cannot confine it. */
 enum nb_status nb_figure_draw(const struct nb_outcome *outcome, const char *folder, bool trust, bool *drawn,
                               struct nb_error *error);
 

@@ -14,7 +14,7 @@
 static bool is_expected(const char *message) { return strstr(message, "ranslations") || strstr(message, "Abstract"); }
 
 /* Copies the messages of pandoc to stderr, such as one about a formula that cannot be typeset. `last` receives the last
- * message. */
+ * copied message, or is empty. */
 static void copy_messages(FILE *messages, const char *path, char *last, size_t size) {
   char line[1024];
   last[0] = 0;

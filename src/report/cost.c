@@ -3,9 +3,9 @@
  * The number of cycles of a stage is fixed by `cycles`, or by conditions that read only the clock, such as `until time
  * above 2 ms`: the program evaluates such conditions at the times of later cycles, without running these cycles. Any
  * other condition gives only bounds of the number. The cost of a cycle is measured by a trial: a run whose stages end
- * after a few milliseconds each. A trial tests conditions and records rows as the run does, but its later stages begin
- * from the state that the shortened stages before them have reached. Its rows and snapshots are written and checked,
- * which measures the cost of tables and verdict.
+ * after 1 ms to 50 ms each. A trial tests conditions and records rows as the run does, but its later stages begin from
+ * the state that the shortened stages before them have reached. Its rows and snapshots are written and checked, which
+ * measures the cost of tables and verdict.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -249,9 +249,9 @@ void nb_cost_add(struct nb_cost *sum, const struct nb_cost *cost) {
 
 /* ---- after the runs ---- */
 
-/* Adds the expected costs of the runs, without reference solutions. If `bounds` is true, it adds only the bounds of the
- * numbers of cycles, which it computes with the steps of the runs; otherwise it adds all costs, which it measures by
- * trials. False: the cost is unknown. */
+/* Adds the expected costs of the runs, without reference solutions. If `bounds` is true, it adds the bounds of the
+ * numbers of cycles and the costs that follow from the steps and times of these runs; otherwise it adds all costs,
+ * which it measures by trials. False: the cost is unknown. */
 static bool expect_all(struct nb_cost *sum, const struct nb_outcome *outcome, bool bounds,
                        const struct nb_options *options) {
   struct nb_error error;

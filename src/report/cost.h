@@ -42,13 +42,13 @@ static inline bool nb_time_differs(double seconds, double expected) {
 }
 /* Prints one line: the cost of the runs of an outcome, with the processor time `seconds` of the whole page. If a stage
  * has a condition other than one on the clock, the line also has the bounds of the number of cycles, unless they are
- * equal. For a long run whose time differs from the expected time by more than a fifth, it also has the expected
- * time. */
+ * equal. Otherwise, for a long run whose time differs from the expected time by more than a fifth, it also has the
+ * expected time. For a contact test it has neither. */
 void nb_cost_print_actual(FILE *out, const struct nb_outcome *outcome, double seconds,
                           const struct nb_options *options);
 /* Processor time of the program since its start, of all threads, s. */
 double nb_cost_clock(void);
-/* Processor time to write an empty file, s. */
+/* Processor time to write an empty file, s; 0 if no temporary folder can be made. */
 double nb_cost_file(void);
 
 /* Prints the plan and the lines of the page that require it, memory, the step and its limit, stages and cost; for a

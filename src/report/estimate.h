@@ -25,14 +25,14 @@ struct nb_anchor {
 struct nb_anchor nb_estimate_anchor(const double at_anchor[], const double at_double_step[], size_t phases);
 
 /* The estimated error of a setting, from Q(n), Q(2n) and Q(4n), each at `phases` phases, and from the anchor. *step
- * receives the largest G. */
+ * receives the largest G. Infinite if the anchor is not finite; *step is then 0. */
 double nb_estimate_claim(double *step, const double n[], const double n2[], const double n4[], size_t phases,
                          struct nb_ratios ratios, struct nb_anchor anchor);
 
-/* The mean and the standard deviation. */
+/* The mean, and the standard deviation of at least two values. */
 double nb_estimate_average(const double values[], size_t count);
 double nb_estimate_scatter(const double values[], size_t count);
 /* The estimated error of the mean over realizations, from the result of each realization and from the result of the
  * same realization at the anchor. `quantile` is the quantile of Student's distribution for `count` values. *difference
- * receives the difference of the two means. */
+ * receives the magnitude of the difference of the two means. Infinite if a result is not finite. */
 double nb_estimate_mean(double *difference, const double n[], const double anchor[], size_t count, double quantile);

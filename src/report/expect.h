@@ -83,7 +83,7 @@ struct nb_expectation_row {
   const char *word; /* the word after the measure */
   enum nb_expectation_kind kind;
   const char *syntax; /* syntax of the whole statement, for the manual */
-  /* Reads the rest of the line after the word. The measure has been read before. */
+  /* Reads the rest of the line after the word. The measure has been read before. False: there is a mistake. */
   bool (*take)(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation);
   const char *help;
   const char *example; /* as in struct nb_keyword */
@@ -93,8 +93,9 @@ struct nb_family;
 /* The statements of expect blocks: `reference NAME`, `report MEASURE`, and expectations. */
 const struct nb_family *nb_expect_keywords(void);
 
-/* Reads the expect blocks of the page for one run. After a mistake `expectations` is empty. The scene may have
- * mistakes. A name that is undefined because of such a mistake is not reported again. */
+/* Reads the expect blocks of the page for one run. After a mistake `expectations` is empty; the function returns
+ * NB_BAD_USE, or NB_NO_MEMORY. The scene may have mistakes. A name that is undefined because of such a mistake is not
+ * reported again. */
 enum nb_status nb_expectations_read(struct nb_expectations *expectations, const struct nb_page *page,
                                     const struct nb_scene *scene, struct nb_mistakes *mistakes);
 /* Reads "MEASURE within TOLERANCE" from a text that is not a line of a page; messages call the text `name`. */

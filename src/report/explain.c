@@ -1,6 +1,7 @@
-/* `nineball explain` prints the state from which a page starts, its particles, and the passes and hooks of a cycle with
- * the lines of the page that request them. Then it prints memory, the time step and what limits it, and the statements
- * of each stage with the values of this run. For a contact test it prints the contact, its laws and its segments.
+/* `nineball explain` prints the state from which a page starts, its particles, the passes of a cycle with the lines of
+ * the page that request them, and its hooks. Then it prints memory, the time step and what limits it, and the
+ * statements of each stage with the values of this run. For a contact test it prints the contact, its laws and its
+ * segments.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -43,7 +44,7 @@ static void print_statement(FILE *out, const struct nb_reader *reader) {
     fprintf(out, " %s", reader->tokens[k].text);
 }
 
-/* Prints the statement on this line; nothing if line is 0. */
+/* Prints the statement on this line; nothing if line is 0 or no statement of the page. */
 static void explain_statement(FILE *out, const struct nb_scene *scene, int line, const char *end) {
   struct nb_reader reader;
   if (line == 0 || !read_statement(&reader, scene, (size_t)line))
@@ -480,7 +481,8 @@ static void explain_growth(FILE *out, int line, const struct nb_strain_rate *rat
   fputs(*between ? "\n" : "", out);
 }
 
-/* Prints the strain rate of a line as a tensor, if it has a shear: c12 and c21 are easily mistaken for one another. */
+/* Prints the normal components of the strain rate of a line and, if it has a shear, the whole tensor: c12 and c21 are
+ * easily mistaken for one another. */
 static void explain_strain_rate(FILE *out, const struct nb_scene *scene, int line, const struct nb_strain_rate *rate) {
   const char *const unit = rate->per_cycle ? " per cycle" : nb_unit(scene, " 1/s");
   const double sum = rate->xy + rate->yx;
@@ -694,7 +696,7 @@ static struct nb_model *model_before_start(const struct nb_scene *scene, const s
 }
 
 /* Prints the plan of a page that starts from a state which does not exist yet, as far as the plan follows from the
- * scene. */
+ * scene. If no model can be made, prints only the state; then only NB_NO_MEMORY is reported. */
 static enum nb_status explain_before_start(FILE *out, const struct nb_scene *scene, const struct nb_options *options,
                                            struct nb_cost *cost, struct nb_error *error) {
   const struct nb_start *start = &scene->start;

@@ -1,4 +1,4 @@
-/* The figure of a page: one gnuplot script with the style, all computed and reference values, and the gnuplot blocks of
+/* The figure of a page: one gnuplot script with the style, the tables and values of all runs, and the gnuplot blocks of
  * the page. The script can be edited and run by hand. `nineball --help gnuplot` (manual.c) lists the variables and data
  * that the script defines.
  *
@@ -31,7 +31,8 @@ static void write_name(FILE *out, const char *label) {
     fputc(isalnum((unsigned char)*c) ? *c : '_', out);
 }
 
-enum { VARIABLE_MAX = 49 }; /* gnuplot truncates names of more characters, so that two of them could become equal */
+/* gnuplot truncates names of more characters, so that two of them could become equal. Their values are left out. */
+enum { VARIABLE_MAX = 49 };
 
 static void write_value(FILE *out, const char *prefix, const char *label, const char *number, double value) {
   if (strlen(prefix) + strlen(label) + strlen(number) > VARIABLE_MAX)

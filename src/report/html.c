@@ -60,8 +60,8 @@ const char *nb_html_verdict(char *text, size_t size, const struct nb_report_page
 
 enum { WIDE = 140, HIGH = 50, MARGIN = 5 }; /* sizes of the picture of a trend, in units of its view box */
 
-/* Fraction of the way from the smallest to the largest value. The scale is logarithmic if the largest value is more
- * than `decades` powers of ten above the smallest. */
+/* Fraction of the way from the smallest to the largest value. The scale is logarithmic if the smallest value is above 0
+ * and log10(largest/smallest) is above `decades`. 0.5 if the values are equal. */
 static double position(double value, double smallest, double largest, double decades) {
   if (smallest > 0 && log10(largest / smallest) > decades)
     return log(value / smallest) / log(largest / smallest);

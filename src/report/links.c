@@ -27,7 +27,8 @@ static bool has_ending(const char *name, const char *endings) {
 }
 
 /* The name of a copied file: the last two parts of its path, joined by `-`. A text gets the ending .txt, because a
- * browser shows a file as text only with this ending. */
+ * browser shows a file as text only with this ending. If another file has the name, a number comes before it. The
+ * caller frees the name; NULL: out of memory. */
 static char *file_name(const struct nb_report *report, const char *real, bool picture) {
   const size_t size = strlen(real) + 32;
   char *name = malloc(size);
@@ -56,7 +57,7 @@ static bool save_file(const struct nb_report *report, const char *name, const ch
 }
 
 /* Copies a file to the report, unless it has been copied. Returns its name there; NULL: it is not a small picture or
- * text. */
+ * text, or it could not be read or copied. */
 static const char *copy_file(struct nb_report *report, const char *real) {
   const bool picture = has_ending(real, "svg, png, jpg, jpeg, gif, webp");
   struct nb_error error;
@@ -84,7 +85,8 @@ static bool is_below(const char *real, const char *page) {
   return strncmp(real, page, length) == 0;
 }
 
-/* Writes the address of a target in the report, and the verdict on it; false: the target is not part of the report. */
+/* Writes the address of a target in the report and, if it is a page, the verdict on it; false: the target is neither a
+ * page of the report nor a file that was copied. */
 static bool resolve(struct nb_report *report, const struct nb_report_page *page, const char *target, char *address,
                     const char **class, char *verdict, size_t size) {
   char path[4096];

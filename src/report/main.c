@@ -66,7 +66,7 @@ static const struct option_row {
      "trades) gets a figure of each page and the table trades.tsv, to which a later call adds rows. Exit status 1: a "
      "search ended without advice"},
     {"quantity", "MEASURE", 0, TEXT, AT(quantity), "advise",
-     "quantity whose error counts, as in an expect block (default: that of the first expectation)"},
+     "quantity whose error counts, as in an expect block (default: that of the first expectation of a single value)"},
     {"within", "TOLERANCE", 0, TEXT, AT(within), "advise",
      "largest error of the quantity: '1 %', or a number in its unit"},
     {"budget", "TIME", 0, TEXT, AT(budget), "advise", "time for the search, s (default: 60)"},
@@ -76,7 +76,7 @@ static const struct option_row {
      "`sweep` of the page"},
     {"realizations", "N", 0, NUMBER, AT(realizations), "advise", "number of realizations, 8 to 32 (default: 8)"},
     {"jobs", "N", 0, NUMBER, AT(options.jobs), CHECKING ", advise",
-     "runs of a sweep in parallel (default: the number of processors)"},
+     "runs of a sweep, or trials, in parallel (default: the number of processors, divided by --threads)"},
     {"threads", "N", 0, NUMBER, AT(options.threads), ALL,
      "threads of one run (default 1); the results do not depend on it"},
     {"isa", "NAME", 0, TEXT, AT(options.isa), ALL,
@@ -107,7 +107,8 @@ static const double checkpoint_seconds = 60;
 static volatile sig_atomic_t stop_signal;
 static void note_signal(int number) { stop_signal = number; }
 
-/* The first signal stops the run after the present cycle; a second one of the same kind ends the process. */
+/* In a run with checkpoints the first signal stops the run after the present cycle; a second one of the same kind ends
+ * the process. */
 static void catch_signals(struct nb_call *call) {
   struct sigaction action = {.sa_handler = note_signal, .sa_flags = (int)SA_RESETHAND};
   signal(SIGPIPE, SIG_IGN); /* output files are written even if nobody reads the verdict */

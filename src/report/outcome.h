@@ -16,7 +16,7 @@ struct nb_page_run {
   /* has the recorded tables of the result, from byte `at` on; NULL: the tables are in `result` */
   struct nb_spool *spool;
   long at;
-  char label[256];       /* "v=0.12 n=40", empty without a sweep */
+  char label[256];       /* "v=0.12, n=40", empty without a sweep */
   bool released;         /* the scene has its particles only during the run */
   double done;           /* completed fraction of the cycles, 0 to 1 */
   enum nb_status status; /* status of the run, without the verdict */
@@ -27,7 +27,7 @@ struct nb_page_run {
 enum nb_mark {
   NB_FAIL,
   NB_PASS,
-  NB_NOTE, /* a value, or the percentile of a number in a sample, which cannot fail */
+  NB_NOTE, /* a value, or the percentile of a number in a sample; if it is undefined, the mark is NB_FAIL */
   NB_SKIP, /* not checked; the message gives the reason */
   NB_MARKS
 };
@@ -52,16 +52,17 @@ struct nb_check {
 
 struct nb_outcome {
   struct nb_page page;
-  nb_settings settings;        /* settings of the caller */
+  nb_settings settings;        /* settings of the caller, which must outlive the outcome */
   struct nb_mistakes mistakes; /* mistakes in the page, if status is NB_BAD_USE */
   struct nb_page_run *runs;    /* owned, like everything below */
   size_t run_count;
   struct nb_check *checks;
   size_t check_count, mark_count[NB_MARKS]; /* all checks; checks of each mark */
   struct nb_warnings warnings;              /* warnings of all runs, each once */
-  enum nb_status status;                    /* the worst status of all runs and checks */
-  struct nb_error error;                    /* the message, if status is above NB_FAILED and there are no mistakes */
-  struct nb_lock lock;                      /* lock of the checkpoints, until they are removed */
+  /* the status of reading; nb_outcome_make replaces it by that of the first run that failed, or else of the verdict */
+  enum nb_status status;
+  struct nb_error error; /* the message, if status is above NB_FAILED and there are no mistakes */
+  struct nb_lock lock;   /* lock of the checkpoints, until they are removed */
   bool locked;
   struct nb_lock output; /* lock of the folder of output files */
   bool output_locked;
@@ -77,8 +78,9 @@ struct nb_outcome {
   bool noted; /* the user has been told that results stay in memory */
 };
 
-/* Reads the page, runs it, options->jobs runs at a time, and checks its expectations. After an error the outcome has
- * the results that were computed before. The caller frees the outcome in any case. */
+/* Reads the page, runs it, options->jobs runs at a time, and checks its expectations. `options` and `progress` may be
+ * NULL. After an error the outcome has the results that were computed before. The locks stay until the checkpoints are
+ * removed or the outcome is freed. The caller frees the outcome in any case. */
 enum nb_status nb_outcome_make(struct nb_outcome *outcome, const char *path, nb_settings settings,
                                const struct nb_options *options, const struct nb_progress *progress);
 /* Only reads the page: the scenes and the expectations of all runs. */
@@ -86,11 +88,13 @@ enum nb_status nb_outcome_read(struct nb_outcome *outcome, const char *path, nb_
 /* Runs what has been read, without a verdict. */
 enum nb_status nb_outcome_run(struct nb_outcome *outcome, const struct nb_options *options,
                               const struct nb_progress *progress);
+/* Deletes the checkpoints of all runs, and releases the locks. */
 void nb_outcome_remove_checkpoints(struct nb_outcome *outcome, const struct nb_options *options);
 /* Number of threads for runs side by side, at least 1 and at most `most`. */
 int nb_job_count(const struct nb_options *options, size_t most);
 void nb_outcome_free(struct nb_outcome *outcome);
-void nb_outcome_free_runs(struct nb_outcome *outcome); /* keeps page, checks, warnings and error */
+/* Frees the runs and releases the locks. Keeps page, checks, mistakes, warnings and error. */
+void nb_outcome_free_runs(struct nb_outcome *outcome);
 
 /* ---- spool.c: results of runs that are not in memory ---- */
 
@@ -109,8 +113,8 @@ void nb_spool_free(struct nb_spool *spool);
 
 /* ---- reducers.c: from the rows of a table to one number ---- */
 
-/* Computes the value of the measure. False with an error if the table has no rows for the measure, or if a value is not
- * finite. */
+/* Computes the value of the measure. False with an error if the table has no rows for the measure, or if a value or the
+ * result is not finite; *value is then NaN. */
 bool nb_measure_value(double *value, const struct nb_measure *measure, const struct nb_table *table,
                       struct nb_error *error);
 /* Finds the rows of the measure's stage: *from is the first one, *to is one past the last one. Without a stage they are
@@ -119,10 +123,12 @@ void nb_measure_rows(const struct nb_measure *measure, const struct nb_table *ta
 /* The value that the reference solution has for the measure's label, with or without the stage; NULL: it has none. */
 const double *nb_measure_solution(const struct nb_measure *measure, const struct nb_solution *solution);
 
-/* Writes the swept values of the run, "v=0.12, n=40", without the values of the sweeps over which the expectation
- * compares runs; `expectation` may be NULL. */
+/* Writes the swept values of the run, "v=0.12, n=40", without sweeps that --set has replaced and without those over
+ * which the expectation compares runs; `expectation` may be NULL. */
 void nb_sweep_label(char *text, size_t size, const struct nb_page_run *run, const struct nb_expectation *expectation);
 
 /* ---- verdict.c ---- */
+
+/* Checks all expectations: sets checks and mark_count. NB_FAILED: a check failed. */
 enum nb_status nb_verdict(struct nb_outcome *outcome);
-const char *nb_mark_word(enum nb_mark mark); /* "pass" */
+const char *nb_mark_word(enum nb_mark mark); /* "FAIL", "pass", "note", "skip" */

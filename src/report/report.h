@@ -1,6 +1,6 @@
 /* The report: a static site with the text, figure and checks of each page.
  *
- *   index.html          pages that failed, the text of the first document, search, all pages
+ *   index.html          pages that failed, the text of the first page if it is a document, search, all pages
  *   NAME/index.html     a page: text, figure, checks, cost, files
  *   files/              figures and text files to which the pages link
  *
@@ -16,10 +16,10 @@ struct nb_report_page {
   char *real;
   char name[NB_NAME_SIZE], title[NB_NAME_SIZE * 2]; /* `name` is unique in the report; `title` is the first heading */
   char message[512];                                /* an error other than a failed check, or empty */
-  char figure[NB_NAME_SIZE + 8];                    /* NAME.svg, or NAME.png */
+  char figure[NB_NAME_SIZE + 8];                    /* NAME.svg, or NAME.png; used if `drawn` */
   char cost[256];                                   /* one line, or empty */
   char *dropped;                                    /* names of large files that were removed; owned */
-  struct nb_outcome outcome;                        /* without its runs */
+  struct nb_outcome outcome;                        /* without its runs, once the page has been run */
   bool document;                                    /* the page has no block of the page language */
   bool unrun;                                       /* the page is shown without its results */
   bool saved, drawn;                                /* the page has tables; the page has a figure */
@@ -59,6 +59,7 @@ char *nb_report_links(struct nb_report *report, const struct nb_report_page *pag
 
 /* ---- convert.c ---- */
 
-/* Writes the text of the page as HTML, with the table of checks in the place of the expect block or at the end. */
+/* Writes the text of the page as HTML, with the table of checks in the place of the expect block or at the end.
+ * Messages of pandoc go to stderr. NB_BAD_USE if pandoc cannot be run or refuses the page. */
 enum nb_status nb_report_convert(FILE *out, struct nb_report *report, const struct nb_report_page *page,
                                  const char *top, bool verdicts, struct nb_error *error);

@@ -17,6 +17,6 @@ struct nb_row_table {
  * an error. */
 enum nb_status nb_row_table_open(struct nb_row_table *table, const char *path, const char *version, const char *head,
                                  struct nb_error *error);
-/* The text after `key` in the row that begins with `key`; NULL: there is no such row. */
+/* The text after `key` in the row of an earlier call that begins with `key`; NULL: there is no such row. */
 const char *nb_row_table_find(const struct nb_row_table *table, const char *key);
-bool nb_row_table_close(struct nb_row_table *table); /* false: it could not be written */
+bool nb_row_table_close(struct nb_row_table *table); /* false: it could not be written; frees everything in any case */

@@ -161,7 +161,8 @@ static void limit(int what, rlim_t maximum) {
   setrlimit(what, &limits);
 }
 
-/* In the child process: drops rights and executes the program. Exits with status 126 if that fails. */
+/* In the child process: drops rights and executes the program. Exits with status 126 if that fails, or 125 if its
+ * message cannot be written either. */
 _Noreturn static void exec_confined(const struct nb_confined *confined) {
   static const char message[] = "it could not be confined\n";
   const bool landlock = confined->method == NB_CONFINE_LANDLOCK, bwrap = confined->method == NB_CONFINE_BWRAP;

@@ -10,7 +10,7 @@ enum { NB_CONFINE_PATH = 4096, NB_CONFINE_WORDS = 96 };
 enum nb_confinement { NB_CONFINE_LANDLOCK, NB_CONFINE_BWRAP, NB_CONFINE_NONE };
 
 /* The program, and the files that it may read besides the libraries and fonts of the system. The program may not write
- * files; its output goes to standard output. */
+ * files, unless `method` is NB_CONFINE_NONE. Its output goes to standard output. */
 struct nb_confined {
   char program[NB_CONFINE_PATH];       /* real path */
   char loader[NB_CONFINE_PATH];        /* its ELF loader; empty: none */
@@ -23,13 +23,13 @@ struct nb_confined {
   char text[2][2 * NB_CONFINE_PATH]; /* strings of the command */
 };
 
-/* Finds the program on PATH; returns its real path in `path`. */
+/* Finds the program on PATH; returns its real path in `path`. False: there is none, or its path is too long. */
 bool nb_program_find(char *path, size_t size, const char *name);
 /* Chooses the method and prepares it: Landlock, or else bwrap. If neither works, a trusted page is not confined, and
  * any other page is an error. The caller sets `program`, `folder`, `file`, `library` and `arguments`, and calls
- * nb_confine_end at the end. NINEBALL_CONFINE=landlock|bwrap|none restricts the choice. */
+ * nb_confine_end at the end, also after an error. NINEBALL_CONFINE=landlock|bwrap|none restricts the choice. */
 enum nb_status nb_confine_begin(struct nb_confined *confined, bool trust, struct nb_error *error);
 void nb_confine_end(struct nb_confined *confined);
-/* Runs the program with these files as standard output and standard error. Returns the status of waitpid, or -1 if the
- * program could not be started. */
+/* Runs the program with these files as standard output and standard error. Returns the status of waitpid, or -1 if
+ * there is no process for the program. The exit status is 126 if the program could not be confined or executed. */
 int nb_confine_run(const struct nb_confined *confined, int out, int errors);

@@ -1,5 +1,6 @@
-/* Tables as tab-separated text: preamble lines that begin with `#`, one head row `name/unit`, and rows of numbers. The
- * numbers are written by %.17g, so that the same double is read back.
+/* Tables as tab-separated text: preamble lines that begin with `#`, one head row `name/unit`, and rows of numbers. In
+ * table.tsv a row also has the name of its stage, and verdict.tsv has texts. The numbers are written by %.17g, so that
+ * the same double is read back.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -27,7 +28,7 @@ void nb_preamble_write(FILE *out, const struct nb_outcome *outcome) {
     fprintf(out, "# incomplete: %s\n", outcome->error.text);
 }
 
-/* Writes the swept values, or their names: "0.12 m/s" becomes 0.12 in the column v/(m/s). A sweep that --set reduces to
+/* Writes the swept values, or their names: "0.12 m/s" becomes 0.12 in the column v/m/s. A sweep that --set reduces to
  * one value keeps its column, because figures use it. */
 static void write_swept_values(FILE *out, const struct nb_page_run *run, bool names) {
   for (size_t k = 0; k < run->scene.binding_count; k++) {

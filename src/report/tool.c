@@ -1,7 +1,8 @@
 /* Runs gnuplot and pandoc, confined to the rights that sandbox.c grants.
  *
- * No text of a page is part of a command: a file name is an argument of its own and begins with `./`, because gnuplot
- * would run `<NAME` as a shell command.
+ * No text of a page can become a command. The programs are run without a shell. A file name is an argument of its own
+ * and begins with `./`, because gnuplot would run `<NAME` as a shell command. The links of a page reach pandoc as the
+ * value of an option.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "tool.h"

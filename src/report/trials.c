@@ -15,7 +15,7 @@
 #include "core/clock.h"
 
 enum { SETTINGS_EXTRA = NB_TRADES + 7, SETTING_SIZE = 3 * NB_NAME_SIZE };
-/* Largest relative difference of the steps of two phases, for a page without `impact`. */
+/* Phase p, 0 to 1, has the step divided by 1 + phase_spread p, for a page without `impact`. */
 static const double phase_spread = 0.08;
 
 bool nb_advice_no_memory(struct nb_advice *advice) {
@@ -178,8 +178,8 @@ static void free_trial(struct trial *trial) {
 
 /* ---- several trials at once ---- */
 
-/* True if trials that run at once would end within the budget. They are assumed to take as long as earlier trials of
- * the level, or twice as long as the trials of the next coarser level. */
+/* True if trials that run at once would end within the budget; if not, the search is exhausted. They are assumed to
+ * take as long as earlier trials of the level, or twice as long as the trials of the next coarser level. */
 static bool is_affordable(struct nb_advice *advice, const struct nb_point *point, int level) {
   const double now = nb_clock() - advice->began;
   const double expected = point->done || level == NB_LEVEL_LOW ? point->seconds : 2 * point[-1].seconds;

@@ -245,8 +245,8 @@ static enum nb_status check_page(const struct nb_saved *saved, const struct nb_s
   if (stage)
     snprintf(where, sizeof where, "in stage `%s` (line %d) or above this stage", stage->name, stage->line);
   return nb_error_set(error, NB_BAD_USE,
-                      "the page has changed since %.200s was saved, %s: restore the text of the page, or run the page "
-                      "from the beginning, without --resume",
+                      "the page has changed since %.200s was saved, %s: restore the text of the page, or remove the "
+                      "checkpoint with its `.old` file and run the page without --resume",
                       path, where);
 }
 
