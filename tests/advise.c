@@ -812,7 +812,7 @@ static void checks_may_fail_with_a_looser_setting(void) {
     }
 }
 
-static void words_of_steps_and_of_failure(void) {
+static void words_of_steps_of_times_and_of_failure(void) {
   static const struct {
     double refine;
     const char *text;
@@ -875,7 +875,7 @@ void suite_advise(void) {
   CU_ADD_TEST(suite, softer_contacts_must_save_updates);
   CU_ADD_TEST(suite, the_next_cheaper_and_the_most_accurate_setting);
   CU_ADD_TEST(suite, checks_may_fail_with_a_looser_setting);
-  CU_ADD_TEST(suite, words_of_steps_and_of_failure);
+  CU_ADD_TEST(suite, words_of_steps_of_times_and_of_failure);
   CU_ADD_TEST(suite, levels_divide_all_numbers_of_cycles);
   CU_ADD_TEST(suite, the_scatter_is_that_of_the_worst_run);
   CU_ADD_TEST(suite, variants_that_are_left_out);

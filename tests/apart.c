@@ -140,7 +140,7 @@ static void the_advised_step_is_stable(void) {
 
 void suite_apart(void) {
   CU_pSuite suite = CU_add_suite("apart", NULL, NULL);
-  CU_add_test(suite, "pairs that may meet", pairs_that_may_meet);
+  CU_add_test(suite, "pairs that could collide later", pairs_that_may_meet);
   CU_ADD_TEST(suite, a_removed_particle_meets_none);
   CU_ADD_TEST(suite, the_advised_step_is_stable);
 }

@@ -1,6 +1,6 @@
-/* The periodic cell. The contacts found are compared with a search over all images. Results must not depend on the
- * skin, threads, storage order or instruction set. On the image of a particle that the page gives they may depend only
- * by rounding (1e-8).
+/* The periodic cell: its contacts, strain, gaps and regions. The contacts found are compared with a search over all
+ * images. Results must not depend on the skin, threads, storage order or instruction set. On the image of a particle
+ * that the page gives they may depend only by rounding (1e-8).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -95,7 +95,7 @@ static size_t compare(const struct nb_model *model, double within) {
   return wanted;
 }
 
-static void copies_are_found(struct radii radii) {
+static void images_are_found(struct radii radii) {
   static const char *const strains[] = {"cell strain 0 0 c12 0.9", "cell strain 0.1 -0.1 shear 0.2",
                                         "cell strain -0.03 -0.05", "cell strain 0 0 c12 -0.7 c21 0.1"};
   for (unsigned s = 0; s < 4; s++)
@@ -120,8 +120,8 @@ static void copies_are_found(struct radii radii) {
       written_free(&it);
     }
 }
-static void all_copies_are_found(void) { copies_are_found(different); }
-static void all_copies_of_similar_discs_are_found(void) { copies_are_found(similar); }
+static void all_images_are_found(void) { images_are_found(different); }
+static void all_images_of_similar_discs_are_found(void) { images_are_found(similar); }
 
 /* Forces, velocities and angles of the particles, by number, and the shear of the cell. */
 static void outcome(const struct nb_model *model, double state[DISCS][8]) {
@@ -151,7 +151,7 @@ static struct nb_model *run(const struct written *it, const struct nb_options *o
 
 /* A page may give any image of a particle: the results agree except for rounding errors, which grow with every
  * collision. */
-static void which_copy_is_named_changes_nothing(void) {
+static void another_image_changes_results_only_by_rounding(void) {
   for (int wander = 0; wander < 2; wander++) {
     struct written it;
     gas(&it, "cell strain 0.02 0 c12 0.3", "", wander, 7);
@@ -318,9 +318,9 @@ static void regions_across_the_side_of_a_cell(void) {
 
 void suite_cell(void) {
   CU_pSuite suite = CU_add_suite("cell", NULL, NULL);
-  CU_ADD_TEST(suite, all_copies_are_found);
-  CU_ADD_TEST(suite, all_copies_of_similar_discs_are_found);
-  CU_ADD_TEST(suite, which_copy_is_named_changes_nothing);
+  CU_ADD_TEST(suite, all_images_are_found);
+  CU_ADD_TEST(suite, all_images_of_similar_discs_are_found);
+  CU_ADD_TEST(suite, another_image_changes_results_only_by_rounding);
   CU_ADD_TEST(suite, the_skin_changes_no_bit);
   CU_ADD_TEST(suite, storage_threads_and_instructions_change_no_bit);
   CU_ADD_TEST(suite, a_strain_is_uniform);

@@ -290,8 +290,8 @@ void suite_deep(void) {
   CU_add_test(suite, "the stable step of discs apart uses their damping", stable_step_of_discs_apart);
   CU_add_test(suite, "deep contacts are counted", overlaps_are_counted);
   CU_add_test(suite, "counts do not depend on searches and threads", counts_go_on);
-  CU_add_test(suite, "counts are kept", counts_stay);
+  CU_add_test(suite, "the count is kept when the law changes", counts_stay);
   CU_add_test(suite, "deep contacts are damped critically", deep_ones_are_damped_critically);
   CU_add_test(suite, "an impact follows the recursion", an_impact_follows_the_recursion);
-  CU_add_test(suite, "marks end with their stage", marks_end_with_their_stage);
+  CU_add_test(suite, "critical damping of deep contacts ends with its stage", marks_end_with_their_stage);
 }

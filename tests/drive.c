@@ -556,14 +556,14 @@ void suite_drive(void) {
   CU_add_test(suite, "a boundary with any order of numbers", any_order_of_numbers);
   CU_add_test(suite, "the roughness of a boundary is relative", roughness_is_relative);
   CU_add_test(suite, "the boundary follows exactly", the_boundary_follows_exactly);
-  CU_add_test(suite, "per cycle", per_cycle);
+  CU_add_test(suite, "strains per cycle", per_cycle);
   CU_add_test(suite, "damping acts on the own velocity only", damping_acts_on_own_velocity);
   CU_add_test(suite, "accumulated affine strain grows", accumulated_strain_grows);
   CU_add_test(suite, "dashpot forces include the imposed velocity", dashpots_see_the_strain);
   CU_add_test(suite, "particles that reach the boundary join it", particles_join_the_boundary);
   CU_ADD_TEST(suite, the_only_particle_joins_the_boundary);
   CU_add_test(suite, "a shrinking circle takes in discs at rest", a_shrinking_circle_takes_in_discs_at_rest);
-  CU_add_test(suite, "the same bits", the_same_bits);
+  CU_add_test(suite, "storage, threads and instruction sets change no bit", the_same_bits);
   CU_add_test(suite, "the work balances", the_work_balances);
   CU_add_test(suite, "boundary stress equals the stress of the contacts", boundary_stress_equals_contact_stress);
   CU_add_test(suite, "forces of a boundary stress", forces_of_a_boundary_stress);

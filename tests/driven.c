@@ -1,5 +1,5 @@
-/* Loading other than strain: centripetal gravity, `rotation off`, a boundary that is released, strained again or
- * defined again.
+/* Loading in special cases: centripetal gravity, `rotation off`, a boundary that is released, strained again or defined
+ * again, one strain after another, and affine strain that is added twice.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

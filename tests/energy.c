@@ -346,7 +346,7 @@ void suite_energy(void) {
   CU_add_test(suite, "rounding errors belong to the sums", rounding_errors_belong_to_the_sums);
   CU_add_test(suite, "the work of all forces equals the kinetic energy", work_closes);
   CU_add_test(suite, "all terms of energy together", energy_closes);
-  CU_add_test(suite, "the same bits", same_bits);
+  CU_add_test(suite, "storage, threads and instruction sets change no bit", same_bits);
   CU_add_test(suite, "supplied by gravity", by_gravity);
   CU_add_test(suite, "supplied by walls, and stored", by_walls_and_stored);
   CU_add_test(suite, "dissipated by friction", by_friction);

@@ -463,7 +463,7 @@ void suite_fill(void) {
   CU_add_test(suite, "expected number of attempts", expected_number_of_attempts);
   CU_add_test(suite, "attempts and skipped sizes", attempts_and_skipped_sizes);
   CU_add_test(suite, "a place across the edge by rounding is refused", across_the_edge_by_rounding);
-  CU_add_test(suite, "the same bits", the_same_bits);
+  CU_add_test(suite, "the same bits on every machine", the_same_bits);
   CU_add_test(suite, "in a cell no overlap across the edges", no_overlap_across_edges);
   CU_add_test(suite, "in a cell no overlap of large particles", no_overlap_of_large_particles);
   CU_add_test(suite, "in a cell uniform to the edges", uniform_in_a_cell);

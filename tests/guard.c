@@ -1,5 +1,5 @@
 /* The guards that stop a run before particles pass through each other or through walls, just below and just above each
- * limit.
+ * limit; and the warnings about a page and about the resolution of coordinates.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

@@ -1,4 +1,5 @@
-/* The hooks of a cycle: a scene has exactly those that it uses, in order, as long as it uses them.
+/* The hooks of a cycle: a scene has exactly those that it uses, in order, as long as it uses them. The passes of
+ * material pairs are tested in the same way.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

@@ -1,4 +1,5 @@
-/* Runs of a page: progress and notes during the runs, units of the results, and memory, files and locks of results.
+/* Runs of a page: progress and notes during the runs, warnings, units of the results, and memory, files and locks of
+ * results.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

@@ -9,7 +9,7 @@
  * values with a direction.
  *
  * Tolerance: a transformed scene differs only by rounding, 1e-16 of coordinates below 20, and the runs are so short
- * that contacts amplify this to at most 1e-10. The effect of each line is above 1e-6.
+ * that contacts amplify this to at most 1e-10; the tolerance is 1e-9. The effect of each line is above 1e-6.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

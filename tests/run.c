@@ -1,5 +1,5 @@
 /* Runs of scenes from the first stage to the last: the times at which rows are recorded, the values that stages keep,
- * and aborted runs.
+ * aborted runs, repeated stages, the hash of a page, threads.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -197,7 +197,7 @@ static void a_snapshot_has_the_touching_contacts(void) {
 
 /* A stage that reaches its largest number of cycles before its conditions hold has a snapshot of its last cycle. A
  * stage in which a particle moves too far has none, even if this happens in the last cycle. */
-static void an_aborted_stage_has_no_snapshot(void) {
+static void an_aborted_cycle_has_no_snapshot(void) {
   for (int broken = 0; broken < 2; broken++) {
     struct words page = {0};
     struct written it;
@@ -452,7 +452,7 @@ void suite_run(void) {
   CU_add_test(suite, "a stage that never ends", a_stage_that_never_ends);
   CU_add_test(suite, "a position that is NaN or infinite", a_position_that_is_nan_or_infinite);
   CU_add_test(suite, "a snapshot has the contacts that touch", a_snapshot_has_the_touching_contacts);
-  CU_add_test(suite, "an aborted stage has no snapshot", an_aborted_stage_has_no_snapshot);
+  CU_add_test(suite, "a stage that ends in an aborted cycle has no snapshot", an_aborted_cycle_has_no_snapshot);
   CU_add_test(suite, "until, in vain, without a contact force", waits_for_contacts_in_vain);
   CU_add_test(suite, "until ... every N cycles", conditions_checked_every_n_cycles);
   CU_add_test(suite, "repeated stages", repeated_stages);

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Tests that the table is the same, byte by byte, for any number of threads and any instruction set. TAP. $NINEBALL is
-# the program, ./nineball by default; $srcdir is the top of the source tree.
+# Tests that all tables of a page are the same, byte by byte, for 1, 2, 3, 4 and 7 threads and each instruction set, and that
+# the program has no fused multiply-add. TAP. $NINEBALL is the program, ./nineball by default; $srcdir is the top of the
+# source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 

@@ -1,4 +1,4 @@
-/* Snapshots: their columns, and porosity ring by ring.
+/* Snapshots: the columns of their tables, porosity ring by ring, the boundary, and a periodic cell.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

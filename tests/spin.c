@@ -134,6 +134,6 @@ void suite_spin(void) {
   CU_pSuite suite = CU_add_suite("spin", NULL, NULL);
   CU_add_test(suite, "moments rotate particles, damped or not", moments_rotate_particles);
   CU_add_test(suite, "the surface speed is that of the particle", surface_speed_of_the_particle);
-  CU_add_test(suite, "reversal", reversal);
+  CU_add_test(suite, "reversal of velocities and spins", reversal);
   CU_add_test(suite, "surface speed after zero velocities", surface_after_zero_velocities);
 }

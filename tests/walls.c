@@ -333,11 +333,11 @@ static void every_crossing_stops_the_run(void) {
 void suite_walls(void) {
   CU_pSuite suite = CU_add_suite("walls", NULL, NULL);
   CU_add_test(suite, "rotation of a wall is exact", rotation_is_exact);
-  CU_add_test(suite, "one radian", one_radian);
+  CU_add_test(suite, "a rotation by 1 rad in one step is exact", one_radian);
   CU_add_test(suite, "velocity of a point of a wall", velocity_of_a_point);
   CU_ADD_TEST(suite, a_wall_that_moves_away_has_a_contact_at_once);
   CU_add_test(suite, "common ends are those of time 0", common_ends_are_those_of_time_0);
-  CU_add_test(suite, "no jump on a straight joint", no_jump_on_a_straight_vertex);
+  CU_add_test(suite, "no jump at a vertex of a straight floor", no_jump_on_a_straight_vertex);
   CU_add_test(suite, "one contact at a corner", one_contact_at_a_corner);
   CU_add_test(suite, "every crossing stops the run", every_crossing_stops_the_run);
 }
