@@ -170,8 +170,8 @@ void nb_box_check(struct nb_scene_reading *reading) {
   }
 }
 
-/* Reports other affine motions in a scene with a cell, because the cell imposes an affine motion on all its
- * particles. */
+/* Reports a boundary or an `affine` statement in a scene with a cell, because the cell imposes an affine motion on all
+ * its particles. */
 static void check_cell(struct nb_scene_reading *reading) {
   const struct nb_scene *scene = reading->scene;
   int line = scene->circle.line;
@@ -183,7 +183,8 @@ static void check_cell(struct nb_scene_reading *reading) {
                     scene->cell.line);
 }
 
-/* The line that imposes motion on particles or walls in a stage; 0: none. */
+/* The line of a stage that imposes motion on particles or walls, other than `cell strain`, or that ends it by `affine
+ * none`; 0: none. */
 static int imposed_motion_line(const struct nb_stage *stage) {
   const struct nb_strain_rate *rate = &stage->boundary.strain;
   if (rate->xx != 0 || rate->xy != 0 || rate->yx != 0 || rate->yy != 0)
@@ -193,8 +194,9 @@ static int imposed_motion_line(const struct nb_stage *stage) {
   return stage->box_line ? stage->box_line : stage->servo.box ? stage->servo.line : 0;
 }
 
-/* Reports `reverse velocities` together with an imposed motion. An imposed motion uses the positions at the beginning
- * of a step, so its displacements are not reversible. */
+/* Reports `reverse velocities` together with an imposed motion other than that of a cell, whose strain rate is
+ * reversed, too. An imposed motion uses the positions at the beginning of a step, so its displacements are not
+ * reversible. */
 void nb_imposed_motion_check(struct nb_scene_reading *reading) {
   const struct nb_scene *scene = reading->scene;
   check_cell(reading);

@@ -52,7 +52,7 @@ NB_APPLY(apply_strain) {
 NB_APPLY(apply_wave) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   const struct nb_value *value = record->value;
-  const double most = 1e6; /* the argument of the sine is then exact to 1e-9 */
+  const double most = 1e6; /* the argument of the sine then has an error of about 1e-9 */
   double nx, ny;
   if (nb_lacks_cell(scene, reader) || !nb_take_word(reader, "periods") ||
       !nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &nx) || !nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &ny))

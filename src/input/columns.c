@@ -1,4 +1,4 @@
-/* A file of columns: a head line, then rows of numbers. Every mistake is reported with file, line and column.
+/* A file of columns: a head line, then rows of numbers. Every mistake in a line is reported with file, line and column.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "columns.h"

@@ -10,8 +10,8 @@
 enum { NB_COLUMNS_MAX = 3 };
 
 /* Finds the file that the token names and writes its path to `path`, which has NB_PATH_SIZE bytes. False if the token
- * is NULL, or, with a message, if the file cannot be opened. The hint of the message is `hint`; if `hint` is NULL, the
- * list of the folders that were searched. */
+ * is NULL, or, with a message, if the file cannot be opened. The hint of the message is `hint`; if `hint` is NULL, it
+ * says where the program has searched. */
 bool nb_file_named(struct nb_reader *reader, const struct nb_token *token, const char *hint, char *path);
 
 struct nb_wanted_column {

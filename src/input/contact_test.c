@@ -129,7 +129,8 @@ static void take_part(struct nb_reader *reader, struct nb_stage *stage, enum wor
     take_target(reader, target, word == NORMAL || word == SHEAR, part == PART_NORMAL);
 }
 
-/* Reports a word that cannot follow the given parts of a segment, or a line that ends without an overlap or a slip. */
+/* Reports a word that cannot follow the given parts of a segment, or a line that ends without an overlap, a slip or a
+ * force. */
 static bool expected_part(struct nb_reader *reader, const bool given[PARTS]) {
   const bool ends = !nb_token_peek(reader), whole = given[PART_NORMAL] || given[PART_SHEAR];
   return nb_expected(reader, NULL,

@@ -239,7 +239,7 @@ static struct quantity parenthesis(struct parser *p) {
   return skip(p, ')') ? it : expected(p, "an operator or `)`");
 }
 
-/* The value of a function's argument that is a bare literal, or the name of one; 0 for any other argument. p->at is
+/* The value of a function's argument that is a bare literal, or the name of one; 0 for any other argument. p.at is
  * behind the function's `(`. */
 static double bare_argument(struct parser p) {
   const struct nb_reader *const reader = p.reader;

@@ -5,15 +5,16 @@
 
 #include "reader.h"
 
-/* Computes the value of the expression from `at` to `end`, a part of a line of the page; false with a message. A value
- * that is one literal keeps its text. */
+/* Computes the value of the expression from `at` to `end`, a part of a line of the page. False with a message, or
+ * without one if it has a suppressed name. A value that is one literal keeps its text. */
 bool nb_expression(struct nb_reader *reader, const char *line, const char *at, const char *end,
                    struct nb_binding *value);
-/* Sets *value to a number and its unit, which may be NULL. The text of the value is the number as written or, if it was
- * computed, that of nb_binding_write. */
+/* Sets *value to a number and its unit, which may be NULL. The text of the value is the number and its unit as written
+ * or, if it was computed, that of nb_binding_write. NB_NO_NUMBER also if the unit is unknown or the text is too
+ * long. */
 enum nb_reading nb_literal(struct nb_binding *value, const char *number, const char *unit, bool computed);
-/* Writes the text of a value: the shortest decimal number that reads back to the same bits, with the SI unit of its
- * dimension. */
+/* Writes the text of a value: the number with as many of 15 to 17 digits as it needs to read back to the same bits, and
+ * the SI unit of its dimension. */
 void nb_binding_write(struct nb_binding *value);
 /* True if two values of a sweep are the same number or the same word. */
 bool nb_binding_same(const struct nb_binding *a, const struct nb_binding *b);

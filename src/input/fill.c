@@ -10,7 +10,7 @@
 #include "packing/packing.h"
 #include "statement.h"
 
-enum { ATTEMPTS_MAX = 1000000 }; /* about one second for each size that does not fit */
+enum { ATTEMPTS_MAX = 1000000 }; /* a fraction of a second for each size that does not fit */
 
 enum { AT_NAME };
 enum { AT_SHAPE, AT_CIRCLE, AT_RADIUS = AT_CIRCLE + 2, AT_BOX, AT_TO = AT_BOX + 2, AT_GRADING = AT_TO + 2 };

@@ -248,8 +248,8 @@ const char *nb_pair_hint(char *hint, const char *first, const char *second) {
 
 /* ---- the nearest word ---- */
 
-/* Number of insertions, deletions, changes and swaps of letters between a and b (optimal string alignment distance),
- * upper and lower case being equal. */
+/* Number of insertions, deletions, changes and swaps of neighbouring letters between a and b (optimal string alignment
+ * distance), upper and lower case being equal. */
 static int distance(const char *a, const char *b) {
   enum { LONGEST = 2 * NB_NAME_SIZE };
   int row[3][LONGEST + 1];
@@ -301,8 +301,8 @@ static bool mark(struct nb_guess *guess, const char *known) {
   return found;
 }
 
-/* True if a part of the known word between dots is `word`: `energy` and `kinetic` in `energy.kinetic`, `normal` in
- * `M.normal.max`. */
+/* True if the first, second or last part of the known word between dots is `word`, which must have at least three
+ * letters: `energy` and `kinetic` in `energy.kinetic`, `normal` in `M.normal.max`. */
 static bool is_related(const char *known, const char *word, size_t length) {
   const char *const first = strchr(known, '.');
   if (length < 3 || !first)

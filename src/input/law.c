@@ -103,8 +103,8 @@ static void check_material(struct nb_scene_reading *reading, int index, const ch
   given[index] = true;
 }
 
-/* Reports two materials that may touch and are both rigid. The arrays have the numbers of particles and of walls of
- * each material. */
+/* Reports the first contact that may have two rigid sides, of two materials or of one. The arrays have the numbers of
+ * particles and of walls of each material. */
 static void check_rigid(struct nb_scene_reading *reading, const int *on_particle, const int *on_wall) {
   const struct nb_scene *scene = reading->scene;
   for (size_t i = 0; i < scene->material_count; i++) {
@@ -149,7 +149,7 @@ static void check_elastic(struct nb_scene_reading *reading, const char *law) {
   check_rigid(reading, on_particle, on_wall);
 }
 
-/* The first line that gives a material or a pair cohesion; 0: none. */
+/* A line that gives a material or a pair cohesion; 0: none. */
 static int cohesive_line(const struct nb_scene *scene) {
   for (size_t m = 0; m < scene->material_count; m++)
     if (scene->materials[m].cohesion > 0)

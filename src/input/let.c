@@ -27,7 +27,7 @@ NB_APPLY(apply_units) {
 }
 
 /* Takes a word, or a number and its unit; *token is the first token of the value. False, with a message, if there is no
- * value. */
+ * value, or if it is too long or out of the range of a double. */
 static bool take_value(struct nb_reader *reader, struct nb_binding *value, const struct nb_token **token) {
   struct nb_unit read;
   *value = (struct nb_binding){.value = NAN};

@@ -1,5 +1,6 @@
-/* The tokens of a line: words separated by white space, up to a `#`, each with its column. A $NAME is replaced by its
- * value. The file also has the messages at tokens, and hints for syntax of other languages.
+/* The tokens of a line: words separated by white space, up to a `#`, each with its column. A $NAME, or an expression in
+ * parentheses, is replaced by its value. The file also has the messages at tokens, and hints for syntax of other
+ * languages.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <ctype.h>
@@ -55,7 +56,7 @@ static bool begin_token(struct nb_reader *reader, struct nb_token token) {
   return append_text(reader, "", 0);
 }
 
-/* The value of $NAME; NULL, with a message, if NAME has no value. */
+/* The value of $NAME. NULL if NAME has no value: with a message, unless NAME is suppressed. */
 static const struct nb_binding *binding_of(struct nb_reader *reader, const struct nb_token *token, const char *name) {
   char hint[NB_HINT_SIZE];
   const int index = NB_FIND(reader->bindings, reader->binding_count, name);
@@ -88,8 +89,8 @@ static bool append_value(struct nb_reader *reader, const struct nb_binding *valu
          (!unit || (begin_token(reader, second) && append_text(reader, unit + 1, strlen(unit + 1))));
 }
 
-/* Writes the hint for `$v*$w`, `(v*w)`; for `v=$v*2` `v=(v*2)`; for `$v,` `$v`. The `$` is `before` bytes after the
- * beginning of the word. */
+/* Writes the hint for `$v*$w`, which is `(v*w)`, for `v=$v*2`, which is `v=(v*2)`, or for the comma of `$v,`. The `$`
+ * is `before` bytes after the beginning of the word. */
 static void expression_hint(char *hint, const char *word, size_t before, size_t length) {
   const char *const equals = memchr(word, '=', before);
   const size_t from = equals ? (size_t)(equals - word) + 1 : 0;
@@ -347,7 +348,7 @@ static bool is_call(const char *text) {
 }
 
 /* Writes a hint with the word in parentheses. The hint has an example instead if the word is a single character or has
- * replaced a $NAME. */
+ * replaced a $NAME. After a quantity it is that of nb_arithmetic_hint. */
 static void operator_hint(const struct nb_reader *reader, char *hint, const char *text) {
   const struct nb_token *const token = nb_token_peek(reader);
   const long place = token ? token - reader->tokens : 0;

@@ -1,4 +1,4 @@
-/* Quantities by their names, one row each, for `record`, `until` and expectations.
+/* Quantities by their names, for `record`, `until` and expectations. A row is one quantity or a family of quantities.
  *
  * `MONITOR.PART` is a quantity of a monitored object; a name without a monitor is a quantity of the whole scene.
  * Velocities are those at the time of positions and forces, the mean of two half steps [CS79 31]. Names of velocities
@@ -571,7 +571,8 @@ static const char *unmonitored(char *hint, const struct nb_scene *scene, const c
   return *of && stem < strlen(text) ? nb_phrase_hint(hint, scene, tokens, 3) : NULL;
 }
 
-/* True if the text is a quantity of a cell, a box or an impact, and the scene has no such object. */
+/* True if the text, which is no quantity of the scene, is one of a cell, a box or an impact: the scene has no such
+ * object. False in a contact test. */
 static bool lacks_owner(const struct nb_scene *scene, const char *text) {
   const unsigned owners_without_name = NB_OF_CELL | NB_OF_BOX | NB_OF_IMPACT;
   const struct nb_suffix *suffix;

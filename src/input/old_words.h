@@ -38,7 +38,8 @@ const char *nb_old_name(char *hint, const char *name);
 /* Prints the replacement of an old word; false: the word is not an old one. */
 bool nb_old_help(FILE *out, const char *word);
 
-/* Prints a warning for each old word that no row can rewrite, because it is a value of a `let` or `sweep`. */
+/* Prints a warning for each old word that no row can rewrite, because it is a value of a `let` or `sweep`; and for `let
+ * NAME $OTHER`, which needs an `=` if the value is a number. */
 void nb_old_warn(FILE *out, const char *path, size_t number, const char *line, enum nb_old_block block);
 
 /* migrate.c: adds the rewritten page to the text. The function changes the characters of `page` while it runs. */

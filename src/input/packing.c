@@ -98,7 +98,7 @@ static void from_list(struct nb_scene *scene, struct nb_reader *reader, const st
 }
 
 /* Adds the particles of the file, which begin with the index `first`, to the hash that identifies the saved states of
- * the page. The hash does not contain the name of the file. */
+ * the page. The hash has the name of the file, too, because that is a word of the statement. */
 static void hash_particles(struct nb_scene_reading *reading, size_t first) {
   for (size_t k = first; k < reading->scene->particle_count; k++) {
     const struct nb_particle *particle = &reading->scene->particles[k];

@@ -82,7 +82,8 @@ int nb_page_kind(const char *word, size_t length) {
   return kind;
 }
 
-/* The kind whose name differs from the word by one letter, or with whose name the word begins; NULL: none. */
+/* The kind whose name is one typing error from the word, which the word means in another program, or with whose name
+ * the word begins; NULL: none. */
 static const char *near_kind(const char *word) {
   struct nb_guess guess = nb_guess_begin(word);
   for (int kind = 0; kind < NB_BLOCK_KINDS; kind++) {
@@ -148,7 +149,7 @@ static bool opens(struct open_block *block, const struct nb_page *page, size_t l
   return block->length > 0;
 }
 
-/* Stores the first heading, truncated between characters. */
+/* Stores the first heading of level 1, truncated between characters. */
 static void take_title(struct nb_page *page, const char *line) {
   if (page->title[0] || strncmp(line, "# ", 2) != 0)
     return;
@@ -245,7 +246,8 @@ enum nb_status nb_page_read_bytes(struct nb_page *page, const char *path, const 
   return end(page, mistakes, before);
 }
 
-/* Writes the hint for a path such as `cases/order` if the file cases/order.md exists; otherwise returns NULL. */
+/* Writes the hint for a path such as `cases/order` if there is no such file, but a file cases/order.md; otherwise
+ * returns NULL. */
 static const char *md_hint(char *hint, const char *path) {
   snprintf(hint, NB_HINT_SIZE, "%.*s.md", NB_HINT_SIZE / 2, path);
   if (access(path, F_OK) == 0 || access(hint, F_OK) != 0)

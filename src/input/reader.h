@@ -18,13 +18,13 @@
 
 enum {
   NB_LINE_MAX = 4096,          /* bytes in a line */
-  NB_TOKENS_MAX = 256,         /* tokens in a line */
+  NB_TOKENS_MAX = 256,         /* a line has fewer tokens */
   NB_RUNS_MAX = 10000,         /* runs of a page */
   NB_PARTICLES_MAX = 10000000, /* particles of a scene */
   NB_NAMED_MAX = 2000,         /* named objects of each kind, such as walls: the search by name is linear */
   NB_MATERIALS_MAX = 200,      /* the program stores all pairs of materials */
   NB_SLOTS = 24,               /* values of a statement */
-  NB_COUNT_MAX = 1000000000,   /* largest whole number: 1e9 cycles take a day if each takes 0.1 ms */
+  NB_COUNT_MAX = 1000000000,   /* largest whole number: 1e9 cycles take 28 hours if each takes 0.1 ms */
   NB_PAGE_MAX = 4 << 20        /* bytes in a page */
 };
 
@@ -36,10 +36,11 @@ enum {
 void nb_mistake(struct nb_mistakes *mistakes, const struct nb_page *page, size_t line, int column, int length,
                 const char *hint, const char *format, ...) __attribute__((format(printf, 7, 8)));
 
-/* True if the last message is about this line and has a hint with the text. */
+/* True if the last message, in the order of lines, is about this line and has a hint with the text. */
 bool nb_mistake_hinted(const struct nb_mistakes *mistakes, size_t line, const char *text);
 void nb_mistake_memory(struct nb_mistakes *mistakes); /* records that memory ran out */
-/* The status that follows from the mistakes found since mistakes->total was `before`. */
+/* NB_BAD_USE if a mistake was found since mistakes->total was `before`. NB_NO_MEMORY if memory ran out, also before
+ * that. */
 enum nb_status nb_mistakes_status(const struct nb_mistakes *mistakes, size_t before);
 
 /* nb_suppress_name suppresses messages about a name that a mistake leaves undefined, or that has been reported.
@@ -67,7 +68,7 @@ struct nb_token {
   const char *text;
   int column, length; /* position in the line, in characters; of `$NAME` if the token is a value of a $NAME */
   const char *name;   /* NAME if the token is the value of $NAME; else NULL */
-  bool computed;      /* by an expression; text is then the shortest decimal number that reads back to the value */
+  bool computed;      /* by an expression; text is then a number as nb_binding_write writes it */
 };
 
 /* The value of $NAME in this run, from `let NAME = EXPRESSION`, `let NAME WORD` or `sweep NAME VALUES`. */
@@ -83,7 +84,7 @@ struct nb_binding {
 
 struct nb_keyword;
 /* The state of the reader. The caller sets page, mistakes, warnings, unitless and the bindings, and the other members
- * to 0. The reader owns nothing; its size is about 60 kB. */
+ * to 0. The reader owns nothing; its size is about 46 kB. */
 struct nb_reader {
   const struct nb_page *page;
   struct nb_mistakes *mistakes;
@@ -98,9 +99,9 @@ struct nb_reader {
   struct nb_token tokens[NB_TOKENS_MAX];
   size_t count, next;                /* number of tokens; index of the next one to read */
   bool bad;                          /* the statement has a mistake: no other mistake is reported, and reading ends */
-  const char *otherwise;             /* the hint for a mistake without a hint of its own; NULL: none */
+  const char *otherwise;             /* the hint for an unexpected token without a hint of its own; NULL: none */
   const struct nb_keyword *keyword;  /* the row of the statement while its fields are read, else NULL */
-  const struct nb_keyword *row;      /* the row of the whole line, or NULL */
+  const struct nb_keyword *row;      /* the row of the statement, also after its fields; or NULL */
   const struct nb_keyword *namesake; /* a row with the same words for another place, or NULL */
   unsigned here;                     /* the place of the statement, one of NB_IN_… */
   unsigned given;                    /* bit set of the fields that have been read */
@@ -135,11 +136,13 @@ bool nb_expected(struct nb_reader *reader, const char *hint, const char *format,
 /* Reports at the end of the line that no word of it begins with `begin`. No report if there is such a word, or if the
  * last message is about this line and its hint has `begin`. The line may already have another mistake. */
 void nb_line_needs(struct nb_reader *reader, const char *begin, const char *hint, const char *what);
-/* Writes the hint for syntax of another language or a word processor to `hint`, a text of NB_HINT_SIZE; NULL: none. */
+/* Returns the hint for syntax of another language or a word processor, which is a constant or is written to `hint`, a
+ * text of NB_HINT_SIZE; NULL: none. */
 const char *nb_syntax_hint(const struct nb_reader *reader, char *hint, const char *text);
 /* Does the same as nb_expected, at a token that was read before. */
 bool nb_expected_at(struct nb_reader *reader, const struct nb_token *token, const char *hint, const char *what);
-/* Does the same as nb_expected_at for an unknown name: once for each name, and not if the name is suppressed. */
+/* Does the same as nb_expected_at for an unknown name. Marks the statement as bad without a message if the name is
+ * suppressed, and suppresses it otherwise. */
 bool nb_unknown_name(struct nb_reader *reader, const struct nb_token *token, const char *hint, const char *what);
 /* Marks the statement as bad without a message, because the mistake follows from another one. */
 bool nb_fail_silently(struct nb_reader *reader);
@@ -183,11 +186,12 @@ bool nb_take_count(struct nb_reader *reader, unsigned long low, unsigned long hi
 bool nb_take_count_of(struct nb_reader *reader, const char *one, unsigned long *value); /* `1 cycle`, `5 cycles` */
 bool nb_take_word(struct nb_reader *reader, const char *word);                          /* takes this word */
 int nb_take_choice(struct nb_reader *reader, const char *words); /* index of one of "none|x|y", from 0; or -1 */
-/* The first function takes any token, the second one a new name. NULL with a message, which says `what`. */
+/* The first function takes any token, the second one a token that can be a name (nb_is_name). NULL with a message,
+ * which says `what`. */
 const struct nb_token *nb_take_token(struct nb_reader *reader, const char *what);
 const struct nb_token *nb_take_name(struct nb_reader *reader, const char *what);
-/* Index of the structure that a token names, found by nb_find; -1 with a message. The hint of the message is the
- * nearest name, or `otherwise` if no name is near. */
+/* Index of the structure that a token names, found by nb_find. -1 if there is none: with a message, unless the token is
+ * NULL or the name is suppressed. The hint of the message is the nearest name, or `otherwise` if no name is near. */
 int nb_named(struct nb_reader *reader, const struct nb_token *token, const void *things, size_t count, size_t size,
              const char *what, const char *otherwise);
 #define NB_NAMED(reader, token, things, count, what, otherwise)                                                        \
@@ -248,7 +252,7 @@ struct nb_keyword {
   /* Called when all values have been read and checked. subject: the argument of nb_statement_read. */
   void (*apply)(struct nb_reader *reader, const struct nb_record *record, void *subject);
   const char *help;
-  const char *example; /* lines of a page; those of all rows, in this order, are the page in docs/LANGUAGE.md */
+  const char *example; /* lines of a page; all examples of scenes together are the page in docs/LANGUAGE.md */
 };
 
 /* A table of keywords is an array of families of rows. The last row of each family has no apply; the last family has no
@@ -262,10 +266,10 @@ const struct nb_keyword *nb_keyword_row(const struct nb_family *table, size_t k)
 /* Reads the statement in reader->tokens by its row in a table; `here`: one of NB_IN_…. */
 void nb_statement_read(struct nb_reader *reader, const struct nb_family *table, unsigned here, void *subject);
 /* Writes "for example `EXAMPLE`", with the line of the statement's example that has most words of this line. NULL: the
- * statement has no example. */
+ * statement has no example, or its example has several lines that have at most one word of this line. */
 const char *nb_example_hint(char *hint, const struct nb_reader *reader);
-/* Writes the hint for words such as `velocity of sphere 1`: the monitor and its quantities. NULL: the words name no
- * particle or wall. */
+/* Writes the hint for words such as `velocity of sphere 1`: the monitor and its quantities; or the hint for two words
+ * that together mean a quantity in other programs. NULL: the words are neither. */
 const char *nb_phrase_hint(char *hint, const struct nb_scene *scene, const struct nb_token *tokens, size_t count);
 bool nb_begins_clause(const struct nb_argument *field, const char *word); /* such as `at` of `at most` */
 /* Copies the first word into NB_NAME_SIZE bytes. True: there are more words. */
@@ -292,7 +296,7 @@ size_t nb_page_name(const char *path, const char **name);
 int nb_page_kind(const char *word, size_t length);
 /* Returns the length of a fence, and sets its sign and its info string; 0: the line is not a fence. */
 size_t nb_fence(const char *line, char *sign, const char **info);
-/* Line of the opening fence of the first block of this kind; 0: the page has none. */
+/* Line of the opening fence of the first block of this kind that has a line; 0: the page has none. */
 size_t nb_page_fence(const struct nb_page *page, enum nb_block_kind kind);
 /* Reads a page of at most `most` bytes. */
 enum nb_status nb_page_read_limited(struct nb_page *page, const char *path, size_t most, struct nb_mistakes *mistakes);
@@ -314,9 +318,10 @@ enum {
 };
 
 /* Finds the file that a page names, and writes its path to `path`, which has NB_PATH_SIZE bytes. The search begins in
- * the folder of the page. Unless the name begins with `/` or has `..`, it continues in the nearest folder `cases` above
- * the page, and in all folders below that one. If there is no such file, `path` is in the folder of the page, and
- * opening it fails. False with a message if several folders have such a file. */
+ * the folder of the page. Unless the name begins with `/` or has a part `..`, it continues in the nearest folder
+ * `cases` above the page, and in the folders up to 8 levels below that one, without hidden folders and links. If there
+ * is no such file, opening `path` fails. False with a message if several of these folders have such a file, or if the
+ * path is too long. */
 bool nb_file_find(struct nb_reader *reader, const struct nb_token *token, const char *ending, char *path);
 /* Opens a regular file for reading; NULL with an error, "cannot be read: …", without the path. Pipes and devices are
  * refused because they may never end. */

@@ -8,7 +8,7 @@
  *   every N cycles              in record, until and servo: N R, rounded, at least 1; `every 1 cycle` stays
  *   until cycle above N         N R
  *   at N cycles                 in an expectation: N R (report/expect.c)
- *   strains per cycle           divided by R; so is the largest rate of a servo
+ *   strains per cycle           divided by R; so is the largest rate of a servo if it is per cycle
  *   damping con1 X as cs79      X becomes 1 - (1 - X)/R, so that alpha_g = 2 (1 - X)/dt stays [CS79 34-36]
  *   damping con1 X as velocity, and as all:  X becomes X^(1/R), so that free motion decays at the same rate in time
  *

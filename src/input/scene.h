@@ -66,9 +66,8 @@ struct nb_scene_reading {
 /* The stage of the current line; NULL: before the first stage. */
 struct nb_stage *nb_current_stage(const struct nb_scene *scene);
 
-/* ---- mistakes common to several statements ----
- * Each function reports its mistake, and returns true if the statement is bad, because of this mistake or an earlier
- * one. */
+/* ---- mistakes common to several statements ---- Each function reports its mistake. Unless its comment says otherwise,
+ * it returns true if the statement is bad, because of this mistake or an earlier one. */
 
 /* The statement is given twice. line: the line of the first one; 0: there is none. */
 bool nb_given_twice(struct nb_reader *reader, int line);
@@ -78,28 +77,30 @@ bool nb_too_many(struct nb_reader *reader, size_t count, int most, const char *w
 bool nb_too_many_particles(struct nb_reader *reader, const struct nb_scene *scene, size_t more);
 /* The name is taken. line: the line that defines it; 0: it is not taken. */
 bool nb_exists(struct nb_reader *reader, const struct nb_token *name, const char *what, int line);
-/* The first corner of a box does not have the smaller x and the smaller y. */
+/* The first corner of a box does not have the smaller x and the smaller y, or the corners are infinitely far apart. */
 bool nb_corners_swapped(struct nb_reader *reader, double x, double y, double x1, double y1);
-/* A statement that defines particles has a mistake, so numbers of particles cannot be checked. */
+/* True, without a report, if a statement that defines particles has a mistake, so that numbers of particles cannot be
+ * checked. */
 bool nb_particles_incomplete(const struct nb_scene_reading *reading);
 /* These functions report: the scene has no cell; it has no box of walls; the current stage has no boundary. */
 bool nb_lacks_cell(const struct nb_scene *scene, struct nb_reader *reader);
 bool nb_lacks_box(const struct nb_scene *scene, struct nb_reader *reader);
 bool nb_lacks_boundary(const struct nb_scene *scene, struct nb_reader *reader);
-/* The token names a stage of the page from which this page starts. */
+/* The token names a stage of the page from which this page starts. Returns true for this mistake only. */
 bool nb_stage_before_start(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *name);
-/* A statement of a stage is below a `repeat`, where it would belong to the last repeated stage only. */
+/* A statement of a stage is below a `repeat`, where it would belong to the last repeated stage only. Returns true
+ * for this mistake only. */
 bool nb_misplaced_after_repeat(struct nb_scene_reading *reading);
 /* Reports a mistake of the whole scene, at its first fence, unless messages about `statement` are suppressed. */
 void nb_scene_mistake(struct nb_scene_reading *reading, const char *statement, const char *hint, const char *what);
 
 /* ---- arguments common to several statements ---- */
 
-/* Index of the material or wall that the token names; -1 with a message if there is none. */
+/* Index of the material or wall that the token names; -1 as nb_named. */
 int nb_material_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token);
 int nb_wall_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token);
 /* Takes NAME {radius R} after `grading`. Returns the index of the grading, or -1 with a message; *size: the index of
- * the size, or -1 if the statement names no size. */
+ * the size; -1 if the statement names no size or, with a message, one that the grading does not have. */
 int nb_take_grading(const struct nb_scene *scene, struct nb_reader *reader, int *size);
 /* The hint how to define what a statement lacks. After `cell strain`, `box strain` or `boundary strain` it also refers to
  * the help that compares them. */
@@ -108,7 +109,8 @@ int nb_take_grading(const struct nb_scene *scene, struct nb_reader *reader, int 
        "; `nineball --help strain` compares the four statements"                                                       \
                                                                           : how)
 /* nb_take_requested takes the name of a quantity from the line; nb_requested_find finds the quantity of this name, when
- * all monitors are known. Both return false with a message. */
+ * all monitors are known. Both return false with a message; the second one without a message if the name is
+ * suppressed. */
 bool nb_take_requested(struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_requested *requested);
 bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *quantity,
                        const struct nb_requested *requested);
@@ -137,10 +139,10 @@ size_t nb_setting_find(const struct nb_scene_reading *reading, const char *name)
  * with `start` the second function applies the setting of the step, when the units of the other page are known. */
 void nb_settings_read(struct nb_scene_reading *reading);
 void nb_setting_read_step(struct nb_scene_reading *reading);
-/* Number of runs that follows from the sweeps read so far. */
+/* Number of runs that follows from the sweeps read so far; 1 if there are more than NB_RUNS_MAX. */
 size_t nb_run_count(const struct nb_scene_reading *reading);
-/* The hash of everything on which a state depends. It begins with the settings; nb_hash_line then adds each
- * statement. */
+/* The hash of everything on which a state depends. It begins with the settings; nb_hash_line then adds each statement
+ * on which a state depends. */
 unsigned long long nb_hash_settings(nb_settings settings);
 void nb_hash_line(struct nb_scene_reading *reading);
 
@@ -149,7 +151,8 @@ void nb_hash_line(struct nb_scene_reading *reading);
 /* Materials and particles satisfy the requirements of the laws. `complete`: the page has no mistake so far; otherwise
  * only the shapes of the particles are checked. */
 void nb_laws_check(struct nb_scene_reading *reading, bool complete);
-/* Regions name only stages of this page; the function stores the index of each. */
+/* Regions name only stages of this page; the function stores the index of each. A scene with a region `inside` has a
+ * boundary. */
 void nb_regions_check(struct nb_scene_reading *reading);
 /* A cell is wide enough, and has no walls. */
 void nb_cell_check(struct nb_scene_reading *reading);
@@ -159,9 +162,10 @@ void nb_ramps_check(struct nb_scene_reading *reading);
 void nb_box_check(struct nb_scene_reading *reading);
 /* Warns of an inherited strain rate against which a servo works, and of conditions: nb_servo_compare. */
 void nb_servo_check(struct nb_scene_reading *reading);
-/* Warns of particles whose centres begin outside the box. */
+/* Warns of free particles whose centres begin outside the box. */
 void nb_outside_check(struct nb_scene *scene);
-/* Imposed motion is not reversed; a scene with a cell has neither a boundary nor `affine strain`. */
+/* Imposed motion other than that of a cell is not reversed; a scene with a cell has neither a boundary nor `affine
+ * strain`. */
 void nb_imposed_motion_check(struct nb_scene_reading *reading);
 /* A contact test has a contact and a segment. The function also applies `--set follow=FILE`. */
 void nb_contact_test_check(struct nb_scene_reading *reading);

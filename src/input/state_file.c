@@ -96,7 +96,7 @@ static void take_field(struct stream *stream, char field[NB_STATE_FIELD], const 
     stream->at++;
 }
 
-/* After an error each of the following functions leaves a valid value. */
+/* After an error whole_number returns `low`, and the functions for words and names return the index 0. */
 
 enum range { FINITE, FROM_0, ABOVE_0, FROM_0_OR_UNDEFINED }; /* the last one allows infinity and undefined (`-`, NAN) */
 
@@ -132,7 +132,7 @@ static void tensor_of(struct stream *stream, struct nb_tensor *value) {
   four_numbers(stream, &value->xx, &value->xy, &value->yx, &value->yy);
 }
 
-/* This function and the functions below write `now`, or return the value that they read. */
+/* Functions with a parameter `now` write it, or return the value that they read. */
 static unsigned long whole_number(struct stream *stream, unsigned long now, unsigned long low, unsigned long high) {
   char field[NB_STATE_FIELD], *end;
   if (stream->out)
@@ -531,8 +531,8 @@ static void store(struct stream *stream) {
 /* ---- the whole file ---- */
 
 /* Each row has the word of a record, its function, how often the record must occur in a file, and how many are written.
- * A record of an object that the scene does not have is not written, nor is a default value. The history of a law is
- * written with its contact. */
+ * A record of an object that the scene does not have is not written, nor is one AT_MOST_ONCE with a default value. The
+ * history of a law is written with its contact. */
 #define RECORDS(X)                                                                                                     \
   X("program", program, ONCE, 1)                                                                                       \
   X("page", page, ONCE, 1)                                                                                             \
@@ -622,7 +622,8 @@ static void read_record(struct stream *stream) {
     expected(stream, "the end of the line");
 }
 
-/* True if the state has the cell or the boundary that imposes the motion of a particle. */
+/* True if the state has the cell that imposes the motion of a particle, or if the particle belongs to the boundary that
+ * imposes it. Other sources need no record. */
 static bool has_source(const struct nb_saved *saved, size_t particle) {
   const enum nb_affine_source by = saved->imposed[particle].by;
   return by == NB_AFFINE_CELL ? saved->cell.is : by != NB_AFFINE_BOUNDARY || saved->particles[particle].member;

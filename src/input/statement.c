@@ -1,6 +1,7 @@
 /* Reads one statement by its row in a table of keywords. If the statement begins with the words of several rows, the
- * row with most words is taken; if there is no row, a message suggests one. Positional arguments are read in the order
- * of the row, clauses in any order. Then the row's apply is called, which may read more tokens if the row has a tail.
+ * row with most words is taken; if there is no row, a message says what may stand here. Positional arguments are read
+ * in the order of the row, clauses in any order. Then the row's apply is called, which may read more tokens if the row
+ * has a tail.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -166,9 +167,9 @@ const char *nb_example_hint(char *hint, const struct nb_reader *reader) {
 }
 
 /* Reports a line whose first words match some rows and whose next word matches none of them: `fill sphres`. Returns one
- * of these rows. Returns NULL if the line probably means `whole`, a row of another place. This is so if `whole` matches
- * more words. It is also so if no row of this place has a similar word and the line ends, or continues with a number;
- * `cell shear` continues with a word. */
+ * of these rows. Returns NULL, without a report, if no row of this place has the first word, or if the line probably
+ * means `whole`, a row of another place. This is so if `whole` matches more words. It is also so if no row of this
+ * place has a similar word and the line ends, or continues with a number; `cell shear` continues with a word. */
 static const struct nb_keyword *wrong_word(struct nb_reader *reader, const struct nb_family *table, unsigned here,
                                            const struct nb_keyword *whole) {
   char list[256] = "", hint[NB_HINT_SIZE], word[NB_NAME_SIZE];
@@ -547,8 +548,8 @@ static void usage_hint(const struct nb_reader *reader, char *hint, const struct 
     snprintf(hint, NB_HINT_SIZE, "write `%s` before `%.40s`, %.300s", missing->word, token->text, example);
 }
 
-/* Writes the hint for an unexpected word or a missing field. False: there is no such hint, and *hint is the syntax of
- * the statement. */
+/* Writes the hint for an unexpected word or a missing field. False: there is no such hint, and *hint is that of
+ * usage_hint. */
 static bool fields_hint(const struct nb_reader *reader, char *hint, const struct nb_token *token,
                         const struct nb_argument *missing) {
   const struct nb_guess guess = guess_clause(reader, token ? token->text : "");

@@ -6,8 +6,8 @@
  *   M changes the sign of x or of y     Q rotates by the angle, counterclockwise     S translation, m
  *
  * Velocities are not translated, and mirroring changes the sign of an angular velocity. Rotations by multiples of 90
- * deg are exact: Q consists of 0, 1 and -1. A run of the rotated scene then has the same bits, except for signs and the
- * exchange of x and y.
+ * deg, from -360 deg to 360 deg, are exact: Q consists of 0, 1 and -1. A run of the rotated scene then has the same
+ * bits, except for signs and the exchange of x and y.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -21,14 +21,14 @@ enum mirror { MIRROR_NONE, MIRROR_X, MIRROR_Y };
 /* clang-format off */
 static const struct nb_argument transform_fields[] = {
   CHOICE("mirror", "none|x|y", AT_MIRROR, "none", "`x` changes the sign of x, `y` that of y"),
-  CLAUSE("rotate", "ANGLE", NB_UNIT_ANGLE, NB_ANY, AT_ANGLE, 1, "0", "Counterclockwise; multiples of 90 deg are exact."),
+  CLAUSE("rotate", "ANGLE", NB_UNIT_ANGLE, NB_ANY, AT_ANGLE, 1, "0", "Counterclockwise; multiples of 90 deg up to 360 deg are exact."),
   CLAUSE("translate", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X, 2, "0 0", "Displacement in x and y."),
   END
 };
 /* clang-format on */
 
 /* The number of quarter turns in the angle, rad, from 0 to 3. *exact: the angle is a multiple of 90 deg from -360 to 360
- * deg; the two ways to compute such a multiple round differently. */
+ * deg; the two ways to compute such a multiple round differently. 0 for any other angle. */
 static int quarters_of(double angle, bool *exact) {
   const double degree = NB_PI / 180;
   for (int n = -4; n <= 4; n++) {

@@ -57,7 +57,8 @@ double nb_unit_to_si(double value, const struct nb_unit *unit);
 bool nb_dimension_same(struct nb_dimension a, struct nb_dimension b);
 /* Writes the SI unit of a dimension: "N/m"; "" if dimensionless. */
 void nb_dimension_unit(char *text, size_t size, struct nb_dimension dimension);
-/* Writes the name and the unit of a dimension: "a length (m)". */
+/* Writes the name and the unit of a dimension: "a length (m)"; "a number" if dimensionless; only the unit if the
+ * dimension has no name. */
 void nb_dimension_words(char *text, size_t size, struct nb_dimension dimension);
 
 const char *nb_unit_kind_name(enum nb_unit_kind kind); /* "a length" */
@@ -70,7 +71,8 @@ void nb_unit_offer(struct nb_guess *guess, const char *list);
 
 enum nb_reading { NB_READ, NB_NO_NUMBER, NB_TOO_LARGE, NB_TOO_SMALL };
 /* Sets `value` to the double nearest to the number in `text` times 10^shift. The whole text must be a decimal number,
- * such as `-1.5e3`, not a hexadecimal number, inf or nan. The decimal point is `.` in every locale. */
+ * such as `-1.5e3`, not a hexadecimal number, inf or nan, with at most 1024 characters before the exponent. The decimal
+ * point is `.` in every locale. */
 enum nb_reading nb_number_read(double *value, const char *text, int shift);
 /* Sets `value` to a number with its unit, in SI. A computed number is converted to a double first, then multiplied by
  * the unit. */

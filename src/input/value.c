@@ -146,8 +146,8 @@ static void add_advice(char *text, const struct nb_reader *reader, bool example)
               reader->here & (NB_IN_CONTACT_TEST | NB_IN_SEGMENT) ? "contact test" : "scene");
 }
 
-/* Writes the hint with two common units. For a number that has no unit and follows no word of a clause, the hint also
- * has the statement's example. */
+/* Writes the hint with two common units. For a number without a unit the hint also has the statement's example if the
+ * number follows no word of a clause, or if another number follows. */
 static const char *common_units_hint(char *hint, const struct nb_reader *reader, const char *n, const struct wanted *it,
                                      bool has_unit) {
   const struct nb_token *const number = nb_token_peek(reader), *const next = has_unit ? NULL : token_after(reader, 1);
@@ -194,7 +194,8 @@ static bool special_hint(char *hint, const struct nb_reader *reader, const char 
          (next && !is_number(next) && nb_pair_hint(hint, reader->tokens[0].text, next->text));
 }
 
-/* The number without its unit: its value in SI if the page has no units and the unit has the wanted dimension. */
+/* The number without its unit: as written, or its value in SI if the page has no units and the unit has the wanted
+ * dimension. */
 static const char *in_si(char si[NB_NAME_SIZE], const struct nb_reader *reader, const struct nb_token *number,
                          const struct nb_token *unit, const struct wanted *it) {
   struct nb_unit read;
@@ -206,7 +207,8 @@ static const char *in_si(char si[NB_NAME_SIZE], const struct nb_reader *reader, 
   return si;
 }
 
-/* Writes the hint for a number without a unit, or with the wrong unit. */
+/* Writes the hint for a number without a unit, or with the wrong unit; NULL: a computed number has a unit, for which
+ * there is no hint. */
 static const char *unit_hint(char *hint, const struct nb_reader *reader, const struct nb_token *number,
                              const struct nb_token *unit, const struct wanted *it) {
   char bare[NB_NAME_SIZE];
@@ -234,8 +236,8 @@ static const char *unit_hint(char *hint, const struct nb_reader *reader, const s
   return hint;
 }
 
-/* True if the token after the number is a unit of the right dimension; *unit is then this unit. A computed value fits
- * both as an angle and as a number. */
+/* True if the token after the number is a unit of the right dimension; *unit is then this unit, or the factor 1 for
+ * `per cycle`. A computed value fits both as an angle and as a number. */
 static bool unit_fits(struct nb_unit *unit, const struct nb_reader *reader, const struct wanted *it) {
   const struct nb_token *token = token_after(reader, 1);
   *unit = (struct nb_unit){.factor = 1};

@@ -2,7 +2,7 @@
  *
  *   v_P = (n.L n) (n.(P - x_0)) n         dh = (e.L e) h dt
  *
- *   P    point of a wall, its middle unless the page gives another, m
+ *   P    middle of a wall, m
  *   v_P  velocity of P, m/s               dh   change of h in a step, m
  *   x_0  the middle between opposite walls, m
  *   n, e unit vectors normal to the wall and along it

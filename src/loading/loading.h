@@ -36,7 +36,8 @@ int nb_affine_inherited(const struct nb_scene *scene, size_t stage, enum nb_affi
 /* Prepares the imposed motion of the next step. Called before the motion. True: every particle has an imposed velocity;
  * false: only particles of a boundary may have one. */
 bool nb_affine_step(struct nb_model *model);
-bool nb_affine_moves(const struct nb_model *model); /* some particle moves affinely in this step or in the last one */
+/* Some particle moves affinely in the last step or in this one, or a servo may make it move. */
+bool nb_affine_moves(const struct nb_model *model);
 bool nb_affine_ends(const struct nb_model *model); /* some particle moved affinely in the last step, none in this one */
 void nb_affine_clear(struct nb_model *model);      /* sets all imposed velocities to 0 */
 void nb_affine_remove(struct nb_model *model, size_t slot); /* for a particle that is removed from the scene */
@@ -56,7 +57,8 @@ double nb_box_porosity(const struct nb_model *model);             /* areal poros
 struct nb_vec nb_box_initial_sides(const struct nb_scene *scene); /* width and height at time 0, m */
 struct nb_tensor nb_box_stress(const struct nb_model *model);     /* stress of the box, Pa (box.c) */
 struct nb_tensor nb_walls_stress(const struct nb_model *model);   /* mean traction of opposite walls, Pa */
-/* Normal force on the east and the west wall over the normal force on the south and the north wall, 1. */
+/* Normal force on the east and the west wall over the normal force on the south and the north wall, 1; 0 if the latter
+ * is 0. */
 double nb_walls_ratio(const struct nb_model *model);
 double nb_walls_residual(const struct nb_model *model); /* magnitude of the sum of the forces of the four walls, N */
 
@@ -65,7 +67,8 @@ double nb_walls_residual(const struct nb_model *model); /* magnitude of the sum 
 void nb_servo_begin(struct nb_model *model);
 /* True if the strain rate is not 0 in a component that the servo controls. */
 bool nb_servo_opposes(const struct nb_servo *servo, const struct nb_strain_rate *rate);
-/* Sets *b to B, Pa, and *t to T, s, of servo.c, for the current contacts. False: no boundary, or no particles touch. */
+/* Sets *b to B, Pa, and *t to T, s, of servo.c, for the current contacts. False: no boundary, or nothing
+ * touches. */
 bool nb_servo_scales(const struct nb_model *model, const struct nb_servo *servo, double *b, double *t);
 /* Largest difference of a controlled stress from its target, over the largest target, 1; 0 in a stage without a servo
  * or with targets of 0. */

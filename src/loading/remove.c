@@ -16,8 +16,8 @@
 #include "loading.h"
 #include "measure/energy.h"
 
-/* Applies the half kick before t_0 of contact c to its two particles, and opens the contact: its fields are set to
- * 0. */
+/* Applies the half kick before t_0 of contact c to its one or two particles, and opens the contact: its fields are set
+ * to 0. */
 static void end_contact(struct nb_model *model, size_t c) {
   struct nb_contacts *contacts = &model->contacts;
   const struct nb_particles *particles = &model->particles;

@@ -22,7 +22,7 @@ struct nb_balance {
   } * overlaps;                           /* pairs that already overlapped when they were listed; NULL: never sought */
   size_t overlap_count;                   /* number of these pairs; set to 0 after the next forces */
   bool changed, shear_law_changed;        /* the stage has changed parameters or laws; it has changed the shear law */
-  double initial_kinetic, initial_energy; /* K_0; (K + U)_0, J */
+  double initial_kinetic, initial_energy; /* K_0 plus the changes that nb_balance_exclude excludes; (K + U)_0, J */
   struct nb_sum work;                     /* J */
 };
 

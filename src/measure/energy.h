@@ -19,8 +19,9 @@ double nb_energy_of_particle(const struct nb_model *model, size_t slot);
 struct nb_vec nb_momentum(const struct nb_model *model);  /* of free particles, kg m/s */
 double nb_momentum_angular(const struct nb_model *model); /* of free particles about the origin, kg m2/s */
 
-/* Largest sum of forces on a free particle, including its weight, over the largest contact force: dF/F of [CS79 tables
- * 1-3]. 0 if all these sums are 0; infinite if forces act but all contact forces are 0. */
+/* Largest sum of forces on a free particle, including its weight and the force of a boundary stress, over the largest
+ * contact force: dF/F of [CS79 tables 1-3]. 0 if all these sums are 0; infinite if forces act but all contact forces
+ * are 0. */
 double nb_unbalanced_max(const struct nb_model *model);
 
 /* ---- balance.c: the balances since the start. Functions do nothing if model->balance is NULL, unless noted ---- */

@@ -74,8 +74,9 @@ enum nb_status nb_stability_begin(struct nb_model *model, const struct nb_stable
 
 /* collision.c: the shortest collision of elastic spheres that is predicted at their current velocities */
 struct nb_collision {
-  double duration, speed; /* duration, s, infinite without a collision; approach velocity at first touch, m/s */
-  int a, b;               /* slots; b is a wall's index if `wall` */
+  double duration; /* s; infinite without a collision, or if memory ran out */
+  double speed;    /* approach velocity at first touch, m/s */
+  int a, b;        /* slots; b is a wall's index if `wall` */
   bool wall;
 };
 struct nb_collision nb_collision_shortest(const struct nb_model *model);
@@ -98,7 +99,7 @@ void nb_fracc_after_forces(struct nb_model *model); /* computes FRACC; called af
 /* step.c */
 bool nb_step_elastic(const struct nb_model *model);          /* the next normal law is for elastic spheres */
 bool nb_step_loaded(const struct nb_model *model);           /* some contact overlaps by more than rounding */
-double nb_step_collision(const struct nb_model *model);      /* duration of the shortest possible collision, s */
+double nb_step_collision(const struct nb_model *model);      /* `collision` of step.c, s; infinite: no collision */
 double nb_step_single_contact(const struct nb_model *model); /* t_c of step.c, s */
 /* Sets `lightest` to the slots of the lightest particles of the two materials of a pair; -1: there is none, or the
  * second is a wall. */
