@@ -212,7 +212,7 @@ void nb_measure_porosity(const struct nb_model *model, struct nb_region_state *r
 
 /* ---- warnings ---- */
 
-/* The first recorded quantity of the monitor that is a mean or a sum over contact forces; NULL: there is none. */
+/* The first recorded quantity of the monitor that depends on contact forces or directions; NULL: there is none. */
 static const char *read_from_forces(const struct nb_scene *scene, size_t monitor) {
   for (size_t c = 0; c < scene->column_count; c++)
     if (scene->columns[c].quantity.monitor == (int)monitor &&
@@ -237,7 +237,8 @@ void nb_regions_warn(struct nb_model *model, const char *ended) {
               "region `%s` is empty: no particle centre is inside at the %s%s%s, so its means and sums are 0",
               monitor->name, ended ? "end of stage `" : "start", ended ? ended : "", ended ? "`" : "");
     else if (quantity && contacts == 0)
-      nb_warn(&model->warnings, now->definition->line, "region `%s` has no contact: `%s` is 0 at the end of stage `%s`",
+      nb_warn(&model->warnings, now->definition->line,
+              "region `%s` has no contact: `%s` depends on contacts, and there are none at the end of stage `%s`",
               monitor->name, quantity, ended);
   }
 }

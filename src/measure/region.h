@@ -141,8 +141,8 @@ enum nb_status nb_regions_create(struct nb_model *model, struct nb_error *error)
  * in this cycle. */
 enum nb_status nb_regions_stage(struct nb_model *model, int stage, struct nb_error *error);
 /* Warns of regions without a particle, at the end of the stage with the name `ended`, or at the start of the run if
- * `ended` is NULL. At the end of a stage the function also warns of regions without a contact, if their stress or their
- * forces are recorded. */
+ * `ended` is NULL. At the end of a stage the function also warns of regions without a contact, if a recorded quantity
+ * of theirs depends on contact forces or directions. */
 void nb_regions_warn(struct nb_model *model, const char *ended);
 void nb_regions_free(struct nb_regions *regions, size_t count);
 
