@@ -328,7 +328,7 @@ void suite_expression(void) {
   CU_pSuite suite = CU_add_suite("expression", NULL, NULL);
   CU_add_test(suite, "values and dimensions", values);
   CU_add_test(suite, "how a value is written", texts);
-  CU_add_test(suite, "mistakes", mistakes);
+  CU_add_test(suite, "columns and messages of mistakes", mistakes);
   CU_add_test(suite, "nesting", deep);
   CU_add_test(suite, "reserved names", reserved);
 }

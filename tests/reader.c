@@ -274,17 +274,17 @@ static void suggested_words(void) {
 
 void suite_reader(void) {
   CU_pSuite suite = CU_add_suite("reader", NULL, NULL);
-  CU_add_test(suite, "a number must be a whole word", numbers);
+  CU_add_test(suite, "texts that are numbers, and texts that are none", numbers);
   CU_add_test(suite, "blocks of a page", blocks);
   CU_add_test(suite, "hash of a page", hash);
   CU_add_test(suite, "line ends of DOS", line_ends);
-  CU_add_test(suite, "sweeps make the product", product);
+  CU_add_test(suite, "several sweeps give all combinations of their values", product);
   CU_add_test(suite, "a sweep of several names", tuples);
   CU_add_test(suite, "a minus before a value with a sign", signs_of_values);
-  CU_add_test(suite, "--set", settings);
-  CU_add_test(suite, "words that are suggested", suggested_words);
-  CU_add_test(suite, "columns after $NAME", columns);
-  CU_add_test(suite, "mistakes in line order", order);
+  CU_add_test(suite, "--set replaces values, a law and the step", settings);
+  CU_add_test(suite, "typing errors with which a word is still suggested", suggested_words);
+  CU_add_test(suite, "columns of tokens after a $NAME", columns);
+  CU_add_test(suite, "messages are in line order, and at most 1001", order);
   CU_add_test(suite, "limits of size", limits_of_size);
   CU_add_test(suite, "the table of keywords", table);
 }

@@ -543,9 +543,9 @@ void suite_region(void) {
   CU_pSuite suite = CU_add_suite("region", NULL, NULL);
   CU_add_test(suite, "sliding fractions are of all contacts", sliding_fractions_are_of_all_contacts);
   CU_add_test(suite, "the obliquity with cohesion", obliquity_with_cohesion);
-  CU_add_test(suite, "directions without a density", directions_without_a_density);
+  CU_add_test(suite, "anisotropy with a negative density, and without contacts", directions_without_a_density);
   CU_add_test(suite, "centres on the edge are inside", centres_on_the_edge);
-  CU_add_test(suite, "fractions without the stress", fractions_without_the_stress);
+  CU_add_test(suite, "fractions of the stress, which is not recorded", fractions_without_the_stress);
   CU_add_test(suite, "the arm of the particle inside", the_arm_of_the_particle_inside);
   CU_add_test(suite, "strain without removed particles", strain_without_removed_particles);
   CU_add_test(suite, "a region without particles", a_region_without_particles);

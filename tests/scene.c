@@ -212,7 +212,7 @@ void suite_scene(void) {
   CU_add_test(suite, "walls and boxes", walls);
   CU_add_test(suite, "pairs of materials", pairs);
   CU_add_test(suite, "defaults", defaults);
-  CU_add_test(suite, "the hash of a stage", hash_of_a_stage);
-  CU_add_test(suite, "stages inherit", stages);
+  CU_add_test(suite, "statements that change the hash of a stage", hash_of_a_stage);
+  CU_add_test(suite, "what stages set, and what they inherit", stages);
   CU_add_test(suite, "monitors whose names begin alike", monitors_whose_names_begin_alike);
 }

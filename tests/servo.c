@@ -469,8 +469,8 @@ void suite_servo(void) {
   CU_add_test(suite, "removed particles have no mass", removed_particles_have_no_mass);
   CU_add_test(suite, "components that are not controlled", components_that_are_not_controlled);
   CU_add_test(suite, "isotropic has no shear stress", isotropic_has_no_shear);
-  CU_add_test(suite, "measured every tenth cycle", every_tenth_cycle);
+  CU_add_test(suite, "the added rate is updated every tenth cycle by default", every_tenth_cycle);
   CU_add_test(suite, "stiffness and travel time in a box", scales_of_a_box);
   CU_add_test(suite, "soft springs give the same motion", soft_springs_give_the_same_motion);
-  CU_add_test(suite, "initial targets", initial_targets);
+  CU_add_test(suite, "a servo begins at its target, a ramp at the current stress", initial_targets);
 }
