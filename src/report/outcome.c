@@ -316,8 +316,9 @@ static bool first_error(struct nb_outcome *outcome) {
   return false;
 }
 
-/* After a failed run no other run is started. All earlier runs of the sweep have been started by then, so the failed
- * run that is reported does not depend on the number of jobs. */
+/* After a failed run no other run is started. The threads take the runs in their order, so the failed run that is
+ * reported does not depend on the number of jobs. The exception is a thread that is delayed between taking a run and
+ * starting it. */
 enum nb_status nb_outcome_run(struct nb_outcome *outcome, const struct nb_options *options,
                               const struct nb_progress *progress) {
   const size_t runs = outcome->run_count;
