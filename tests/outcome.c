@@ -586,7 +586,8 @@ static void warnings_of_all_runs(void) {
 }
 
 /* Quantities of a removed particle and of its contacts are 0. One warning says so, with the line that removes the
- * particle. There is no warning about the position, which keeps its last value, and none if the page expects 0. */
+ * particle. There is no warning about the position and the angle, which keep their last values, and none if the page
+ * expects 0. */
 static void warnings_of_removed_particles(void) {
   static const struct {
     const char *quantity, *expectation, *wanted; /* the quantity of the warning; NULL: no warning */
@@ -600,6 +601,7 @@ static void warnings_of_removed_particles(void) {
       {"C.normal", "C.normal expected 0 within 0 [t]", NULL, false},
       {"A.x", "report A.x", NULL, false},
       {"A.y", "report A.y", NULL, false},
+      {"A.angle", "report A.angle", NULL, false},
       {"B.vx", "report B.vx", NULL, false},
       {"W.fx", "report W.fx", NULL, false},
   };

@@ -120,7 +120,7 @@ static const struct nb_quantity_kind kinds[] = {
     {"contacts", 0, "1", NB_BIT(NB_OVERLAP), touching_count, "number of contacts with an overlap", NB_AT_LEAST_0},
     {"contacts.deep", 0, "1", 0, deep_count,
      "contacts of elastic spheres that overlap by more than 7 % of the smaller diameter, summed over all cycles [R89 "
-     "sec. 6.4.3]",
+     "sec. 6.4.3]; the fraction of `damping critical` replaces the 7 %",
      NB_AT_LEAST_0},
     {"unbalanced.max", 0, "1", 0, unbalanced_max,
      "largest unbalanced force on a particle over largest contact force, dF/F of [CS79 table 1]; infinite if "

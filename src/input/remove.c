@@ -77,7 +77,7 @@ NB_APPLY(apply_remove) {
 /* clang-format off */
 NB_STATEMENTS(remove) = {
   {"remove", NB_IN_STAGE, no_fields, "disc N | discs N to M", 0, false, apply_remove,
-   "Removes particles, and their energy, at the beginning of this stage. Removed particles no longer move or touch anything, and no snapshot shows them; the others keep their numbers. A removed particle keeps its last position; its other quantities, and those of its contacts, are 0.\n"
+   "Removes particles, and their energy, at the beginning of this stage. Removed particles no longer move or touch anything, and no snapshot shows them; the others keep their numbers. A removed particle keeps its last position and angle; its other quantities, and those of its contacts, are 0.\n"
    "disc N: the disc with this number; `sphere N` for a sphere.\n"
    "discs N to M: the discs with the numbers N to M; `spheres N to M` for spheres.",
    "stage     less\n  remove  disc 8\n  cycles  10"},

@@ -302,8 +302,8 @@ void nb_start_free(struct nb_start *start) {
 
 /* ---- hash of everything on which a state depends ---- */
 
-/* The hash begins with the version of the program and the settings that override statements. Values that --set gives to
- * names are not added here, because the statements that use them contain them. */
+/* The hash begins with the version of the program and the settings that override statements, `refine` and `soften`.
+ * Values that --set gives to names are not added here, because the statements that use them contain them. */
 unsigned long long nb_hash_settings(nb_settings settings) {
   static const char *const statements[] = {"normal=", "shear=", "step=", "damping=", "refine=", "soften="};
   unsigned long long hash = nb_hash(NB_HASH_BEGIN, NB_VERSION, sizeof NB_VERSION);

@@ -1,7 +1,7 @@
 /* Removal of particles when a stage begins, at the time t_0.
  *
- * A removed particle keeps its number and its last position. From t_0 on it does not move, has no contacts and no
- * weight: its mass counts as infinite, and the search that follows at once lists none of its contacts.
+ * A removed particle keeps its number, its last position and its angle. From t_0 on it does not move, has no contacts
+ * and no weight: its mass counts as infinite, and the search that follows at once lists none of its contacts.
  *
  * The kick around t_0 lasts from half a step before t_0 to half a step after t_0. The forces of the removed particle
  * act only during the first half. The impulse of this half is applied to its neighbours at once (motion.c), so the

@@ -5,7 +5,8 @@
 
 #include "core/model.h"
 
-/* Fills the tables of a snapshot with the current state. `stage`: index of the current stage. False: out of memory. */
+/* Fills the tables of a snapshot with the current state. `stage`: index of the current stage. False: out of memory. The
+ * caller calls nb_snapshot_free in any case. */
 bool nb_snapshot_take(struct nb_snapshot *snapshot, const struct nb_model *model, int stage);
 void nb_snapshot_free(struct nb_snapshot *snapshot);
 /* The table number `index` among all tables that a snapshot can have; NULL after the last. */

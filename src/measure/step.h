@@ -34,8 +34,8 @@ struct nb_stable {
   const struct nb_material_pair *material_pair; /* material pair of the contact */
 };
 struct nb_stable nb_stable_step(const struct nb_model *model);
-/* As nb_stable_step, but keeps the coefficients of the contacts until nb_stable_step_end, if there is memory for
- * them. */
+/* As nb_stable_step, but keeps the coefficients of the contacts until nb_stable_step_end. It does not if there is no
+ * memory for them, or if there are many linear springs. */
 struct nb_stable nb_stable_step_begin(const struct nb_model *model);
 void nb_stable_step_end(const struct nb_model *model);
 /* The guaranteed stable step of pairs that could collide later: the lightest two particles of each pair of

@@ -95,8 +95,8 @@ static void warn_of_0(struct nb_warnings *warnings, const struct nb_scene *scene
     nb_warn(warnings, line, "`%s` is 0 in all stages, because this line removes its particle in the first one", column);
 }
 
-/* Warns of recorded quantities that are 0 because a stage removes their particle. The position keeps its last value, so
- * there is no warning of it. */
+/* Warns of recorded quantities that are 0 because a stage removes their particle. Position and angle keep their last
+ * values, so there is no warning of them. */
 static void warn_removed(struct nb_outcome *outcome, const struct nb_page_run *run) {
   const struct nb_scene *const scene = &run->scene;
   for (size_t c = 0; c < scene->column_count; c++) {
@@ -105,7 +105,8 @@ static void warn_removed(struct nb_outcome *outcome, const struct nb_page_run *r
     int line = 0;
     const int stage =
         quantity->monitor < 0 ? -1 : removal_of_monitor(scene, &scene->monitors[quantity->monitor], &line);
-    if (stage < 0 || strcmp(name, "x") == 0 || strcmp(name, "y") == 0 || is_expected_0(&run->expectations, c))
+    const bool kept = strcmp(name, "x") == 0 || strcmp(name, "y") == 0 || strcmp(name, "angle") == 0;
+    if (stage < 0 || kept || is_expected_0(&run->expectations, c))
       continue;
     warn_of_0(&outcome->warnings, scene, scene->columns[c].name, (size_t)stage, line);
   }
