@@ -71,6 +71,13 @@ static void stress_on_a_boundary_begins_at_the_stage(void) {
   second_order(SEVEN, "boundary strain -0.05 0.02", "boundary none\ndamping mass 3", false);
 }
 
+/* Two discs of different radii overlap on a boundary, which has no contact between them. When it ends, the spring begins
+ * with the energy of this overlap. */
+static void springs_of_a_boundary_begin_at_the_stage(void) {
+  second_order("disc 1 0 radius 0.6 m\ndisc 0.4 0.75 radius 0.45 m\nboundary circle 0 0 radius 0.5",
+               "boundary strain 0 0", "boundary none", false);
+}
+
 /* Until t_0, including the last half step, the wall moves as in the previous stage; from t_0 on as the new stage
  * says. */
 static void walls_change_at_the_stage(void) {
@@ -143,4 +150,5 @@ void suite_begins(void) {
   CU_ADD_TEST(suite, released_particles_start_at_rest);
   CU_ADD_TEST(suite, a_ramp_begins_where_the_one_before_ended);
   CU_ADD_TEST(suite, stress_on_a_boundary_begins_at_the_stage);
+  CU_ADD_TEST(suite, springs_of_a_boundary_begin_at_the_stage);
 }

@@ -221,6 +221,26 @@ static void many_particles_fall(void) {
   written_free(&it);
 }
 
+/* The same particles fall towards a point: each has the acceleration of its own direction. */
+static void many_particles_fall_to_a_point(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\nmaterial m density 1 kn 1\nskin 0.1\nstep 0.25\nrecord time\n");
+  for (int i = 0; i < 600; i++)
+    words_add(&page, "disc %d 0 radius 0.5 m\n", 4 * i);
+  words_add(&page, "stage s\ngravity centripetal 2 about 0 300\ncycles 1\nsnapshot\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  for (size_t i = 0; i < 600; i++) {
+    const double x = 4 * (double)i, part = 2 * 0.25 * 0.25 / 2 / hypot(x, 300); /* distance moved, over the whole one */
+    CU_ASSERT_DOUBLE_EQUAL(written_cell(&result.snapshots[0].particles, i, "x"), x - part * x, 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(written_cell(&result.snapshots[0].particles, i, "y"), part * 300, 1e-12);
+  }
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 void suite_motion(void) {
   CU_pSuite suite = CU_add_suite("motion", NULL, NULL);
   CU_add_test(suite, "free flight is exact, fixed discs keep their velocity", free_flight_is_exact);
@@ -230,4 +250,5 @@ void suite_motion(void) {
   CU_add_test(suite, "changes of the step keep the second order", changes_of_the_step_keep_the_second_order);
   CU_add_test(suite, "energy does not drift", energy_does_not_drift);
   CU_add_test(suite, "many particles fall", many_particles_fall);
+  CU_add_test(suite, "many particles fall to a point", many_particles_fall_to_a_point);
 }

@@ -92,16 +92,16 @@ static void contacts_at_equal_angles(void) {
 }
 
 /* The rattlers of chains, of a loop and of a single disc. Four discs in a square loop are no rattlers; the discs of a
- * tail attached to the loop are rattlers. */
+ * tail attached to the loop are rattlers. A rattler takes no contact from a neighbour that it does not touch. */
 static void rattlers(void) {
   struct words page = {0};
   struct written it;
   words_add(&page, "units none\nmaterial m density 1 kn 10\nstep 0.001\n"
                    "lattice discs 2 by 2 from 0 0 radius 1 spacing 1.99 m\n" /* 1-4: a loop */
                    "disc 3.98 0 radius 1 m\ndisc 5.97 0 radius 1 m\n"        /* 5, 6: its tail */
-                   "disc 20 20 radius 1 m\n"                                 /* 7: alone */
-                   "disc 30 0 radius 1 m fixed\ndisc 31.99 0 radius 1 m\n"   /* 8 fixed; 9 between 8 */
-                   "wall w 32.98 -1 to 32.98 1 m\n"                          /* and a wall: no rattler */
+                   "disc 0 4 radius 1 m\n" /* 7: a neighbour of the loop without contact */
+                   "disc 30 0 radius 1 m fixed\ndisc 31.99 0 radius 1 m\n" /* 8 fixed; 9 between 8 */
+                   "wall w 32.98 -1 to 32.98 1 m\n"                        /* and a wall: no rattler */
                    "region A all\nregion B box -2 -2 to 3 3\n"
                    "record A.particles A.contacts A.coordination A.coordination.mechanical A.rattlers "
                    "B.particles B.contacts B.coordination B.coordination.mechanical B.rattlers\nstage s\ncycles 1\n");

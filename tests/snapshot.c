@@ -56,6 +56,30 @@ static void columns(void) {
   written_free(&it);
 }
 
+/* Without dashpots the forces of the contacts on a particle, with their shear parts, sum to the force on it. */
+static void forces_of_the_contacts(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page,
+            "units none\nmaterial m density 1 kn 10 ks 5 friction 0.5\nshear linear\nstep 0.01\n"
+            "disc 0 0 radius 1 m\ndisc 1.6 1 radius 1 m fixed spin 2\ndisc -1 1.6 radius 1 m fixed velocity 1 0\n"
+            "record time\nstage s\ncycles 3\nsnapshot\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  const struct nb_table *particles = &result.snapshots[0].particles, *contacts = &result.snapshots[0].contacts;
+  CU_ASSERT_EQUAL_FATAL(contacts->row_count, 2);
+  double fx = 0, fy = 0;
+  for (size_t k = 0; k < 2; k++) {
+    CU_ASSERT_NOT_EQUAL(written_cell(contacts, k, "shear"), 0);
+    fx += written_cell(contacts, k, "fx"), fy += written_cell(contacts, k, "fy");
+  }
+  CU_ASSERT_DOUBLE_EQUAL(fx, written_cell(particles, 0, "fx"), 1e-14);
+  CU_ASSERT_DOUBLE_EQUAL(fy, written_cell(particles, 0, "fy"), 1e-14);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 /* Every column has its unit in SI, or `-` on a page without units. */
 static void units(void) {
   static const char *const pages[] = {"units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nstep 0.1\n",
@@ -270,6 +294,7 @@ void suite_snapshot(void) {
   CU_pSuite suite = CU_add_suite("snapshot", NULL, NULL);
   CU_add_test(suite, "units of the columns", units);
   CU_add_test(suite, "the columns of particles and of contacts", columns);
+  CU_add_test(suite, "the forces of the contacts of a particle", forces_of_the_contacts);
   CU_add_test(suite, "the columns are the quantities", columns_are_the_quantities);
   CU_add_test(suite, "porosity ring by ring", rings);
   CU_add_test(suite, "the boundary is listed counterclockwise", the_boundary_is_listed_counterclockwise);
