@@ -316,8 +316,16 @@ static void regions_across_the_side_of_a_cell(void) {
   nb_model_free(model), written_free(&it);
 }
 
+/* The smaller height of a parallelogram belongs to its longer side, whichever it is. */
+static void the_width_is_the_smaller_height(void) {
+  const struct nb_wrap first = {.h = tensor(4, 1, 3, 2)}, second = {.h = tensor(1, 4, 2, 3)}; /* sides (4, 3), (1, 2) */
+  CU_ASSERT_DOUBLE_EQUAL(nb_wrap_width(&first), 1, 1e-15);
+  CU_ASSERT_DOUBLE_EQUAL(nb_wrap_width(&second), 1, 1e-15);
+}
+
 void suite_cell(void) {
   CU_pSuite suite = CU_add_suite("cell", NULL, NULL);
+  CU_ADD_TEST(suite, the_width_is_the_smaller_height);
   CU_ADD_TEST(suite, all_images_are_found);
   CU_ADD_TEST(suite, all_images_of_similar_discs_are_found);
   CU_ADD_TEST(suite, another_image_changes_results_only_by_rounding);

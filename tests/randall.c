@@ -104,6 +104,21 @@ static void loss_of_a_closed_loop(void) {
   CU_ASSERT(expected > 0 && fabs(errors[0]) < 5e-3 && fabs(errors[1] - errors[0] / 2) < 0.1 * fabs(errors[0]));
 }
 
+/* Unloading beyond -T* is virgin loading in the other sense. */
+static void unloading_beyond_the_mirror_image_is_virgin(void) {
+  double errors[2];
+  for (int k = 0; k < 2; k++) {
+    const int steps = k ? 1000 : 500;
+    const double a = slope() * deep(N);
+    struct contact it = contact_of("randall");
+    go(&it, deep(N), 0);
+    lead(&it, deep(N), 0.3 * a, steps);
+    lead(&it, deep(N), -a, steps);
+    errors[k] = it.s.force / (mu * N) + (1 - pow(1 - 0.7, 1.5));
+  }
+  CU_ASSERT(fabs(errors[0]) < 3e-3 && fabs(errors[1] - errors[0] / 2) < 0.1 * fabs(errors[0]));
+}
+
 /* Unloading again retraces the reloading curve without loss, which is R89's approximation [R89 sec. 3.3]. */
 static void unloading_again_retraces_reloading(void) {
   double errors[2];
@@ -297,6 +312,7 @@ void suite_randall(void) {
   CU_add_test(suite, "constant N: loading, unloading, reloading", curves_of_constant_normal_force);
   CU_add_test(suite, "the history", the_history);
   CU_add_test(suite, "loss of a closed loop", loss_of_a_closed_loop);
+  CU_add_test(suite, "unloading beyond -T* is virgin loading", unloading_beyond_the_mirror_image_is_virgin);
   CU_add_test(suite, "re-unloading retraces reloading", unloading_again_retraces_reloading);
   CU_add_test(suite, "N and T rising and falling", all_ways_of_normal_and_tangential_force);
   CU_add_test(suite, "return to virgin loading deletes DD", return_to_virgin_loading_deletes_DD);
