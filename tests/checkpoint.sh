@@ -123,6 +123,10 @@ interrupted && cp -r "$states" "$work/kept"
 "$nineball" run "$page" --states "$states" -o "$work/out" --checkpoint >"$work/printed" 2>"$why"
 test $? -eq 2 && said "the run of this page was interrupted; its checkpoint is $file: --resume continues from this checkpoint" && diff -r "$states" "$work/kept" >>"$why"
 result $? '--checkpoint without --resume does not replace a checkpoint: an error with its name'
+rm "$file" && "$nineball" run "$page" --states "$states" -o "$work/out" --checkpoint >"$work/printed" 2>"$why"
+test $? -eq 2 && said "the run of this page was interrupted; its checkpoint is $file: --resume continues from this checkpoint"
+result $? 'an error, too, if only the checkpoint before it is left'
+rm -rf "$states" && cp -r "$work/kept" "$states"
 size=$(wc -c <"$file")
 head -c $((size / 2)) "$file" >"$work/half" && cp "$work/half" "$file" && again && said 'the file is cut off; the run continues from the checkpoint before it' && same
 result $? 'a checkpoint that is cut off: the one before it is used'
