@@ -634,6 +634,31 @@ static void variants_with_the_own_laws(void) {
   }
 }
 
+/* A page that starts from another one has no variants with softer contacts, because the other page has computed the
+ * contacts. */
+static void no_softer_contacts_after_a_start(void) {
+  const struct page other = write_page("units none\nmaterial m density 1 young 1000 poisson 0.3\nnormal hertz\n"
+                                       "sphere 0 0 radius 1 m velocity 0 1\nsphere 0 2 radius 1 m fixed\n"
+                                       "step 0.01\nrecord time\nstage a\ncycles 1\n");
+  char text[1024];
+  struct nb_advice advice;
+  struct nb_error error = {0};
+  snprintf(text, sizeof text, "start %.500s stage a\nrecord energy.kinetic\nstage b\ncycles 9\n", other.path);
+  const struct page page = write_page(text);
+  const struct nb_advise_query query = {.path = page.path,
+                                        .settings = no_settings,
+                                        .options = {.threads = 1, .jobs = 1},
+                                        .quantity = "energy.kinetic",
+                                        .within = "1 %",
+                                        .budget = 1e-6};
+  nb_advise(&advice, &query, &error);
+  CU_ASSERT(advice.variant_count > 0);
+  for (size_t v = 0; v < advice.variant_count; v++)
+    CU_ASSERT_EQUAL(advice.variants[v].soften, 0);
+  finish(&advice, &page);
+  unlink(other.path);
+}
+
 /* Each realization has two discs in contact, whose stiffness depends on the seed. The ratio of the step to the stable
  * step is dt (k_n/(2 m))^(1/2), because the shear stiffness is 0. A setting is left out if a bound for this ratio is
  * above 1. By Student's distribution the ratio of another realization exceeds the bound with the probability 0.001. The
@@ -898,4 +923,5 @@ void suite_advise(void) {
   CU_ADD_TEST(suite, settings_of_a_mean_have_a_margin_of_stability);
   CU_ADD_TEST(suite, variants_are_all_combinations);
   CU_ADD_TEST(suite, variants_with_the_own_laws);
+  CU_ADD_TEST(suite, no_softer_contacts_after_a_start);
 }
