@@ -129,6 +129,21 @@ static void a_boundary_is_fixed_again(void) {
   nb_result_free(&result);
 }
 
+/* A disc that leaves a boundary under stress joins it when it is fixed again: the circle has the radius 20, and the disc
+ * is at (15.5, 15.5). An ellipse that is twice as wide would contain the disc. */
+static void a_disc_joins_the_boundary_that_is_fixed_again(void) {
+  struct nb_result result;
+  run(&result, "material m density 2 kn 100\nstep 0.125\ndisc 20 0 radius 1 m\ndisc 0 20 radius 1 m\n"
+               "disc -20 0 radius 1 m\ndisc 0 -20 radius 1 m\ndisc 11.7 11.7 radius 1 m velocity 0.5 0.5\n"
+               "record boundary.particles boundary.radius\nboundary circle 0 0 radius 20\n"
+               "stage a\nboundary fixed\ncycles 1\nstage b\nboundary stress 1e-9 1e-9\ncycles 60\n"
+               "stage c\nboundary fixed\ncycles 1\n");
+  CU_ASSERT_EQUAL(column(&result, 61, 0), 4);
+  CU_ASSERT_DOUBLE_EQUAL(column(&result, 61, 1), 20, 1e-6);
+  CU_ASSERT_EQUAL(written_last(&result, "boundary.particles"), 5);
+  nb_result_free(&result);
+}
+
 /* A disc that moves outward joins a boundary that moves inward, in the same cycle whatever the skin is. So the list of
  * candidates must include all discs that can reach the boundary before the list is made again. */
 static void no_disc_passes_a_boundary_that_comes_to_meet_it(void) {
@@ -342,6 +357,7 @@ void suite_driven(void) {
   CU_add_test(suite, "all forces count in the out-of-balance force", all_forces_count);
   CU_add_test(suite, "rotation off and on", rotation_off_and_on);
   CU_add_test(suite, "a boundary is fixed again", a_boundary_is_fixed_again);
+  CU_add_test(suite, "a disc joins the boundary that is fixed again", a_disc_joins_the_boundary_that_is_fixed_again);
   CU_add_test(suite, "another circle is another boundary", another_circle);
   CU_add_test(suite, "energy of springs that a boundary releases", energy_of_released_springs);
   CU_add_test(suite, "affine strain after accumulated", affine_strain_after_accumulated);

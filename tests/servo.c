@@ -447,6 +447,8 @@ static void rates_that_oppose(void) {
       {{true, true, false}, true, {.xx = 1, .yy = -1}, false},
       {{true, true, false}, true, {.xx = 1, .yy = 1}, true},
       {{true, true, true}, false, {.xx = 0}, false},
+      {{true, false, false}, false, {.xx = 1e-6}, true}, /* rounding is relative to the largest rate */
+      {{true, false, false}, false, {.xx = 1e-4, .yy = 1e6}, false},
   };
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
     struct nb_servo servo = {.axis_x = {1, 0}, .axis_y = {0, 1}, .mean = rows[k].mean};
