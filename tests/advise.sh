@@ -134,6 +134,9 @@ result $? 'a percentage of a residual'
 run 1 advise "$cases/5-numerics/changed-law.md" --quantity 'C.normal max in steps' --within '10 %' && said 'the value is 0, and a percentage of 0 allows no error' &&
   ! grep -q nan "$why"
 result $? 'a percentage of a quantity that is 0 with each step'
+sed 's/^disc 0 0 .*/disc 0 0 radius 1 m velocity 0.1 $vy/; s/^units none/&\nsweep vy 0 0.01/' still.md >still-swept.md
+run 1 advise still-swept.md --quantity D.vy --within '1 %' && said 'the value is 0, and a percentage of 0 allows no error, in run vy=0'
+result $? 'a percentage of a quantity that is 0 in the first run of a sweep'
 run 0 advise still.md --quantity D.vx --within 0.1 && said 'within 0.1'
 result $? 'an absolute tolerance'
 run 2 advise still.md --within '1 %' && said 'name a quantity that it records, by --quantity'

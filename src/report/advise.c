@@ -99,7 +99,7 @@ static double anchor_ratio(struct nb_advice *advice, int level, size_t *worst) {
     /* NaN (0/0) if the value and its uncertainty are 0, because a percentage of 0 allows no error */
     const double ratio =
         anchor.uncertainty == 0 && advice->allowed[r] > 0 ? 0 : anchor.uncertainty / advice->allowed[r];
-    if (!(ratio <= largest))
+    if (!isnan(largest) && !(ratio <= largest))
       largest = ratio, *worst = r;
   }
   return largest;

@@ -191,8 +191,8 @@ static enum nb_status force_unreachable(const struct nb_contact_test *contact_te
   const char *unit = contact_test->scene->unitless ? "" : " N";
   char limit[128] = "";
   if (shear)
-    snprintf(limit, sizeof limit, "; friction times the normal force is %g%s",
-             contact_test->pair.friction * contact_test->trial.n.force, unit);
+    snprintf(limit, sizeof limit, "; friction times the normal force, plus cohesion, is %g%s",
+             contact_test->pair.friction * contact_test->trial.n.force + contact_test->pair.cohesion, unit);
   return nb_error_set(
       error, NB_BROKEN,
       "segment `%s` (line %d), step %lu of %lu: a %s force of %g%s cannot be reached; the force is %g%s%s", stage->name,
