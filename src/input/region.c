@@ -56,8 +56,8 @@ static void take_clauses(struct nb_reader *reader, struct nb_region *it) {
     nb_expected(reader, "`rings` is for the regions `circle` and `inside`", "the end of the line, or `from STAGE`");
   else if (nb_token_skip(reader, "rings") && nb_take_count(reader, 1, RINGS_MAX, &rings))
     it->rings = (int)rings;
-  const struct nb_token *stage = nb_token_skip(reader, "from") ? nb_take_token(reader, "the name of a stage") : NULL;
-  if (stage && strlen(stage->text) < sizeof it->from)
+  const struct nb_token *stage = nb_token_skip(reader, "from") ? nb_take_name(reader, "the name of a stage") : NULL;
+  if (stage)
     snprintf(it->from, sizeof it->from, "%s", stage->text);
 }
 
