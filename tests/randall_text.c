@@ -92,7 +92,7 @@ static const struct text_step text_steps[] = {
     {0.2, 0.6, 0.1, 0, -0.03, 0.01, 4, -1, 417, MOVED, MOVED},
     {0.2, 0.6, 0.1, -0.2, -0.03, 0.01, 3, -1, 417, MOVED, MOVED},
     {0.2, 0.6, 0.1, 0, 0, 0.01, 0, 1, 0, MOVED, MOVED},
-    /* N falls: only the sign of ds selects THE1 and UFL */
+    /* N falls: of ds only the sign matters for THE1 and UFL, not its size */
     {0.5, 0, 0, 0, 0.1, -0.01, 1, 1, 418, NONE, NONE},
     {0.5, 0, 0, 0.3, 0.1, -0.01, 1, 1, 418, NONE, NONE},
     {0.5, 0, 0, 0, -0.001, -0.01, 2, -1, 418, SET, NONE},
@@ -186,8 +186,8 @@ static void cube_root_is_close(void) {
   CU_ASSERT(most < 4 * DBL_EPSILON && cube_root(0) == 0 && cube_root(1) == 1 && cube_root(8) == 2);
 }
 
-/* A contact may begin with only a normal force. Its history then has only N, and the whole contact circle sticks when
- * the slip begins. */
+/* A contact may begin with only a normal force. Its history then has only N. At the first tangential
+ * displacement the whole contact circle sticks, unless there is no friction. */
 static void first_touch_without_slip(void) {
   static const char *const laws[] = {"randall", "randall_literal"};
   for (int k = 0; k < 2; k++) {

@@ -6,8 +6,9 @@
 #include "lattice.h"
 
 /* Adds both forces of every monitored contact in the equilibrium at the end of each stage and of the run. If the walls
- * are at rest during the stage and after it, the same numbers are also its means. `equilibrium` computes the forces, in
- * N, from the displacements `travel` of the walls. */
+ * are at rest from the beginning of a stage to the end of the run, the same forces are also added as the means over this
+ * stage, and after the last stage as `mean` without a stage. `equilibrium` computes the forces, in N, from the
+ * displacements `travel` of the walls. */
 enum nb_status lattice_add_equilibria(struct nb_solution *solution, const struct nb_scene *scene,
                                       enum nb_status (*equilibrium)(const struct lattice *lattice,
                                                                     const gsl_vector *travel, gsl_vector *forces,

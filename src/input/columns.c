@@ -142,10 +142,13 @@ bool nb_file_named(struct nb_reader *reader, const struct nb_token *token, const
     nb_no_memory(reader);
   else
     nb_token_mistake(reader, token,
-                     hint            ? hint
-                     : has_no_search ? "this path is used as it is, from the root or from the folder of the page"
-                                     : "the program searches the folder of the page, then the nearest folder `cases` "
-                                       "above it, and all folders in `cases`",
+                     hint ? hint
+                     : has_no_search && token->text[0] == '/'
+                         ? "a path that begins with `/` is used as it is; the program searches no other folders"
+                     : has_no_search
+                         ? "a path with `..` starts from the folder of the page; the program searches no other folders"
+                         : "the program searches the folder of the page, then the nearest folder `cases` "
+                           "above it, and all folders in `cases`",
                      "expected a file that can be read, found `%s`, which %s", token->text, error.text);
   return file != NULL;
 }

@@ -24,7 +24,7 @@ bool nb_item(const char **list, char item[NB_NAME_SIZE]) {
   "there is no target porosity: compress with `walls inward 1 mm/s` and `until box.porosity below 0.16 at most 1000000 cycles`"
 #define ONE_SERVO "write `servo isotropic 50 kPa on box through box at most 0.1 1/s`; `xx P`, `yy P`, `xy P` or `mean P` control one component"
 #define SERVO_WALLS \
-  "the servo moves opposite walls alike: `servo isotropic 50 kPa on walls through box at most 0.1 1/s`. A biaxial test is `box strain 0 1/s -0.01 1/s` " \
+  "write `through box`: the servo strains the whole box, so opposite walls move by equal distances, as in `servo isotropic 50 kPa on walls through box at most 0.1 1/s`. A biaxial test is `box strain 0 1/s -0.01 1/s` " \
   "with `servo xx 50 kPa on walls through box at most 0.1 1/s`"
 #define SIMPLE_SHEAR \
   "simple shear at the rate G = 0.1 1/s is `cell strain 0 1/s 0 1/s  c12 0.1 1/s`, where c12 is the velocity in x per unit of y. The clause " \

@@ -442,7 +442,8 @@ static const char *owner_hint(char *hint, const struct nb_scene *scene, const ch
   return used ? hint : NULL;
 }
 
-/* The quantities that another word for a quantity means; in the table of these words `p` is `quantity_p`. NULL: none. */
+/* The entry of the table of words for another word for a quantity: for `p` the entry `quantity_p`, or else the entry `p`.
+ * NULL: there is neither. */
 static const struct nb_synonym *meaning(const char *word) {
   const struct nb_synonym *const synonym = nb_pair_synonym("quantity", word);
   return synonym ? synonym : nb_synonym(word);
@@ -582,8 +583,9 @@ static bool lacks_owner(const struct nb_scene *scene, const char *text) {
   return false;
 }
 
-/* Writes the note of the table of words on another name of a quantity: `box.strain.xx`, and `duration` of `C.duration`.
- * The note says what to write. False: there is no note. */
+/* Writes the note that the table of words has on a text which other programs use as the name of a quantity. The text is
+ * a whole name, such as `box.strain.xx`, or the part after the monitor, such as `duration` of `C.duration`. The note
+ * says what to write. False: there is no note. */
 static bool meant_line(char *hint, const char *text) {
   const struct nb_synonym *const synonym = nb_pair_synonym("quantity", text);
   return synonym && synonym->note && nb_pair_hint(hint, "quantity", text);

@@ -22,7 +22,7 @@ int LLVMFuzzerTestOneInput(const unsigned char *bytes, size_t size) {
   return 0;
 }
 
-/* Half of the changes concern words and numbers; the other half are libFuzzer's own changes of bytes. */
+/* Half of the changes are those of change.c, of a byte, a word, a line or a number; the other half are libFuzzer's own. */
 size_t LLVMFuzzerCustomMutator(unsigned char *bytes, size_t size, size_t most, unsigned seed) {
   unsigned long long chance = seed * 2654435761ULL + 1;
   return seed % 2 ? LLVMFuzzerMutate(bytes, size, most)

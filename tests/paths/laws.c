@@ -2,7 +2,8 @@
  * bounds, and no energy is created.
  *
  * The contact moves along each segment of a path twice from the same state, first in `COARSE` steps and then in twice
- * as many. The error of the work is estimated from the difference, as in laws_energy.c.
+ * as many. The error of the work is estimated from the difference, as in laws_energy.c. The segments of
+ * `KIND_DECADES` are one step each, too large for a test of the energy.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
@@ -45,8 +46,8 @@ static bool is_finite(const struct contact *it) {
   return is;
 }
 
-/* True if the law has written no variable in the cache line after the declared ones, and if the declared ones are a row
- * that a saved state may have. */
+/* True if the law has left the cache line after its declared variables unchanged, and if the values of the declared
+ * variables would be valid in a saved state. */
 static bool is_within(const struct contact *it) {
   const struct nb_law *law = it->shear;
   bool is = true;
