@@ -270,12 +270,14 @@ static void warnings_of_ends_propose(void) {
     char text[1024];
     snprintf(text, sizeof text, scene, rows[k].end);
     carry_out(&outcome, text, "report time", NULL);
-    if (outcome.warnings.count != 1)
+    const size_t count = strstr(rows[k].end, "yy -10") ? 2 : 1; /* the first one is of a tension */
+    const char *const last = outcome.warnings.list[count - 1].text;
+    if (outcome.warnings.count != count)
       printf("# %zu: %zu warnings, %s\n", k, outcome.warnings.count, outcome.error.text);
-    CU_ASSERT_EQUAL_FATAL(outcome.warnings.count, 1);
-    CU_ASSERT_PTR_NOT_NULL(strstr(outcome.warnings.list[0].text, rows[k].warning));
-    if (!strstr(outcome.warnings.list[0].text, rows[k].warning))
-      printf("# %zu: %s\n", k, outcome.warnings.list[0].text);
+    CU_ASSERT_EQUAL_FATAL(outcome.warnings.count, count);
+    CU_ASSERT_PTR_NOT_NULL(strstr(last, rows[k].warning));
+    if (!strstr(last, rows[k].warning))
+      printf("# %zu: %s\n", k, last);
     nb_outcome_free(&outcome);
   }
 }

@@ -243,6 +243,59 @@ run 0 explain within.md
 grep -q 'outside the box' said && echo 'a particle in the box or a fixed one counts as outside' >>why
 verdict 'warnings: overlaps at the start, angles without a unit, walls that rotate about their middle; explained: area of a region, rows of a stage'
 
+cat >signs.md <<'END'
+# Negative pressures, a damping ratio in percent, and a wall of a box that rotates
+```scene
+units     si
+material  m  density 1 g/cm3  kn 1 MN/m
+box       0 mm 0 mm  to 100 mm 100 mm  m
+lattice   discs 2 by 2  radius 10 mm  m  from 20 mm 20 mm
+region    M  all
+damping   ratio 30
+damping   walls ratio 1.01
+let       zeta = 2
+step      1 us
+record    box.stress.mean box.stress.xx M.stress.xy M.stress.shear.xx
+stage     one
+damping   ratio 200 %
+until     box.stress.mean below -100 kPa at most 2 cycles
+stage     two
+damping   ratio $zeta
+servo     yy -1 kPa on box through box at most 1e-6 per cycle
+until     box.stress.mean above -100 kPa and M.stress.xy below -1 kPa at most 2 cycles
+stage     three
+wall      south  spin 1 rad/s
+wall      north  spin -1 rad/s
+cycles    1
+stage     four
+wall      north  spin 1 rad/s
+cycles    1
+```
+```expect
+box.stress.xx max  below -1 kPa
+box.stress.xx max  expected -1 kPa within 1 % [a guess]
+box.stress.xx min  above -1 kPa
+M.stress.xy max    below -1 kPa
+M.stress.shear.xx  below -1 kPa
+```
+END
+run 0 explain signs.md
+said 'signs.md:8: warning: a damping ratio above 1 is more than critical damping: 30 is 3000 % of it; if that is meant, write `ratio 3000 %`, otherwise `ratio 30 %`'
+said 'signs.md:9: warning: a damping ratio above 1 is more than critical damping: 1.01 is 101 % of it'
+said 'signs.md:21: warning: wall `south` rotates about its middle: 0.05 m 0 m; its line in the scene is a `box`; a line `wall` can have `about X Y`'
+said 'signs.md:22: warning: wall `north` rotates'
+tension='a negative value means tension, because stress is positive in compression: for a pressure write'
+said "signs.md:15: warning: \`box.stress.mean below\` $tension \`box.stress.mean above 100000 Pa\`"
+said "signs.md:18: warning: \`servo yy\` $tension \`servo yy 1000 Pa\`"
+said "signs.md:19: warning: \`box.stress.mean above\` $tension \`box.stress.mean below 100000 Pa\`"
+said "signs.md:29: warning: \`box.stress.xx below\` $tension \`box.stress.xx above 1000 Pa\`"
+said "signs.md:30: warning: \`box.stress.xx expected\` $tension \`box.stress.xx expected 1000 Pa\`"
+test "$(grep -c 'warning' said)" -eq 9 || echo 'not nine warnings' >>why
+sed 's/ratio 30/ratio 1/; s/ratio 1.01/r89-fraction 30/; s/spin -1/spin 1/; s/-1 kPa/1 kPa/; s/-100 kPa/100 kPa/' signs.md >plus.md
+run 0 explain plus.md
+quiet said
+verdict 'warnings: tension in place of a pressure, more than critical damping, a wall of a box that rotates'
+
 for command in check run 'check --tap' explain; do
   "$nineball" $command "$pages/warns.md" >out 2>&1 </dev/null
   test "$(grep -c 'warns.md:4: warning: friction' out)" -eq 1 || echo "not once in a file: $command" >>why

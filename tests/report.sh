@@ -176,6 +176,7 @@ if command -v gnuplot >/dev/null; then
   result $? 'figure: an aborted run is drawn, and the figure says so'
   printf '\n```gnuplot\nplot $table using "time/-":"D.x/-" with points\n```\n' | cat "$pages/fails.md" - >failed.md
   run 0 figure failed.md -o some && said 'look at some/failed.svg' && ! said 'up to where' &&
+    said 'a check of this page failed: type `nineball check failed.md`' &&
     ! grep -q INCOMPLETE some/failed.svg && ! grep -q INCOMPLETE some/failed.gp
   result $? 'figure: a page with a failed check is drawn as complete'
   # If the first run of a sweep is aborted, the others are not started and have no tables.

@@ -1,6 +1,8 @@
 /* `damping`, of the scene and of stages.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <string.h>
+
 #include "statement.h"
 
 static const struct nb_argument no_fields[] = {END};
@@ -28,6 +30,7 @@ struct given {
   bool centred;      /* dashpots use the velocity at the time of the force */
   struct damping_word of;
   double value;
+  bool meant; /* the value has a `%` or a name, so a large one is meant */
 };
 
 static enum nb_global_damping take_con1(struct nb_reader *reader) {
@@ -37,6 +40,11 @@ static enum nb_global_damping take_con1(struct nb_reader *reader) {
                 "`as cs79`, `as velocity` or `as all`");
   const int variant = nb_take_choice(reader, "cs79|velocity|all");
   return variants[variant < 0 ? 0 : variant];
+}
+
+/* True if the value that begins at `number` and has just been taken has a name or ends with `%`. */
+static bool is_explicit(const struct nb_reader *reader, const struct nb_token *number) {
+  return !number || number->name || strcmp(reader->tokens[reader->next - 1].text, "%") == 0;
 }
 
 static void take_damping(struct nb_reader *reader, struct given *given) {
@@ -60,7 +68,9 @@ static void take_damping(struct nb_reader *reader, struct given *given) {
   reader->otherwise = NULL;
   given->of = kinds[word < WALLS ? word : WALLS + word - GLOBAL];
   given->global = word >= GLOBAL, given->all = !given->global && !given->walls;
+  const struct nb_token *const number = nb_token_peek(reader);
   nb_take_number(reader, given->of.unit, given->of.range, &given->value);
+  given->meant = is_explicit(reader, number);
   if (word == CON1)
     given->of.global_kind = take_con1(reader);
 }
@@ -101,6 +111,12 @@ NB_APPLY(apply_damping) {
       nb_set_twice(reader, parts[k].name, *parts[k].line);
   if (reader->bad)
     return;
+  if ((given.all || given.walls) && given.of.contact_kind == NB_CONTACT_RATIO && given.value > 1 && !given.meant)
+    nb_warn(
+        &scene->warnings, line,
+        "a damping ratio above 1 is more than critical damping: %g is %g %% of it; if that is meant, write `ratio %g "
+        "%%`, otherwise `ratio %g %%`",
+        given.value, 100 * given.value, 100 * given.value, given.value);
   for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
     if (parts[k].given)
       *parts[k].line = line;

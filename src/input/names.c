@@ -326,6 +326,30 @@ void nb_comparison_warn(struct nb_warnings *warnings, int line, const struct nb_
             decision == NEVER ? "never holds" : "always holds", it->name);
 }
 
+/* True for a normal stress or the mean of two, such as `box.stress.xx` and `M.stress.mean`. */
+static bool is_normal_stress(struct nb_quantity quantity) {
+  static const char *const suffixes[] = {"xx", "yy", "major", "minor", "mean"};
+  const char *const name = quantity.kind->name, *const dot = strrchr(name, '.');
+  bool found = false;
+  for (size_t k = 0; quantity.suffix && k < sizeof suffixes / sizeof *suffixes; k++)
+    found = found || strcmp(quantity.suffix->name, suffixes[k]) == 0;
+  return found && strcmp(dot ? dot + 1 : name, "stress") == 0;
+}
+
+void nb_tension_warn(struct nb_scene *scene, const struct nb_quantity *quantity, const char *name, const char *relation,
+                     double value, int line) {
+  const bool below = strcmp(relation, "below") == 0, above = strcmp(relation, "above") == 0;
+  if (value < 0 && (!quantity || is_normal_stress(*quantity)))
+    nb_warn(&scene->warnings, line,
+            "`%s %s` a negative value means tension, because stress is positive in compression: for a pressure write "
+            "`%s %s %g%s`",
+            name, relation, name,
+            below   ? "above"
+            : above ? "below"
+                    : relation,
+            -value, scene->unitless ? "" : " Pa");
+}
+
 double nb_quantity_value(struct nb_quantity quantity, const struct nb_model *model) {
   return nb_quantity_now(quantity, model);
 }

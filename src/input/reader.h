@@ -178,6 +178,10 @@ bool nb_comparison_is_open(struct nb_reader *reader, const struct nb_comparison 
 /* Warns if the comparison always or never holds with all laws of the program; a law of the user's own with tensile forces
  * may change this. */
 void nb_comparison_warn(struct nb_warnings *warnings, int line, const struct nb_comparison *comparison);
+/* Warns of a negative normal stress, in a condition or an expectation of the quantity `name` (`relation`: "below",
+ * "above" or "expected"), or in a statement `name` with the target `relation`, without a quantity. */
+void nb_tension_warn(struct nb_scene *scene, const struct nb_quantity *quantity, const char *name, const char *relation,
+                     double value, int line);
 /* Warns of a condition or an expectation, `what`, that compares the stress `name` while the servo of stage `s` controls
  * another stress, if friction at the walls makes the two stresses differ. False: out of memory. */
 bool nb_servo_compare(struct nb_scene *scene, size_t s, struct nb_quantity quantity, const char *name, const char *what,

@@ -88,6 +88,8 @@ NB_APPLY(apply_servo) {
                      "expected `xx` or `yy` for a servo through a box, found `xy`");
   servo.controlled[2] = servo.controlled[2] && !servo.box;
   (servo.cell ? nb_lacks_cell : servo.box ? nb_lacks_box : nb_lacks_boundary)(scene, reader);
+  for (int at = AT_ISOTROPIC; at <= AT_YY && !reader->bad; at++)
+    nb_tension_warn(scene, NULL, "servo", servo_fields[at].word, value[at].number, servo.line);
   if (!reader->bad)
     stage->servo = servo;
 }

@@ -119,6 +119,8 @@ static bool take_condition(struct nb_scene_reading *reading, struct nb_reader *r
         "`%s` counts from the start of the first page; the strain of this stage alone is its rate times `stage.time`",
         condition->name);
   nb_comparison_warn(&reading->scene->warnings, condition->line, &comparison);
+  nb_tension_warn(reading->scene, &condition->quantity, condition->name,
+                  condition->relation == NB_BELOW ? "below" : "above", condition->value, condition->line);
   return nb_comparison_is_open(reader, &comparison, "a condition");
 }
 

@@ -109,17 +109,6 @@ static void move_pivot(struct nb_wall *wall, double x, double y) {
   wall->y = y;
 }
 
-/* Warns of a wall that rotates about its middle because its line does not say about which point. */
-static void warn_of_spin(struct nb_scene *scene, const struct nb_reader *reader, const struct nb_wall *wall,
-                         double spin) {
-  const char *const m = reader->unitless ? "" : " m";
-  if (spin != 0 && !wall->has_about && !is_of_box(wall)) /* a `box` has no `about` */
-    nb_warn(&scene->warnings, (int)reader->line,
-            "wall `%s` rotates about its middle: %g%s %g%s; its line in the scene has no `about X Y`, which sets the "
-            "centre",
-            wall->name, wall->x, m, wall->y, m);
-}
-
 NB_APPLY(apply_wall) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   const struct nb_value *value = record->value;
@@ -137,7 +126,6 @@ NB_APPLY(apply_wall) {
   wall->has_about = value[AT_ABOUT_X].token != NULL;
   if (wall->has_about)
     move_pivot(wall, value[AT_ABOUT_X].number, value[AT_ABOUT_Y].number);
-  warn_of_spin(scene, reader, wall, wall->spin);
 }
 
 bool nb_corners_swapped(struct nb_reader *reader, double x, double y, double x1, double y1) {
@@ -188,11 +176,11 @@ void nb_outside_check(struct nb_scene *scene) {
 
 /* ---- in a stage ---- */
 
-/* The motion of a wall at this place of the page; `reverse velocities` changes the sign of earlier motions. */
-static struct nb_wall_motion current_motion(const struct nb_scene *scene, size_t index) {
+/* The motion of a wall after the first `stages` stages; `reverse velocities` changes the sign of earlier motions. */
+static struct nb_wall_motion motion_after(const struct nb_scene *scene, size_t stages, size_t index) {
   const struct nb_wall *it = &scene->walls[index];
   struct nb_wall_motion motion = {.wall = (int)index, .vx = it->vx, .vy = it->vy, .spin = it->spin};
-  for (size_t s = 0; s < scene->stage_count; s++) {
+  for (size_t s = 0; s < stages; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     if (stage->reverse_velocities) /* + 0.0 turns -0 into 0 */
       motion.vx = -motion.vx + 0.0, motion.vy = -motion.vy + 0.0, motion.spin = -motion.spin + 0.0;
@@ -201,6 +189,30 @@ static struct nb_wall_motion current_motion(const struct nb_scene *scene, size_t
         motion = stage->motions[i];
   }
   return motion;
+}
+
+/* Warns of a wall that rotates about its middle because its line does not say about which point. Opposite walls of a box
+ * may rotate alike, because this distorts the box. */
+static void warn_of_spin(struct nb_scene *scene, size_t stages, size_t index, int line) {
+  const struct nb_wall *const wall = &scene->walls[index];
+  const double spin = motion_after(scene, stages, index).spin;
+  const size_t first = (size_t)nb_box_first_wall(scene), sides = NB_BOX_SIDES;
+  const bool of_box = is_of_box(wall);
+  const size_t opposite = of_box ? first + (index - first + sides / 2) % sides : index;
+  const char *const m = scene->unitless ? "" : " m";
+  if (spin != 0 && !wall->has_about && !(of_box && motion_after(scene, stages, opposite).spin == spin))
+    nb_warn(
+        &scene->warnings, line,
+        "wall `%s` rotates about its middle: %g%s %g%s; its line in the scene %s `about X Y`, which sets the centre",
+        wall->name, wall->x, m, wall->y, m, of_box ? "is a `box`; a line `wall` can have" : "has no");
+}
+
+void nb_spin_check(struct nb_scene *scene) {
+  for (size_t w = 0; w < scene->wall_count; w++)
+    warn_of_spin(scene, 0, w, scene->walls[w].line);
+  for (size_t s = 0; s < scene->stage_count; s++)
+    for (size_t i = 0; i < scene->stages[s].motion_count; i++)
+      warn_of_spin(scene, s + 1, (size_t)scene->stages[s].motions[i].wall, scene->stages[s].motions[i].line);
 }
 
 /* Adds the motion of a wall. In a stage a second motion of the same wall replaces the first, so that `wall` may follow
@@ -229,7 +241,7 @@ NB_APPLY(apply_walls) {
     const struct nb_wall *wall = &scene->walls[i];
     if (inward->token && !is_of_box(wall))
       continue;
-    struct nb_wall_motion motion = current_motion(scene, i);
+    struct nb_wall_motion motion = motion_after(scene, scene->stage_count, i);
     motion.vx = stop->token ? 0 : wall->inx * inward->number + 0.0; /* + 0.0 turns -0 into 0 */
     motion.vy = stop->token ? 0 : wall->iny * inward->number + 0.0;
     motion.spin = stop->token ? 0 : motion.spin;
@@ -253,12 +265,11 @@ NB_APPLY(apply_wall_motion) {
   const int wall = nb_wall_of(scene, reader, value[AT_NAME].token);
   if (reader->bad)
     return;
-  struct nb_wall_motion motion = current_motion(scene, (size_t)wall);
+  struct nb_wall_motion motion = motion_after(scene, scene->stage_count, (size_t)wall);
   if (value[AT_VX].token)
     motion.vx = value[AT_VX].number, motion.vy = value[AT_VY].number;
   if (value[AT_SPIN].token)
     motion.spin = value[AT_SPIN].number;
-  warn_of_spin(scene, reader, &scene->walls[wall], motion.spin);
   move_wall(scene, reader, motion);
 }
 

@@ -99,6 +99,8 @@ static enum nb_status save_outputs(const struct nb_outcome *outcome, const struc
       printf("look at %s/%s.svg%s\n", folder, outcome->page.name, incomplete);
     else
       printf("%s has no `gnuplot` block, so there is no figure\n", path);
+    if (outcome->status == NB_FAILED)
+      nb_append_word(word, sizeof word, path), printf("a check of this page failed: type `nineball check %s`\n", word);
   }
   return NB_OK;
 }

@@ -70,30 +70,9 @@ static const char *magnitude_hint(char *hint, const struct nb_scene *scene, cons
   return nb_quantity_find(&quantity, scene, name) ? hint : NULL;
 }
 
-/* Finds the column of the scene's table that the token names, and its quantity. */
-static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, const struct nb_token *token,
-                        size_t *column, struct nb_quantity *quantity) {
-  for (size_t c = 0; c < scene->column_count; c++)
-    if (strcmp(scene->columns[c].name, token->text) == 0) {
-      *column = c, *quantity = scene->columns[c].quantity;
-      return true;
-    }
-  char hint[NB_HINT_SIZE];
-  double number;
-  const bool known = nb_quantity_find(quantity, scene, token->text);
-  if (nb_name_suppressed(reader->mistakes, token->text) || (known && nb_name_suppressed(reader->mistakes, "record")))
-    return nb_fail_silently(reader);
-  nb_suppress_name(reader->mistakes, token->text);
-  if (known)
-    snprintf(hint, sizeof hint, "add `record %s` to the %s", token->text,
-             scene->contact_test ? "contact test" : "scene");
-  else if (nb_number_read(&number, token->text, 0) != NB_NO_NUMBER)
-    snprintf(hint, sizeof hint, "a number is compared by `expected NUMBER within TOLERANCE [SOURCE]`");
-  else if (!magnitude_hint(hint, scene, token->text) && !nb_pair_hint(hint, "expect", token->text) &&
-           !nb_phrase_hint(hint, scene, token, reader->count - (size_t)(token - reader->tokens)) &&
-           !reducer_hint(hint, reader, scene, token))
-    nb_quantity_hint(hint, scene, token->text);
-  return nb_token_mistake(reader, token, hint, "expected a quantity that the page records, found `%s`", token->text);
+/* The unit as a hint writes it after a number: "" for a number without a unit. */
+static const char *shown_unit(const struct nb_reader *reader, const char *unit) {
+  return reader->unitless || strcmp(unit, "1") == 0 ? "" : unit;
 }
 
 static bool begins_expectation(const char *word) {
@@ -112,24 +91,94 @@ static bool dimensions_differ(const struct nb_scene *scene, const char *one, con
          !nb_dimension_same(unit_a.dimension, unit_b.dimension);
 }
 
+static const char other_dimension[] =
+    "a line has no arithmetic with measures, and it compares only measures of the same dimension: compare each measure "
+    "with a number, in a line of its own";
+
+/* Writes the hint for a ratio, or a difference, of the measures `one` and `other`; `number` is a value of the ratio,
+ * `unit` the unit of a difference. */
+static const char *arithmetic_hint(char *hint, char sign, const char *one, const char *other, const char *number,
+                                   const char *unit) {
+  const bool difference = sign == '-' || sign == '+';
+  snprintf(hint, NB_HINT_SIZE, "a line has no arithmetic with measures; ");
+  if (difference)
+    nb_append(
+        hint, NB_HINT_SIZE,
+        "compare the first one with a formula, `%.120s expected (b + d) within 1 %% [SOURCE]`, with `let b = 1%s%s` "
+        "and `let d = 3%s%s` in the scene; or with ",
+        one, *unit ? " " : "", unit, *unit ? " " : "", unit);
+  nb_append(hint, NB_HINT_SIZE, "%s the second measure: `%.120s expected %s of %.120s within 1 %% [SOURCE]`",
+            difference ? "a multiple of" : "a ratio is a fraction of", one, number, other);
+  return hint;
+}
+
 /* Writes the hint for arithmetic with measures, `A.x max / B.x max`: `label` is the first measure, `first` the first
  * word of the second one. The next tokens of the line are the other words of the second measure. */
-static const char *ratio_hint(char *hint, const struct nb_reader *reader, const struct nb_scene *scene,
+static const char *ratio_hint(char *hint, const struct nb_reader *reader, const struct nb_scene *scene, char sign,
                               const char *label, const char *first) {
   char other[4 * NB_NAME_SIZE];
   const struct nb_token *const next = nb_token_peek(reader);
+  struct nb_quantity quantity;
   if (dimensions_differ(scene, reader->tokens[0].text, *first || !next ? first : next->text))
-    return strcpy(hint, "a line has no arithmetic with measures, and it compares only measures of the same dimension: "
-                        "compare each measure with a number, in a line of its own");
+    return strcpy(hint, other_dimension);
   snprintf(other, sizeof other, "%s", first);
   for (size_t k = reader->next; k < reader->count && !begins_expectation(reader->tokens[k].text); k++)
-    nb_append(other, sizeof other, "%s%s", *other ? " " : "", reader->tokens[k].text);
-  snprintf(
-      hint, NB_HINT_SIZE,
-      "a line has no arithmetic with measures; a ratio is a fraction of the second measure: `%.120s expected 0.5 of "
-      "%.120s within 1 %% [SOURCE]`",
-      label, *other ? other : "MEASURE");
-  return hint;
+    nb_append(other, sizeof other, "%s%s", *other ? " " : "",
+              strcmp(reader->tokens[k].text, "first") ? reader->tokens[k].text : "at 0 cycles");
+  return arithmetic_hint(
+      hint, sign, label, *other ? other : "MEASURE", "0.5",
+      nb_quantity_find(&quantity, scene, reader->tokens[0].text) ? shown_unit(reader, nb_quantity_unit(quantity)) : "");
+}
+
+/* The hint for arithmetic without spaces, `A.vx/A.vy`, and for a function of it, `atan2(A.vx, A.vy)`; NULL: the text is
+ * neither. */
+static const char *quotient_hint(char *hint, const struct nb_reader *reader, const struct nb_scene *scene,
+                                 const char *text) {
+  const char *const from = strchr(text, '(') ? strchr(text, '(') + 1 : text;
+  const size_t length = strcspn(from, "/,-+)");
+  const char *const second = from + length + 1 + (from[length] && from[length + 1] == ' ');
+  char one[2 * NB_NAME_SIZE], other[2 * NB_NAME_SIZE];
+  struct nb_quantity quantity;
+  snprintf(one, sizeof one, "%.*s", (int)length, from);
+  if (!strchr("/,-+", from[length]) || !from[length] || !nb_quantity_find(&quantity, scene, one))
+    return NULL;
+  snprintf(other, sizeof other, "%.*s", (int)strcspn(second, ")"), second);
+  return dimensions_differ(scene, one, other) ? strcpy(hint, other_dimension)
+         : nb_quantity_find(&quantity, scene, other)
+             ? arithmetic_hint(hint, from[length], one, other, strncmp(text, "atan", 4) == 0 ? "(tan(20 deg))" : "0.5",
+                               shown_unit(reader, nb_quantity_unit(quantity)))
+             : NULL;
+}
+
+/* Finds the column of the scene's table that the token names, and its quantity. */
+static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, const struct nb_token *token,
+                        size_t *column, struct nb_quantity *quantity) {
+  for (size_t c = 0; c < scene->column_count; c++)
+    if (strcmp(scene->columns[c].name, token->text) == 0) {
+      *column = c, *quantity = scene->columns[c].quantity;
+      return true;
+    }
+  char hint[NB_HINT_SIZE];
+  double number;
+  const bool known = nb_quantity_find(quantity, scene, token->text);
+  if (nb_name_suppressed(reader->mistakes, token->text) || (known && nb_name_suppressed(reader->mistakes, "record")))
+    return nb_fail_silently(reader);
+  nb_suppress_name(reader->mistakes, token->text);
+  if (known)
+    snprintf(hint, sizeof hint, "add `record %s` to the %s%s", token->text,
+             scene->contact_test ? "contact test" : "scene",
+             strcmp(quantity->kind->name, "angle") == 0 ? "; it is the rotation since the start, and the direction of "
+                                                          "a velocity is `A.vx last  expected (tan(20 deg)) of A.vy "
+                                                          "last within 1 % [SOURCE]`"
+                                                        : "");
+  else if (nb_number_read(&number, token->text, 0) != NB_NO_NUMBER)
+    snprintf(hint, sizeof hint, "a number is compared by `expected NUMBER within TOLERANCE [SOURCE]`");
+  else if (!magnitude_hint(hint, scene, token->text) && !quotient_hint(hint, reader, scene, token->text) &&
+           !nb_pair_hint(hint, "expect", token->text) &&
+           !nb_phrase_hint(hint, scene, token, reader->count - (size_t)(token - reader->tokens)) &&
+           !reducer_hint(hint, reader, scene, token))
+    nb_quantity_hint(hint, scene, token->text);
+  return nb_token_mistake(reader, token, hint, "expected a quantity that the page records, found `%s`", token->text);
 }
 
 /* The hint for an unknown stage. For `rest/A.x` it is the hint for a ratio. */
@@ -138,7 +187,7 @@ static const char *stage_hint(char *hint, const struct nb_reader *reader, const 
   const char *const slash = strchr(text, '/');
   char measure[4 * NB_NAME_SIZE];
   snprintf(measure, sizeof measure, "%.120s in %.*s", label, slash ? (int)(slash - text) : 0, text);
-  return slash && slash[1] ? ratio_hint(hint, reader, scene, measure, slash + 1)
+  return slash && slash[1] ? ratio_hint(hint, reader, scene, '/', measure, slash + 1)
                            : NB_NEAREST(hint, text, scene->stages, scene->stage_count);
 }
 
@@ -258,11 +307,6 @@ static bool take_measure_like(struct nb_reader *reader, const struct nb_scene *s
 
 /* ---- tolerances ---- */
 
-/* The unit as a hint writes it after a number: "" for a number without a unit. */
-static const char *shown_unit(const struct nb_reader *reader, const char *unit) {
-  return reader->unitless || strcmp(unit, "1") == 0 ? "" : unit;
-}
-
 /* The quantity that a hint proposes as the scale of a tolerance. It has the dimension of the measure that begins the
  * line: the kinetic energy for an energy of a scene, otherwise the quantity of the measure. */
 static const char *scale_name(const struct nb_reader *reader, const struct nb_scene *scene, const char *unit) {
@@ -345,7 +389,10 @@ static bool take_sweep_name(struct nb_reader *reader, const struct nb_scene *sce
   static const char what[] = "the name of a `sweep`";
   const struct nb_token *token = nb_take_token(reader, what);
   const int k =
-      NB_NAMED(reader, token, scene->bindings, scene->binding_count, what, "define it with `sweep NAME VALUE …`");
+      NB_NAMED(reader, token, scene->bindings, scene->binding_count, what,
+               token && strcmp(token->text, "step") == 0
+                   ? "a step that is swept has a name: `sweep dt 1 us 2 us 4 us` and `step $dt` in the scene, then `dt`"
+                   : "define it with `sweep NAME VALUE …`");
   if (k < 0)
     return false;
   snprintf(name, 2 * NB_NAME_SIZE, "%s", token->text);
@@ -540,8 +587,19 @@ static bool take_constant(struct nb_reader *reader, const struct nb_scene *scene
 }
 
 static bool take_order(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
-  return nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &expectation->number) && nb_take_word(reader, "in") &&
-         take_sweep_name(reader, scene, expectation->against) &&
+  const char *const number = nb_token_peek(reader) ? nb_token_peek(reader)->text : "";
+  size_t swept = 0; /* the first sweep */
+  if (!nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &expectation->number))
+    return false;
+  while (swept < scene->binding_count && scene->bindings[swept].sweep < 0)
+    swept++;
+  char hint[NB_HINT_SIZE];
+  snprintf(hint, sizeof hint, "name the swept value: `%.80s order %.40s in %s within 0.1`%s",
+           expectation->measure.label, number, swept < scene->binding_count ? scene->bindings[swept].name : "dt",
+           swept < scene->binding_count ? "" : ", with `sweep dt 1 us 2 us 4 us` and `step $dt` in the scene");
+  if (!nb_token_is(reader, "in"))
+    return nb_expected(reader, hint, "`in` and the name of a `sweep`");
+  return nb_take_word(reader, "in") && take_sweep_name(reader, scene, expectation->against) &&
          take_tolerance(reader, NULL, "1", &expectation->tolerance);
 }
 
@@ -645,8 +703,9 @@ static bool take_kind(struct nb_reader *reader, const struct reading *reading, s
   }
   if (token && strchr("+-*/", token->text[0]) && !token->text[1]) {
     reader->next++;
-    ratio_hint(hint, reader, reading->scene, expectation->measure.label, "");
-    return nb_expected_at(reader, token, hint, words);
+    ratio_hint(hint, reader, reading->scene, *token->text, expectation->measure.label, "");
+    nb_token_mistake(reader, token, hint, "expected %s, found `%s`", words, token->text);
+    return false;
   }
   return nb_expected(reader,
                      again   ? "one line has one of `max`, `min`, `mean` …: write a line for each"
@@ -660,7 +719,13 @@ static void apply_report(struct nb_reader *reader, const struct nb_record *recor
   const struct reading *reading = subject;
   struct nb_expectation expectation = {.kind = NB_REPORTED, .line = (int)reader->line};
   (void)record;
-  if (take_measure(reader, reading->scene, &expectation.measure))
+  if (!take_measure(reader, reading->scene, &expectation.measure))
+    return;
+  const struct nb_token *const token = nb_token_peek(reader);
+  if (token && strchr("+-*/", token->text[0]) && !token->text[1])
+    nb_token_mistake(reader, token, "a line reports one measure: write a line for each",
+                     "expected the end of the line, found `%s`", token->text);
+  else
     NB_APPEND(reader, reading->expectations->list, reading->expectations->count, expectation);
 }
 

@@ -179,7 +179,8 @@ static void print_help(FILE *out) {
   fputc('\n', out);
   for (int k = 0; k < OPTIONS; k++)
     print_option(out, k);
-  fputs("\nexit status: 0 passed, 1 a check failed, 2 bad use or a mistake in a page, 3 run aborted, 4 out of memory\n",
+  fputs("\nexit status: 0 passed, 1 a check failed, 2 bad use or a mistake in a page, 3 run aborted, 4 out of memory; "
+        "`figure` ends with 0 also if a check failed, and says so\n",
         out);
 }
 

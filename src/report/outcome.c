@@ -112,13 +112,17 @@ static void warn_removed(struct nb_outcome *outcome, const struct nb_page_run *r
   }
 }
 
-/* Warns of expectations on a stress other than the one that the servo of their stage controls. False: out of memory. */
-static bool warn_of_servos(struct nb_page_run *run) {
+/* Warns of expectations on a negative pressure, and on a stress other than the one that the servo of their stage
+ * controls. `above` may have a negative value, as the lower bound of a magnitude. False: out of memory. */
+static bool warn_of_stresses(struct nb_page_run *run) {
   struct nb_scene *const scene = &run->scene;
   for (size_t k = 0; k < run->expectations.count; k++) {
     const struct nb_expectation *it = &run->expectations.list[k];
     const struct nb_column *column = &scene->columns[it->measure.column];
     const size_t stage = it->measure.stage >= 0 ? (size_t)it->measure.stage : scene->stage_count - 1;
+    if ((it->kind == NB_EXPECTED && !it->has_scale) || (it->kind == NB_LESS && it->has_number))
+      nb_tension_warn(scene, &column->quantity, column->name, it->kind == NB_LESS ? "below" : "expected", it->number,
+                      it->line);
     if (it->kind == NB_EXPECTED && !it->has_scale &&
         !nb_servo_compare(scene, stage, column->quantity, column->name, "expectation", it->line))
       return false;
@@ -143,7 +147,7 @@ static void read_runs(struct nb_outcome *outcome, nb_settings settings, size_t p
     if (r > 0)
       nb_scene_read(&run->scene, &outcome->page, r, settings, &outcome->mistakes);
     nb_expectations_read(&run->expectations, &outcome->page, &run->scene, &outcome->mistakes);
-    if (!warn_of_servos(run))
+    if (!warn_of_stresses(run))
       nb_mistake_memory(&outcome->mistakes);
     nb_sweep_label(run->label, sizeof run->label, run, NULL);
     add_warnings(outcome, &run->scene.warnings);
