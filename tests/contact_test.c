@@ -124,13 +124,12 @@ static void unreachable_forces_stop_the_run(void) {
   expect_stop(
       EXACT "segment a normal to 10 N in 1 step\nsegment b shear to 5 N in 5 steps\n",
       "segment `b` (line 8), step 4 of 5: a shear force of 4 N cannot be reached; the force is 3 N; friction times the "
-      "normal force is 3 N");
+      "normal force, plus cohesion, is 3 N");
   expect_stop(EXACT "segment a normal to 10 N in 1 step\nsegment b normal by -20 N in 4 steps\n",
               "segment `b` (line 8), step 3 of 4: a normal force of -5 N cannot be reached; the force is 0 N");
   expect_stop(STEEL "segment a normal to 10 N in 1 step\nsegment b shear to -1 N in 1 step\n",
               "segment `b` (line 7), step 1 of 1: a shear force of -1 N cannot be reached; the force is 0 N; friction "
-              "times the "
-              "normal force is 3 N");
+              "times the normal force, plus cohesion, is 3 N");
 }
 
 /* Prescribed shear forces at the friction limit are reached to rounding. */
