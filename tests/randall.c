@@ -104,18 +104,21 @@ static void loss_of_a_closed_loop(void) {
   CU_ASSERT(expected > 0 && fabs(errors[0]) < 5e-3 && fabs(errors[1] - errors[0] / 2) < 0.1 * fabs(errors[0]));
 }
 
-/* Unloading beyond -T* is virgin loading in the other sense. */
+/* The contact at constant N after two tangential displacements, in units of A = mu kappa alpha. */
+static struct contact contact_after(double first, double second, int steps) {
+  const double a = slope() * deep(N);
+  struct contact it = contact_of("randall");
+  go(&it, deep(N), 0);
+  lead(&it, deep(N), first * a, steps);
+  lead(&it, deep(N), second * a, steps);
+  return it;
+}
+
+/* Unloading beyond -T* is virgin loading in the other sense [R89 3.25]. */
 static void unloading_beyond_the_mirror_image_is_virgin(void) {
   double errors[2];
-  for (int k = 0; k < 2; k++) {
-    const int steps = k ? 1000 : 500;
-    const double a = slope() * deep(N);
-    struct contact it = contact_of("randall");
-    go(&it, deep(N), 0);
-    lead(&it, deep(N), 0.3 * a, steps);
-    lead(&it, deep(N), -a, steps);
-    errors[k] = it.s.force / (mu * N) + (1 - pow(1 - 0.7, 1.5));
-  }
+  for (int k = 0; k < 2; k++)
+    errors[k] = contact_after(0.3, -1, k ? 1000 : 500).s.force / (mu * N) + (1 - pow(1 - 0.7, 1.5));
   CU_ASSERT(fabs(errors[0]) < 3e-3 && fabs(errors[1] - errors[0] / 2) < 0.1 * fabs(errors[0]));
 }
 
@@ -125,10 +128,7 @@ static void unloading_again_retraces_reloading(void) {
   for (int k = 0; k < 2; k++) {
     const int steps = k ? 1000 : 500;
     const double a = slope() * deep(N);
-    struct contact it = contact_of("randall");
-    go(&it, deep(N), 0);
-    lead(&it, deep(N), 0.8 * a, steps);
-    lead(&it, deep(N), -1.2 * a, steps);
+    struct contact it = contact_after(0.8, -1.2, steps);
     lead(&it, deep(N), 0.4 * a, steps);
     const double half = it.s.force, before = it.work;
     lead(&it, deep(N), 0.4 * a, steps);

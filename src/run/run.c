@@ -332,7 +332,7 @@ static enum nb_status stop(struct run *run, bool stage_ended, struct nb_error *e
 }
 
 /* Called after a cycle, or at the end of a stage: stops the run if it has been asked to stop, or else saves a
- * checkpoint if one is due. If that checkpoint cannot be written, the user is told and the run continues. */
+ * checkpoint if one is due. If that checkpoint cannot be written, a note says so and the run continues. */
 static enum nb_status check_in(struct run *run, bool stage_ended, struct nb_error *error) {
   const struct nb_model *model = run->model;
   const bool last = stage_ended && model->stage == &run->scene->stages[run->scene->stage_count - 1];
