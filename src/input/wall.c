@@ -193,14 +193,15 @@ static struct nb_wall_motion motion_after(const struct nb_scene *scene, size_t s
 
 /* Warns of a wall that rotates about its middle because its line does not say about which point. Opposite walls of a box
  * may rotate alike, because this distorts the box. */
-static void warn_of_spin(struct nb_scene *scene, size_t stages, size_t index, int line) {
+static void warn_of_spin(struct nb_scene *scene, size_t stages, size_t index, double spin, int line) {
   const struct nb_wall *const wall = &scene->walls[index];
-  const double spin = motion_after(scene, stages, index).spin;
+  if (spin == 0 || wall->has_about)
+    return;
   const size_t first = (size_t)nb_box_first_wall(scene), sides = NB_BOX_SIDES;
   const bool of_box = is_of_box(wall);
   const size_t opposite = of_box ? first + (index - first + sides / 2) % sides : index;
   const char *const m = scene->unitless ? "" : " m";
-  if (spin != 0 && !wall->has_about && !(of_box && motion_after(scene, stages, opposite).spin == spin))
+  if (!of_box || motion_after(scene, stages, opposite).spin != spin)
     nb_warn(
         &scene->warnings, line,
         "wall `%s` rotates about its middle: %g%s %g%s; its line in the scene %s `about X Y`, which sets the centre",
@@ -209,10 +210,12 @@ static void warn_of_spin(struct nb_scene *scene, size_t stages, size_t index, in
 
 void nb_spin_check(struct nb_scene *scene) {
   for (size_t w = 0; w < scene->wall_count; w++)
-    warn_of_spin(scene, 0, w, scene->walls[w].line);
+    warn_of_spin(scene, 0, w, scene->walls[w].spin, scene->walls[w].line);
   for (size_t s = 0; s < scene->stage_count; s++)
-    for (size_t i = 0; i < scene->stages[s].motion_count; i++)
-      warn_of_spin(scene, s + 1, (size_t)scene->stages[s].motions[i].wall, scene->stages[s].motions[i].line);
+    for (size_t i = 0; i < scene->stages[s].motion_count; i++) {
+      const struct nb_wall_motion *const motion = &scene->stages[s].motions[i];
+      warn_of_spin(scene, s + 1, (size_t)motion->wall, motion->spin, motion->line);
+    }
 }
 
 /* Adds the motion of a wall. In a stage a second motion of the same wall replaces the first, so that `wall` may follow

@@ -145,7 +145,7 @@ static const char *quotient_hint(char *hint, const struct nb_reader *reader, con
   snprintf(other, sizeof other, "%.*s", (int)strcspn(second, ")"), second);
   return dimensions_differ(scene, one, other) ? strcpy(hint, other_dimension)
          : nb_quantity_find(&quantity, scene, other)
-             ? arithmetic_hint(hint, from[length], one, other, strncmp(text, "atan", 4) == 0 ? "(tan(20 deg))" : "0.5",
+             ? arithmetic_hint(hint, from[length], one, other, strncmp(text, "atan", 4) == 0 ? "(tan(pi/9))" : "0.5",
                                shown_unit(reader, nb_quantity_unit(quantity)))
              : NULL;
 }
@@ -168,7 +168,7 @@ static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, 
     snprintf(hint, sizeof hint, "add `record %s` to the %s%s", token->text,
              scene->contact_test ? "contact test" : "scene",
              strcmp(quantity->kind->name, "angle") == 0 ? "; it is the rotation since the start, and the direction of "
-                                                          "a velocity is `A.vx last  expected (tan(20 deg)) of A.vy "
+                                                          "a velocity is `A.vx last  expected (tan(pi/9)) of A.vy "
                                                           "last within 1 % [SOURCE]`"
                                                         : "");
   else if (nb_number_read(&number, token->text, 0) != NB_NO_NUMBER)
@@ -586,20 +586,25 @@ static bool take_constant(struct nb_reader *reader, const struct nb_scene *scene
          take_tolerance(reader, NULL, expectation->measure.unit, &expectation->tolerance);
 }
 
-static bool take_order(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
-  const char *const number = nb_token_peek(reader) ? nb_token_peek(reader)->text : "";
-  size_t swept = 0; /* the first sweep */
-  if (!nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &expectation->number))
-    return false;
+/* Takes the word `in` of `order`; the hint shows the line with the first sweep of the page. */
+static bool take_in_sweep(struct nb_reader *reader, const struct nb_scene *scene,
+                          const struct nb_expectation *expectation) {
+  size_t swept = 0;
+  if (nb_token_skip(reader, "in"))
+    return true;
   while (swept < scene->binding_count && scene->bindings[swept].sweep < 0)
     swept++;
+  const bool found = swept < scene->binding_count;
   char hint[NB_HINT_SIZE];
-  snprintf(hint, sizeof hint, "name the swept value: `%.80s order %.40s in %s within 0.1`%s",
-           expectation->measure.label, number, swept < scene->binding_count ? scene->bindings[swept].name : "dt",
-           swept < scene->binding_count ? "" : ", with `sweep dt 1 us 2 us 4 us` and `step $dt` in the scene");
-  if (!nb_token_is(reader, "in"))
-    return nb_expected(reader, hint, "`in` and the name of a `sweep`");
-  return nb_take_word(reader, "in") && take_sweep_name(reader, scene, expectation->against) &&
+  snprintf(hint, sizeof hint, "name the swept value: `%.80s order %g in %s within 0.1`%s", expectation->measure.label,
+           expectation->number, found ? scene->bindings[swept].name : "dt",
+           found ? "" : ", with `sweep dt 1 us 2 us 4 us` and `step $dt` in the scene");
+  return nb_expected(reader, hint, "`in` and the name of a `sweep`");
+}
+
+static bool take_order(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
+  return nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &expectation->number) &&
+         take_in_sweep(reader, scene, expectation) && take_sweep_name(reader, scene, expectation->against) &&
          take_tolerance(reader, NULL, "1", &expectation->tolerance);
 }
 
