@@ -159,6 +159,9 @@ run 0 explain oblique.md
 said 'oblique.md:7: warning: `shear mindlin` has no micro-slip at the edge of the contact, which decides a collision without damping: the exact law is `shear mindlin_deresiewicz`'
 run 0 explain loop.md
 said 'loop.md:5: warning: `shear mindlin` has no micro-slip at the edge of the contact, which decides the path of this contact: the exact law'
+sed 's/  friction 0.3$/\npair m m friction 0.3/' oblique.md >pair.md
+run 0 explain pair.md
+said 'pair.md:8: warning: `shear mindlin` has no micro-slip'
 for change in '/^stage/i gravity 0 m/s2 -9 m/s2' '/^stage/i damping ratio 0.1' '/^stage/a damping ratio 0.1' 's/friction 0.3/friction 0/' 's/velocity 1 m.s -1 m.s//' \
   's/mindlin/$law/; 2a let law mindlin' '/^segment load/d'; do
   for page in oblique loop; do
@@ -171,6 +174,21 @@ done
 run 0 explain oblique.md --set shear=mindlin
 grep -q 'micro-slip at the edge' said && echo 'a warning of micro-slip with --set' >>why
 verdict 'warnings: `shear mindlin` where micro-slip decides'
+
+# The line that the hint proposes for a direction is valid in any units: the page is checked, and the check fails.
+for units in 'none|||||' 'si| m| kg/m3| N/m| m/s| ms'; do
+  IFS='|' read -r name m density kn v ms <<END
+$units
+END
+  printf '```scene\nunits %s\nmaterial m density 1%s kn 1%s\ndisc 0%s 0%s radius 1%s m velocity 1%s 1%s\n' "$name" "$density" "$kn" "$m" "$m" "$m" "$v" "$v" >direction.md
+  printf 'monitor A disc 1\nrecord A.vx A.vy\nstep 1%s\nstage a\ncycles 1\n```\n```expect\n' "$ms" >>direction.md
+  cp direction.md heading.md
+  printf 'A.heading expected 1 within 1 %% [x]\n```\n' >>heading.md
+  run 2 check heading.md
+  sed -n 's/.*write `\(A.vx last.*\)SOURCE\]`.*/\1geometry]\n```/p' said >>direction.md
+  run 1 check direction.md
+done
+verdict 'the hint for a direction can be typed with any units'
 
 cat >doubtful.md <<'END'
 # What can hardly be meant

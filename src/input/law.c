@@ -284,14 +284,14 @@ static bool has_tangential_segment(const struct nb_scene *scene) {
   return false;
 }
 
-/* True if particles collide that a page throws, and only their contacts dissipate energy. */
+/* True if the page gives particles a velocity, and there is neither damping nor gravity. */
 static bool is_free_collision(const struct nb_scene *scene) {
-  bool moving = scene->impact.line > 0, free = nb_damping_none(&scene->damping) && !scene->gravity.line;
+  bool moving = scene->impact.line > 0, undisturbed = nb_damping_none(&scene->damping) && !scene->gravity.line;
   for (size_t k = 0; k < scene->particle_count && !moving; k++)
     moving = scene->particles[k].vx != 0 || scene->particles[k].vy != 0 || scene->particles[k].spin != 0;
   for (size_t s = 0; s < scene->stage_count; s++)
-    free = free && nb_damping_none(&scene->stages[s].damping) && !scene->stages[s].gravity.line;
-  return moving && free;
+    undisturbed = undisturbed && nb_damping_none(&scene->stages[s].damping) && !scene->stages[s].gravity.line;
+  return moving && undisturbed;
 }
 
 /* Warns of `shear mindlin`, whose name suggests the exact law, where micro-slip decides: in a contact test with
@@ -302,6 +302,8 @@ static void warn_no_micro_slip(struct nb_scene_reading *reading) {
   bool friction = false;
   for (size_t m = 0; m < scene->material_count; m++)
     friction = friction || scene->materials[m].friction > 0;
+  for (size_t r = 0; r < scene->pair_rule_count; r++)
+    friction = friction || scene->pair_rules[r].friction > 0;
   if (reading->shear_written && strcmp(scene->shear, "mindlin") == 0 && friction &&
       (scene->contact_test ? has_tangential_segment(scene) : is_free_collision(scene)))
     nb_warn(&scene->warnings, scene->shear_line,
