@@ -11,8 +11,8 @@
  *
  * n = 0.155 is assumed, the middle of the range 0.14 to 0.17 of random frictionless packings.
  *
- * Returns   A.stress.mean in the last stage, Pa, for each monitor A of a circular region about the centre of gravity
- * Error     p_0 is proportional to (1 - n)^(1/2): an error of 0.015 in n gives 1 %
+ * Returns   A.stress.mean in the last stage, Pa, for each monitor A of a circle about the centre of the central gravity
+ * Error     p_0 is proportional to (1 - n)^(1/2): an error of 0.015 in n gives 0.9 %
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>

@@ -18,7 +18,8 @@
  *   D.x, D.vx.half versus cycle, time       for D that monitors a particle
  *   time in STAGE                           of a stage that lasts until one of these quantities is above a value
  *   step.stable                             2/omega with omega^2 = 4 k/m, for N > 1
- * Exact as long as no contact opens, which is not checked: a straight row of linear springs is a linear system.
+ * Exact while no contact opens, because a straight row of linear springs is a linear system. The reference does not
+ * check that contacts stay closed.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -138,12 +139,12 @@ static void add_ends(struct nb_solution *solution, const struct nb_scene *scene,
       continue;
     }
     const struct nb_condition *until = &stage->conditions[0];
-    const struct nb_solution_curve *speed = solution_find_curve(solution, until->name, "cycle");
-    if (stage->condition_count > 1 || until->relation != NB_ABOVE || !speed)
+    const struct nb_solution_curve *curve = solution_find_curve(solution, until->name, "cycle");
+    if (stage->condition_count > 1 || until->relation != NB_ABOVE || !curve)
       return;
     do
       n++;
-    while (n < begin + (double)stage->cycles && !(speed->at(speed->data, n) > until->value));
+    while (n < begin + (double)stage->cycles && !(curve->at(curve->data, n) > until->value));
     snprintf(name, sizeof name, "time in %s", stage->name);
     solution_value(solution, n * chain->step, name);
   }

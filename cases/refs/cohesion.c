@@ -16,7 +16,8 @@
  * Accepts one free disc. The first two walls lie along x, one below and one above the disc, and just touch it. The
  * third wall lies along y, just touches the disc, and has neither friction nor cohesion. The stages are, in this order:
  * one that moves the second wall only, any number that move nothing, one that moves the first two walls equally along
- * x, one that moves the second wall away. Error: inertia is neglected; its effect is small when the motion is slow.
+ * x, one that moves the second wall away. The positions of the walls are not checked. Error: inertia is neglected; its
+ * effect is small when the motion is slow.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>

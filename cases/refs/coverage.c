@@ -90,8 +90,8 @@ static void note_particles(int lines[], const struct nb_scene *scene) {
   note(lines, HAS_START, scene->start.stages > 0, scene->start.line);
 }
 
-/* Friction and cohesion, only of pairs of materials that can touch: one is the material of a particle, the other that
- * of any particle or wall. Changes in stages are noted for all pairs. */
+/* Friction and cohesion, only of pairs of materials that can touch: a particle has the first material, and a particle
+ * or a wall has the second. Changes in stages are noted for all pairs, whether or not they can touch. */
 static void note_friction(int lines[], const struct nb_scene *scene) {
   for (size_t a = 0; a < scene->material_count; a++)
     for (size_t b = 0; b < scene->material_count; b++) {

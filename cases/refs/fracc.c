@@ -1,6 +1,8 @@
 /* Reference: R89's FRACC of one disc that oscillates between two walls that it touches, or moves on a circle between
  * four walls.
  *
+ * FRACC is the time step over a critical step that R89 estimates from the change of the force on each particle.
+ *
  * r = (x, y) is the position of the disc from the middle, r_n after n cycles; m is its mass and k_n the stiffness of a
  * contact. With w^2 = 2 k_n/m and h = w dt/2 the cycle is  r_(n+1) = 2 r_n - r_(n-1) - 4 h^2 r_n  in x and y
  * separately, with x_1 = x_0 (1 - 2 h^2) from rest and y_1 = v_y dt from the middle. The sum of forces is -2 k_n r, so

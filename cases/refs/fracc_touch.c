@@ -1,5 +1,7 @@
 /* Reference: R89's FRACC of a disc at rest that an equal disc strikes head-on, with the velocity v along x.
  *
+ * FRACC is the time step over a critical step that R89 estimates from the change of the force on each particle.
+ *
  * The first force F_1 = k a_1 acts on a disc that has not moved yet; FRACC is defined as 0 as long as a disc has no
  * displacement. In the next step the disc moves by F_1 dt^2/m while the force grows to
  *

@@ -8,7 +8,7 @@
  * The dashpot acts, and at the end pulls, while the overlap is positive, as in the simulator: the contact ends when the
  * overlap is 0 again. For beta >= (5/6)^(1/2) = 0.9129 the contact does not end. A contact longer than 20 alpha* / V_N
  * is treated like that: it has the restitution 0 and no duration. hertz_restitution computes the restitution in closed
- * form, for tests.
+ * form; a test compares the two.
  *
  * Returns, for C that monitors the contact:
  *   C.overlap max, C.normal max;   C.overlap, C.normal (elastic force) and C.dashpot.normal versus time

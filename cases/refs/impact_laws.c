@@ -3,15 +3,15 @@
  *   none             f = 0
  *   linear           df = k dd,  k = k_s kappa alpha_max/N_max                dT = k_s d(delta)
  *   mindlin          df = (3/2) xi^(1/2) dd                                   dT = 8 G* a d(delta), without micro-slip
- *   mindlin_scaled   the same, plus df = f dxi/(2 xi) while xi decreases      T proportional to a while N decreases
+ *   mindlin_scaled   as mindlin; while xi decreases plus f dxi/(2 xi)         T proportional to a while N decreases
  *   randall          df = (3/2) xi^(1/2) theta dd +- (1 - theta) dn           two stored reversals [R89 3.94]
  *
  * in the units of impact_springs.h, with n = N/N_max = xi^(3/2). Coulomb's law limits f in all of them: |f| <= n. In
  * `randall`, theta is R89's slip factor [R89 3.95, 3.96]; the sign is the present direction. While N grows, new rings
  * stick (theta = 1) if dd <= dxi, which is d(delta) <= mu dN/(8 G* a) [R89 4.16].
  *
- * The integration is leapfrog, with f and n at the end of a step and xi at its middle. The error is of first order
- * where the law contains f or theta. A second run with half the steps removes it from psi2 and from the integral
+ * The integration is leapfrog, with f and n at the end of a step and xi at its middle. Where df depends on f or theta,
+ * the error is of first order in the step. A second run with half the steps removes it from psi2 and from the integral
  * `slid`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */

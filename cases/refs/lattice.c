@@ -93,8 +93,8 @@ static enum nb_status find_contacts(struct lattice *lattice, const struct nb_sce
   return status;
 }
 
-/* Sets overlap and slip of contact c due to x, y, theta of the particle `index` [CS79 12, 13]. The sign is 1 if the
- * particle is a of the contact, -1 if it is b. */
+/* Sets the elements of `stretch` that give overlap and slip of contact c from x, y, theta of the particle `index` [CS79
+ * 12, 13]. The sign is 1 if the particle is a of the contact, -1 if it is b. */
 static void fill_stretch(struct lattice *lattice, const struct nb_scene *scene, size_t c, int index, double sign) {
   const struct nb_particle *particle = &scene->particles[index];
   if (particle->fixed)

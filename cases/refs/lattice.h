@@ -90,8 +90,8 @@ size_t lattice_first_at_rest(const struct lattice *lattice, const struct nb_scen
 /* Forces k_n n, k_s s of all contacts in equilibrium after the displacements `travel` of the walls, without sliding. */
 enum nb_status lattice_equilibrium(const struct lattice *lattice, const gsl_vector *travel, gsl_vector *forces,
                                    struct nb_error *error);
-/* The same with sliding: no |F_s| exceeds F_n tan phi, there is no cohesion [CS79 19]. For slow proportional loading
- * from zero. */
+/* Forces of all contacts in equilibrium with sliding: no |F_s| exceeds F_n tan phi; there is no cohesion [CS79 19]. For
+ * slow proportional loading from zero. */
 enum nb_status lattice_equilibrium_sliding(const struct lattice *lattice, const gsl_vector *travel, gsl_vector *forces,
                                            struct nb_error *error);
 /* NB_BAD_USE when a contact is in tension or a shear force exceeds the friction limit. The message names `cycle`. */

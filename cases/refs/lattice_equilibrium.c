@@ -6,8 +6,8 @@
  * With sliding, a contact has F_s = +-F_n tan phi instead of k_s s. The friction law has no length scale, so slow
  * proportional loading from zero keeps all ratios of forces constant: a contact slides from the first instant or never.
  * The sliding contacts are found by iteration: contacts beyond the friction limit become sliding until no contact is
- * beyond the limit. In the result all sliding must have the direction of its shear force, otherwise there is no
- * solution.
+ * beyond the limit. In the result every sliding contact must slide in the direction of its shear force; otherwise the
+ * reference has no solution.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "lattice.h"
@@ -62,8 +62,8 @@ static enum nb_status solve_equations(const struct lattice *lattice, const gsl_m
   return NB_OK;
 }
 
-/* The contact law as a matrix: springs, and F_s = slides[c] tan phi F_n where slides[c] is not 0. NULL: no contact
- * slides. */
+/* The contact law as a matrix: springs, and F_s = slides[c] tan phi F_n where slides[c] is not 0. If `slides` is NULL,
+ * no contact slides. */
 static gsl_matrix *law_matrix(const struct lattice *lattice, const int slides[]) {
   gsl_matrix *law = gsl_matrix_calloc(2 * lattice->contact_count, 2 * lattice->contact_count);
   for (size_t c = 0; c < lattice->contact_count; c++) {
@@ -126,8 +126,8 @@ static bool mark_sliding(const struct lattice *lattice, const gsl_vector *forces
   return more;
 }
 
-/* True: every sliding has the direction of F_s. The slip s of a contact consists of the elastic part F_s/k_s and of
- * sliding. */
+/* True: every sliding contact slides in the direction of its F_s. The slip s of a contact consists of the elastic part
+ * F_s/k_s and of sliding. */
 static bool slides_along_force(const struct lattice *lattice, const gsl_vector *stretches, const gsl_vector *forces,
                                const int slides[]) {
   double allowed = rounding * force_scale(forces);

@@ -1,8 +1,9 @@
 /* Reference: a square or hexagonal lattice of equal particles in a periodic cell under small strains.
  *
  * Every particle is a centre of symmetry, so a uniform strain e moves all particles affinely and without rotation. The
- * contacts of one particle then give stress and moduli exactly for small strains (Born). With the thickness t, the
- * spacing s, the normal force F, and springs k_n = dF/d(alpha), k_s at every contact:
+ * contacts of one particle then give stress and moduli exactly for small strains (Born). t is the thickness, 1 m for
+ * discs and 2 R for spheres, and s the spacing. Every contact has the overlap alpha, the normal force F and the
+ * stiffnesses k_n = dF/d(alpha) and k_s:
  *
  *   square      sigma = F/(s t),     C_11 = k_n/t,               C_12 = 0,                2 G = k_s/t
  *   hexagonal   sigma = 4 b F/(s t), C_11 = b (3 k_n + k_s)/t, C_12 = b (k_n - k_s)/t, 2 G = C_11 - C_12, b = 3^(1/2)/4

@@ -10,9 +10,9 @@
  *
  *     q_n = (b dt / omega^2) (n - sin(n phase) / sin(phase)),   sin(phase / 2) = omega dt / 2.
  *
- * This has the same straight line and an oscillation of a slightly higher frequency. A program that follows the cycle
- * agrees with this solution to rounding, except that in the program the directions of contacts change a little. Every
- * change of the velocities of the walls adds such a solution.
+ * It has the straight line of the solution in continuous time, and an oscillation of slightly higher frequency. A
+ * program that follows the cycle agrees with this solution to rounding, except that in the program the directions of
+ * contacts change a little. Every change of the velocities of the walls adds such a solution.
  *
  * For nine equal discs between four walls that approach with equal speeds only two of the 27 modes move, by symmetry. A
  * corner disc moves by d_c along both axes, the middle disc of a side by d_m towards the centre, and no disc rotates.

@@ -12,8 +12,8 @@
  * so the displacements du follow from a linear system. The states of the contacts are found by iteration from the
  * previous ones. A contact beyond the friction limit begins to slide in the direction of its shear force. A contact
  * that would slide against its shear force sticks. A contact in tension opens. An open contact that would overlap
- * closes and sticks, at first without shear force. If the iteration of an increment does not end, the reference has no
- * solution. The error is of the order of one increment.
+ * closes and sticks, at first without shear force. If the states still change after 60 iterations of an increment, the
+ * reference has no solution. The error is of the order of one increment.
  *
  * Where nothing resists a rotation, or all contacts of a disc slide, these equations do not determine du. So a weak
  * spring, whose stiffness is the fraction `weak` of the largest one, ties each particle to its place. This spring
@@ -29,9 +29,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { INCREMENTS = 1000, ATTEMPTS = 60 }; /* increments of each stage; iterations of the contact states in one */
-enum { OPEN = 2 };                         /* a value of walk.slides */
-static const double weak = 1e-10, rounding = 1e-10; /* rounding: the fraction of the largest force that may be wrong */
+enum { INCREMENTS = 1000, ATTEMPTS = 60 };          /* increments of each stage; most iterations of an increment */
+enum { OPEN = 2 };                                  /* a value of walk.slides */
+static const double weak = 1e-10, rounding = 1e-10; /* rounding: see correct_states */
 
 /* The state of the network, and workspace. K has the derivatives of the contact forces with respect to the overlaps and
  * slips, by the rules above. */
@@ -117,7 +117,8 @@ static void solve_increment(struct walk *walk) {
   forces_after(walk, walk->stretches, walk->next);
 }
 
-/* Corrects the states of the contacts; false: there was nothing to correct. */
+/* Corrects the states of the contacts; false: there was nothing to correct. A force may exceed its limit by the
+ * fraction `rounding` of the largest force. */
 static bool correct_states(struct walk *walk) {
   double allowed = rounding * fmax(gsl_vector_max(walk->next), -gsl_vector_min(walk->next));
   bool more = false;

@@ -2,7 +2,8 @@
  *
  * Equal discs of radius R, 1 m thick, are at i a_1 + j a_2, with springs of the stiffness k_n. For each pair +-d of
  * lattice vectors with |d| < 2R a disc has a contact along d and one along -d, both with the force N = k_n (2R - |d|).
- * With n = d/|d|, the area A = |a_1 x a_2| of the cell, and <> for the mean over the contacts:
+ * With n = d/|d|, the area A = |a_1 x a_2| of the cell, and <> for the mean over the contacts, the stress sigma, the
+ * fabric Phi, the contact density F_kk and the porosity are:
  *
  *   sigma_ij = (1/A) sum over pairs +-d of N |d| n_i n_j             Phi_ij = <n_i n_j>,   Phi_ijkl = <n_i n_j n_k n_l>
  *   F_kk = z R/A                 coordination z = twice the pairs +-d   porosity = 1 - pi R^2/A (overlaps count twice)

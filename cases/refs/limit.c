@@ -186,7 +186,7 @@ double limit_of_cycle(const struct limit *limit) { return bisect(limit, cycle_is
 double limit_of_modes(const struct limit *limit) { return bisect(limit, modes_are_stable, NULL, 50); }
 
 /* The sum of dt^2 k + 2 dt c over the contacts of particle `index`: of the normal springs and dashpots (which = 0), or
- * R^2 times that of the tangential ones (which = 1). */
+ * of the tangential ones, times R^2 (which = 1). */
 static double total_hardness(const struct limit *limit, const struct nb_scene *scene, int index, int which,
                              double step) {
   const struct lattice *lattice = &limit->lattice;

@@ -13,8 +13,8 @@
  *   e = e_0 - 2 b (1 + e_0) eps,    e_0 = exp(-pi b/s)
  *
  * Returns, for D that monitors the particle:   D.y in STAGE, of each stage that ends at the top (`until D.vy below 0`)
- * Exact in continuous time. In a run with the time step dt, s, the dashpot's force begins and ends up to half a step too
- * early or too late, and lags by half a step. For b < 0.3 the relative error of e is up to about
+ * Exact in continuous time. In a run with the time step dt (in seconds) the dashpot's force begins and ends up to half
+ * a step too early or too late, and lags by half a step. For b < 0.3 the relative error of e is up to about
  * b w dt (2 + pi b/2), with w in 1/s.
  *
  * Source   [MFiX DEM-02].

@@ -18,11 +18,12 @@
  * consists of two such branches, so it dissipates 4 W, the formula of Mindlin and Deresiewicz (1953).
  *
  * A law that stores two reversals (`randall`) has three branches; it moves back and forth on the third one elastically.
- * A law without micro-slip (`mindlin`, `mindlin_scaled`) has T = 8 G* a delta and is covered below the limit mu N. In
- * gross sliding the contact dissipates mu N times the sliding displacement.
+ * A law without micro-slip (`mindlin`, `mindlin_scaled`) has T = 8 G* a delta. This holds only for T below mu N, which
+ * is not checked. In gross sliding the contact dissipates mu N times the sliding displacement.
  *
  * Returns slip (delta), shear (T), radius.stick (c), dissipated and work.shear (the integral of T d(delta)), as curves
- * along step and at the end of each segment. Refuses a normal force that changes under shear. Error: rounding.
+ * along step and at the end of each segment. Refuses a normal force that decreases or, for laws with micro-slip, that
+ * changes under shear. Error: rounding.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -151,7 +152,8 @@ static double stick_radius(const struct loops *loops) {
 enum { SLIP, SHEAR, STICK, LOST, WORK, COLUMNS };
 static const char *const names[COLUMNS] = {"slip", "shear", "radius.stick", "dissipated", "work.shear"};
 
-/* False: the normal force decreases, or changes after the first branch has begun. */
+/* False: the normal force decreases, or changes after the first branch has begun. A law without micro-slip has no
+ * branches, so only a decrease is noticed. */
 static bool walk_path(struct loops *loops, const struct path_contact *contact, const struct nb_scene *scene,
                       struct path_column *columns[]) {
   struct path_walk walk = path_walk(scene);

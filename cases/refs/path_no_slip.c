@@ -3,7 +3,7 @@
  *
  *   linear          dT = k_s d(delta)
  *   mindlin         dT = 8 G* a d(delta)                                                                     [R89 3.27]
- *   mindlin_scaled  the same while a increases;  d(T/a) = 8 G* d(delta)  while a decreases
+ *   mindlin_scaled  as mindlin while a increases;  d(T/a) = 8 G* d(delta)  while a decreases
  *
  * with a^2 = R* alpha. alpha and delta are linear in each step, so that from alpha_0 to alpha_1
  *

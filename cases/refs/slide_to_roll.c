@@ -1,16 +1,16 @@
 /* Reference: a particle with the initial velocity u0 and without spin slides on a floor, then rolls; the solution
  * includes the shear spring and its dashpot.
  *
- * With q = m R^2/I (2 for a disc, 5/2 for a sphere), the velocity v, the angular velocity w and the velocity
- * s' = v + R w of the contact point, friction F gives m v' = -F and R w' = -q F/m. So s'' = -(1 + q) F/m, and at all
- * times and for any F
+ * x and s are the displacements of the centre and of the contact point since the beginning. With q = m R^2/I (2 for a
+ * disc, 5/2 for a sphere), the velocity v, the angular velocity w and the velocity s' = v + R w of the contact point,
+ * friction F gives m v' = -F and R w' = -q F/m. So s'' = -(1 + q) F/m, and at all times and for any F
  *
  *   v = (s' + q u0)/(1 + q),     x = (s + q u0 t)/(1 + q)
  *
- * A rigid particle has F = F_m = mu m g + c, with the cohesion c, until s' = 0 at t_s = m u0/((1 + q) F_m).
- * Then v = q u0/(1 + q), which is 2/3 or 5/7 of u0. k_s is the stiffness of the shear spring and c_s the coefficient of
- * its dashpot. With d_m = F_m/k_s, b = (1 + q) c_s/(2 m), w_d^2 = (1 + q) k_s/m - b^2, and t from the beginning of each
- * phase:
+ * A rigid particle has F = F_m = mu m g + c, with the cohesion c, until s' = 0 at t_s = m u0/((1 + q) F_m). Then
+ * v = q u0/(1 + q), which is 2/3 u0 for a disc and 5/7 u0 for a sphere. k_s is the stiffness of the shear spring and
+ * c_s the coefficient of its dashpot. With d_m = F_m/k_s, b = (1 + q) c_s/(2 m), w_d^2 = (1 + q) k_s/m - b^2, and t from the
+ * beginning of each phase:
  *
  *   stick   s = u0 e^(-b t) sin(w_d t)/w_d                           until s = d_m
  *   slide   s' decreases by (1 + q) F_m/m per second                 until s' = 0

@@ -77,7 +77,7 @@ void solution_free(struct nb_solution *solution) {
   *solution = (struct nb_solution){0};
 }
 
-/* make writes references-register.h: a line NB_REFERENCE(nine_discs) for each file of REFERENCES in
+/* make writes references-register.h. It has a line such as NB_REFERENCE(nine_discs) for each file of REFERENCES in
  * build-aux/lists.mk. */
 #define NB_REFERENCE(name) extern const struct nb_reference reference_##name;
 #include "references-register.h"

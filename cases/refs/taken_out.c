@@ -3,8 +3,8 @@
  * Initially every particle is either at rest in equilibrium or in free flight. Removed particles take away
  *
  *   sum m v^2/2 + I w^2/2     their kinetic energy, with the velocities v and angular velocities w of the page
- *   sum k_n alpha^2/2         the energy of the springs at their contacts, each spring once; alpha, m, is the initial
- *                             overlap
+ *   sum k_n alpha^2/2         the energy of the springs at their contacts, each spring once; alpha is the initial
+ *                             overlap in m
  *
  * A particle at rest between a wall and a removed particle becomes a mass m on the spring of the wall. At the removal
  * this spring is compressed by alpha:

@@ -11,7 +11,7 @@
  *   Theta = 2 integral from r_0 to R of (b v/r^2)/|r'| dr
  *
  * When the particle leaves, the component of its velocity along r is reversed, and the one perpendicular to r is the
- * same as at first contact. The substitution r = r_0 + (R - r_0) s^2 removes the root of the integrand at r_0.
+ * same as at first contact. At r_0 the integrand is infinite; the substitution r = r_0 + (R - r_0) s^2 makes it finite.
  *
  * Returns, after the contact:
  *   D.vx, D.vy       for D that monitors the particle

@@ -12,7 +12,7 @@
  *   C.normal, C.overlap in STAGE    for C that monitors a contact, at the end of the first stage, at rest
  *   D.x, D.y in STAGE               for D that monitors the particle, also at the end of the first stage
  *   step.stable in STAGE            2 (m/(k_1 + k_2))^(1/2)
- * Exact. Damping has no effect at rest; the step is that without dashpots.
+ * Exact. Damping has no effect at rest. step.stable is the value for contacts without dashpots.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
