@@ -9,8 +9,8 @@
  *
  * A rigid particle has F = F_m = mu m g + c, with the cohesion c, until s' = 0 at t_s = m u0/((1 + q) F_m). Then
  * v = q u0/(1 + q), which is 2/3 u0 for a disc and 5/7 u0 for a sphere. k_s is the stiffness of the shear spring and
- * c_s the coefficient of its dashpot. With d_m = F_m/k_s, b = (1 + q) c_s/(2 m), w_d^2 = (1 + q) k_s/m - b^2, and t from the
- * beginning of each phase:
+ * c_s the coefficient of its dashpot. With d_m = F_m/k_s, b = (1 + q) c_s/(2 m), w_d^2 = (1 + q) k_s/m - b^2, and t from
+ * the beginning of each phase:
  *
  *   stick   s = u0 e^(-b t) sin(w_d t)/w_d                           until s = d_m
  *   slide   s' decreases by (1 + q) F_m/m per second                 until s' = 0

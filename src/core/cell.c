@@ -1,6 +1,6 @@
 /* The periodic cell.                                                                         [R89 sec. 2.3, sec. 4.5.2]
  *
- *   H <- (1 + L dt) H                    H  the two sides of the cell as columns, m;  L  velocity gradient, 1/s (c_ij)
+ *   H <- (1 + L dt) H                    H  the two sides of the cell as columns, m;  L  velocity gradient c_ij, 1/s
  *                                                                                                  [R89 4.43, 4.44]
  *   c_i = L (x_i - x_0)                  affine velocity of a particle, besides its own velocity v_i (affine.h)
  *   x_i <- x_i + (v_i + c_i) dt          if v_i = 0, s in x_i - x_0 = H s is constant: the strain is uniform

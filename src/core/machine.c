@@ -1,4 +1,5 @@
-/* Selects the instruction set and the number of threads. No result depends on them.
+/* Selects the instruction set and the number of threads, on which no result depends, and sets the rounding mode, on
+ * which results depend.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <fenv.h>

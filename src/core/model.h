@@ -306,13 +306,13 @@ void nb_guard_resolution(struct nb_model *model);
 
 /* neighbours.c: runs the guards, then builds a new contact list */
 enum nb_status nb_neighbours_search(struct nb_model *model, struct nb_error *error);
-/* The same where no force calculation follows: contacts keep their forces. */
+/* As nb_neighbours_search, but contacts keep their forces, because no force calculation follows. */
 enum nb_status nb_neighbours_search_again(struct nb_model *model, struct nb_error *error);
 /* Replaces the first search of a resumed run: lists the contacts of a checkpoint, whose pairs are the next part of
  * `store`. */
 enum nb_status nb_neighbours_restore(struct nb_model *model, struct nb_store *store, struct nb_error *error);
 
-/* motion.c */
+/* motion.c, and from nb_motion_reverse on velocity.c */
 /* These two move particles and walls by one step: the particles of part `part` of `parts`, and all walls. They return
  * how many of them require a new search: those that have moved by more than half the skin since the last search (in a
  * cell: by more than its travel limit) or to NaN, and walls that rotated too far. */

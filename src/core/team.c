@@ -4,7 +4,7 @@
  * parts are done. It does not wait for a thread that has begun no part, for example because the system runs another
  * program instead.
  *
- * A thread that waits looks for a change for some ten microseconds, because on an idle machine the next round begins
+ * A thread that waits looks for a change for 10 to 50 microseconds, because on an idle machine the next round begins
  * within this time. Then it sleeps, and its processor is free for a thread that the system has stopped.
  *
  * The system may also stop a thread within a part, for as long as other programs run. So the caller compares the time

@@ -1,7 +1,7 @@
 /* The loop of a law in three stages, for a law with a long row of history per contact. The first stage reads the row
  * and the third one writes it; both need branches. The second stage, the computation, needs none, so its loop
- * vectorises. Each stage is a loop over as many contacts as fit into the first-level cache with their rows. The law's
- * file defines
+ * vectorises. Each stage is a loop over so few contacts that the parts of their rows which the law uses fit into the
+ * first-level cache. The law's file defines
  *
  *   #define STAGED
  *   #define FETCHED  struct fetched         of doubles: what the first stage reads from the row

@@ -4,8 +4,8 @@
  * and no weight: its mass counts as infinite, and the search that follows at once lists none of its contacts.
  *
  * The kick around t_0 lasts from half a step before t_0 to half a step after t_0. The forces of the removed particle
- * act only during the first half. The impulse of this half is applied to its neighbours at once (motion.c), so the
- * velocities at t_0 do not change and the next kick does not contain these forces. This keeps the motion of second
+ * act only during the first half. The impulse of this half is applied to its neighbours at once (core/velocity.c), so
+ * the velocities at t_0 do not change and the next kick does not contain these forces. This keeps the motion of second
  * order in the step.
  *
  * energy.removed receives the particle's kinetic energy at t_0 and the energy stored in its contacts, which the state

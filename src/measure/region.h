@@ -12,7 +12,8 @@
  *   strain.c        strain, and speeds
  *   chains.c        force chains
  *
- * Each measure is computed at most once a cycle, on demand. A scene without regions has none of this data.
+ * A measure is computed when it is first needed in a cycle, and again after a stage has begun in that cycle. A scene
+ * without regions has none of this data.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #pragma once

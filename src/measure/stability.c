@@ -24,8 +24,8 @@
  * check, before its force has moved a particle.
  *
  * Without dashpots h is the largest k_s/k_n = 4 G* / E* of all pairs of materials. With dashpots, whose coefficients
- * are proportional to k or to sqrt(M* k) with the reduced mass M*, the right side lies between k_s/k_n, which is at
- * most 1, and sqrt(k_s/k_n). So h is then the largest sqrt(k_s/k_n).
+ * are proportional to k or to sqrt(M* k) with the reduced mass M*, the quotient that h bounds lies between k_s/k_n,
+ * which is at most 1, and sqrt(k_s/k_n). So h is then the largest sqrt(k_s/k_n).
  *
  * Range     normal laws whose stiffness increases with the overlap, except Hertz's law by increments, whose stiffness
  *           follows from the force; and shear laws of elastic spheres, or no shear law: k_s of other shear laws is not

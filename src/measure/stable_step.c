@@ -12,8 +12,8 @@
  *   dt^2 k + 2 dt c <= L,      L = 2 (1 + keep)/impulse
  *
  * If the left side exceeds L, a z leaves the unit circle at z = -1: a motion that changes its sign in every cycle. So a
- * dashpot acts like an additional spring 2 c/dt. L is 4 without mass-proportional damping. It is also 4 with that of
- * [CS79 34-36], which is centred in time.
+ * dashpot acts like an additional spring 2 c/dt. L is 4 without mass-proportional damping. It is also 4 with the
+ * mass-proportional damping of [CS79 34-36], which is centred in time.
  *
  * Centred dashpots (pass/dashpots.c) use the velocity 3/2 v_(N+1/2) - 1/2 v_(N-1/2). With C = impulse dt c and K =
  * impulse dt^2 k the equation becomes

@@ -37,8 +37,8 @@
  * The end of a contact is treated in the same way, backwards in time: f is then the time from t_N to the end over dt.
  * This f is known only one cycle later, when the contact has opened. In that later cycle w(f) - 1 times the force at
  * t_N acts on the particles. For this purpose the force at t_N is computed again, from the previous overlap and the
- * rate over the last step. The tangential dashpot has no such term, because a contact without
- * cohesion slides before it ends.
+ * rate over the last step. The tangential dashpot has no such term, because a contact without cohesion slides before it
+ * ends.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "laws/law.h"

@@ -8,8 +8,10 @@
  * displacements of each step instead. For a force, the displacement is found by trial steps on copies of the contact
  * history: first for the normal force, which does not depend on the tangential displacement, then for the shear force.
  *
- * The force of a law never decreases as the approach or the tangential displacement grows, so bisection down to
- * adjacent doubles finds the displacement. The force is then exact to rounding.
+ * With most laws the force never decreases as the approach or the tangential displacement grows, so bisection down to
+ * adjacent doubles finds the displacement. The force is then exact to rounding. With `randall` and `randall_literal`
+ * the shear force jumps down where the slip factor drops; bisection then finds one of the displacements with the given
+ * force.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "contact_test.h"
