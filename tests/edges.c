@@ -18,8 +18,9 @@ static void run(struct nb_result *result, struct written *it, const char *text) 
   written_run(result, it, NULL);
 }
 
-/* region.c, position_of: in a cell the images nearest to the middle of the region count, not those nearest to the
- * middle of the cell. The middle of the region is a corner of the cell, where four discs touch each other. */
+/* measure/region.c, nb_region_position: in a cell the images nearest to the middle of the region count, not those
+ * nearest to the middle of the cell. The middle of the region is a corner of the cell, where four discs touch each
+ * other. */
 static void a_region_at_the_corner_of_a_cell(void) {
   struct written it;
   struct nb_result result;
@@ -30,7 +31,7 @@ static void a_region_at_the_corner_of_a_cell(void) {
   nb_result_free(&result), written_free(&it);
 }
 
-/* value.c, computed_count: rounding makes 1e-4/2e-7 larger than 500 and 0.3/0.1 smaller than 3. */
+/* value.c, read_count: rounding makes 1e-4/2e-7 larger than 500 and 0.3/0.1 smaller than 3. */
 static void a_count_may_be_rounded(void) {
   struct words words = {0};
   struct written it;

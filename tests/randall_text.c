@@ -33,7 +33,7 @@ static void theta_of_first_steps(void) {
   }
   const double back = (text.m[2] - text.m[3]) / (mu * N); /* T* - T** */
   CU_ASSERT(fabs(theta_of(&text) - cbrt(1 + back / 2)) < 1e-12 &&
-            fabs(theta_of(&text) - 1.1225) < 1e-4); /* 4.24 has T* in place of T** */
+            fabs(theta_of(&text) - 1.1225) < 1e-4); /* [R89 4.24] has T* in place of T** */
   CU_ASSERT_EQUAL(theta_of(&best), 1);
 }
 
@@ -161,8 +161,8 @@ static double work_of_a_cycle(struct contact *it, double way) {
   return (it->work - before) / (mu * N * a);
 }
 
-/* Both laws declare that they may gain energy, which is a negative work. The corrected law gains energy from the second
- * cycle on, the printed one in the first cycle too. */
+/* Both laws declare that they may gain energy, which is a negative work. The corrected law gains energy in the second
+ * cycle, the printed law already in the first one. */
 static void gain_of_energy(void) {
   struct contact best = contact_of("randall"), text = contact_of("randall_literal");
   go(&best, deep(N), 0), go(&text, deep(N), 0);

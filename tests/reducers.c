@@ -41,7 +41,7 @@ static void reducers(void) {
       {"A.x amplitude in all", 6, 6, {-3, 1, 4, 0, 9, 0}},
       {"A.x frequency in all", 0.5, 6, {-1, 1, -1, 1, -1, 1}},
       {"A.x frequency in all", 1. / 3, 6, {-1, 0, 1, -1, 0, 1}},   /* a row equals the mean */
-      {"A.x frequency in all", 2 / 3.5, 6, {-1, 0, -1, 2, -1, 1}}, /* 0, the mean, is not below it: 1, 7/3, 4.5 */
+      {"A.x frequency in all", 2 / 3.5, 6, {-1, 0, -1, 2, -1, 1}}, /* the mean is 0: crossings at 1, 7/3 and 4.5 */
       {"A.x frequency in all", 0.5, 6, {1, -1, 1, -1, 1, -1}},
       {"A.x frequency in all", 1 / 2.75, 6, {-3, 1, 1, -1, 1, 1}}, /* crossings at 0.75 and 3.5 only */
       {"A.x frequency in all", 1. / 3, 6, {-1, -1, 1, -1, -1, 1}}, /* successive rows below the mean */

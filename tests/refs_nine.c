@@ -177,7 +177,7 @@ static void mean_amplitude_and_frequency(void) {
  * each disc. */
 struct ode {
   double r, square;   /* k_s/k_n, k_n/m */
-  double east, south; /* velocities of two walls along x; add_contact_force needs their displacements here */
+  double east, south; /* of two walls along x: velocities; for add_contact_force, displacements */
 };
 
 /* Adds the force of one contact, over k_n, to f. b is a disc, or -1 for a wall. */

@@ -184,7 +184,7 @@ static void a_snapshot_has_the_touching_contacts(void) {
     const double *values = contacts->values + r * contacts->column_count;
     const bool floor = values[2] == 1;
     CU_ASSERT(values[0] == 1 && values[1] == (floor ? 0 : 2));
-    /* The contact is half-way between the two surfaces. These are at y = 0 and -0.1 for disc 1 and the floor, and at
+    /* The contact is half-way between the two surfaces. These are at y = -0.1 and 0 for disc 1 and the floor, and at
      * 1.9 and 1.7 for the two discs. */
     CU_ASSERT_DOUBLE_EQUAL(values[3], 0, 1e-6);
     CU_ASSERT_DOUBLE_EQUAL(values[4], floor ? -0.05 : 1.8, 1e-6);

@@ -61,9 +61,9 @@ static void an_impact_between_two_checks(void) {
   written_free(&it);
 }
 
-/* Without a search there is a check as the stage begins and one in each 1000th cycle: 3 in 2999 cycles and 4 in 3000.
- * At the speed 2e-4 particle 2 moves by 0.05, which is half the skin, in 625 cycles with the step 0.4. Then there is a
- * search, and a check follows it. */
+/* Without a further search there is a check as the stage begins and one in each 1000th cycle: 3 in 2999 cycles and 4 in
+ * 3000. At the speed 2e-4 particle 2 moves by 0.05, which is half the skin, in 625 cycles with the step 0.4. Then there
+ * is a search, and a check follows it. */
 static void searches_add_checks(void) {
   static const struct {
     const char *disc, *cycles;
