@@ -71,7 +71,7 @@ has the number of cycles of this document's run. N is the number of cycles, ε =
 
 - **oscillation**: a disc oscillates between two walls and never leaves them. The scheme has an exact solution, from which the
   phase and the amplitude deviate by rounding alone. The phase drifts as ε N/80, because the rounded step and stiffness
-  have the same error in all cycles. The amplitude drifts like a random walk, a few times ε √N, and from 10⁷ cycles on as
+  have the same error in all cycles. The amplitude drifts like a random walk, about 0.4 ε √N, and from 10⁷ cycles on as
   ε N/2000: the rounding of a periodic motion is not quite random.
 - **bounce**: a disc bounces on a floor. The scheme, not rounding, causes the drift of the energy. The error of a bounce
   is of the order of $(\omega \Delta t)^{5/2}$, with a sign that depends on where in a step the contact begins. It adds
