@@ -1,9 +1,9 @@
 /* A page: a Markdown file and its fenced blocks.
  *
  * A fence is a line of three or more backticks or tildes, indented by at most three spaces. The block ends at a line
- * with at least as many of the same sign. Without such a line the page is invalid; CommonMark 0.30, section 4.5, would
- * end the block at the end of the file. The first word after the opening fence is the kind of the block. Blocks of
- * unknown kinds are prose.
+ * with at least as many of the same sign and nothing else. Without such a line the page is invalid; CommonMark 0.30,
+ * section 4.5, would end the block at the end of the file. The first word after the opening fence is the kind of the
+ * block. Blocks of unknown kinds are prose.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
