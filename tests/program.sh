@@ -1004,6 +1004,8 @@ test "$(cat status)" -eq 2 || echo "status $(cat status), wanted 2" >>why
 said 'the output could not be written'
 "$nineball" list >&- 2>said
 test $? -eq 2 || echo 'closed standard output: the status is not 2' >>why
+"$nineball" run "$pages/passes.md" -o closed >&- 2>said
+test $? -eq 2 || echo 'closed standard output of run: the status is not 2' >>why
 verdict 'a pipe without a reader, a closed standard output: status 2'
 
 # ---- figures ----
@@ -1024,6 +1026,12 @@ if command -v gnuplot >/dev/null; then
   head -c 4 drawn/large.png | grep -q PNG || echo 'large.png is not a PNG file' >>why
   grep -q 'rgb(221, 221, 221)\|#dddddd' drawn/large.svg || echo 'a page outside of the tree does not have the style' >>why
   verdict 'a figure of the size of the page, as SVG and PNG'
+
+  sed "s|^plot .*|&\nprint 'a message'|" "$pages/passes.md" >tree/cases/says.md
+  "$nineball" figure tree/cases/says.md -o drawn --trust >&- 2>&-
+  there drawn/says.svg
+  grep -q 'a message' drawn/says.svg && echo 'the message is in the figure' >>why
+  verdict 'closed standard streams: messages are not written into a figure'
 
   sed "s|^plot .*|&, \$table using 'time/-':'D.y/-' with lines|" "$pages/passes.md" >tree/cases/lacks.md
   run 2 figure tree/cases/lacks.md -o lacks --trust

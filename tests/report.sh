@@ -87,6 +87,42 @@ result $? 'temporary files of ended processes are removed'
 ) 9>left/table.tsv.7.new
 result $? 'the temporary file of a running process stays'
 
+ln -s ../mine left/nineball.lock
+run 2 run one/page.md -o left && said 'cannot write left/nineball.lock' && test "$(cat mine)" = mine
+result $? 'a lock follows no link'
+rm left/nineball.lock
+# The messages go through a pipe, which has no limit of size.
+(ulimit -f 0 && "$nineball" run one/page.md -o full 2>&1 >/dev/null || echo "status $?") | cat >"$why"
+said 'cannot write full/table.tsv: File too large' && said 'status 2' && test -z "$(ls full)"
+result $? 'a limit of the size of files: status 2, and no temporary file stays'
+
+# ---- folders of a report ----
+
+mkdir -p dots/.hidden mixture/own
+for name in . ..; do
+  cp one/page.md "dots/$name.md"
+  run 2 report "dots/$name.md" -o dots/new && said "dots/$name.md has no name" && cmp -s one/page.md "dots/$name.md" && test ! -e dots/index.html
+  result $? "report: a page with the name $name"
+done
+cp one/page.md mixture/own/README.md
+echo mine >mixture/own/own.md
+head -c 200000 /dev/zero >mixture/own/data.tsv
+run 2 report mixture/own/README.md -o mixture && said 'mixture/own of mixture/own/README.md is a folder of pages' && test "$(cat mixture/own/own.md)" = mine
+result $? 'report: the folder of a page is not its output folder'
+cp one/page.md mixture/README.md
+mkdir mixture/mixture && mv mixture/own/data.tsv mixture/mixture
+run 0 report mixture/README.md -o mixture && test -s mixture/mixture/data.tsv
+result $? 'report: a large table that the report has not written stays'
+if command -v gnuplot >/dev/null; then
+  grep -q 'src="README.svg"' mixture/mixture/index.html && grep -q 'href="README.png"' mixture/mixture/index.html && test -s mixture/mixture/README.svg
+  result $? 'report: the figure of a README'
+fi
+echo secret >dots/.hidden/key
+echo secret >dots/.key
+sed 's/^The position/[a](.key) [b](.hidden\/key)/' one/page.md >dots/page.md
+run 0 report dots/page.md -o dots/made && ! grep -q -r secret dots/made/files
+result $? 'report: hidden files are not copied'
+
 # ---- status ----
 
 run 3 report "$pages/never-ends.md" "$pages/passes.md" -o some && said 'did not run to its end' &&

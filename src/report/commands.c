@@ -84,7 +84,10 @@ static enum nb_status save_outputs(const struct nb_outcome *outcome, const struc
   bool drawn = false;
   const char *incomplete = outcome->status > NB_FAILED ? ", up to where the run was stopped" : "";
   if (actions & TABLES) {
-    if (nb_tables_save(outcome, folder, &error))
+    struct nb_text names = {0};
+    const enum nb_status status = nb_tables_save(outcome, folder, &names, &error);
+    free(names.at);
+    if (status)
       return nb_print_plain_error(&error);
     fputs("  ", stdout);
     nb_cost_print_actual(stdout, outcome, (nb_cost_clock() - began) / call->options.threads, &call->options);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cost.h"
+#include "input/text.h"
 #include "outcome.h"
 #include "run/output_file.h"
 
@@ -103,8 +104,9 @@ enum nb_status nb_outcome_save_end(const struct nb_outcome *outcome, struct nb_s
 /* Writes into the folder: table.tsv, values.tsv, verdict.tsv; for each snapshot STAGE-particles.tsv, -walls.tsv and
  * -contacts.tsv, if it has them also -rings.tsv, -boundary.tsv and -lattice.tsv, and of a contact test
  * SEGMENT-traction.tsv and -pieces.tsv. If the page has several runs, the names of snapshots end in the number of the
- * run: STAGE-particles-2.tsv. */
-enum nb_status nb_tables_save(const struct nb_outcome *outcome, const char *folder, struct nb_error *error);
+ * run: STAGE-particles-2.tsv. `names` receives the names of the files, one per line. */
+enum nb_status nb_tables_save(const struct nb_outcome *outcome, const char *folder, struct nb_text *names,
+                              struct nb_error *error);
 /* Writes a head row and the rows of one run, with reference curves beside the computed quantities. */
 void nb_table_write_run(FILE *out, const struct nb_page_run *run);
 /* Writes a head row and one row for each run: the swept values, the number of the run, then every measure of the expect

@@ -1,7 +1,7 @@
 /* The targets of a page's links in the report: another page, or a copy of a file.
  *
  * A page may come from a stranger, and a report may be published. So a file is copied only if it is a small picture or
- * text. It must also be in the folder of the page or below, unless the pages are trusted.
+ * text. It must also be in the folder of the page or below and not be hidden, unless the pages are trusted.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdio.h>
@@ -79,10 +79,11 @@ static const char *copy_file(struct nb_report *report, const char *real) {
   return own ? own->name : NULL;
 }
 
-/* True if the file is in the folder of the page or below. */
+/* True if the file is in the folder of the page or below, and neither it nor a folder between them is hidden: a page may
+ * be in the home folder, and hidden files there have passwords and keys. */
 static bool is_below(const char *real, const char *page) {
-  const size_t length = (size_t)(strrchr(page, '/') - page) + 1;
-  return strncmp(real, page, length) == 0;
+  const size_t length = (size_t)(strrchr(page, '/') - page);
+  return strncmp(real, page, length + 1) == 0 && !strstr(real + length, "/.");
 }
 
 /* Writes the address of a target in the report and, if it is a page, the verdict on it; false: the target is neither a

@@ -1,6 +1,7 @@
 /* nineball, the program: the tables of its commands and options.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <fcntl.h>
 #include <getopt.h>
 #include <math.h>
 #include <signal.h>
@@ -8,6 +9,7 @@
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "commands.h"
 #include "core/clean.h"
@@ -112,6 +114,7 @@ static void note_signal(int number) { stop_signal = number; }
 static void catch_signals(struct nb_call *call) {
   struct sigaction action = {.sa_handler = note_signal, .sa_flags = (int)SA_RESETHAND};
   signal(SIGPIPE, SIG_IGN); /* output files are written even if nobody reads the verdict */
+  signal(SIGXFSZ, SIG_IGN); /* a write beyond the limit of file sizes fails with an error */
   if (call->options.checkpoint.resume && !(call->options.checkpoint.seconds > 0))
     call->options.checkpoint.seconds = checkpoint_seconds;
   if (!(call->options.checkpoint.seconds > 0))
@@ -365,7 +368,16 @@ static enum nb_status check_text(const char *word) {
   return status;
 }
 
+/* Opens standard streams that are closed. Otherwise an output file would get the number of a stream, and messages would
+ * be written into the file. The new streams can only be used in the wrong direction, so each use of them fails. */
+static void open_closed_streams(void) {
+  for (int file = STDIN_FILENO; file <= STDERR_FILENO; file++)
+    if (fcntl(file, F_GETFD) < 0)
+      open("/dev/null", file == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
 int main(int count, char **words) {
+  open_closed_streams();
   struct nb_call call = {.options = {.threads = 1}};
   call.options.states = getenv("NINEBALL_STATES");
   enum nb_status status = check_text(call.options.states);

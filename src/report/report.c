@@ -4,7 +4,6 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "report.h"
 
-#include <dirent.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -30,6 +29,7 @@ static bool is_readme(const char *path) {
 /* Sets the name of a page: the name of its file, or for a README in a folder the name of the folder. */
 static void name_page(struct nb_report_page *page) {
   const char *name;
+  unsigned byte;
   size_t length = nb_page_name(page->path, &name);
   if (is_readme(page->path) && page->real) {
     const char *end = strrchr(page->real, '/'), *begin = end;
@@ -39,6 +39,7 @@ static void name_page(struct nb_report_page *page) {
       name = begin, length = (size_t)(end - begin);
   }
   snprintf(page->name, sizeof page->name, "%.*s", (int)length, name);
+  nb_clean(page->name, strlen(page->name), &byte); /* no command has checked the name of the README's folder */
 }
 
 /* True if the page has no block of the page language, so that there is nothing to run. */
@@ -66,52 +67,69 @@ static void survey(struct nb_report_page *page) {
   nb_mistakes_free(&mistakes);
 }
 
-/* False if two pages have the same name: they would overwrite each other's files. */
-static bool has_unique_names(const struct nb_report *report) {
-  for (size_t k = 0; k < report->count; k++)
-    for (size_t j = 0; j < k; j++)
-      if (strcmp(report->pages[k].name, report->pages[j].name) == 0) {
-        fprintf(stderr, "nineball: %s and %s have the same name, so the same output folder: rename one of them\n",
-                report->pages[j].path, report->pages[k].path);
-        return false;
-      }
+/* True if `folder` is the folder of a page: the report would overwrite files there. */
+static bool has_page(const struct nb_report *report, const char *folder) {
+  char *real = realpath(folder, NULL);
+  const size_t length = real ? strlen(real) : 0;
+  bool found = false;
+  for (size_t k = 0; k < report->count && real && !found; k++) {
+    const char *page = report->pages[k].real;
+    found = page && strncmp(page, real, length) == 0 && strrchr(page, '/') == page + length;
+  }
+  free(real);
+  return found;
+}
+
+/* False with a message if pages would overwrite each other's files, or other files, in the folder of the report. */
+static bool has_own_folders(const struct nb_report *report) {
+  for (size_t k = 0; k < report->count; k++) {
+    const struct nb_report_page *page = &report->pages[k];
+    char folder[4096];
+    struct nb_error error = {NB_OK, ""};
+    snprintf(folder, sizeof folder, "%.3900s/%s", report->folder, page->name);
+    for (size_t j = 0; j < k && !error.status; j++)
+      if (strcmp(page->name, report->pages[j].name) == 0)
+        nb_error_set(&error, NB_BAD_USE, "%s and %s have the same name, so the same output folder: rename one of them",
+                     report->pages[j].path, page->path);
+    if (strcmp(page->name, ".") == 0 || strcmp(page->name, "..") == 0)
+      nb_error_set(&error, NB_BAD_USE, "%s has no name that an output folder can have: rename it", page->path);
+    else if (!error.status && has_page(report, folder))
+      nb_error_set(&error, NB_BAD_USE,
+                   "the output folder %s of %s is a folder of pages, whose files would be overwritten: choose another "
+                   "folder with -o",
+                   folder, page->path);
+    if (error.status)
+      return nb_print_plain_error(&error), false;
+  }
   return true;
 }
 
 /* ---- large files ---- */
 
-/* Removes a file that the program has written if the file is large, and writes its name to `names`. */
-static void drop_if_large(struct nb_report_page *page, struct nb_text *names, const char *folder, const char *name) {
+/* Removes a file that the program has written if the file is large, and writes its name to page->dropped. */
+static void drop_if_large(struct nb_report_page *page, struct nb_text *dropped, const char *folder, const char *name) {
   char path[8192];
   struct stat status;
   const off_t most = strcmp(strrchr(name, '.'), ".svg") == 0 ? DRAWING_BYTES : TABLE_BYTES;
   snprintf(path, sizeof path, "%s/%s", folder, name);
   if (lstat(path, &status) != 0 || !S_ISREG(status.st_mode) || status.st_size <= most || remove(path) != 0)
     return;
-  nb_text_add(names, "%s%s", names->length > 0 ? ", " : "", name);
+  nb_text_add(dropped, "%s%s", dropped->length > 0 ? ", " : "", name);
   if (page->drawn && strcmp(name, page->figure) == 0)
     strcpy(strrchr(page->figure, '.'), ".png");
 }
 
-static bool is_output(const struct nb_report_page *page, const char *name) {
-  const size_t length = strlen(page->name);
-  const char *dot = strrchr(name, '.');
-  return dot && (strcmp(dot, ".tsv") == 0 || (strncmp(name, page->name, length) == 0 && name + length == dot &&
-                                              (strcmp(dot, ".gp") == 0 || strcmp(dot, ".svg") == 0)));
-}
-
-/* Removes large tables, scripts and drawings, so that the report stays small. If the SVG is removed, the figure is the
- * PNG. */
-static enum nb_status drop_large_files(struct nb_report_page *page, const char *folder, struct nb_error *error) {
-  struct nb_text names = {0};
-  DIR *entries = opendir(folder);
-  for (struct dirent *entry; !names.failed && entries && (entry = readdir(entries));)
-    if (is_output(page, entry->d_name))
-      drop_if_large(page, &names, folder, entry->d_name);
-  if (entries)
-    closedir(entries);
-  page->dropped = names.at;
-  return names.failed ? nb_error_memory(error) : NB_OK;
+/* Removes large tables, scripts and drawings, so that the report stays small. `names`: the files that were written, one
+ * per line. If the SVG is removed, the figure is the PNG. */
+static enum nb_status drop_large_files(struct nb_report_page *page, const char *folder, struct nb_text *names,
+                                       struct nb_error *error) {
+  struct nb_text dropped = {0};
+  nb_text_add(names, "%s.gp\n%s.svg\n", page->outcome.page.name, page->outcome.page.name);
+  char *rest = names->at;
+  for (char *name; (name = strsep(&rest, "\n")) && name[0];)
+    drop_if_large(page, &dropped, folder, name);
+  page->dropped = dropped.at;
+  return names->failed || dropped.failed ? nb_error_memory(error) : NB_OK;
 }
 
 /* ---- a page ---- */
@@ -169,7 +187,7 @@ static void write_files(FILE *out, const struct nb_report *report, const struct 
   fputs("<p>Files: ", out);
   for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
     char name[NB_NAME_SIZE + 8];
-    snprintf(name, sizeof name, "%s%s", page->name, kinds[k]);
+    snprintf(name, sizeof name, "%s%s", k == 0 ? page->name : page->outcome.page.name, kinds[k]);
     write_file(out, report, page, name);
   }
   static const char *const tables[] = {"table.tsv", "values.tsv", "verdict.tsv"};
@@ -380,14 +398,16 @@ static enum nb_status run(const struct nb_call *call, struct nb_report *report, 
     put_message(page);
   if (nb_outcome_has_rows(outcome)) {
     put_cost(page, (nb_cost_clock() - began) / call->options.threads, &call->options);
-    page->saved = !nb_tables_save(outcome, folder, &error);
+    struct nb_text names = {0};
+    page->saved = !nb_tables_save(outcome, folder, &names, &error);
     if (page->saved)
       nb_figure_draw(outcome, folder, call->trust, &page->drawn, &error);
-    snprintf(page->figure, sizeof page->figure, "%s.svg", page->name);
+    snprintf(page->figure, sizeof page->figure, "%s.svg", outcome->page.name);
     if (error.status)
       add_message(page, &error);
-    if (drop_large_files(page, folder, &error))
+    if (drop_large_files(page, folder, &names, &error))
       add_message(page, &error);
+    free(names.at);
   }
   for (size_t r = 0; r < outcome->run_count; r++)
     page->seconds += outcome->runs[r].result.seconds;
@@ -463,7 +483,7 @@ enum nb_status nb_command_report(const struct nb_call *call) {
   }
   if (!nb_program_find(pandoc, sizeof pandoc, "pandoc"))
     fputs("nineball: a report needs pandoc, which was not found (its package is pandoc)\n", stderr);
-  else if (has_unique_names(&report))
+  else if (has_own_folders(&report))
     status = make(call, &report);
   for (size_t k = 0; k < report.count; k++) {
     nb_outcome_free(&report.pages[k].outcome);

@@ -17,6 +17,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <link.h>
+#include <signal.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -168,6 +169,7 @@ _Noreturn static void exec_confined(const struct nb_confined *confined) {
   const bool landlock = confined->method == NB_CONFINE_LANDLOCK, bwrap = confined->method == NB_CONFINE_BWRAP;
   limit(RLIMIT_CPU, 120);
   limit(RLIMIT_FSIZE, 200 << 20);
+  signal(SIGXFSZ, SIG_DFL); /* the limit ends the program, although this process ignores the signal */
   limit(RLIMIT_AS, (rlim_t)4 << 30);
   limit(RLIMIT_CORE, 0);
   alarm(300); /* s of wall time, because a script may sleep */

@@ -191,8 +191,9 @@ enum nb_status nb_outcome_save_end(const struct nb_outcome *outcome, struct nb_s
 }
 
 static enum nb_status save(const char *folder, const char *name, void (*write)(FILE *, const struct nb_outcome *),
-                           const struct nb_outcome *outcome, struct nb_error *error) {
+                           const struct nb_outcome *outcome, struct nb_text *names, struct nb_error *error) {
   struct nb_save file;
+  nb_text_add(names, "%s\n", name);
   if (nb_save_begin_in(&file, error, folder, "%s", name))
     return error->status;
   nb_preamble_write(file.file, outcome);
@@ -201,16 +202,18 @@ static enum nb_status save(const char *folder, const char *name, void (*write)(F
 }
 
 static enum nb_status save_snapshot(const struct nb_outcome *outcome, size_t r, const struct nb_snapshot *snapshot,
-                                    const char *folder, struct nb_error *error) {
+                                    const char *folder, struct nb_text *names, struct nb_error *error) {
   const struct nb_page_run *run = &outcome->runs[r];
   const struct nb_table *table;
-  const char *name;
-  char number[32] = "";
+  const char *part;
+  char number[32] = "", name[3 * NB_NAME_SIZE];
   if (outcome->run_count > 1)
     snprintf(number, sizeof number, "-%zu", r + 1);
-  for (int k = 0; nb_snapshot_part(snapshot, k, &name, &table); k++) {
+  for (int k = 0; nb_snapshot_part(snapshot, k, &part, &table); k++) {
     struct nb_save file;
-    if (nb_save_begin_in(&file, error, folder, "%s-%s%s.tsv", run->scene.stages[snapshot->stage].name, name, number))
+    snprintf(name, sizeof name, "%s-%s%s.tsv", run->scene.stages[snapshot->stage].name, part, number);
+    nb_text_add(names, "%s\n", name);
+    if (nb_save_begin_in(&file, error, folder, "%s", name))
       return error->status;
     nb_preamble_write(file.file, outcome);
     if (run->label[0])
@@ -223,21 +226,22 @@ static enum nb_status save_snapshot(const struct nb_outcome *outcome, size_t r, 
 }
 
 static enum nb_status save_snapshots(const struct nb_outcome *outcome, size_t r, const char *folder,
-                                     struct nb_error *error) {
+                                     struct nb_text *names, struct nb_error *error) {
   const struct nb_result *result = nb_run_result(&outcome->runs[r]);
   for (size_t k = 0; k < result->snapshot_count; k++)
-    if (save_snapshot(outcome, r, &result->snapshots[k], folder, error))
+    if (save_snapshot(outcome, r, &result->snapshots[k], folder, names, error))
       return error->status;
   return nb_spool_status(&outcome->spool, error);
 }
 
-enum nb_status nb_tables_save(const struct nb_outcome *outcome, const char *folder, struct nb_error *error) {
-  if (nb_folder_create(folder, error) || save(folder, "table.tsv", write_all_runs, outcome, error) ||
-      save(folder, "values.tsv", nb_values_write, outcome, error) ||
-      save(folder, "verdict.tsv", write_verdict, outcome, error))
+enum nb_status nb_tables_save(const struct nb_outcome *outcome, const char *folder, struct nb_text *names,
+                              struct nb_error *error) {
+  if (nb_folder_create(folder, error) || save(folder, "table.tsv", write_all_runs, outcome, names, error) ||
+      save(folder, "values.tsv", nb_values_write, outcome, names, error) ||
+      save(folder, "verdict.tsv", write_verdict, outcome, names, error))
     return error->status;
   for (size_t r = 0; r < outcome->run_count; r++)
-    if (save_snapshots(outcome, r, folder, error))
+    if (save_snapshots(outcome, r, folder, names, error))
       return error->status;
-  return NB_OK;
+  return names->failed ? nb_error_memory(error) : NB_OK;
 }

@@ -170,7 +170,7 @@ static enum nb_status lock_acquire(struct nb_lock *lock, const char *path, const
   snprintf(lock->path, sizeof lock->path, "%s.lock", path);
   for (;;) {
     struct stat current, there;
-    lock->file = open(lock->path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    lock->file = open(lock->path, O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
     if (lock->file < 0)
       return nb_error_system(error, "cannot write %s", lock->path);
     const enum nb_status status = lock_wait(lock, progress, error);
