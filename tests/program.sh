@@ -356,14 +356,14 @@ test "$(column cycle/- never/table.tsv | tail -n 1)" = 20 || echo 'the last row 
 verdict 'a stage that never ends: status 3, with its condition'
 
 run 2 check "$pages/asks-nothing.md"
-said 'error: the page ran without mistakes, but it has no expectation, so nothing was checked; `nineball run '
-said 'asks-nothing.md` runs a page without expectations; to check the page, add a line such as `QUANTITY max below VALUE` to a block `expect`'
+said 'error: nothing was checked, because the page has no expectation; the run itself succeeded, and `nineball run '
+said 'asks-nothing.md` runs such a page; to check the page, add a line such as `QUANTITY max below VALUE` to a block `expect`'
 run 0 run "$pages/asks-nothing.md"
 there asks-nothing.out/table.tsv
 sed 's/^step .*/&\nmonitor D disc 1\nrecord D.x/' "$pages/asks-nothing.md" >reports.md
 printf '\n```expect\nreport D.x max\nreport D.x\n```\n' >>reports.md
 run 2 check reports.md
-said 'it has no expectation, so nothing was checked; `nineball run reports.md` runs a page without expectations and prints the values of its lines `report`'
+said 'the page has no expectation; the run itself succeeded, and `nineball run reports.md` runs such a page and prints the values of its lines `report`'
 out 'note  report D.x max'
 out '        computed 1'
 out '  2 noted'

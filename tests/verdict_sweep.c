@@ -91,6 +91,10 @@ static void orders(void) {
       {"sweep h 1 2 4", "A.x order 2 in h within 0.5", ERRORS(1.5 + 1e-9), NB_PASS, ""},
       {"sweep h 1 2 4", "A.x order 2 in h within 0.5", ERRORS(1.5 - 1e-9), NB_FAIL, "computed order 1.5"},
       {"sweep h 1 2 4", "A.x order -2 in h within 25 %", ERRORS(-2.5 + 1e-9), NB_PASS, ""},
+      {"sweep n 1 2 4", "A.x order 2 in n within 0.5", ERRORS(-2), NB_FAIL,
+       "; the error falls as `n` grows: write `A.x order -2 in n within 0.5`"},
+      {"sweep h 1 2 4", "A.x order -2 in h within 0.5", ERRORS(2), NB_FAIL,
+       "; the error grows as `h` grows: write `A.x order 2 in h within 0.5`"},
       {"sweep h 1 2 4", "A.x order -2 in h within 25 %", ERRORS(-2.5 - 1e-9), NB_FAIL, ""},
       {"sweep h 1 2 4", "A.x order 2 in h within 1e-9", {-1, 4, -16}, NB_PASS, ""}, /* an error has no sign */
       {"sweep h 3 1 2", "A.x order 1 in h within 1e-9", {6, 2, 4}, NB_PASS, ""},

@@ -81,8 +81,11 @@ static void override_timing(const struct nb_scene_reading *reading, struct nb_re
   if (reader != &reading->setting)
     given->timing = given->timing && nb_setting_find(reading, "damping") == 0;
   else if (!reader->bad && (given->all || !given->timing))
-    nb_expected_at(reader, &reader->tokens[1], "other kinds of damping are statements of the page",
-                   "`centred` or `late`");
+    nb_expected_at(
+        reader, &reader->tokens[1],
+        "to set another kind from here, give its value a name in the page, `let zeta = 0.1` and `damping ratio $zeta`, "
+        "then write `--set zeta=0.2`",
+        "`centred` or `late`");
 }
 
 /* A page gives five settings, with one statement each: the damping of all contacts, of contacts with walls, of deep

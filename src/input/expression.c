@@ -17,6 +17,7 @@
 #include <stdarg.h>
 #include <string.h>
 
+#include "core/clean.h"
 #include "core/vec.h"
 #include "expression.h"
 
@@ -122,7 +123,7 @@ static struct quantity expected(struct parser *p, const char *what) {
   const size_t length = read_word(p, "_.%$", text);
   if (length == 0)
     snprintf(text, sizeof text, "%c", c);
-  snprintf(hint, sizeof hint, "an expression has names without `$`: `%s`", text + 1);
+  snprintf(hint, sizeof hint, "inside an expression a name has no `$`: `%s`; outside it is `$%s`", text + 1, text + 1);
   const char *const otherwise = c == '$'   ? hint
                                 : c == '*' ? "a power is written `^`"
                                 : c == ',' ? "the decimal point is `.`; `sweep` has several values, without commas"
@@ -194,7 +195,10 @@ static void wrong_unit(struct parser *p, size_t length, const char *text, bool i
                            : open > 0 ? "add the missing `)`, or write a product as `* %s`"
                                       : "a product is written `* %s`";
   const struct nb_foreign_unit *const foreign = is ? NULL : nb_unit_foreign(text, NULL);
+  const int head = (int)nb_unit_before_operator(text);
   snprintf(hint, sizeof hint, form, text);
+  if (head)
+    nb_append(hint, sizeof hint, ": `%.*s %c %s`", head, text, text[head], text + head + 1);
   if (foreign)
     snprintf(hint, sizeof hint, "1 %s is %.10g %s", text, foreign->factor, foreign->ours);
   const char *const typed = nb_syntax_hint(p->reader, other, text);
@@ -208,7 +212,9 @@ static struct nb_unit unit_after(struct parser *p) {
   const char *const behind = p->at;
   peek(p);
   const bool glued = p->at == behind;
-  const size_t length = read_word(p, glued ? "_.%" : "_./%", text);
+  size_t length = read_word(p, glued ? "_.%" : "_./%", text);
+  if (length > 0 && length < sizeof text && text[length - 1] == '/')
+    text[--length] = '\0'; /* this `/` divides: `1 m/(2*n)` */
   const bool number = strchr(".0123456789", *text) && text[1] != '/';
   if (length == 0 || p->reader->bad || *text == '/' || number)
     return (struct nb_unit){.factor = 1};

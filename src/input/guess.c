@@ -29,6 +29,7 @@ bool nb_item(const char **list, char item[NB_NAME_SIZE]) {
 #define SIMPLE_SHEAR \
   "simple shear at the rate G = 0.1 1/s is `cell strain 0 1/s 0 1/s  c12 0.1 1/s`, where c12 is the velocity in x per unit of y. The clause " \
   "`shear EXY` is pure shear, c12 = c21 = EXY, with the engineering shear rate 2 EXY"
+#define NO_ROTATION "`rotation off`, a line of its own below a line `stage NAME`, prevents the rotation of all particles"
 /* clang-format on */
 
 const struct nb_synonym *nb_synonym(const char *word) {
@@ -75,15 +76,16 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"void voids", "void_ratio"}, {"3d three_dimensions", "disc, sphere", "the simulation is in the plane, x to the right and y up; spheres move in the plane, too"}, {"hertz_mindlin hertzian hertz_material mindlin_rescale", "normal hertz, shear mindlin"},
     {"micro_slip microslip partial_slip partialslip cattaneo deresiewicz", "mindlin_deresiewicz", "`shear mindlin_deresiewicz` is the exact law with micro-slip; `shear mindlin` has none, so at constant normal force its loops open only when the contact slides"},
     {"hooke hookean", "normal linear, shear linear"}, {"SI", "units", "`units none`: all numbers are in SI, without units; `units si`: each number has its unit, `5 mm`"}, {"degree degrees", "deg"},
-    {"norotation no_rotation irrotational blockedDOFs", "rotation off"}, {"false no disable disabled", "off"}, {"true yes enable enabled", "on"},
+    {"norotation no_rotation irrotational blockedDOFs", "rotation off", NO_ROTATION}, {"false no disable disabled", "off"}, {"true yes enable enabled", "on"},
     {"safety safety_factor", "stable", "write `step 0.2 of stable`"}, {"number count", "grading", "a grading has the number of particles of each radius: `grading sand 2 mm 100  1 mm 400`"},
     /* STATEMENT_WORD: a word in a statement that does not have it */
     {"units_lj units_cgs units_micro units_real units_SI units_Si units_metric", "units", "write `units none` if numbers have no units (they are in SI), or `units si` and a unit after each number: `5 mm`"},
     {"disc_at disc_velocity", "disc", "a statement `disc` takes no number and no word `at`; particles are numbered in the order of their lines. Begin with x and y of the centre: `disc 0 m 0 m radius 5 mm MATERIAL velocity 1 m/s 0 m/s`"},
+    {"fixed_spin fixed_rotation disc_off sphere_off spin_off scene_spin", "rotation off, spin", NO_ROTATION "; `spin W` is an angular velocity at the start, which a `fixed` particle keeps: `disc 0 m 0 m radius 5 mm MATERIAL spin 0 rad/s`"},
     {"sphere_at sphere_velocity", "sphere", "a statement `sphere` takes no number and no word `at`; particles are numbered in the order of their lines. Begin with x and y of the centre: `sphere 0 m 0 m radius 5 mm MATERIAL velocity 1 m/s 0 m/s`"},
     {"wall_generate wall_create wall_box wall_block wall_name wall_vertices wall_id wall_group", "wall, box", "four walls are `box 0 m 0 m to 1 m 1 m MATERIAL`; one wall is `wall floor 0 m 0 m to 1 m 0 m MATERIAL`"},
     {"region_NUMBER region_block region_prism region_sphere region_cylinder", "region", "a region is `region M box 0 m 0 m to 1 m 1 m`, or `region M circle 40 mm 40 mm radius 30 mm`; it only measures, and particles are placed by `fill` or `lattice`"},
-    {"lattice_triangular lattice_triangle lattice_hex lattice_hcp lattice_sq", "hexagonal, square", "the rows of a lattice are `square`, or `hexagonal`, which is triangular: `lattice discs hexagonal 10 by 10 radius 5 mm MATERIAL`"},
+    {"lattice_triangular lattice_triangle lattice_hex lattice_hcp lattice_sq lattice_cubic lattice_sc lattice_fcc lattice_bcc lattice_rectangular lattice_rect lattice_regular", "hexagonal, square", "the rows of a lattice are `square`, or `hexagonal`, which is triangular: `lattice discs hexagonal 10 by 10 radius 5 mm MATERIAL`"},
     {"lattice_at", "lattice", "the centre of the first particle is `from X Y`"},
     {"wall_at wall_normal", "wall", "a wall is a line in the plane between two ends, without `at` and `normal`: `wall floor -1 m 0 m to 1 m 0 m MATERIAL`"},
     {"wall_stop wall_still wall_halt wall_inward", "wall", "in a stage write `wall NAME velocity 0 m/s 0 m/s`, or for all walls `walls stop`"},
@@ -119,7 +121,9 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"until_< until_<= until_less until_under until_smaller", "below", "a condition is `QUANTITY below VALUE`"}, {"until_> until_>= until_greater until_over until_more until_exceeds", "above", "a condition is `QUANTITY above VALUE`"},
     {"scene_report stage_report scene_expected stage_expected scene_reference stage_reference", "report, expected, reference", "a claim or a report belongs in a block `expect`, after the block `scene`: for example `report energy.kinetic max in STAGE`"},
     {"scene_load", "start", "a page that continues from another begins with `start PAGE stage NAME`; a load on particles is `gravity`, or in a stage `boundary stress` or `servo`"},
-    {"cell_xy cell_shear cell_simple_shear cell_rate cell_c12 cell_velocity cell_deform cell_engineering_shear", "cell strain", SIMPLE_SHEAR},
+    {"cell_xy cell_shear cell_simple_shear cell_c12 cell_velocity cell_deform cell_engineering_shear", "cell strain", SIMPLE_SHEAR},
+    {"cell_rate cell_xx cell_yy cell_axial cell_volumetric", "cell strain", "two rates follow `cell strain`, those in x and y: `cell strain 0 1/s -0.1 1/s` compresses in y; " SIMPLE_SHEAR},
+    {"box_rate box_xx box_yy box_axial box_volumetric box_width box_height", "box strain", "two rates follow `box strain`, those in x and y: `box strain 0 1/s -0.1 1/s` compresses in y"},
     {"boundary_sphere boundary_disc", "boundary", "`boundary fixed` holds all particles of the boundary; one particle is held by `fixed` in its own line of the scene: `disc X Y radius R MATERIAL fixed`"},
     {"boundary_shear boundary_c12", "boundary strain", "simple shear at the rate G = 0.1 1/s is `boundary strain 0 1/s 0 1/s  c12 0.1 1/s`; the clause `shear EXY` is pure shear, c12 = c21 = EXY"},
     {"shear_exact shear_deresiewicz shear_history", "shear", "the exact law of Mindlin and Deresiewicz is `shear mindlin_deresiewicz`"},
@@ -132,6 +136,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"ball_generate ball_distribute", "fill", RANDOM_PACKING}, {"ball_create O.bodies.append atom_style", "disc, sphere", "a particle is `disc 0 m 0 m radius 5 mm MATERIAL`, or `sphere` in place of `disc`"},
     {"ball_attribute ball_property scene_mass disc_density disc_kn disc_friction disc_young sphere_density sphere_kn sphere_friction sphere_young species FrictMat ViscElMat LinearViscoelasticFrictionSpecies HertzianViscoelasticMindlinSpecies disc_mass sphere_mass", "material", "density and stiffness are properties of a material: `material steel density 7800 kg/m3 kn 1 MN/m ks 1 MN/m friction 0.3`"},
     {"translation disc_translation disc_x disc_y sphere_translation sphere_x sphere_y", "fixed", "no direction can be fixed alone: `fixed` in the line of a particle keeps its centre, and `rotation off` in a stage prevents all rotation"},
+    {"damping_of damping_fraction damping_coefficient", "ratio", "a fraction of critical damping is `damping ratio 0.1`"},
     {"gravity_off gravity_none", "gravity", "without gravity write `gravity 0 m/s2 0 m/s2`, or no such line"},
     {"boundary_servo", "servo", "a servo of the boundary is for example `servo isotropic 100 kPa on boundary through boundary at most 1e-6 per cycle`"},
     {"remove_all", "remove", "particles are removed by their numbers: `remove discs 1 to 20`"},
@@ -154,11 +159,13 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"boundary_p boundary_f boundary_s boundary_periodic", "cell, box", "periodic boundaries are `cell 0 m 0 m to 1 m 1 m`, walls are `box 0 m 0 m to 1 m 1 m MATERIAL`"},
     {"contact_test_step", "segment", "a contact test has no time; a segment has its number of steps: `segment load normal to 100 N in 100 steps`"},
     /* expect_WORD: a word in any place of an expectation */
+    {"expect_trend expect_proportional expect_scales expect_scaling expect_power expect_exponent expect_monotonic expect_monotonically expect_varies expect_depends expect_correlates", "increases, decreases", "a trend with a sweep is `A.vx max  increases with k`, or `decreases with k`"},
     {"expect_approx expect_approximately expect_about expect_~ expect_= expect_== expect_equals expect_equal", "expected", "write `C.normal max  expected 3 N within 1 % [SOURCE]`"},
     {"expect_average expect_avg", "mean", "the mean of the rows is `mean`: `C.normal mean in load  below 3 N`"},
     {"expect_first expect_initial expect_begin expect_start", "expected", "the first row of the run is `at 0 cycles`. The first row of a later stage, or after `start`, is `at N cycles`: `record cycle` and `report cycle min in STAGE` show N; `nineball --help expect` lists all such words"},
     {"expect_positive expect_zero expect_nonzero expect_!=", "above, below", "write `above 0 N` or `below 0 N`, with the unit of the quantity; a value of zero is `expected 0 N within 1 mN [SOURCE]`"},
-    {"expect_std expect_rms expect_integral expect_sum", "max, min, mean", "there is no such word; `nineball --help expect` lists the words that may follow a quantity"},
+    {"expect_std expect_rms expect_sum", "max, min, mean", "there is no such word; `nineball --help expect` lists the words that may follow a quantity"},
+    {"expect_integral quantity_integral integral integrate trapz quantity_work quantity_work.walls quantity_walls.work quantity_work.wall quantity_energy.work quantity_work.done quantity_work.external quantity_energy.external", "energy.walls", "there is no integral over rows. The work of moving walls and moving fixed particles is `energy.walls`, that of gravity `energy.gravity`, the energy dissipated by friction `energy.frictional`: `record energy.walls`"},
     {"expect_slope expect_rate expect_derivative expect_gradient quantity_slope quantity_rate quantity_derivative slope derivative", "at, expected", "there is no slope or rate of change: compare the values at two times, `A.vx at 2 ms  expected 2 of A.vx at 1 ms within 1 % [SOURCE]`, or a value with a formula, `A.vx at 2 ms  expected (a*2 ms) within 1 % [SOURCE]`, with `let a = 3 m/s2` in the scene"},
     {"expect_minus expect_change expect_difference expect_diff expect_increment expect_gain expect_rise expect_growth", "expected", "a line has no difference of two measures: write `A.vx last  expected (v + 3 m/s) within 1 % [SOURCE]`, with `let v = 1 m/s` in the scene, or `A.vx last  expected 2 of A.vx at 0 cycles within 1 % [SOURCE]`"},
     {"expect_after expect_before expect_during expect_when expect_once", "in", "the name of a stage follows `in`: `A.vx last in bounce  expected -0.7 of A.vx last in approach within 1 % [SOURCE]`"},
@@ -178,6 +185,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"quantity_exx quantity_e11 quantity_epsilon_xx", "strain.xx"}, {"quantity_eyy quantity_e22 quantity_epsilon_yy quantity_ea quantity_epsilon quantity_eps", "strain.yy"}, {"quantity_ev quantity_volumetric_strain quantity_epsilon_v", "strain.volumetric"},
     {"quantity_fn quantity_f_n quantity_nforce quantity_normal_force quantity_normalforce quantity_fnormal", "normal, normal.mean"}, {"quantity_fs quantity_ft quantity_f_s quantity_f_t quantity_sforce quantity_shear_force quantity_tangential_force quantity_shearforce quantity_fshear", "shear, shear.mean"},
     {"quantity_un quantity_u_n quantity_delta quantity_delta_n quantity_alpha quantity_penetration quantity_penetrationdepth quantity_indentation", "overlap"}, {"quantity_ut quantity_u_t quantity_us quantity_delta_t", "slip"},
+    {"quantity_spin.after quantity_impact.spin quantity_impact.spin2 quantity_impact.omega quantity_impact.omega2 quantity_impact.spin_after quantity_impact.vx quantity_impact.vy quantity_impact.velocity quantity_impact.v quantity_impact.v2 quantity_impact.vt quantity_impact.vn quantity_impact.speed", "spin, vx, vy", "an impact has no velocities and no spin; those of the particle are recorded with `monitor A sphere 1` and `record A.vx A.vy A.spin`"},
     {"quantity_w quantity_omega quantity_wz quantity_omegaz quantity_omega_z quantity_angvel quantity_angular_velocity quantity_rotvel quantity_angular", "spin"}, {"quantity_theta quantity_rot quantity_rotation", "angle"},
     {"quantity_ax quantity_ay quantity_acc quantity_accel quantity_acceleration quantity_xacc quantity_yacc quantity_acc_x quantity_acc_y", "expected", "there is no quantity for the acceleration: compare the velocity with a formula, `A.vx at 2 ms  expected (v + a*2 ms) within 1 % [SOURCE]`, with `let v = 1 m/s` and `let a = 3 m/s2` in the scene; mass times acceleration is the contact force, `A.fx` and `A.fy`, plus the weight"},
     {"quantity_vn quantity_v_n quantity_vt quantity_v_t quantity_vs quantity_vrel quantity_v_rel quantity_velocity_normal quantity_normal_velocity quantity_relative_velocity quantity_approach_velocity quantity_overlap_rate quantity_overlap.rate", "monitor, vx, vy", "a contact has no relative velocity: record those of its particles with `monitor A disc 1`, `monitor B disc 2` and `record A.vx B.vx`; their difference is plotted by `column('A.vx/m/s') - column('B.vx/m/s')`, and a restitution is `A.vx last in touch  expected -0.7 of A.vx last in approach within 1 % [SOURCE]`"},

@@ -270,6 +270,33 @@ bool nb_array_append(struct nb_reader *reader, void *array, size_t *count, const
   return true;
 }
 
+/* Copies a hint without the units of the numbers between its backquotes, for a page without units: `radius 5 mm`
+ * becomes `radius 0.005`. */
+static const char *without_units(char *bare, const char *hint) {
+  char number[NB_NAME_SIZE], text[NB_NAME_SIZE];
+  bool quoted = false;
+  *bare = '\0';
+  for (const char *at = hint; *at;) {
+    const bool begins = at == hint || !(isalnum((unsigned char)at[-1]) || strchr("._", at[-1]));
+    const size_t length = quoted && begins ? nb_number_length(at) : 0;
+    struct nb_unit unit;
+    double value;
+    snprintf(number, sizeof number, "%.*s", (int)length, at);
+    snprintf(text, sizeof text, "%.*s", at[length] == ' ' ? (int)strcspn(at + length + 1, " `),;") : 0,
+             at + length + 1);
+    if (length && nb_unit_read(&unit, text) && !nb_unit_without_dimension(text) &&
+        nb_quantity_read(&value, number, false, &unit) == NB_READ) {
+      nb_append(bare, NB_HINT_SIZE, "%.10g", value);
+      at += length + 1 + strlen(text);
+    } else {
+      nb_append(bare, NB_HINT_SIZE, "%.*s", (int)(length ? length : 1), at);
+      quoted ^= *at == '`';
+      at += length ? length : 1;
+    }
+  }
+  return bare;
+}
+
 bool nb_token_mistake(struct nb_reader *reader, const struct nb_token *token, const char *hint, const char *format,
                       ...) {
   if (reader->bad)
@@ -287,9 +314,10 @@ bool nb_token_mistake(struct nb_reader *reader, const struct nb_token *token, co
     const struct nb_token *last = &reader->tokens[reader->count - 1];
     column = last->column + last->length;
   }
-  char old[NB_HINT_SIZE];
-  const char *now = nb_old_hint(old, reader->page, reader->line);
-  nb_mistake(reader->mistakes, reader->page, reader->line, column, length, now ? now : hint, "%s", text);
+  char old[NB_HINT_SIZE], bare[NB_HINT_SIZE];
+  const char *const now = nb_old_hint(old, reader->page, reader->line);
+  hint = now ? now : hint && reader->unitless ? without_units(bare, hint) : hint;
+  nb_mistake(reader->mistakes, reader->page, reader->line, column, length, hint, "%s", text);
   return nb_fail_silently(reader);
 }
 
@@ -472,9 +500,15 @@ bool nb_expected(struct nb_reader *reader, const char *hint, const char *format,
   va_start(list, format);
   vsnprintf(what, sizeof what, format, list);
   va_end(list);
-  if (!token)
-    return nb_token_mistake(reader, NULL, hint ? hint : nb_example_hint(text, reader),
+  if (!token) {
+    const struct nb_token *const last = reader->count > 1 ? &reader->tokens[reader->count - 1] : NULL;
+    const char *const pair = last && !hint ? nb_pair_hint(text, last[-1].text, last->text) : NULL;
+    return nb_token_mistake(reader, NULL,
+                            hint   ? hint
+                            : pair ? pair
+                                   : nb_example_hint(text, reader),
                             "expected %s, found the end of the line", what);
+  }
   const char *const context = context_hint(reader, text, token);
   const char *const typed = context ? context : nb_syntax_hint(reader, text, token->text);
   hint = typed ? typed : hint ? hint : reader->otherwise;

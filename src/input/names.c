@@ -638,6 +638,16 @@ static const char *owned_by_hint(char *hint, const struct nb_scene *scene, const
                                                                  : list_quantities(hint, scene, owner);
 }
 
+/* Writes the hint for a text that neither is the name of a quantity nor resembles one. */
+static void unknown_hint(char *hint, const struct nb_scene *scene, const char *text) {
+  const char *const rest = scene->contact_test ? NULL : strchr(text, '.');
+  if (!nb_synonym_hint(hint, text) && !(rest && meant_line(hint, rest + 1)))
+    snprintf(hint, NB_HINT_SIZE,
+             rest ? "there is no monitor or region `%.*s`: define it with `monitor NAME …` or `region NAME …`"
+                  : "see `nineball --help quantities`",
+             (int)strcspn(text, "."), text);
+}
+
 /* Writes the hint for a text that is not the name of a quantity. */
 static const char *hint_of(char *hint, const struct nb_scene *scene, const char *text) {
   const char *const rest = strchr(text, '.');
@@ -653,12 +663,8 @@ static const char *hint_of(char *hint, const struct nb_scene *scene, const char 
     return owned_by_hint(hint, scene, text, owner);
   const bool found = !scene->contact_test && (unmonitored(hint, scene, text) || owned_hint(hint, scene, text) ||
                                               nb_guess_hint(&of_stem, hint) || owner_hint(hint, scene, stem));
-  if (!found && !nb_synonym_hint(hint, text))
-    snprintf(hint, NB_HINT_SIZE,
-             rest && !scene->contact_test
-                 ? "there is no monitor or region `%.*s`: define it with `monitor NAME …` or `region NAME …`"
-                 : "see `nineball --help quantities`",
-             (int)strcspn(text, "."), text);
+  if (!found)
+    unknown_hint(hint, scene, text);
   return hint;
 }
 

@@ -113,32 +113,6 @@ static void syntax_hint(char *hint, const struct nb_keyword *keyword) {
   snprintf(hint, NB_HINT_SIZE, "the statement is `%s`", syntax);
 }
 
-/* Removes the units of an example, for a page without units: `radius 5 mm` becomes `radius 0.005`. */
-static void remove_units(char *hint) {
-  char text[NB_HINT_SIZE], word[NB_NAME_SIZE], next[NB_NAME_SIZE];
-  size_t gap;
-  snprintf(text, sizeof text, "%s", hint);
-  *hint = '\0';
-  for (const char *at = text; *at;) {
-    const size_t length = strcspn(at, " `"), blanks = strspn(at + length, " `");
-    const char *const behind = at + length + blanks;
-    struct nb_unit unit;
-    double value;
-    snprintf(word, sizeof word, "%.*s", (int)length, at);
-    snprintf(next, sizeof next, "%.*s", (int)strcspn(behind, " `"), behind);
-    gap = strlen(next);
-    if (length && nb_number_read(&value, word, 0) == NB_READ && blanks == 1 && at[length] == ' ' &&
-        nb_unit_read(&unit, next) && !nb_unit_without_dimension(next) &&
-        nb_quantity_read(&value, word, false, &unit) == NB_READ) {
-      nb_append(hint, NB_HINT_SIZE, "%.10g", value);
-      at = behind + gap;
-    } else {
-      nb_append(hint, NB_HINT_SIZE, "%.*s", (int)(length + blanks), at);
-      at = behind;
-    }
-  }
-}
-
 const char *nb_example_hint(char *hint, const struct nb_reader *reader) {
   const char *line = reader->row && reader->row->example ? reader->row->example : "", *best = "";
   char first[NB_NAME_SIZE] = "", padded[NB_HINT_SIZE], word[NB_NAME_SIZE + 2];
@@ -148,8 +122,10 @@ const char *nb_example_hint(char *hint, const struct nb_reader *reader) {
   for (int same = 0; *line; line += strcspn(line, "\n"), line += *line == '\n', same = 0) {
     line += strspn(line, " ");
     snprintf(padded, sizeof padded, " %.*s ", (int)strcspn(line, "\n"), line);
-    for (size_t k = 0; k < reader->count; k++)
-      snprintf(word, sizeof word, " %.63s ", reader->tokens[k].text), same += strstr(padded, word) != NULL;
+    for (size_t k = 0; k < reader->count; k++) { /* numbers do not say which line of the example is nearest */
+      snprintf(word, sizeof word, " %.63s ", reader->tokens[k].text);
+      same += !nb_number_length(word + 1) && strstr(padded, word);
+    }
     const bool own = strncmp(line, first, strlen(first)) == 0;
     if (own && same > most)
       most = same, best = line;
@@ -160,8 +136,6 @@ const char *nb_example_hint(char *hint, const struct nb_reader *reader) {
     while (length > 0 && strncmp(best + length, "  ", 2) != 0)
       length--;
   snprintf(hint, NB_HINT_SIZE, "for example `%.*s`", (int)length, best);
-  if (reader->unitless)
-    remove_units(hint);
   /* if the example has several lines, one common word, the first one, is not enough to choose a line */
   return most > (lines > 1) ? hint : NULL;
 }
@@ -690,7 +664,7 @@ void nb_statement_read(struct nb_reader *reader, const struct nb_family *table, 
     if (keyword->tail && nb_token_peek(reader))
       nb_expected(reader, NULL, "the end of the line");
   }
-  if (reader->bad)
+  if (reader->bad && here != NB_IN_EXPECT) /* an expectation defines no name */
     suppress_names(reader, keyword, here);
 }
 

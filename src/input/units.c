@@ -214,6 +214,16 @@ const char *nb_reading_words(enum nb_reading reading) {
                                    : "a number";
 }
 
+size_t nb_unit_before_operator(const char *text) {
+  char unit[NB_NAME_SIZE];
+  struct nb_unit read;
+  for (size_t k = strcspn(text, "("); k-- > 1;)
+    if (strchr("*/+-^", text[k]) && text[k + 1] && snprintf(unit, sizeof unit, "%.*s", (int)k, text) == (int)k &&
+        nb_unit_read(&read, unit))
+      return k;
+  return 0;
+}
+
 size_t nb_number_length(const char *text) {
   static const char digits[] = "0123456789";
   size_t whole = strspn(text, digits), part = text[whole] == '.' ? 1 + strspn(text + whole + 1, digits) : 0;

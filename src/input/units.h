@@ -81,3 +81,5 @@ enum nb_reading nb_quantity_read(double *value, const char *text, bool computed,
 const char *nb_reading_words(enum nb_reading reading);
 /* Length of the decimal number at the beginning of a text, which has no sign; 0: there is none. */
 size_t nb_number_length(const char *text);
+/* Length of the longest unit at the beginning of a text, if an operator and an operand follow it: 1 for `m/a`; else 0. */
+size_t nb_unit_before_operator(const char *text);

@@ -186,10 +186,19 @@ static bool percent_hint(char *hint, const char *n, const struct nb_token *next)
   return next && (strcmp(next->text, "percent") == 0 || strcmp(next->text, "per-cent") == 0);
 }
 
+/* Writes the hint for `1 m/2`, a quotient outside parentheses; false: no operator follows the unit. */
+static bool quotient_hint(char *hint, const char *n, const struct nb_token *next) {
+  const int head = next && !nb_unit_foreign(next->text, NULL) ? (int)nb_unit_before_operator(next->text) : 0;
+  if (head)
+    snprintf(hint, NB_HINT_SIZE, "put operators and their operands into parentheses: `(%.40s %.*s %c %.80s)`", n, head,
+             next->text, next->text[head], next->text + head + 1);
+  return head > 0;
+}
+
 static bool special_hint(char *hint, const struct nb_reader *reader, const char *n, const char *unit,
                          const struct wanted *it) {
   const struct nb_token *const next = token_after(reader, 1);
-  return percent_hint(hint, n, next) || comma_hint(hint, n, unit, it) ||
+  return percent_hint(hint, n, next) || quotient_hint(hint, n, next) || comma_hint(hint, n, unit, it) ||
          (reader->unitless && radian_hint(hint, n, unit, it)) ||
          (next && !is_number(next) && nb_pair_hint(hint, reader->tokens[0].text, next->text));
 }

@@ -127,17 +127,18 @@ static void report_unchecked(struct nb_outcome *outcome, const char *path) {
   char word[4096] = "";
   nb_append_word(word, sizeof word, path);
   if (has_expectation(outcome))
-    outcome->status = nb_error_set(&outcome->error, NB_BAD_USE,
-                                   "the page ran without mistakes, but no expectation of this page could fail, so "
-                                   "nothing was checked; see the notes and reasons above, or use `nineball run %s`",
-                                   word);
+    outcome->status =
+        nb_error_set(&outcome->error, NB_BAD_USE,
+                     "nothing was checked, because no expectation of this page could fail; the run itself succeeded: "
+                     "see the notes and reasons above, or use `nineball run %s`",
+                     word);
   else
-    outcome->status = nb_error_set(
-        &outcome->error, NB_BAD_USE,
-        "the page ran without mistakes, but it has no expectation, so nothing was checked; `nineball run %s` runs a "
-        "page without expectations%s; to check the page, add a line such as `QUANTITY max below VALUE` to a block "
-        "`expect`: see `nineball --help expect`",
-        word, outcome->check_count ? " and prints the values of its lines `report`" : "");
+    outcome->status =
+        nb_error_set(&outcome->error, NB_BAD_USE,
+                     "nothing was checked, because the page has no expectation; the run itself succeeded, and "
+                     "`nineball run %s` runs such a page%s; to check the page, add a line such as `QUANTITY max below "
+                     "VALUE` to a block `expect`: see `nineball --help expect`",
+                     word, outcome->check_count ? " and prints the values of its lines `report`" : "");
 }
 
 static enum nb_status process_page(const struct nb_call *call, const char *path, unsigned actions, double began) {

@@ -163,15 +163,15 @@ static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, 
   const bool known = nb_quantity_find(quantity, scene, token->text);
   if (nb_name_suppressed(reader->mistakes, token->text) || (known && nb_name_suppressed(reader->mistakes, "record")))
     return nb_fail_silently(reader);
-  nb_suppress_name(reader->mistakes, token->text);
-  if (known)
+  if (known) { /* the line `record` corrects all lines; an unknown name must be corrected in each line */
+    nb_suppress_name(reader->mistakes, token->text);
     snprintf(hint, sizeof hint, "add `record %s` to the %s%s", token->text,
              scene->contact_test ? "contact test" : "scene",
              strcmp(quantity->kind->name, "angle") == 0 ? "; it is the rotation since the start, and the direction of "
                                                           "a velocity is `A.vx last  expected (tan(pi/9)) of A.vy "
                                                           "last within 1 % [SOURCE]`"
                                                         : "");
-  else if (nb_number_read(&number, token->text, 0) != NB_NO_NUMBER)
+  } else if (nb_number_read(&number, token->text, 0) != NB_NO_NUMBER)
     snprintf(hint, sizeof hint, "a number is compared by `expected NUMBER within TOLERANCE [SOURCE]`");
   else if (!magnitude_hint(hint, scene, token->text) && !quotient_hint(hint, reader, scene, token->text) &&
            !nb_pair_hint(hint, "expect", token->text) &&
@@ -385,14 +385,39 @@ static bool take_tolerance_of(struct nb_reader *reader, const struct nb_scene *s
 
 /* ---- the expectation ---- */
 
-static bool take_sweep_name(struct nb_reader *reader, const struct nb_scene *scene, char name[2 * NB_NAME_SIZE]) {
+/* The first swept name of the page; NULL: there is none. */
+static const struct nb_binding *first_sweep(const struct nb_scene *scene) {
+  size_t k = 0;
+  while (k < scene->binding_count && scene->bindings[k].sweep < 0)
+    k++;
+  return k < scene->binding_count ? &scene->bindings[k] : NULL;
+}
+
+/* Writes the hint for a trend: the lines for an increase and for a power law, with the first sweep of the page. */
+static const char *trend_hint(char *hint, const struct nb_reader *reader, const struct nb_scene *scene,
+                              const struct nb_measure *measure) {
+  const struct nb_binding *const swept = first_sweep(scene);
+  const char *const name = swept ? swept->name : "k", *const unit = shown_unit(reader, measure->unit);
+  *hint = '\0';
+  nb_append(hint, NB_HINT_SIZE,
+            "write `%.120s increases with %s`, or `decreases`; a power law is a formula, `%.120s expected "
+            "(c*(%s/k0)^0.5) within 1 %% [SOURCE]`, with %s`let c = 3%s%s` and `let k0 = %s` in the scene",
+            measure->label, name, measure->label, name, swept ? "" : "`sweep k 1 2 4`, ", *unit ? " " : "", unit,
+            swept ? swept->text : "1");
+  return hint;
+}
+
+static bool take_sweep_name(struct nb_reader *reader, const struct nb_scene *scene, const struct nb_measure *measure,
+                            char name[2 * NB_NAME_SIZE]) {
   static const char what[] = "the name of a `sweep`";
   const struct nb_token *token = nb_take_token(reader, what);
+  char hint[NB_HINT_SIZE];
   const int k =
       NB_NAMED(reader, token, scene->bindings, scene->binding_count, what,
                token && strcmp(token->text, "step") == 0
                    ? "a step that is swept has a name: `sweep dt 1 us 2 us 4 us` and `step $dt` in the scene, then `dt`"
-                   : "define it with `sweep NAME VALUE …`");
+               : token && strpbrk(token->text, "^*/") ? trend_hint(hint, reader, scene, measure)
+                                                      : "define it with `sweep NAME VALUE …`");
   if (k < 0)
     return false;
   snprintf(name, 2 * NB_NAME_SIZE, "%s", token->text);
@@ -402,7 +427,7 @@ static bool take_sweep_name(struct nb_reader *reader, const struct nb_scene *sce
 
 /* Takes the optional words `over NAME`: the sweep whose runs are a sample. */
 static bool take_sample(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
-  return !nb_token_skip(reader, "over") || take_sweep_name(reader, scene, expectation->sample);
+  return !nb_token_skip(reader, "over") || take_sweep_name(reader, scene, &expectation->measure, expectation->sample);
 }
 
 static const char source_hint[] = "say where the number comes from, for example `[CS79 figure 6]` or `[a guess]`";
@@ -565,7 +590,11 @@ static bool take_other(struct nb_reader *reader, const struct nb_scene *scene, s
 }
 
 static bool take_trend(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
-  return nb_take_word(reader, "with") && take_sweep_name(reader, scene, expectation->against) &&
+  char hint[NB_HINT_SIZE];
+  if (!nb_token_skip(reader, "with"))
+    return nb_expected(reader, trend_hint(hint, reader, scene, &expectation->measure),
+                       "`with` and the name of a `sweep`");
+  return take_sweep_name(reader, scene, &expectation->measure, expectation->against) &&
          take_sample(reader, scene, expectation);
 }
 
@@ -586,26 +615,34 @@ static bool take_constant(struct nb_reader *reader, const struct nb_scene *scene
          take_tolerance(reader, NULL, expectation->measure.unit, &expectation->tolerance);
 }
 
-/* Takes the word `in` of `order`; the hint shows the line with the first sweep of the page. */
-static bool take_in_sweep(struct nb_reader *reader, const struct nb_scene *scene,
-                          const struct nb_expectation *expectation) {
-  size_t swept = 0;
-  if (nb_token_skip(reader, "in"))
-    return true;
-  while (swept < scene->binding_count && scene->bindings[swept].sweep < 0)
-    swept++;
-  const bool found = swept < scene->binding_count;
-  char hint[NB_HINT_SIZE];
-  snprintf(hint, sizeof hint, "name the swept value: `%.80s order %g in %s within 0.1`%s", expectation->measure.label,
-           expectation->number, found ? scene->bindings[swept].name : "dt",
-           found ? "" : ", with `sweep dt 1 us 2 us 4 us` and `step $dt` in the scene");
-  return nb_expected(reader, hint, "`in` and the name of a `sweep`");
+/* Writes the hint for an incomplete `order`: the whole line, with the order if it is known and the first sweep of the
+ * page. */
+static const char *order_hint(char *hint, const struct nb_scene *scene, const struct nb_expectation *expectation,
+                              double order) {
+  const struct nb_binding *const swept = first_sweep(scene);
+  snprintf(hint, NB_HINT_SIZE, "write `%.120s order %g in %s within 0.1`%s%s", expectation->measure.label, order,
+           swept ? swept->name : "dt", swept ? "" : ", with `sweep dt 1 us 2 us 4 us` and `step $dt` in the scene",
+           expectation->measure.is_residual
+               ? ""
+               : ", below a line `reference NAME`: the error is that against the reference");
+  return hint;
 }
 
 static bool take_order(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
-  return nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &expectation->number) &&
-         take_in_sweep(reader, scene, expectation) && take_sweep_name(reader, scene, expectation->against) &&
-         take_tolerance(reader, NULL, "1", &expectation->tolerance);
+  const struct nb_token *const token = nb_token_peek(reader);
+  char hint[NB_HINT_SIZE];
+  double number;
+  if (!token || nb_number_read(&number, token->text, 0) == NB_NO_NUMBER)
+    return nb_expected(reader, order_hint(hint, scene, expectation, 2), "a number");
+  if (!nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &expectation->number))
+    return false;
+  order_hint(hint, scene, expectation, expectation->number);
+  if (!nb_token_skip(reader, "in"))
+    return nb_expected(reader, hint, "`in` and the name of a `sweep`");
+  if (!take_sweep_name(reader, scene, &expectation->measure, expectation->against))
+    return false;
+  return nb_token_is(reader, "within") ? take_tolerance(reader, NULL, "1", &expectation->tolerance)
+                                       : nb_expected(reader, hint, "`within`");
 }
 
 /* clang-format off */
@@ -644,7 +681,8 @@ static const struct nb_expectation_row rows[] = {
    "time at 100 cycles in strike  constant with speed within 1 ns"},
   {"order", NB_ORDER, "MEASURE order NUMBER in NAME within TOLERANCE", take_order,
    "The error is proportional to this power of the swept NAME: NUMBER is the slope of the least-squares line of log(error) against "
-   "log(NAME). The error is the computed value minus the reference; for a residual it is the value itself.",
+   "log(NAME). If the error falls as NAME grows, as with a number of steps, NUMBER is negative. The error is the computed value "
+   "minus the reference; for a residual it is the value itself.",
    "C.normal max in strike  order 2 in speed  within 0.1"},
   {NULL, NB_WITHIN, NULL, NULL, NULL, NULL},
 };
@@ -706,11 +744,15 @@ static bool take_kind(struct nb_reader *reader, const struct reading *reading, s
     nb_append_item(words, sizeof words, row->word, !row[1].word);
     nb_guess_offer(&guess, row->word);
   }
-  if (token && strchr("+-*/", token->text[0]) && !token->text[1]) {
+  const struct nb_synonym *const trend = token ? nb_pair_synonym("expect", token->text) : NULL;
+  const bool is_trend = trend && strncmp(trend->words, "expect_trend", strlen("expect_trend")) == 0;
+  if (token && (is_trend || (strchr("+-*/", token->text[0]) && !token->text[1]))) {
     reader->next++;
-    ratio_hint(hint, reader, reading->scene, *token->text, expectation->measure.label, "");
-    nb_token_mistake(reader, token, hint, "expected %s, found `%s`", words, token->text);
-    return false;
+    if (is_trend)
+      trend_hint(hint, reader, reading->scene, &expectation->measure);
+    else
+      ratio_hint(hint, reader, reading->scene, *token->text, expectation->measure.label, "");
+    return nb_token_mistake(reader, token, hint, "expected %s, found `%s`", words, token->text);
   }
   return nb_expected(reader,
                      again   ? "one line has one of `max`, `min`, `mean` …: write a line for each"
@@ -793,14 +835,14 @@ const struct nb_family *nb_expect_keywords(void) {
   return families;
 }
 
-/* The line of the first expectation that needs a reference; 0: none. */
-static int line_needing_reference(const struct nb_expectations *expectations) {
+/* The first expectation that needs a reference; NULL: none. */
+static const struct nb_expectation *needing_reference(const struct nb_expectations *expectations) {
   for (size_t k = 0; k < expectations->count; k++) {
     const struct nb_expectation *e = &expectations->list[k];
     if ((e->kind == NB_WITHIN || e->kind == NB_VERSUS || e->kind == NB_ORDER) && !e->measure.is_residual)
-      return e->line;
+      return e;
   }
-  return 0;
+  return NULL;
 }
 
 enum nb_status nb_expectations_read(struct nb_expectations *expectations, const struct nb_page *page,
@@ -819,11 +861,14 @@ enum nb_status nb_expectations_read(struct nb_expectations *expectations, const 
       nb_statement_read(reader, nb_expect_keywords(), NB_IN_EXPECT, &reading);
       reference_required = reference_required && !(reader->bad && reader->count == 2);
     }
-  const int line = expectations->reference || !reference_required ? 0 : line_needing_reference(expectations);
-  if (line)
-    nb_line_mistake(reader, (size_t)line,
-                    "write `reference NAME` above this line; `nineball list` names the references",
-                    "expected a `reference` in this page to compare with, found none");
+  const struct nb_expectation *const e =
+      expectations->reference || !reference_required ? NULL : needing_reference(expectations);
+  char hint[NB_HINT_SIZE] = "write `reference NAME` above this line; `nineball list` names the references";
+  if (e && e->kind == NB_WITHIN)
+    nb_append(hint, sizeof hint, "; a number or a formula needs none: `%.120s expected (FORMULA) within 1 %% [SOURCE]`",
+              e->measure.label);
+  if (e)
+    nb_line_mistake(reader, (size_t)e->line, hint, "expected a `reference` in this page to compare with, found none");
   free(reader);
   const enum nb_status status = nb_mistakes_status(mistakes, before);
   if (status)

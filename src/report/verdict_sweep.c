@@ -191,6 +191,18 @@ static void check_trend(const struct group *group) {
                    unit);
 }
 
+/* Appends to the message of a failed `order` what may be the cause. */
+static void explain_slope(struct nb_check *check, const struct nb_expectation *e, double slope) {
+  if (slope * e->number < 0)
+    nb_append(check->message, sizeof check->message,
+              "; the error %s as `%s` grows: write `%s order %g in %s within %s`", slope < 0 ? "falls" : "grows",
+              e->against, e->measure.label, -e->number, e->against, e->tolerance.text);
+  else
+    nb_append(check->message, sizeof check->message,
+              "; a contact that begins between two steps adds an error without an order: let the particles touch at "
+              "the start");
+}
+
 static void check_slope(const struct group *group) {
   const struct nb_expectation *e = group->e;
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
@@ -226,10 +238,9 @@ static void check_slope(const struct group *group) {
   nb_check_result(group->check, nb_error_ratio(&e->tolerance, slope, e->number, e->number) <= 1,
                   "computed order %.4g, expected %.4g", slope, e->number);
   nb_check_error(group->check, "error", fabs(slope - e->number), e->number, &e->tolerance, "");
-  nb_append(group->check->message, sizeof group->check->message, ": errors %s%s", errors,
-            group->check->mark == NB_PASS ? ""
-                                          : "; a contact that begins between two steps adds an error without an order: "
-                                            "let the particles touch at the start");
+  nb_append(group->check->message, sizeof group->check->message, ": errors %s", errors);
+  if (group->check->mark == NB_FAIL)
+    explain_slope(group->check, e, slope);
 }
 
 /* ---- over a sample ---- */
