@@ -146,6 +146,49 @@ static void a_force_deep_in_the_contact_is_found(void) {
   nb_result_free(&result), written_free(&it);
 }
 
+/* names.c, touching_count, and contacts.h, nb_touches: particles and walls that only meet have no contact. */
+static void an_overlap_of_0_is_no_contact(void) {
+  static const char *const names[] = {"contacts", "R.contacts", "R.coordination"};
+  for (int overlapping = 0; overlapping < 2; overlapping++) {
+    struct words words = {0};
+    struct written it;
+    words_add(&words,
+              "units none\nmaterial m density 1 kn 100\ndisc 0 1 radius 1 m\ndisc 2 1 radius %g m\n"
+              "wall w -9 0 to 9 0 m\nregion R circle 0 1 radius 0.5\nstep 0.001\n"
+              "record contacts R.contacts R.coordination\nstage s\ncycles 1\n",
+              overlapping ? 1.25 : 1);
+    written_scene(&it, &words);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL(model->contacts.count, 3);
+    CU_ASSERT_EQUAL(written_now(model, names[0]), overlapping ? 2 : 0);
+    for (int k = 1; k < 3; k++)
+      CU_ASSERT_EQUAL(written_now(model, names[k]), overlapping);
+    nb_model_free(model), written_free(&it);
+  }
+}
+
+/* velocity.c, nb_velocity_now: at time 0, before the first step, the velocities are those of the page. */
+static void at_time_0_velocities_are_those_of_the_page(void) {
+  static const char *const dampings[] = {"mass 0.7", "con1 0.9 as cs79", "con1 0.9 as velocity", "con1 0.9 as all"};
+  for (size_t k = 0; k < sizeof dampings / sizeof *dampings; k++) {
+    struct words words = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(&words,
+              "units none\nmaterial m density 1 kn 100\ndisc 3 2 radius 1 m velocity 0.5 -0.25 spin 2\ngravity 1 -9\n"
+              "damping %s\nstep 0.001\nmonitor A disc 1\nrecord A.vx A.vy A.spin\n"
+              "stage s\naffine strain 0.3 -0.2 accumulated\ncycles 1\n",
+              dampings[k]);
+    written_scene(&it, &words);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, it.scene.stages, &error), NB_OK);
+    CU_ASSERT_EQUAL(written_now(model, "A.vx"), 0.5);
+    CU_ASSERT_EQUAL(written_now(model, "A.vy"), -0.25);
+    CU_ASSERT_EQUAL(written_now(model, "A.spin"), 2);
+    nb_model_free(model), written_free(&it);
+  }
+}
+
 void suite_edges(void) {
   CU_pSuite suite = CU_add_suite("edges", NULL, NULL);
   CU_ADD_TEST(suite, a_region_at_the_corner_of_a_cell);
@@ -156,4 +199,6 @@ void suite_edges(void) {
   CU_ADD_TEST(suite, released_particles_do_not_rotate_under_rotation_off);
   CU_ADD_TEST(suite, the_last_step_of_a_segment_is_recorded);
   CU_ADD_TEST(suite, a_force_deep_in_the_contact_is_found);
+  CU_ADD_TEST(suite, an_overlap_of_0_is_no_contact);
+  CU_ADD_TEST(suite, at_time_0_velocities_are_those_of_the_page);
 }

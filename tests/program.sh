@@ -547,6 +547,30 @@ done
 printf '```scene\nunits none\nstart endless stage flight\nrecord time\nstage on\ncycles 1\n```\n' >from-endless.md
 run 2 check from-endless.md
 said "endless, line 12, from which this page starts: the step is computed as inf: "
+# Pairs in the neighbour list, by their materials: each kind of pair has another number of them.
+cat >sorts.md <<'END'
+```scene
+units none
+material a density 1 kn 1
+material b density 1 kn 2
+wall p -99 0 to 99 0 a
+wall q -99 50 to 99 50 b
+disc 0 1 radius 1 a
+lattice discs 3 by 1 b radius 1 spacing 10 from 20 1
+disc 8 51 radius 1 a
+lattice discs 4 by 1 b radius 1 spacing 2 from 10 51
+disc 18 51 radius 1 a
+lattice discs 2 by 1 a radius 1 spacing 2 from 0 20
+step 0.01
+record time
+stage s
+cycles 1
+```
+END
+run 0 explain sorts.md
+for pairs in 'a with a: 1' 'a with b: 2' 'b with b: 3' 'a with wall of a: 1' 'a with wall of b: 2' 'b with wall of a: 3' 'b with wall of b: 4'; do
+  out "  $pairs pairs in the neighbour list"
+done
 run 0 explain "$pages/drives.md"
 out '  line 9: boundary circle 0 0 radius 10'
 out '157 bytes a particle (without rotation), 116 a contact'

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "../src/core/model.h"
+#include "../src/core/names.h"
 #include "../src/laws/law.h"
 #include "run/plan.h"
 #include "suites.h"
@@ -205,6 +206,37 @@ static void hash_of_a_stage(void) {
   }
 }
 
+/* A scene has the quantities of an impact, a cell or a box only if it has such an object. */
+static void quantities_of_objects(void) {
+  static const struct {
+    const char *of, *statement;
+  } rows[] = {{"impact.", "wall w -9 0 to 9 0 m\nmonitor C disc 1 with wall w\nimpact C speed 1 angle 0"},
+              {"cell", "cell -5 -5 to 5 5"},
+              {"box.", "box -5 -5 to 5 5 m"},
+              {"walls.", "box -5 -5 to 5 5 m"}};
+  for (size_t k = 0; k < 2 * sizeof rows / sizeof *rows; k++) {
+    const bool there = k % 2;
+    const char *const of = rows[k / 2].of;
+    struct words page = {0};
+    struct written it;
+    struct nb_quantity quantity;
+    struct nb_quantity_row row;
+    size_t count = 0;
+    words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc 0 1 radius 1 m\n%s\nstep 0.1\nstage a\ncycles 1\n",
+              there ? rows[k / 2].statement : "");
+    written_scene(&it, &page);
+    for (size_t n = 0; nb_quantity_row(&row, n); n++)
+      if (!(row.prefix && *row.prefix) && strncmp(row.name, of, strlen(of)) == 0) {
+        if (nb_quantity_find(&quantity, &it.scene, row.name) != there)
+          printf("# %s\n", row.name);
+        CU_ASSERT_EQUAL(nb_quantity_find(&quantity, &it.scene, row.name), there);
+        count++;
+      }
+    CU_ASSERT(count > 1);
+    written_free(&it);
+  }
+}
+
 void suite_scene(void) {
   CU_pSuite suite = CU_add_suite("scene", NULL, NULL);
   CU_add_test(suite, "a lattice is numbered from its lower left corner", lattice);
@@ -212,6 +244,7 @@ void suite_scene(void) {
   CU_add_test(suite, "walls and boxes", walls);
   CU_add_test(suite, "pairs of materials", pairs);
   CU_add_test(suite, "defaults", defaults);
+  CU_add_test(suite, "quantities of an impact, a cell and a box", quantities_of_objects);
   CU_add_test(suite, "statements that change the hash of a stage", hash_of_a_stage);
   CU_add_test(suite, "what stages set, and what they inherit", stages);
   CU_add_test(suite, "monitors whose names begin alike", monitors_whose_names_begin_alike);

@@ -58,7 +58,7 @@ bool nb_laws_friction(const struct nb_scene *scene) {
   return friction;
 }
 
-static bool stores_no_energy(const struct nb_law *law) { return law && !law->stored && strcmp(law->name, "none") != 0; }
+static bool stores_no_energy(const struct nb_law *law) { return law && !law->stored; }
 
 const struct nb_law *nb_laws_unstored(const struct nb_scene *scene, bool normal) {
   const struct nb_law *first = nb_laws_initial(scene).shear;
