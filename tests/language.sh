@@ -91,6 +91,10 @@ result $? 'nineball --help strain says how a strain counts from a stage'
 "$nineball" --help gnuplot | tr -s ' \n' '  ' >"$work/said"
 grep -qF "rows of all stages" "$work/said" && grep -qF "strcol('stage') eq 'load'" "$work/said"
 result $? 'nineball --help gnuplot says how to plot one stage'
+{ "$nineball" --help kn; "$nineball" --help cell.strain.xy; "$nineball" --help gnuplot; } | tr -s ' \n' '  ' >"$work/said"
+grep -qF 'Between two materials: 2ab/(a+b).' "$work/said" && grep -qF 'xy is 0 as long as the cell is strained along x and y only' "$work/said" &&
+  grep -qF "title 'reference'" "$work/said"
+result $? 'nineball --help: the stiffness of two materials, the shear strain of a cell, a figure with a key'
 "$nineball" --help material | tr -s ' \n' '  ' | grep -qF 'full `kn` and `ks`, not half of them' &&
   "$nineball" --help until | tr -s ' \n' '  ' | grep -qF 'far above 50 kPa, and only a servo holds it'
 result $? 'nineball --help: the stiffness of equal materials, and a stress after a wait for rest'

@@ -22,7 +22,9 @@ enum {
 /* clang-format off */
 #define PAIR_CLAUSE(name, shown, unit, range, otherwise, help) \
   CLAUSE(#name, shown, NB_UNIT_##unit, NB_##range, AT_##name, 1, otherwise, help),
-#define OF_MATERIAL(name, shown, unit, range, otherwise, rule, help) PAIR_CLAUSE(name, shown, unit, range, otherwise, help)
+#define OF_MATERIAL(name, shown, unit, range, otherwise, rule, help) PAIR_CLAUSE(name, shown, unit, range, otherwise, help ALSO_##rule)
+#define ALSO_series " Between two materials: 2ab/(a+b)."
+#define ALSO_smaller " Between two materials: the smaller value."
 #define OF_PAIR(name, shown, unit, range, otherwise, rule, help) PAIR_CLAUSE(name, shown, unit, range, MAKES_##rule, help)
 #define OF_CHANGE(name, shown, unit, range, otherwise, rule, help) PAIR_CLAUSE(name, shown, unit, range, "|as it was", help)
 #define MAKES_series "2ab/(a+b) of the two values a and b, which is a if they are equal"
@@ -150,7 +152,7 @@ NB_APPLY(apply_change) {
 /* clang-format off */
 NB_STATEMENTS(material) = {
   {"material", NB_IN_SCENE | NB_IN_CONTACT_TEST, material_fields, NULL, 0, false, apply_material,
-   "Defines a material of particles and walls. Stiffness, friction and cohesion are those of a contact between two particles of this material: the contact has the full `kn` and `ks`, not half of them as with two springs in series (PFC). --set soften=S divides `kn`, `ks` and `young` of all materials and pairs by S.",
+   "Defines a material of particles and walls. Stiffness, friction and cohesion are those of a contact between two particles of this material: the contact has the full `kn` and `ks`, not half of them as with two springs in series (PFC). A contact between two materials with the stiffnesses a and b has 2ab/(a+b), unless `pair` gives it. --set soften=S divides `kn`, `ks` and `young` of all materials and pairs by S.",
    "material  steel  density 7.8 g/cm3  kn 10 MN/m  ks 8 MN/m  friction $grip\nmaterial  glass  density 2.5 g/cm3  kn 5 MN/m   ks 4 MN/m  friction 0.2"},
   {"pair", NB_IN_SCENE | NB_IN_CONTACT_TEST, pair_fields, NULL, 0, false, apply_pair,
    "Defines properties of contacts between two materials. A property that is not given follows from the two materials: the stiffness is the harmonic mean of their stiffnesses, and friction and cohesion are the smaller of their values.",

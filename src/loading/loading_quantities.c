@@ -71,7 +71,9 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
            "the area times 1 m for discs, times the mean diameter for spheres"),
     TENSOR(
         "cell.strain", NB_OF_CELL, "1", NB_COMPONENTS, cell_strain,
-        "strain of the cell relative to its sides at time 0, extension positive. For small strains xy is half the "
+        "strain of the cell relative to its sides at time 0, also in later stages, extension positive. xy is 0 as long "
+        "as the "
+        "cell is strained along x and y only. For small strains xy is half the "
         "engineering shear strain. In a cell that was compressed before, the engineering shear strain is cell.xy over "
         "cell.yy"),
     {"cell.strain.volumetric", NB_OF_CELL, "1", 0, cell_strain_volume,

@@ -281,7 +281,12 @@ static void figures(const struct manual *to) {
     example(to, "gnuplot",
             "set xlabel 'overlap, um'\nset ylabel 'normal force, N'\n"
             "plot for [i=1:runs] sprintf('$table_%d', i) using (column('C.overlap/m')*1e6):'C.normal/N' with lines "
-            "title run[i]");
+            "title run[i]\n"
+            "\n"
+            "set key inside bottom right vertical\n"
+            "set logscale x\n"
+            "plot $values using 'v':'C.normal max' with points title 'computed', \\\n"
+            "     $values using 'v':'reference C.normal max' with lines title 'reference'");
   end(to);
 }
 
