@@ -164,7 +164,7 @@ test $? -eq 0 && said 'cannot write'
 result $? 'a full disk: a note, and the run goes on'
 rm -rf "$states" && cp -r "$work/kept" "$states"
 (
-  ulimit -f 1 && trap '' XFSZ
+  ulimit -f 8 && trap '' XFSZ
   start --resume
   sleep 0.2
   kill -TERM $!

@@ -248,8 +248,12 @@ flock "$states"/*.lock sleep 60 &
 holder=$!
 sleep 1
 NINEBALL_WAIT=0.5 timeout 30 "$nineball" run "$pages/saved-stage.md" --states "$states" -o "$work/late" >"$work/out" 2>"$work/said"
-test $? -eq 2 && grep -q 'has held .*state.lock for 0.5 s: `ps -p ?` shows what this process does' "$work/said"
+test $? -eq 2 && grep -q 'an unknown process has held .*state.lock for 0.5 s: `fuser .*state.lock` names it' "$work/said"
 result $? 'the wait for a lock is limited'
+echo "$holder" >"$(echo "$states"/*.lock)"
+NINEBALL_WAIT=0.5 timeout 30 "$nineball" run "$pages/saved-stage.md" --states "$states" -o "$work/late" >"$work/out" 2>"$work/said"
+test $? -eq 2 && grep -q "process $holder has held .*state.lock for 0.5 s: \`ps -p $holder\` shows what this process does" "$work/said"
+result $? 'the message names the process that wrote its number into the lock'
 kill "$holder"
 rm -f "$states"/*
 run again "$pages/saved-stage.md"
@@ -563,7 +567,7 @@ run damaged "$pages/saved-stage.md"
 test $? -eq 2 && grep -q 'expected the checksum of the lines above, found another one: the file has been changed' "$work/said"
 result $? 'a damaged state is not used'
 rm "$states"/*
-(ulimit -f 1 && trap '' XFSZ && run full "$pages/saved-stage.md")
+(ulimit -f 8 && trap '' XFSZ && run full "$pages/saved-stage.md")
 test $? -eq 2 && grep -q 'cannot write .*state' "$work/said" && test -z "$(ls "$states")"
 result $? 'a full disk: an error, and no file is left'
 "$nineball" run "$pages/saved-stage.md" --states /dev/null/states -o "$work/none" >"$work/out" 2>"$work/said"

@@ -154,6 +154,11 @@ static enum nb_status lock_wait(struct nb_lock *lock, const struct nb_progress *
       if (errno != EWOULDBLOCK)
         return nb_error_system(error, "cannot lock %s", lock->path);
     }
+    if (strcmp(holder, "?") == 0)
+      return nb_error_set(error, NB_BAD_USE,
+                          "an unknown process has held %.200s for %g s: `fuser %.200s` names it; "
+                          "NINEBALL_WAIT=SECONDS waits longer",
+                          lock->path, limit, lock->path);
     return nb_error_set(
         error, NB_BAD_USE,
         "process %s has held %.200s for %g s: `ps -p %s` shows what this process does; if it is stopped, `kill -CONT "
