@@ -351,6 +351,45 @@ static void conditions_on_another_stress_than_the_servo(void) {
   }
 }
 
+/* A servo ends with its stage. A strain rate that was given beside it and goes on without it causes a warning. */
+static void strain_rates_without_their_servo(void) {
+  static const char box[] = "box 0 0 to 9 9 m", cell[] = "cell 0 0 to 9 9", ring[] = "boundary circle 0 0 radius 1";
+  static const char beside[] = "boundary strain 1 -1\nservo mean 1 on boundary through boundary at most 1";
+  static const struct {
+    const char *scene, *first, *second, *third, *wanted;
+  } cases[] = {
+      {ring, "", beside, "",
+       "14: the servo of stage `b` ended with it, and the `boundary strain` of stage `b` goes on in stage `c`: write a "
+       "`servo` in this stage, or, if the stress is to be free, the `boundary strain` once more\n"},
+      {ring, beside, "", "",
+       "11: the servo of stage `a` ended with it, and the `boundary strain` of stage `a` goes on"},
+      {ring, beside, "servo mean 1 on boundary through boundary at most 1", "",
+       "14: the servo of stage `b` ended with it, and the `boundary strain` of stage `a` goes on in stage `c`"},
+      {ring, "", beside, "boundary strain 1 -1", ""},
+      {ring, "", beside, "boundary fixed", ""},
+      {ring, "", beside, "servo mean 1 on boundary through boundary at most 1",
+       "17: the servo of stage `c` ended with it"},
+      {ring, "", "servo mean 1 on boundary through boundary at most 1", "", ""},
+      {ring, "", "boundary strain 0 0\nservo mean 1 on boundary through boundary at most 1", "", ""},
+      {ring, "", "boundary strain 1 -1", "", ""},
+      {ring, "boundary strain 1 -1", "servo mean 1 on boundary through boundary at most 1", "", ""},
+      {cell, "", "cell strain 1 -1\nservo mean 1 on cell through cell at most 1", "", "14: the servo of stage `b` "},
+      {box, "", "box strain 1 -1\nservo mean 1 on box through box at most 1", "", "14: the servo of stage `b` "},
+  };
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    char text[2000], statements[700];
+    snprintf(statements, sizeof statements,
+             "material m density 1 kn 1\n%s\ndisc 1 1 radius 1 m\nstep 1e-6\nstage a\n%s\ncycles 1\nstage b\n%s\n"
+             "cycles 1\nstage c\n%s\ncycles 1",
+             cases[k].scene, cases[k].first, cases[k].second, cases[k].third);
+    warned(text, statements);
+    const size_t compared = *cases[k].wanted ? strlen(cases[k].wanted) : sizeof text;
+    if (strncmp(text, cases[k].wanted, compared) != 0)
+      printf("# case %zu: %s\n", k, text);
+    CU_ASSERT(strncmp(text, cases[k].wanted, compared) == 0);
+  }
+}
+
 /* A strain rate of an earlier stage that goes on in a component that a servo controls causes a warning. */
 static void strain_rates_against_a_servo(void) {
   static const char box[] = "box 0 0 to 9 9 m", cell[] = "cell 0 0 to 9 9", ring[] = "boundary circle 0 0 radius 1";
@@ -362,7 +401,8 @@ static void strain_rates_against_a_servo(void) {
        "0` "
        "in stage `b`\n"},
       {box, "box strain -1 -1", "box strain 0 0\nservo isotropic 1 on box through box", ""},
-      {box, "box strain -1 -1", "box strain -1 -1\nservo isotropic 1 on box through box", ""},
+      {box, "box strain -1 -1", "box strain -1 -1\nservo isotropic 1 on box through box",
+       "14: the servo of stage `b` ended"},
       {box, "box strain 0 -1", "servo xx 1 on box through box", ""},
       {box, "box strain -1 0", "servo xx 1 on box through box", "11: the servo"},
       {box, "box strain -1 0", "servo yy 1 on walls through box", ""},
@@ -513,6 +553,7 @@ void suite_guard(void) {
   CU_add_test(suite, "conditions that only a tensile law can meet", conditions_on_tensile_forces);
   CU_add_test(suite, "conditions on another stress than the servo controls",
               conditions_on_another_stress_than_the_servo);
+  CU_add_test(suite, "strain rates that go on without their servo", strain_rates_without_their_servo);
   CU_add_test(suite, "strain rates of earlier stages against a servo", strain_rates_against_a_servo);
   CU_add_test(suite, "resolution of coordinates", resolution_of_coordinates);
   CU_add_test(suite, "resolution that gets coarse", resolution_that_gets_coarse);

@@ -134,11 +134,34 @@ bool nb_servo_compare(struct nb_scene *scene, size_t s, struct nb_quantity quant
   return true;
 }
 
+static enum nb_affine_source source_of(const struct nb_servo *servo) {
+  return servo->cell ? NB_AFFINE_CELL : servo->box ? NB_AFFINE_BOX : NB_AFFINE_BOUNDARY;
+}
+
+static const char *actuator(const struct nb_servo *servo) {
+  return servo->cell ? "cell" : servo->box ? "box" : "boundary";
+}
+
+/* Warns of a stage without servo if the strain rate that the servo of the stage before accompanied goes on in it. */
+static void warn_of_ended(struct nb_scene *scene, size_t s) {
+  if (s == 0 || scene->stages[s].servo.line || !scene->stages[s - 1].servo.line)
+    return;
+  const struct nb_servo *const ended = &scene->stages[s - 1].servo;
+  int line;
+  const int from = nb_affine_inherited(scene, s, source_of(ended), &line);
+  if (from >= 0 && scene->stages[from].servo.line)
+    nb_warn(&scene->warnings, scene->stages[s].line,
+            "the servo of stage `%s` ended with it, and the `%s strain` of stage `%s` goes on in stage `%s`: write a "
+            "`servo` in this stage, or, if the stress is to be free, the `%s strain` once more",
+            scene->stages[s - 1].name, actuator(ended), scene->stages[from].name, scene->stages[s].name,
+            actuator(ended));
+}
+
 /* Warns of a strain rate of an earlier stage against which the servo of the stage works. */
 static void warn_of_inherited(struct nb_scene *scene, size_t s) {
   const struct nb_servo *const servo = &scene->stages[s].servo;
-  const enum nb_affine_source source = servo->cell ? NB_AFFINE_CELL : servo->box ? NB_AFFINE_BOX : NB_AFFINE_BOUNDARY;
-  const char *const word = servo->cell ? "cell" : servo->box ? "box" : "boundary", *rate = nb_unit(scene, " 1/s");
+  const enum nb_affine_source source = source_of(servo);
+  const char *const word = actuator(servo), *rate = nb_unit(scene, " 1/s");
   int line;
   const int from = servo->line ? nb_affine_inherited(scene, s, source, &line) : -1;
   if (from >= 0 && nb_servo_opposes(servo, nb_affine_given(&scene->stages[from], source, &line)))
@@ -153,6 +176,7 @@ void nb_servo_check(struct nb_scene_reading *reading) {
   for (size_t s = scene->start.stages; s < scene->stage_count; s++) {
     const struct nb_stage *const stage = &scene->stages[s];
     warn_of_inherited(scene, s);
+    warn_of_ended(scene, s);
     for (size_t k = 0; k < stage->condition_count; k++)
       if (!nb_servo_compare(scene, s, stage->conditions[k].quantity, stage->conditions[k].name, "condition",
                             stage->conditions[k].line))
