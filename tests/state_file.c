@@ -102,7 +102,7 @@ static void every_mistake(void) {
       {"law shear mindlin 0\n", "law shear mindlin 0\nlaw shear mindlin 0\n", "expected such a record once"},
       {"material m 0x1.8p+1", "material m -0x1.8p+1", "a.state:13:12: expected 0 or more, found `-0x1.8p+1`"},
       {"material m", "material m 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 - 0x0p+0\nmaterial m",
-       "expected 0 or more, found `-`"},
+       "expected a number, found `-`"},
       {"body 1", "material m 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0\nbody 1",
        "expected the name of a material that no record above has"},
       {"fields overlap", "fields overlap overlap", "expected `closing`, found `overlap`"},

@@ -65,7 +65,7 @@ static const struct {
     {'f', {"", "x", "-", "inf", "-inf", "nan", "0x1p+0x"}},           /* finite */
     {'n', {"", "x", "-", "inf", "-inf", "nan", "-0x1p+0"}},           /* 0 or more */
     {'p', {"", "x", "-", "inf", "-inf", "nan", "-0x1p+0", "0x0p+0"}}, /* above 0 */
-    {'m', {"", "x", "-inf", "nan", "-0x1p+0"}},                       /* 0 or more, or `-` for none */
+    {'m', {"", "x", "inf", "-inf", "nan", "-0x1p+0"}},                /* 0 or more, or `-` for none */
     {'y', {"", "x", "-", "-inf", "nan", "-0x1p+0"}},                  /* Young's modulus: 0 or more, or infinite */
     {'v', {"", "x", "-", "inf", "nan", "-0x1p+0", "0x1.00001p-1"}},   /* Poisson's ratio */
     {'u', {"", "x", "-", "inf", "nan", "0x1.0000001p+0"}},            /* a component of a unit vector */

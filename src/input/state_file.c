@@ -98,7 +98,7 @@ static void take_field(struct stream *stream, char field[NB_STATE_FIELD], const 
 
 /* After an error whole_number returns `low`, and the functions for words and names return the index 0. */
 
-enum range { FINITE, FROM_0, ABOVE_0, FROM_0_OR_UNDEFINED }; /* the last one allows infinity and undefined (`-`, NAN) */
+enum range { FINITE, FROM_0, ABOVE_0, FROM_0_OR_INFINITE, FROM_0_OR_UNDEFINED /* `-` in the file, NAN */ };
 
 static void number(struct stream *stream, double *value, enum range range) {
   char field[NB_STATE_FIELD], *end = field;
@@ -110,9 +110,9 @@ static void number(struct stream *stream, double *value, enum range range) {
     take_field(stream, field, "a number");
     const bool given = strcmp(field, "-") != 0;
     *value = given ? strtod(field, &end) : NAN;
-    if (given && (*end || isnan(*value)))
+    if (given ? *end || isnan(*value) : range != FROM_0_OR_UNDEFINED)
       expected(stream, "a number");
-    if (range != FROM_0_OR_UNDEFINED && !isfinite(*value))
+    if (isinf(*value) && range != FROM_0_OR_INFINITE)
       expected(stream, "a finite number");
     if (range == ABOVE_0 && !(*value > 0))
       expected(stream, "a number above 0");
@@ -346,9 +346,7 @@ static void material(struct stream *stream) {
 #define ROW(name, ...) number(stream, &it->name, FROM_0);
   NB_PAIR_ROWS(ROW)
 #undef ROW
-  number(stream, &it->young, FROM_0_OR_UNDEFINED);
-  if (isnan(it->young))
-    expected(stream, "0 or more");
+  number(stream, &it->young, FROM_0_OR_INFINITE);
   number(stream, &it->poisson, FROM_0);
   if (it->poisson > 0.5)
     expected(stream, "a number from 0 to 0.5");
