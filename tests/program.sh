@@ -569,7 +569,8 @@ cycles 1
 END
 run 0 explain sorts.md
 for pairs in 'a with a: 1' 'a with b: 2' 'b with b: 3' 'a with wall of a: 1' 'a with wall of b: 2' 'b with wall of a: 3' 'b with wall of b: 4'; do
-  out "  $pairs pairs in the neighbour list"
+  test "${pairs##* }" -eq 1 && noun=pair || noun=pairs
+  out "  $pairs $noun in the neighbour list;"
 done
 run 0 explain "$pages/drives.md"
 out '  line 9: boundary circle 0 0 radius 10'

@@ -182,7 +182,7 @@ result $? 'explain says which stage changes the friction, for each pair of mater
 # plan PAGE: what `explain` prints except positions, contacts, step and seconds.
 plan() {
   "$nineball" explain "$1" --states "$states" |
-    sed -n 's/ *[0-9]* pairs in the neighbour list//; /k_n\|bytes a \|^    [a-z(]\|^  [a-z]*, .*cycles/p' | grep -v '\.state: '
+    sed -n 's/ *[0-9]* pairs* in the neighbour list//; /k_n\|bytes a \|^    [a-z(]\|^  [a-z]*, .*cycles/p' | grep -v '\.state: '
 }
 sed 's/^start .*/start smooth stage rest\nstep 0.05 of single-contact/; s/^stage .*/stage more/; s/^cycles .*/until time above 1e9 at most 9 cycles/; /^```expect/,/^```$/d' "$pages/saved-stage.md" >"$pages/smoother.md"
 plan "$pages/smoother.md" | sed 's/ 1 to 9 cycles.*/ does not end: the condition on line 32 does not hold within 9 cycles/' >"$work/before"

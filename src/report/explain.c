@@ -187,10 +187,10 @@ static bool explain_material_pair(FILE *out, const struct nb_model *model,
   for (size_t c = 0; c < model->contacts.count; c++)
     contacts += &model->material_pairs[model->contacts.material_pair[c]] == material_pair;
   const struct nb_material *const materials = model->scene->materials;
-  fprintf(out, "  %s with %s%s: %zu pairs in the neighbour list; k_n %g, k_s %g, tan(phi) %g, c %g\n",
+  fprintf(out, "  %s with %s%s: %zu %s in the neighbour list; k_n %g, k_s %g, tan(phi) %g, c %g\n",
           materials[material_pair->a].name, material_pair->wall ? "wall of " : "", materials[material_pair->b].name,
-          contacts, material_pair->values.kn, material_pair->values.ks, material_pair->values.friction,
-          material_pair->values.cohesion);
+          contacts, contacts == 1 ? "pair" : "pairs", material_pair->values.kn, material_pair->values.ks,
+          material_pair->values.friction, material_pair->values.cohesion);
   if (!explain_changes(out, model->scene, material_pair))
     return false;
   for (int p = 0; p < material_pair->pass_count; p++) {

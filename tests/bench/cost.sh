@@ -432,7 +432,7 @@ time_cycle() {
 describe() {
   $awk -v name="$1" -v cycles="$cycles" -v us="$(sed -n "s/^$1 //p" "$work/times" | sort -g | sed -n 3p)" '
     FILENAME ~ /[.]cost$/ { sum += $2; if ($1 !~ /^system:/) own += $2; next }
-    / pairs in the neighbour list;/ { sub(/.*: /, ""); contacts += $1 }
+    / pairs? in the neighbour list;/ { sub(/.*: /, ""); contacts += $1 }
     /^  [0-9]+ bytes a particle/ { particle = $1; match($0, /[0-9]+ a contact/); contact = substr($0, RSTART) + 0 }
     END { printf "%s %.17g %d %d %d %s %.17g\n", name, sum / cycles, contacts, particle, contact, us, own / cycles }' "$work/$1.cost" "$work/$1.plan"
 }
