@@ -323,7 +323,7 @@ static void conditions_on_another_stress_than_the_servo(void) {
       {"0.5", "linear", "", "box", "walls.stress.xx",
        "11: the servo of stage `a` controls `box.stress`, and this "
        "condition is on `walls.stress.xx`"},
-      {"0", "linear", "material m friction 0.5", "walls", "box.stress.mean", "11: the servo of stage `a` controls"},
+      {"0", "linear", "material m friction 0.5\n", "walls", "box.stress.mean", "12: the servo of stage `a` controls"},
       {"0.5", "linear", "", "walls", "walls.stress.mean", ""},
       {"0.5", "linear", "", "box", "box.stress.mean", ""},
       {"0", "linear", "", "walls", "box.stress.mean", ""},
@@ -334,21 +334,47 @@ static void conditions_on_another_stress_than_the_servo(void) {
        "the "
        "walls the two differ, and the condition may never hold; write `on M` in the servo\n"},
       {"0.5", "linear", "", "box", "M.stress.xx", ""},
-      {"0.5", "linear", "shear none", "walls", "box.stress.xx", ""},
+      {"0.5", "linear", "shear none\n", "walls", "box.stress.xx", ""},
   };
   for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
     char text[2000], statements[512];
     snprintf(statements, sizeof statements,
              "material m density 1 kn 1 ks 1 friction %s\nshear %s\nbox 0 0 to 2 2 m\ndisc 1 1 radius 1 m\nregion M "
-             "all\nstep 1e-6\nstage a\nservo isotropic 1 on %s through box at most 1\nuntil %s above 0.5 at most 9 "
-             "cycles\n%s",
-             cases[k].friction, cases[k].shear, cases[k].on, cases[k].condition, cases[k].later);
+             "all\nstep 1e-6\nstage a\n%sservo isotropic 1 on %s through box at most 1\nuntil %s above 0.5 at most 9 "
+             "cycles",
+             cases[k].friction, cases[k].shear, cases[k].later, cases[k].on, cases[k].condition);
     warned(text, statements);
     const size_t compared = *cases[k].wanted ? strlen(cases[k].wanted) : sizeof text;
     if (strncmp(text, cases[k].wanted, compared) != 0)
       printf("# case %zu: %s\n", k, text);
     CU_ASSERT(strncmp(text, cases[k].wanted, compared) == 0);
   }
+}
+
+/* A statement below `cycles` or `until` acts when its stage begins, which causes a warning. */
+static void changes_below_the_end_of_a_stage(void) {
+  static const char expected[] =
+      "` stands below the end of stage `a`, but acts when this stage begins: for a change at "
+      "its end, begin a stage above this line, or move the line up\n";
+  static const char *const changes[] = {"remove disc 1",   "zero velocities", "reverse velocities", "rotation off",
+                                        "material m kn 2", "pair m m kn 2",   "gravity 0 -1",       "cell strain 1 1",
+                                        "normal linear",   "shear none",      "damping mass 1"};
+  for (size_t k = 0; k < sizeof changes / sizeof *changes; k++)
+    for (int below = 0; below < 3; below++) {
+      const char *const end = below == 1 ? "until time above 1 at most 3 cycles" : "cycles 1";
+      char text[2000], statements[500], wanted[300] = "";
+      snprintf(statements, sizeof statements,
+               "material m density 1 kn 1 friction 0.5\nshear none\ncell 0 0 to 9 9\ndisc 1 1 radius 1 m\nstep "
+               "1e-6\nrecord time\nstage a\n%s\nrecord none\n%s\nstage b\ncycles 1",
+               below ? end : changes[k], below ? changes[k] : end);
+      warned(text, statements);
+      if (below)
+        snprintf(wanted, sizeof wanted, "12: `%.*s%s", (int)strcspn(changes[k], " "), changes[k], expected);
+      const bool as_wanted = below ? strstr(text, wanted) != NULL : strstr(text, "stands below") == NULL;
+      if (!as_wanted)
+        printf("# %s: %s\n", changes[k], text);
+      CU_ASSERT(as_wanted);
+    }
 }
 
 /* A servo ends with its stage. A strain rate that was given beside it and goes on without it causes a warning. */
@@ -553,6 +579,7 @@ void suite_guard(void) {
   CU_add_test(suite, "conditions that only a tensile law can meet", conditions_on_tensile_forces);
   CU_add_test(suite, "conditions on another stress than the servo controls",
               conditions_on_another_stress_than_the_servo);
+  CU_add_test(suite, "changes below the end of a stage", changes_below_the_end_of_a_stage);
   CU_add_test(suite, "strain rates that go on without their servo", strain_rates_without_their_servo);
   CU_add_test(suite, "strain rates of earlier stages against a servo", strain_rates_against_a_servo);
   CU_add_test(suite, "resolution of coordinates", resolution_of_coordinates);

@@ -105,6 +105,7 @@ static void read_line(struct nb_scene_reading *reading, size_t line) {
   if (!value && nb_misplaced_after_repeat(reading))
     return;
   nb_statement_read(reader, nb_keywords(), reading->here, reading);
+  nb_late_warn(reading);
   struct nb_stage *stage = nb_current_stage(reading->scene);
   if (stage && !reading->survey && !reading->start_failed)
     stage->hash = reading->hash;

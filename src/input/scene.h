@@ -88,6 +88,8 @@ bool nb_lacks_box(const struct nb_scene *scene, struct nb_reader *reader);
 bool nb_lacks_boundary(const struct nb_scene *scene, struct nb_reader *reader);
 /* The token names a stage of the page from which this page starts. Returns true for this mistake only. */
 bool nb_stage_before_start(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *name);
+/* Warns of a statement below `cycles` or `until` that acts when its stage begins. */
+void nb_late_warn(struct nb_scene_reading *reading);
 /* A statement of a stage is below a `repeat`, where it would belong to the last repeated stage only. Returns true
  * for this mistake only. */
 bool nb_misplaced_after_repeat(struct nb_scene_reading *reading);

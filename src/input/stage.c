@@ -214,6 +214,23 @@ NB_APPLY(apply_rotation) {
 
 /* ---- repeated stages or segments, which are called NAME-2, NAME-3, … ---- */
 
+void nb_late_warn(struct nb_scene_reading *reading) {
+  static const char *const changes[] = {"remove",  "zero",     "reverse", "rotation", "material", "pair",
+                                        "gravity", "boundary", "box",     "cell",     "affine",   "wall",
+                                        "walls",   "normal",   "shear",   "damping"};
+  const struct nb_reader *reader = &reading->reader;
+  const struct nb_stage *const stage = reading->here == NB_IN_STAGE ? nb_current_stage(reading->scene) : NULL;
+  if (!stage || stage->cycles == 0 || reader->bad)
+    return;
+  for (size_t k = 0; k < sizeof changes / sizeof *changes; k++)
+    if (strcmp(reader->tokens[0].text, changes[k]) == 0)
+      nb_warn(
+          &reading->scene->warnings, (int)reader->line,
+          "`%s` stands below the end of stage `%s`, but acts when this stage begins: for a change at its end, begin "
+          "a stage above this line, or move the line up",
+          changes[k], stage->name);
+}
+
 bool nb_misplaced_after_repeat(struct nb_scene_reading *reading) {
   struct nb_reader *reader = &reading->reader;
   const struct nb_scene *scene = reading->scene;
