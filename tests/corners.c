@@ -77,14 +77,15 @@ static void is_a_path(const struct corner at[], int count) {
 }
 
 /* Twice the area by which u(x) changes when a corner is dropped: the triangle of the corner and its neighbours, plus
- * the error that the corner already has. */
+ * the errors that its two pieces already have. */
 static double area(const struct corner *at) {
   const double all = at[1].x - at[-1].x, line = at[-1].u + (at[0].x - at[-1].x) / all * (at[1].u - at[-1].u);
   return at[-1].e + at[0].e + fabs(at[0].u - line) * all;
 }
 
 /* In a path of three to nine pieces, the dropped corner is the one with the least area over x^(1/2): its triangle, with
- * the earlier error, changes T least. The displacement and T at the end are kept, and only three pieces change. */
+ * the earlier errors, changes T least. The displacement at the end is kept, and so is T if a neighbouring corner can
+ * move. Only three pieces change. */
 static void a_corner_is_dropped(void) {
   struct chance chance = chance_begin(8);
   int kept = 0, first = 0, last = 0, high = 0;
@@ -157,7 +158,8 @@ static void corners_move(void) {
 
 /* ---- the law with its pieces ---- */
 
-/* A step adds a piece if a merge with the piece before would change u by 1e-7/1.5 x or more. The change is |D_1 - D_2|
+/* A step adds a piece if a merge with the piece before would change u by (1e-7/1.5) x or more, where x is the
+ * overlap at the outer end of the new piece. The change is |D_1 - D_2|
  * x_1 x_2/(x_1 + x_2) for pieces of the lengths x_1 and x_2. The error that the piece before already has is subtracted
  * from the limit. If |u| is below x/100 at both ends of the new piece, 100 times the larger |u| replaces x in the
  * limit. The test covers both signs, rings and slip, a first piece and a later one, and small u. */
@@ -196,7 +198,8 @@ static void joined_pieces_count(void) {
     const double by = way == 0 ? 0.7999 : way == 1 ? 0.8001 : 0.9999;
     struct one it = one_of(plain);
     one_go(&it, 1e-3, 0.5e-3);
-    one_go(&it, 2e-3, 0.5e-3 + 0.8 * little * 4e-3); /* an error of 0.8 of the limit, and 0.2 of that at the next x */
+    one_go(&it, 2e-3,
+           0.5e-3 + 0.8 * little * 4e-3); /* an error of 0.8 of the limit; in the next step it is 0.2 of the limit */
     CU_ASSERT_EQUAL(pieces(&it), 1);
     if (way == 2) { /* to the friction limit: D = 1 everywhere */
       one_go(&it, 2e-3, 4e-3);
@@ -263,7 +266,7 @@ static void friction_changes(void) {
 }
 
 /* Without a contact circle there is no shear force: a normal law may return the radius 0 before the surfaces part.
- * This is not sliding, but a contact without friction slides. */
+ * In this case `sliding` is 0. For a contact without friction it is 1. */
 static void no_circle_or_no_friction(void) {
   struct one it = one_of(plain);
   it.m[1] = NAN;

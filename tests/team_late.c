@@ -1,5 +1,5 @@
-/* A thread of a team that is late: it has seen that a round begins, and is delayed until the team ends. The team of
- * this file is that of core/team.c, but its threads sleep after they have read whether the team ends.
+/* Tests a team with late threads. A late thread has seen that a round begins, and is then delayed until the team ends.
+ * The team of this file is that of core/team.c, but its threads sleep after they have read whether the team ends.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

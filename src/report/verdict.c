@@ -64,7 +64,8 @@ static int digit_count(double a, double b, int least) {
 
 void nb_check_error(struct nb_check *check, const char *what, double error, double scale,
                     const struct nb_tolerance *tolerance, const char *unit) {
-  const bool relative = tolerance->kind != NB_ABSOLUTE; /* printed in per cent, unless that would give many zeros */
+  const bool relative =
+      tolerance->kind != NB_ABSOLUTE; /* printed in per cent, unless the tolerance is below 1e-7 or above 1e7 */
   const bool percent = relative && !(tolerance->value > 0 && (tolerance->value < 1e-7 || tolerance->value > 1e7));
   const double of = relative ? fabs(scale) : 1, factor = percent ? 100 : 1;
   const char *in = percent ? " %" : relative ? "" : unit;
@@ -344,7 +345,7 @@ static bool evaluate_run(struct nb_outcome *outcome, size_t r, bool over) {
 
 enum nb_status nb_verdict(struct nb_outcome *outcome) {
   bool stored = true;
-  for (int over = 0; over < 2; over++) /* what is about several runs follows after all runs */
+  for (int over = 0; over < 2; over++) /* first expectations about single runs, then about groups of runs */
     for (size_t r = 0; r < outcome->run_count && stored; r++)
       stored = evaluate_run(outcome, r, over);
   if (!stored || !skip_unread(outcome))

@@ -5,8 +5,8 @@
  *   tests/bench/passes PAGE [ISA]
  *
  * Prints a line for each pass: its name, and the clock cycles of the processor per contact. The duration of a clock
- * cycle is measured in the same process, by a chain of dependent additions. This is not a test: it prints, and fails
- * only for a page that does not run.
+ * cycle is measured in the same process, by a chain of dependent additions. This is not a test: it checks
+ * nothing. It fails only for wrong arguments, and for a page that does not run or has no contacts.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdio.h>

@@ -14,11 +14,11 @@ static const double least_within = 0.95, least_within_kind = 0.9, least_answered
 static const double most_cost_median = 2, most_cost = 4, claim_low = 1, claim_high = 3;
 const char *const criterion_names[CRITERIA] = {"within the tolerance in 95 %",
                                                "within the tolerance in 90 % of each kind",
-                                               "70 % answered",
+                                               "70 % answered of those with a setting within the tolerance",
                                                "cost at most 2 in the median",
-                                               "cost at most 4 at 90 %",
+                                               "90 % quantile of the cost at most 4",
                                                "estimated over true error 1 to 3 in the median",
-                                               "estimated over true error at least 1 at 5 %"};
+                                               "5 % quantile of estimated over true error at least 1"};
 
 bool is_held_out(const char *page) { return nb_hash(NB_HASH_BEGIN, page, strlen(page)) >> 20 & 1; }
 
