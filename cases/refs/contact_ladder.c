@@ -95,8 +95,8 @@ static void advance(struct state *s, double d) {
   }
   while (d != s->d) {
     const double sense = d > s->d ? 1 : -1;
-    struct branch *b = &s->branches[s->count - 1];
-    const bool reversal = s->count == 0 || sense != b->sense;
+    struct branch *b = s->count ? &s->branches[s->count - 1] : NULL;
+    const bool reversal = !b || sense != b->sense;
     if (reversal && s->count < s->law.branches) {
       b = &s->branches[s->count++];
       *b = (struct branch){s->t, s->d, sense, s->count == 1 ? 1 : 2};
