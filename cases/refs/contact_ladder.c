@@ -106,9 +106,11 @@ static void advance(struct state *s, double d) {
     const bool beyond = sense * (d - end) > 0;
     s->t = force_at(s, beyond ? end : d);
     s->d = beyond && s->count > 1 ? end : d;
-    if (beyond && back)
+    if (!beyond)
+      return;
+    if (back)
       s->count--;
-    else if (beyond)
+    else
       erase(s, end, d);
   }
 }

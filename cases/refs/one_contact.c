@@ -16,9 +16,10 @@
  *   C.overlap, normal, shear       for C that monitors the contact
  *   energy.kinetic, energy.stored, momentum.x, momentum.y, momentum.angular
  *   energy.residual                h/2 Int F_s (v.t)(v.e)/D dt, h the time step, D the distance of the centres; 0 with
- *                                  a wall. This is the residual to first order in h: [CS79 15] takes t at the end of the
- *                                  step, but the work is computed with the forces at both ends of the step, and
- *                                  during the step t rotates with the angular velocity (v.t)/D
+ *                                  a wall. [CS79 15] takes t at the end of the step. The
+ *                                  work is computed with the forces at both ends. Between them
+ *                                  t rotates with the angular velocity (v.t)/D. This gives the
+ *                                  residual to first order in h
  *
  * The contact may open only while its shear spring is undeformed; otherwise the time of opening would have to be known.
  *

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* gcc defines the name itself. */
+/* gcc defines __SANITIZE_ADDRESS__ itself. */
 #ifdef __has_feature
 #if __has_feature(address_sanitizer) && !defined __SANITIZE_ADDRESS__
 #define __SANITIZE_ADDRESS__ 1
