@@ -324,6 +324,7 @@ SUITES = \
   tests/refs_extremes.c \
   tests/refs_row.c \
   tests/refs_impact.c \
+  tests/refs_loops.c \
   tests/refs_damped.c \
   tests/law_change.c \
   tests/laws.c \

@@ -18,12 +18,14 @@
  * consists of two such branches, so it dissipates 4 W, the formula of Mindlin and Deresiewicz (1953).
  *
  * A law that stores two reversals (`randall`) has three branches; it moves back and forth on the third one elastically.
- * A law without micro-slip (`mindlin`, `mindlin_scaled`) has T = 8 G* a delta. This holds only for T below mu N, which
- * is not checked. In gross sliding the contact dissipates mu N times the sliding displacement.
+ * A law without micro-slip (`mindlin`, `mindlin_scaled`) has dT = 8 G* a d(delta) while |T| < mu N, and otherwise
+ * T = mu N or -mu N: an elastic spring in series with a slider. At constant N both laws are the same, because
+ * `mindlin_scaled` differs only when N decreases. In gross sliding the contact dissipates mu N times the sliding
+ * displacement, and c = 0. A shear force above mu N cannot be reached; then there are no values.
  *
  * Returns slip (delta), shear (T), radius.stick (c), dissipated and work.shear (the integral of T d(delta)), as curves
- * along step and at the end of each segment. Refuses a normal force that decreases or, for laws with micro-slip, that
- * changes under shear. Error: rounding.
+ * along step and at the end of each segment. Refuses a normal force that decreases, or that changes during or after
+ * shear. Error: rounding.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -33,6 +35,9 @@
 #include "path.h"
 
 enum { BRANCHES = 1000 };
+/* A shear force that is given may exceed mu N by this fraction, which then counts as rounding. The contact test allows
+ * the same. */
+static const double rounding = 1e-13;
 
 struct branch {
   double shear, slip, lost, work; /* at its beginning: T/(mu N), delta/A; energy lost and work, divided by mu N A */
@@ -42,7 +47,8 @@ struct branch {
 
 struct loops {
   double limit, scale, radius; /* mu N, in N; A and a, in m */
-  int capacity;                /* branches stored; 0: T = 8 G* a delta */
+  int capacity;                /* branches stored; 0: spring and slider */
+  bool sheared;                /* the contact has been displaced tangentially */
   struct branch branches[BRANCHES];
   int count;
   double shear, slip, lost, work; /* now, as in struct branch */
@@ -111,22 +117,27 @@ static struct branch *branch_to(struct loops *loops, double shear, double slip, 
   return top;
 }
 
-/* A contact that sticks everywhere is a spring: in units of A and mu N its stiffness is 3/2. */
+/* Spring and slider: in units of A and mu N the stiffness of the spring is 3/2, and the slider moves at |T| = 1. */
 static void advance_spring(struct loops *loops, double target, bool force) {
-  const double shear = force ? target : loops->shear + 1.5 * (target - loops->slip);
-  const double slip = force ? loops->slip + (target - loops->shear) / 1.5 : target;
-  loops->work += (loops->shear + shear) / 2 * (slip - loops->slip);
-  loops->shear = shear, loops->slip = slip;
+  const double before = loops->shear, trial = force ? target : before + 1.5 * (target - loops->slip);
+  const double shear = fabs(trial) > 1 ? copysign(1, trial) : trial, slides = fabs(trial - shear) / 1.5;
+  loops->work += (shear * shear - before * before) / 3 + slides;
+  loops->lost += slides;
+  loops->slip = force ? loops->slip + (target - before) / 1.5 : target;
+  loops->shear = shear;
 }
 
 /* Moves to `target`: T/(mu N) if `force` is true, otherwise delta/A. */
 static void advance(struct loops *loops, double target, bool force) {
+  if (force && fabs(target) > 1)
+    target = fabs(target) > 1 + rounding ? NAN : copysign(1, target);
+  if (target == (force ? loops->shear : loops->slip))
+    return;
+  loops->sheared = true;
   if (loops->capacity == 0) {
     advance_spring(loops, target, force);
     return;
   }
-  if (target == (force ? loops->shear : loops->slip))
-    return;
   const struct branch *branch = branch_to(loops, target, target, force);
   const double slides = force ? 0 : fabs(target - branch->slip) - branch->size;
   loops->shear = force ? target : shear_of(branch, target);
@@ -144,7 +155,7 @@ static void advance(struct loops *loops, double target, bool force) {
 
 static double stick_radius(const struct loops *loops) {
   if (loops->count == 0)
-    return loops->radius;
+    return fabs(loops->shear) < 1 ? loops->radius : 0;
   const struct branch *top = &loops->branches[loops->count - 1];
   return loops->radius * cbrt(fmax(1 - fabs(loops->shear - top->shear) / top->size, 0));
 }
@@ -152,8 +163,7 @@ static double stick_radius(const struct loops *loops) {
 enum { SLIP, SHEAR, STICK, LOST, WORK, COLUMNS };
 static const char *const names[COLUMNS] = {"slip", "shear", "radius.stick", "dissipated", "work.shear"};
 
-/* False: the normal force decreases, or changes after the first branch has begun. A law without micro-slip has no
- * branches, so only a decrease is noticed. */
+/* False: the normal force decreases, or changes during or after shear. */
 static bool walk_path(struct loops *loops, const struct path_contact *contact, const struct nb_scene *scene,
                       struct path_column *columns[]) {
   struct path_walk walk = path_walk(scene);
@@ -162,7 +172,8 @@ static bool walk_path(struct loops *loops, const struct path_contact *contact, c
   for (size_t k = 1; path_next(&walk, now, &target); k++) {
     const double approach = target.normal_force ? path_overlap(contact, target.normal) : target.normal;
     if (fabs(approach - now.approach) > 1e-9 * now.approach) {
-      if (loops->count || approach < now.approach)
+      const bool shears = target.shear != (target.shear_force ? now.shear : now.slip);
+      if (loops->sheared || shears || approach < now.approach)
         return false;
       now.approach = approach, now.normal = path_normal(contact, approach);
       loops->radius = sqrt(contact->radius * approach);
