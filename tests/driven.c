@@ -114,6 +114,30 @@ static void rotation_off_and_on(void) {
   nb_result_free(&result);
 }
 
+/* `rotation on` in the first stage, or together with `zero velocities`, changes nothing: the stored velocities are then
+ * those at time 0, not those of half a step before. */
+static void rotation_on_from_the_start(void) {
+  static const char *const loadings[] = {"damping con1 0.9 as cs79\n", "damping con1 0.8 as velocity\n",
+                                         "damping con1 0.7 as all\n",
+                                         "affine strain 0.01 -0.02 shear 0.03 accumulated\n"};
+  for (int k = 0; k < 8; k++) {
+    struct nb_result results[2];
+    for (int on = 0; on < 2; on++) {
+      struct words page = {0};
+      struct written it;
+      words_add(&page, "units none\nmaterial m density 2 kn 1\nstep 0.001\ndisc 3 4 radius 1 m velocity 5 6 spin 7\n"
+                       "monitor D disc 1\nrecord D.vx D.vy D.spin D.vx.half D.vy.half D.spin.half\n");
+      words_add(&page, k < 4 ? "stage a\n" : "stage a\ncycles 3\nstage b\nzero velocities\n");
+      words_add(&page, "%s%scycles 3\n", loadings[k % 4], on ? "rotation on\n" : "");
+      written_scene(&it, &page);
+      written_run(&results[on], &it, NULL);
+      written_free(&it);
+    }
+    CU_ASSERT(written_same_table(&results[0].table, &results[1].table));
+    nb_result_free(&results[0]), nb_result_free(&results[1]);
+  }
+}
+
 /* When a boundary under stress is fixed again, the circle is the one through its particles, which have moved from 20
  * to 17.6: a disc at 16.5 is inside. If the earlier strain were applied again, the radius would be 15.6, and the
  * disc would join. */
@@ -356,6 +380,7 @@ void suite_driven(void) {
               no_disc_passes_a_boundary_that_comes_to_meet_it);
   CU_add_test(suite, "all forces count in the out-of-balance force", all_forces_count);
   CU_add_test(suite, "rotation off and on", rotation_off_and_on);
+  CU_add_test(suite, "rotation on from the start", rotation_on_from_the_start);
   CU_add_test(suite, "a boundary is fixed again", a_boundary_is_fixed_again);
   CU_add_test(suite, "a disc joins the boundary that is fixed again", a_disc_joins_the_boundary_that_is_fixed_again);
   CU_add_test(suite, "another circle is another boundary", another_circle);

@@ -90,18 +90,19 @@ void nb_motion_offset_force(struct nb_model *model, size_t slot, struct nb_force
     particles->spin[slot] += time * particles->inverse_inertia[slot] * ending.moment;
 }
 
-/* Solves for the velocity at t_(N-1/2) from which the current forces give the velocity `now` at t_N. */
+/* Solves for the velocity at t_(N-1/2) from which the current forces give the velocity `now` at t_N. At the start, and
+ * after `zero velocities`, the stored velocities are those at t_N, and there is nothing to solve. */
 void nb_motion_set_velocity(struct nb_model *model, size_t slot, struct nb_velocities now) {
   struct nb_particles *particles = &model->particles;
   const double dt = model->previous_step;
+  if (!(dt > 0))
+    return;
   const struct nb_vec v = nb_velocity_half(model, slot).velocity;
   const struct nb_kick_factors f = nb_kick_factors(model, dt, 1);
   const struct nb_velocities next = kicked_velocities(model, slot, f, dt); /* keep v + the other terms */
   const double spin_kept = particles->inverse_inertia[slot] > 0 ? f.keep : 1;
   const struct nb_vec rest = vec_sub(next.velocity, vec_scale(f.keep, v));
   const double turned = next.spin - spin_kept * (particles->spin ? particles->spin[slot] : 0);
-  if (!(dt > 0))
-    return;
   const struct nb_vec behind = vec_scale(1 / (1 + f.keep), vec_sub(vec_scale(2, now.velocity), rest));
   particles->velocity[slot] = particles->imposed ? vec_add(behind, particles->imposed[slot]) : behind;
   if (particles->spin)
