@@ -403,7 +403,7 @@ SUITES = \
   tests/verdict_sweep.c \
   tests/verdict_sample.c \
   tests/verdict_skip.c \
-  tests/outcome.c \
+  tests/outcome.c tests/outcome_jobs.c \
   tests/scaled.c \
   tests/halved.c \
   tests/checkpoint.c

@@ -282,8 +282,8 @@ static void keep_result(struct nb_outcome *outcome, struct nb_page_run *run, con
     outcome->noted = true, nb_note(progress, error.text);
 }
 
-static void run_one(struct nb_outcome *outcome, struct nb_page_run *run, const struct nb_options *options,
-                    const struct nb_progress *progress) {
+static void run_with(struct nb_outcome *outcome, struct nb_page_run *run, const struct nb_options *options,
+                     const struct nb_progress *progress) {
   run->status = NB_OK;
   if (run->released)
     read_again(outcome, run);
@@ -307,6 +307,17 @@ int nb_job_count(const struct nb_options *options, size_t most) {
   return jobs > 0 ? jobs : 1;
 }
 
+/* Runs the run with index `r`. `began`: time at which the runs began, s. */
+static void run_one(struct nb_outcome *outcome, size_t r, const struct nb_options *options,
+                    const struct nb_progress *progress, double began) {
+  const struct nb_options own = options_of_run(outcome, options, r);
+  struct run_progress run_progress = {outcome, progress, began, r};
+  const struct nb_progress run_callbacks = {progress && progress->call ? report_run_progress : NULL,
+                                            progress && progress->note ? report_run_note : NULL, &run_progress};
+  run_with(outcome, &outcome->runs[r], &own, progress ? &run_callbacks : NULL);
+  outcome->runs[r].done = 1;
+}
+
 /* Copies the error of the first run that failed to the outcome. False: no run has failed. */
 static bool first_error(struct nb_outcome *outcome) {
   for (size_t r = 0; r < outcome->run_count; r++) {
@@ -321,35 +332,44 @@ static bool first_error(struct nb_outcome *outcome) {
   return false;
 }
 
-/* After a failed run no other run is started. The threads take the runs in their order, so the failed run that is
- * reported does not depend on the number of jobs. The exception is a thread that is delayed between taking a run and
- * starting it. */
+static bool is_stopped(const struct nb_options *options) {
+  return options && options->checkpoint.stop && *options->checkpoint.stop;
+}
+
+/* `failed`: the smallest index of a run that has failed. True if run `r` has a smaller one. */
+static bool comes_before(size_t r, const size_t *failed) {
+  bool before;
+#pragma omp critical(nb_outcome_failed)
+  before = r < *failed;
+  return before;
+}
+
+static void note_failure(size_t *failed, size_t r) {
+#pragma omp critical(nb_outcome_failed)
+  *failed = r < *failed ? r : *failed;
+}
+
+/* When a run has failed, only runs before it are still started. So the failed run that is reported is the first one, and
+ * all runs before it have results. Neither depends on the number of jobs or on the speed of a thread. */
 enum nb_status nb_outcome_run(struct nb_outcome *outcome, const struct nb_options *options,
                               const struct nb_progress *progress) {
   const size_t runs = outcome->run_count;
   const double began = nb_clock();
   const int jobs = nb_job_count(options, runs);
+  size_t failed = runs;
   bool stopped = false;
   if (lock(outcome, options))
     return outcome->error.status;
   nb_references_prepare();
-#pragma omp parallel for num_threads(jobs) schedule(dynamic, 1)
+#pragma omp parallel for num_threads(jobs) schedule(dynamic, 1) reduction(|| : stopped)
   for (size_t r = 0; r < runs; r++) {
-    bool skip;
-#pragma omp atomic read
-    skip = stopped;
-    if (skip)
+    stopped = stopped || is_stopped(options);
+    if (stopped || !comes_before(r, &failed))
       continue;
-    const struct nb_options own = options_of_run(outcome, options, r);
-    struct run_progress run_progress = {outcome, progress, began, r};
-    const struct nb_progress run_callbacks = {progress && progress->call ? report_run_progress : NULL,
-                                              progress && progress->note ? report_run_note : NULL, &run_progress};
-    run_one(outcome, &outcome->runs[r], &own, progress ? &run_callbacks : NULL);
-    outcome->runs[r].done = 1;
-    if (outcome->runs[r].status || (own.checkpoint.stop && *own.checkpoint.stop)) {
-#pragma omp atomic write
-      stopped = true;
-    }
+    run_one(outcome, r, options, progress, began);
+    stopped = stopped || is_stopped(options);
+    if (outcome->runs[r].status)
+      note_failure(&failed, r);
   }
   for (size_t r = 0; r < runs; r++)
     add_warnings(outcome, &outcome->runs[r].result.warnings);
