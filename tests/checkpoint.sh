@@ -121,11 +121,15 @@ interrupted() {
 }
 interrupted && cp -r "$states" "$work/kept"
 "$nineball" run "$page" --states "$states" -o "$work/out" --checkpoint >"$work/printed" 2>"$why"
-test $? -eq 2 && said "the run of this page was interrupted; its checkpoint is $file: --resume continues from this checkpoint" && diff -r "$states" "$work/kept" >>"$why"
+test $? -eq 2 && said "the run of this page was interrupted; its checkpoint is $file: --resume continues from this checkpoint; to start from the beginning, remove this file and the file with \`.old\` after its name" && diff -r "$states" "$work/kept" >>"$why"
 result $? '--checkpoint without --resume does not replace a checkpoint: an error with its name'
 rm "$file" && "$nineball" run "$page" --states "$states" -o "$work/out" --checkpoint >"$work/printed" 2>"$why"
-test $? -eq 2 && said "the run of this page was interrupted; its checkpoint is $file: --resume continues from this checkpoint"
-result $? 'an error, too, if only the checkpoint before it is left'
+test $? -eq 2 && said "its checkpoint is $file.old: --resume continues from this checkpoint; to start from the beginning, remove this file" && ! said 'this file and'
+result $? 'an error, too, if only the checkpoint before it is left: the error names that file'
+rm -rf "$states" && cp -r "$work/kept" "$states" && rm "$file.old"
+"$nineball" run "$page" --states "$states" -o "$work/out" --checkpoint >"$work/printed" 2>"$why"
+test $? -eq 2 && said "its checkpoint is $file: --resume continues from this checkpoint; to start from the beginning, remove this file" && ! said 'this file and'
+result $? 'an error if there is only one checkpoint: it names no other file'
 rm -rf "$states" && cp -r "$work/kept" "$states"
 size=$(wc -c <"$file")
 head -c $((size / 2)) "$file" >"$work/half" && cp "$work/half" "$file" && again && said 'the file is cut off; the run continues from the checkpoint before it' && same
@@ -141,8 +145,18 @@ result $? 'both are damaged: an error'
 rm -rf "$states" && cp -r "$work/kept" "$states" && cp "$page" "$work/text"
 sed 's/inward 0.01/inward 0.02/' "$work/text" >"$page"
 again
-test $? -eq 2 && said 'the page has changed since ' && said 'in stage `press` (line 18) or above this stage'
+test $? -eq 2 && said "the page has changed since $file was saved, in stage \`press\` (line 18) or above this stage: " &&
+  said 'or remove this file and the file with `.old` after its name and run the page without --resume'
 result $? 'the page has changed: an error that says where'
+cp "$work/half" "$file"
+again
+test $? -eq 2 && said "the page has changed since $file.old was saved" &&
+  said 'or remove this file and the file without `.old` at the end of its name and run the page without --resume'
+result $? 'the page has changed, and the last checkpoint is damaged: the error names both files'
+rm "$file"
+again
+test $? -eq 2 && said "the page has changed since $file.old was saved" && said 'or remove this file and run the page without --resume'
+result $? 'the page has changed, and only the checkpoint before the last one is left: the error names that file'
 sed 's/^record .*/record time/' "$work/text" >"$page"
 again
 test $? -eq 2 && said 'in a statement `record` or `snapshot`'

@@ -174,6 +174,8 @@ static enum nb_status set_path(char *path, const struct nb_scene *scene, const s
 
 static void old_path(char *old, const char *path) { snprintf(old, NB_STATE_PATH + 8, "%s.old", path); }
 
+static bool exists(const char *path) { return access(path, F_OK) == 0; }
+
 enum nb_status nb_checkpoint_absent(const struct nb_scene *scene, const struct nb_options *options,
                                     struct nb_error *error) {
   char path[NB_STATE_PATH], old[NB_STATE_PATH + 8];
@@ -182,13 +184,14 @@ enum nb_status nb_checkpoint_absent(const struct nb_scene *scene, const struct n
   if (set_path(path, scene, options, options->checkpoint.key, error))
     return error->status;
   old_path(old, path);
-  if (access(path, F_OK) != 0 && access(old, F_OK) != 0)
+  const bool last = exists(path), before = exists(old);
+  if (!last && !before)
     return NB_OK;
   return nb_error_set(
       error, NB_BAD_USE,
       "the run of this page was interrupted; its checkpoint is %.300s: --resume continues from this checkpoint; to "
-      "start from the beginning, remove this file and the file with `.old` after its name",
-      path);
+      "start from the beginning, remove this file%s",
+      last ? path : old, last && before ? " and the file with `.old` after its name" : "");
 }
 
 enum nb_status nb_checkpoint_begin(struct nb_checkpoint *checkpoint, const struct nb_scene *scene,
@@ -236,8 +239,9 @@ static const struct nb_stage *changed_stage(const struct nb_saved *saved, const 
   return NULL;
 }
 
+/* `path`: the checkpoint that has been read; `other`: the other one of the two. */
 static enum nb_status check_page(const struct nb_saved *saved, const struct nb_scene *scene, const char *path,
-                                 struct nb_error *error) {
+                                 const char *other, struct nb_error *error) {
   if (saved->hash == hash_of(scene) && saved->store.part_count > 0)
     return nb_saved_fits(saved, scene, path, error);
   const struct nb_stage *stage = changed_stage(saved, scene);
@@ -245,9 +249,12 @@ static enum nb_status check_page(const struct nb_saved *saved, const struct nb_s
   if (stage)
     snprintf(where, sizeof where, "in stage `%s` (line %d) or above this stage", stage->name, stage->line);
   return nb_error_set(error, NB_BAD_USE,
-                      "the page has changed since %.200s was saved, %s: restore the text of the page, or remove the "
-                      "checkpoint with its `.old` file and run the page without --resume",
-                      path, where);
+                      "the page has changed since %.200s was saved, %s: restore the text of the page, or remove this "
+                      "file%s and run the page without --resume",
+                      path, where,
+                      !exists(other)                 ? ""
+                      : strlen(other) < strlen(path) ? " and the file without `.old` at the end of its name"
+                                                     : " and the file with `.old` after its name");
 }
 
 enum nb_status nb_checkpoint_read(struct nb_saved *saved, const struct nb_checkpoint *checkpoint,
@@ -257,8 +264,8 @@ enum nb_status nb_checkpoint_read(struct nb_saved *saved, const struct nb_checkp
   if (!checkpoint->options || !checkpoint->options->resume)
     return NB_OK;
   old_path(old, checkpoint->path);
-  const bool last = access(checkpoint->path, F_OK) == 0;
-  if (!last && access(old, F_OK) != 0) {
+  const bool last = exists(checkpoint->path);
+  if (!last && !exists(old)) {
     snprintf(message, sizeof message, "there is no checkpoint %.300s: the run starts from the beginning",
              checkpoint->path);
     nb_note(progress, message);
@@ -266,12 +273,12 @@ enum nb_status nb_checkpoint_read(struct nb_saved *saved, const struct nb_checkp
   }
   const char *path = last ? checkpoint->path : old;
   enum nb_status status = nb_saved_read(saved, path, error);
-  if (status == NB_BAD_USE && last && access(old, F_OK) == 0) {
+  if (status == NB_BAD_USE && last && exists(old)) {
     snprintf(message, sizeof message, "%s; the run continues from the checkpoint before it", error->text);
     nb_note(progress, message);
     status = nb_saved_read(saved, path = old, error);
   }
-  return status ? status : check_page(saved, checkpoint->scene, path, error);
+  return status ? status : check_page(saved, checkpoint->scene, path, path == old ? checkpoint->path : old, error);
 }
 
 enum nb_status nb_checkpoint_save(struct nb_checkpoint *checkpoint, const struct nb_model *model,
@@ -290,7 +297,7 @@ enum nb_status nb_checkpoint_save(struct nb_checkpoint *checkpoint, const struct
     status = nb_error_memory(error);
   old_path(old, checkpoint->path);
   if (!status) {
-    if (access(checkpoint->path, F_OK) == 0)
+    if (exists(checkpoint->path))
       rename(checkpoint->path, old);
     status = nb_saved_write(&saved, checkpoint->path, error);
   }
