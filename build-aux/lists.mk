@@ -672,6 +672,7 @@ VERDICT = \
   src/report/trials.c \
   src/report/verdict.c \
   src/report/verdict.h \
+  src/report/verdict_rows.c \
   src/report/verdict_sweep.c
 
 # The command line.

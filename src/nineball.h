@@ -456,6 +456,8 @@ struct nb_stage {
 struct nb_column {
   char name[2 * NB_NAME_SIZE];
   struct nb_quantity quantity;
+  int line;     /* of its statement `record`; 0: a default of a contact test */
+  bool tracked; /* the run also keeps the smallest and the largest value of all cycles: struct nb_extremes */
 };
 
 /* `start PAGE stage NAME`: the scene continues from the end of a stage of another page. The scene includes the other
@@ -611,8 +613,14 @@ struct nb_stage_cost {
   unsigned long long updates; /* contact updates */
   double step, seconds;       /* time step, s; processor time of the cycles, with tests of conditions and rows, s */
 };
+/* Smallest and largest value of a tracked column in all cycles of a stage with `record every N cycles`, N > 1. Infinite
+ * with opposite signs if there is no value. */
+struct nb_extremes {
+  double smallest, largest; /* SI */
+};
 struct nb_result {
   struct nb_table table;
+  struct nb_extremes *extremes;  /* for each stage, all columns; NULL: no column is tracked; owned */
   struct nb_snapshot *snapshots; /* owned */
   size_t snapshot_count;
   unsigned long cycles;         /* number of cycles of all stages */

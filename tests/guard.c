@@ -466,6 +466,47 @@ static void strain_rates_against_a_servo(void) {
   }
 }
 
+/* Gravity away from all walls and fixed particles causes a warning. There is none if a wall or a fixed particle is in its
+ * direction, if something else moves the particles or the walls, or if there is no wall at all. */
+static void gravity_away_from_walls(void) {
+  static const char floor[] = "wall w -9 0 to 9 0 m", ceiling[] = "wall w -9 9 to 9 9 m",
+                    below[] = "disc 0 -5 radius 1 m fixed";
+  static const struct {
+    const char *obstacle, *gravity, *particle, *stage;
+    bool warned;
+  } cases[] = {
+      {floor, "gravity 0 9.81", "disc 0 2 radius 1 m", "", true},
+      {floor, "gravity 0 -9.81", "disc 0 2 radius 1 m", "", false},
+      {floor, "gravity 1 0", "disc 0 2 radius 1 m", "", false}, /* the wall ends at x = 9 */
+      {floor, "gravity 1 0", "disc 9.5 2 radius 1 m", "", true},
+      {ceiling, "gravity 0 -9.81", "disc 0 2 radius 1 m", "", true},
+      {"wall w 9 9 to -9 9 m", "gravity 0 -9.81", "disc 0 2 radius 1 m", "", true},
+      {ceiling, "gravity 0 9.81", "disc 0 2 radius 1 m", "", false},
+      {ceiling, "gravity 0 -9.81", "disc 0 2 radius 1 m velocity 0 1", "", false},
+      {below, "gravity 0 9.81", "disc 0 2 radius 1 m", "", true},
+      {below, "gravity 0 -9.81", "disc 0 2 radius 1 m", "", false},
+      {"box -9 -9 to 9 9 m", "gravity 0 9.81", "disc 0 2 radius 1 m", "", false},
+      {"# no wall", "gravity 0 9.81", "disc 0 2 radius 1 m", "", false},
+      {floor, "# none", "disc 0 2 radius 1 m", "gravity 0 9.81\ncycles 1\nstage b", true},
+      {floor, "# none", "disc 0 2 radius 1 m", "ramp gravity 0 9.81\ncycles 1\nstage b", false},
+      {floor, "gravity 0 9.81", "disc 0 2 radius 1 m", "cycles 1\nstage b\ngravity 0 -9.81", false},
+      {floor, "gravity 0 9.81", "disc 0 2 radius 1 m", "wall w velocity 0 1", false},
+      {floor, "gravity 0 0", "disc 0 2 radius 1 m", "", false},
+      {floor, "gravity 0 9.81", "disc 0 2 radius 1 m\ndisc 9 -2 radius 1 m", "", false},
+  };
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    char statements[500], wanted[300] = "";
+    if (cases[k].warned)
+      snprintf(wanted, sizeof wanted,
+               "%d: gravity moves all free particles away from all walls and fixed particles, so they fall for ever; y "
+               "points up: gravity downwards is `gravity 0 %s`\n",
+               *cases[k].gravity == '#' ? 9 : 5, strstr(cases[k].gravity, " 1 0") ? "-1" : "-9.81");
+    snprintf(statements, sizeof statements, "material m density 1 kn 1\n%s\n%s\n%s\nstep 1e-6\nstage a\n%s\ncycles 1",
+             cases[k].obstacle, cases[k].gravity, cases[k].particle, cases[k].stage);
+    begins(statements, wanted);
+  }
+}
+
 /* A page that records rows without a quantity gets a warning, because the rows would be empty. */
 static void empty_rows(void) {
   static const struct {
@@ -582,6 +623,7 @@ void suite_guard(void) {
   CU_add_test(suite, "rotation in a step", rotation_in_a_step);
   CU_add_test(suite, "overlap during the run", overlap_during_the_run);
   CU_add_test(suite, "friction without effect", friction_without_effect);
+  CU_add_test(suite, "gravity away from all walls", gravity_away_from_walls);
   CU_add_test(suite, "rows without a quantity", empty_rows);
   CU_add_test(suite, "conditions that only a tensile law can meet", conditions_on_tensile_forces);
   CU_add_test(suite, "conditions on another stress than the servo controls",

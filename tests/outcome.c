@@ -627,6 +627,139 @@ static void warnings_of_removed_particles(void) {
   }
 }
 
+/* The imposed work of a page in which only walls and fixed particles move is 0, which causes a warning, unless the page
+ * expects 0. There is no warning if nothing moves, or if a stage imposes a motion or a stress on particles. */
+static void warnings_of_the_imposed_work(void) {
+  static const char box[] = "box 0 0 to 9 9 m", cell[] = "cell 0 0 to 9 9", ring[] = "boundary circle 0 0 radius 1";
+  static const char fixed[] = "disc 5 5 radius 1 m fixed velocity 1 0", wall[] = "wall w 0 0 to 9 0 m velocity 0 -1";
+  static const struct {
+    const char *scene, *first, *second, *expectation;
+    bool warned;
+  } cases[] = {
+      {box, "", "walls inward 1e-3", "report energy.imposed", true},
+      {box, "box strain 0 -1e-3", "", "report energy.imposed", true},
+      {box, "", "servo isotropic 1 on box through box at most 1e-3", "report energy.imposed", true},
+      {wall, "", "", "report energy.imposed", true},
+      {fixed, "", "", "report energy.imposed", true},
+      {box, "", "walls inward 1e-3", "energy.imposed expected 0 within 0 [t]", false},
+      {box, "", "walls inward 1e-3", "energy.imposed expected 1 within 2 [t]", true},
+      {box, "", "walls inward 1e-3", "report energy.walls", true}, /* the page records the imposed work */
+      {box, "", "", "report energy.imposed", false},
+      {box, "walls inward 1e-3", "affine strain 1e-3 0", "report energy.imposed", false},
+      {cell, "", "cell strain 1e-3 0", "report energy.imposed", false},
+      {cell, "", "servo isotropic 1 on cell through cell at most 1e-3", "report energy.imposed", false},
+      {ring, "boundary strain 0 0 c12 1e-3", "", "report energy.imposed", false},
+      {ring, "boundary stress 1 1", "", "report energy.imposed", false},
+  };
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    struct nb_outcome outcome;
+    char scene[512];
+    size_t found = 0;
+    snprintf(scene, sizeof scene,
+             "units none\nmaterial m density 1 kn 1\n%s\ndisc 2 2 radius 1 m\nstep 1e-4\nrecord energy.walls "
+             "energy.imposed\nstage one\n%s\ncycles 1\nstage two\n%s\ncycles 1",
+             cases[k].scene, cases[k].first, cases[k].second);
+    carry_out(&outcome, scene, cases[k].expectation, NULL);
+    CU_ASSERT(outcome.status <= NB_FAILED);
+    for (size_t w = 0; w < outcome.warnings.count; w++)
+      if (strcmp(outcome.warnings.list[w].text, "`energy.imposed` is 0, because only walls and fixed particles move: "
+                                                "their work is `energy.walls`") == 0) {
+        found++;
+        CU_ASSERT_EQUAL(outcome.warnings.list[w].line, 7);
+      }
+    if (found != cases[k].warned)
+      printf("# %zu: %zu warnings, %s\n", k, found, outcome.error.text);
+    CU_ASSERT_EQUAL(found, cases[k].warned);
+    nb_outcome_free(&outcome);
+  }
+}
+
+/* A failed check of a normal force that is twice the expected one, or of an overlap that is half of it, says which
+ * stiffness a contact has. With kn = 1 and the overlap 0.1 the force is 0.1. Other ratios have no such note. */
+static void stiffness_of_springs_in_series(void) {
+  static const struct {
+    const char *expectation;
+    bool noted;
+  } cases[] = {{"C.normal expected 0.05 within 1 % [t]", true},
+               {"C.normal expected 0.0503 within 1 % [t]", true},
+               {"C.normal expected 0.052 within 1 % [t]", false},
+               {"C.normal expected 0.2 within 1 % [t]", false},
+               {"C.overlap expected 0.2 within 1 % [t]", true},
+               {"C.overlap expected 0.05 within 1 % [t]", false},
+               {"C.normal expected 0.05 within 200 % [t]", false},
+               {"B.x expected 3.8 within 1 % [t]", false},
+               {"C.normal expected 0.5 of C.overlap within 1 % [t]", false}};
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    struct nb_outcome outcome;
+    carry_out(&outcome,
+              "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\ndisc 1.9 0 radius 1 m\nmonitor B disc "
+              "2\nmonitor C disc 1 with disc 2\nstep 1e-6\nrecord C.normal C.overlap B.x\nstage one\ncycles 1",
+              cases[k].expectation, NULL);
+    CU_ASSERT_EQUAL_FATAL(outcome.check_count, 1);
+    const char *const message = outcome.checks[0].message;
+    const bool noted = strstr(message, "; the ratio is ") != NULL;
+    if (noted != cases[k].noted)
+      printf("# %s: %s\n", cases[k].expectation, message);
+    CU_ASSERT_EQUAL(noted, cases[k].noted);
+    nb_outcome_free(&outcome);
+  }
+}
+
+/* A disc of mass 1 hits a wall with the speed 1 and a stiffness of 1000, and leaves with the speed 1. The collision takes
+ * pi/1000^(1/2) = 0.1 and lies between the rows at the times 0 and 1. The largest normal force of all cycles is 1000^(1/2)
+ * = 31.6, the largest vy is 1. A check that passes or fails only because of the rows causes a warning. */
+static void collisions_between_rows(void) {
+  static const char passes[] = "so this check passes only because", fails[] = "so this check fails only because";
+  static const struct {
+    const char *every, *expectation, *wanted; /* NULL: no warning */
+  } cases[] = {
+      {"record every 1000 cycles", "C.normal max in one below 1", passes},
+      {"record every 1000 cycles", "C.normal max in all below 31", passes},
+      {"record every 1000 cycles", "C.normal max in two below 1", NULL},
+      {"record every 1000 cycles", "C.normal max in one below 32", NULL},
+      {"record every 1000 cycles", "C.normal max in one above 31", fails},
+      {"record every 1000 cycles", "C.normal max in one above 32", NULL},
+      {"record every 1000 cycles", "C.normal max in one below A.y max in one", passes},
+      {"record every 1000 cycles", "C.normal max in one expected 31.62 within 1 % [t]", fails},
+      {"record every 1000 cycles", "C.normal max in one expected 0 within 1 [t]", passes},
+      {"record every 1000 cycles", "C.normal max in one expected 0 of A.y max in one within 1 [t]", passes},
+      {"record every 1000 cycles", "C.normal amplitude in one below 15", passes},
+      {"record every 1000 cycles", "C.normal amplitude in one below 16", NULL},
+      {"record every 1000 cycles", "A.y min in one above 1", passes},
+      {"record every 1000 cycles", "A.y min in one above 0.9", NULL},
+      {"record every 1000 cycles", "C.normal in one below 1", NULL},
+      {"record every 1000 cycles", "C.normal mean in one below 1", NULL},
+      {"record every 1000 cycles", "momentum.y max in one below 0", NULL},
+      {"record every 1 cycle", "C.normal max in one below 1", NULL},
+      {"# every cycle", "C.normal max in one below 1", NULL},
+  };
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    struct nb_outcome outcome;
+    char scene[512];
+    snprintf(scene, sizeof scene,
+             "units none\nlet pi1 = 1/pi\nmaterial m density $pi1 kn 1000\nwall w -9 0 to 9 0 m\ndisc 0 1.4 radius 1 m "
+             "velocity 0 -1\nmonitor A disc 1\nmonitor C disc 1 with wall w\nstep 0.001\nrecord C.normal A.y "
+             "momentum.y\nstage one\n%s\ncycles 1000\nstage two\n%s\ncycles 10",
+             cases[k].every, cases[k].every);
+    carry_out(&outcome, scene, cases[k].expectation, NULL);
+    CU_ASSERT(outcome.status <= NB_FAILED);
+    const char *const text = outcome.warnings.count ? outcome.warnings.list[0].text : "";
+    const bool as_wanted = cases[k].wanted ? strstr(text, cases[k].wanted) != NULL : !outcome.warnings.count;
+    if (!as_wanted)
+      printf("# %s, %s: %s%s\n", cases[k].every, cases[k].expectation, text, outcome.error.text);
+    CU_ASSERT(as_wanted);
+    double largest = 0;
+    if (k == 0) {
+      CU_ASSERT_EQUAL(
+          sscanf(text, "`C.normal max in one`: it is 0 in the recorded rows and %lf in all cycles", &largest), 1);
+      CU_ASSERT_DOUBLE_EQUAL(largest, sqrt(1000), 0.01); /* (w dt)^2/8 of it is 0.004; four digits are printed */
+    }
+    if (cases[k].wanted && outcome.warnings.count)
+      CU_ASSERT_EQUAL(outcome.warnings.list[0].line, 19);
+    nb_outcome_free(&outcome);
+  }
+}
+
 /* 102 runs of 10,000 discs that fall freely, each with another gravity. To save memory only the first 100 runs keep
  * their particles after the page is read. The others read them again when they begin, and their results are correct. */
 static void many_particles(void) {
@@ -888,6 +1021,9 @@ void suite_outcome(void) {
   CU_add_test(suite, "mistakes in all runs, and the error of a reference", mistakes_of_all_runs);
   CU_add_test(suite, "warnings of all runs", warnings_of_all_runs);
   CU_add_test(suite, "warnings of removed particles", warnings_of_removed_particles);
+  CU_add_test(suite, "warnings of an imposed work that is 0", warnings_of_the_imposed_work);
+  CU_add_test(suite, "a check that expects springs in series", stiffness_of_springs_in_series);
+  CU_add_test(suite, "collisions between two rows", collisions_between_rows);
   CU_add_test(suite, "many particles in many runs", many_particles);
   CU_add_test(suite, "a file that is removed during the runs", a_file_that_is_removed);
   CU_add_test(suite, "folders that cannot be made", folders_that_cannot_be_made);

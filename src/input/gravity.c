@@ -1,6 +1,9 @@
 /* Gravity, uniform or towards a point, in the scene and in stages.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+
+#include "core/model.h"
 #include "statement.h"
 
 enum { AT_G, AT_GY, AT_X, AT_Y };
@@ -32,6 +35,67 @@ NB_APPLY(apply_gravity) {
   else
     *gravity = (struct nb_gravity){.x = value[AT_G].number, .y = value[AT_GY].number};
   gravity->line = (int)reader->line;
+}
+
+/* The uniform gravity at the start of the scene; NULL: none, or gravity that changes later. */
+static const struct nb_gravity *only_gravity(const struct nb_scene *scene) {
+  const struct nb_gravity *found = scene->gravity.line ? &scene->gravity : NULL;
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_gravity *const it = &scene->stages[s].gravity;
+    if (it->line && (s > 0 || it->ramp))
+      return NULL;
+    found = it->line ? it : found;
+  }
+  return found && found->central == 0 && (found->x != 0 || found->y != 0) ? found : NULL;
+}
+
+/* True if no stage moves walls or particles. */
+static bool stages_stand_still(const struct nb_scene *scene) {
+  bool still = true;
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *const stage = &scene->stages[s];
+    still = still && stage->motion_count == 0 && !stage->box_line && !stage->servo.line && !stage->circle.line &&
+            !stage->affine.line;
+  }
+  return still;
+}
+
+/* True if nothing but gravity and contacts moves the particles, and no particle is placed during the run. */
+static bool stands_still(const struct nb_scene *scene) {
+  bool still = !scene->cell.line && !scene->circle.line && scene->fill_count == 0;
+  for (size_t w = 0; w < scene->wall_count; w++)
+    still = still && scene->walls[w].vx == 0 && scene->walls[w].vy == 0 && scene->walls[w].spin == 0;
+  for (size_t k = 0; k < scene->particle_count; k++)
+    still = still && scene->particles[k].vx == 0 && scene->particles[k].vy == 0;
+  return still && stages_stand_still(scene);
+}
+
+void nb_fall_check(struct nb_scene *scene) {
+  const struct nb_gravity *const gravity = only_gravity(scene);
+  if (!gravity || !stands_still(scene))
+    return;
+  const double g = hypot(gravity->x, gravity->y), x = gravity->x / g, y = gravity->y / g;
+  double lowest = -INFINITY, highest = INFINITY; /* largest place of a wall or fixed particle along g; smallest place of
+                                                  * a free particle, m */
+  for (size_t w = 0; w < scene->wall_count; w++) {
+    const struct nb_wall *const wall = &scene->walls[w];
+    const double px = wall->x - wall->h0 * wall->ey, py = wall->y + wall->h0 * wall->ex;
+    const double along = wall->ex * x + wall->ey * y;
+    lowest = fmax(lowest, px * x + py * y + fmax(wall->h1 * along, wall->h2 * along));
+  }
+  for (size_t k = 0; k < scene->particle_count; k++) {
+    const struct nb_particle *const particle = &scene->particles[k];
+    const double place = particle->x * x + particle->y * y;
+    if (particle->fixed)
+      lowest = fmax(lowest, place + particle->radius);
+    else
+      highest = fmin(highest, place);
+  }
+  if (lowest > -INFINITY && highest < INFINITY && highest > lowest)
+    nb_warn(&scene->warnings, gravity->line,
+            "gravity moves all free particles away from all walls and fixed particles, so they fall for ever; y points "
+            "up: gravity downwards is `gravity 0%s %g%s`",
+            nb_unit(scene, " m/s2"), -g, nb_unit(scene, " m/s2"));
 }
 
 /* clang-format off */

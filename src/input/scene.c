@@ -171,6 +171,7 @@ static void find_columns(struct nb_scene_reading *reading) {
   for (size_t i = 0; i < reading->requested_count; i++) {
     struct nb_column column;
     memcpy(column.name, reading->requested[i].name, sizeof column.name);
+    column.line = (int)reading->requested[i].line;
     if (nb_requested_find(reading, &column.quantity, &reading->requested[i]))
       NB_APPEND(&reading->reader, scene->columns, scene->column_count, column);
   }
@@ -260,8 +261,10 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
   nb_laws_check(reading, mistakes->total == before);
   if (mistakes->total == before)
     nb_servo_check(reading);
-  if (mistakes->total == before && !scene->start.line)
+  if (mistakes->total == before && !scene->start.line) {
     nb_outside_check(scene);
+    nb_fall_check(scene);
+  }
   nb_spin_check(scene);
   if (mistakes->total == before && scene->contact_test)
     nb_contact_test_laws_check(reading);

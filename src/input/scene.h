@@ -166,6 +166,8 @@ void nb_box_check(struct nb_scene_reading *reading);
 void nb_servo_check(struct nb_scene_reading *reading);
 /* Warns of free particles whose centres begin outside the box. */
 void nb_outside_check(struct nb_scene *scene);
+/* Warns of gravity away from all walls and fixed particles, under which all particles fall for ever. */
+void nb_fall_check(struct nb_scene *scene);
 /* Warns of walls that rotate about their middle because their line does not say about which point. */
 void nb_spin_check(struct nb_scene *scene);
 /* Imposed motion other than that of a cell is not reversed; a scene with a cell has neither a boundary nor `affine

@@ -32,11 +32,36 @@ static void release_particles(struct nb_page_run *run) {
   run->released = true;
 }
 
+/* True if an expectation on a single run uses the largest or the smallest of the rows. */
+static bool uses_extreme(const struct nb_expectation *e) {
+  const bool single = e->kind == NB_WITHIN || e->kind == NB_EXPECTED || e->kind == NB_LESS || e->kind == NB_GREATER;
+  const enum nb_reducer reducer = e->measure.reducer;
+  return single && !e->sample[0] && (reducer == NB_MAX || reducer == NB_MIN || reducer == NB_AMPLITUDE);
+}
+
+/* Tracks the columns of particles and contacts of which an expectation uses the largest or the smallest value: a
+ * collision may lie between two rows. Their values take little time; other quantities, which are sums over many
+ * contacts, are not tracked. */
+static void track_columns(struct nb_page_run *run) {
+  const struct nb_scene *const scene = &run->scene;
+  for (size_t k = 0; k < run->expectations.count; k++) {
+    const struct nb_expectation *const e = &run->expectations.list[k];
+    struct nb_column *const column = &scene->columns[e->measure.column];
+    const int monitor = column->quantity.monitor;
+    const enum nb_monitor_kind kind = monitor < 0 ? NB_MONITOR_REGION : scene->monitors[monitor].kind;
+    const bool quick =
+        kind == NB_MONITOR_PARTICLE || kind == NB_MONITOR_PARTICLE_PARTICLE || kind == NB_MONITOR_PARTICLE_WALL;
+    column->tracked = column->tracked || (quick && uses_extreme(e));
+  }
+}
+
 static void read_again(const struct nb_outcome *outcome, struct nb_page_run *run) {
   struct nb_mistakes mistakes = {0};
   nb_scene_free(&run->scene);
   nb_scene_read(&run->scene, &outcome->page, (size_t)(run - outcome->runs), outcome->settings, &mistakes);
   run->status = nb_mistakes_status(&mistakes, 0);
+  if (!run->status)
+    track_columns(run);
   if (run->status == NB_NO_MEMORY)
     nb_error_memory(&run->error);
   else if (run->status)
@@ -112,6 +137,51 @@ static void warn_removed(struct nb_outcome *outcome, const struct nb_page_run *r
   }
 }
 
+/* ---- the imposed work ---- */
+
+static bool is_rate(const struct nb_strain_rate *rate) {
+  return rate->xx != 0 || rate->xy != 0 || rate->yx != 0 || rate->yy != 0;
+}
+
+/* True if a stage imposes a motion or a stress on particles, so that the imposed work is not 0. */
+static bool imposes(const struct nb_scene *scene) {
+  bool found = false;
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *const stage = &scene->stages[s];
+    found = found || (stage->servo.line && !stage->servo.box) || is_rate(&stage->affine.strain) ||
+            is_rate(&stage->boundary.strain) || is_rate(&stage->cell) ||
+            (stage->boundary.line && stage->boundary.control == NB_CONTROL_STRESS);
+  }
+  return found;
+}
+
+/* True if walls or fixed particles move. */
+static bool moves_walls(const struct nb_scene *scene) {
+  bool found = false;
+  for (size_t w = 0; w < scene->wall_count; w++)
+    found = found || scene->walls[w].vx != 0 || scene->walls[w].vy != 0 || scene->walls[w].spin != 0;
+  for (size_t k = 0; k < scene->particle_count; k++) {
+    const struct nb_particle *const it = &scene->particles[k];
+    found = found || (it->fixed && (it->vx != 0 || it->vy != 0 || it->spin != 0));
+  }
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *const stage = &scene->stages[s];
+    found = found || stage->motion_count > 0 || is_rate(&stage->box) || (stage->servo.line && stage->servo.box);
+  }
+  return found;
+}
+
+/* Warns of a recorded imposed work that is 0, because only walls and fixed particles move. */
+static void warn_imposed(struct nb_outcome *outcome, const struct nb_page_run *run) {
+  static const char name[] = "energy.imposed";
+  const struct nb_scene *const scene = &run->scene;
+  for (size_t c = 0; c < scene->column_count; c++)
+    if (strcmp(scene->columns[c].name, name) == 0 && !is_expected_0(&run->expectations, c) && !imposes(scene) &&
+        moves_walls(scene))
+      nb_warn(&outcome->warnings, scene->columns[c].line,
+              "`%s` is 0, because only walls and fixed particles move: their work is `energy.walls`", name);
+}
+
 /* Warns of expectations on a negative pressure, and on a stress other than the one that the servo of their stage
  * controls. `above` may have a negative value, as the lower bound of a magnitude. False: out of memory. */
 static bool warn_of_stresses(struct nb_page_run *run) {
@@ -147,11 +217,13 @@ static void read_runs(struct nb_outcome *outcome, nb_settings settings, size_t p
     if (r > 0)
       nb_scene_read(&run->scene, &outcome->page, r, settings, &outcome->mistakes);
     nb_expectations_read(&run->expectations, &outcome->page, &run->scene, &outcome->mistakes);
+    track_columns(run);
     if (!warn_of_stresses(run))
       nb_mistake_memory(&outcome->mistakes);
     nb_sweep_label(run->label, sizeof run->label, run, NULL);
     add_warnings(outcome, &run->scene.warnings);
     warn_removed(outcome, run);
+    warn_imposed(outcome, run);
     particles += run->scene.particle_count;
     if (particles > particles_kept)
       release_particles(run);

@@ -8,6 +8,7 @@
 
 #include "core/array.h"
 #include "core/clean.h"
+#include "core/names.h"
 #include "input/reader.h"
 #include "verdict.h"
 
@@ -170,17 +171,38 @@ static void note_other_sign(struct nb_check *check, const struct nb_page_run *ru
             other.reducer == NB_MIN ? "min" : "max", value, nb_check_unit(unit, run, e));
 }
 
+/* Appends a note to a failed check of a contact with linear springs if the normal force is twice the expected one, or the
+ * overlap half of it, to 1 %: the author probably expected the stiffness of two springs in series. */
+static void note_series(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e,
+                        double computed) {
+  static const double near = 0.01;
+  const struct nb_quantity *const quantity = &run->scene.columns[e->measure.column].quantity;
+  const double ratio = computed / e->number;
+  const bool force = strcmp(quantity->kind->name, "normal") == 0,
+             overlap = strcmp(quantity->kind->name, "overlap") == 0;
+  const double series = force ? 2 : 0.5;
+  if (check->mark == NB_FAIL && quantity->monitor >= 0 && (force || overlap) &&
+      strcmp(run->scene.normal, "linear") == 0 && fabs(ratio - series) <= near * series)
+    nb_append(
+        check->message, sizeof check->message,
+        "; the ratio is %g: a contact has the whole `kn` of its material, or 2ab/(a+b) of two materials, not half "
+        "of it as with two springs in series",
+        series);
+}
+
 /* Compares a value with the reference, or with the number that the page gives. */
 static void check_value(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
   const bool expected = e->kind == NB_EXPECTED;
   const double *reference = expected ? &e->number : nb_check_solution(run, &e->measure);
-  double computed, scale;
+  double computed = NAN, scale;
   char unit[NB_NAME_SIZE];
   if (!reference)
     nb_check_result(check, false, "the reference does not return `%s`", e->measure.label);
   else if (nb_check_computed(&computed, check, run, e) && find_scale(&scale, *reference, check, run, &e->tolerance))
     compare(check, &e->tolerance, computed, *reference, scale, nb_check_unit(unit, run, e),
             expected ? "expected" : "reference");
+  if (expected && !e->has_scale)
+    note_series(check, run, e, computed);
   if (reference && *reference == 0 && check->mark == NB_PASS)
     note_other_sign(check, run, e, e->tolerance.value * (e->tolerance.kind == NB_ABSOLUTE ? 1 : fabs(scale)));
 }
@@ -338,6 +360,8 @@ static bool evaluate_run(struct nb_outcome *outcome, size_t r, bool over) {
     if (check) {
       set_label(check, outcome, e->line);
       evaluate(check, outcome, r, k);
+      if (!over)
+        nb_check_rows(&outcome->warnings, &outcome->runs[r], e);
     }
   }
   return stored;

@@ -25,6 +25,12 @@ bool nb_check_computed(double *value, struct nb_check *check, const struct nb_pa
 /* The value of the reference solution, or else 0 for a residual; NULL: there is none. */
 const double *nb_check_solution(const struct nb_page_run *run, const struct nb_measure *measure);
 
+/* ---- verdict_rows.c ---- */
+
+/* Warns of a largest or smallest value that would have another verdict with all cycles than with the recorded rows. */
+void nb_check_rows(struct nb_warnings *warnings, const struct nb_page_run *run,
+                   const struct nb_expectation *expectation);
+
 /* ---- verdict_sweep.c ---- */
 
 bool nb_is_over_sweep(const struct nb_expectation *expectation); /* the expectation compares runs of a sweep */

@@ -3,6 +3,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "result.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -27,16 +28,37 @@ unsigned nb_fields_requested(const struct nb_scene *scene) {
   return fields;
 }
 
+static bool extremes_create(struct nb_result *result, size_t count) {
+  result->extremes = malloc(count * sizeof *result->extremes);
+  for (size_t k = 0; k < count && result->extremes; k++)
+    result->extremes[k] = (struct nb_extremes){INFINITY, -INFINITY};
+  return result->extremes != NULL;
+}
+
 bool nb_result_begin(struct nb_result *result, const struct nb_scene *scene) {
   struct nb_table *table = &result->table;
   result->stages = calloc(scene->stage_count + 1, sizeof *result->stages);
   if (!result->stages || !nb_table_create(table, scene->column_count))
     return false;
+  bool tracked = false;
   for (size_t c = 0; c < scene->column_count; c++) {
+    tracked = tracked || scene->columns[c].tracked;
     memcpy(table->names[c], scene->columns[c].name, sizeof table->names[c]);
     table->units[c] = scene->unitless ? "-" : nb_quantity_unit(scene->columns[c].quantity);
   }
-  return true;
+  return !tracked || extremes_create(result, scene->stage_count * scene->column_count);
+}
+
+void nb_result_track(struct nb_result *result, const struct nb_model *model, int stage) {
+  const struct nb_scene *const scene = model->scene;
+  struct nb_extremes *const of_stage = result->extremes + (size_t)stage * scene->column_count;
+  for (size_t c = 0; c < scene->column_count; c++) {
+    if (!scene->columns[c].tracked)
+      continue;
+    const double value = nb_quantity_value(scene->columns[c].quantity, model);
+    of_stage[c].smallest = fmin(of_stage[c].smallest, value);
+    of_stage[c].largest = fmax(of_stage[c].largest, value);
+  }
 }
 
 bool nb_result_add_row(struct nb_table *table, const struct nb_model *model, int stage) {

@@ -29,6 +29,7 @@ struct run {
   unsigned long stop_at;      /* for tests: cycle after which the run stops; 0: none */
   unsigned long long updates; /* contact updates before the stage */
   bool stage_ended;           /* the checkpoint was saved at the end of a stage */
+  bool tracks;                /* the stage updates the extremes of tracked columns in each cycle */
   bool met_before;            /* the conditions of the stage were met when it began */
 };
 
@@ -249,6 +250,8 @@ static enum nb_status run_cycle(struct run *run, int index, int *outcome, struct
   struct nb_model *model = run->model;
   if (nb_cycle(model, error))
     return error->status;
+  if (run->tracks)
+    nb_result_track(run->result, model, index);
   const bool over = model->stage_cycle >= stage->cycles;
   *outcome = stage_ends(stage, model, over) ? ENDED : over ? EXHAUSTED : CONTINUES;
   const bool due =
@@ -305,6 +308,8 @@ static void store_run(struct nb_store *store, struct run *run) {
     NB_STORE(store, "cost", &cost->step, 1);
     NB_STORE(store, "cost", &cost->seconds, 1);
   }
+  if (run->result->extremes)
+    NB_STORE(store, "extremes", run->result->extremes, run->scene->stage_count * run->scene->column_count);
   store_table(store, run, &run->result->table);
   store_snapshots(store, run);
   if (store->restoring)
@@ -363,11 +368,17 @@ static enum nb_status begin_stage(struct run *run, const struct nb_stage *stage,
   return status;
 }
 
+/* True if cycles of the stage are not recorded, and the run keeps the extremes of all of them. */
+static bool tracks_extremes(const struct run *run, const struct nb_stage *stage) {
+  return run->result->extremes && stage->record_interval > 1;
+}
+
 /* Runs a stage. `resumed`: the run continues from a checkpoint inside the stage. */
 static enum nb_status run_stage(struct run *run, int index, bool resumed, struct nb_error *error) {
   const struct nb_stage *stage = &run->scene->stages[index];
   enum nb_status status = resumed ? NB_OK : begin_stage(run, stage, error);
   int outcome = CONTINUES;
+  run->tracks = tracks_extremes(run, stage);
   while (!status && outcome == CONTINUES) {
     status = run_cycle(run, index, &outcome, error);
     if (!report_progress(run, stage) && !status)
@@ -496,5 +507,6 @@ void nb_result_free(struct nb_result *result) {
   nb_table_free(&result->table);
   nb_result_free_snapshots(result);
   free(result->stages);
+  free(result->extremes);
   *result = (struct nb_result){0};
 }

@@ -1,0 +1,73 @@
+/* Warnings of checks that would have another verdict with the values of all cycles than with those of the rows.
+ *
+ * `max`, `min` and `amplitude` use the rows of the table. With `record every N cycles` a whole collision may lie between
+ * two rows. A run tracks the largest and the smallest value of all cycles for the columns of such checks (struct
+ * nb_extremes).
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+
+#include "core/error.h"
+#include "verdict.h"
+
+/* Extends the smallest and the largest value of the rows of a measure by the tracked values of its stages. */
+static struct nb_extremes extend(struct nb_extremes rows, const struct nb_page_run *run,
+                                 const struct nb_measure *measure) {
+  const struct nb_table *const table = nb_run_table(run);
+  const int stage = measure->stage == -1 ? table->stage[table->row_count - 1] : measure->stage;
+  for (size_t s = 0; s < run->scene.stage_count; s++) {
+    const struct nb_extremes *const all = &run->result.extremes[s * run->scene.column_count + measure->column];
+    if (stage != NB_STAGE_ALL && (int)s != stage)
+      continue;
+    rows.smallest = fmin(rows.smallest, all->smallest);
+    rows.largest = fmax(rows.largest, all->largest);
+  }
+  return rows;
+}
+
+static double reduce(enum nb_reducer reducer, struct nb_extremes values) {
+  return reducer == NB_MAX   ? values.largest
+         : reducer == NB_MIN ? values.smallest
+                             : (values.largest - values.smallest) / 2;
+}
+
+/* True if the expectation holds for this value of its measure. */
+static bool holds(const struct nb_page_run *run, const struct nb_expectation *e, double value) {
+  const struct nb_table *const table = nb_run_table(run);
+  struct nb_error error;
+  double other = e->number;
+  if (e->kind == NB_LESS || e->kind == NB_GREATER)
+    return (e->has_number || nb_measure_value(&other, &e->other, table, &error)) &&
+           (e->kind == NB_LESS ? value < other : value > other);
+  const double *const solution = e->kind == NB_WITHIN ? nb_check_solution(run, &e->measure) : &e->number;
+  double divisor = 1, scale = solution ? *solution : 0;
+  if (!solution || (e->has_scale && !nb_measure_value(&divisor, &e->other, table, &error)) ||
+      (e->tolerance.kind == NB_OF_MEASURE && !nb_measure_value(&scale, &e->tolerance.of, table, &error)))
+    return false;
+  return nb_error_ratio(&e->tolerance, value / divisor, *solution, scale) <= 1;
+}
+
+void nb_check_rows(struct nb_warnings *warnings, const struct nb_page_run *run, const struct nb_expectation *e) {
+  const enum nb_reducer reducer = e->measure.reducer;
+  struct nb_measure least = e->measure, most = e->measure;
+  struct nb_extremes rows;
+  struct nb_error error;
+  if (!run->result.extremes || !run->scene.columns[e->measure.column].tracked ||
+      (reducer != NB_MAX && reducer != NB_MIN && reducer != NB_AMPLITUDE))
+    return;
+  least.reducer = NB_MIN, most.reducer = NB_MAX;
+  if (!nb_measure_value(&rows.smallest, &least, nb_run_table(run), &error) ||
+      !nb_measure_value(&rows.largest, &most, nb_run_table(run), &error))
+    return;
+  const double recorded = reduce(reducer, rows), value = reduce(reducer, extend(rows, run, &e->measure));
+  const bool passes = holds(run, e, recorded);
+  struct nb_expectation bare = *e;
+  char unit[NB_NAME_SIZE];
+  bare.has_scale = false;
+  nb_check_unit(unit, run, &bare);
+  if (holds(run, e, value) != passes)
+    nb_warn(warnings, e->line,
+            "`%s`: it is %.4g%s in the recorded rows and %.4g%s in all cycles, so this check %s only because `record "
+            "every N cycles` leaves cycles out",
+            e->measure.label, recorded, unit, value, unit, passes ? "passes" : "fails");
+}
