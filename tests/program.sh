@@ -502,6 +502,12 @@ run 0 --help max unbalanced
 out 'unbalanced.max, quantity of the scene'
 out 'max, after the quantity of an expectation'
 run 2 --help nothing such
+run 0 --help thickness
+out '1 m thick'
+run 0 --help 'servo off'
+out 'a servo ends with its stage'
+run 0 --help reference
+out 'Selects the reference solution of the page'
 run 2 --help norma
 said '`norma` is not a word of pages; did you mean `normal`?'
 verdict '--version and --help'
@@ -530,23 +536,28 @@ out '  300 cycles, '
 out 'all 2 runs'
 out '  600 cycles, '
 absent same-bits.out
+printf '```scene\nunits none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nstep 0.1\nrecord time\nstage s\ncycles 1\n```\n' >alone.md
+run 0 explain alone.md
+out 'stable: no limit, because no contact with a stiffness can form'
+out 'collision: none is possible'
+grep -q ' inf' out && echo "a disc alone: $(grep ' inf' out)" >>why
 sed 's/kn 1  ks 1 //; s/^shear .*//' "$pages/passes.md" >soft.md
 run 0 explain soft.md
 out 'single contact: none, no contact has a stiffness'
 run 2 explain soft.md --set step='0.1 of single-contact'
-said '--set: the step is computed as inf: a fraction needs a free particle, a partner that it could touch, and a material with'
+said '--set: the step has no limit: a fraction needs a free particle, a partner that it could touch, and a material with'
 sed 's/^step .*/step 0.1 of single-contact/' soft.md >endless.md
 run 2 check endless.md
-said "endless.md:12:1: error: the step is computed as inf: "
+said "endless.md:12:1: error: the step has no limit: "
 run 2 check --tap endless.md
-out "# line 12: the step is computed as inf: "
+out "# line 12: the step has no limit: "
 for page in endless.md "$pages/fails.md" "$pages/passes.md" "$pages/never-ends.md" "$pages/hidden.md"; do
   "$nineball" check --tap "$page" >out 2>&1
   test "$(grep -c -E '^(not )?ok ' out)" = "$(sed -n 's/^1[.][.]//p' out)" || echo "$page: another number of lines than planned" >>why
 done
 printf '```scene\nunits none\nstart endless stage flight\nrecord time\nstage on\ncycles 1\n```\n' >from-endless.md
 run 2 check from-endless.md
-said "endless, line 12, from which this page starts: the step is computed as inf: "
+said "endless, line 12, from which this page starts: the step has no limit: "
 # Pairs in the neighbour list, by their materials: each kind of pair has another number of them.
 cat >sorts.md <<'END'
 ```scene

@@ -146,7 +146,7 @@ run 2 report "$pages/fails.md" "$pages/mistaken.md" "$pages/passes.md" -o mixed 
   grep -q 'mistaken.md:6:16: error: expected' mixed/index.html mixed/mistaken/index.html
 result $? 'report: an invalid page is status 2, and the other pages are run'
 sed 's/kn 1  ks 1 //; s/^shear .*//; s/^step .*/step 0.1 of single-contact/' "$pages/passes.md" >endless.md
-run 2 report endless.md -o mixed && grep -q 'line 12: the step is computed as inf: ' mixed/endless/index.html
+run 2 report endless.md -o mixed && grep -q 'line 12: the step has no limit: ' mixed/endless/index.html
 result $? 'report: an error at run time names its line'
 run 3 report "$pages/mistaken.md" "$pages/never-ends.md" "$pages/fails.md" "$pages/passes.md" -o mixed &&
   test -s mixed/fails/table.tsv && test -s mixed/passes/table.tsv && test -s mixed/never-ends/table.tsv

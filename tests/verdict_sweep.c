@@ -133,8 +133,8 @@ static void orders(void) {
   CU_ASSERT_STRING_EQUAL(
       outcome.checks[1].message,
       "computed order 2, expected 1, error 1, tolerance 1e-09: errors 1 at h = 1, 4 at 2; a contact that "
-      "begins between two steps adds an error without an order: let the particles touch at the "
-      "start");
+      "begins or ends between two steps adds an error without an order: let the particles touch from the "
+      "start to the end of the run");
   CU_ASSERT_EQUAL(outcome.checks[1].mark, NB_FAIL);
   nb_outcome_free(&outcome);
   planted_page(&outcome, "sweep h 1 2 4", "A.x order 1 in h within 1e300");

@@ -123,8 +123,8 @@ static enum nb_status build(struct pair *pair, double y[], const struct nb_scene
   if (strcmp(scene->normal, "linear") != 0)
     return refuse(error, "`normal linear`");
   if (!(duration(scene) > 0) || scene->gravity.line || damping->global_kind)
-    return refuse(error, "the same time step, in seconds, in all stages; stages with a number of cycles that change "
-                         "nothing; no gravity; and damping at contacts only");
+    return refuse(error, "the same time step, given as a time, in all stages; stages with a number of cycles that "
+                         "change nothing; no gravity; and damping at contacts only");
   for (int k = 0; k < (int)scene->particle_count; k++)
     put_particle(pair, y, scene, k);
   const int a = scene->particles[0].material;

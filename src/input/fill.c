@@ -29,7 +29,7 @@ static const struct nb_argument fill_fields[] = {
   MATERIAL(AT_MATERIAL),
   COUNT("seed", "N", AT_SEED, NULL, "Seed of the random numbers."),
   COUNT("attempts", "N", AT_ATTEMPTS, NULL, "Largest number of random positions that are tried for each particle, up to 1000000."),
-  CHOICE("else", "stop|skip", AT_ELSE, NULL, "what follows if no position is found for a particle within the attempts. `stop` ends with an error, as the old generator of R89 does. `skip` continues with the next smaller size; the quantity `dropped` of a monitored grading counts the skipped particles"),
+  CHOICE("else", "stop|skip", AT_ELSE, NULL, "what follows if no position is found for a particle within the attempts. `stop` ends with an error, as the old generator of R89 does. `skip` continues with the next smaller size; the quantity `dropped` of a monitored grading counts the skipped particles."),
   END
 };
 /* clang-format on */

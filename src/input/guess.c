@@ -23,6 +23,9 @@ bool nb_item(const char **list, char item[NB_NAME_SIZE]) {
   "box 0 m 0 m to 0.2 m 0.2 m mixed MATERIAL seed 1 attempts 1000 else stop` (in a periodic cell `cell` in place of `box … to …`); " \
   "there is no target porosity: compress with `walls inward 1 mm/s` and `until box.porosity below 0.16 at most 1000000 cycles`"
 #define ONE_SERVO "write `servo isotropic 50 kPa on box through box at most 0.1 1/s`; `xx P`, `yy P`, `xy P` or `mean P` control one component"
+#define SERVO_ENDS \
+  "a servo ends with its stage: begin a new stage, `stage NAME`, without a line `servo`. The boundary, the cell or the walls then have only the strain rate of a " \
+  "`boundary strain`, `cell strain` or `box strain`, and without one they stand still"
 #define SERVO_WALLS \
   "write `through box`: the servo strains the whole box, so opposite walls move by equal distances, as in `servo isotropic 50 kPa on walls through box at most 0.1 1/s`. A biaxial test is `box strain 0 1/s -0.01 1/s` " \
   "with `servo xx 50 kPa on walls through box at most 0.1 1/s`"
@@ -44,6 +47,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"contact_model cmat pair_style pair_coeff model", "normal, shear", "contact laws are two statements: `normal linear` and `shear linear`, or `normal hertz` and `shear mindlin`"}, {"property prop attribute set assign", "material, pair, let"},
     {"variable define fish", "let"}, {"parameter parameters", "let, sweep", "one value is `let mu = 0.3`, a run for each of several values is `sweep mu 0.1 0.3`; statements then use `$mu`"}, {"loop foreach for while", "sweep, repeat", "there are no loops: several particles are `lattice discs 20 by 1 radius 5 mm MATERIAL`, a run for each value is `sweep mu 0.1 0.3`, and repeated stages are `repeat from STAGE 3 times`"}, {"study vary parametric", "sweep"}, {"result results", "report"}, {"bond bonds cement adhesion linearpbond linearcbond", "cohesion"},
     {"friction_coefficient friction_angle frictionAngle fric mu xmu slidingFriction", "friction"}, {"coulomb", "friction, linear"}, {"rho dens mass_density", "density"},
+    {"thickness depth", "density, disc", "a disc is a cylinder 1 m thick, so its mass is `density` times pi R^2 times 1 m; another thickness cannot be given, but masses, stiffnesses and forces are then those of 1 m"},
     {"young_modulus youngs_modulus youngs modulus emod E", "young"}, {"shear_modulus G", "young", "the shear modulus G gives `young` as 2 G (1 + poisson)"}, {"poisson_ratio poissons_ratio pois nu", "poisson"},
     {"normal_stiffness k_n", "kn"}, {"shear_stiffness tangential_stiffness k_s k_t kt kratio", "ks"}, {"stiffness spring", "kn, ks, young, linear", "stiffness is `kn` and `ks` in `material` or `pair`, or `young` in `material`"},
     {"diameter r", "radius"}, {"g grav acceleration", "gravity"}, {"dt timestep time_step O.dt set_timestep set_dt timestep_NUMBER setTimeStep", "step", "write `step 0.2 of stable`, or a time, `step 10 us`"},
@@ -101,6 +105,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"contact_test_shear contact_test_slip contact_test_unload contact_test_load contact_test_cycle contact_test_run contact_test_stage contact_test_normal_force contact_test_displace contact_test_steps contact_test_cycles contact_test_tangential contact_test_move contact_test_until", "segment", "each segment is one line with its own name, `segment load normal to 100 N in 100 steps`, then `segment slide slip to 2 um hold normal in 1000 steps`"},
     {"segment_to segment_by segment_for segment_NUMBER segment_steps segment_tangential segment_displacement segment_normal_force", "segment", "the word after `segment` is its name: `segment load normal to 100 N in 100 steps`, `segment slide slip to 2 um hold normal in 1000 steps`"},
     {"contact_spheres contact_discs contact_radius contact_at", "contact", "write `contact sphere 5 mm MATERIAL with sphere 5 mm MATERIAL`"},
+    {"servo_none servo_off servo_stop servo_end servo_remove servo_release servo_disable servo_delete stop_servo end_servo no_servo remove_servo delete_servo release_servo", "servo, stage", SERVO_ENDS},
     {"servo_NUMBER servo_pressure servo_stress servo_target servo_force servo_wall", "servo", ONE_SERVO},
     {"contact_linear contact_hertz", "normal, shear", "contact laws are two statements: `normal linear` and `shear linear`, or `normal hertz` and `shear mindlin`"},
     {"shear_hertz", "shear", "the shear law of elastic spheres is `shear mindlin` or `shear mindlin_deresiewicz`"},

@@ -34,7 +34,7 @@ enum {
 static const struct nb_argument material_fields[] = {
   NAME(AT_NAME, "a name for the material"),
   CLAUSE("density", "D", NB_UNIT_DENSITY, NB_NOT_NEGATIVE, AT_DENSITY, 1, "0",
-         "Mass per volume; a free particle needs it."),
+         "Mass per volume; a free particle needs it. A disc is 1 m thick, so its mass is D pi R^2 times 1 m; that of a sphere is D 4/3 pi R^3."),
   NB_PAIR_ROWS(OF_MATERIAL)
   CLAUSE("young", "E", NB_UNIT_PRESSURE, NB_POSITIVE, AT_YOUNG, 1, "none",
          "Young's modulus, for the laws of elastic spheres [R89 4.7]."),

@@ -102,10 +102,10 @@ NB_APPLY(apply_lattice) {
 /* clang-format off */
 NB_STATEMENTS(particle) = {
   {"disc", NB_IN_SCENE, particle_fields, NULL, NB_DISC, false, apply_particle,
-   "Adds one disc, a cylinder 1 m thick. Particles are numbered from 1 in the order of the page.",
+   "Adds one disc, a cylinder 1 m thick: its mass is the density times pi R^2 times 1 m. Particles are numbered from 1 in the order of the page.",
    "disc      35.02 mm 60 mm  radius 5 mm  steel  spin -3 rad/s  velocity -$speed 0 m/s"},
   {"sphere", NB_IN_SCENE, particle_fields, NULL, NB_SPHERE, false, apply_particle,
-   "Adds one sphere, which moves in the plane. Particles are numbered from 1 in the order of the page.",
+   "Adds one sphere, which moves in the plane: its mass is the density times 4/3 pi R^3. Particles are numbered from 1 in the order of the page.",
    "sphere    25 mm 60 mm  radius 5 mm  glass"},
   {"lattice", NB_IN_SCENE, lattice_fields, NULL, 0, false, apply_lattice,
    "Adds discs or spheres on a lattice. They are numbered along the first row in x, then along the next row in y, and so on.",

@@ -163,6 +163,8 @@ bool nb_take_number(struct nb_reader *reader, enum nb_unit_kind kind, enum nb_ra
 bool nb_take_time_at(struct nb_reader *reader, double *value); /* s */
 /* Takes a number in a unit of the same dimension as `si_unit`, such as "N" or "kg.m/s". */
 bool nb_take_in_unit(struct nb_reader *reader, const char *si_unit, double *value);
+/* Takes such a number as a tolerance; `relative`: the message says that a percentage is possible, too. */
+bool nb_take_tolerance(struct nb_reader *reader, const char *si_unit, bool relative, double *value);
 
 /* names.c: a quantity or a measure `below` or `above` a number. */
 struct nb_comparison {

@@ -105,15 +105,15 @@ void nb_regions_check(struct nb_scene_reading *reading) {
 
 /* clang-format off */
 NB_STATEMENTS(region) = {
-  {"region", NB_IN_SCENE | NB_IN_START, region_fields, "circle X Y radius R {rings N} | box X1 Y1 to X2 Y2 | inside F {rings N} | all {from STAGE}", 0, false, apply_region,
+  {"region", NB_IN_SCENE | NB_IN_START, region_fields, "circle X Y radius R {rings N} {from STAGE} | box X1 Y1 to X2 Y2 {from STAGE} | inside F {rings N} {from STAGE} | all {from STAGE}", 0, false, apply_region,
    "Names a region of the plane for averages: `A.stress.mean`. A particle is inside if its centre is.\n"
    "circle X Y radius R: lengths. A circle about this centre.\n"
    "box X1 Y1 to X2 Y2: lengths. A rectangle between two opposite corners; the first corner has the smallest x and y.\n"
    "inside F: a number from 0 to 1. A circle about the centre of the boundary; its radius is the fraction F of the boundary's mean radius.\n"
    "all: the periodic cell; without a cell, the smallest rectangle around all particles, which `transform` rotates. It is not the box of walls, whose porosity is `box.porosity`.\n"
    "rings N: a whole number from 1 to 1000, for `circle` and `inside`. A snapshot then has the porosity of N rings of equal width about the centre.\n"
-   "from STAGE: strain, and lost and new contacts, refer to the beginning of this stage; without it: to the start of the run.",
-   "region    M  circle 40 mm 40 mm radius 30 mm  rings 6"},
+   "from STAGE: the name of a stage of this page, after any of the four shapes: `region S all from load`. The strains of the region, and its lost and new contacts, then count from the beginning of this stage; without it: from the start of the run.",
+   "region    M  circle 40 mm 40 mm radius 30 mm  rings 6\nregion    T  all  from strike"},
   {0},
 };
 /* clang-format on */

@@ -187,7 +187,7 @@ void nb_servo_check(struct nb_scene_reading *reading) {
 /* clang-format off */
 NB_STATEMENTS(servo) = {
   {"servo", NB_IN_STAGE | NB_IN_RAMP, servo_fields, "{every N cycles}", 0, false, apply_servo,
-   "Controls a stress in this stage: the stress of a region, on the boundary, in the cell or on the box, or the mean traction of the box's walls. The servo adds a strain rate to that of the boundary, the cell or the box. Components that are not named are not controlled. The stress of the box is computed from all forces on its walls, the traction of the walls from the normal forces: with friction at the walls the two differ. The program computes the gain from the stiffness of the contacts.\n"
+   "Controls a stress in this stage; a servo ends with its stage. It controls the stress of a region, on the boundary, in the cell or on the box, or the mean traction of the box's walls. The servo adds a strain rate to that of the boundary, the cell or the box. Components that are not named are not controlled. The stress of the box is computed from all forces on its walls, the traction of the walls from the normal forces: with friction at the walls the two differ. The program computes the gain from the stiffness of the contacts.\n"
    "every N cycles: a whole number, 1 or more; without it: 10. How often the added strain rate is updated.",
    "stage     walled\n  servo   isotropic 1 kPa  on box  through box  at most 1e-6 per cycle\n  cycles  10\n"
    "stage     even\n  servo   isotropic 1 kPa  on boundary  through boundary affine  at most 1e-6 per cycle\n  cycles  10\n"

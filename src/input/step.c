@@ -3,6 +3,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
 
+#include "core/clean.h"
 #include "statement.h"
 
 enum { AT_SKIN };
@@ -16,15 +17,82 @@ static const enum nb_step_kind kinds[] = {NB_STEP_STABLE,           NB_STEP_COLL
                                           NB_STEP_RAYLEIGH,         NB_STEP_RAYLEIGH_MEAN, NB_STEP_RAYLEIGH_FIT,
                                           NB_STEP_RAYLEIGH_FIT_MEAN};
 
-/* True if one of `words`, which `|` separates, follows the next number, such as `0.2` or `20 %`. */
-static bool follows(const struct nb_reader *reader, const char *words) {
-  size_t behind = reader->next + 1;
-  behind += behind < reader->count && strcmp(reader->tokens[behind].text, "%") == 0;
-  const char *const text = behind < reader->count ? reader->tokens[behind].text : "|";
+/* True if the text is one of `words`, which `|` separates. */
+static bool is_one_of(const char *text, const char *words) {
   size_t length = strcspn(words, "|");
   while (words[length] && !(strlen(text) == length && strncmp(words, text, length) == 0))
     words += length + 1, length = strcspn(words, "|");
   return strlen(text) == length && strncmp(words, text, length) == 0;
+}
+
+/* True if one of `words` follows the next number, such as `0.2` or `20 %`. */
+static bool follows(const struct nb_reader *reader, const char *words) {
+  size_t behind = reader->next + 1;
+  behind += behind < reader->count && strcmp(reader->tokens[behind].text, "%") == 0;
+  return is_one_of(behind < reader->count ? reader->tokens[behind].text : "|", words);
+}
+
+/* Writes the hint for an incomplete fraction of a reference step, with the number of the page if a step can be this
+ * fraction, and with the reference step that the page names in the last word of the line: "write `step 0.3 of
+ * stable`". */
+static const char *fraction_hint(char *hint, const struct nb_reader *reader) {
+  static const double least = 1e-3; /* a smaller number is hardly a fraction: it may be meant as a time in s */
+  const struct nb_token *const number = &reader->tokens[1], *const last = &reader->tokens[reader->count - 1];
+  const bool percent = reader->count > 2 && strcmp(number[1].text, "%") == 0;
+  const double whole = percent ? 100 : 1;
+  double value;
+  char text[NB_NAME_SIZE] = "0.2";
+  if (nb_number_read(&value, number->text, 0) == NB_READ && value >= least * whole && value <= whole)
+    snprintf(text, sizeof text, "%.40s%s", number->text, percent ? " %" : "");
+  if (is_one_of(last->text, STEP_KINDS))
+    snprintf(hint, NB_HINT_SIZE, "write `step %s of %s`", text, last->text);
+  else
+    snprintf(hint, NB_HINT_SIZE, "write `step %s of stable`, with elastic spheres `step %s of rayleigh`", text, text);
+  return hint;
+}
+
+/* Refuses `step 0.3` and `step 30 %`, numbers without a unit and without a reference step. True: it is refused. */
+static bool refuse_number(struct nb_reader *reader) {
+  const struct nb_token *const number = nb_token_peek(reader);
+  const size_t count = reader->count - reader->next;
+  const bool percent = count == 2 && strcmp(number[1].text, "%") == 0;
+  char hint[NB_HINT_SIZE];
+  double value;
+  if (!(percent || (count == 1 && !reader->unitless)) || number->computed ||
+      nb_number_read(&value, number->text, 0) != NB_READ)
+    return false;
+  struct nb_token both = *number;
+  if (percent)
+    both.length = number[1].column + number[1].length - number->column;
+  fraction_hint(hint, reader);
+  nb_append(hint, sizeof hint, "; a time has a unit: `step 10 us`");
+  return !nb_token_mistake(reader, &both, hint,
+                           "expected a time and its unit, or a fraction `F of stable`, found `%s%s`", number->text,
+                           percent ? " %" : "");
+}
+
+/* Takes the words after the number of `step F of NAME`. */
+static void take_reference(struct nb_reader *reader, struct nb_step *step) {
+  char hint[NB_HINT_SIZE];
+  reader->otherwise = fraction_hint(hint, reader);
+  if (nb_take_word(reader, "of") && !nb_token_peek(reader)) {
+    nb_expected(reader, hint, "`stable` or another reference step");
+  } else if (!reader->bad) {
+    const int kind = nb_take_choice(reader, STEP_KINDS);
+    step->kind = kind < 0 ? NB_STEP_TIME : kinds[kind];
+  }
+  reader->otherwise = NULL;
+}
+
+/* Takes the words after the number of `step TIME` or `step N per collision`. */
+static void take_rest(struct nb_reader *reader, struct nb_step *step, bool per) {
+  char hint[NB_HINT_SIZE];
+  if (!per && nb_token_is(reader, "of"))
+    nb_expected(reader, fraction_hint(hint, reader), "the end of the line, because a fraction has no unit");
+  else if (per && nb_take_word(reader, "per") &&
+           (nb_token_skip(reader, "collision") ||
+            nb_expected(reader, "for example `step 40 per collision`", "`collision`")))
+    step->kind = NB_STEP_COLLISION, step->value = 1 / step->value;
 }
 
 /* Reads `step TIME`, `step F of NAME` or `step N per collision`. */
@@ -35,17 +103,13 @@ NB_APPLY(apply_step) {
   const bool fraction = follows(reader, "of|critical|" STEP_KINDS), per = follows(reader, "per"),
              setting = reader == &reading->setting;
   struct nb_step step = {.kind = NB_STEP_TIME, .line = setting ? 0 : (int)reader->line, .set = setting};
-  nb_take_number(reader, fraction || per ? NB_UNIT_NUMBER : NB_UNIT_TIME, NB_POSITIVE, &step.value);
+  if (refuse_number(reader) ||
+      !nb_take_number(reader, fraction || per ? NB_UNIT_NUMBER : NB_UNIT_TIME, NB_POSITIVE, &step.value))
+    return;
   if (fraction)
-    reader->otherwise = "write `step 0.2 of stable`, with elastic spheres `step 0.2 of rayleigh`";
-  if (fraction && nb_take_word(reader, "of")) {
-    const int kind = nb_take_choice(reader, STEP_KINDS);
-    step.kind = kind < 0 ? NB_STEP_TIME : kinds[kind];
-  } else if (per && nb_take_word(reader, "per") &&
-             (nb_token_skip(reader, "collision") ||
-              nb_expected(reader, "for example `step 40 per collision`", "`collision`"))) {
-    step.kind = NB_STEP_COLLISION, step.value = 1 / step.value;
-  }
+    take_reference(reader, &step);
+  else
+    take_rest(reader, &step, per);
   if (reader->bad || nb_token_peek(reader)) /* nb_statement_read reports the token */
     return;
   /* the line of an inherited step is above the stage, or below it if the stage is repeated */

@@ -29,6 +29,8 @@ struct wanted {
   struct nb_unit unit;
   const char *name, *units;
   bool per_cycle; /* the unit may be `per cycle` */
+  bool tolerance; /* hints propose no number below 0 */
+  bool relative;  /* a percentage may stand in place of the number and its unit */
 };
 
 static struct wanted wanted_of(enum nb_unit_kind kind) {
@@ -51,7 +53,7 @@ static void expected_text(char *text, size_t size, const struct nb_reader *reade
   else if (reader->unitless)
     snprintf(text, size, "%s as a number without a unit (the scene says `units none`)", it->name);
   else
-    snprintf(text, size, "%s and its unit (%s)", it->name, it->units);
+    snprintf(text, size, "%s and its unit (%s)%s", it->name, it->units, it->relative ? ", or a percentage" : "");
 }
 
 /* Reports a number and its unit, which may be NULL: "expected WHAT, found `50 kg`". */
@@ -155,6 +157,7 @@ static const char *common_units_hint(char *hint, const struct nb_reader *reader,
   const char *const second = strchr(it->units, ','), *const write = each ? "each number has its own unit: " : "write ";
   const int length = (int)strcspn(it->units, ",");
   char more[NB_HINT_SIZE / 2] = "";
+  double value;
   if (!has_unit)
     add_advice(more, reader, each || first);
   if (second)
@@ -162,6 +165,8 @@ static const char *common_units_hint(char *hint, const struct nb_reader *reader,
              (int)strcspn(second + 2, ","), second + 2, more);
   else
     snprintf(hint, NB_HINT_SIZE, "%s`%.40s %s`%s", write, n, it->units, more);
+  if (it->relative && !has_unit && nb_number_read(&value, n, 0) == NB_READ && value >= 1e-4 && value <= 100)
+    nb_append(hint, NB_HINT_SIZE, "; a relative tolerance is a percentage, `%.6g %%`", value < 1 ? 100 * value : value);
   return hint;
 }
 
@@ -216,6 +221,11 @@ static const char *in_si(char si[NB_NAME_SIZE], const struct nb_reader *reader, 
   return si;
 }
 
+/* The number that a hint proposes with another unit. A tolerance has no sign. */
+static const char *proposed_number(const struct nb_token *number, const struct wanted *it) {
+  return number->computed ? "(...)" : number->text + (it->tolerance && *number->text == '-');
+}
+
 /* Writes the hint for a number without a unit, or with the wrong unit; NULL: a computed number has a unit, for which
  * there is no hint. */
 static const char *unit_hint(char *hint, const struct nb_reader *reader, const struct nb_token *number,
@@ -224,7 +234,7 @@ static const char *unit_hint(char *hint, const struct nb_reader *reader, const s
   const char *const text = unit ? unit->text : "";
   struct nb_guess guess = nb_guess_begin(without_comma(bare, text));
   const struct nb_foreign_unit *const foreign = nb_unit_foreign(bare, &it->unit.dimension);
-  const char *const n = number->computed ? "(...)" : number->text;
+  const char *const n = proposed_number(number, it);
   char si[NB_NAME_SIZE];
   double value;
   nb_unit_offer(&guess, it->units);
@@ -290,15 +300,39 @@ static const char *bare_name_hint(char *hint, const struct nb_reader *reader, co
   return hint;
 }
 
-static bool take_quantity(struct nb_reader *reader, const struct wanted *it, enum nb_range range, double *value) {
+/* Writes the hint for `3,`, a number that a comma follows, in place of a number and its unit; false: the token is
+ * something else. */
+static bool comma_after_number_hint(char *hint, const struct nb_reader *reader, const char *text,
+                                    const struct wanted *it) {
+  char bare[NB_NAME_SIZE];
+  struct nb_unit unit;
+  double value;
+  const struct nb_token *const next = token_after(reader, 1);
+  const bool has_unit = next && nb_unit_read(&unit, next->text);
+  const size_t n = strlen(without_comma(bare, text));
+  snprintf(hint, NB_HINT_SIZE, "leave out the comma%s: `%.40s %.*s`", has_unit ? "" : "; each number has its own unit",
+           bare, has_unit ? (int)strlen(next->text) : (int)strcspn(it->units, ","), has_unit ? next->text : it->units);
+  return !reader->unitless && !is_dimensionless(it) && text[n] == ',' && !text[n + 1] &&
+         nb_number_read(&value, bare, 0) == NB_READ;
+}
+
+/* Reports a token that is no number in place of one. */
+static bool no_number_mistake(struct nb_reader *reader, const struct wanted *it) {
+  const struct nb_token *const token = nb_token_peek(reader);
   char what[256], hint[NB_HINT_SIZE];
+  expected_text(what, sizeof what, reader, it);
+  if (token && comma_after_number_hint(hint, reader, token->text, it))
+    return number_mistake(reader, token, NULL, hint, what);
+  return nb_expected(reader, bare_name_hint(hint, reader, token), "%s", what);
+}
+
+static bool take_quantity(struct nb_reader *reader, const struct wanted *it, enum nb_range range, double *value) {
+  char what[256];
   struct nb_unit unit;
   const struct nb_token *number = nb_token_peek(reader);
   *value = 1;
-  if (!number || nb_number_read(value, number->text, 0) == NB_NO_NUMBER) {
-    expected_text(what, sizeof what, reader, it);
-    return nb_expected(reader, bare_name_hint(hint, reader, number), "%s", what);
-  }
+  if (!number || nb_number_read(value, number->text, 0) == NB_NO_NUMBER)
+    return no_number_mistake(reader, it);
   const bool matches = unit_fits(&unit, reader, it);
   const struct nb_token *behind = matches || meant_as_unit(reader, it) ? token_after(reader, 1) : NULL;
   const enum nb_reading reading = nb_quantity_read(value, number->text, number->computed, &unit);
@@ -335,13 +369,24 @@ bool nb_take_time_at(struct nb_reader *reader, double *value) {
   return take_quantity(reader, &it, NB_NOT_NEGATIVE, value);
 }
 
-bool nb_take_in_unit(struct nb_reader *reader, const char *si_unit, double *value) {
+/* As wanted_of, for a number in a unit of SI. */
+static struct wanted wanted_in(const char *si_unit) {
   enum nb_unit_kind kind;
   struct wanted it = {.name = "a number", .units = si_unit};
   if (nb_unit_kind_of(&kind, si_unit))
-    it = wanted_of(kind);
-  else
-    nb_unit_read(&it.unit, si_unit);
+    return wanted_of(kind);
+  nb_unit_read(&it.unit, si_unit);
+  return it;
+}
+
+bool nb_take_in_unit(struct nb_reader *reader, const char *si_unit, double *value) {
+  const struct wanted it = wanted_in(si_unit);
+  return take_quantity(reader, &it, NB_ANY, value);
+}
+
+bool nb_take_tolerance(struct nb_reader *reader, const char *si_unit, bool relative, double *value) {
+  struct wanted it = wanted_in(si_unit);
+  it.tolerance = true, it.relative = relative;
   return take_quantity(reader, &it, NB_ANY, value);
 }
 

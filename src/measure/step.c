@@ -138,9 +138,9 @@ enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, s
   model->stability->step_line = line;
   if (!(model->step > 0) || !isfinite(model->step)) {
     nb_error_set(error, NB_BAD_USE,
-                 "%sthe step is computed as %g%s: a fraction needs a free particle, a partner that it could touch, and "
-                 "a material with `kn`. Add what is missing, or write `step TIME`",
-                 source, model->step, nb_unit(model->scene, " s"));
+                 "%sthe step %s: a fraction needs a free particle, a partner that it could touch, and a material with "
+                 "`kn`. Add what is missing, or write `step TIME`",
+                 source, model->step > 0 ? "has no limit" : "is 0");
     error->line = line;
     return NB_BAD_USE;
   }

@@ -10,8 +10,8 @@
  * The estimated error of a setting needs the results at its level, at the next two finer levels, and an anchor that is
  * at least two levels finer. Levels are tried from the coarsest one on; the first level within the tolerance is the
  * cheapest of its variant. A variant is left out if the page or its reference solution refuses it, if it gives the
- * values of another variant, or if its values differ from the anchor by more than twice the tolerance. To find this
- * out, one trial is run at the level that was found for the page's own laws and values. If the variant cannot be run at
+ * values of another variant, or if its values differ from the anchor by more than twice the tolerance. Softer contacts
+ * that give the values of another variant are kept, because they allow a longer step. To find this out, one trial is run at the level that was found for the page's own laws and values. If the variant cannot be run at
  * this level, the trial is run at the first finer level at which it can.
  *
  * With realizations only the error of their mean is estimated. The anchor is then the page with half its step, and no
@@ -444,8 +444,8 @@ static enum nb_status check_page(const struct nb_advice *advice, struct nb_error
     return nb_error_set(
         error, NB_BAD_USE,
         "expected a page of at most %d particles, found %zu: the motion of many particles is chaotic, so the results "
-        "of one run have no limit for a step towards zero. A mean over realizations has such a limit: give `--over "
-        "NAME`, where the page has `let NAME` or `sweep NAME` for the seed of its random packing",
+        "of one run have no limit for a step towards zero. A mean over realizations has such a limit: name the seed "
+        "of the random packing, `let seed = 1` and `seed $seed`, and add `--over seed`",
         PARTICLES_MAX, scene->particle_count);
   if (NB_FIND(scene->bindings, scene->binding_count, "refine") >= 0)
     return nb_error_set(error, NB_BAD_USE,

@@ -22,8 +22,8 @@
 
 static const struct nb_reducer_row reducers[] = {
     {"last", NB_LAST, "the last row; the default"},
-    {"max", NB_MAX, "the largest value"},
-    {"min", NB_MIN, "the smallest value"},
+    {"max", NB_MAX, "the largest value of the recorded rows"},
+    {"min", NB_MIN, "the smallest value of the recorded rows"},
     {"mean", NB_MEAN, "the mean of all rows"},
     {"amplitude", NB_AMPLITUDE, "half the difference between the largest and the smallest value"},
     {"frequency", NB_FREQUENCY, "upward crossings of the mean per second, 1/s"},
@@ -340,8 +340,9 @@ static bool is_before(const struct nb_reader *reader, const char *word) {
   return reader->next + 1 < reader->count && strcmp(reader->tokens[reader->next + 1].text, word) == 0;
 }
 
-/* Takes `within` and a fraction, or `within` and a number in the unit of the measure: `within 2 nm`, `within 1e-12`. */
-static bool take_tolerance(struct nb_reader *reader, const struct nb_scene *scene, const char *unit,
+/* Takes `within` and a fraction, or `within` and a number in the unit of the measure: `within 2 nm`, `within 1e-12`.
+ * `zero`: the reference is 0, so messages do not propose a percentage. */
+static bool take_tolerance(struct nb_reader *reader, const struct nb_scene *scene, const char *unit, bool zero,
                            struct nb_tolerance *tolerance) {
   if (!nb_token_peek(reader)) {
     char hint[NB_HINT_SIZE];
@@ -355,7 +356,8 @@ static bool take_tolerance(struct nb_reader *reader, const struct nb_scene *scen
   const size_t from = reader->next;
   const bool fraction = is_before(reader, "%") || is_before(reader, "ppm") || (scene && is_before(reader, "of"));
   tolerance->kind = NB_ABSOLUTE;
-  if (!(fraction ? take_fraction(reader, scene, unit, tolerance) : nb_take_in_unit(reader, unit, &tolerance->value)))
+  if (!(fraction ? take_fraction(reader, scene, unit, tolerance)
+                 : nb_take_tolerance(reader, unit, !zero, &tolerance->value)))
     return false;
   tolerance->text[0] = 0;
   for (size_t k = from; k < reader->next; k++)
@@ -369,7 +371,7 @@ static bool take_tolerance_of(struct nb_reader *reader, const struct nb_scene *s
                               struct nb_tolerance *tolerance) {
   const size_t at = reader->next + 1;
   char hint[NB_HINT_SIZE] = "give a number, `within 1e-6`";
-  if (!take_tolerance(reader, scene, unit, tolerance))
+  if (!take_tolerance(reader, scene, unit, zero, tolerance))
     return false;
   if (strcmp(unit, "1") != 0)
     snprintf(hint, sizeof hint,
@@ -459,7 +461,7 @@ static bool take_versus(struct nb_reader *reader, const struct nb_scene *scene, 
     return false;
   snprintf(expectation->against, sizeof expectation->against, "%s", token->text);
   return take_stage(reader, scene, &expectation->measure) &&
-         take_tolerance(reader, scene, expectation->measure.unit, &expectation->tolerance);
+         take_tolerance(reader, scene, expectation->measure.unit, false, &expectation->tolerance);
 }
 
 /* True, with a message, if the expectation can never hold or can never fail, because of the bounds of the quantity. */
@@ -612,7 +614,7 @@ static bool take_constant(struct nb_reader *reader, const struct nb_scene *scene
   if (!nb_token_is(reader, "with"))
     return nb_expected(reader, hint, "`with` and the name of a `sweep`");
   return take_trend(reader, scene, expectation) &&
-         take_tolerance(reader, NULL, expectation->measure.unit, &expectation->tolerance);
+         take_tolerance(reader, NULL, expectation->measure.unit, false, &expectation->tolerance);
 }
 
 /* Writes the hint for an incomplete `order`: the whole line, with the order if it is known and the first sweep of the
@@ -641,7 +643,7 @@ static bool take_order(struct nb_reader *reader, const struct nb_scene *scene, s
     return nb_expected(reader, hint, "`in` and the name of a `sweep`");
   if (!take_sweep_name(reader, scene, &expectation->measure, expectation->against))
     return false;
-  return nb_token_is(reader, "within") ? take_tolerance(reader, NULL, "1", &expectation->tolerance)
+  return nb_token_is(reader, "within") ? take_tolerance(reader, NULL, "1", false, &expectation->tolerance)
                                        : nb_expected(reader, hint, "`within`");
 }
 
@@ -822,7 +824,9 @@ static const struct nb_argument no_arguments[] = {
 
 static const struct nb_keyword table[] = {
     {"reference", NB_IN_EXPECT, reference, NULL, 0, false, apply_reference,
-     "The reference solution: a file of cases/refs; `nineball list` names them.", "reference  two_wall_compression"},
+     "Selects the reference solution of the page, with which `within`, `versus` and `order` compare the results. "
+     "`nineball list` lists the references; they are computed from theory, in the files of cases/refs.",
+     "reference  two_wall_compression"},
     {"report", NB_IN_EXPECT, no_arguments, "MEASURE", 0, false, apply_report,
      "Writes the measure to values.tsv and to the verdict, and checks nothing.", "report  C.overlap max in strike"},
     {NULL, NB_IN_EXPECT, no_arguments, "MEASURE EXPECTATION", 0, false, apply_expectation,

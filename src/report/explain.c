@@ -374,12 +374,25 @@ static void explain_regions(FILE *out, const struct nb_model *model) {
 static void explain_stable_step(FILE *out, const struct nb_model *model, const char *s) {
   const struct nb_stable stable = nb_stable_step_stage(model);
   char what[3 * NB_NAME_SIZE];
+  if (isinf(stable.step)) {
+    fputs("  stable: no limit, because no contact with a stiffness can form\n", out);
+    return;
+  }
   nb_stable_text(what, sizeof what, model, &stable);
   fprintf(out, "  stable: %g%s; the step is %g of it; limited by %s%s\n", stable.step, s, model->step / stable.step,
           what,
           model->step <= stable.step         ? ""
           : model->stability->allow_unstable ? "; allowed to be unstable"
                                              : "; ABOVE it: the run will be aborted");
+}
+
+static void explain_single_contact(FILE *out, const struct nb_model *model, const char *s) {
+  const double stable = nb_stable_step_stage(model).step / model->critical;
+  fprintf(out, "  single contact, 2 sqrt(m/k): %g%s; the step is %g of it", model->critical, s,
+          model->step / model->critical);
+  if (isfinite(stable))
+    fprintf(out, ", the stable step %g of it", stable);
+  fputc('\n', out);
 }
 
 static void explain_collision(FILE *out, const struct nb_model *model, const char *s) {
@@ -430,8 +443,7 @@ static void explain_step(FILE *out, const struct nb_model *model) {
     return;
   }
   if (!elastic)
-    fprintf(out, "  single contact, 2 sqrt(m/k): %g%s; the step is %g of it, the stable step %g of it\n",
-            model->critical, s, model->step / model->critical, nb_stable_step_stage(model).step / model->critical);
+    explain_single_contact(out, model, s);
   if (elastic && !nb_step_loaded(model))
     fprintf(out, "  stable: unknown, elastic spheres without overlap have no stiffness\n");
   else
@@ -439,6 +451,8 @@ static void explain_step(FILE *out, const struct nb_model *model) {
   const double collision = nb_step_collision(model);
   if (elastic)
     explain_collision(out, model, s);
+  else if (isinf(collision))
+    fputs("  collision: none is possible\n", out);
   else
     fprintf(out, "  collision, the shortest possible: %g%s; the step is %g of it\n", collision, s,
             model->step / collision);

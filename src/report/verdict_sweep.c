@@ -199,8 +199,8 @@ static void explain_slope(struct nb_check *check, const struct nb_expectation *e
               e->against, e->measure.label, -e->number, e->against, e->tolerance.text);
   else
     nb_append(check->message, sizeof check->message,
-              "; a contact that begins between two steps adds an error without an order: let the particles touch at "
-              "the start");
+              "; a contact that begins or ends between two steps adds an error without an order: let the particles "
+              "touch from the start to the end of the run");
 }
 
 static void check_slope(const struct group *group) {
