@@ -98,6 +98,18 @@ for file in state tsv txt; do
   result $? "positions and radii from heap.$file are the same to the last bit"
 done
 
+# The rows are as high as the largest particle, and the first one begins at y = 0.
+taken sorted 'packing heap.state sorted' && "$nineball" run "$pages/sorted.md" -o "$work/sorted.d" >"$work/said" 2>&1 &&
+  places "$work/sorted.d/look-particles.tsv" >"$work/seen" &&
+  awk '$3 > r { r = $3 } { x[NR] = $1; y[NR] = $2; line[NR] = $0 }
+    END { for (k = 1; k <= NR; k++) { row = y[k] / (2 * r); row = int(row) - (row < int(row)); printf "%d %.17g %s\n", row, x[k], line[k] } }' \
+    "$work/wanted" | LC_ALL=C sort -k1,1n -k2,2g | cut -d ' ' -f 3- >"$work/in-rows" &&
+  diff "$work/in-rows" "$work/seen" >"$work/said" && ! diff -q "$work/in-rows" "$work/wanted" >/dev/null
+result $? '`sorted` numbers the particles in rows'
+particles "$work/sorted.state" | cut -d ' ' -f 3- | sort >"$work/a" && cut -d ' ' -f 3- "$work/whole" | sort | diff - "$work/a" >"$work/said" &&
+  test "$(wc -l <"$work/a")" -eq 50
+result $? 'a sorted packing keeps kind, material, radius and position of each particle'
+
 # The state of a page with a packing depends on the contents of the file.
 sed '/^  snapshot/d' "$pages/of-txt.md" >"$pages/first.md"
 printf '# Goes on\n```scene\nstart first stage look\nrecord time\nstage on\ncycles 1\n```\n' >"$pages/second.md"

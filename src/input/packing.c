@@ -4,6 +4,7 @@
  * and `radius/m`. The numbers are read to the last bit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,14 +13,18 @@
 #include "state_file.h"
 #include "statement.h"
 
-enum { AT_FILE, AT_OF }; /* AT_OF: material of discs; the slot after AT_OF: material of spheres */
+enum { AT_FILE, AT_OF, AT_SORTED = AT_OF + 2 }; /* AT_OF: material of discs; the slot after it: material of spheres */
 #define ALL_OF(shapes, shape)                                                                                          \
   {                                                                                                                    \
     shapes, "MATERIAL", NB_ARGUMENT_WORD, NB_UNIT_NUMBER, NB_ANY, AT_OF + shape, 1, "as in the file",                  \
         "the name of a material"                                                                                       \
   }
+#define SORTED                                                                                                         \
+  "Numbers the particles in rows as high as the largest of them: from the smallest y, and in a row from the smallest " \
+  "x. Large packings then run faster (docs/PERFORMANCE.md)."
 static const struct nb_argument packing_fields[] = {WORD("FILE", AT_FILE, "the name of a file"),
-                                                    ALL_OF("discs", NB_DISC), ALL_OF("spheres", NB_SPHERE), END};
+                                                    ALL_OF("discs", NB_DISC), ALL_OF("spheres", NB_SPHERE),
+                                                    FLAG("sorted", AT_SORTED, "in the order of the file", SORTED), END};
 
 static bool is_state(const char *path) {
   struct nb_error error;
@@ -97,6 +102,39 @@ static void from_list(struct nb_scene *scene, struct nb_reader *reader, const st
   free(lengths);
 }
 
+/* A particle of a packing that is sorted, and its row, counted from y = 0. */
+struct in_row {
+  double row;
+  struct nb_particle particle;
+};
+
+/* The sign of a - b for the first difference: of the rows, of x, of y. */
+static int by_row(const void *one, const void *other) {
+  const struct in_row *a = one, *b = other;
+  const double d = a->row != b->row                 ? a->row - b->row
+                   : a->particle.x != b->particle.x ? a->particle.x - b->particle.x
+                                                    : a->particle.y - b->particle.y;
+  return (d > 0) - (d < 0);
+}
+
+/* Sorts n particles into rows as high as the largest of them. */
+static void sort_in_rows(struct nb_reader *reader, struct nb_particle *particles, size_t n) {
+  struct in_row *sorted = calloc(n, sizeof *sorted);
+  double height = 0;
+  if (!sorted && n) {
+    nb_no_memory(reader);
+    return;
+  }
+  for (size_t k = 0; k < n; k++)
+    height = fmax(height, 2 * particles[k].radius);
+  for (size_t k = 0; k < n; k++)
+    sorted[k] = (struct in_row){floor(particles[k].y / height), particles[k]};
+  qsort(sorted, n, sizeof *sorted, by_row);
+  for (size_t k = 0; k < n; k++)
+    particles[k] = sorted[k].particle;
+  free(sorted);
+}
+
 /* Adds the particles of the file, which begin with the index `first`, to the hash that identifies the saved states of
  * the page. The hash has the name of the file, too, because that is a word of the statement. */
 static void hash_particles(struct nb_scene_reading *reading, size_t first) {
@@ -128,6 +166,9 @@ NB_APPLY(apply_packing) {
   }
   if (!reader->bad)
     (is_state(path) ? from_state : from_list)(scene, reader, file, path, of ? &all : NULL);
+  one.count = scene->particle_count - one.first;
+  if (!reader->bad && record->value[AT_SORTED].token)
+    sort_in_rows(reader, scene->particles + one.first, one.count);
   one.path = reader->bad ? NULL : malloc(strlen(path) + 1);
   if (!one.path) {
     if (!reader->bad)
@@ -135,7 +176,6 @@ NB_APPLY(apply_packing) {
     return;
   }
   strcpy(one.path, path);
-  one.count = scene->particle_count - one.first;
   if (!NB_APPEND(reader, scene->packings, scene->packing_count, one))
     free(one.path);
   hash_particles(reading, one.first);
@@ -145,7 +185,7 @@ NB_APPLY(apply_packing) {
 NB_STATEMENTS(packing) = {
   {"packing", NB_IN_SCENE | NB_OWN_EXAMPLE, packing_fields, NULL, 0, false, apply_packing,
    "Adds the particles of a file that `nineball state` has written (docs/STATE.md), in the order of the file. Shape, position, radius, material by its name, and whether a particle is fixed come from the file, to the last bit. The particles are at rest, and their contacts have no history. `nineball --help start` says where the program searches for the file. With `discs` or `spheres` all particles are free, of that shape and that material. Then the file may also be a list under a head line with columns `x/m`, `y/m` and `radius/m`, in any unit of length, separated by tabs or by spaces. Other columns, and lines that begin with `#`, are ignored. The file STAGE-particles.tsv of a stage with `snapshot` is such a list.",
-   "material  rock  density 2000 kg/m3  kn 1 MN/m\npacking   heap.state\npacking   heap.tsv discs rock\npacking   heap.tsv spheres rock"},
+   "material  rock  density 2000 kg/m3  kn 1 MN/m\npacking   heap.state\npacking   heap.tsv discs rock sorted\npacking   heap.tsv spheres rock"},
   {0},
 };
 /* clang-format on */

@@ -1,11 +1,11 @@
 # Writes one packing of spheres for four programs: page.md for nineball, in.txt and data.txt for LAMMPS, liggghts.txt and
 # liggghts-data.txt for LIGGGHTS, and yade.txt, which yade.py reads together with data.txt, for YADE.
 #
-#   awk -v n=SIDE -v kind=lattice|random -v law=linear|hertz|exact -v cycles=CYCLES -v folder=FOLDER -f packing.awk
+#   awk -v n=SIDE -v kind=lattice|random|rows -v law=linear|hertz|exact -v cycles=CYCLES -v folder=FOLDER -f packing.awk
 #
 # n rows of n spheres on a triangular lattice whose neighbours overlap by 0.5 % of the radius; the outermost are fixed.
 # `random`: the radii differ by up to 0.2 %, every tenth place is empty and the numbers are shuffled, so that the number of
-# contacts differs between particles without a pattern. Dashpots are on. All programs get the same step. The constants of
+# contacts differs between particles without a pattern. `rows`: the same, numbered row by row. Dashpots are on. All programs get the same step. The constants of
 # LAMMPS and LIGGGHTS are those that give the same stiffness and, for the overlap of the lattice, the same damping. In two
 # dimensions LIGGGHTS has discs of unit thickness; they get the masses of the spheres, but the moments of inertia of discs.
 #
@@ -39,8 +39,8 @@ BEGIN {
     for (i = 0; i < n; i++) {
       edge = i == 0 || j == 0 || i == n - 1 || j == n - 1
       chance = next_random()
-      if (kind == "random" && !edge && chance < 0.1) continue
-      place(i, j); fixed[count] = edge; radius[count] = R * (kind == "random" ? 0.998 + 0.004 * next_random() : 1)
+      if (kind != "lattice" && !edge && chance < 0.1) continue
+      place(i, j); fixed[count] = edge; radius[count] = R * (kind != "lattice" ? 0.998 + 0.004 * next_random() : 1)
     }
   for (k = 1; k <= count; k++) order[k] = k
   for (k = count; kind == "random" && k > 1; k--) {

@@ -2,16 +2,16 @@
 # Compares the speed of nineball with that of LAMMPS, LIGGGHTS and YADE and with the limits of the machine, and writes
 # docs/PERFORMANCE.md.
 #
-#   performance.sh -o FILE FOLDER     measures, writes the tables times.tsv, others.tsv, machine.tsv, passes.tsv and goals.tsv
-#                                     to FOLDER
+#   performance.sh -o FILE FOLDER     measures, writes the tables times.tsv, rows.tsv, others.tsv, machine.tsv, passes.tsv and
+#                                     goals.tsv to FOLDER
 #   performance.sh -t FILE FOLDER     writes the document again, from the tables measured before
 #
 # FOLDER/instructions.tsv is the table of instructions.sh.
 #
 #   NINEBALL   the program, built with -g -O3        SIDES     particles on a side, "5 32 100 280"
 #   FLAGS      its compiler and flags                OTHERS    the same for LIGGGHTS and YADE, "32 100"
-#   MACHINE    the program of machine.c              REPEATS   interleaved repeats of each program, 5
-#   PASSES     the program of passes.c
+#   MACHINE    the program of machine.c              ROWS      the same for numbers in rows, "100 280"
+#   PASSES     the program of passes.c               REPEATS   interleaved repeats of each program, 5
 #
 # Packages of other programs are installed with apt-get if they are missing and this user may do so. Exit status: 0, 2 a run failed,
 # 77 a program is missing.
@@ -22,7 +22,7 @@ export LC_ALL=C
 case $#$1 in 3-o | 3-t) ;; *) echo 'usage: performance.sh -o|-t FILE FOLDER' >&2 && exit 2 ;; esac
 nineball=$(cd "$(dirname "${NINEBALL:-./nineball}")" && pwd)/$(basename "${NINEBALL:-./nineball}")
 folder=$(dirname "$0") tables=$3
-times=$tables/times.tsv others=$tables/others.tsv machine=$tables/machine.tsv instructions=$tables/instructions.tsv goals=$tables/goals.tsv passes=$tables/passes.tsv
+times=$tables/times.tsv rows=$tables/rows.tsv others=$tables/others.tsv machine=$tables/machine.tsv instructions=$tables/instructions.tsv goals=$tables/goals.tsv passes=$tables/passes.tsv
 version() { echo "$1 $(dpkg-query -W -f '${Version}' "$1" 2>/dev/null || echo unknown)"; }
 # compare FILE SIDES KINDS PROGRAM ...: the rows of interleaved.sh.
 compare() {
@@ -60,6 +60,8 @@ if test "$1" = -o; then
     printf 'load\t%s\n' "$(cut -d ' ' -f 1 /proc/loadavg)"
   } >"$times-t"
   compare "$times" "${SIDES:-5 32 100 280}" "lattice random" "$nineball" lmp
+  : >"$rows-t"
+  compare "$rows" "${ROWS:-100 280}" "random rows" "$nineball" lmp
   : >"$others-t"
   compare "$others" "${OTHERS:-32 100}" lattice "$nineball" lmp liggghts yade
   for row in "32 lattice linear" "32 random linear" "100 lattice linear" "100 random linear" "280 lattice linear" "280 random linear" \
@@ -83,6 +85,13 @@ commands_table() {
   awk '$1 + 0 { side = int(sqrt($1 / ($2 == "random" ? 0.9 : 1)) + 0.5); if ($2 == "lattice") last = side
     printf "bash tests/bench/interleaved.sh %d %s %s '"$repeats"' build/nineball lmp     # %d particles\n", last, $2, $3, $1 }' "$times"
   echo '```'
+}
+rows_table() {
+  echo '| particles | law | shuffled | in rows | least to greatest | shorter by | LAMMPS | ratio |'
+  echo '| --- | --- | --- | --- | --- | --- | --- | --- |'
+  awk '$2 == "random" { shuffled[$1, $3] = $4 }
+    $2 == "rows" { printf "| %d | %s | %.0f | %.0f | %.0f to %.0f | %.0f %% | %.0f | %.1f |\n", $1, $3, shuffled[$1, $3] / 1e3, $4 / 1e3,
+      $5 / 1e3, $6 / 1e3, 100 * (1 - $4 / shuffled[$1, $3]), $7 / 1e3, $7 / $4 }' "$rows"
 }
 others_table() {
   echo '| particles | packing | law | nineball | LAMMPS | ratio | LIGGGHTS | ratio | YADE | ratio |'
@@ -166,6 +175,17 @@ TEXT
   times_table
   printf '\nThe commands of the rows, which print nanoseconds:\n\n'
   commands_table
+  cat <<TEXT
+
+## Order of the numbers
+
+The packing \`random\` once more, with shuffled numbers and with numbers in rows. Times are in microseconds; the ratio is that
+of LAMMPS to numbers in rows. LAMMPS sorts its particles from time to time, nineball does not: a contact needs the data of two
+particles, and if their numbers are far apart, these are far apart in memory. The clause \`sorted\` of \`packing\` numbers the
+particles of a file in rows. The command of a row is that of the rows above with \`random rows\` as packings.
+
+TEXT
+  rows_table
   cat <<TEXT
 
 ## Other programs
