@@ -770,13 +770,15 @@ static void the_next_cheaper_and_the_most_accurate_setting(void) {
   static const double updates[SETTINGS] = {100, 50, 50, 50, 25, 100};
   static const int history[SETTINGS] = {0};
   static const double ratio[SETTINGS] = {0.7, 2, 1.5, 1.5, 1.1, 0.7};
-  /* of the settings with fewer updates, the one with the most updates; of equal ones the most accurate, then the
-   * first */
+  /* of the settings with fewer updates that miss the tolerance, the one with the most updates; of equal ones the most
+   * accurate, then the first */
   static const int next[SETTINGS] = {2, 4, 4, 4, -1, 2};
   struct made_up it;
   make_up(&it, updates, history, ratio);
   for (size_t k = 0; k < SETTINGS; k++)
     CU_ASSERT_PTR_EQUAL(nb_advice_cheaper(&it.advice, &it.settings[k]), next[k] < 0 ? NULL : &it.settings[next[k]]);
+  it.variants[1].points[-NB_LEVEL_LOW].updates = 95, it.settings[1].ratio = 0.9; /* it meets the tolerance */
+  CU_ASSERT_PTR_EQUAL(nb_advice_cheaper(&it.advice, &it.settings[0]), &it.settings[2]);
   CU_ASSERT_PTR_EQUAL(nb_advice_most_accurate(&it.advice), &it.settings[0]);
   it.settings[4].ratio = 0.2;
   CU_ASSERT_PTR_EQUAL(nb_advice_most_accurate(&it.advice), &it.settings[4]);

@@ -527,7 +527,7 @@ const struct nb_setting *nb_advice_cheaper(const struct nb_advice *advice, const
   for (size_t k = 0; k < advice->setting_count; k++) {
     const struct nb_setting *other = &advice->settings[k];
     const double updates = nb_point_at(advice, other)->updates;
-    if (updates < nb_point_at(advice, setting)->updates &&
+    if (other->ratio > 1 && updates < nb_point_at(advice, setting)->updates &&
         (!found || updates > nb_point_at(advice, found)->updates ||
          (updates == nb_point_at(advice, found)->updates && other->ratio < found->ratio)))
       found = other;

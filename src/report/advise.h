@@ -110,8 +110,9 @@ struct nb_ratios nb_level_ratios(const struct nb_advice *advice, int level);
  * counts as cheaper. If the stiffnesses are equal too, the setting whose laws store less per contact counts as cheaper.
  * Measured times are not compared, because another call would then give other advice. */
 bool nb_setting_cheaper(const struct nb_advice *advice, const struct nb_setting *a, const struct nb_setting *b);
-/* The setting with the most updates of all that have fewer updates than `setting`; of several with this number, the
- * most accurate one. NULL: there is none. */
+/* The setting with the most updates of all that miss the tolerance and have fewer updates than `setting`; of several
+ * with this number, the most accurate one. NULL: there is none. A setting that meets the tolerance with fewer updates
+ * has nearly as many as the chosen one, and is not cheaper in the sense of nb_setting_cheaper. */
 const struct nb_setting *nb_advice_cheaper(const struct nb_advice *advice, const struct nb_setting *setting);
 /* The most accurate setting, the first one if there are several; NULL: none. */
 const struct nb_setting *nb_advice_most_accurate(const struct nb_advice *advice);
