@@ -129,9 +129,9 @@ static void both_decay(struct off *off, double pieces, double decay, double freq
 
 /* The limits are 10 to 45 % above the errors that docs/CONTACT.md states. The limit of 1e-4 for 64 pieces is close to
  * the smallest possible one. Let rings of the width w with D = 1 and D = -1 be merged in pairs. Then the area between
- * the old and the new function u(x) = Int_0^x D dx is w^2, and the error of T/(mu N) is (3/4) w^2, or half of this if a
- * neighbouring merge takes the other half. So an error of 1e-4 requires w < 1/61, and no rule for merges reaches this
- * error with fewer than 61 pieces. */
+ * the old and the new function u(x) = Int_0^x D dx is w^2, and the error of T/(mu N) is (3/4) w^2, or half of this if
+ * an inner and an outer corner take back one half each. So an error of 1e-4 requires w < 1/61, and no rule for merges
+ * reaches this error with fewer than 61 pieces. */
 static void oscillations_then_sliding(void) {
   static const struct {
     double pieces, evenly, others;
