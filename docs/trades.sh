@@ -329,12 +329,13 @@ FOLDER/trades.tsv, and the figure FOLDER/NAME.svg of the error against the cost.
 [METHOD](METHOD.md#the-accuracy-of-a-step) says how the error is estimated, and [ACCURACY](ACCURACY.md) how often such an estimate holds.
 
 - **Setting:** what \`--set\` changes on the page. \`refine=4\` divides the step by four, \`refine=0.25\` multiplies it by four.
-- **Cost:** the number of contact and particle updates, divided by the number that the page's own setting needs. Where two laws
-  need nearly the same number, the one that stores less per contact is chosen.
+- **Cost:** the number of contact and particle updates, divided by the number that the page's own setting needs. Settings whose
+  numbers differ by less than 10 % count as equally expensive. Of these the one with the stiffer contacts is chosen, and of equal
+  stiffnesses the one whose laws store less per contact.
 - **Estimated error:** the largest error over eight moments of first touch within a step. The error is the difference from
   the *limit*: the result of the page with its own laws and a very small step. So it includes the error of other laws.
-- A dash in the last column means that no cheaper setting can be run: the step is at the stability limit, or a longer step would
-  not give a whole number of cycles.
+- A dash in the last column means that no cheaper setting could be tried. In most cases its step would exceed the stability limit
+  or not give a whole number of cycles.
 
 ## Lessons
 
@@ -350,8 +351,7 @@ cost changes from 10 % to 1 %, in the median by a factor of $(cost_ratios '10 %'
 0.1 %, in the median by a factor of $(cost_ratios '1 %' '0.1 %' | decided | quantile %.2g 0.5).
 
 **The longest step that can be run is often good enough for 10 %.** For $(share "$coarsest" "$(answered '10 %')") of the quantities with advice within 10 %, no cheaper
-setting than the chosen one can be run. The step of the chosen setting is at the stability limit, or a longer step would not give
-a whole number of cycles.
+setting than the chosen one could be tried.
 
 **What the pages spend.** Within 1 % the chosen setting costs $(own_cost '1 %' 0.5) of the page's own in the median, with quartiles at
 $(own_cost '1 %' 0.25) and $(own_cost '1 %' 0.75). Most pages check a theory to many digits, so their steps are shorter than an engineering
