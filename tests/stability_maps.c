@@ -987,10 +987,11 @@ static void write_summary(FILE *out, const struct map maps[SYSTEMS]) {
     write_counts(out, map->shows);
     fputs(" |\n", out);
   }
-  fputs("\nUnstable points are silent where few particles vibrate. Their energy is small compared with that of all "
-        "particles,\n"
-        "and while the other particles still move, their imbalance is not unusual.\n",
-        out);
+  fputs(
+      "\nUnstable points are silent where few particles vibrate. The energy of these particles is small compared with "
+      "that of\n"
+      "all particles. Their unbalanced forces are not unusual while the other particles still move.\n",
+      out);
   fputs("\n## The cost of the bound\n\n"
         "The table has the bound over the limit, the least and the largest of all columns with this damping ratio. A "
         "run at the\n"
@@ -1042,8 +1043,10 @@ static void write_checks(FILE *out, const struct map maps[SYSTEMS]) {
       "The limit is the step at which the larger of the two eigenvalues is 4. With $c = 2 \\beta \\sqrt{m k}$ both "
       "depend "
       "on\n"
-      "$\\Delta t \\sqrt{k_n/m}$, $k_s/k_n$, $\\beta$ and $\\theta$ only, as the abstract says. The runs of\n"
-      "[Damped up to twice critical](#damped-up-to-twice-critical) agree with it.\n",
+      "$\\Delta t \\sqrt{k_n/m}$, $k_s/k_n$, $\\beta$ and $\\theta$ only. So the limit is proportional to "
+      "$\\sqrt{m/k_n}$, as\n"
+      "the abstract says. The runs of [Damped up to twice critical](#damped-up-to-twice-critical) agree with this "
+      "limit.\n",
       out);
 }
 
@@ -1068,9 +1071,9 @@ static void write_zone(FILE *out, FILE *table, int system, double ratio) {
       out,
       "\nUp to %g times the limit %s.\n\n"
       "- Up to %g times the limit the mean contact force is %.2f to %.2f of that at rest.\n"
-      "- `energy.residual` is at most %.1g of the initial energy below the limit, and %.1g to %.1g above it, "
+      "- `energy.residual` is at most %.2g of the initial energy below the limit, and %.2g to %.2g above it, "
       "up to %g times the limit.\n"
-      "- With damping `unbalanced.max` is at most %.0e below the limit, and %.1g to %.1g above it, up to %g times the "
+      "- With damping `unbalanced.max` is at most %.0e below the limit, and %.2g to %.2g above it, up to %g times the "
       "limit.\n",
       soft_zone, soft.stopped ? "a guard stops some of the runs, and the others go on" : "no guard stops a run",
       force_zone, soft.force[0], soft.force[1], soft.energy_below, soft.energy[0], soft.energy[1], soft_zone,
@@ -1092,15 +1095,18 @@ static void write_above(FILE *out, const char *folder) {
       "radius in one step. *overlap*: two particles overlapped by more than the smaller radius. *crossing*: the "
       "centre\n"
       "of a particle crossed a wall.\n\n"
-      "Above the limit the vibration grows until contacts slide and open, which bounds its amplitude. The run goes\n"
-      "on, and its results are wrong. With damping `unbalanced.max` shows this: below the limit it falls to rounding "
+      "Above the limit the vibration grows until contacts slide and open, which often bounds its amplitude. The run "
+      "then\n"
+      "goes on, and its results are wrong. With damping `unbalanced.max` shows this: below the limit it falls to "
+      "rounding "
       "errors, "
       "above\n"
       "the limit it stays at about 1 %% or more. Without damping the vibrations never end, and `energy.residual` "
       "shows\n"
-      "the growth. In the damped packing only few discs vibrate just above the limit. There the imbalance is a few "
-      "per\n"
-      "cent, and neither the energy nor the mean contact force shows anything. Far above the limit a run may even "
+      "the growth. In the damped packing only few discs vibrate up to 1.02 times the limit. The imbalance is then "
+      "about 1 "
+      "to\n"
+      "5 %%, and neither the energy nor the mean contact force shows anything. Far above the limit a run may even "
       "come\n"
       "to rest in another arrangement with a small imbalance. Without `allow unstable` the stability check stops all\n"
       "runs above the limit before the first cycle.\n\n"
