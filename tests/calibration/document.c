@@ -86,7 +86,7 @@ static void write_kinds(FILE *out, const struct results *results) {
   const size_t draw_count = results->draw_count;
   char kinds[KINDS][64];
   size_t kind_count = 0;
-  fputs("| kind of page | draws | of those that a setting meets, answered | true error within the tolerance |\n"
+  fputs("| kind of page | draws | answered, of the draws that a setting meets | true error within the tolerance |\n"
         "| --- | --- | --- | --- |\n",
         out);
   for (size_t k = 0; k <= draw_count; k++) {
@@ -120,8 +120,8 @@ static size_t write_score(FILE *out, const char *name, const struct score *score
 }
 
 static const char score_head[] =
-    " | within the tolerance | in the worst kind | answered, of those that a setting meets | cost over the cheapest: "
-    "median; 90 % | estimated over true error: 5 %; median | criteria that do not hold |\n"
+    " | within the tolerance | in the worst kind | answered, of the draws that a setting meets | cost over the "
+    "cheapest: median; 90 % | estimated over true error: 5 %; median | criteria that do not hold |\n"
     "| --- | --- | --- | --- | --- | --- | --- |\n";
 
 /* Writes the scores. Returns true if the whole estimator passes and no control does. */
@@ -150,8 +150,9 @@ static bool write_scores(FILE *out, const struct results *results) {
       "- Difference of two steps: $|Q(n) - Q(2n)|$ at one phase, without an anchor.\n"
       "- The reference of each candidate: the coarsest step, up to that of the page, whose result agrees with the\n"
       "  reference solution of the page with the laws of the candidate.\n"
-      "- Always the finest: no estimate. The tolerance counts as its estimated error, its true error is the error at\n"
-      "  one phase.\n\n"
+      "- Always the finest: no estimate. The tolerance counts as the estimated error, and the error at one phase as "
+      "the\n"
+      "  true error.\n\n"
       "| what chooses the setting",
       out);
   fputs(score_head, out);
@@ -170,7 +171,7 @@ static void write_errors(FILE *out, FILE *header, struct results *results) {
   fputs("\n## The error of a step\n\n"
         "The table has the relative errors of the quantities of all draws, at one phase, by the number of time steps\n"
         "during the shortest collision. `nineball explain` prints the row that applies to a page.\n\n"
-        "| steps per collision | errors | median | 90 % |\n| --- | --- | --- | --- |\n",
+        "| steps per collision | number of errors | median error | 90 % |\n| --- | --- | --- | --- |\n",
         out);
   fputs("/* Relative errors by steps per collision; written by `make accuracy`, see docs/ACCURACY.md.\n"
         " *\n * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */\n/* clang-format off */\n",
@@ -269,14 +270,15 @@ static bool write_means(FILE *out, const struct results *results) {
   const bool good = write_mean_controls(out, results);
   fprintf(
       out,
-      "\nThe guaranteed stable step differs between realizations. So advice needs a margin, which METHOD defines. For "
+      "\nThe guaranteed stable step differs between realizations. So advice needs a margin, which METHOD defines. In "
       "%zu of\n"
-      "the draws the advised settings stop at least one of the %d other realizations with an error, because the step "
-      "is too\n"
-      "long for it.\n"
-      "This counts as an error above the tolerance.\n"
-      "\nThe estimated error over the true one is %.2g in the median, and %.2g at 5 %%. The advice costs %.2g of the\n"
-      "page as it is, in the median.\n",
+      "the draws the step of the advised setting is too long for at least one of the %d other realizations. Such a "
+      "draw "
+      "counts\n"
+      "as an error above the tolerance.\n"
+      "\nThe estimated error over the true one is %.2g in the median, and %.2g at 5 %%. The advised setting costs %.2g "
+      "of the\n"
+      "page's own setting in the median.\n",
       stopped, TRUTH_REALIZATIONS, quantile(ratio, results->mean_count, 0.5),
       quantile(ratio, results->mean_count, 0.05), quantile(cost, results->mean_count, 0.5));
   return good;
@@ -294,12 +296,12 @@ static void write_beginning(FILE *out, const struct results *results) {
         "[METHOD](METHOD.md#the-accuracy-of-a-step) defines the terms. A setting meets a draw if its true error is\n"
         "within the tolerance. In this document a number *at 5 %* or *at 90 %* is this quantile.\n\n",
         out);
-  fprintf(
-      out,
-      "There are at most %d draws for each of %zu pages. The logarithm of the tolerance is uniform between %g and %g.\n"
-      "The search may take %g s of computing time. It takes %.2g s in the median, and %.2g s at 90 %%.\n\n",
-      DRAWS, results->pages, lowest_tolerance, highest_tolerance, search_time,
-      quantile(seconds, results->draw_count, 0.5), quantile(seconds, results->draw_count, 0.9));
+  fprintf(out,
+          "There are at most %d draws for each of %zu pages. The tolerance is drawn from %g to %g, uniformly in its "
+          "logarithm.\n"
+          "The search may take %g s of computing time. It takes %.2g s in the median, and %.2g s at 90 %%.\n\n",
+          DRAWS, results->pages, lowest_tolerance, highest_tolerance, search_time,
+          quantile(seconds, results->draw_count, 0.5), quantile(seconds, results->draw_count, 0.9));
 }
 
 bool write_document(FILE *out, FILE *header, struct results *results) {
@@ -316,16 +318,16 @@ bool write_document(FILE *out, FILE *header, struct results *results) {
   fprintf(
       out,
       "\nThere is no advice where the anchor is not known well enough, or where no setting is within the\n"
-      "tolerance. Draws are not counted if the limit is not known well enough after %g s of computing time: %zu\n"
-      "draws. The program refuses %zu more, for pages of more than fifty particles and for quantities that cannot be\n"
+      "tolerance. %zu draws are not counted, because the limit is not known well enough after %g s of computing\n"
+      "time. The program refuses %zu more, because the page has more than fifty particles or the quantity cannot be\n"
       "computed.\n"
       "\n## The criteria\n\n"
-      "The cheapest setting is that of an exhaustive grid. It has all contact laws, three softer stiffnesses (a tenth, "
-      "a\n"
-      "hundredth and a thousandth), centred dashpots, and steps a factor of √2 apart. The cheapest setting has the "
-      "fewest updates of\n"
-      "contacts and particles of all settings whose true error, over all phases\n"
-      "and runs, is within the tolerance. The steps of advice are a factor of 2 apart. The grid of a draw may take\n"
+      "The cheapest setting is the one with the fewest updates of contacts and particles of all settings whose true "
+      "error,\n"
+      "over all phases and runs, is within the tolerance. An exhaustive grid finds it. The grid has all contact laws, "
+      "three\n"
+      "softer stiffnesses (a tenth, a hundredth and a thousandth), centred dashpots, and steps a factor of √2 apart. "
+      "The steps of advice are a factor of 2 apart. The grid of a draw may take\n"
       "%g s of computing time. The cost is counted for the %zu of %zu answers whose grid was completed.\n\n"
       "The ratio of the estimated to the true error is counted for %zu of %zu answers. Their true error is at\n"
       "least %g times the last change of the limit when the step was halved. The true error of the others is zero "
@@ -334,8 +336,12 @@ bool write_document(FILE *out, FILE *header, struct results *results) {
       "state of rest. No step makes such an error smaller, and the estimate need not contain it.\n\n"
       "The factors of the estimator come from other draws, which an earlier program made. Half of the pages, by a\n"
       "hash of their names, are kept back: no number may be changed because of their draws. `make accuracy`\n"
-      "fails if a criterion does not hold for all draws together.\n",
-      truth_time, results->uncounted[UNRESOLVED], results->uncounted[REFUSED], grid_time, whole.costs, whole.answered,
+      "fails if one of these criteria does not hold for all draws together:\n\n"
+      "- At least 95 %% of the answers are within the tolerance, and at least 90 %% in each kind of page.\n"
+      "- At least 70 %% of the draws that a setting meets are answered.\n"
+      "- The cost over the cheapest is at most 2 in the median, and at most 4 at 90 %%.\n"
+      "- The estimated over the true error is 1 to 3 in the median, and at least 1 at 5 %%.\n",
+      results->uncounted[UNRESOLVED], truth_time, results->uncounted[REFUSED], grid_time, whole.costs, whole.answered,
       whole.claims, whole.answered, truth_margin, zero, largest);
   bool good = write_scores(out, results);
   write_errors(out, header, results);
