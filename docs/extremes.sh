@@ -21,18 +21,18 @@ maps of time steps, and [ROUNDING](ROUNDING.md) has results under other rounding
 | what | from | to | test |
 | --- | --- | --- | --- |
 | radius | 1 μm | 1 km | [hertz-range](../cases/2-hertz/hertz-range.md) |
-| Young's modulus | 1 kPa | 1 TPa | the same |
-| speed of an impact | 0.01 nm/s | 1 km/s | the same, and [hertz-contrast](../cases/2-hertz/hertz-contrast.md) |
-| greatest overlap over radius | 1e-12 | 0.45 | the same |
+| Young's modulus | 1 kPa | 1 TPa | [hertz-range](../cases/2-hertz/hertz-range.md) |
+| speed of an impact | 0.01 nm/s | 1 km/s | [hertz-range](../cases/2-hertz/hertz-range.md) and [hertz-contrast](../cases/2-hertz/hertz-contrast.md) |
+| greatest overlap over radius | 1e-12 | 0.45 | [hertz-range](../cases/2-hertz/hertz-range.md) |
 | factors on lengths, speeds and stiffnesses, with results equal to the bit | 2⁻²⁰, 2⁻³⁰, 2⁻¹⁰⁰ | 2¹⁰, 2³⁰, 2¹⁰⁰ | [invariance-scale](../cases/5-numerics/invariance-scale.md) |
 | ratio of radii | 1 | 1000 | [hertz-contrast](../cases/2-hertz/hertz-contrast.md) |
-| ratio of masses | 1 | 10¹⁵ | the same |
-| ratio of moduli, of two spheres and within a row | 1 | 10⁶ | the same, and [stiff-in-soft](../cases/2-hertz/stiff-in-soft.md) |
+| ratio of masses | 1 | 10¹⁵ | [hertz-contrast](../cases/2-hertz/hertz-contrast.md) |
+| ratio of moduli, of two spheres and within a row | 1 | 10⁶ | [hertz-contrast](../cases/2-hertz/hertz-contrast.md) and [stiff-in-soft](../cases/2-hertz/stiff-in-soft.md) |
 | Poisson's ratio | 0 | 0.5 | [hertz-contrast](../cases/2-hertz/hertz-contrast.md) |
 | friction | 0 | 10⁶ | [frictionless](../cases/4-oblique/frictionless.md) and [friction-extremes](../cases/4-oblique/friction-extremes.md) |
 | cohesion over the largest shear force | 0 | 10¹⁹⁵ | [cohesion](../cases/1-two-discs/cohesion.md) and [glancing-discs](../cases/5-numerics/glancing-discs.md) |
 | angle of incidence | 0.001° | 89.999° | [friction-extremes](../cases/4-oblique/friction-extremes.md) |
-| surface speed of a spinning sphere over the speed of its centre | 0 | 10⁵ | the same |
+| surface speed of a spinning sphere over the speed of its centre | 0 | 10⁵ | [friction-extremes](../cases/4-oblique/friction-extremes.md) |
 | opening angle of a wedge of two walls, with a common end or crossing | 0.2° | 179.8° | [wedge](../cases/1-two-discs/wedge.md) |
 | impact parameter at the end of a wall over the radius | 0 | 0.999 | [wall-end](../cases/1-two-discs/wall-end.md) |
 | cycles of one particle or contact | 1000 | 10⁹ | [endurance.c](../tests/endurance.c), below |
@@ -43,7 +43,7 @@ rounding error of the coordinates, about 1e-16 of their size.
 ## Messages of aborted runs, errors and warnings
 
 Each message names what failed, and the particle, the moment and the limit where they exist. Each page below
-causes one of them, and [aborted.sh](../tests/aborted.sh) requires exactly these words. The same test
+causes the messages that follow it, and [aborted.sh](../tests/aborted.sh) requires exactly these words. The same test
 requires a page for each message in the sources that aborts a run. The exit
 status is 3 if the run was aborted, 2 if it could not begin, and 0 after a warning.
 
@@ -59,10 +59,10 @@ for page in tests/aborted/*.md; do
     sed "s|^tests/aborted/||"
 done | fold -s -w 118 | sed 's/ *$//'
 cat <<'TEXT'
-Without `allow unstable` a run whose step is too long is aborted before a particle is ejected or passes through another
-one. With `allow unstable` there is a range of steps in which the result is wrong and no message appears. At a hundred
-times the Rayleigh step the ejected sphere still moves by less than a radius per step.
-[STABILITY](STABILITY.md#just-above-the-limit) shows which quantities reveal the error.
+Without `allow unstable` a run is aborted as soon as its step exceeds the guaranteed stable one. With `allow unstable`
+there is a range of steps in which the result is wrong and no message appears. At a hundred times the Rayleigh step the
+ejected sphere still moves by less than a radius per step. [STABILITY](STABILITY.md#just-above-the-limit) shows which
+quantities reveal the error.
 
 ## Long runs
 
