@@ -766,6 +766,58 @@ run 0 explain "$pages/too-long-a-step.md"
 out 'the time of a cycle cannot be measured: particle 1 '
 verdict 'explain: the number of cycles, contact updates and seconds; after a run what was expected'
 
+# The reference accepts the features of the page, but not its numbers. Then `check` aborts, and `explain` says why.
+cat >overdamped.md <<'END'
+# A disc falls on a dashpot with twice the critical damping
+```scene
+units none
+material m density 1 kn 1000
+disc 0 1.5 radius 1 m
+wall floor -9 0 to 9 0 m
+gravity 0 -1
+damping ratio 2
+monitor D disc 1
+step 0.001
+record time D.y
+stage fall
+cycles 20
+```
+```expect
+reference free_fall
+D.y versus time within 1 %
+```
+END
+cat >unloaded.md <<'END'
+# A normal force that decreases
+```contact-test
+material  m young 70 GPa poisson 0.25 friction 0.3
+normal    hertz
+shear     mindlin_scaled
+contact   sphere 1 mm m with sphere 1 mm m
+record    step shear
+segment   press  normal to 2 N  in 10 steps
+segment   less   normal to 1 N  in 10 steps
+segment   load   slip by 1 nm   in 10 steps
+```
+```expect
+reference mindlin_loops
+shear versus step within 1 % of peak
+```
+END
+for page in 'overdamped less than critical damping' 'unloaded a normal force that is constant once there is shear'; do
+  name=${page%% *}
+  run 2 check "$name.md"
+  said " is for ${page#* }"
+  run 0 explain "$name.md"
+  out ', measured just now; '
+  out '  the run will be aborted, because its reference fails: the reference `'
+  out " is for ${page#* }"
+done
+sed 's/damping ratio 2/damping ratio 0.2/' overdamped.md >underdamped.md
+run 0 explain underdamped.md
+grep -q 'reference fails' out && echo 'the reference does not fail' >>why
+verdict 'explain: the error of a reference that does not cover the numbers of the page'
+
 # Nine discs: 1/0.108 = 9.3 steps per collision; with a quarter of the step 37.
 for steps in 8:1 32:4; do
   from=${steps%:*}

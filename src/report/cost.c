@@ -196,9 +196,11 @@ enum nb_status nb_cost_expect(struct nb_cost *cost, const struct nb_page_run *ru
   *error = (struct nb_error){NB_OK, ""};
   enum nb_status status = NB_OK;
   if (run->expectations.reference)
-    status = nb_reference_solve(run->expectations.reference, &trial.solution, scene, error);
+    status = nb_reference_solve(run->expectations.reference, &trial.solution, scene, &cost->reference);
   cost->seconds.from = cost->reading + nb_processor_clock() - began, began = nb_processor_clock();
-  if (status != NB_NO_MEMORY)
+  if (status == NB_NO_MEMORY)
+    *error = cost->reference;
+  else
     status = nb_run(&trial.result, scene, options, &progress, error);
   for (size_t s = scene->start.stages; s < scene->stage_count; s++)
     spent += trial.result.stages ? trial.result.stages[s].seconds : 0;
