@@ -41,7 +41,9 @@ static double steps_of(struct nb_outcome *page, size_t run) {
   struct nb_error error;
   const struct nb_options options = {.threads = 1};
   struct nb_model *model = nb_model_create(&page->runs[run].scene, &options, &error);
-  const double steps = model ? nb_step_collision(model) / model->step : INFINITY;
+  struct nb_collision shortest;
+  const double steps =
+      model && !nb_step_collision(&shortest, model, &error) ? shortest.duration / model->step : INFINITY;
   nb_model_free(model);
   return steps;
 }

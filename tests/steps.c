@@ -146,7 +146,8 @@ static void equal_collisions(void) {
                     "0\nsphere 5 9 radius 1 m\nstep 1 of collision\nrecord step\nstage s\ncycles 1\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
-  const struct nb_collision first = nb_collision_shortest(model);
+  struct nb_collision first;
+  CU_ASSERT_EQUAL_FATAL(nb_collision_shortest(&first, model, NULL), NB_OK);
   CU_ASSERT(!first.wall && model->particles.number[first.a] == 1 && model->particles.number[first.b] == 2);
   nb_model_free(model);
   written_free(&it);

@@ -136,20 +136,21 @@ static void try_walls(struct nb_collision *shortest, const struct nb_model *mode
   }
 }
 
-struct nb_collision nb_collision_shortest(const struct nb_model *model) {
+enum nb_status nb_collision_shortest(struct nb_collision *shortest, const struct nb_model *model,
+                                     struct nb_error *error) {
   const size_t n = model->particles.count;
-  struct nb_collision shortest = {INFINITY, 0, -1, -1, false};
   struct nb_vec *velocity = nb_array(n, sizeof *velocity);
+  *shortest = (struct nb_collision){INFINITY, 0, -1, -1, false};
   if (!velocity)
-    return shortest;
+    return nb_error_memory(error);
   for (size_t i = 0; i < n; i++)
     velocity[i] = nb_velocity_total(model, i);
   for (size_t k = 0; k < n; k++) { /* in the order of numbers: of equal durations the first one is kept */
     const size_t i = (size_t)model->particles.slot[k];
     if (moving(velocity[i]))
-      try_particles(&shortest, model, velocity, i);
-    try_walls(&shortest, model, velocity[i], i);
+      try_particles(shortest, model, velocity, i);
+    try_walls(shortest, model, velocity[i], i);
   }
   free(velocity);
-  return shortest;
+  return NB_OK;
 }

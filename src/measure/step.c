@@ -47,9 +47,9 @@ void nb_step_lightest(const struct nb_model *model, const struct nb_material_pai
     }
 }
 
-double nb_step_collision(const struct nb_model *model) {
+enum nb_status nb_step_collision(struct nb_collision *shortest, const struct nb_model *model, struct nb_error *error) {
   if (nb_step_elastic(model))
-    return nb_collision_shortest(model).duration;
+    return nb_collision_shortest(shortest, model, error);
   const double *inverse = model->particles.inverse_mass;
   double square = 0; /* the largest k_n/M*, 1/s2 */
   for (size_t p = 0; p < model->material_pair_count; p++) {
@@ -62,7 +62,8 @@ double nb_step_collision(const struct nb_model *model) {
     const double here = kn * (inverse[pair[0]] + (material_pair->wall ? 0 : inverse[pair[1]]));
     square = here > square ? here : square;
   }
-  return NB_PI / sqrt(square);
+  *shortest = (struct nb_collision){NB_PI / sqrt(square), 0, -1, -1, false};
+  return NB_OK;
 }
 
 bool nb_step_elastic(const struct nb_model *model) {
@@ -102,6 +103,7 @@ enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, s
   const int line = step->set ? 0 : step->line;
   const char *const source = step->set ? "--set: " : "";
   double unit = 1;
+  struct nb_collision shortest;
   if (step->kind == NB_STEP_COLLISION && nb_step_elastic(model) && line == model->stability->step_line)
     return NB_OK;
   switch (step->kind) {
@@ -114,7 +116,9 @@ enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, s
     unit = model->stability->stable_step;
     break;
   case NB_STEP_COLLISION:
-    unit = nb_step_collision(model);
+    if (nb_step_collision(&shortest, model, error))
+      return error->status;
+    unit = shortest.duration;
     break;
   case NB_STEP_RAYLEIGH:
   case NB_STEP_RAYLEIGH_MEAN:

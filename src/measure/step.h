@@ -74,12 +74,14 @@ enum nb_status nb_stability_begin(struct nb_model *model, const struct nb_stable
 
 /* collision.c: the shortest collision of elastic spheres that is predicted at their current velocities */
 struct nb_collision {
-  double duration; /* s; infinite without a collision, or if memory ran out */
+  double duration; /* s; infinite without a collision */
   double speed;    /* approach velocity at first touch, m/s */
-  int a, b;        /* slots; b is a wall's index if `wall` */
+  int a, b;        /* slots; b is a wall's index if `wall`; a -1: no collision */
   bool wall;
 };
-struct nb_collision nb_collision_shortest(const struct nb_model *model);
+/* NB_NO_MEMORY or NB_OK, as from nb_step_collision. */
+enum nb_status nb_collision_shortest(struct nb_collision *shortest, const struct nb_model *model,
+                                     struct nb_error *error);
 
 /* rayleigh_step.c */
 double nb_rayleigh_root(double poisson); /* speed of Rayleigh waves over that of shear waves, 1 [R89 4.32] */
@@ -99,8 +101,9 @@ void nb_fracc_after_forces(struct nb_model *model); /* computes FRACC; called af
 /* step.c */
 bool nb_step_elastic(const struct nb_model *model);          /* the next normal law is for elastic spheres */
 bool nb_step_loaded(const struct nb_model *model);           /* some contact overlaps by more than rounding */
-double nb_step_collision(const struct nb_model *model);      /* `collision` of step.c, s; infinite: no collision */
 double nb_step_single_contact(const struct nb_model *model); /* t_c of step.c, s */
+/* `collision` of step.c. Only for elastic spheres *shortest has the pair and its speed. */
+enum nb_status nb_step_collision(struct nb_collision *shortest, const struct nb_model *model, struct nb_error *error);
 /* Sets `lightest` to the slots of the lightest particles of the two materials of a pair; -1: there is none, or the
  * second is a wall. */
 void nb_step_lightest(const struct nb_model *model, const struct nb_material_pair *material_pair, int lightest[2]);

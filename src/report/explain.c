@@ -395,19 +395,19 @@ static void explain_single_contact(FILE *out, const struct nb_model *model, cons
   fputc('\n', out);
 }
 
-static void explain_collision(FILE *out, const struct nb_model *model, const char *s) {
-  const struct nb_collision collision = nb_collision_shortest(model);
-  if (collision.a < 0) {
+static void explain_collision(FILE *out, const struct nb_model *model, const struct nb_collision *collision,
+                              const char *s) {
+  if (collision->a < 0) {
     fprintf(out, "  collision: no pair approaches\n");
     return;
   }
-  fprintf(out, "  collision, Hertz: %g%s, %.3g steps; particle %d and ", collision.duration, s,
-          collision.duration / model->step, model->particles.number[collision.a]);
-  if (collision.wall)
-    fprintf(out, "wall %s", model->scene->walls[collision.b].name);
+  fprintf(out, "  collision, Hertz: %g%s, %.3g steps; particle %d and ", collision->duration, s,
+          collision->duration / model->step, model->particles.number[collision->a]);
+  if (collision->wall)
+    fprintf(out, "wall %s", model->scene->walls[collision->b].name);
   else
-    fprintf(out, "particle %d", model->particles.number[collision.b]);
-  fprintf(out, " at %g%s\n", collision.speed, nb_unit(model->scene, " m/s"));
+    fprintf(out, "particle %d", model->particles.number[collision->b]);
+  fprintf(out, " at %g%s\n", collision->speed, nb_unit(model->scene, " m/s"));
 }
 
 /* Prints how large the errors in the cases were with about this number of steps per collision (docs/ACCURACY.md). */
@@ -428,7 +428,29 @@ static void explain_accuracy(FILE *out, double steps) {
           rows[k].steps, 2 * rows[k].steps, rows[k].count, 100 * rows[k].half, 100 * rows[k].most);
 }
 
-static void explain_step(FILE *out, const struct nb_model *model) {
+/* Prints the duration of a collision and the other times with which a step is compared. */
+static enum nb_status explain_times(FILE *out, const struct nb_model *model, const char *s, struct nb_error *error) {
+  struct nb_collision shortest;
+  if (nb_step_collision(&shortest, model, error))
+    return error->status;
+  if (nb_step_elastic(model))
+    explain_collision(out, model, &shortest, s);
+  else if (isinf(shortest.duration))
+    fputs("  collision: none is possible\n", out);
+  else
+    fprintf(out, "  collision, the shortest possible: %g%s; the step is %g of it\n", shortest.duration, s,
+            model->step / shortest.duration);
+  const double smallest = nb_step_rayleigh(model, false, false), mean = nb_step_rayleigh(model, false, true);
+  if (smallest < INFINITY)
+    fprintf(out,
+            "  rayleigh, the travel time of a surface wave round half a sphere: smallest %g%s, mean %g%s; the step is "
+            "%g and %g of it\n",
+            smallest, s, mean, s, model->step / smallest, model->step / mean);
+  explain_accuracy(out, shortest.duration / model->step);
+  return NB_OK;
+}
+
+static enum nb_status explain_step(FILE *out, const struct nb_model *model, struct nb_error *error) {
   const struct nb_step *step = &model->scene->stages[model->scene->start.stages].step;
   const char *s = nb_unit(model->scene, " s");
   const bool elastic = nb_step_elastic(model);
@@ -440,7 +462,7 @@ static void explain_step(FILE *out, const struct nb_model *model) {
   fputc('\n', out);
   if (!elastic && isinf(model->critical)) {
     fprintf(out, "  single contact: none, no contact has a stiffness\n");
-    return;
+    return NB_OK;
   }
   if (!elastic)
     explain_single_contact(out, model, s);
@@ -448,21 +470,7 @@ static void explain_step(FILE *out, const struct nb_model *model) {
     fprintf(out, "  stable: unknown, elastic spheres without overlap have no stiffness\n");
   else
     explain_stable_step(out, model, s);
-  const double collision = nb_step_collision(model);
-  if (elastic)
-    explain_collision(out, model, s);
-  else if (isinf(collision))
-    fputs("  collision: none is possible\n", out);
-  else
-    fprintf(out, "  collision, the shortest possible: %g%s; the step is %g of it\n", collision, s,
-            model->step / collision);
-  const double smallest = nb_step_rayleigh(model, false, false), mean = nb_step_rayleigh(model, false, true);
-  if (smallest < INFINITY)
-    fprintf(out,
-            "  rayleigh, the travel time of a surface wave round half a sphere: smallest %g%s, mean %g%s; the step is "
-            "%g and %g of it\n",
-            smallest, s, mean, s, model->step / smallest, model->step / mean);
-  explain_accuracy(out, collision / model->step);
+  return explain_times(out, model, s, error);
 }
 
 /* ---- stages ---- */
@@ -751,15 +759,19 @@ static enum nb_status explain_scene(FILE *out, const struct nb_scene *scene, con
     return error->status;
   struct nb_error unknown;
   /* A model that continues from a state has the step of the previous stage, not that of the first stage here. */
-  nb_step_set(model, &scene->stages[scene->start.stages].step, &unknown);
+  if (nb_step_set(model, &scene->stages[scene->start.stages].step, &unknown) == NB_NO_MEMORY) {
+    nb_model_free(model);
+    return nb_error_memory(error);
+  }
   explain_start(out, scene, options);
   explain_particles(out, scene);
   enum nb_status status = explain_plan(out, model) ? NB_OK : nb_error_memory(error);
   if (!status) {
     explain_regions(out, model);
-    explain_step(out, model);
-    status = nb_cost_expect(cost, run, model, options, error);
+    status = explain_step(out, model, error);
   }
+  if (!status)
+    status = nb_cost_expect(cost, run, model, options, error);
   if (!status) {
     explain_stages(out, model, cost);
     explain_cost(out, cost, error, false);

@@ -11,3 +11,4 @@ int nineball_main(int count, char **words); /* the function main of the program,
  * ones fail too. */
 void faults_begin(unsigned long n, bool lasting);
 unsigned long faults_calls(void); /* number of calls so far that could have failed */
+int faults_reason(void);          /* errno of the last call that was made to fail; 0: none */

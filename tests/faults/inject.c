@@ -19,17 +19,21 @@
 static struct {
   unsigned long calls, turn; /* number of calls so far; number of the call that fails, 0: none */
   bool lasting;              /* all later calls fail too */
+  int reason;                /* errno of the last call that failed */
 } faults;
 
-void faults_begin(unsigned long n, bool lasting) { faults.calls = 0, faults.turn = n, faults.lasting = lasting; }
+void faults_begin(unsigned long n, bool lasting) {
+  faults.calls = 0, faults.turn = n, faults.lasting = lasting, faults.reason = 0;
+}
 unsigned long faults_calls(void) { return faults.calls; }
+int faults_reason(void) { return faults.reason; }
 
 /* Counts a call. True if this call must fail; errno is then `why`. */
 static bool fails(int why) {
   faults.calls++;
   if (!faults.turn || (faults.lasting ? faults.calls < faults.turn : faults.calls != faults.turn))
     return false;
-  errno = why;
+  errno = faults.reason = why;
   return true;
 }
 

@@ -44,6 +44,10 @@ static const struct {
      "0 m to 1 m 0 m m\ngravity 0 m/s2 -$g m/s2\nmonitor D sphere 1\nstep 1 ms\nrecord time D.y\nstage fall\n  cycles "
      "10\n```\n\n```expect\nreference free_fall\nD.y versus time within 1 %\nD.y min decreases with "
      "g\n```\n\n```gnuplot\nplot $table_1\n```\n"},
+    {"meet.md", "# Meet\n\n```scene\nmaterial rock density 2000 kg/m3 young 1 GPa poisson 0.2\nnormal hertz\n"
+                "sphere 0 m 0 m radius 1 m rock velocity 1 m/s 0 m/s\nsphere 3 m 0 m radius 1 m rock\n"
+                "step 40 per collision\nrecord time\nstage go\n  cycles 3\nstage on\n  step 80 per collision\n"
+                "  cycles 3\n```\n"},
     {"wrong.md",
      "# Wrong\n\n```scene\nmaterial rock density 2000\ndsc 0 m 0 m radius 1 m rock\nstep 1 us\nstage go\n```\n"},
 };
@@ -57,6 +61,8 @@ static const char *const cases[][8] = {
     {"nineball", "run", "path.md"},
     {"nineball", "explain", "first.md"},
     {"nineball", "explain", "path.md"},
+    {"nineball", "run", "meet.md"},
+    {"nineball", "explain", "meet.md"},
     {"nineball", "state", "first.md"},
     {"nineball", "check", "wrong.md", "--set", "a=1"},
 };

@@ -1,7 +1,7 @@
 /* Makes every call fail that can fail. The program runs small pages, each time in a new process and folder, and the
  * n-th call fails, for each n. The run may have the status of the undisturbed run only if all files are the same to the
- * last byte. Otherwise it must have another status, a message, and no incomplete file. Signals, reports of a sanitizer
- * and leaks are failures.
+ * last byte. Otherwise it must have another status, a message, and no incomplete file; if the call failed for lack of
+ * memory, the status is that of lack of memory. Signals, reports of a sanitizer and leaks are failures.
  *
  *   tests/faults/run [CASE [N]]    all cases; one case; only the N-th call of one case, and the folder stays
  *
@@ -10,6 +10,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "faults.h"
+#include "nineball.h"
 #include "pages.h"
 
 #include <errno.h>
@@ -138,9 +139,14 @@ static int to_file(const char *name, int as) {
   return file < 0 ? -1 : dup2(file, as);
 }
 
-/* Runs a case in which call n fails, and if `lasting` all later calls. Returns the status that waitpid gives. *calls
- * becomes the number of calls that could have failed. */
-static int run(int number, const char *folder, unsigned long n, bool lasting, unsigned long *calls) {
+/* The number of calls of a run that could have failed, and errno of the call that was made to fail. */
+struct made {
+  unsigned long calls;
+  int reason;
+};
+
+/* Runs a case in which call n fails, and if `lasting` all later calls. Returns the status that waitpid gives. */
+static int run(int number, const char *folder, unsigned long n, bool lasting, struct made *made) {
   int ends[2], status;
   prepare(folder);
   if (pipe(ends) != 0)
@@ -159,15 +165,15 @@ static int run(int number, const char *folder, unsigned long n, bool lasting, un
       _exit(98);
     faults_begin(n, lasting);
     const int mine = nineball_main(count, words);
-    *calls = faults_calls();
+    *made = (struct made){faults_calls(), faults_reason()};
     faults_begin(0, false);
-    if (write(ends[1], calls, sizeof *calls) != sizeof *calls)
+    if (write(ends[1], made, sizeof *made) != sizeof *made)
       _exit(97);
     exit(mine); /* the sanitizer looks for leaks here */
   }
   close(ends[1]);
-  if (read(ends[0], calls, sizeof *calls) != sizeof *calls)
-    *calls = 0;
+  if (read(ends[0], made, sizeof *made) != sizeof *made)
+    *made = (struct made){0};
   close(ends[0]);
   while (waitpid(child, &status, 0) < 0)
     if (errno != EINTR)
@@ -176,8 +182,10 @@ static int run(int number, const char *folder, unsigned long n, bool lasting, un
 }
 
 /* The reason why a run with this status of waitpid and these files in `folder` fails the test; NULL: it passes. The run
- * without failing calls had the exit status `undisturbed` and left `whole` files in the folder `wanted`. */
-static const char *verdict(int status, int undisturbed, const char *folder, const char *wanted, size_t whole) {
+ * without failing calls had the exit status `undisturbed` and left `whole` files in the folder `wanted`. `memory`: only
+ * one call failed, for lack of memory. */
+static const char *verdict(int status, int undisturbed, bool memory, const char *folder, const char *wanted,
+                           size_t whole) {
   static char what[2 * PATH_SIZE];
   char path[PATH_SIZE];
   size_t size = 0;
@@ -191,6 +199,8 @@ static const char *verdict(int status, int undisturbed, const char *folder, cons
     return "a report of a sanitizer";
   if (WEXITSTATUS(status) != undisturbed && size == 0)
     return "no message";
+  if (WEXITSTATUS(status) != undisturbed && memory && WEXITSTATUS(status) != NB_NO_MEMORY)
+    return snprintf(what, sizeof what, "status %d, expected %d: no memory", WEXITSTATUS(status), NB_NO_MEMORY), what;
   if (WEXITSTATUS(status) != undisturbed) { /* standard output may be incomplete */
     snprintf(path, sizeof path, "%.2000s/out", folder);
     remove(path);
@@ -206,18 +216,21 @@ static const char *verdict(int status, int undisturbed, const char *folder, cons
 /* Tests every call of a case, or only the call number `only` if this is not 0. True if all calls pass. */
 static bool inject(int number, unsigned long only) {
   char wanted[PATH_SIZE], folder[PATH_SIZE];
-  unsigned long calls = 0, ignored, wrong = 0;
+  unsigned long wrong = 0;
+  struct made all, made;
   snprintf(wanted, sizeof wanted, "%.2000s/wanted", top);
   snprintf(folder, sizeof folder, "%.2000s/now", top);
-  const int undisturbed = run(number, wanted, 0, false, &calls);
+  const int undisturbed = run(number, wanted, 0, false, &all);
+  const unsigned long calls = all.calls;
   const size_t whole = compare(wanted, wanted);
   const int meant = strcmp(cases[number][2], "wrong.md") == 0 ? 2 : 0;
   if (!WIFEXITED(undisturbed) || WEXITSTATUS(undisturbed) != meant || calls == 0)
     return printf("# the undisturbed run has the wait status %d after %lu calls\n", undisturbed, calls), false;
   for (unsigned long n = only ? only : 1; n <= (only ? only : calls); n++)
     for (int lasting = 0; lasting < (only || n % 8 == 1 ? 2 : 1); lasting++) {
-      const int status = run(number, folder, n, lasting, &ignored);
-      const char *what = verdict(status, WEXITSTATUS(undisturbed), folder, wanted, whole);
+      const int status = run(number, folder, n, lasting, &made);
+      const char *what =
+          verdict(status, WEXITSTATUS(undisturbed), !lasting && made.reason == ENOMEM, folder, wanted, whole);
       if (what && wrong++ < 20)
         printf("# call %lu of %lu%s: %s\n", n, calls, lasting ? " and all after it" : "", what);
       if (what && only)
