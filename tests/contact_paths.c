@@ -255,7 +255,7 @@ static void write_laws(struct files *files) {
       "laws with planted errors, which it must detect.\n\n"
       "## The paths\n\n"
       "A path is a series of points of overlap and tangential displacement. Each contact has its own random numbers,\n"
-      "such as amplitude, decay and period, which span one to three decades. At the end\n"
+      "such as amplitude, decay and period, each from a range of about one to three decades. At the end\n"
       "of its path the contact opens, and the next contact begins.\n\n");
   for (int kind = 0; kind < KINDS; kind++)
     fprintf(files->out, "- **%s:** %s\n", kind_names[kind], kind_titles[kind]);
@@ -291,19 +291,22 @@ static void write_laws(struct files *files) {
 }
 
 static void write_causes(FILE *out) {
-  fputs("\n**Causes.**\n\n"
-        "- `mindlin` keeps the shear force when the normal force falls, although a part of the contact has separated. "
-        "It\n"
-        "  returns more than it was given whenever the displacement is applied at a large overlap and taken back at a\n"
-        "  small one.\n"
-        "- `randall` stores two reversals and one number for all rings that stuck while the overlap grew. A reversal\n"
-        "  deletes that number, so the law forgets rings that still carry a force. With a friction of 10 or more a\n"
-        "  contact hardly slips, and the energy given is small. Then $\\mu \\Delta N$ is large compared with the\n"
-        "  change of $T$ that it should cause, and the law's sum of both is mostly error.\n"
-        "- `randall_literal` has the errors of the printed text as well.\n"
-        "- `mindlin_deresiewicz` joins pieces when its memory is full. A join changes the stored energy slightly, in\n"
-        "  either direction. The law counts this change as dissipated.\n",
-        out);
+  fputs(
+      "\n**Causes.**\n\n"
+      "- `mindlin` keeps the shear force when the normal force falls, although a part of the contact has separated. "
+      "It\n"
+      "  returns more than it was given when the displacement is applied at a large overlap and taken back at a\n"
+      "  small one.\n"
+      "- `randall` stores two reversals and one number for all rings that stuck while the overlap grew. A reversal\n"
+      "  deletes that number, so the law forgets rings that still carry a force. With a friction of 10 or more a\n"
+      "  contact hardly slips, and the energy given is small. The law adds $(1 - \\theta) \\mu \\Delta N$\n"
+      "  to $T$. Here the slip factor $\\theta$ should be nearly 1, but $\\mu \\Delta N$ is large, so a small error of "
+      "$\\theta$\n"
+      "  causes a large error of $T$.\n"
+      "- `randall_literal` has the errors of the printed text as well.\n"
+      "- `mindlin_deresiewicz` joins pieces when its memory is full. A join changes the stored energy slightly, in\n"
+      "  either direction. The law counts this change as dissipated.\n",
+      out);
 }
 
 static void write_exact(struct files *files) {
@@ -335,9 +338,11 @@ static void write_exact(struct files *files) {
   fputs(
       "\n![Largest error of the shear force against the memory of the exact law](paths/memory.svg)\n\n"
       "**Causes.**\n\n"
-      "- If a path has more reversals than the law has pieces, the law loses some of them. This happens\n"
-      "  in *ringing*, *both* and *sheared*. The law joins the two pieces whose join changes $T$ least at the present\n"
-      "  overlap.\n"
+      "- If a path has more reversals than the law has pieces, the law loses some of them: it joins the two pieces "
+      "whose\n"
+      "  join changes $T$ least at the present overlap. With 64 pieces this happens on the six paths with more than "
+      "64\n"
+      "  rings.\n"
       "- In *rolling* the overlap falls to a small part of its largest value at the end. The error of inner pieces\n"
       "  remains, and it is divided by a $\\mu N$ that is much smaller. So with 32 and 64 pieces *rolling* has the "
       "largest "

@@ -10,9 +10,9 @@
  * particles have the strain rate of `affine strain`. v does not change when L jumps at the beginning of a stage.
  *
  * R89 writes x' = x' + c_11 x + c_12 y [R89 4.43], where x' is a velocity, and stores the sum as the new velocity
- * (`accumulated`). Then c is added again in every cycle and acts as an acceleration L (x - x_0)/dt: a particle at rest
- * moves away as exp(sqrt(L/dt) t). R89 also adds L z to the relative velocity of two particles with separation z
- * (`accumulated-twice`, pass/affine_twice.c).
+ * (`accumulated`). Then c is added again in every cycle and acts as an acceleration L (x - x_0)/dt: in a direction of
+ * extension a particle at rest moves away as exp(sqrt(L/dt) t), in a direction of compression it oscillates. R89 also
+ * adds L z to the relative velocity of two particles with separation z (`accumulated-twice`, pass/affine_twice.c).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 
