@@ -295,6 +295,7 @@ box.stress.xx max  expected -1 kPa within 1 % [a guess]
 box.stress.xx min  above -1 kPa
 M.stress.xy max    below -1 kPa
 M.stress.shear.xx  below -1 kPa
+box.stress.xx max  expected -2 of box.stress.mean max within 1 % [a ratio is not a pressure]
 ```
 END
 run 0 explain signs.md

@@ -100,6 +100,8 @@ static void below_and_above(void) {
   planted_one("A.y above A.x", NULL, 0, 2, (double[]){0, 2 - 1e-9}, NB_PASS, "computed 2 and 1.999999999");
   planted_one("A.y above A.x", NULL, 0, 2, (double[]){0, nextafter(2, 3)}, NB_FAIL,
               "computed 2 and 2.0000000000000004");
+  planted_one("A.x above A.y", NULL, 0, 2, (double[]){0, nextafter(2, 3)}, NB_PASS,
+              "computed 2.0000000000000004 and 2");
   planted_one("A.y above A.x", NULL, 0, 2, (double[]){0, 2.0 / 3}, NB_PASS, "computed 2 and 0.666667");
   /* If the difference is 1.0005e-5 of the larger number, seven digits show two digits of the difference. If it is
    * 0.9995e-5 of the larger number, eight digits are needed. */
