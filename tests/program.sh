@@ -841,6 +841,9 @@ out 'tables are in passes.out'
 for file in table values verdict; do there passes.out/$file.tsv; done
 test "$(column D.x/- passes.out/table.tsv | tail -n 1)" = 1.5 || echo 'D.x does not end at 1.5' >>why
 test "$(column time/- passes.out/table.tsv | wc -l)" -eq 9 || echo 'not 9 rows' >>why
+test "$(column verdict passes.out/verdict.tsv) $(column line passes.out/verdict.tsv)" = 'pass 19' || echo 'not the verdict and its line' >>why
+column expected passes.out/verdict.tsv | grep -qx 'D.x expected 1.5 within 1e-15 .*' || echo 'not the expectation in verdict.tsv' >>why
+column computed passes.out/verdict.tsv | grep -qx 'computed 1.5, .* tolerance 1e-15' || echo 'not its result in verdict.tsv' >>why
 run 0 run "$pages/passes.md" -o one/two/three
 there one/two/three/table.tsv
 run 0 run "$cases/1-two-discs/free-fall.md" -o fall
