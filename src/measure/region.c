@@ -77,9 +77,10 @@ static void box(struct nb_region_state *now, struct nb_vec centre, struct nb_vec
   now->area = 4 * half.x * half.y;
 }
 
-static void bounding_box(struct nb_region_state *now, const struct nb_model *model) {
+/* Area of the smallest rectangle around all particles whose width is along `along`, m2. */
+static double bounding_area(const struct nb_model *model, struct nb_vec along) {
   const struct nb_particles *particles = &model->particles;
-  const struct nb_vec along = vec(now->definition->ex, now->definition->ey), left = vec(-along.y, along.x);
+  const struct nb_vec left = vec(-along.y, along.x);
   struct nb_vec low = vec(INFINITY, INFINITY), high = vec(-INFINITY, -INFINITY);
   for (size_t i = 0; i < particles->count; i++) {
     if (nb_removed(model, i))
@@ -89,11 +90,7 @@ static void bounding_box(struct nb_region_state *now, const struct nb_model *mod
     low = vec(x.x - r < low.x ? x.x - r : low.x, x.y - r < low.y ? x.y - r : low.y);
     high = vec(x.x + r > high.x ? x.x + r : high.x, x.y + r > high.y ? x.y + r : high.y);
   }
-  const struct nb_vec middle = vec_scale(0.5, vec_add(low, high));
-  if (low.x <= high.x)
-    box(now, vec_add(vec_scale(middle.x, along), vec_scale(middle.y, left)), along, vec_scale(0.5, vec_sub(high, low)));
-  else
-    box(now, vec(0, 0), along, vec(0, 0));
+  return low.x <= high.x ? (high.x - low.x) * (high.y - low.y) : 0;
 }
 
 struct nb_region_state *nb_region_state(const struct nb_model *model, int region) {
@@ -120,9 +117,7 @@ struct nb_region_state *nb_region_state(const struct nb_model *model, int region
         vec(definition->half_x, definition->half_y));
     break;
   case NB_REGION_ALL:
-    bounding_box(now, model);
-    if (model->cell)
-      now->area = nb_cell_area(model->cell);
+    now->area = model->cell ? nb_cell_area(model->cell) : bounding_area(model, vec(definition->ex, definition->ey));
     break;
   }
   return now;
@@ -141,9 +136,9 @@ struct nb_vec nb_region_position(const struct nb_model *model, const struct nb_r
 bool nb_region_contains(const struct nb_model *model, const struct nb_region_state *region, size_t slot) {
   if (nb_removed(model, slot))
     return false;
-  const struct nb_vec x = vec_sub(nb_region_position(model, region, slot), region->centre);
   if (region->definition->kind == NB_REGION_ALL)
     return true;
+  const struct nb_vec x = vec_sub(nb_region_position(model, region, slot), region->centre);
   if (region->radius > 0 || region->definition->kind == NB_REGION_INSIDE)
     return region->radius > 0 && vec_dot(x, x) <= region->radius * region->radius;
   const struct nb_vec along = vec(region->definition->ex, region->definition->ey);
@@ -163,11 +158,11 @@ bool nb_region_next(const struct nb_model *model, const struct nb_region_state *
 /* The area of the part of a particle that is inside the region, m2. */
 static double area_inside(const struct nb_model *model, const struct nb_region_state *region, size_t slot) {
   const double radius = model->particles.radius[slot];
-  const struct nb_vec x = nb_region_position(model, region, slot);
   if (nb_removed(model, slot))
     return 0;
   if (region->definition->kind == NB_REGION_ALL)
     return nb_area_of_disc(radius);
+  const struct nb_vec x = nb_region_position(model, region, slot);
   if (region->radius > 0 || region->definition->kind == NB_REGION_INSIDE)
     return nb_area_of_lens(radius, region->radius, vec_length(vec_sub(x, region->centre)));
   return nb_area_in_polygon(x, radius, region->corners, 4);

@@ -103,9 +103,9 @@ enum nb_measure { NB_MEASURE_ROWS(NB_MEASURE_NUMBER) NB_MEASURES };
 /* A region in the current cycle. */
 struct nb_region_state {
   const struct nb_region *definition;
-  struct nb_vec centre;
-  double radius;                       /* radius of a circle, m; 0: a box, or `inside` without a boundary */
-  struct nb_vec corners[4];            /* counterclockwise, m */
+  struct nb_vec centre;                /* m; zero for `all`, which needs only its area */
+  double radius;                       /* radius of a circle, m; 0: a box, `all`, or `inside` without a boundary */
+  struct nb_vec corners[4];            /* of a box, counterclockwise, m */
   double area, thickness;              /* m2; m */
   unsigned long placed_cycle;          /* number of the cycle of this geometry, plus 1; 0: not computed yet */
   unsigned long measured[NB_MEASURES]; /* number of the cycle in which each measure was computed, plus 1; 0: not yet */
