@@ -40,12 +40,12 @@ static double stiffness(const struct nb_model *model, const struct nb_servo *ser
   double sum = 0;
   for (size_t c = 0; c < contacts->count; c++) {
     const bool wall = nb_with_wall(model, c);
-    if ((wall && !servo->box) || !nb_touches(contacts, c))
+    if (wall && !servo->box)
       continue;
     const struct nb_vec l =
         wall ? nb_wall_separation(&model->walls, contacts->b[c], model->particles.position[contacts->a[c]])
              : nb_contacts_branch(model, c);
-    sum += contacts->kept[NB_STIFFNESS][c] * vec_dot(l, l);
+    sum += contacts->kept[NB_STIFFNESS][c] * vec_dot(l, l); /* 0 without contact */
   }
   return sum / (4 * volume);
 }
