@@ -158,6 +158,9 @@ static void warnings_of_ends(void) {
        "stage `two` ended in cycle 1 without a contact force, where `unbalanced.max` is 0; add a condition such as "
        "`and "
        "contacts above 0`"},
+      {"5", "time above 0.1 and unbalanced.max below 1  at most 4 cycles",
+       "stage `two` ended in cycle 1 without a contact force, where `unbalanced.max` is 0; add a condition such as "
+       "`and contacts above 0`"},
       {"1.5", "unbalanced.max above 0.5  at most 4 cycles",
        "stage `two` ended in cycle 1, because its condition was met before the stage began: unbalanced.max is 1, above "
        "0.5"},
