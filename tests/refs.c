@@ -12,6 +12,7 @@
 #include "../src/core/model.h"
 #include "../src/laws/law.h"
 #include "refs_scenes.h"
+#include "report/outcome.h"
 #include "suites.h"
 #include "written.h"
 
@@ -377,6 +378,40 @@ static void friction_and_cohesion_at_a_wall(void) {
     }
 }
 
+/* A solution lacks values when memory runs out. Then no reference may report success. The scene of a reference is the
+ * first page that uses it. */
+static void every_reference_reports_missing_memory(void) {
+  static const char *const pages[] = {
+#define NB_PAGE(path) path,
+#include "pages-register.h"
+#undef NB_PAGE
+  };
+  const struct nb_reference *tested[256];
+  size_t count = 0;
+  for (size_t p = 0; p < sizeof pages / sizeof *pages; p++) {
+    struct nb_outcome outcome;
+    struct nb_error error;
+    char path[4096];
+    snprintf(path, sizeof path, "%s/%s", NB_SRCDIR, pages[p]);
+    CU_ASSERT_EQUAL_FATAL(nb_outcome_read(&outcome, path, NULL), NB_OK);
+    const struct nb_reference *const reference = outcome.runs[0].expectations.reference;
+    size_t k = 0;
+    while (k < count && tested[k] != reference)
+      k++;
+    if (reference && k == count) {
+      struct nb_solution solution = {.incomplete = true};
+      const enum nb_status status = nb_reference_solve(reference, &solution, &outcome.runs[0].scene, &error);
+      if (status != NB_NO_MEMORY)
+        printf("# %s: status %d\n", reference->name, status);
+      CU_ASSERT_EQUAL(status, NB_NO_MEMORY);
+      solution_free(&solution);
+      tested[count++] = reference;
+    }
+    nb_outcome_free(&outcome);
+  }
+  CU_ASSERT(count > 50);
+}
+
 void suite_refs(void) {
   CU_pSuite suite = CU_add_suite("refs", NULL, NULL);
   CU_add_test(suite, "masses and constants of contacts", masses_and_contact_constants);
@@ -388,6 +423,7 @@ void suite_refs(void) {
   CU_add_test(suite, "particles and regions that a formula does not cover are refused",
               uncovered_particles_and_regions_are_refused);
   CU_add_test(suite, "failed allocation in GSL ends the program", failed_allocation_in_gsl_ends_the_program);
+  CU_ADD_TEST(suite, every_reference_reports_missing_memory);
   CU_add_test(suite, "friction and cohesion of a particle and a wall", friction_and_cohesion_at_a_wall);
   CU_ADD_TEST(suite, rayleigh_steps_of_equal_spheres);
   CU_ADD_TEST(suite, a_step_relative_to_a_single_contact);
