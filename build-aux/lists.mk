@@ -325,6 +325,7 @@ SUITES = \
   tests/refs_row.c \
   tests/refs_impact.c \
   tests/refs_loops.c \
+  tests/refs_contact.c \
   tests/refs_damped.c \
   tests/law_change.c \
   tests/laws.c \
