@@ -399,10 +399,16 @@ result $? 'explain names the line of a step that the other page got by `with`'
 sed 's/^walls     inward 0.12/walls     inward 0.11/' cases/3-nine-discs/nine-discs.md >"$pages/nine-discs.md"
 "$nineball" explain "$pages/saved-stage.md" --states "$states" >"$work/said" && grep -q 'out of date, will be computed again' "$work/said"
 result $? 'the state of a changed page is out of date'
+old=$(ls "$states"/nine-discs-load-*.state)
+alike=$states/nine-disks-load-${old##*-}
+cp "$old" "$alike" && cp "$old" "$old.kept"
 run changed "$pages/saved-stage.md"
 test "$(made)" -eq 1 && ! cmp -s "$work/now/table.tsv" "$work/changed/table.tsv" &&
-  test "$(ls "$states" | grep -c '^nine-discs-load-')" -eq 1
+  test "$(ls "$states" | grep -c '^nine-discs-load-.*state$')" -eq 1
 result $? 'the state of a changed page is computed again, and the old state is removed'
+cmp "$alike" "$old.kept" >>"$work/said" 2>&1
+result $? 'the state of another page, and a file that is not a state, are not removed'
+rm -f "$alike" "$old.kept"
 cp cases/3-nine-discs/nine-discs.md "$pages"
 run back "$pages/saved-stage.md" && test "$(made)" -eq 1 &&
   sed 's/^walls     inward 0.12/walls     inward 0.12   # as ever/; s/^cycles    4000/cycles    7/; s/^record .*/record time/' \
@@ -566,6 +572,9 @@ sed 's/^body 3 disc/body 3 sphere/' "$state" >"$work/damaged.state" && cp "$work
 run damaged "$pages/saved-stage.md"
 test $? -eq 2 && grep -q 'expected the checksum of the lines above, found another one: the file has been changed' "$work/said"
 result $? 'a damaged state is not used'
+"$nineball" explain "$pages/saved-stage.md" --states "$states" >"$work/out" 2>"$work/said"
+test $? -eq 2 && grep -q 'expected the checksum of the lines above, found another one' "$work/said"
+result $? 'explain says that a state is damaged'
 rm "$states"/*
 (ulimit -f 8 && trap '' XFSZ && run full "$pages/saved-stage.md")
 test $? -eq 2 && grep -q 'cannot write .*state' "$work/said" && test -z "$(ls "$states")"
