@@ -385,13 +385,13 @@ $(law_table)
 
 No other law is enough within 1 % for: $(no_other_law).
 
-The chosen setting has another law than the page for $(cheaper '10 %') of all quantities within 10 %.
+The chosen setting has another law than the page for $(cheaper '10 %') of the quantities with advice within 10 %.
 Within 1 % this holds for $(cheaper '1 %'), and within 0.1 % for $(cheaper '0.1 %'). Of laws with equal numbers of updates the one that stores less per contact is chosen. An update with the
 exact law takes $(law_cost exact) times the instructions of one with \`mindlin\`, and an update with \`randall\` $(law_cost randall) times ([COST](COST.md)).
 In quasi-static shear of an assembly the mean of \$\\sin \\Phi\$ differs between the exact law and \`mindlin\` by
 0.0003 ± 0.0001 over ten pairs of runs ([no-slip-or-exact](../cases/7-assemblies/no-slip-or-exact.md)).
 
-**Softer contacts and centred dashpots.** Softer contacts are the choice for $(chosen_with soften= '10 %') of all quantities within 10 %,
+**Softer contacts and centred dashpots.** Softer contacts are the choice for $(chosen_with soften= '10 %') of the quantities with advice within 10 %,
 for $(chosen_with soften= '1 %') within 1 %, and for $(chosen_with soften= '0.1 %') within 0.1 %. Most quantities of an impact depend on
 the stiffness. Where the step is given as a fraction of the duration of the collision, softer contacts save nothing. Centred
 dashpots are the choice within the three tolerances for $(chosen_with damping=centred '10 %'), $(chosen_with damping=centred '1 %') and $(chosen_with damping=centred '0.1 %').

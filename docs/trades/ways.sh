@@ -180,7 +180,7 @@ preparation: at a deviator strain of 0.25 % the difference of \$\\sin \\Phi\$ is
 **Linear springs with a stiffness from the modulus** save almost nothing in an impact, except for its duration
 ([linear-springs.tsv](trades/linear-springs.tsv), [the page](trades/linear-springs.md)). The stiffness
 \$k_n = \\pi^2 m^*/T_c^2\$ gives the impact of two particles with the reduced mass \$m^*\$ the duration \$T_c\$ of
-[Hertz's](../cases/2-hertz/hertz-impact.md), at one approach speed. The largest force is then $(awk 'BEGIN { printf "%.3f", 4*atan2(0, -1)/(5*2.943275) }') of Hertz's, and the largest overlap $(awk 'BEGIN { printf "%.3f", 2.943275/atan2(0, -1) }'), with any step. Within $saved_within
+[Hertz's](../cases/2-hertz/hertz-impact.md), at one approach speed. The largest force is then $(awk 'BEGIN { printf "%.3f", 4*atan2(0, -1)/(5*2.943275) }') of Hertz's, and the largest overlap $(awk 'BEGIN { printf "%.3f", 2.943275/atan2(0, -1) }'), in the limit of small steps. Within $saved_within
 the duration needs $saved_linear updates instead of $saved_hertz. Of $((searches - 1)) other searches, with four quantities within 20 %, 10 %, 1 % and
 0.1 %, none needs fewer updates with springs. Over thirteen angles of incidence
 ([linear-springs-angle.tsv](trades/linear-springs-angle.tsv), [the page](trades/linear-springs-angle.md)) the duration needs
