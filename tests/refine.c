@@ -128,9 +128,10 @@ static void expectations_at_a_cycle(void) {
 static void an_expectation_outside_a_page(void) {
   static const struct {
     const char *text, *message;
-  } rows[] = {{"D.x in a within 1 mm", NULL},
-              {"D.x in a within 1 ms", "expected a length and its unit (m, mm, um, nm, cm, km), found `1 ms`"},
-              {"D.x in a within 1", "expected a length and its unit (m, mm, um, nm, cm, km), found `1`"}};
+  } rows[] = {
+      {"D.x in a within 1 mm", NULL},
+      {"D.x in a within 1 ms", "expected a length and its unit (m, mm, um, nm, cm, km), or a percentage, found `1 ms`"},
+      {"D.x in a within 1", "expected a length and its unit (m, mm, um, nm, cm, km), or a percentage, found `1`"}};
   struct words words = {0};
   struct written written;
   words_add(&words, "material m density 1 kg/m3 kn 1 N/m\ndisc 0 m 0 m radius 1 m m\nmonitor D disc 1\n"
