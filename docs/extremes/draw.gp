@@ -17,6 +17,6 @@ set yrange [1e-18:1]
 set key outside right center vertical
 eps = 2.2e-16
 table = folder.'/endurance.tsv'
-plot eps*sqrt(x) with lines dt 2 lw 1.5 lc rgb 'black' title 'ε N^{1/2}', \
+plot eps*sqrt(x) with lines dt 2 lw 1.5 lc rgb 'black' title 'ε √N', \
      eps*x with lines dt 3 lw 1.5 lc rgb 'black' title 'ε N', \
      for [k=2:7] table using 1:(abs(column(k))) with lines lw 1.5 lt k - 1 title columnheader(k)
