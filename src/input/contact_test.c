@@ -177,7 +177,6 @@ NB_APPLY(apply_segment) {
   one.segment.normal.relative = one.segment.shear.relative = true;
   if (!scene->contact_test) /* a `segment` in a block of kind `scene`, which has been reported */
     return;
-  reading->here = NB_IN_SEGMENT;
   if (name)
     nb_stage_name(&one, reading, name);
   const int same = NB_FIND(scene->stages, scene->stage_count, one.name);
@@ -186,7 +185,9 @@ NB_APPLY(apply_segment) {
   if (!reader->bad && take_segment(reader, &one) && one.segment.points)
     one.cycles = one.segment.point_count;
   nb_too_many(reader, scene->stage_count, NB_NAMED_MAX, "segments");
-  if (scene->stage_count >= NB_NAMED_MAX || !NB_APPEND(reader, scene->stages, scene->stage_count, one))
+  if (scene->stage_count < NB_NAMED_MAX && NB_APPEND(reader, scene->stages, scene->stage_count, one))
+    reading->here = NB_IN_SEGMENT;
+  else
     free(one.segment.points);
 }
 
