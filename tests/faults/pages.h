@@ -27,17 +27,17 @@ static const struct {
      "sphere 5 m 0 m radius $d rock\nboundary circle 0 m 0 m radius 1 m\nstep 1 us\nrecord time\nstage go\n  "
      "boundary strain -1 1/s -1 1/s\n  cycles 3\n  snapshot\n```\n"},
     {"list.tsv", "x/m\ty/m\tradius/m\n0\t0\t0.1\n0.3\t0\t0.1\n"},
-    {"cell.md",
-     "# Cell\n\n```scene\nmaterial rock density 2000 kg/m3 kn 1 MN/m ks 1 MN/m friction 0.3\nshear linear\n"
-     "cell 0 m 0 m to 6 m 6 m\nlattice discs 3 by 3 rock radius 1 m\nregion W all\n"
-     "step 0.1 of stable\nrecord W.stress.xx cell.stress.mean W.contacts.lost energy.residual W.strain.xx step.fracc\n"
-     "stage press\n  cell strain -1e-3 per cycle 0 per cycle\n  cycles 3\nstage control\n"
-     "  servo isotropic 1 kPa on cell through cell at most 1e-4 per cycle\n  remove disc 9\n  cycles 3\n"
-     "  snapshot from press\n```\n"},
-    {"path.md", "# Path\n\n```contact-test\nmaterial rock young 1 GPa poisson 0.2 friction 0.3\nnormal hertz\nshear "
-                "mindlin\ncontact "
-                "sphere 10 mm rock with wall rock\nsegment press overlap to 1 um in 3 steps\nsegment rub slip by 1 um "
-                "in 3 steps\n```\n"},
+    {"cell.md", "# Cell\n\n```scene\nmaterial rock density 2000 kg/m3 kn 1 MN/m ks 1 MN/m friction 0.3\nshear linear\n"
+                "cell 0 m 0 m to 6 m 6 m\nlattice discs 3 by 3 rock radius 1 m\nregion W all from control\n"
+                "step 0.1 of stable\nrecord W.stress.xx cell.stress.mean W.contacts.lost W.contacts.new "
+                "energy.residual W.strain.xx step.fracc\n"
+                "stage press\n  cell strain -1e-3 per cycle 0 per cycle\n  cycles 3\nstage control\n"
+                "  servo isotropic 1 kPa on cell through cell at most 1e-4 per cycle\n  remove disc 9\n  cycles 3\n"
+                "  snapshot from press\n```\n"},
+    {"path.md",
+     "# Path\n\n```contact-test\nmaterial rock young 1 GPa poisson 0.2 friction 0.3\nnormal hertz\nshear "
+     "mindlin_deresiewicz memory 4\ncontact sphere 10 mm rock with wall rock\nsegment press overlap to 1 um in 3 "
+     "steps\nsegment rub slip by 1 um in 3 steps\n  snapshot\n```\n"},
     {"fall.md",
      "# Fall\n\n```scene\nsweep g 1 2\nmaterial m density 1 kg/m3 kn 1 N/m\nsphere 0 m 2 m radius 1 m m\nwall floor -1 "
      "m "
