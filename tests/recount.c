@@ -259,19 +259,23 @@ static void constraints(void) {
 
 /* Without friction a disc on two others that are fixed has two contacts for its two degrees of freedom; a wall that
  * touches it is the third contact. With friction at the two contacts with discs, but not at the wall, there are five
- * constraints for three degrees of freedom. */
+ * constraints for three degrees of freedom. A rattler is the last disc, or the first one. */
 static void constraints_of_a_disc(void) {
   static const char *const walls[] = {"", "wall w 9 3.6 to 0 3.6 m\n",
                                       ("material s density 1 kn 7\nwall w 9 3.6 to 0 3.6 s\npair m m friction 1\n"
                                        "shear linear\n")};
   static const double ratios[] = {1, 1.5, 5. / 3};
-  for (size_t k = 0; k < sizeof walls / sizeof *walls; k++) {
+  static const char rattler[] = "disc 8 8 radius 1 m\n";
+  for (size_t n = 0; n < 2 * sizeof walls / sizeof *walls; n++) {
+    const size_t k = n / 2;
     struct words page = {0};
     struct written it;
     struct nb_result result;
-    words_add(&page,
-              "units none\nmaterial m density 1 kn 7 ks 7\nstep 0.001\ndisc 1 1 radius 1 m fixed\ndisc 3 1 radius 1 m "
-              "fixed\ndisc 2 2.7 radius 1 m\ndisc 8 8 radius 1 m\n");
+    words_add(
+        &page,
+        "units none\nmaterial m density 1 kn 7 ks 7\nstep 0.001\n%sdisc 1 1 radius 1 m fixed\ndisc 3 1 radius 1 m "
+        "fixed\ndisc 2 2.7 radius 1 m\n%s",
+        n % 2 ? rattler : "", n % 2 ? "" : rattler);
     words_add(&page, "%sregion B all\nrecord B.constraint_ratio B.rattlers\nstage a\ncycles 1\n", walls[k]);
     written_scene(&it, &page);
     written_run(&result, &it, NULL);

@@ -582,6 +582,9 @@ result $? 'a full disk: an error, and no file is left'
 "$nineball" run "$pages/saved-stage.md" --states /dev/null/states -o "$work/none" >"$work/out" 2>"$work/said"
 test $? -eq 2 && grep -q 'cannot make the folder' "$work/said"
 result $? 'no folder: an error'
+"$nineball" run "$pages/saved-stage.md" --states "$(awk 'BEGIN { for (k = 0; k < 500; k++) printf "/long-name" }')" -o "$work/none" >"$work/out" 2>"$work/said"
+test $? -eq 2 && grep -q 'the name of the folder is too long: /long-name/' "$work/said"
+result $? 'the name of the folder is too long: an error'
 
 # ---- pages found by name ----
 
