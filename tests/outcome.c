@@ -600,6 +600,7 @@ static void warnings_of_removed_particles(void) {
   } cases[] = {
       {"A.vx", "A.vx in one below 3", "`A.vx` is 0 from stage `two` on", false},
       {"C.normal", "report C.normal", "`C.normal` is 0 from stage `two` on", false},
+      {"E.normal", "report E.normal", "`E.normal` is 0 from stage `two` on", false},
       {"F.normal", "report F.normal", "for a value before, write `F.normal in one`", false},
       {"A.vx", "report A.vx", "`A.vx` is 0 in all stages, because this line removes its particle in the first one",
        true},
@@ -614,13 +615,13 @@ static void warnings_of_removed_particles(void) {
     struct nb_outcome outcome;
     static const char remove[] = "remove disc 2\n";
     char scene[512];
-    snprintf(
-        scene, sizeof scene,
-        "units none\nsweep v 1 2\nmaterial m density 1 kn 1\nwall floor -9 0 to 9 0 m\ndisc 3 1 radius 1 m\n"
-        "disc 0 1 radius 1 m velocity $v 0\nmonitor B disc 1\nmonitor A disc 2\nmonitor C disc 1 with disc 2\n"
-        "monitor F disc 2 with wall floor\nmonitor W wall floor\nstep 0.001\nrecord cycle %s\nstage one\n%scycles 5\n"
-        "stage two\n%scycles 5",
-        cases[k].quantity, cases[k].first ? remove : "", cases[k].first ? "" : remove);
+    snprintf(scene, sizeof scene,
+             "units none\nsweep v 1 2\nmaterial m density 1 kn 1\nwall floor -9 0 to 9 0 m\ndisc 3 1 radius 1 m\n"
+             "disc 0 1 radius 1 m velocity $v 0\nmonitor B disc 1\nmonitor A disc 2\nmonitor C disc 1 with disc 2\n"
+             "monitor E disc 2 with disc 1\nmonitor F disc 2 with wall floor\nmonitor W wall floor\nstep 0.001\nrecord "
+             "cycle %s\nstage one\n%scycles 5\n"
+             "stage two\n%scycles 5",
+             cases[k].quantity, cases[k].first ? remove : "", cases[k].first ? "" : remove);
     carry_out(&outcome, scene, cases[k].expectation, NULL);
     CU_ASSERT_EQUAL(outcome.status, NB_OK);
     CU_ASSERT_EQUAL_FATAL(outcome.warnings.count, cases[k].wanted ? 1 : 0);
@@ -883,7 +884,8 @@ static void a_file_that_is_removed(void) {
 static void folders_that_cannot_be_made(void) {
   static const char scene[] = "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nstep 0.1\nrecord cycle\n"
                               "stage s\ncycles 1";
-  char file[] = "/tmp/nineball-outcome-XXXXXX", inside[sizeof file + 8], name[5000];
+  char file[] = "/tmp/nineball-outcome-XXXXXX", inside[sizeof file + 8];
+  char name[NB_STATE_PATH - sizeof "/nineball" + 2]; /* the shortest name that is too long */
   struct nb_outcome outcome;
   struct nb_options options = {.threads = 1, .jobs = 1};
   close(mkstemp(file));
