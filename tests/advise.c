@@ -134,7 +134,7 @@ static void claims_follow_from_the_values(void) {
         at[j] = own[level - NB_LEVEL_LOW].values[r * NB_TRIALS + j * NB_PHASES / 2];
         before[j] = own[level - 1 - NB_LEVEL_LOW].values[r * NB_TRIALS + j * NB_PHASES / 2];
       }
-      const double claim = nb_estimate_claim(
+      const double claim = nb_estimate_error(
           &step, point[0].values + r * NB_TRIALS, point[1].values + r * NB_TRIALS, point[2].values + r * NB_TRIALS,
           NB_PHASES, nb_level_ratios(&advice, setting->level), nb_estimate_anchor(at, before, 2));
       if (claim / advice.allowed[r] > worst)

@@ -61,10 +61,10 @@ static void what_is_not_finite_has_no_estimate(void) {
     CU_ASSERT_EQUAL(nb_estimate_step(bad[k], 1, 1, halved), INFINITY);
     CU_ASSERT_EQUAL(nb_estimate_step(1, bad[k], 1, halved), INFINITY);
     CU_ASSERT_EQUAL(nb_estimate_step(1, 1, bad[k], halved), INFINITY);
-    CU_ASSERT_EQUAL(nb_estimate_claim(&step, with, one, one, 2, halved, (struct nb_anchor){1, 0}), INFINITY);
+    CU_ASSERT_EQUAL(nb_estimate_error(&step, with, one, one, 2, halved, (struct nb_anchor){1, 0}), INFINITY);
     CU_ASSERT_EQUAL(step, INFINITY);
-    CU_ASSERT_EQUAL(nb_estimate_claim(&step, one, one, one, 2, halved, (struct nb_anchor){bad[k], 0}), INFINITY);
-    CU_ASSERT_EQUAL(nb_estimate_claim(&step, one, one, one, 2, halved, (struct nb_anchor){1, fabs(bad[k])}), INFINITY);
+    CU_ASSERT_EQUAL(nb_estimate_error(&step, one, one, one, 2, halved, (struct nb_anchor){bad[k], 0}), INFINITY);
+    CU_ASSERT_EQUAL(nb_estimate_error(&step, one, one, one, 2, halved, (struct nb_anchor){1, fabs(bad[k])}), INFINITY);
     CU_ASSERT(!isfinite(nb_estimate_anchor(with, one, 2).uncertainty));
     CU_ASSERT(!isfinite(nb_estimate_anchor(one, with, 2).uncertainty));
   }
@@ -88,16 +88,16 @@ static void a_claim_is_that_of_the_worst_phase(void) {
   for (size_t worst = 0; worst < 3; worst++) {
     double n[] = {1, 1, 1}, n2[] = {1, 1, 1}, n4[] = {1, 1, 1};
     n[worst] = 0.5;
-    CU_ASSERT_EQUAL(nb_estimate_claim(&step, n, n2, n4, 3, halved, (struct nb_anchor){1, 0.125}),
+    CU_ASSERT_EQUAL(nb_estimate_error(&step, n, n2, n4, 3, halved, (struct nb_anchor){1, 0.125}),
                     0.75); /* 1.25 times the difference 0.5, plus 0.125 */
     NEAR(step, 0.5 * 4 / 3, 1e-14);
-    CU_ASSERT_EQUAL(nb_estimate_claim(&step, n, n2, n4, 3, halved, (struct nb_anchor){1, 0}), step);
+    CU_ASSERT_EQUAL(nb_estimate_error(&step, n, n2, n4, 3, halved, (struct nb_anchor){1, 0}), step);
     n[worst] = n2[worst] = 1, n4[worst] = 3;
-    CU_ASSERT_EQUAL(nb_estimate_claim(&step, n, n2, n4, 3, halved, (struct nb_anchor){1, 0}), 6); /* 3 |d_2| */
+    CU_ASSERT_EQUAL(nb_estimate_error(&step, n, n2, n4, 3, halved, (struct nb_anchor){1, 0}), 6); /* 3 |d_2| */
   }
   const double two[] = {2, 2};
-  CU_ASSERT_EQUAL(nb_estimate_claim(&step, two, two, two, 2, halved, (struct nb_anchor){1, 0}), 1.25);
-  CU_ASSERT_EQUAL(nb_estimate_claim(&step, two, two, two, 2, halved, (struct nb_anchor){3, 0}), 1.25);
+  CU_ASSERT_EQUAL(nb_estimate_error(&step, two, two, two, 2, halved, (struct nb_anchor){1, 0}), 1.25);
+  CU_ASSERT_EQUAL(nb_estimate_error(&step, two, two, two, 2, halved, (struct nb_anchor){3, 0}), 1.25);
   CU_ASSERT_EQUAL(step, 0);
 }
 

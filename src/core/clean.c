@@ -48,7 +48,7 @@ int nb_clean(char *text, size_t length, unsigned *byte) {
   return first;
 }
 
-void nb_append_list(char *text, size_t size, const char *format, va_list list) {
+void nb_append_arguments(char *text, size_t size, const char *format, va_list list) {
   const size_t length = strlen(text);
   vsnprintf(text + length, size - length, format, list);
 }
@@ -56,7 +56,7 @@ void nb_append_list(char *text, size_t size, const char *format, va_list list) {
 void nb_append(char *text, size_t size, const char *format, ...) {
   va_list list;
   va_start(list, format);
-  nb_append_list(text, size, format, list);
+  nb_append_arguments(text, size, format, list);
   va_end(list);
 }
 

@@ -20,4 +20,5 @@ void nb_append(char *text, size_t size, const char *format, ...) __attribute__((
 /* Appends a word in backticks to a list such as "`a`, `b` or `c`". `last`: it is the last word of the list. */
 void nb_append_item(char *list, size_t size, const char *word, bool last);
 /* Does what nb_append does, with the arguments in a va_list. */
-void nb_append_list(char *text, size_t size, const char *format, va_list list) __attribute__((format(printf, 3, 0)));
+void nb_append_arguments(char *text, size_t size, const char *format, va_list list)
+    __attribute__((format(printf, 3, 0)));

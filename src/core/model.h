@@ -97,7 +97,7 @@ struct nb_machine {
   enum nb_isa isa;
   int threads;          /* upper limit */
   int threads_used;     /* threads in use now: each has at least NB_CONTACTS_PER_THREAD contacts */
-  struct nb_team *team; /* the threads; NULL: there never were several */
+  struct nb_team *team; /* the threads; NULL: there never were several, or memory ran out */
   struct nb_rounding rounding;
 };
 

@@ -11,7 +11,7 @@
  * `impulse`; alpha (1/s) is alpha_g of docs/METHOD.md:
  *
  *   C = alpha m        keep = (1 - alpha dt/2)/(1 + alpha dt/2),   impulse = 1/(1 + alpha dt/2)     34-36
- *   CON1, as CS79      keep = CON1/(2 - CON1),   impulse = 1/(2 - CON1)       as C = alpha m, alpha dt/2 = 1 - CON1
+ *   CON1, as CS79      keep = CON1/(2 - CON1),   impulse = 1/(2 - CON1)       as C = alpha m with alpha dt/2 = 1 - CON1
  *   CON1, velocity     keep = CON1,              impulse = 1
  *   CON1, all          keep = CON1,              impulse = CON1
  *

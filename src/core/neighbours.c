@@ -227,8 +227,8 @@ static bool neighbours_around(struct nb_neighbour_pairs *pairs, struct nb_model 
   return true;
 }
 
-/* Searches from the image of particle i in the cell, and from those of the eight images around it that are within the
- * range of a contact of the cell. False: out of memory. */
+/* Searches from the image of particle i in the cell, and from those of the eight images around it whose distance from
+ * the cell is at most the range of a contact. False: out of memory. */
 static bool neighbours_of_images(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct search *search,
                                  int i) {
   const struct nb_wrap *wrap = &search->wrap;

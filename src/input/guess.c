@@ -125,7 +125,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"until_rest until_equilibrium until_static until_steady until_settled until_quiet until_converged until_relaxed stage_equilibrate stage_settle stage_rest", "until, unbalanced.max", "at rest the contact forces balance: `until unbalanced.max below 1e-4 and contacts above 0 at most 1000000 cycles`"},
     {"until_cycles until_cycle", "cycles", "a number of cycles is `cycles 1000`"},
     {"until_< until_<= until_less until_under until_smaller", "below", "a condition is `QUANTITY below VALUE`"}, {"until_> until_>= until_greater until_over until_more until_exceeds", "above", "a condition is `QUANTITY above VALUE`"},
-    {"scene_report stage_report scene_expected stage_expected scene_reference stage_reference", "report, expected, reference", "a claim or a report belongs in a block `expect`, after the block `scene`: for example `report energy.kinetic max in STAGE`"},
+    {"scene_report stage_report scene_expected stage_expected scene_reference stage_reference", "report, expected, reference", "an expectation or a report belongs in a block `expect`, after the block `scene`: for example `report energy.kinetic max in STAGE`"},
     {"scene_load", "start", "a page that continues from another begins with `start PAGE stage NAME`; a load on particles is `gravity`, or in a stage `boundary stress` or `servo`"},
     {"cell_xy cell_shear cell_simple_shear cell_c12 cell_velocity cell_deform cell_engineering_shear", "cell strain", SIMPLE_SHEAR},
     {"cell_rate cell_xx cell_yy cell_axial cell_volumetric", "cell strain", "two rates follow `cell strain`, those in x and y: `cell strain 0 1/s -0.1 1/s` compresses in y; " SIMPLE_SHEAR},

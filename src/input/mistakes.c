@@ -140,7 +140,7 @@ void nb_mistake(struct nb_mistakes *mistakes, const struct nb_page *page, size_t
     nb_text_add(&message, "%s: error: ", page->path);
   va_list list;
   va_start(list, format);
-  nb_text_add_list(&message, format, list);
+  nb_text_add_arguments(&message, format, list);
   va_end(list);
   nb_text_add(&message, "\n");
   if (line && line <= page->line_count)

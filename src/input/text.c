@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-void nb_text_add_list(struct nb_text *text, const char *format, va_list list) {
+void nb_text_add_arguments(struct nb_text *text, const char *format, va_list list) {
   va_list again;
   va_copy(again, list);
   const int n = vsnprintf(text->at ? text->at + text->length : NULL, text->capacity - text->length, format, list);
@@ -32,6 +32,6 @@ void nb_text_add_list(struct nb_text *text, const char *format, va_list list) {
 void nb_text_add(struct nb_text *text, const char *format, ...) {
   va_list list;
   va_start(list, format);
-  nb_text_add_list(text, format, list);
+  nb_text_add_arguments(text, format, list);
   va_end(list);
 }

@@ -15,4 +15,5 @@ struct nb_text {
 };
 
 void nb_text_add(struct nb_text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
-void nb_text_add_list(struct nb_text *text, const char *format, va_list list) __attribute__((format(printf, 2, 0)));
+void nb_text_add_arguments(struct nb_text *text, const char *format, va_list list)
+    __attribute__((format(printf, 2, 0)));

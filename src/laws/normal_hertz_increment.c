@@ -51,7 +51,7 @@ static double normal_hertz_increment_stored(struct nb_pair p, struct nb_normal n
 #define LAW normal_hertz_increment
 #define NORMAL
 #define ELASTIC
-#define TITLE "elastic spheres by increments, N += 2 E* a dn, as R89 coded it: loses 2-3 % of the speed"
+#define TITLE "elastic spheres in increments, N += 2 E* a dn [R89]: an impact of 30-40 steps loses 2-3 % of the speed"
 #define SOURCE "[R89 4.11, 4.12, 4.14]"
 #define PARAMETERS "young, poisson"
 #define HISTORY 1

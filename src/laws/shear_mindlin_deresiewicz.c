@@ -72,11 +72,11 @@ static inline double merge_limit(double x, double u1, double u2) {
 static inline double mu_kappa(struct nb_pair p) { return p.friction * p.young / (4 * p.shear); }
 static inline double u_increment(struct nb_pair p, double ds) { return ds * p.radius * (1 / mu_kappa(p)); }
 
-/* True if there is friction. A friction so small that its inverse overflows counts as 0. */
+/* True if there is friction. A mu_kappa so small that its inverse may overflow counts as 0. */
 static inline bool has_friction(struct nb_pair p) { return mu_kappa(p) >= DBL_MIN; }
 
 /* True if the contact can have a shear force: it has friction, and the normal force is above 0. */
-static inline bool can_slide(struct nb_pair p, struct nb_normal n) {
+static inline bool can_bear_shear(struct nb_pair p, struct nb_normal n) {
   return has_friction(p) && n.radius * n.radius * n.radius > 0;
 }
 
@@ -227,7 +227,7 @@ static inline struct corner_values corner_values(const struct corner *at) {
 
 static inline NB_FORM struct fetched shear_mindlin_deresiewicz_fetch(struct nb_pair p, struct nb_normal n, double m[]) {
   struct corner *at = (struct corner *)(m + HEAD);
-  if (!can_slide(p, n))
+  if (!can_bear_shear(p, n))
     m[0] = 0;
   if (m[0] == 0) {
     at[0] = (struct corner){0};
@@ -276,7 +276,7 @@ static inline NB_FORM struct nb_shear shear_mindlin_deresiewicz_solve(struct nb_
 static NB_COLD void advance_general(struct nb_pair p, struct nb_normal n, double ds, double m[], struct nb_shear *out,
                                     double *dissipated) {
   struct corner *at = (struct corner *)(m + HEAD);
-  if (!can_slide(p, n)) {
+  if (!can_bear_shear(p, n)) {
     out->force = 0, out->sliding = has_friction(p) ? 0 : 1;
     return;
   }

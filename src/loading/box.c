@@ -9,8 +9,8 @@
  *   h    distance of an end of the wall from P, m
  *   L    strain rate, extension positive, 1/s
  *
- * The corners move as x_(N+1) - x_0 = (1 + L dt)(x_N - x_0), so they stay closed. The walls grow or shrink at their
- * ends; a contact with a wall uses only the velocity v_P.
+ * As long as L has no shear in the axes of the box, the corners move as x_(N+1) - x_0 = (1 + L dt)(x_N - x_0), so they
+ * stay closed. The walls grow or shrink at their ends; a contact with a wall uses only the velocity v_P.
  *
  * The stress of the box is computed from the forces F of its walls on particles, at the points of contact X:
  *

@@ -53,9 +53,10 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
     {"boundary.roughness", 0, "1", 0, boundary_roughness,
      "standard deviation of the distances whose mean is boundary.radius, over boundary.radius [R89 sec. 6.4.1]",
      NB_AT_LEAST_0},
-    TENSOR("boundary.stress", 0, "Pa", NB_STRESSES, boundary_stress,
-           "stress on the boundary, compression positive. It is the sum of F_i X_j over the boundary's particles (F "
-           "contact force, X position), divided by the polygon's area and the thickness"),
+    TENSOR(
+        "boundary.stress", 0, "Pa", NB_STRESSES, boundary_stress,
+        "stress on the boundary, compression positive. It is the sum of F_i X_j over the boundary's particles (F "
+        "contact force, X position relative to the circle's centre), divided by the polygon's area and the thickness"),
     {"boundary.stress.residual", 0, "Pa", 0, boundary_residual,
      "largest difference between boundary.stress and the stress from all contacts over the same volume; 0 while the "
      "particles inside are in equilibrium",
@@ -87,7 +88,7 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
     {"box.void_ratio", NB_OF_BOX, "1", 0, box_void_ratio, "void ratio e = n/(1 - n), n = box.porosity"},
     TENSOR("box.stress", NB_OF_BOX, "Pa", NB_STRESSES, box_stress,
            "stress on the box, compression positive. It is the sum of F_i X_j over wall contacts (F force on the wall "
-           "with dashpots, X contact point), divided by the volume"),
+           "with dashpots, X contact point relative to the middle of the box), divided by the volume"),
     {"box.strain.width", NB_OF_BOX, "1", 0, box_strain_width,
      "relative change of the box's width since time 0, extension positive"},
     {"box.strain.height", NB_OF_BOX, "1", 0, box_strain_height,

@@ -1,6 +1,7 @@
 /* Area of a disc inside a circle or a polygon, exact, by closed forms.
  *
- * Two circles of radii r and R whose centres are d apart and which intersect have two circular segments in common:
+ * The common area A of two intersecting circles consists of two circular segments. The circles have the radii r and R,
+ * and their centres are d apart:
  *   A = r^2 (a - sin a cos a) + R^2 (b - sin b cos b)
  * a and b are half the angles that the common chord subtends at the centres of the circles of radii r and R. The
  * formula

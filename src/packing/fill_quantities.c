@@ -71,7 +71,7 @@ const struct nb_quantity_kind nb_fill_kinds[] = {
     {"gap", 0, "m", 0, gap, "smallest gap between two particles, at most the skin; below 0: they overlap"},
     {"wanted", EITHER, "1", 0, wanted, "number of particles to be placed", NB_AT_LEAST_0},
     {"placed", EITHER, "1", 0, placed, "number of particles placed", NB_AT_LEAST_0},
-    {"dropped", EITHER, "1", 0, dropped, "number of particles for which no place was found", NB_AT_LEAST_0},
+    {"dropped", EITHER, "1", 0, dropped, "number of particles that were not placed, for want of space", NB_AT_LEAST_0},
     {"attempts", GRADING, "1", 0, attempts, "number of placement attempts, for all particles", NB_AT_LEAST_0},
     {.name = NULL},
 };

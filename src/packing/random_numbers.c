@@ -3,8 +3,8 @@
  * pseudorandom number generators, OOPSLA 2014, with the mixing constants of Stafford's variant 13, as in
  * java.util.SplittableRandom. The mixing separates neighbouring seeds, so 1, 2, 3 are good seeds.
  *
- * The generator uses integers and one exact multiplication by a power of two, so it gives the same bits with every compiler
- * on every machine.
+ * The generator uses integers and one exact multiplication by a power of two, so it gives the same bits with every
+ * compiler on every machine.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "random_numbers.h"

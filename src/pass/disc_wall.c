@@ -1,7 +1,7 @@
 /* Geometry of a disc and a wall.                                     [CS79 figure 1, figure 4]
  *
- * The wall is the segment from P + h1 e_w to P + h2 e_w, moved by h0 to the left of e_w, where P is the wall's point
- * and e_w a unit vector along the wall; h0, h1 and h2 are lengths, m. The disc touches the wall's nearest point Q,
+ * The wall is the segment from P + h1 e_w to P + h2 e_w, moved by h0 to the left of e_w. P is the point about which the
+ * wall rotates, and e_w a unit vector along the wall; h0, h1 and h2 are lengths, m. The disc touches the wall's nearest point Q,
  * inside the segment or at an end. v_Q is the velocity of the wall at Q, averaged over the step (core/walls.c). With D
  * = |Q - x|:
  *

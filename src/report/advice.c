@@ -99,11 +99,11 @@ static const char *label_of(const struct nb_advice *advice, size_t run) { return
 /* Prints the estimated error: "0.0076, in run psi1=1; by the step alone 0.0062", or "0.0076; difference of the means
  * 0.0012". */
 static void print_error_of(const struct nb_advice *advice, const struct nb_setting *setting) {
-  char claim[NB_NAME_SIZE], step[NB_NAME_SIZE];
+  char whole[NB_NAME_SIZE], step[NB_NAME_SIZE];
   const char *label = label_of(advice, setting->worst);
-  error_text(claim, advice, setting->ratio);
+  error_text(whole, advice, setting->ratio);
   error_text(step, advice, setting->step_ratio);
-  printf("%s%s%s; %s %s\n", claim, label[0] ? ", in run " : "", label,
+  printf("%s%s%s; %s %s\n", whole, label[0] ? ", in run " : "", label,
          advice->query->over ? "difference of the means" : "by the step alone", step);
 }
 
@@ -283,8 +283,8 @@ static void write_rows(FILE *out, const struct nb_advice *advice, int which) {
   }
 }
 
-static const char head[] = "normal\tshear\trefine\tmean-step\tupdates\tseconds\tclaim/"
-                           "tolerance\tclaim\terror-of-step\tresult\tworst-run\tvalues\trecorded\n";
+static const char head[] = "normal\tshear\trefine\tmean-step\tupdates\tseconds\terror/"
+                           "tolerance\terror\terror-of-step\tresult\tworst-run\tvalues\trecorded\n";
 
 static bool has_settings(const struct nb_advice *advice, size_t variant) {
   for (size_t k = 0; k < advice->setting_count; k++)

@@ -11,8 +11,9 @@
  * at least two levels finer. Levels are tried from the coarsest one on; the first level within the tolerance is the
  * cheapest of its variant. A variant is left out if the page or its reference solution refuses it, if it gives the
  * values of another variant, or if its values differ from the anchor by more than twice the tolerance. Softer contacts
- * that give the values of another variant are kept, because they allow a longer step. To find this out, one trial is run at the level that was found for the page's own laws and values. If the variant cannot be run at
- * this level, the trial is run at the first finer level at which it can.
+ * that give the values of another variant are kept, because they allow a longer step. For this comparison of values one
+ * trial of the variant is run, at the level that was found for the page's own laws and values. If the variant cannot be
+ * run at this level, the trial is run at the first finer level at which it can.
  *
  * With realizations only the error of their mean is estimated. The anchor is then the page with half its step, and no
  * setting has a shorter step than the page. No variant is left out because its values are equal to others or too far
@@ -42,8 +43,8 @@ enum { PARTICLES_MAX = 50 };
 static const double anchor_fraction = 0.5; /* largest uncertainty of the anchor, as a fraction of the tolerance */
 static const double variant_distance = 2;  /* largest distance of a variant from the anchor, over the tolerance */
 static const double confidence = 0.95;     /* confidence level of a mean over realizations */
-/* two-sided confidence level: one further realization in a thousand is aborted */
-static const double runnable = 0.998;
+/* two-sided confidence level that a further realization is not aborted: at most one in a thousand is */
+static const double run_confidence = 0.998;
 static const double softer[] = {10, 100, 1000};
 /* numbers of updates that differ by less than this fraction are nearly equal */
 static const double equal_fraction = 0.1;
@@ -53,7 +54,7 @@ static bool run_trials(struct nb_advice *advice, struct nb_variant *variant, int
   return level <= NB_LEVEL_HIGH && nb_trials_run(advice, variant, level, 0, advice->trials / count, count);
 }
 
-/* ---- anchor and claim ---- */
+/* ---- the anchor and the estimated error ---- */
 
 static bool is_mean(const struct nb_advice *advice) { return advice->query->over != NULL; }
 
@@ -68,7 +69,7 @@ static bool run_anchor(struct nb_advice *advice, int level) {
 
 /* The estimated error of the mean over realizations at `point`. *difference receives the difference between this mean
  * and the mean at the anchor. */
-static double claim_of_mean(double *difference, const struct nb_advice *advice, const struct nb_point *point,
+static double error_of_mean(double *difference, const struct nb_advice *advice, const struct nb_point *point,
                             size_t run) {
   const struct nb_point *fine = &advice->variants[0].points[advice->anchor - NB_LEVEL_LOW];
   return nb_estimate_mean(difference, point->values + run * NB_TRIALS, fine->values + run * NB_TRIALS, advice->trials,
@@ -85,7 +86,7 @@ static struct nb_anchor anchor_of(const struct nb_advice *advice, int level, siz
   }
   struct nb_anchor anchor = nb_estimate_anchor(at, at_double_step, count);
   if (is_mean(advice))
-    anchor.uncertainty = claim_of_mean(&(double){0}, advice, coarse, run);
+    anchor.uncertainty = error_of_mean(&(double){0}, advice, coarse, run);
   return anchor;
 }
 
@@ -148,7 +149,7 @@ static bool keeps_margin(const struct nb_advice *advice, const struct nb_variant
   struct nb_point *point = (struct nb_point *)&variant->points[level - NB_LEVEL_LOW];
   const double m = (double)advice->trials, mean = nb_estimate_average(point->stability, advice->trials);
   const double margin =
-      student_quantile(m, runnable) * nb_estimate_scatter(point->stability, advice->trials) * sqrt(1 + 1 / m);
+      student_quantile(m, run_confidence) * nb_estimate_scatter(point->stability, advice->trials) * sqrt(1 + 1 / m);
   if ((variant == advice->variants && level >= 0) || mean + margin <= 1)
     return true;
   snprintf(point->reason, sizeof point->reason,
@@ -170,25 +171,25 @@ static bool run_setting(struct nb_advice *advice, struct nb_variant *variant, in
 
 /* The estimated error of a run of the page. *step receives the part that is due to the step; for a mean over
  * realizations, the difference of the means. */
-static double claim_of(double *step, const struct nb_advice *advice, const struct nb_point *point, int level,
+static double error_of(double *step, const struct nb_advice *advice, const struct nb_point *point, int level,
                        size_t run) {
   if (is_mean(advice))
-    return claim_of_mean(step, advice, point, run);
-  return nb_estimate_claim(step, point[0].values + run * NB_TRIALS, point[1].values + run * NB_TRIALS,
+    return error_of_mean(step, advice, point, run);
+  return nb_estimate_error(step, point[0].values + run * NB_TRIALS, point[1].values + run * NB_TRIALS,
                            point[2].values + run * NB_TRIALS, advice->trials, nb_level_ratios(advice, level),
                            anchor_of(advice, level + 2 > advice->anchor ? level + 2 : advice->anchor, run));
 }
 
 /* Adds variant number `index` at this level to the list of settings, with its estimated error. False: the error cannot
  * be estimated. */
-static bool add_claim(struct nb_advice *advice, size_t index, int level) {
+static bool add_setting(struct nb_advice *advice, size_t index, int level) {
   struct nb_setting setting = {.variant = index, .level = level};
   if (!run_setting(advice, &advice->variants[index], level))
     return false;
   for (size_t r = 0; r < advice->runs; r++) {
     double step;
-    const double claim = claim_of(&step, advice, nb_point_at(advice, &setting), level, r);
-    const double ratio = claim == 0 ? 0 : claim / advice->allowed[r];
+    const double estimated = error_of(&step, advice, nb_point_at(advice, &setting), level, r);
+    const double ratio = estimated == 0 ? 0 : estimated / advice->allowed[r];
     if (!(ratio <= setting.ratio))
       setting.ratio = ratio, setting.step_ratio = step / advice->allowed[r], setting.worst = r;
   }
@@ -223,7 +224,7 @@ static void search_levels(struct nb_advice *advice, size_t index, int highest) {
   struct nb_variant *variant = &advice->variants[index];
   const size_t before = advice->setting_count;
   for (int level = NB_LEVEL_LOW; level <= highest && !advice->exhausted; level++) {
-    if (!add_claim(advice, index, level))
+    if (!add_setting(advice, index, level))
       continue;
     const struct nb_setting *last = &advice->settings[advice->setting_count - 1];
     const struct nb_setting *chosen = advice->chosen < 0 ? NULL : &advice->settings[advice->chosen];

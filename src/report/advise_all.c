@@ -283,8 +283,9 @@ static bool search_tolerances(struct search_all *all, const struct nb_page *page
 
 /* ---- the quantities of a page ---- */
 
-/* The kind of a measure, which decides how its error depends on the step: a quantity of an impact, an extreme value, a
- * mean, or a value at a given time, at the end of a stage of N cycles, or at the end of a stage with conditions. */
+/* The kind of a measure, which decides how its error depends on the step: a quantity of a contact test or of an impact,
+ * an extreme value, a mean or a frequency, or a value at a given time, at the end of a stage of N cycles, or at the end
+ * of a stage with conditions. */
 static const char *kind_of(const struct nb_measure *measure, const struct nb_scene *scene) {
   static const char *const kinds[] = {
       [NB_MAX] = "extreme",    [NB_MIN] = "extreme",   [NB_AMPLITUDE] = "extreme", [NB_MEAN] = "mean",

@@ -1,7 +1,8 @@
 /* The text of a page as HTML. Pandoc reads the Markdown and typesets the formulas as MathML. The pandoc filter
  * plots/report.lua adapts the figure, the checks and the links to the report.
  *
- * Pandoc runs no code of the page (--sandbox), so the program runs pandoc even where pandoc cannot be confined (sandbox.h).
+ * Pandoc runs no code of the page (--sandbox), so the program runs pandoc even where pandoc cannot be confined
+ * (sandbox.h).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>

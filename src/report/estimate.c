@@ -62,7 +62,7 @@ struct nb_anchor nb_estimate_anchor(const double at_anchor[], const double at_do
                             anchor_factor * fabs(value - nb_estimate_average(at_double_step, phases)) + (high - low)};
 }
 
-double nb_estimate_claim(double *step, const double n[], const double n2[], const double n4[], size_t phases,
+double nb_estimate_error(double *step, const double n[], const double n2[], const double n4[], size_t phases,
                          struct nb_ratios ratios, struct nb_anchor anchor) {
   double distance = 0;
   *step = 0;
@@ -88,6 +88,6 @@ double nb_estimate_mean(double *difference, const double n[], const double ancho
   for (size_t k = 0; k < count; k++)
     differences[k] = n[k] - anchor[k];
   *difference = fabs(nb_estimate_average(differences, count));
-  const double claim = *difference + quantile * nb_estimate_scatter(differences, count) / sqrt((double)count);
-  return isfinite(claim) ? claim : INFINITY;
+  const double estimated = *difference + quantile * nb_estimate_scatter(differences, count) / sqrt((double)count);
+  return isfinite(estimated) ? estimated : INFINITY;
 }

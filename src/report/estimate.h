@@ -26,7 +26,7 @@ struct nb_anchor nb_estimate_anchor(const double at_anchor[], const double at_do
 
 /* The estimated error of a setting, from Q(n), Q(2n) and Q(4n), each at `phases` phases, and from the anchor. *step
  * receives the largest G. Infinite if the anchor is not finite; *step is then 0. */
-double nb_estimate_claim(double *step, const double n[], const double n2[], const double n4[], size_t phases,
+double nb_estimate_error(double *step, const double n[], const double n2[], const double n4[], size_t phases,
                          struct nb_ratios ratios, struct nb_anchor anchor);
 
 /* The mean, and the standard deviation of at least two values. */

@@ -33,7 +33,7 @@ void nb_check_result(struct nb_check *check, bool passed, const char *format, ..
   memset(check->parts, 0, sizeof check->parts);
   check->mark = passed ? NB_PASS : NB_FAIL;
   va_start(arguments, format);
-  nb_append_list(check->message, sizeof check->message, format, arguments);
+  nb_append_arguments(check->message, sizeof check->message, format, arguments);
   va_end(arguments);
 }
 
@@ -43,7 +43,7 @@ static void append_part(struct nb_check *check, enum nb_part_kind kind, const ch
   va_list arguments;
   const size_t at = strlen(check->message);
   va_start(arguments, format);
-  nb_append_list(check->message, sizeof check->message, format, arguments);
+  nb_append_arguments(check->message, sizeof check->message, format, arguments);
   va_end(arguments);
   check->parts[kind] = (struct nb_part){(unsigned short)at, (unsigned short)(strlen(check->message) - at)};
 }

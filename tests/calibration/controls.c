@@ -31,7 +31,7 @@ static double control_claim(const struct nb_advice *advice, enum estimator contr
   if (control == ONE_PHASE) {
     const struct nb_point *fine =
         point_of(&advice->variants[0], level + 2 > advice->anchor ? level + 2 : advice->anchor);
-    return nb_estimate_claim(&step, n, n2, n4, 1, ratios,
+    return nb_estimate_error(&step, n, n2, n4, 1, ratios,
                              nb_estimate_anchor(fine[0].values + r * NB_TRIALS, fine[-1].values + r * NB_TRIALS, 1));
   }
   for (size_t phase = 0; phase < phases; phase++) {
