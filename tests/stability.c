@@ -98,6 +98,29 @@ static double overlap_stable(const struct nb_model *model, int contact) {
   return model->contacts.kept[NB_STABLE_OVERLAP][contact];
 }
 
+/* The limit of a contact with the first wall does not depend on the first particle, free or fixed, which is far away. */
+static void walls_are_not_particles(void) {
+  double limit[2];
+  for (int fixed = 0; fixed < 2; fixed++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error = {0};
+    words_add(&page,
+              SPHERE
+              "sphere 50 50 radius 1 m%s\nsphere 0.99 0 radius 1 m\nwall w 0 -9 to 0 9 m\nstep 0.5\nrecord time\n"
+              "stage s\ncycles 9\n",
+              fixed ? " fixed" : "");
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+    CU_ASSERT(model->contacts.count == 1 && nb_with_wall(model, 0));
+    limit[fixed] = overlap_stable(model, 0);
+    nb_model_free(model);
+    written_free(&it);
+  }
+  CU_ASSERT(limit[0] > 0.01 && limit[0] < 1e9 && limit[0] == limit[1]);
+}
+
 /* A single pair may use up the whole limit: at its stable-overlap limit the guaranteed stable step equals the step.
  * With shear and dashpots the stable-overlap limit is slightly too small. */
 static void a_pair_may_use_up_the_limit(void) {
@@ -438,6 +461,7 @@ void suite_stability(void) {
   CU_add_test(suite, "the proposed number of steps per collision", the_proposed_number_of_steps);
   CU_add_test(suite, "cohesion alone counts in the stable step", cohesion_alone_counts);
   CU_add_test(suite, "an impact between two checks", an_impact_between_two_checks);
+  CU_add_test(suite, "walls are not particles", walls_are_not_particles);
   CU_add_test(suite, "a pair may use up the limit", a_pair_may_use_up_the_limit);
   CU_add_test(suite, "stiffer unloading lowers the stable-overlap limit", stiffer_unloading_lowers_the_limit);
   CU_add_test(suite, "a contact may become deep", a_contact_may_become_deep);
