@@ -221,7 +221,7 @@ result $? 'the first one is not disturbed'
 rm -rf "$work/out"
 start
 first=$!
-while kill -0 $first && [ ! -e "$work/out/nineball.lock" ]; do sleep 0.01; done
+while kill -0 $first && [ ! -s "$work/out/nineball.lock" ]; do sleep 0.01; done # the process has written its number
 "$nineball" figure "$page" --set friction=0.1 -o "$work/out" >"$work/printed" 2>"$why"
 test $? -eq 2 && said "process $first writes into this folder, $work/out/nineball.lock: wait for its end, or choose another folder with -o"
 result $? 'two runs with one output folder: an error names the first one'
