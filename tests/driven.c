@@ -378,7 +378,7 @@ void suite_driven(void) {
   CU_add_test(suite, "a circular orbit about the point", a_circular_orbit);
   CU_add_test(suite, "no disc passes a boundary that comes to meet it",
               no_disc_passes_a_boundary_that_comes_to_meet_it);
-  CU_add_test(suite, "all forces count in the out-of-balance force", all_forces_count);
+  CU_add_test(suite, "all forces count in the unbalanced force", all_forces_count);
   CU_add_test(suite, "rotation off and on", rotation_off_and_on);
   CU_add_test(suite, "rotation on from the start", rotation_on_from_the_start);
   CU_add_test(suite, "a boundary is fixed again", a_boundary_is_fixed_again);

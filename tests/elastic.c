@@ -21,7 +21,8 @@ static struct nb_normal increment(double overlap, double dn, double m[]) {
 /* ---- R89's increments ---- */
 
 /* The impact of a mass with a normal law; `steps` is the number of steps in the duration of Hertz's impact. Returns the
- * speed after the impact over the speed before. *left: overlap when the force ends, over the largest overlap. */
+ * speed after the impact over the speed before. *left: overlap when the force ends, over the largest overlap of Hertz's
+ * impact. */
 static double rebound(const char *law, int steps, double *left) {
   const double mass = 0.1, speed = 2;
   const double depth = pow(15 * mass * speed * speed / (16 * sqrt(pair.radius) * pair.young), 0.4);
@@ -50,7 +51,7 @@ static void increments_lose_speed(void) {
     double left;
     CU_ASSERT_DOUBLE_EQUAL(rebound("hertz_increment", expected[k].steps, &left), expected[k].kept, expected[k].within);
     if (expected[k].steps <= 40)
-      CU_ASSERT_DOUBLE_EQUAL(left, 0.10, 0.01); /* the recursion gives 0.109, 0.100, 0.093 */
+      CU_ASSERT_DOUBLE_EQUAL(left, 0.10, 0.01); /* the recursion: 0.109, 0.100, 0.093 */
   }
 }
 

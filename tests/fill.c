@@ -329,7 +329,7 @@ static void no_overlap_across_edges(void) {
     }
     CU_ASSERT_EQUAL(overlaps, 0);
     CU_ASSERT_EQUAL(outside, 0);
-    CU_ASSERT(across_x > 7 && across_y > 12); /* 600 times 2 R/50 and 2 R/30, mean radius 0.66: 16 and 26 */
+    CU_ASSERT(across_x > 7 && across_y > 12); /* 600 times 2 R/50 and 2 R/30, mean radius 0.5875: 14.1 and 23.5 */
     counted(&it.scene);
     written_free(&it);
   }

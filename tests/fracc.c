@@ -16,9 +16,9 @@ static double by_hand(double mass, double dt, double before, double after, doubl
   return dt / critical;
 }
 
-/* Disc A of mass 1 slides on a floor with k_n = 1, disc B of mass 4 stands on it with k_n = 2. Both move down under
- * gravity, which is not a contact force. Forces are k_n times the overlap. The first change of the velocity is that of
- * half a step; between two different steps it is that of their mean.
+/* Disc A of mass 1 slides on a floor with k_n = 1, disc B of mass 4 stands on it with k_n = 2. Gravity acts on both; it
+ * is not a contact force. Forces are k_n times the overlap. The first change of the velocity is that of half a step;
+ * between two different steps it is that of their mean.
  *
  *       t       A: v_y        y          |SF|         B: v_y       y            |SF|
  *       0                 0.9         0.1                   0.75           0.5

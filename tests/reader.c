@@ -274,7 +274,7 @@ static void suggested_words(void) {
 
 void suite_reader(void) {
   CU_pSuite suite = CU_add_suite("reader", NULL, NULL);
-  CU_add_test(suite, "texts that are numbers, and texts that are none", numbers);
+  CU_add_test(suite, "texts that are numbers, and texts that are not", numbers);
   CU_add_test(suite, "blocks of a page", blocks);
   CU_add_test(suite, "hash of a page", hash);
   CU_add_test(suite, "line ends of DOS", line_ends);

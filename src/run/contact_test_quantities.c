@@ -38,7 +38,7 @@ static bool has_slipped(double D, double sense) { return D * sense > 1 - 1e-9; }
 
 static double stick_radius(const struct nb_contact_test *contact_test) {
   const struct history history = history_of(contact_test);
-  int edge = history.count; /* number of pieces left after outer pieces that have slipped in one direction */
+  int edge = history.count; /* number of pieces inside the outer ones that have slipped in the same direction */
   const double sense = edge && history.D[edge - 1] < 0 ? -1 : 1;
   while (edge > 0 && has_slipped(history.D[edge - 1], sense))
     edge--;
@@ -64,15 +64,15 @@ static double traction_at(const struct nb_contact_test *contact_test, const stru
 /* The integral of q dA with dA = pi d(r^2), N. Each piece is integrated by Simpson's rule in w. The substitution
  * r^2 = to - (to - from) w^2 makes the square root at the outer edge of a piece linear in w. */
 static double traction(const struct nb_contact_test *contact_test) {
-  enum { HALVES = 100 };
+  enum { INTERVALS = 100 };
   const struct history history = history_of(contact_test);
   double sum = 0;
   for (int i = 0; i < history.count; i++) {
     const double from = i ? contact_test->pair.radius * history.x[i - 1] : 0,
                  to = contact_test->pair.radius * history.x[i];
-    for (int k = 0; k <= HALVES; k++) {
-      const double w = (double)k / HALVES, r = sqrt(k < HALVES ? to - (to - from) * w * w : from);
-      const double weight = (k == 0 || k == HALVES ? 1 : k % 2 ? 4 : 2) / (3. * HALVES);
+    for (int k = 0; k <= INTERVALS; k++) {
+      const double w = (double)k / INTERVALS, r = sqrt(k < INTERVALS ? to - (to - from) * w * w : from);
+      const double weight = (k == 0 || k == INTERVALS ? 1 : k % 2 ? 4 : 2) / (3. * INTERVALS);
       sum += weight * traction_at(contact_test, &history, r) * 2 * NB_PI * (to - from) * w;
     }
   }

@@ -211,7 +211,8 @@ static enum nb_status begin_gravity_change(struct nb_model *model, struct nb_err
 
 /* ---- the stage ---- */
 
-/* Removes particles, resets measures, and sets velocities to zero or reverses them. */
+/* Removes particles and resets measures. Stops the particles for `zero velocities`. Reverses the walls for `reverse
+ * velocities`; begin_loading reverses the particles. */
 static enum nb_status begin_assembly(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
   const int index = (int)(stage - model->scene->stages);
   if (stage->removal_count > 0 && nb_remove(model, stage, error))
@@ -229,7 +230,8 @@ static enum nb_status begin_assembly(struct nb_model *model, const struct nb_sta
   return NB_OK;
 }
 
-/* Begins the loading of the stage: gravity, boundary, cell and box. Called when the step is known. */
+/* Begins the loading of the stage: gravity, imposed motion (also of cell and box), rotation, boundary, servo. Then
+ * reverses the velocities of the particles if the stage asks for this. Called when the step is known. */
 static enum nb_status begin_loading(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
   if (begin_gravity_change(model, error))
     return error->status;
