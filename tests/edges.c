@@ -189,6 +189,22 @@ static void at_time_0_velocities_are_those_of_the_page(void) {
   }
 }
 
+/* measure/strain.c: particles on one line have no strain at right angles to it, and the tensor is 0 in all
+ * components. */
+static void particles_on_a_line_have_no_strain(void) {
+  static const char *const names[] = {"A.strain.xx", "A.strain.xy", "A.strain.yy", "A.strain.rotation"};
+  struct written it;
+  struct nb_result result;
+  run(&result, &it,
+      "units none\nmaterial m density 1 kn 1\nstep 0.1\ndisc 0 0 radius 1 m velocity 1 2\ndisc 9 0 radius 1 m velocity "
+      "3 4\n"
+      "disc 20 0 radius 1 m\nregion A all\nrecord A.strain.xx A.strain.xy A.strain.yy A.strain.rotation\n"
+      "stage s\ncycles 2\n");
+  for (int k = 0; k < 4; k++)
+    CU_ASSERT_EQUAL(written_last(&result, names[k]), 0);
+  nb_result_free(&result), written_free(&it);
+}
+
 void suite_edges(void) {
   CU_pSuite suite = CU_add_suite("edges", NULL, NULL);
   CU_ADD_TEST(suite, a_region_at_the_corner_of_a_cell);
@@ -201,4 +217,5 @@ void suite_edges(void) {
   CU_ADD_TEST(suite, a_force_deep_in_the_contact_is_found);
   CU_ADD_TEST(suite, an_overlap_of_0_is_no_contact);
   CU_ADD_TEST(suite, at_time_0_velocities_are_those_of_the_page);
+  CU_ADD_TEST(suite, particles_on_a_line_have_no_strain);
 }
