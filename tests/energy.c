@@ -176,10 +176,11 @@ static void by_walls_and_stored(void) {
 }
 
 /* A disc too heavy to move overlaps by 0.1 with a wall that moves tangentially: F_n = 40, and the friction limit 12 is
- * reached at the slip 0.06. */
+ * reached at the slip 0.06. The contact of the last pair of materials would have no friction. */
 #define DRAG                                                                                                           \
   "units none\nmaterial m density 3 kn 400 ks 200 friction 0.3\nshear linear\ndisc 0 0.9 radius 1 m\n"                 \
   "material heavy density 1e12 kn 400 ks 200 friction 0.3\ndisc 20 0.9 radius 1 heavy\n"                               \
+  "material smooth density 3 kn 400 ks 200 friction 0\ndisc 40 5 radius 1 smooth\n"                                    \
   "wall w 10 0 to 90 0 m velocity 1 0\nstep 0.001\n"                                                                   \
   "monitor C disc 2 with wall w\nrecord C.shear C.sliding energy.frictional energy.shear energy.walls energy.stored\n" \
   "stage s\ncycles 9\n"
