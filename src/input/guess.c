@@ -27,8 +27,8 @@ bool nb_item(const char **list, char item[NB_NAME_SIZE]) {
   "a servo ends with its stage: begin a new stage, `stage NAME`, without a line `servo`. The boundary, the cell or the walls then have only the strain rate of a " \
   "`boundary strain`, `cell strain` or `box strain`, and without one they stand still"
 #define SERVO_WALLS \
-  "write `through box`: the servo strains the whole box, so opposite walls move by equal distances, as in `servo isotropic 50 kPa on walls through box at most 0.1 1/s`. A biaxial test is `box strain 0 1/s -0.01 1/s` " \
-  "with `servo xx 50 kPa on walls through box at most 0.1 1/s`"
+  "write `through box`: the servo strains the whole box, so opposite walls move by equal distances, as in `servo isotropic 50 kPa on box through box at most 0.1 1/s`. A biaxial test is `box strain 0 1/s -0.01 1/s` " \
+  "with `servo xx 50 kPa on box through box at most 0.1 1/s`. A condition or `record` is then on `box.stress.xx`"
 #define SIMPLE_SHEAR \
   "simple shear at the rate G = 0.1 1/s is `cell strain 0 1/s 0 1/s  c12 0.1 1/s`, where c12 is the velocity in x per unit of y. The clause " \
   "`shear EXY` is pure shear, c12 = c21 = EXY, with the engineering shear rate 2 EXY"
