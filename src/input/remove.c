@@ -35,11 +35,15 @@ static struct nb_removal take_range(const struct nb_scene_reading *reading, stru
   const bool incomplete = nb_particles_incomplete(reading);
   const unsigned long most = incomplete || !count ? NB_PARTICLES_MAX : count;
   unsigned long from, to;
+  const struct nb_token *const token = nb_token_peek(reader);
+  char hint[NB_HINT_SIZE] = "";
   int word = 0;
   while (word < 4 && !nb_token_skip(reader, words[word]))
     word++;
+  if (word == 4 && token && NB_FIND(reading->scene->walls, reading->scene->wall_count, token->text) >= 0)
+    nb_pair_hint(hint, "remove", "wall");
   if (word == 4)
-    nb_expected(reader, NULL, "`disc N`, `discs N to M`, `sphere N` or `spheres N to M`");
+    nb_expected(reader, *hint ? hint : NULL, "`disc N`, `discs N to M`, `sphere N` or `spheres N to M`");
   nb_take_count(reader, 1, most, &from);
   to = from;
   if (word % 2 && nb_take_word(reader, "to"))
