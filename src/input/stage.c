@@ -2,9 +2,11 @@
  * NAME N times`, which reads the lines of stages again.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
 #include <string.h>
 
 #include "core/names.h"
+#include "loading/loading.h"
 #include "statement.h"
 
 enum { AT_NAME };
@@ -73,15 +75,51 @@ static bool is_fraction(const struct nb_reader *reader) {
          (left > 2 && strcmp(token[1].text, "%") == 0 && strcmp(token[2].text, "of") == 0);
 }
 
+/* The strain rate of the size in this stage, if it leads to this fraction of the size, 1/s; 0: there is none. `size`: the
+ * width and height of the box, 0 and 1, or the sides of the cell, 2 and 3. */
+static double rate_to(const struct nb_stage *stage, int size, double fraction) {
+  int line;
+  const struct nb_strain_rate *const given = nb_affine_given(stage, size < 2 ? NB_AFFINE_BOX : NB_AFFINE_CELL, &line);
+  const double rate = size % 2 ? given->yy : given->xx;
+  return line && !given->per_cycle && rate * log(fraction) > 0 ? rate : 0;
+}
+
+/* Writes the hint for `until box.height below 0.95 of box.height`: an end at a strain. A stage with a constant strain
+ * rate e reaches the fraction F of its size after the time log(F)/e, because e refers to the present size. The hint has
+ * the rate of the stage, or an example. False: the quantity is no size of a box or a cell. */
+static bool strain_hint(char *hint, const struct nb_reader *reader, const struct nb_stage *stage,
+                        const struct nb_condition *condition) {
+  static const struct { char name[NB_NAME_SIZE]; } sizes[] = {{"box.width"}, {"box.height"}, {"cell.xx"}, {"cell.yy"}};
+  const struct nb_token *const number = nb_token_peek(reader);
+  const int size = NB_FIND(sizes, 4, condition->name);
+  double fraction;
+  if (size < 0 || nb_number_read(&fraction, number->text, 0) != NB_READ)
+    return false;
+  fraction *= strcmp(number[1].text, "%") == 0 ? 0.01 : 1;
+  if (!(fraction > 0) || fraction == 1)
+    return false;
+  const double own = rate_to(stage, size, fraction), rate = own != 0 ? own : copysign(0.01, log(fraction));
+  snprintf(
+      hint, NB_HINT_SIZE,
+      "with a constant strain rate, %s %g 1/s, the stage ends at a time: `until stage.time above (log(%g)/(%g 1/s)) at "
+      "most 1000000 cycles`. Or write a value: `until %s %s (%g*L) at most 1000000 cycles`, with `let L = 100 mm` in "
+      "the scene, the %s at the beginning of the stage",
+      own != 0 ? "here" : "for example", rate, fraction, rate, condition->name,
+      condition->relation == NB_BELOW ? "below" : "above", fraction, size % 2 ? "height" : "width");
+  return true;
+}
+
 /* Refuses `until QUANTITY below 1e-6 of max`: the largest value is not known before the end of the run. */
-static bool fraction_mistake(struct nb_reader *reader, const struct nb_condition *condition, const char *unit) {
+static bool fraction_mistake(struct nb_reader *reader, const struct nb_stage *stage,
+                             const struct nb_condition *condition, const char *unit) {
   char hint[NB_HINT_SIZE];
   const bool number = reader->unitless || strcmp(unit, "1") == 0;
-  snprintf(
-      hint, sizeof hint,
-      "write the value, `until %s %s 1e-9%s%s at most 1000000 cycles`; to wait for rest, write `until unbalanced.max "
-      "below 1e-4 and contacts above 0 at most 1000000 cycles`",
-      condition->name, condition->relation == NB_BELOW ? "below" : "above", number ? "" : " ", number ? "" : unit);
+  if (!strain_hint(hint, reader, stage, condition))
+    snprintf(
+        hint, sizeof hint,
+        "write the value, `until %s %s 1e-9%s%s at most 1000000 cycles`; to wait for rest, write `until unbalanced.max "
+        "below 1e-4 and contacts above 0 at most 1000000 cycles`",
+        condition->name, condition->relation == NB_BELOW ? "below" : "above", number ? "" : " ", number ? "" : unit);
   return nb_token_mistake(reader, nb_token_peek(reader), hint, "expected a number%s, found a fraction of another value",
                           number ? "" : " with its unit");
 }
@@ -105,7 +143,7 @@ static bool take_condition(struct nb_scene_reading *reading, struct nb_reader *r
   comparison.relation = condition->relation, comparison.unit = nb_quantity_unit(condition->quantity);
   comparison.bounds = nb_quantity_bounds(condition->quantity);
   if (is_fraction(reader))
-    return fraction_mistake(reader, condition, comparison.unit);
+    return fraction_mistake(reader, nb_current_stage(reading->scene), condition, comparison.unit);
   if (!nb_take_in_unit(reader, comparison.unit, &condition->value))
     return false;
   comparison.value = condition->value;
