@@ -650,6 +650,16 @@ static void unknown_hint(char *hint, const struct nb_scene *scene, const char *t
              (int)strcspn(text, "."), text);
 }
 
+/* True if the nearest name has the owner of the searched one, but for typing errors: `M.x` is no error for `A.x`. */
+static bool same_owner(const struct nb_guess *guess) {
+  char searched[2 * NB_NAME_SIZE], best[2 * NB_NAME_SIZE];
+  snprintf(searched, sizeof searched, "%.*s", (int)strcspn(guess->word, "."), guess->word);
+  snprintf(best, sizeof best, "%.*s", (int)strcspn(guess->best, "."), guess->best);
+  struct nb_guess owner = nb_guess_begin(searched);
+  nb_guess_offer(&owner, best);
+  return !strchr(guess->word, '.') || nb_guess_found(&owner);
+}
+
 /* Writes the hint for a text that is not the name of a quantity. */
 static const char *hint_of(char *hint, const struct nb_scene *scene, const char *text) {
   const char *const rest = strchr(text, '.');
@@ -663,8 +673,9 @@ static const char *hint_of(char *hint, const struct nb_scene *scene, const char 
     return hint;
   if (owner >= 0)
     return owned_by_hint(hint, scene, text, owner);
-  const bool found = !scene->contact_test && (unmonitored(hint, scene, text) || owned_hint(hint, scene, text) ||
-                                              nb_guess_hint(&of_stem, hint) || owner_hint(hint, scene, stem));
+  const bool found = !scene->contact_test &&
+                     (unmonitored(hint, scene, text) || owned_hint(hint, scene, text) ||
+                      (same_owner(&of_stem) && nb_guess_hint(&of_stem, hint)) || owner_hint(hint, scene, stem));
   if (!found)
     unknown_hint(hint, scene, text);
   return hint;

@@ -278,11 +278,29 @@ static bool may_be_bare(const struct nb_reader *reader, const struct wanted *it)
   return computed || reader->unitless || is_dimensionless(it) || are_units_unknown(reader);
 }
 
+/* The unit of a formula, `m^0.5`, if no number of a page can have it; NULL: the number is no formula with such a
+ * unit. */
+static const struct nb_token *unit_of_formula(const struct nb_reader *reader) {
+  const struct nb_token *const number = nb_token_peek(reader), *const unit = token_after(reader, 1);
+  struct nb_unit read;
+  return number->computed && unit && unit->computed && unit->column == number->column &&
+                 !nb_unit_read(&read, unit->text)
+             ? unit
+             : NULL;
+}
+
 /* Reports a number without a unit, or with the wrong one, unless the system of units is unknown. */
 static bool unit_mistake(struct nb_reader *reader, const struct nb_token *unit, const struct wanted *it) {
   const struct nb_token *const number = nb_token_peek(reader);
+  const struct nb_token *const formula = unit_of_formula(reader);
   char what[256], hint[NB_HINT_SIZE];
   expected_text(what, sizeof what, reader, it);
+  if (formula && !are_units_unknown(reader)) {
+    snprintf(hint, sizeof hint,
+             "the formula has the unit `%.80s`, and `%.*s` is expected: check its powers and the unit of each name",
+             formula->text, (int)strcspn(it->units, ","), it->units);
+    return number_mistake(reader, number, formula, hint, what);
+  }
   return are_units_unknown(reader)
              ? nb_fail_silently(reader)
              : number_mistake(reader, number, unit, unit_hint(hint, reader, number, unit, it), what);

@@ -15,6 +15,7 @@
 
 #include "core/clean.h"
 #include "core/names.h"
+#include "input/expression.h"
 #include "input/reader.h"
 #include "reference.h"
 
@@ -150,6 +151,41 @@ static const char *quotient_hint(char *hint, const struct nb_reader *reader, con
              : NULL;
 }
 
+/* The hint for a formula in place of a quantity, `sqrt(A.vx^2+A.vy^2)`; NULL: the text is no formula with a
+ * quantity. */
+static const char *formula_hint(char *hint, const struct nb_reader *reader, const struct nb_scene *scene,
+                                const char *text) {
+  static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.";
+  char name[2 * NB_NAME_SIZE];
+  struct nb_quantity quantity;
+  snprintf(name, sizeof name, "%.*s", (int)strcspn(text, "("), text);
+  if (!strpbrk(text, "*^") && !(strchr(text, '(') && (!*name || nb_name_reserved(name))))
+    return NULL;
+  for (size_t n; *(text += strcspn(text, letters)); text += n) {
+    n = strspn(text, letters);
+    snprintf(name, sizeof name, "%.*s", (int)n, text);
+    if (!nb_quantity_find(&quantity, scene, name))
+      continue;
+    const char *const unit = shown_unit(reader, nb_quantity_unit(quantity));
+    snprintf(
+        hint, NB_HINT_SIZE,
+        "the left side is one recorded quantity, and a formula stands on the right side, after `expected`: `%s last  "
+        "expected (2*a) within 1 %% [SOURCE]`, with `let a = 1%s%s` in the scene",
+        name, *unit ? " " : "", unit);
+    return hint;
+  }
+  return NULL;
+}
+
+/* The hint for arithmetic or a function in place of a quantity; NULL: the text is neither. */
+static const char *expression_hint(char *hint, const struct nb_reader *reader, const struct nb_scene *scene,
+                                   const char *text) {
+  return magnitude_hint(hint, scene, text) || quotient_hint(hint, reader, scene, text) ||
+                 formula_hint(hint, reader, scene, text)
+             ? hint
+             : NULL;
+}
+
 /* Finds the column of the scene's table that the token names, and its quantity. */
 static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, const struct nb_token *token,
                         size_t *column, struct nb_quantity *quantity) {
@@ -173,8 +209,7 @@ static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, 
                                                         : "");
   } else if (nb_number_read(&number, token->text, 0) != NB_NO_NUMBER)
     snprintf(hint, sizeof hint, "a number is compared by `expected NUMBER within TOLERANCE [SOURCE]`");
-  else if (!magnitude_hint(hint, scene, token->text) && !quotient_hint(hint, reader, scene, token->text) &&
-           !nb_pair_hint(hint, "expect", token->text) &&
+  else if (!expression_hint(hint, reader, scene, token->text) && !nb_pair_hint(hint, "expect", token->text) &&
            !nb_phrase_hint(hint, scene, token, reader->count - (size_t)(token - reader->tokens)) &&
            !reducer_hint(hint, reader, scene, token))
     nb_quantity_hint(hint, scene, token->text);
