@@ -200,12 +200,18 @@ static bool quotient_hint(char *hint, const char *n, const struct nb_token *next
   return head > 0;
 }
 
+/* True if the limit of a condition follows the number: `until time above 0.5 at most 100 cycles`. */
+static bool limit_follows(const struct nb_reader *reader) {
+  const struct nb_token *const at = token_after(reader, 1), *const most = token_after(reader, 2);
+  return most && strcmp(at->text, "at") == 0 && strcmp(most->text, "most") == 0;
+}
+
 static bool special_hint(char *hint, const struct nb_reader *reader, const char *n, const char *unit,
                          const struct wanted *it) {
   const struct nb_token *const next = token_after(reader, 1);
   return percent_hint(hint, n, next) || quotient_hint(hint, n, next) || comma_hint(hint, n, unit, it) ||
          (reader->unitless && radian_hint(hint, n, unit, it)) ||
-         (next && !is_number(next) && nb_pair_hint(hint, reader->tokens[0].text, next->text));
+         (next && !is_number(next) && !limit_follows(reader) && nb_pair_hint(hint, reader->tokens[0].text, next->text));
 }
 
 /* The number without its unit: as written, or its value in SI if the page has no units and the unit has the wanted
