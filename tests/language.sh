@@ -75,7 +75,8 @@ for pair in "velocity:velocity VX VY" stiffness:young "refine:divides the step" 
   "rate:cell strain" "seed:fill discs" "porosity:box.porosity" "strain:Which strain" "stage:Begins a stage" "budget:time for the search" \
   "psi:1 psi is 6.894757293 kPa" "inch:1 inch is 25.4 mm" "lb:1 lb is 4.448221615 N" "restitution:damping ratio" "fix:fixed" \
   "mindlin:mindlin_deresiewicz has it" "micro-slip:mindlin_deresiewicz" "reset:region S all from STAGE" \
-  "slope:at 2 ms" "simple_shear:c12 0.1 1/s" "simple-shear:c12 0.1 1/s" "shear rate:c12 0.1 1/s" "pure shear:2 EXY"; do
+  "slope:at 2 ms" "simple_shear:c12 0.1 1/s" "simple-shear:c12 0.1 1/s" "shear rate:c12 0.1 1/s" "pure shear:2 EXY" \
+  "axial:box.strain.height" "axial strain:box.strain.height" "settle:damping mass" "run-out:snapshot"; do
   "$nineball" --help "${pair%%:*}" 2>&1 | head -n 3 | grep -qF -e "${pair#*:}" || echo "nineball --help ${pair%%:*} does not begin with ${pair#*:}"
 done >"$work/said"
 for command in $("$nineball" --help | sed -n 's/^  \([a-z][a-z]*\) .*/\1/p'); do
