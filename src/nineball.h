@@ -313,11 +313,14 @@ struct nb_impact {
 };
 
 /* Motion of a wall from the beginning of a stage until another stage changes it. */
+/* NB_GIVEN_WALLS: by `walls`, which a line `wall` below it may change. */
+enum { NB_GIVEN_VELOCITY = 1, NB_GIVEN_SPIN = 2, NB_GIVEN_WALLS = 4 };
 struct nb_wall_motion {
-  int wall;      /* index */
-  double vx, vy; /* velocity of P, m/s */
-  double spin;   /* angular velocity about P, rad/s, counterclockwise */
-  bool ramp;     /* the motion changes linearly and is reached at the end of the stage */
+  int wall;       /* index */
+  double vx, vy;  /* velocity of P, m/s */
+  double spin;    /* angular velocity about P, rad/s, counterclockwise */
+  unsigned given; /* what lines of this stage have set: NB_GIVEN_ bits */
+  bool ramp;      /* the motion changes linearly and is reached at the end of the stage */
   int line;
 };
 

@@ -293,6 +293,33 @@ static void friction_without_effect(void) {
   }
 }
 
+/* Contacts without a normal stiffness: particles pass through each other. */
+static void contacts_without_force(void) {
+  char text[2000];
+  static const struct {
+    const char *statements, *wanted; /* NULL: no warning */
+  } cases[] = {
+      {"material m density 1 young 1 poisson 0.3\ndisc 0 0 radius 1 m\nwall w -9 -9 to 9 -9 m",
+       "3: contacts between `m` and `m` have no force, because their normal stiffness `kn` is 0"},
+      {"material m density 1 young 1 poisson 0.3\nnormal hertz\nsphere 0 0 radius 1 m\nsphere 3 0 radius 1 m", NULL},
+      {"material m density 1\ndisc 0 0 radius 1 m", NULL}, /* alone */
+      {"material m density 1 kn 1\nmaterial n density 1\ndisc 0 0 radius 1 m\ndisc 3 0 radius 1 m\nwall w -9 -9 to 9 "
+       "-9 n",
+       "3: contacts between `m` and `n` have no force"},
+      {"material m density 1 kn 1\nmaterial n density 1\npair n m kn 2\ndisc 0 0 radius 1 m\nwall w -9 -9 to 9 -9 n",
+       NULL},
+      {"material m density 1\ndisc 0 0 radius 1 m\ndisc 3 0 radius 1 m\nstep 1e-7\nstage a\nmaterial m kn 1\ncycles 1",
+       NULL}, /* it has a stiffness later */
+  };
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    const char *wanted = cases[k].wanted;
+    warned(text, cases[k].statements);
+    CU_ASSERT(wanted ? strstr(text, wanted) && strchr(text, '\n')[1] == 0 : !text[0]);
+    if (wanted ? !strstr(text, wanted) : text[0])
+      printf("# %s: %s\n", cases[k].statements, text);
+  }
+}
+
 /* Some conditions are always or never met, except with a law of the user's own that has tensile forces. They are allowed
  * and cause a warning. */
 static void conditions_on_tensile_forces(void) {
@@ -623,6 +650,7 @@ void suite_guard(void) {
   CU_add_test(suite, "rotation in a step", rotation_in_a_step);
   CU_add_test(suite, "overlap during the run", overlap_during_the_run);
   CU_add_test(suite, "friction without effect", friction_without_effect);
+  CU_add_test(suite, "contacts without force", contacts_without_force);
   CU_add_test(suite, "gravity away from all walls", gravity_away_from_walls);
   CU_add_test(suite, "rows without a quantity", empty_rows);
   CU_add_test(suite, "conditions that only a tensile law can meet", conditions_on_tensile_forces);

@@ -11,9 +11,9 @@
  *                                 only when one mode has a larger amplitude and slope than all others together
  * Mean, amplitude and frequency are also returned `in STAGE` for each stage in which the walls are at rest.
  *
- * Refuses scenes in which a contact opens, slips or closes. The error is due to the rotation of contacts and is of the
- * order of overlap over radius. For nine discs it is 0.01 (overlap / radius) of the mean force and of the frequencies;
- * in a curve this error grows from one oscillation to the next.
+ * Refuses scenes in which a contact opens, slips or closes. The error is due to the rotation of contacts and grows
+ * with overlap over radius. For nine discs the relative error of the mean force and of the frequencies is about 0.01
+ * times overlap over radius. In a curve the error grows from one oscillation to the next.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>

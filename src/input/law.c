@@ -204,18 +204,22 @@ static void check_laws(struct nb_scene_reading *reading, const struct nb_active_
            "expected no cohesion for %s", law_text(text, laws->shear, stage));
 }
 
-/* ---- friction without a shear force ---- */
+/* ---- stiffnesses that are 0 ---- */
 
 /* Bits of a pair of materials. FRICTION: it has friction in some stage. LAW: in such a stage it also has a shear law.
- * TRANSMITTED: in such a stage it has a shear law and a shear stiffness. */
-enum { FRICTION = 1, TRANSMITTED = 2, LAW = 4 };
+ * TRANSMITTED: in such a stage it has a shear law and a shear stiffness. REPELLED: in some stage it has a normal
+ * stiffness. */
+enum { FRICTION = 1, TRANSMITTED = 2, LAW = 4, REPELLED = 8 };
 
-static void find_friction(unsigned char pairs[NB_MATERIALS_MAX][NB_MATERIALS_MAX], const struct nb_scene *scene,
-                          const struct nb_properties *now, const struct nb_law *shear) {
+static void find_stiffnesses(unsigned char pairs[NB_MATERIALS_MAX][NB_MATERIALS_MAX], const struct nb_scene *scene,
+                             const struct nb_properties *now, const struct nb_active_laws *laws) {
+  const struct nb_law *const shear = laws->shear;
   for (int a = 0; a < (int)scene->material_count; a++)
     for (int b = 0; b < (int)scene->material_count; b++) {
       const struct nb_pair pair = nb_properties_pair(now, a, b);
       const bool law = strcmp(shear->name, "none") != 0, transmitted = law && (shear->elastic || pair.ks > 0);
+      if (laws->normal->elastic || pair.kn > 0)
+        pairs[a][b] |= REPELLED;
       if (pair.friction > 0)
         pairs[a][b] |= (unsigned char)(FRICTION | (law ? LAW : 0) | (transmitted ? TRANSMITTED : 0));
     }
@@ -240,9 +244,29 @@ static int line_of_pair(const struct nb_scene *scene, int a, int b) {
   return scene->materials[a].line;
 }
 
+/* Warns of a pair that never has a normal stiffness. This is not an error, because particles may be meant to move
+ * without contact forces. */
+static void warn_not_repelled(struct nb_scene *scene, unsigned char bits, int a, int b) {
+  if (!(bits & REPELLED))
+    nb_warn(&scene->warnings, line_of_pair(scene, a, b),
+            "contacts between `%s` and `%s` have no force, because their normal stiffness `kn` is 0; `young` is for "
+            "`normal hertz`",
+            scene->materials[a].name, scene->materials[b].name);
+}
+
 /* Warns of friction that causes no shear force, because there is no shear law or the shear stiffness is 0. This is not
  * an error, because a page may leave out the shear law on purpose. */
-static void warn_unused_friction(struct nb_scene_reading *reading) {
+static void warn_unused_friction(struct nb_scene *scene, unsigned char bits, int a, int b) {
+  if (bits & FRICTION && !(bits & TRANSMITTED))
+    nb_warn(&scene->warnings, line_of_pair(scene, a, b), "friction between `%s` and `%s` has no effect: %s",
+            scene->materials[a].name, scene->materials[b].name,
+            bits & LAW             ? "their shear stiffness `ks` is 0"
+            : nb_laws_shear(scene) ? "there is no `shear` law in the stages with this friction"
+                                   : "there is no `shear` law, such as `shear linear`");
+}
+
+/* Warns of stiffnesses that are 0. */
+static void warn_of_stiffnesses(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
   unsigned char pairs[NB_MATERIALS_MAX][NB_MATERIALS_MAX] = {{0}};
   struct nb_properties now = {0};
@@ -251,24 +275,20 @@ static void warn_unused_friction(struct nb_scene_reading *reading) {
     nb_no_memory(&reading->reader);
     return;
   }
-  find_friction(pairs, scene, &now, laws.shear);
+  find_stiffnesses(pairs, scene, &now, &laws);
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     laws = nb_laws_of(stage, laws);
     nb_properties_end_stage(&now, stage);
-    find_friction(pairs, scene, &now, laws.shear);
+    find_stiffnesses(pairs, scene, &now, &laws);
   }
   nb_properties_free(&now);
   for (int a = 0; a < (int)scene->material_count; a++)
     for (int b = 0; b < (int)scene->material_count; b++) {
-      if (!(pairs[a][b] & FRICTION) || pairs[a][b] & TRANSMITTED || !may_touch(scene, a, b) ||
-          (b < a && may_touch(scene, b, a)))
+      if (!may_touch(scene, a, b) || (b < a && may_touch(scene, b, a)))
         continue;
-      nb_warn(&scene->warnings, line_of_pair(scene, a, b), "friction between `%s` and `%s` has no effect: %s",
-              scene->materials[a].name, scene->materials[b].name,
-              pairs[a][b] & LAW      ? "their shear stiffness `ks` is 0"
-              : nb_laws_shear(scene) ? "there is no `shear` law in the stages with this friction"
-                                     : "there is no `shear` law, such as `shear linear`");
+      warn_not_repelled(scene, pairs[a][b], a, b);
+      warn_unused_friction(scene, pairs[a][b], a, b);
     }
 }
 
@@ -334,7 +354,7 @@ void nb_laws_check(struct nb_scene_reading *reading, bool complete) {
       check_damping(reading, &stage->damping, now.normal, stage);
   }
   if (!scene->contact_test)
-    warn_unused_friction(reading);
+    warn_of_stiffnesses(reading);
   warn_no_micro_slip(reading);
 }
 

@@ -81,7 +81,7 @@ NB_APPLY(apply_record) {
                 scene->contact_test ? "`record QUANTITY …` belongs before the first `segment`"
                                     : "`record QUANTITY …` belongs before the first `stage`",
                 scene->contact_test ? "`every N steps` or `none`" : "`every N cycles` or `none`");
-  if (reader->bad)
+  if (reader->bad || nb_given_twice(reader, nb_current_stage(scene)->record_line))
     return;
   nb_current_stage(scene)->record_interval = every;
   nb_current_stage(scene)->record_line = (int)reader->line;

@@ -218,15 +218,28 @@ void nb_spin_check(struct nb_scene *scene) {
     }
 }
 
-/* Adds the motion of a wall. In a stage a second motion of the same wall replaces the first, so that `wall` may follow
- * `walls inward`. */
-static void move_wall(struct nb_scene *scene, struct nb_reader *reader, struct nb_wall_motion motion) {
+/* Reports that the stage sets the motion of a wall, or a part of it, again. `given`: what is set again, NB_GIVEN_ bits. */
+static void report_again(struct nb_reader *reader, const struct nb_wall *wall, unsigned given) {
+  nb_token_mistake(reader, &reader->tokens[0], "`wall` may follow `walls` in a stage, which then moves the other walls",
+                   "the %s of wall `%s` is given twice in this stage",
+                   given == NB_GIVEN_SPIN ? "angular velocity" : "velocity", wall->name);
+}
+
+/* Adds the motion of a wall. In a stage `wall` may follow `walls`, whose motion of this wall it changes. Anything else
+ * that is set twice is a mistake. `sets`: what the line sets, NB_GIVEN_ bits. */
+static void move_wall(struct nb_scene *scene, struct nb_reader *reader, struct nb_wall_motion motion, unsigned sets) {
   struct nb_stage *stage = nb_current_stage(scene);
-  motion.line = (int)reader->line, motion.ramp = false;
+  const unsigned given = sets & NB_GIVEN_WALLS ? NB_GIVEN_WALLS : sets;
+  motion.line = (int)reader->line, motion.ramp = false, motion.given = given;
   for (size_t i = 0; i < stage->motion_count; i++) {
-    if (stage->motions[i].wall != motion.wall)
+    struct nb_wall_motion *const before = &stage->motions[i];
+    if (before->wall != motion.wall)
       continue;
-    stage->motions[i] = motion;
+    motion.given |= before->given;
+    if (before->given & sets)
+      report_again(reader, &scene->walls[motion.wall], before->given & sets);
+    else
+      *before = motion;
     return;
   }
   NB_APPEND(reader, stage->motions, stage->motion_count, motion);
@@ -248,7 +261,7 @@ NB_APPLY(apply_walls) {
     motion.vx = stop->token ? 0 : wall->inx * inward->number + 0.0; /* + 0.0 turns -0 into 0 */
     motion.vy = stop->token ? 0 : wall->iny * inward->number + 0.0;
     motion.spin = stop->token ? 0 : motion.spin;
-    move_wall(scene, reader, motion);
+    move_wall(scene, reader, motion, NB_GIVEN_WALLS | NB_GIVEN_VELOCITY | (stop->token ? NB_GIVEN_SPIN : 0));
     moved++;
   }
   if (moved == 0 && (nb_statement_suppressed(reader->mistakes, "box") ||
@@ -269,11 +282,12 @@ NB_APPLY(apply_wall_motion) {
   if (reader->bad)
     return;
   struct nb_wall_motion motion = motion_after(scene, scene->stage_count, (size_t)wall);
+  unsigned sets = 0;
   if (value[AT_VX].token)
-    motion.vx = value[AT_VX].number, motion.vy = value[AT_VY].number;
+    motion.vx = value[AT_VX].number, motion.vy = value[AT_VY].number, sets |= NB_GIVEN_VELOCITY;
   if (value[AT_SPIN].token)
-    motion.spin = value[AT_SPIN].number;
-  move_wall(scene, reader, motion);
+    motion.spin = value[AT_SPIN].number, sets |= NB_GIVEN_SPIN;
+  move_wall(scene, reader, motion, sets);
 }
 
 /* clang-format off */
