@@ -153,6 +153,9 @@ run 2 advise "$hertz" --quantity impact.duration --within '1 % of peak' && said 
 result $? 'a fraction of something else'
 run 2 advise "$cases/7-assemblies/thesis-isotropic-compression.md" --within '1 %' && said 'expected a page of at most 50 particles'
 result $? 'an assembly'
+run 1 advise "$pages/too-long-a-step.md" --quantity D.x --within '1 %'
+said 'the page cannot be run with its own step and with half of it: ' && said 'because further contacts make it shorter'
+result $? 'a step above the stable one: the whole message'
 run 2 advise "$hertz" --quantity impact.duration --within '1 %' --budget never && said '--budget in seconds'
 result $? 'a budget that is not a time'
 sed 's/^units none/&\nlet refine = 2/' still.md >named.md

@@ -111,7 +111,7 @@ verdict 'a wall that rotates too far in one step: status 3, with wall, time and 
 
 run 3 run "$pages/too-long-a-step.md"
 said 'particle 1 (line 5): at cycle 0, time 0 s, the step 1 s is above the guaranteed stable one, 0.000792665 s'
-said 'particles 1 and 2, as if they touched: write `step 0.00024 s`, or `allow unstable`' # 0.3 of the bound
+said 'particles 1 and 2, as if they touched: write `step 0.00024 s`, or `allow unstable`; the proposal is 0.3 of the stable step, because further contacts make it shorter'
 for step in '2 of stable:write `step 0.3 of stable`' '1 per collision:write `step 6 per collision`' '3 of single-contact:write `step 0.21 of single-contact`'; do
   run 3 check "$pages/too-long-a-step.md" --set step="${step%%:*}"
   said "${step#*:}"

@@ -194,11 +194,13 @@ static enum nb_status check_step(const struct nb_model *model, const struct nb_s
   const char *s = nb_unit(model->scene, " s");
   nb_stable_text(cause, sizeof cause, model, stable);
   proposed_step(proposal, sizeof proposal, model, stable->step);
-  return nb_error_set(error, NB_BROKEN,
-                      "particle %d (line %d): at cycle %lu, time %g%s, the step %g%s is above the guaranteed stable "
-                      "one, %g%s, which is set by %s: write `%s`, or `allow unstable`",
-                      number, model->scene->particles[number - 1].line, model->cycle, model->time, s, model->step, s,
-                      stable->step, s, cause, proposal);
+  return nb_error_set(
+      error, NB_BROKEN,
+      "particle %d (line %d): at cycle %lu, time %g%s, the step %g%s is above the guaranteed stable "
+      "one, %g%s, which is set by %s: write `%s`, or `allow unstable`; the proposal is %g of the stable step, "
+      "because further contacts make it shorter",
+      number, model->scene->particles[number - 1].line, model->cycle, model->time, s, model->step, s, stable->step, s,
+      cause, proposal, proposed_fraction);
 }
 
 enum nb_status nb_stability_check(struct nb_model *model, struct nb_error *error) {

@@ -137,7 +137,7 @@ static enum nb_status find_anchor(struct nb_advice *advice, struct nb_error *err
   const struct nb_point *first = &advice->variants[0].points[-NB_LEVEL_LOW];
   if (isfinite(ratio) || advice->anchor > 1)
     return refuse(advice, ratio, worst, error);
-  return nb_error_set(error, NB_FAILED, "the page cannot be run with its own step and with half of it: %.300s",
+  return nb_error_set(error, NB_FAILED, "the page cannot be run with its own step and with half of it: %.400s",
                       first[0].reason[0]   ? first[0].reason
                       : first[1].reason[0] ? first[1].reason
                                            : "the budget is too small; choose a larger --budget");

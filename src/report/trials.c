@@ -25,7 +25,7 @@ bool nb_advice_no_memory(struct nb_advice *advice) {
 
 static bool fail(struct nb_point *point, const char *text) {
   const size_t length = strcspn(text, "\n");
-  snprintf(point->reason, sizeof point->reason, "%.*s", (int)(length < 240 ? length : 240), text);
+  snprintf(point->reason, sizeof point->reason, "%.*s", (int)(length < 400 ? length : 400), text);
   return false;
 }
 
