@@ -1129,6 +1129,7 @@ if command -v gnuplot >/dev/null; then
   run 2 figure tree/cases/lacks.md -o lacks --trust
   said 'gnuplot refused lacks/lacks.gp: '
   said 'no column with header "D.y/-" (line 23 of the page)'
+  said 'the name of a column ends with its unit, or with `/-`: `A.x/m`, `M.porosity/-`'
   said 'the data are `$table`, with a sweep `$table_1`'
   absent lacks/lacks.svg
   verdict 'a figure with a missing column'

@@ -30,6 +30,9 @@ static void add_page_line(const struct nb_gnuplot *drawing, char *message, size_
  * search for it reads the script, which may have large tables. */
 enum { MESSAGES_SHOWN = 200 };
 
+/* A part of gnuplot's message about a column that the data do not have. */
+static const char missing[] = "no column with header";
+
 /* Copies the messages of gnuplot to stderr if verbose. `reason` receives the error message: the last line that is not
  * blank. For gnuplot a missing column is only a warning, but the figure then lacks a curve; so `reason` receives this
  * warning, and the function returns true. */
@@ -42,7 +45,7 @@ static bool copy_messages(const struct nb_gnuplot *drawing, FILE *messages, char
       add_page_line(drawing, line, sizeof line);
     if (line[strspn(line, " \t^")] && !missing_column)
       snprintf(reason, size, "%s", line + strspn(line, " \t"));
-    missing_column = missing_column || strstr(line, "no column with header");
+    missing_column = missing_column || strstr(line, missing);
     if (drawing->verbose && count < MESSAGES_SHOWN)
       fprintf(stderr, "%s\n", line);
   }
@@ -51,8 +54,10 @@ static bool copy_messages(const struct nb_gnuplot *drawing, FILE *messages, char
 
 /* The names of the data, for a message of gnuplot about data that it does not find; empty for other messages. */
 static const char *data_hint(const char *reason) {
-  static const char *const about[] = {"No data in plot", "undefined variable", "no datablock", "range is invalid",
-                                      "no column with header"};
+  if (strstr(reason, missing))
+    return "; the name of a column ends with its unit, or with `/-`: `A.x/m`, `M.porosity/-`; the data are `$table`, "
+           "with a sweep `$table_1`, `$table_2`, …: see `nineball --help gnuplot`";
+  static const char *const about[] = {"No data in plot", "undefined variable", "no datablock", "range is invalid"};
   for (size_t k = 0; k < sizeof about / sizeof *about; k++)
     if (strstr(reason, about[k]))
       return "; the data are `$table`, with a sweep `$table_1`, `$table_2`, …, and `$values`, one row for each run, "
