@@ -99,6 +99,9 @@ result $? 'nineball --help: the stiffness of two materials, the shear strain of 
 "$nineball" --help material | tr -s ' \n' '  ' | grep -qF 'full `kn` and `ks`, not half of them' &&
   "$nineball" --help until | tr -s ' \n' '  ' | grep -qF 'far above 50 kPa, and only a servo holds it'
 result $? 'nineball --help: the stiffness of equal materials, and a stress after a wait for rest'
+{ "$nineball" --help monitor; "$nineball" --help packing; } | tr -s ' \n' '  ' >"$work/said"
+grep -qF "in the order of the statements that add them" "$work/said" && grep -qF "There are two kinds of files." "$work/said"
+result $? 'nineball --help: the numbers of particles, and the two kinds of files with a packing'
 
 # Words of other programs: `nineball --help` of such a word must show all words of the page language that are in the same row.
 grep '^    {"' src/input/guess.c | tr '{' '\n' | sed -n 's/^"\([^"]*\)", "\([^"]*\)".*$/\1|\2/p' >"$work/synonyms"

@@ -96,7 +96,7 @@ NB_STATEMENTS(monitor) = {
   {"monitor", NB_IN_SCENE | NB_IN_START, monitor_fields,
    "disc N | disc N with disc M | disc N with wall NAME | wall NAME | grading NAME {radius R}", 0, false, apply_monitor,
    "Names a particle, a contact, a wall, a grading or one size of a grading, so that its quantities can be recorded: `C.normal`.\n"
-   "disc N: the particle with this number, a disc; `sphere N` for a sphere.\n"
+   "disc N: the particle with this number, a disc; `sphere N` for a sphere. Particles are numbered from 1, discs and spheres together, in the order of the statements that add them.\n"
    "disc N with disc M: the contact of two particles, whether they touch or not; likewise for spheres.\n"
    "disc N with wall NAME: the contact of a particle with a wall; likewise for spheres.\n"
    "wall NAME: a wall.\n"
