@@ -228,6 +228,39 @@ static void rayleigh_steps_of_equal_spheres(void) {
   CU_ASSERT(vx[0] == vx[1] && vx[2] == vx[3] && vx[0] != vx[2] && vx[0] != 0.1);
 }
 
+/* The greatest kinetic energy is the first one, unless a wall or a fixed particle moves and may add energy. */
+static void rebound_without_energy_from_outside(void) {
+  static const struct {
+    const char *other; /* what sphere 1, at the origin, meets in the direction of -y */
+    bool keeps;
+  } cases[] = {
+      {"wall w -9 -1 to 9 -1 a\nmonitor C sphere 1 with wall w", true},
+      {"wall w -9 -1 to 9 -1 a velocity 0 0.1\nmonitor C sphere 1 with wall w", false},
+      {"sphere 0 -2 radius 1 a\nmonitor C sphere 1 with sphere 2", true},
+      {"sphere 0 -2 radius 1 a velocity 0 0.1\nmonitor C sphere 1 with sphere 2", true},
+      {"sphere 0 -2 radius 1 a fixed\nmonitor C sphere 1 with sphere 2", true},
+      {"sphere 0 -2 radius 1 a velocity 0 0.1 fixed\nmonitor C sphere 1 with sphere 2", false},
+      {"sphere 0 -2 radius 1 a spin 0.1 fixed\nmonitor C sphere 1 with sphere 2", false},
+  };
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    struct words page = {0};
+    struct written it;
+    struct refs_scene scene;
+    words_add(&page,
+              "units none\nmaterial a density 1 young 1e6 poisson 0.2 friction 0.1\nnormal hertz\n"
+              "shear mindlin_deresiewicz\nsphere 0 0 radius 1 a\n%s\nimpact C speed 0.5 angle 0.5\nstep 0.001\n"
+              "record energy.kinetic\nstage s\ncycles 1\n",
+              cases[k].other);
+    written_scene(&it, &page);
+    scene.scene = it.scene;
+    struct nb_solution solution = refs_solution("rebound", &scene);
+    CU_ASSERT(refs_value(&solution, "energy.kinetic") > 0);
+    CU_ASSERT_EQUAL(solution_find(&solution, "energy.kinetic max") != NULL, cases[k].keeps);
+    solution_free(&solution);
+    written_free(&it);
+  }
+}
+
 /* A disc that rolls down a plane; m = k_n = pi, so the single-contact step 2 (m/k_n)^(1/2) is 2 s, and ten steps of half
  * of it take 10 s. The velocity grows by 2/3 of the gravity along the plane. */
 static void a_step_relative_to_a_single_contact(void) {
@@ -426,6 +459,7 @@ void suite_refs(void) {
   CU_ADD_TEST(suite, every_reference_reports_missing_memory);
   CU_add_test(suite, "friction and cohesion of a particle and a wall", friction_and_cohesion_at_a_wall);
   CU_ADD_TEST(suite, rayleigh_steps_of_equal_spheres);
+  CU_ADD_TEST(suite, rebound_without_energy_from_outside);
   CU_ADD_TEST(suite, a_step_relative_to_a_single_contact);
   CU_ADD_TEST(suite, a_filling_counts_each_size);
 }

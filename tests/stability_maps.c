@@ -1133,11 +1133,10 @@ static void write_below(FILE *out, unsigned long cycles) {
 static void write_systems(FILE *out) {
   fputs(
       "\n## The systems\n\n"
-      "Each figure has one panel for each $k_s/k_n$ and one bar for each column. Groups of bars are the other axes, "
-      "in\n"
-      "the order of the list. The numbers below the bars are damping ratios. A bar is green while all points are "
-      "stable,\n"
-      "orange up to the limit, and red where all points are unstable. The letter above it says which mode\n"
+      "Each figure has one panel for each $k_s/k_n$ and one bar for each column. The bars are grouped by the other\n"
+      "parameters, in the order of the list below the heading of each system. The numbers below the bars are damping\n"
+      "ratios. A bar is green while all points are stable, orange up to the limit, and red where all points are\n"
+      "unstable. The letter above it says which mode\n"
       "grows first: normal, tangential, rotation, or damping. Black marks are unstable points with another symptom "
       "than\n"
       "*energy*. [limits.tsv](stability/limits.tsv) has the limit of each column over $2 \\sqrt{m/k}$ of the lightest\n"

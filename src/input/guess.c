@@ -22,7 +22,7 @@ bool nb_item(const char **list, char item[NB_NAME_SIZE]) {
   "a random packing is two lines, `grading mixed 4 mm 67  5 mm 66  6 mm 67` (radius and number of each size) and `fill discs " \
   "box 0 m 0 m to 0.2 m 0.2 m mixed MATERIAL seed 1 attempts 1000 else stop` (in a periodic cell `cell` in place of `box … to …`); " \
   "there is no target porosity: compress with `walls inward 1 mm/s` and `until box.porosity below 0.16 at most 1000000 cycles`"
-#define ONE_SERVO "write `servo isotropic 50 kPa on box through box at most 0.1 1/s`; `xx P`, `yy P`, `xy P` or `mean P` control one component"
+#define ONE_SERVO "write `servo isotropic 50 kPa on box through box at most 0.1 1/s`; `xx P`, `yy P` and `xy P` control components, and `mean P` controls (xx + yy)/2"
 #define SERVO_ENDS \
   "a servo ends with its stage: begin a new stage, `stage NAME`, without a line `servo`. The boundary, the cell or the walls then have only the strain rate of a " \
   "`boundary strain`, `cell strain` or `box strain`, and without one they stand still"

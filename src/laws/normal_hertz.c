@@ -6,8 +6,8 @@
  *
  * Source     [R89 3.13]; a from [R89 3.12]; dN/d(alpha) = 2 E* a [R89 3.15]. The force is a function of the overlap, so
  *            it does not drift. R89 coded increments of the force: normal_hertz_increment.c.
- * Range      smooth elastic spheres whose contact radius a is small compared with R*: overlaps below 7 % of the smaller
- *            diameter [R89 sec. 6.4.3].
+ * Range      smooth elastic spheres whose contact radius a is small compared with R*. R89 assumes plastic flow above an
+ *            overlap of 7 % of the smaller diameter [R89 sec. 6.4.3].
  * History    none.
  * Stores     the integral of N, (2/5) N alpha.
  *

@@ -89,9 +89,9 @@ static double mean_error(double *uncertainty, struct means *means, const struct 
 }
 
 /* Draws a tolerance between the errors of the best and of the worst setting, among the traded values and some steps.
- * The tolerance is at least twice the standard error of the change that half the step makes to the mean. The range
- * spans at least a factor of 8, because a search with 8 realizations resolves smaller tolerances less well than
- * these 64 realizations do. */
+ * The tolerance is at least twice the standard error of the change that half the step makes to the mean. The upper
+ * end of the range is at least 8 times the lower end, because a search with 8 realizations resolves only larger
+ * tolerances than these 64 realizations. */
 static double draw_tolerance(struct means *means, const struct nb_scene *page, const char *path, size_t quantity,
                              gsl_rng *random) {
   static const double widest = 8;
