@@ -339,6 +339,13 @@ if command -v script >/dev/null; then # both streams are the same terminal
       echo "not in both: $command" >>why
   done
   verdict 'warnings: once on a terminal, twice if standard output is a file'
+  sed 's/^cycles.*/cycles 1000000000/' "$pages/warns.md" >long.md
+  timeout -s INT 4 script -qec "timeout -s INT 3 '$nineball' run long.md" /dev/null 2>&1 </dev/null | tr '\r' '\n' |
+    sed '/, stage .* s left/q' >out
+  grep -q 'long.md:4: warning: friction' out || echo 'no warning before the first line of progress' >>why
+  grep -q ' s left' out || echo 'no progress' >>why
+  rm -rf long.out
+  verdict 'warnings: before the first line of progress'
 fi
 
 for page in 5-numerics/rayleigh-mean:gap='1e300 mm' 8-published/chung-ooi-6:beta=1e9; do # the references must not run forever

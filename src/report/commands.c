@@ -28,7 +28,7 @@ bool nb_is_stopped(const struct nb_call *call) {
 }
 
 void nb_run_page(struct nb_outcome *outcome, const struct nb_call *call, const char *path, const char *folder) {
-  struct nb_progress_line line = {.page = path};
+  struct nb_progress_line line = {.page = path, .warnings = &outcome->warnings};
   const struct nb_progress progress = nb_print_progress(&line);
   const char *temporary = getenv("TMPDIR");
   struct nb_options options = call->options;

@@ -82,7 +82,8 @@ void nb_print_errors(const struct nb_outcome *outcome, const char *path);
 void nb_print_error(const struct nb_error *error, const struct nb_page *page, const char *path);
 struct nb_progress_line {
   const char *page;
-  double shown; /* time of the run when the line was last written, s; 0: never */
+  double shown;                       /* time of the run when the line was last written, s; 0: never */
+  const struct nb_warnings *warnings; /* those found before the run, which precede the first line; NULL: none */
 };
 struct nb_progress nb_print_progress(struct nb_progress_line *line); /* only notes if stderr is not a terminal */
 void nb_print_progress_end(struct nb_progress_line *line);

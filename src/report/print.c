@@ -130,6 +130,8 @@ static void progress(void *data, const char *stage, double fraction, double seco
   struct nb_progress_line *line = data;
   if (seconds < 2 || seconds - line->shown < 0.5)
     return;
+  if (line->shown == 0 && line->warnings)
+    nb_print_warnings(stderr, "", line->page, line->warnings);
   line->shown = seconds;
   fprintf(stderr, "\r%s, stage %s: %3.0f %%, %.0f s left   ", line->page, stage, 100 * fraction,
           fraction > 0 ? seconds * (1 - fraction) / fraction : 0);
