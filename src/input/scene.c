@@ -169,7 +169,7 @@ static bool store_settings(struct nb_scene_reading *reading, nb_settings setting
 static void find_columns(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
   for (size_t i = 0; i < reading->requested_count; i++) {
-    struct nb_column column;
+    struct nb_column column = {.tracked = false};
     memcpy(column.name, reading->requested[i].name, sizeof column.name);
     column.line = (int)reading->requested[i].line;
     if (nb_requested_find(reading, &column.quantity, &reading->requested[i]))
