@@ -75,13 +75,15 @@ static bool is_fraction(const struct nb_reader *reader) {
          (left > 2 && strcmp(token[1].text, "%") == 0 && strcmp(token[2].text, "of") == 0);
 }
 
-/* The strain rate of the size in this stage, if it leads to this fraction of the size, 1/s; 0: there is none. `size`: the
- * width and height of the box, 0 and 1, or the sides of the cell, 2 and 3. */
+/* The strain rate of the size in this stage, if it leads to this fraction of the size, 1/s; 0: there is none, or a servo
+ * changes it. `size`: the width and height of the box, 0 and 1, or the sides of the cell, 2 and 3. */
 static double rate_to(const struct nb_stage *stage, int size, double fraction) {
   int line;
   const struct nb_strain_rate *const given = nb_affine_given(stage, size < 2 ? NB_AFFINE_BOX : NB_AFFINE_CELL, &line);
   const double rate = size % 2 ? given->yy : given->xx;
-  return line && !given->per_cycle && rate * log(fraction) > 0 ? rate : 0;
+  const struct nb_strain_rate along = {.xx = size % 2 ? 0 : rate, .yy = size % 2 ? rate : 0};
+  const bool changes = (size < 2 ? stage->servo.box : stage->servo.cell) && nb_servo_opposes(&stage->servo, &along);
+  return line && !given->per_cycle && !changes && rate * log(fraction) > 0 ? rate : 0;
 }
 
 /* Writes the hint for `until box.height below 0.95 of box.height`: an end at a strain. A stage with a constant strain
@@ -101,10 +103,10 @@ static bool strain_hint(char *hint, const struct nb_reader *reader, const struct
   const double own = rate_to(stage, size, fraction), rate = own != 0 ? own : copysign(0.01, log(fraction));
   snprintf(
       hint, NB_HINT_SIZE,
-      "with a constant strain rate, %s %g 1/s, the stage ends at a time: `until stage.time above (log(%g)/(%g 1/s)) at "
+      "with a constant strain rate, %s %g%s, the stage ends at a time: `until stage.time above (log(%g)/(%g 1/s)) at "
       "most 1000000 cycles`. Or write a value: `until %s %s (%g*L) at most 1000000 cycles`, with `let L = 100 mm` in "
       "the scene, the %s at the beginning of the stage",
-      own != 0 ? "here" : "for example", rate, fraction, rate, condition->name,
+      own != 0 ? "here" : "for example", rate, reader->unitless ? "" : " 1/s", fraction, rate, condition->name,
       condition->relation == NB_BELOW ? "below" : "above", fraction, size % 2 ? "height" : "width");
   return true;
 }
