@@ -43,7 +43,7 @@ static const char *fraction_hint(char *hint, const struct nb_reader *reader) {
   double value;
   char text[NB_NAME_SIZE] = "0.2";
   if (nb_number_read(&value, number->text, 0) == NB_READ && value >= least * whole && value <= whole)
-    snprintf(text, sizeof text, "%.40s%s", number->text, percent ? " %" : "");
+    snprintf(text, sizeof text, "%.10g%s", value, percent ? " %" : "");
   if (is_one_of(last->text, STEP_KINDS))
     snprintf(hint, NB_HINT_SIZE, "write `step %s of %s`", text, last->text);
   else
@@ -51,14 +51,17 @@ static const char *fraction_hint(char *hint, const struct nb_reader *reader) {
   return hint;
 }
 
-/* Refuses `step 0.3` and `step 30 %`, numbers without a unit and without a reference step. True: it is refused. */
+/* Refuses `step 0.3` and `step 30 %`, numbers without a unit and without a reference step; another statement may follow
+ * in the line. True: it is refused. */
 static bool refuse_number(struct nb_reader *reader) {
   const struct nb_token *const number = nb_token_peek(reader);
   const size_t count = reader->count - reader->next;
-  const bool percent = count == 2 && strcmp(number[1].text, "%") == 0;
+  const bool percent = count > 1 && strcmp(number[1].text, "%") == 0;
+  const char *const next = count > 1u + percent ? number[1 + percent].text : "";
+  const bool statement = is_one_of(next, "skin|allow");
   char hint[NB_HINT_SIZE];
   double value;
-  if (!(percent || (count == 1 && !reader->unitless)) || number->computed ||
+  if (!(count == 1u + percent || statement) || (reader->unitless && !percent) ||
       nb_number_read(&value, number->text, 0) != NB_READ)
     return false;
   struct nb_token both = *number;
@@ -66,6 +69,8 @@ static bool refuse_number(struct nb_reader *reader) {
     both.length = number[1].column + number[1].length - number->column;
   fraction_hint(hint, reader);
   nb_append(hint, sizeof hint, "; a time has a unit: `step 10 us`");
+  if (statement)
+    nb_append(hint, sizeof hint, "; `%s` begins a line of its own", next);
   return !nb_token_mistake(reader, &both, hint,
                            "expected a time and its unit, or a fraction `F of stable`, found `%s%s`", number->text,
                            percent ? " %" : "");
