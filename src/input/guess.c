@@ -25,7 +25,7 @@ bool nb_item(const char **list, char item[NB_NAME_SIZE]) {
 #define ONE_SERVO "write `servo isotropic 50 kPa on box through box at most 0.1 1/s`; `xx P`, `yy P` and `xy P` control components, and `mean P` controls (xx + yy)/2"
 #define SERVO_ENDS \
   "a servo ends with its stage: begin a new stage, `stage NAME`, without a line `servo`. The boundary, the cell or the walls then have only the strain rate of a " \
-  "`boundary strain`, `cell strain` or `box strain`, and without one they stand still"
+  "`boundary strain`, `cell strain` or `box strain`, and without one they stand still, unless `wall` or `walls` moves them"
 #define SERVO_WALLS \
   "write `through box`: the servo strains the whole box, so opposite walls move by equal distances, as in `servo isotropic 50 kPa on box through box at most 0.1 1/s`. A biaxial test is `box strain 0 1/s -0.01 1/s` " \
   "with `servo xx 50 kPa on box through box at most 0.1 1/s`. A condition or `record` is then on `box.stress.xx`"
