@@ -145,8 +145,7 @@ static const struct nb_quantity_kind kinds[] = {
      "supplied by changes of stages: velocities zeroed or reversed, loaded springs made stiffer or softer"},
     {"energy.imposed", 0, "J", NB_OF_BALANCE, imposed_work,
      "work of the imposed motion (cell, boundary, affine strain) and of a stress on a boundary; that of walls, also "
-     "with "
-     "`box strain`, is energy.walls"},
+     "with `box strain`, is energy.walls"},
     {"energy.removed", 0, "J", NB_OF_BALANCE, removed_energy,
      "kinetic energy of particles that stages have removed or a boundary holds, and elastic energy of their contacts"},
     {"energy.residual", 0, "J", NB_OF_BALANCE, energy_residual,

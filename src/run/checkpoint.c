@@ -239,9 +239,11 @@ static const struct nb_stage *changed_stage(const struct nb_saved *saved, const 
   return NULL;
 }
 
-/* `path`: the checkpoint that has been read; `other`: the other one of the two. */
-static enum nb_status check_page(const struct nb_saved *saved, const struct nb_scene *scene, const char *path,
-                                 const char *other, struct nb_error *error) {
+/* `old`: the path of the checkpoint before the last one; `is_old`: that one has been read, not the last one. */
+static enum nb_status check_page(const struct nb_saved *saved, const struct nb_checkpoint *checkpoint, const char *old,
+                                 bool is_old, struct nb_error *error) {
+  const struct nb_scene *const scene = checkpoint->scene;
+  const char *const path = is_old ? old : checkpoint->path, *const other = is_old ? checkpoint->path : old;
   if (saved->hash == hash_of(scene) && saved->store.part_count > 0)
     return nb_saved_fits(saved, scene, path, error);
   const struct nb_stage *stage = changed_stage(saved, scene);
@@ -252,9 +254,9 @@ static enum nb_status check_page(const struct nb_saved *saved, const struct nb_s
                       "the page has changed since %.200s was saved, %s: restore the text of the page, or remove this "
                       "file%s and run the page without --resume",
                       path, where,
-                      !exists(other)                 ? ""
-                      : strlen(other) < strlen(path) ? " and the file without `.old` at the end of its name"
-                                                     : " and the file with `.old` after its name");
+                      !exists(other) ? ""
+                      : is_old       ? " and the file without `.old` at the end of its name"
+                                     : " and the file with `.old` after its name");
 }
 
 enum nb_status nb_checkpoint_read(struct nb_saved *saved, const struct nb_checkpoint *checkpoint,
@@ -278,7 +280,7 @@ enum nb_status nb_checkpoint_read(struct nb_saved *saved, const struct nb_checkp
     nb_note(progress, message);
     status = nb_saved_read(saved, path = old, error);
   }
-  return status ? status : check_page(saved, checkpoint->scene, path, path == old ? checkpoint->path : old, error);
+  return status ? status : check_page(saved, checkpoint, old, path == old, error);
 }
 
 enum nb_status nb_checkpoint_save(struct nb_checkpoint *checkpoint, const struct nb_model *model,
