@@ -616,14 +616,15 @@ struct nb_stage_cost {
   unsigned long long updates; /* contact updates */
   double step, seconds;       /* time step, s; processor time of the cycles, with tests of conditions and rows, s */
 };
-/* Smallest and largest value of a tracked column in all cycles of a stage with `record every N cycles`, N > 1. Infinite
- * with opposite signs if there is no value. */
+/* Smallest and largest value of a tracked column in all cycles of a stage with `record every N cycles`, N > 1. INFINITY
+ * and -INFINITY: there is no value; -INFINITY and INFINITY: not known, since a part of the run did not track the
+ * column. */
 struct nb_extremes {
   double smallest, largest; /* SI */
 };
 struct nb_result {
   struct nb_table table;
-  struct nb_extremes *extremes;  /* for each stage, all columns; NULL: no column is tracked; owned */
+  struct nb_extremes *extremes;  /* for each stage, all columns; owned */
   struct nb_snapshot *snapshots; /* owned */
   size_t snapshot_count;
   unsigned long cycles;         /* number of cycles of all stages */

@@ -249,6 +249,40 @@ static void other_records_are_refused(void) {
   written_free(&it);
 }
 
+/* Expectations may change before a run is continued, and with them the columns whose extremes the run tracks. The
+ * first column is tracked in all three sessions, the second one in the first and the last session, the third one in the
+ * last two sessions, and the fourth one in none. Only the extremes of the first column are known. */
+static void other_tracked_columns(void) {
+  enum { SESSIONS = 3 };
+  static const bool tracked[SESSIONS][4] = {
+      {true, true, false, false}, {true, false, true, false}, {true, true, true, false}};
+  struct words words = {0};
+  struct written it;
+  struct nb_result result;
+  struct nb_error error = {NB_OK, ""};
+  words_add(&words, "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m velocity 4 0\nmonitor A disc 1\nstep "
+                    "0.25\nrecord A.x A.y A.vx A.vy\nstage one\nrecord every 10 cycles\ncycles 30\n");
+  written_scene(&it, &words);
+  for (int s = 0; s < SESSIONS; s++) {
+    for (size_t c = 0; c < 4; c++)
+      it.scene.columns[c].tracked = tracked[s][c];
+    const unsigned long from = 10 * (unsigned long)s, to = s + 1 < SESSIONS ? from + 10 : 0;
+    const enum nb_status status = session(&result, &it.scene, from, to, 1, &error);
+    CU_ASSERT_EQUAL_FATAL(status, to ? NB_BROKEN : NB_OK);
+    if (to)
+      nb_result_free(&result);
+  }
+  CU_ASSERT_EQUAL(result.extremes[0].smallest, 1);
+  CU_ASSERT_EQUAL(result.extremes[0].largest, 30);
+  for (size_t c = 1; c < 4; c++) {
+    CU_ASSERT_EQUAL(result.extremes[c].smallest, -INFINITY);
+    CU_ASSERT_EQUAL(result.extremes[c].largest, INFINITY);
+  }
+  nb_result_free(&result);
+  remove_checkpoint(&it.scene, 1);
+  written_free(&it);
+}
+
 /* Removes a variable from the last checkpoint, as if an earlier version of the program had written it. Returns the
  * value of the variable. */
 static double without_variable(const struct nb_scene *scene, const char *name) {
@@ -339,6 +373,7 @@ static int remove_folder(void) { return rmdir(folder); }
 void suite_checkpoint(void) {
   CU_pSuite suite = CU_add_suite("checkpoint", make_folder, remove_folder);
   CU_add_test(suite, "other records are refused", other_records_are_refused);
+  CU_ADD_TEST(suite, other_tracked_columns);
   CU_add_test(suite, "checkpoints that lack a variable are refused", missing_variables_are_refused);
   CU_add_test(suite, "ramps, a servo and references interrupted", interrupted_in_the_middle);
   CU_ADD_TEST(suite, a_collision_step_that_is_set);

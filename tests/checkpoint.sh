@@ -170,6 +170,49 @@ again && ! said 'there is no checkpoint' || said ', run friction=0.6'
 result $? 'another title or tolerance: it continues'
 cp "$work/text" "$page"
 
+# The disc collides with the wall between two rows of stage `hit`, and the run is interrupted in stage `wait`. `max` tracks all
+# cycles.
+cat >"$work/hit.md" <<'END'
+# A disc hits a wall
+```scene
+units    none
+material m density 1 kn 1000
+wall     w -9 0 to 9 0 m
+disc     0 1.4 radius 1 m velocity 0 -1
+monitor  C disc 1 with wall w
+step     0.001
+record   C.normal
+stage    hit
+  cycles 1000
+  record every 1000 cycles
+stage    wait
+  cycles 4000000
+  record every 100000 cycles
+```
+```expect
+C.normal max in hit below 1
+```
+END
+cp "$work/hit.md" "$work/hit.max" && sed 's/ max / last /' "$work/hit.max" >"$work/hit.last"
+page=$work/hit.md
+# edited BEFORE AFTER: interrupts the run with the expectation BEFORE and continues it with the expectation AFTER.
+edited() {
+  rm -rf "$states" "$work/out"
+  cp "$work/hit.$1" "$page"
+  start --checkpoint=0.01
+  until_saved
+  kill -TERM $!
+  wait $!
+  test $? -eq 143 && cp "$work/hit.$2" "$page" && again && ! said 'there is no checkpoint'
+}
+edited last max && ! said 'in all cycles'
+result $? 'an expectation that needs values of all cycles is added: it continues, without a warning about cycles that it does not know'
+edited max last && ! said 'in all cycles'
+result $? 'an expectation that needs values of all cycles is removed: it continues'
+edited max max && said 'in all cycles'
+result $? 'the expectation is unchanged: the warning knows the cycles before the interruption'
+page=$work/falling.md
+
 # ---- files that cannot be written ----
 
 rm -rf "$states" && cp -r "$work/kept" "$states"

@@ -52,8 +52,7 @@ void nb_check_rows(struct nb_warnings *warnings, const struct nb_page_run *run, 
   struct nb_measure least = e->measure, most = e->measure;
   struct nb_extremes rows;
   struct nb_error error;
-  if (!run->result.extremes || !run->scene.columns[e->measure.column].tracked ||
-      (reducer != NB_MAX && reducer != NB_MIN && reducer != NB_AMPLITUDE))
+  if (!run->result.extremes || (reducer != NB_MAX && reducer != NB_MIN && reducer != NB_AMPLITUDE))
     return;
   least.reducer = NB_MIN, most.reducer = NB_MAX;
   if (!nb_measure_value(&rows.smallest, &least, nb_run_table(run), &error) ||
@@ -65,7 +64,7 @@ void nb_check_rows(struct nb_warnings *warnings, const struct nb_page_run *run, 
   char unit[NB_NAME_SIZE];
   bare.has_scale = false;
   nb_check_unit(unit, run, &bare);
-  if (holds(run, e, value) != passes)
+  if (isfinite(value) && holds(run, e, value) != passes)
     nb_warn(warnings, e->line,
             "`%s`: it is %.4g%s in the recorded rows and %.4g%s in all cycles, so this check %s only because `record "
             "every N cycles` leaves cycles out",

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/array.h"
 #include "core/clock.h"
 #include "core/names.h"
 
@@ -28,11 +29,21 @@ unsigned nb_fields_requested(const struct nb_scene *scene) {
   return fields;
 }
 
-static bool extremes_create(struct nb_result *result, size_t count) {
-  result->extremes = malloc(count * sizeof *result->extremes);
-  for (size_t k = 0; k < count && result->extremes; k++)
+void nb_result_forget_extremes(struct nb_result *result, const struct nb_scene *scene) {
+  for (size_t k = 0; k < scene->stage_count * scene->column_count; k++)
+    if (!scene->columns[k % scene->column_count].tracked)
+      result->extremes[k] = (struct nb_extremes){-INFINITY, INFINITY};
+}
+
+static bool extremes_create(struct nb_result *result, const struct nb_scene *scene) {
+  const size_t count = scene->stage_count * scene->column_count;
+  result->extremes = nb_array(count, sizeof *result->extremes);
+  if (!result->extremes)
+    return false;
+  for (size_t k = 0; k < count; k++)
     result->extremes[k] = (struct nb_extremes){INFINITY, -INFINITY};
-  return result->extremes != NULL;
+  nb_result_forget_extremes(result, scene);
+  return true;
 }
 
 bool nb_result_begin(struct nb_result *result, const struct nb_scene *scene) {
@@ -40,13 +51,11 @@ bool nb_result_begin(struct nb_result *result, const struct nb_scene *scene) {
   result->stages = calloc(scene->stage_count + 1, sizeof *result->stages);
   if (!result->stages || !nb_table_create(table, scene->column_count))
     return false;
-  bool tracked = false;
   for (size_t c = 0; c < scene->column_count; c++) {
-    tracked = tracked || scene->columns[c].tracked;
     memcpy(table->names[c], scene->columns[c].name, sizeof table->names[c]);
     table->units[c] = scene->unitless ? "-" : nb_quantity_unit(scene->columns[c].quantity);
   }
-  return !tracked || extremes_create(result, scene->stage_count * scene->column_count);
+  return extremes_create(result, scene);
 }
 
 void nb_result_track(struct nb_result *result, const struct nb_model *model, int stage) {

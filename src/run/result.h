@@ -9,8 +9,10 @@
  * second function adds a row. Both return false when out of memory. The caller frees the result, also then. */
 bool nb_result_begin(struct nb_result *result, const struct nb_scene *scene);
 bool nb_result_add_row(struct nb_table *table, const struct nb_model *model, int stage);
-/* Updates the extremes of the tracked columns in this stage; result->extremes must not be NULL. */
+/* Updates the extremes of the tracked columns in this stage. */
 void nb_result_track(struct nb_result *result, const struct nb_model *model, int stage);
+/* Sets the extremes of columns that are not tracked to the infinite interval: they are unknown, and stay so. */
+void nb_result_forget_extremes(struct nb_result *result, const struct nb_scene *scene);
 /* The set of contact fields that columns, conditions, servos and snapshots of the scene read, and the NB_REQUEST_ bits
  * (model.h) of other data that they need. */
 unsigned nb_fields_requested(const struct nb_scene *scene);

@@ -308,8 +308,9 @@ static void store_run(struct nb_store *store, struct run *run) {
     NB_STORE(store, "cost", &cost->step, 1);
     NB_STORE(store, "cost", &cost->seconds, 1);
   }
-  if (run->result->extremes)
-    NB_STORE(store, "extremes", run->result->extremes, run->scene->stage_count * run->scene->column_count);
+  NB_STORE(store, "extremes", run->result->extremes, run->scene->stage_count * run->scene->column_count);
+  if (store->restoring) /* expectations may have changed, and with them the columns that the run tracks */
+    nb_result_forget_extremes(run->result, run->scene);
   store_table(store, run, &run->result->table);
   store_snapshots(store, run);
   if (store->restoring)
@@ -370,7 +371,10 @@ static enum nb_status begin_stage(struct run *run, const struct nb_stage *stage,
 
 /* True if cycles of the stage are not recorded, and the run keeps the extremes of all of them. */
 static bool tracks_extremes(const struct run *run, const struct nb_stage *stage) {
-  return run->result->extremes && stage->record_interval > 1;
+  bool tracked = false;
+  for (size_t c = 0; c < run->scene->column_count; c++)
+    tracked = tracked || run->scene->columns[c].tracked;
+  return tracked && stage->record_interval > 1;
 }
 
 /* Runs a stage. `resumed`: the run continues from a checkpoint inside the stage. */
