@@ -167,8 +167,8 @@ static void no_overlap_with_existing_particles(void) {
   sound(&it.scene, 2);
   it.scene.fill_count = 2;
   written_free(&it);
-  /* Dust a thousandth as large as the grains of the next grading: on the level of the dust, a grain covers more search
-   * boxes than there are dust particles. */
+  /* Dust a thousandth as large as the largest grains of the next grading: on the level of the dust, such a grain covers
+   * more search boxes than there are dust particles. */
   make(&it,
        ROCK "grading dust 0.01 300\n" WIDE "fill discs circle 0 0 radius 30 dust rock seed 1 attempts 9 else stop\n"
             "fill discs circle 0 0 radius 30 w rock seed 2 attempts 1000 else skip\n");

@@ -300,9 +300,15 @@ static void contacts_without_force(void) {
     const char *statements, *wanted; /* NULL: no warning */
   } cases[] = {
       {"material m density 1 young 1 poisson 0.3\ndisc 0 0 radius 1 m\nwall w -9 -9 to 9 -9 m",
-       "3: contacts between `m` and `m` have no force, because their normal stiffness `kn` is 0"},
+       "3: contacts between `m` and `m` have no force, because their normal stiffness `kn` is 0; `young` is for "
+       "`normal hertz`\n"},
       {"material m density 1 young 1 poisson 0.3\nnormal hertz\nsphere 0 0 radius 1 m\nsphere 3 0 radius 1 m", NULL},
       {"material m density 1\ndisc 0 0 radius 1 m", NULL}, /* alone */
+      {"material m density 1 kn 1\nmaterial n density 1\npair m n kn 2\ndisc 0 0 radius 1 m\ndisc 3 0 radius 1 n "
+       "fixed\ndisc 6 0 radius 1 n fixed\nwall w -9 -9 to 9 -9 n",
+       NULL}, /* fixed particles touch neither each other nor walls */
+      {"material m density 1\ndisc 0 0 radius 1 m\nwall w -9 -9 to 9 -9 m",
+       "3: contacts between `m` and `m` have no force, because their normal stiffness `kn` is 0\n"},
       {"material m density 1 kn 1\nmaterial n density 1\ndisc 0 0 radius 1 m\ndisc 3 0 radius 1 m\nwall w -9 -9 to 9 "
        "-9 n",
        "3: contacts between `m` and `n` have no force"},
@@ -387,8 +393,8 @@ static void conditions_on_another_stress_than_the_servo(void) {
 /* A statement below `cycles` or `until` acts when its stage begins, which causes a warning. */
 static void changes_below_the_end_of_a_stage(void) {
   static const char expected[] =
-      "` stands below the end of stage `a`, but acts when this stage begins: for a change at "
-      "its end, begin a stage above this line, or move the line up\n";
+      "` stands below the `cycles` or `until` of stage `a`, but acts when this stage begins: for a change at "
+      "the end, begin a new stage above this line; for a change at the beginning, move this line above them\n";
   static const char cell[] = "cell 0 0 to 9 9", box[] = "box 0 0 to 9 9 m", ring[] = "boundary circle 0 0 radius 1";
   static const struct {
     const char *scene, *change;
@@ -504,10 +510,11 @@ static void gravity_away_from_walls(void) {
   } cases[] = {
       {floor, "gravity 0 9.81", "disc 0 2 radius 1 m", "", true},
       {floor, "gravity 0 -9.81", "disc 0 2 radius 1 m", "", false},
-      {floor, "gravity 1 0", "disc 0 2 radius 1 m", "", false}, /* the wall ends at x = 9 */
-      {floor, "gravity 1 0", "disc 9.5 2 radius 1 m", "", true},
-      {ceiling, "gravity 0 -9.81", "disc 0 2 radius 1 m", "", true},
-      {"wall w 9 9 to -9 9 m", "gravity 0 -9.81", "disc 0 2 radius 1 m", "", true},
+      {floor, "gravity 1 0", "disc 0 2 radius 1 m", "", false},       /* the wall ends at x = 9 */
+      {floor, "gravity 1 0", "disc 9.5 2 radius 1 m", "", false},     /* not upwards */
+      {ceiling, "gravity 0 -9.81", "disc 0 2 radius 1 m", "", false}, /* free fall */
+      {"wall w 9 -9 to -9 -9 m", "gravity 0 9.81", "disc 0 2 radius 1 m", "", true},
+      {floor, "gravity 0 9.81", "disc 0 2 radius 1 m", "cycles 1\nstage b\nreverse velocities", false},
       {ceiling, "gravity 0 9.81", "disc 0 2 radius 1 m", "", false},
       {ceiling, "gravity 0 -9.81", "disc 0 2 radius 1 m velocity 0 1", "", false},
       {below, "gravity 0 9.81", "disc 0 2 radius 1 m", "", true},
@@ -524,10 +531,11 @@ static void gravity_away_from_walls(void) {
   for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
     char statements[500], wanted[300] = "";
     if (cases[k].warned)
-      snprintf(wanted, sizeof wanted,
-               "%d: gravity moves all free particles away from all walls and fixed particles, so they fall for ever; y "
-               "points up: gravity downwards is `gravity 0 %s`\n",
-               *cases[k].gravity == '#' ? 9 : 5, strstr(cases[k].gravity, " 1 0") ? "-1" : "-9.81");
+      snprintf(
+          wanted, sizeof wanted,
+          "%d: gravity moves all free particles upwards, and away from all walls and fixed particles; y points up: "
+          "gravity downwards is `gravity 0 -9.81`\n",
+          *cases[k].gravity == '#' ? 9 : 5);
     snprintf(statements, sizeof statements, "material m density 1 kn 1\n%s\n%s\n%s\nstep 1e-6\nstage a\n%s\ncycles 1",
              cases[k].obstacle, cases[k].gravity, cases[k].particle, cases[k].stage);
     begins(statements, wanted);

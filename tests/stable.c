@@ -159,8 +159,8 @@ static void network(struct words *page, struct chance *chance, size_t nx, size_t
     words_add(page, "wall south -1 -0.5 to 9 -0.5 m1\nwall west -0.5 -1 to -0.5 9 m2\n");
 }
 
-/* Adds random damping, up to twice the critical one. The time of `damping stiffness` is random, of the order of
- * 1/omega of the stiffest contact. */
+/* Adds random damping: contact damping up to twice the critical one, or a time of `damping stiffness` up to 2, mostly
+ * between a fraction of 1/omega of the stiffest contact and a hundred times 1/omega; or mass-proportional damping. */
 static void damping(struct words *page, struct chance *chance) {
   const double size = chance_between(chance, 0, 2);
   switch ((int)chance_between(chance, 0, 4)) {

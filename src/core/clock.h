@@ -1,4 +1,5 @@
-/* Wall-clock time, to report how long a run takes; no result depends on it.
+/* Wall-clock time: for reports, for the budget of `advise`, and to decide when a checkpoint is due and whether threads
+ * are worth their cost. No result of a run depends on it.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #pragma once

@@ -55,7 +55,7 @@ static bool stages_stand_still(const struct nb_scene *scene) {
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *const stage = &scene->stages[s];
     still = still && stage->motion_count == 0 && !stage->box_line && !stage->servo.line && !stage->circle.line &&
-            !stage->affine.line;
+            !stage->affine.line && !stage->reverse_velocities;
   }
   return still;
 }
@@ -72,7 +72,7 @@ static bool stands_still(const struct nb_scene *scene) {
 
 void nb_fall_check(struct nb_scene *scene) {
   const struct nb_gravity *const gravity = only_gravity(scene);
-  if (!gravity || !stands_still(scene))
+  if (!gravity || gravity->y <= 0 || !stands_still(scene))
     return;
   const double g = hypot(gravity->x, gravity->y), x = gravity->x / g, y = gravity->y / g;
   double lowest = -INFINITY, highest = INFINITY; /* largest place of a wall or fixed particle along g; smallest place of
@@ -92,10 +92,11 @@ void nb_fall_check(struct nb_scene *scene) {
       highest = fmin(highest, place);
   }
   if (lowest > -INFINITY && highest < INFINITY && highest > lowest)
-    nb_warn(&scene->warnings, gravity->line,
-            "gravity moves all free particles away from all walls and fixed particles, so they fall for ever; y points "
-            "up: gravity downwards is `gravity 0%s %g%s`",
-            nb_unit(scene, " m/s2"), -g, nb_unit(scene, " m/s2"));
+    nb_warn(
+        &scene->warnings, gravity->line,
+        "gravity moves all free particles upwards, and away from all walls and fixed particles; y points up: gravity "
+        "downwards is `gravity 0%s %g%s`",
+        nb_unit(scene, " m/s2"), -g, nb_unit(scene, " m/s2"));
 }
 
 /* clang-format off */

@@ -225,11 +225,11 @@ static void find_stiffnesses(unsigned char pairs[NB_MATERIALS_MAX][NB_MATERIALS_
     }
 }
 
-/* True if a particle of material a may touch a particle or a wall of material b. */
+/* True if a free particle of material a may touch a particle or a wall of material b. */
 static bool may_touch(const struct nb_scene *scene, int a, int b) {
   size_t of_a = 0, of_b = 0;
   for (size_t k = 0; k < scene->particle_count; k++)
-    of_a += scene->particles[k].material == a, of_b += scene->particles[k].material == b;
+    of_a += scene->particles[k].material == a && !scene->particles[k].fixed, of_b += scene->particles[k].material == b;
   for (size_t w = 0; w < scene->wall_count; w++)
     of_b += scene->walls[w].material == b;
   return of_a > 0 && of_b > (a == b ? 1 : 0);
@@ -249,9 +249,9 @@ static int line_of_pair(const struct nb_scene *scene, int a, int b) {
 static void warn_not_repelled(struct nb_scene *scene, unsigned char bits, int a, int b) {
   if (!(bits & REPELLED))
     nb_warn(&scene->warnings, line_of_pair(scene, a, b),
-            "contacts between `%s` and `%s` have no force, because their normal stiffness `kn` is 0; `young` is for "
-            "`normal hertz`",
-            scene->materials[a].name, scene->materials[b].name);
+            "contacts between `%s` and `%s` have no force, because their normal stiffness `kn` is 0%s",
+            scene->materials[a].name, scene->materials[b].name,
+            scene->materials[a].young > 0 || scene->materials[b].young > 0 ? "; `young` is for `normal hertz`" : "");
 }
 
 /* Warns of friction that causes no shear force, because there is no shear law or the shear stiffness is 0. This is not

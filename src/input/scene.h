@@ -51,6 +51,7 @@ struct nb_scene_reading {
   unsigned long long hash; /* hash of the statements read so far */
   int units_line;
   struct nb_transform transform;
+  bool ramping; /* the statement stands after `ramp` */
   struct nb_requested *requested; /* owned */
   size_t requested_count;
   struct nb_repeat {
@@ -166,7 +167,7 @@ void nb_box_check(struct nb_scene_reading *reading);
 void nb_servo_check(struct nb_scene_reading *reading);
 /* Warns of free particles whose centres begin outside the box. */
 void nb_outside_check(struct nb_scene *scene);
-/* Warns of gravity away from all walls and fixed particles, under which all particles fall for ever. */
+/* Warns of gravity upwards, away from all walls and fixed particles. */
 void nb_fall_check(struct nb_scene *scene);
 /* Warns of walls that rotate about their middle because their line does not say about which point. */
 void nb_spin_check(struct nb_scene *scene);

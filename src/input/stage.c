@@ -197,12 +197,15 @@ NB_APPLY(apply_until) {
 
 /* Reads the tokens after `ramp` as a statement, and marks all changes of this line as ramps. */
 NB_APPLY(apply_ramp) {
-  struct nb_stage *it = nb_current_stage(((struct nb_scene_reading *)subject)->scene);
+  struct nb_scene_reading *reading = subject;
+  struct nb_stage *it = nb_current_stage(reading->scene);
   const int line = (int)reader->line;
   if (!nb_take_token(reader, "a statement that can ramp: `wall`, `walls`, `material`, `pair`, `gravity` or `servo`"))
     return;
   memmove(reader->tokens, reader->tokens + 1, --reader->count * sizeof *reader->tokens);
+  reading->ramping = true;
   nb_statement_read(reader, nb_keywords(), NB_IN_RAMP, subject);
+  reading->ramping = false;
   for (size_t i = 0; i < it->motion_count; i++)
     it->motions[i].ramp = it->motions[i].ramp || it->motions[i].line == line;
   for (size_t i = 0; i < it->change_count; i++)
@@ -264,11 +267,11 @@ void nb_late_warn(struct nb_scene_reading *reading) {
     return;
   for (size_t k = 0; k < sizeof changes / sizeof *changes; k++)
     if (strcmp(reader->tokens[0].text, changes[k]) == 0)
-      nb_warn(
-          &reading->scene->warnings, (int)reader->line,
-          "`%s` stands below the end of stage `%s`, but acts when this stage begins: for a change at its end, begin "
-          "a stage above this line, or move the line up",
-          changes[k], stage->name);
+      nb_warn(&reading->scene->warnings, (int)reader->line,
+              "`%s` stands below the `cycles` or `until` of stage `%s`, but acts when this stage begins: for a change "
+              "at the "
+              "end, begin a new stage above this line; for a change at the beginning, move this line above them",
+              changes[k], stage->name);
 }
 
 bool nb_misplaced_after_repeat(struct nb_scene_reading *reading) {

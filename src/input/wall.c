@@ -220,25 +220,42 @@ void nb_spin_check(struct nb_scene *scene) {
 
 /* Reports that the stage sets the motion of a wall, or a part of it, again. `given`: what is set again, NB_GIVEN_ bits. */
 static void report_again(struct nb_reader *reader, const struct nb_wall *wall, unsigned given) {
-  nb_token_mistake(reader, &reader->tokens[0], "`wall` may follow `walls` in a stage, which then moves the other walls",
+  nb_token_mistake(reader, &reader->tokens[0],
+                   "in a stage `wall` may stand below `walls`; `walls` then moves the other walls only",
                    "the %s of wall `%s` is given twice in this stage",
                    given == NB_GIVEN_SPIN ? "angular velocity" : "velocity", wall->name);
 }
 
+/* True, with a message, if the line changes suddenly what another one ramps, or the reverse. The motion of a wall in a
+ * stage ramps as a whole. `kept`: what the earlier line has set and this one keeps, NB_GIVEN_ bits. */
+static bool ramps_in_part(const struct nb_scene_reading *reading, struct nb_reader *reader,
+                          const struct nb_wall_motion *before, unsigned kept) {
+  if (!kept || before->ramp == reading->ramping)
+    return false;
+  nb_token_mistake(reader, &reader->tokens[0],
+                   "one line has both: `wall NAME velocity VX VY  spin W`, with or without `ramp`",
+                   "expected velocity and spin of wall `%s` with `ramp` or without it, found both in this stage",
+                   reading->scene->walls[before->wall].name);
+  return true;
+}
+
 /* Adds the motion of a wall. In a stage `wall` may follow `walls`, whose motion of this wall it changes. Anything else
  * that is set twice is a mistake. `sets`: what the line sets, NB_GIVEN_ bits. */
-static void move_wall(struct nb_scene *scene, struct nb_reader *reader, struct nb_wall_motion motion, unsigned sets) {
-  struct nb_stage *stage = nb_current_stage(scene);
+static void move_wall(const struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_wall_motion motion,
+                      unsigned sets) {
+  const struct nb_scene *scene = reading->scene;
+  struct nb_stage *stage = nb_current_stage(reading->scene);
   const unsigned given = sets & NB_GIVEN_WALLS ? NB_GIVEN_WALLS : sets;
-  motion.line = (int)reader->line, motion.ramp = false, motion.given = given;
+  motion.line = (int)reader->line, motion.ramp = reading->ramping, motion.given = given;
   for (size_t i = 0; i < stage->motion_count; i++) {
     struct nb_wall_motion *const before = &stage->motions[i];
+    const unsigned kept = (before->given & NB_GIVEN_WALLS ? NB_GIVEN_VELOCITY : before->given) & ~sets;
     if (before->wall != motion.wall)
       continue;
     motion.given |= before->given;
     if (before->given & sets)
       report_again(reader, &scene->walls[motion.wall], before->given & sets);
-    else
+    else if (!ramps_in_part(reading, reader, before, kept))
       *before = motion;
     return;
   }
@@ -246,7 +263,8 @@ static void move_wall(struct nb_scene *scene, struct nb_reader *reader, struct n
 }
 
 NB_APPLY(apply_walls) {
-  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  const struct nb_scene_reading *reading = subject;
+  const struct nb_scene *scene = reading->scene;
   const struct nb_value *inward = &record->value[AT_INWARD], *stop = &record->value[AT_STOP];
   size_t moved = 0;
   if (inward->token && stop->token) {
@@ -261,7 +279,7 @@ NB_APPLY(apply_walls) {
     motion.vx = stop->token ? 0 : wall->inx * inward->number + 0.0; /* + 0.0 turns -0 into 0 */
     motion.vy = stop->token ? 0 : wall->iny * inward->number + 0.0;
     motion.spin = stop->token ? 0 : motion.spin;
-    move_wall(scene, reader, motion, NB_GIVEN_WALLS | NB_GIVEN_VELOCITY | (stop->token ? NB_GIVEN_SPIN : 0));
+    move_wall(reading, reader, motion, NB_GIVEN_WALLS | NB_GIVEN_VELOCITY | (stop->token ? NB_GIVEN_SPIN : 0));
     moved++;
   }
   if (moved == 0 && (nb_statement_suppressed(reader->mistakes, "box") ||
@@ -287,7 +305,7 @@ NB_APPLY(apply_wall_motion) {
     motion.vx = value[AT_VX].number, motion.vy = value[AT_VY].number, sets |= NB_GIVEN_VELOCITY;
   if (value[AT_SPIN].token)
     motion.spin = value[AT_SPIN].number, sets |= NB_GIVEN_SPIN;
-  move_wall(scene, reader, motion, sets);
+  move_wall(subject, reader, motion, sets);
 }
 
 /* clang-format off */

@@ -61,8 +61,8 @@ static const struct nb_pass *geometry_pass(const struct nb_model *model, const s
                              : &nb_pass_disc_disc[approach];
 }
 
-/* For `affine strain … accumulated-twice`: adds the pass that adds the imposed velocity to the increments of contacts
- * between particles once more, if another pass reads the increments. */
+/* Adds the pass of `affine strain … accumulated-twice`, if another pass reads the increments. It adds the imposed
+ * velocity a second time to the increments of contacts between particles. */
 static void add_affine_twice(struct nb_model *model, struct nb_material_pair *material_pair) {
   const enum nb_approach approach = needed_approach(model, material_pair);
   const struct nb_pass *again = &nb_pass_affine_twice[approach == NB_APPROACH_TANGENTIAL];
