@@ -51,7 +51,7 @@ struct nb_scene_reading {
   unsigned long long hash; /* hash of the statements read so far */
   int units_line;
   struct nb_transform transform;
-  bool ramping; /* the statement stands after `ramp` */
+  bool ramping;                   /* the statement stands after `ramp` */
   struct nb_requested *requested; /* owned */
   size_t requested_count;
   struct nb_repeat {
