@@ -9,6 +9,10 @@ struct nb_reference;
 
 /* The ways in which the rows of a stage become one number. */
 enum nb_reducer { NB_LAST, NB_MAX, NB_MIN, NB_MEAN, NB_AMPLITUDE, NB_FREQUENCY, NB_AT_CYCLE, NB_AT_TIME };
+/* True if the value depends only on the largest and the smallest row. */
+static inline bool nb_is_extreme(enum nb_reducer reducer) {
+  return reducer == NB_MAX || reducer == NB_MIN || reducer == NB_AMPLITUDE;
+}
 
 enum { NB_STAGE_ALL = -2 };
 

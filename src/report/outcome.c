@@ -35,8 +35,7 @@ static void release_particles(struct nb_page_run *run) {
 /* True if an expectation on a single run uses the largest or the smallest of the rows. */
 static bool uses_extreme(const struct nb_expectation *e) {
   const bool single = e->kind == NB_WITHIN || e->kind == NB_EXPECTED || e->kind == NB_LESS || e->kind == NB_GREATER;
-  const enum nb_reducer reducer = e->measure.reducer;
-  return single && !e->sample[0] && (reducer == NB_MAX || reducer == NB_MIN || reducer == NB_AMPLITUDE);
+  return single && !e->sample[0] && nb_is_extreme(e->measure.reducer);
 }
 
 /* Tracks the columns of particles and contacts of which an expectation uses the largest or the smallest value: a
