@@ -170,13 +170,21 @@ static bool moves_walls(const struct nb_scene *scene) {
   return found;
 }
 
-/* Warns of a recorded imposed work that is 0, because only walls and fixed particles move. */
+static bool records(const struct nb_scene *scene, const char *name) {
+  bool found = false;
+  for (size_t c = 0; c < scene->column_count; c++)
+    found = found || strcmp(scene->columns[c].name, name) == 0;
+  return found;
+}
+
+/* Warns of a recorded imposed work that is 0, because only walls and fixed particles move. A page that records the work
+ * of the walls, too, records the balance of energy and has no warning. */
 static void warn_imposed(struct nb_outcome *outcome, const struct nb_page_run *run) {
   static const char name[] = "energy.imposed";
   const struct nb_scene *const scene = &run->scene;
   for (size_t c = 0; c < scene->column_count; c++)
-    if (strcmp(scene->columns[c].name, name) == 0 && !is_expected_0(&run->expectations, c) && !imposes(scene) &&
-        moves_walls(scene))
+    if (strcmp(scene->columns[c].name, name) == 0 && !records(scene, "energy.walls") &&
+        !is_expected_0(&run->expectations, c) && !imposes(scene) && moves_walls(scene))
       nb_warn(&outcome->warnings, scene->columns[c].line,
               "`%s` is 0, because only walls and fixed particles move: their work is `energy.walls`", name);
 }
