@@ -795,6 +795,32 @@ static void collisions_between_rows(void) {
   }
 }
 
+/* A disc is thrown up at the speed v, under the gravity 1, and is highest at the time v. The rows are at multiples of 0.5.
+ * With v = 0.51 the height of the row at 0.5 is 1000.13, and the largest height is 0.01^2/2 = 5e-5 more. The warning
+ * shows the difference, and names the run. With v = 0.1 both heights are below 1000.13. */
+static void close_values_between_rows(void) {
+  struct nb_outcome outcome;
+  double row = 0, all = 0;
+  char end[64] = "";
+  carry_out(&outcome,
+            "units none\nsweep v 0.1 0.51\nmaterial m density 1 kn 1\ndisc 0 1000 radius 1 m velocity 0 $v\nmonitor A "
+            "disc 1\ngravity 0 -1\nstep 0.001\nrecord A.y\nstage one\nrecord every 500 cycles\ncycles 1000",
+            "A.y max below 1000.130025", NULL);
+  CU_ASSERT_EQUAL(outcome.status, NB_OK);
+  CU_ASSERT_EQUAL_FATAL(outcome.warnings.count, 1);
+  const char *const text = outcome.warnings.list[0].text;
+  CU_ASSERT_EQUAL(sscanf(text,
+                         "`A.y max`: it is %lf in the recorded rows and %lf in all cycles, so this check passes only "
+                         "because `record every N cycles` leaves cycles out (run %60s",
+                         &row, &all, end),
+                  3);
+  CU_ASSERT_DOUBLE_EQUAL(all - row, 5e-5, 1e-6);
+  CU_ASSERT_STRING_EQUAL(end, "v=0.51)");
+  if (strcmp(end, "v=0.51)") != 0)
+    printf("# %s\n", text);
+  nb_outcome_free(&outcome);
+}
+
 /* 102 runs of 10,000 discs that fall freely, each with another gravity. To save memory only the first 100 runs keep
  * their particles after the page is read. The others read them again when they begin, and their results are correct. */
 static void many_particles(void) {
@@ -1061,6 +1087,7 @@ void suite_outcome(void) {
   CU_add_test(suite, "a check that expects springs in series", stiffness_of_springs_in_series);
   CU_ADD_TEST(suite, overshoot_of_a_weight);
   CU_add_test(suite, "collisions between two rows", collisions_between_rows);
+  CU_ADD_TEST(suite, close_values_between_rows);
   CU_add_test(suite, "many particles in many runs", many_particles);
   CU_add_test(suite, "a file that is removed during the runs", a_file_that_is_removed);
   CU_add_test(suite, "folders that cannot be made", folders_that_cannot_be_made);

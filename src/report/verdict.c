@@ -56,8 +56,7 @@ double nb_error_ratio(const struct nb_tolerance *tolerance, double computed, dou
   return error > 0 ? error / allowed : 0;
 }
 
-/* Number of digits, from `least` to 17, that show two significant digits of the difference of a and b. */
-static int digit_count(double a, double b, int least) {
+int nb_digit_count(double a, double b, int least) {
   const double error = fabs(a - b) / fmax(fabs(a), fabs(b));
   const int needed = error > 0 ? 2 - (int)floor(log10(error)) : 0;
   return needed < least ? least : needed > 17 ? 17 : needed;
@@ -71,7 +70,7 @@ void nb_check_error(struct nb_check *check, const char *what, double error, doub
   const double of = relative ? fabs(scale) : 1, factor = percent ? 100 : 1;
   const char *in = percent ? " %" : relative ? "" : unit;
   const double shown = error > 0 ? factor * error / of : 0, allowed = factor * tolerance->value;
-  const int digits = check->mark == NB_FAIL ? digit_count(shown, allowed, 3) : 3;
+  const int digits = check->mark == NB_FAIL ? nb_digit_count(shown, allowed, 3) : 3;
   char fraction[sizeof tolerance->of.label + 8] = "";
   if (tolerance->kind == NB_OF_PEAK || tolerance->kind == NB_OF_MEASURE)
     snprintf(fraction, sizeof fraction, " of %s", tolerance->kind == NB_OF_PEAK ? "peak" : tolerance->of.label);
@@ -87,7 +86,7 @@ static void compare(struct nb_check *check, const struct nb_tolerance *tolerance
                     double scale, const char *unit, const char *from) {
   const bool relative = tolerance->kind != NB_ABSOLUTE;
   const double error = fabs(computed - reference);
-  const int precision = digit_count(computed, reference, 6);
+  const int precision = nb_digit_count(computed, reference, 6);
   nb_check_result(check, nb_error_ratio(tolerance, computed, reference, scale) <= 1, "computed ");
   append_part(check, NB_PART_COMPUTED, "%.*g%s", precision, computed, unit);
   nb_append(check->message, sizeof check->message, ", %s ", from);
@@ -279,10 +278,10 @@ static void check_measures(struct nb_check *check, const struct nb_page_run *run
     nb_check_result(check, false, "%s", error.text);
     return;
   }
-  nb_check_result(check, e->kind == NB_LESS ? one < other : one > other, "computed %.*g%s", digit_count(one, other, 6),
-                  one, nb_check_unit(unit, run, e));
+  nb_check_result(check, e->kind == NB_LESS ? one < other : one > other, "computed %.*g%s",
+                  nb_digit_count(one, other, 6), one, nb_check_unit(unit, run, e));
   if (!reported) {
-    nb_append(check->message, sizeof check->message, " and %.*g%s", digit_count(one, other, 6), other, unit);
+    nb_append(check->message, sizeof check->message, " and %.*g%s", nb_digit_count(one, other, 6), other, unit);
     note_other_sign(check, run, e, fabs(other));
   } else
     check->mark = NB_NOTE;

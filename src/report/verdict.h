@@ -11,6 +11,8 @@ void nb_check_result(struct nb_check *check, bool passed, const char *format, ..
 /* |computed - reference| over the tolerance: at most 1 if the check passes. A relative tolerance is a fraction of
  * `scale`. Infinite if a number is not finite. */
 double nb_error_ratio(const struct nb_tolerance *tolerance, double computed, double reference, double scale);
+/* Number of digits, from `least` to 17, that show two significant digits of the difference of a and b. */
+int nb_digit_count(double a, double b, int least);
 /* Writes a space and the unit of the measure to `text`, of NB_NAME_SIZE bytes; empty if the value is dimensionless or
  * the page has `units none`. */
 const char *nb_check_unit(char *text, const struct nb_page_run *run, const struct nb_expectation *expectation);

@@ -62,11 +62,13 @@ void nb_check_rows(struct nb_warnings *warnings, const struct nb_page_run *run, 
   const bool passes = holds(run, e, recorded);
   struct nb_expectation bare = *e;
   char unit[NB_NAME_SIZE];
+  const int digits = nb_digit_count(recorded, value, 4);
   bare.has_scale = false;
   nb_check_unit(unit, run, &bare);
   if (isfinite(value) && holds(run, e, value) != passes)
     nb_warn(warnings, e->line,
-            "`%s`: it is %.4g%s in the recorded rows and %.4g%s in all cycles, so this check %s only because `record "
-            "every N cycles` leaves cycles out",
-            e->measure.label, recorded, unit, value, unit, passes ? "passes" : "fails");
+            "`%s`: it is %.*g%s in the recorded rows and %.*g%s in all cycles, so this check %s only because `record "
+            "every N cycles` leaves cycles out%s%s%s",
+            e->measure.label, digits, recorded, unit, digits, value, unit, passes ? "passes" : "fails",
+            run->label[0] ? " (run " : "", run->label, run->label[0] ? ")" : "");
 }
