@@ -312,9 +312,10 @@ struct nb_impact {
   int line;     /* 0: no such statement */
 };
 
-/* Motion of a wall from the beginning of a stage until another stage changes it. */
-/* NB_GIVEN_WALLS: by `walls`, which a line `wall` below it may change. */
+/* What lines of a stage have set of the motion of a wall. NB_GIVEN_WALLS: by `walls`, which a line `wall` below it may
+ * change. */
 enum { NB_GIVEN_VELOCITY = 1, NB_GIVEN_SPIN = 2, NB_GIVEN_WALLS = 4 };
+/* Motion of a wall from the beginning of a stage until another stage changes it. */
 struct nb_wall_motion {
   int wall;       /* index */
   double vx, vy;  /* velocity of P, m/s */

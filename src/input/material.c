@@ -129,7 +129,8 @@ static const struct nb_change *changed_already(const struct nb_stage *stage, con
 
 /* variant 0: `material`, 1: `pair` */
 NB_APPLY(apply_change) {
-  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  const struct nb_scene_reading *reading = subject;
+  struct nb_scene *scene = reading->scene;
   struct nb_stage *stage = nb_current_stage(scene);
   const struct nb_value *value = record->value;
   struct nb_change change = {
@@ -138,7 +139,8 @@ NB_APPLY(apply_change) {
 #define ROW(name, ...) .name = given(&value[AT_##name]),
       NB_PAIR_ROWS(ROW)
 #undef ROW
-          .line = (int)reader->line,
+          .ramp = reading->ramping,
+      .line = (int)reader->line,
   };
   const struct nb_change *other = changed_already(stage, &change);
   if (other)

@@ -74,6 +74,7 @@ NB_APPLY(apply_servo) {
                            .cell = through == 1,
                            .box = through == 2,
                            .affine = value[AT_AFFINE].token,
+                           .ramp = reading->ramping,
                            .line = (int)reader->line};
   take_target(reader, value, &servo);
   find_stress(reading, reader, value[AT_ON].token, &servo);

@@ -195,23 +195,15 @@ NB_APPLY(apply_until) {
 
 /* ---- changes, gradual and sudden ---- */
 
-/* Reads the tokens after `ramp` as a statement, and marks all changes of this line as ramps. */
+/* Reads the tokens after `ramp` as a statement, which marks its changes as ramps. */
 NB_APPLY(apply_ramp) {
   struct nb_scene_reading *reading = subject;
-  struct nb_stage *it = nb_current_stage(reading->scene);
-  const int line = (int)reader->line;
   if (!nb_take_token(reader, "a statement that can ramp: `wall`, `walls`, `material`, `pair`, `gravity` or `servo`"))
     return;
   memmove(reader->tokens, reader->tokens + 1, --reader->count * sizeof *reader->tokens);
   reading->ramping = true;
   nb_statement_read(reader, nb_keywords(), NB_IN_RAMP, subject);
   reading->ramping = false;
-  for (size_t i = 0; i < it->motion_count; i++)
-    it->motions[i].ramp = it->motions[i].ramp || it->motions[i].line == line;
-  for (size_t i = 0; i < it->change_count; i++)
-    it->changes[i].ramp = it->changes[i].ramp || it->changes[i].line == line;
-  it->servo.ramp = it->servo.ramp || it->servo.line == line;
-  it->gravity.ramp = it->gravity.ramp || it->gravity.line == line;
 }
 
 /* The line of a ramp of the stage; 0: none. */
