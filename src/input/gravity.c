@@ -23,7 +23,8 @@ static const struct nb_argument centripetal_fields[] = {
 
 /* variant 1: centripetal */
 NB_APPLY(apply_gravity) {
-  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  const struct nb_scene_reading *reading = subject;
+  struct nb_scene *scene = reading->scene;
   struct nb_stage *stage = nb_current_stage(scene);
   struct nb_gravity *gravity = stage ? &stage->gravity : &scene->gravity;
   const struct nb_value *value = record->value;
@@ -34,7 +35,7 @@ NB_APPLY(apply_gravity) {
         .central = value[AT_G].number, .about_x = value[AT_X].number, .about_y = value[AT_Y].number};
   else
     *gravity = (struct nb_gravity){.x = value[AT_G].number, .y = value[AT_GY].number};
-  gravity->line = (int)reader->line;
+  gravity->ramp = reading->ramping, gravity->line = (int)reader->line;
 }
 
 /* The uniform gravity at the start of the scene; NULL: none, or gravity that changes later. */
@@ -46,7 +47,7 @@ static const struct nb_gravity *only_gravity(const struct nb_scene *scene) {
       return NULL;
     found = it->line ? it : found;
   }
-  return found && found->central == 0 && (found->x != 0 || found->y != 0) ? found : NULL;
+  return found && found->central == 0 ? found : NULL;
 }
 
 /* True if no stage moves walls or particles. */

@@ -263,7 +263,8 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
     nb_servo_check(reading);
   if (mistakes->total == before && !scene->start.line) {
     nb_outside_check(scene);
-    nb_fall_check(scene);
+    if (!reading->transform.line)
+      nb_fall_check(scene);
   }
   nb_spin_check(scene);
   if (mistakes->total == before && scene->contact_test)

@@ -167,7 +167,8 @@ void nb_box_check(struct nb_scene_reading *reading);
 void nb_servo_check(struct nb_scene_reading *reading);
 /* Warns of free particles whose centres begin outside the box. */
 void nb_outside_check(struct nb_scene *scene);
-/* Warns of gravity upwards, away from all walls and fixed particles. */
+/* Warns of gravity upwards, away from all walls and fixed particles. Not called after `transform`, which rotates the
+ * gravity of the page. */
 void nb_fall_check(struct nb_scene *scene);
 /* Warns of walls that rotate about their middle because their line does not say about which point. */
 void nb_spin_check(struct nb_scene *scene);
