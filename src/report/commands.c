@@ -23,10 +23,6 @@
 /* What a command does with the outcome of a page: a set of flags. */
 enum { VERDICT = 1, REQUIRE_CHECKS = 2, TABLES = 4, FIGURE = 8 };
 
-bool nb_is_stopped(const struct nb_call *call) {
-  return call->options.checkpoint.stop && *call->options.checkpoint.stop;
-}
-
 void nb_run_page(struct nb_outcome *outcome, const struct nb_call *call, const char *path, const char *folder) {
   struct nb_progress_line line = {.page = path, .warnings = &outcome->warnings};
   const struct nb_progress progress = nb_print_progress(&line);
@@ -170,8 +166,9 @@ static enum nb_status process_pages(const struct nb_call *call, unsigned actions
   if (worst)
     return worst;
   for (size_t k = 0; k < call->page_count; k++)
-    worst = nb_worse(worst, nb_is_stopped(call) ? NB_BROKEN
-                                                : process_page(call, call->pages[k], actions, k ? nb_cost_clock() : 0));
+    worst = nb_worse(worst, nb_is_stopped(&call->options)
+                                ? NB_BROKEN
+                                : process_page(call, call->pages[k], actions, k ? nb_cost_clock() : 0));
   return worst;
 }
 

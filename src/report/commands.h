@@ -45,7 +45,6 @@ enum nb_status nb_command_list(const struct nb_call *call);
 /* Runs a page. If `folder` is NULL, there are no output files, and the outcome keeps only what the verdict needs. The
  * caller frees the outcome in any case. */
 void nb_run_page(struct nb_outcome *outcome, const struct nb_call *call, const char *path, const char *folder);
-bool nb_is_stopped(const struct nb_call *call); /* a signal has stopped the program */
 /* True if tables can be written: all runs have ended, or a run was aborted and some run has rows. */
 bool nb_outcome_has_rows(const struct nb_outcome *outcome);
 /* True if the page ran without an error and none of its expectations was checked. Such a page must not pass. */

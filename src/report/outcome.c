@@ -170,23 +170,15 @@ static bool moves_walls(const struct nb_scene *scene) {
   return found;
 }
 
-static bool records(const struct nb_scene *scene, const char *name) {
-  bool found = false;
-  for (size_t c = 0; c < scene->column_count; c++)
-    found = found || strcmp(scene->columns[c].name, name) == 0;
-  return found;
-}
-
 /* Warns of a recorded imposed work that is 0, because only walls and fixed particles move. A page that records the work
  * of the walls, too, records the balance of energy and has no warning. */
 static void warn_imposed(struct nb_outcome *outcome, const struct nb_page_run *run) {
-  static const char name[] = "energy.imposed";
   const struct nb_scene *const scene = &run->scene;
-  for (size_t c = 0; c < scene->column_count; c++)
-    if (strcmp(scene->columns[c].name, name) == 0 && !records(scene, "energy.walls") &&
-        !is_expected_0(&run->expectations, c) && !imposes(scene) && moves_walls(scene))
-      nb_warn(&outcome->warnings, scene->columns[c].line,
-              "`%s` is 0, because only walls and fixed particles move: their work is `energy.walls`", name);
+  const int imposed = NB_FIND(scene->columns, scene->column_count, "energy.imposed");
+  if (imposed >= 0 && NB_FIND(scene->columns, scene->column_count, "energy.walls") < 0 &&
+      !is_expected_0(&run->expectations, (size_t)imposed) && !imposes(scene) && moves_walls(scene))
+    nb_warn(&outcome->warnings, scene->columns[imposed].line,
+            "`energy.imposed` is 0, because only walls and fixed particles move: their work is `energy.walls`");
 }
 
 /* Warns of expectations on a negative pressure, and on a stress other than the one that the servo of their stage
@@ -411,7 +403,7 @@ static bool first_error(struct nb_outcome *outcome) {
   return false;
 }
 
-static bool is_stopped(const struct nb_options *options) {
+bool nb_is_stopped(const struct nb_options *options) {
   return options && options->checkpoint.stop && *options->checkpoint.stop;
 }
 
@@ -442,11 +434,11 @@ enum nb_status nb_outcome_run(struct nb_outcome *outcome, const struct nb_option
   nb_references_prepare();
 #pragma omp parallel for num_threads(jobs) schedule(dynamic, 1) reduction(|| : stopped)
   for (size_t r = 0; r < runs; r++) {
-    stopped = stopped || is_stopped(options);
+    stopped = stopped || nb_is_stopped(options);
     if (stopped || !comes_before(r, &failed))
       continue;
     run_one(outcome, r, options, progress, began);
-    stopped = stopped || is_stopped(options);
+    stopped = stopped || nb_is_stopped(options);
     if (outcome->runs[r].status)
       note_failure(&failed, r);
   }

@@ -78,6 +78,8 @@ struct nb_outcome {
   bool noted; /* the user has been told that results stay in memory */
 };
 
+bool nb_is_stopped(const struct nb_options *options); /* a signal has stopped the program; options may be NULL */
+
 /* Reads the page, runs it, options->jobs runs at a time, and checks its expectations. `options` and `progress` may be
  * NULL. After an error the outcome has the results that were computed before. The locks stay until the checkpoints are
  * removed or the outcome is freed. The caller frees the outcome in any case. */

@@ -450,7 +450,7 @@ static enum nb_status make(const struct nb_call *call, struct nb_report *report)
     struct nb_report_page *page = &report->pages[k];
     print_progress(report, k, nb_clock() - began);
     if (!page->document && !page->unrun)
-      worst = nb_worse(worst, nb_is_stopped(call) ? NB_BROKEN : run(call, report, page));
+      worst = nb_worse(worst, nb_is_stopped(&call->options) ? NB_BROKEN : run(call, report, page));
     if (write_page(report, k, &error))
       add_message(page, &error), worst = nb_worse(worst, error.status);
     print_line(page);

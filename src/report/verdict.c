@@ -377,7 +377,7 @@ static bool evaluate_run(struct nb_outcome *outcome, size_t r, bool over) {
       set_label(check, outcome, e->line);
       evaluate(check, outcome, r, k);
       if (!over)
-        nb_check_rows(&outcome->warnings, &outcome->runs[r], e);
+        nb_check_rows(&outcome->warnings, &outcome->runs[r], e, check);
     }
   }
   return stored;

@@ -31,7 +31,7 @@ const double *nb_check_solution(const struct nb_page_run *run, const struct nb_m
 
 /* Warns of a largest or smallest value that would have another verdict with all cycles than with the recorded rows. */
 void nb_check_rows(struct nb_warnings *warnings, const struct nb_page_run *run,
-                   const struct nb_expectation *expectation);
+                   const struct nb_expectation *expectation, const struct nb_check *check);
 
 /* ---- verdict_sweep.c ---- */
 
