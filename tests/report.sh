@@ -133,6 +133,9 @@ run 3 report "$pages/never-ends.md" "$pages/passes.md" -o some && said 'did not 
 result $? 'report: an aborted run is status 3, and its tables are written'
 run 2 report none.md "$pages/passes.md" -o some && grep -q '>none</a>' some/index.html
 result $? 'report: a page that cannot be read has a line in the index'
+mkdir -p taken/passes/index.html
+run 2 report "$pages/passes.md" -o taken && said 'cannot write taken/passes/index.html'
+result $? 'report: a page of the report that cannot be written is status 2'
 run 0 report "$pages/hidden.md" -o some && said '2 checks, 0 failed' &&
   grep -q '<td class="pass">2 checks passed</td>' some/index.html &&
   grep -q '2 checks, 0 failed, 0 noted, 6 skipped' some/hidden/index.html

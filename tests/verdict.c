@@ -247,6 +247,9 @@ static void words(void) {
   planted_one("A.x within 1e300 of A.vx", "A.x", 8, 1, (double[]){9}, NB_PASS, "error 0.25, tolerance 1e+300 of A.vx");
   planted_one("A.x within 1e-9 of A.vx", "A.x", 8, 1, (double[]){9}, NB_FAIL, "error 0.25, tolerance 1e-09 of A.vx");
   planted_one("A.x within 1e-6 of A.vx", "A.x", 8, 1, (double[]){9}, NB_FAIL, "error 25 %, tolerance 0.0001 % of A.vx");
+  planted_one("A.x within 1e6 of A.vx", "A.x", 8, 1, (double[]){9}, NB_PASS, "error 25 %, tolerance 1e+08 % of A.vx");
+  planted_one("A.x within 2e7 of A.vx", "A.x", 8, 1, (double[]){9}, NB_PASS, "error 0.25, tolerance 2e+07 of A.vx");
+  planted_one("A.x within 5e-8 of A.vx", "A.x", 8, 1, (double[]){9}, NB_FAIL, "error 0.25, tolerance 5e-08 of A.vx");
   struct nb_outcome outcome;
   planted_page(&outcome, "",
                "A.x versus time within 9"); /* the worst row only, although each is worse than the one before */
