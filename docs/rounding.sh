@@ -85,7 +85,7 @@ awk -F '\t' '
   END {
     print "# Rounding\n"
     print "`make rounding` writes this document ([rounding.sh](rounding.sh)). Each short case runs under the four rounding modes of"
-    print "IEEE 754: to nearest, up, down and towards zero. The mode holds in the cycles, in every thread. Pages,"
+    print "IEEE 754: to nearest, up, down and towards zero. The mode holds in the cycles and in the steps of contact tests. Pages,"
     print "references, recorded values and the verdict are always computed with rounding to nearest. `nineball check PAGE --rounding all` does the same for"
     print "one page.\n"
     print "The table gives the number of leading bits of a result that are the same in all modes. A double has 53 bits."
@@ -94,7 +94,7 @@ awk -F '\t' '
     printf "- In %d cases each part of the cycle was also run alone in another mode. In %d of them the motion costs the most bits.\n", with, motion
     print "  The motion adds a small displacement to a large coordinate, and the overlap is the small difference of two such coordinates. The bits of a"
     print "  force are at most those of a coordinate minus log2(coordinate/overlap)."
-    printf "- In %d cases some check fails in another mode. Most of these checks require equality to the last bit, for example of a run\n", failing
+    printf "- In %d cases some check fails in another mode. Some of these checks require equality to the last bit, for example of a run\n", failing
     print "  and its mirror image. Rounding up is not symmetric: where one of the two is rounded away from zero, the other one is rounded"
     print "  towards zero. Rounding towards zero is symmetric.\n"
     if ("invariance-far" in geometry)

@@ -340,7 +340,7 @@ static void write_exact(struct files *files) {
       "**Causes.**\n\n"
       "- If a path has more reversals than the law has pieces, the law loses some of them: it joins the two pieces "
       "whose\n"
-      "  join changes $T$ least at the present overlap. With 64 pieces this happens on the six paths with more than "
+      "  join would change $T$ least. With 64 pieces this happens on the six paths with more than "
       "64\n"
       "  rings.\n"
       "- In *rolling* the overlap falls to a small part of its largest value at the end. The error of inner pieces\n"

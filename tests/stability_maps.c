@@ -101,7 +101,7 @@ static void write_rotation(FILE *page, const struct system *system, double mass,
   (void)system, (void)other;
   write_lattice(page, 2, 2, mass);
 }
-/* Six discs with masses from 1 to the given one, in equal ratios. The order puts light discs beside heavy ones. */
+/* Six discs whose masses are a geometric series from 1 to the given one. The order puts light discs beside heavy ones. */
 static void write_masses(FILE *page, const struct system *system, double mass, double other) {
   (void)system, (void)other;
   static const int order[6] = {0, 5, 1, 4, 2, 3};
@@ -189,7 +189,8 @@ static const struct system systems[] = {
     {"unlike-masses",
      "Unlike masses",
      "unlike-masses",
-     "Three by two discs fill a box of four walls. Their six masses are in equal ratios, from 1 to the mass ratio.",
+     "Three by two discs fill a box of four walls. Their masses are the terms of a geometric series, from 1 to the "
+     "mass ratio.",
      write_masses,
      {"mass ratio ", {100, 1e4, 1e6}, 3},
      RATIOS,

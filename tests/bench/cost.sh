@@ -644,8 +644,8 @@ a cycle. Within 0.01 %, these are $(cut -d '|' -f 2 "$work/line") for N discs.
   work multiplies it by $(ratio work base).
 - **Rows** of a particle or a contact cost $(in_cycles record-particle base) cycles of the base page or less. A row with the stress of all particles costs
   $(in_cycles record-stress base) cycles, with the fabric $(in_cycles record-fabric base). Other components of the same tensor cost almost nothing more.
-- **A search**, with the stability check after it, costs as much as $(in_cycles search cell) cycles.
-- **The stability check** is made every 1000 cycles. It takes $check instructions, $($awk -v a="$check" -v b="$(value base 2)" 'BEGIN { printf "%.1f %%", a / b / 10 }') of the cycles between two checks.
+- **A search**, with the stability check after it, costs as much as $(in_cycles search cell) cycles of the page with a periodic cell.
+- **The stability check** is made at least every 1000 cycles. On the base page it takes $check instructions, $($awk -v a="$check" -v b="$(value base 2)" 'BEGIN { printf "%.1f %%", a / b / 10 }') of 1000 cycles.
 DOCUMENT
 # Another script (make expected) writes the section about the costs that `explain` expects; the section stays.
 $awk '/^## / { keep = $0 == "## What `explain` expects" } keep { print (lines++ ? "" : "\n") $0 }' "$document" >"$work/expected"

@@ -195,7 +195,7 @@ left divided by that of nineball. The command is that of the rows above, with \`
 
 TEXT
   others_table
-  printf '\n## Goals\n\nThe goals were set for the design of the program. The table has medians. The commands need `NINEBALL=build/nineball`.\n\n'
+  printf '\n## Goals\n\nThe goals were set for the design of the program. Except in the first three rows, the column `measured` has medians. The commands need `NINEBALL=build/nineball`.\n\n'
   goals_table
   cat "$folder/goals.md"
   printf "\n## Instructions\n\n"
