@@ -332,8 +332,8 @@ FOLDER/trades.tsv, and the figure FOLDER/NAME.svg of the error against the cost.
 - **Cost:** the number of contact and particle updates, divided by the number that the page's own setting needs. Settings whose
   numbers differ by less than 10 % count as equally expensive. Of these the one with the stiffer contacts is chosen, and of equal
   stiffnesses the one whose laws store less per contact.
-- **Estimated error:** the largest error over eight moments of first touch within a step. The error is the difference from
-  the *limit*: the result of the page with its own laws and a very small step. So it includes the error of other laws.
+- **Estimated error:** an estimate of the difference from the *limit*: the result of the page with its own laws and a very small
+  step. So it includes the error of other laws. In an impact it covers eight moments of first touch within a step.
 - A dash in the last column means that no cheaper setting could be tried. In most cases its step would exceed the stability limit
   or not give a whole number of cycles.
 
@@ -404,7 +404,7 @@ $(no_advice)
 
 ## The seven named cases
 
-Each figure shows the estimated error against the cost, one curve for each set of laws. The ring marks the setting that the advice
+Each figure shows the estimated error against the number of updates, one curve for each set of laws. The ring marks the setting that the advice
 chooses, and the dashed line the tolerance.
 TEXT
   while read -r line; do section "$line"; done <"$work/named"
