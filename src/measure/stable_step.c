@@ -42,7 +42,7 @@
  * the step could be too long for the first contact that forms. The bound neglects two effects: the rotation of contacts,
  * which is of the order of overlap over radius, and the smaller stiffness of sliding contacts.
  *
- * The computation of the bound costs as much as a few cycles, with elastic spheres up to a dozen cycles.
+ * The computation of the bound costs as much as some ten cycles (docs/COST.md).
  * stability.c decides when to compute it.
  *
  * Source     the element bound of finite elements (Irons and Treharne 1971).

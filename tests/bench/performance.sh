@@ -230,7 +230,7 @@ TEXT
 ## Cycles of the processor
 
 \`tests/bench/passes PAGE\` repeats each pass of a cycle alone on the arrays of a run, and takes the least of the times
-([passes.c](../tests/bench/passes.c)). Other programs hardly change it. The table has the processor's clock cycles per
+([passes.c](../tests/bench/passes.c)). Other programs hardly change the least time. The table has the processor's clock cycles per
 contact, the least of three runs. The shear law of Hertz's rows is \`mindlin\`, and its column includes the test for
 large overlaps. \`motion\` is the sum of forces and the integration. The whole cycle is the least time of one without a
 search. A processor without AVX-512 has no such rows.
