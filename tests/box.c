@@ -156,6 +156,39 @@ static void walls_follow_until_they_are_moved(void) {
   nb_result_free(&result);
 }
 
+/* If one of the four walls gets another velocity, none of them follows the strain rate any more: the others keep their
+ * velocities, 0.002 per cycle. A wall that the page defines before the box or after it does not end the strain. */
+static void any_wall_that_moves_ends_the_strain(void) {
+  static const char *const walls[] = {"first", "south", "east", "north", "west", "last"};
+  for (size_t k = 0; k < sizeof walls / sizeof *walls; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(
+        &page,
+        "units none\nmaterial m density 2 kn 1000\nstep 0.0125\ndisc 0 0 radius 0.5 m\nwall first -9 7 to -8 7 m\n"
+        "box -2 -2 to 2 2 m\nwall last 8 7 to 9 7 m\nrecord box.width box.height\nstage a\nbox strain 1e-3 per "
+        "cycle 1e-3 per cycle\ncycles 1\nstage b\nwall %s velocity 0 0\ncycles 1\n",
+        walls[k]);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    const bool strains = k == 0 || k == 5, south_or_north = k == 1 || k == 3;
+    const double one = 4 * 1.001 + 0.002, two = 4 * 1.001 + 0.004; /* one wall moves, or two */
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "box.width"),
+                           strains          ? 4 * 1.001 * 1.001
+                           : south_or_north ? two
+                                            : one,
+                           1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "box.height"),
+                           strains          ? 4 * 1.001 * 1.001
+                           : south_or_north ? one
+                                            : two,
+                           1e-12);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
 /* Walls that the page defines before and after the box keep their own motion while the box is strained. */
 static void other_walls_keep_their_motion(void) {
   struct nb_result result;
@@ -172,8 +205,8 @@ static void other_walls_keep_their_motion(void) {
   nb_result_free(&result);
 }
 
-/* F = 10 at each wall of the box. The second particle touches two other walls, which do not count. The thickness of
- * a disc is 1, that of a sphere its diameter. */
+/* F = 10 at each wall of the box. The second particle presses with 5 and 15 on two other walls, which do not count. The
+ * thickness of a disc is 1, that of a sphere its diameter. */
 static void box_stress_counts_the_four_walls(void) {
   static const double wanted[] = {5, 0, 0, 5}, thick[] = {1, 2.02};
   static const char *const shapes[] = {"disc", "sphere"};
@@ -183,13 +216,17 @@ static void box_stress_counts_the_four_walls(void) {
     struct nb_result result;
     words_add(&words,
               "units none\nmaterial m density 2 kn 1000\nstep 0.0125\nwall shelf 5 5 to 6 5 m\nbox -1 -1 to 1 1 m\n"
-              "wall rail 5 7 to 6 7 m\n%s 0 0 radius 1.01 m\n%s 5.5 6 radius 1.01 m\n"
-              "record box.stress.xx box.stress.xy box.stress.yx box.stress.yy\nstage s\ncycles 1\n",
+              "wall rail 5 7 to 6 7 m\n%s 0 0 radius 1.01 m\n%s 5.5 6.005 radius 1.01 m\n"
+              "record box.stress.xx box.stress.xy box.stress.yx box.stress.yy walls.stress.xx walls.stress.xy "
+              "walls.stress.yx walls.stress.yy walls.ratio walls.force.residual\nstage s\ncycles 1\n",
               shapes[shape], shapes[shape]);
     written_scene(&it, &words);
     written_run(&result, &it, NULL);
     for (size_t k = 0; k < 4; k++)
-      CU_ASSERT_DOUBLE_EQUAL(row(&result, 0)[k], wanted[k] / thick[shape], 1e-10);
+      for (size_t walls = 0; walls < 8; walls += 4)
+        CU_ASSERT_DOUBLE_EQUAL(row(&result, 0)[walls + k], wanted[k] / thick[shape], 1e-10);
+    CU_ASSERT_DOUBLE_EQUAL(row(&result, 0)[8], 1, 1e-10);
+    CU_ASSERT_DOUBLE_EQUAL(row(&result, 0)[9], 0, 1e-10);
     nb_result_free(&result);
     written_free(&it);
   }
@@ -288,9 +325,10 @@ void suite_box(void) {
   CU_add_test(suite, "a servo through the box follows the recursion", the_servo_follows_the_recursion);
   CU_add_test(suite, "both parts of the servo stay within the limit", both_parts_of_the_servo_stay_within_the_limit);
   CU_add_test(suite, "corners stay closed, also after transform", corners_stay_closed);
-  CU_add_test(suite, "box.stress counts the four walls only", box_stress_counts_the_four_walls);
+  CU_add_test(suite, "the stresses and forces of a box count its four walls only", box_stress_counts_the_four_walls);
   CU_add_test(suite, "forces on walls: traction, moment, eccentricity, obliquity", forces_on_walls);
   CU_add_test(suite, "ratio of the wall forces of a transformed box", the_ratio_of_a_transformed_box);
   CU_add_test(suite, "walls follow the box until they are moved otherwise", walls_follow_until_they_are_moved);
+  CU_add_test(suite, "any wall that moves ends the strain of the box", any_wall_that_moves_ends_the_strain);
   CU_add_test(suite, "other walls keep their own motion", other_walls_keep_their_motion);
 }

@@ -260,23 +260,24 @@ static void discs_at_rest_join_the_boundary(void) {
   }
 }
 
-/* Four discs on the axes. The boundary lists them in their order round the centre, whatever their numbers are, so its
- * area is that of a square. */
+/* Four discs on the axes. The boundary lists them in their order round the centre, whatever their numbers and the size
+ * of the boundary are, so its area is that of a square. */
 static void any_order_of_numbers(void) {
-  static const double at[4][2] = {{5, 0}, {0, 5}, {-5, 0}, {0, -5}};
-  for (int order = 0; order < 256; order++) {
-    const int k[4] = {order & 3, order >> 2 & 3, order >> 4 & 3, order >> 6};
+  static const double at[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+  for (int order = 0; order < 512; order++) {
+    const double size = order < 256 ? 5 : 0.5;
+    const int k[4] = {order & 3, order >> 2 & 3, order >> 4 & 3, order >> 6 & 3};
     if ((1 << k[0] | 1 << k[1] | 1 << k[2] | 1 << k[3]) != 15)
       continue;
     struct words page = {0};
     struct written it;
     words_add(&page, "units none\nmaterial m density 2 kn 100\nstep 0.125\n");
     for (int n = 0; n < 4; n++)
-      words_add(&page, "disc %g %g radius 1 m\n", at[k[n]][0], at[k[n]][1]);
-    words_add(&page, "record boundary.area\nboundary circle 0 0 radius 5\nstage s\nboundary fixed\ncycles 1\n");
+      words_add(&page, "disc %g %g radius 0.1 m\n", size * at[k[n]][0], size * at[k[n]][1]);
+    words_add(&page, "record boundary.area\nboundary circle 0 0 radius %g\nstage s\nboundary fixed\ncycles 1\n", size);
     written_scene(&it, &page);
     struct nb_model *model = written_model(&it, NULL);
-    CU_ASSERT_EQUAL(written_now(model, "boundary.area"), 50);
+    CU_ASSERT_EQUAL(written_now(model, "boundary.area"), 2 * size * size);
     nb_model_free(model);
     written_free(&it);
   }
@@ -522,6 +523,34 @@ static void forces_of_a_boundary_stress(void) {
   written_free(&it);
 }
 
+/* A stress on a new boundary acts on the particles of the new boundary only. A square of discs at the distance 9 from
+ * the centre surrounds a square at the distance 5. The first circle includes both squares, the second one only the outer
+ * square. The force on each disc of the outer square is then the stress times the distance, and on each other disc 0. */
+static void a_new_boundary_has_its_own_forces(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  words_add(&page, "units none\nmaterial m density 2 kn 100\nstep 0.125\n");
+  for (int n = 0; n < 8; n++) {
+    const double x = n < 4 ? 9 : 5, along = n % 2 ? -x : x;
+    words_add(&page, "disc %g %g radius 1 m\n", n / 2 % 2 ? 0 : along, n / 2 % 2 ? along : 0);
+  }
+  words_add(&page, "record cycle\nstage a\nboundary circle 0 0 radius 4.9\nboundary stress 3 3\ncycles 1\n"
+                   "stage b\nboundary circle 0 0 radius 8\nboundary stress 3 3\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  for (int n = 4; n < 8; n++)
+    CU_ASSERT(vec_length(model->boundary->boundary_force[model->particles.slot[n]]) > 1);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[1], &error), NB_OK);
+  for (int n = 0; n < 8; n++) {
+    const struct nb_vec force = model->boundary->boundary_force[model->particles.slot[n]];
+    CU_ASSERT_DOUBLE_EQUAL(vec_length(force), n < 4 ? 3 * 9 : 0, 1e-12);
+  }
+  nb_model_free(model);
+  written_free(&it);
+}
+
 /* Four discs without contacts on a circle, at rest. A stress s presses each of them towards the centre with the force s
  * x, where x is its distance from the centre: the part of the square's sides that belongs to it has the width x across
  * its axis. The stress acts from t_0 to t_1, for one step. So x_1 = x_0 - s x_0/m dt^2/2, and the velocity after t_1 is
@@ -567,5 +596,6 @@ void suite_drive(void) {
   CU_add_test(suite, "the work balances", the_work_balances);
   CU_add_test(suite, "boundary stress equals the stress of the contacts", boundary_stress_equals_contact_stress);
   CU_add_test(suite, "forces of a boundary stress", forces_of_a_boundary_stress);
+  CU_add_test(suite, "a new boundary has its own forces", a_new_boundary_has_its_own_forces);
   CU_ADD_TEST(suite, a_stress_begins_and_ends_at_once);
 }

@@ -21,8 +21,8 @@
 static bool needed(const struct nb_scene *scene) {
   bool any = scene->cell.line || scene->circle.line;
   for (size_t s = 0; s < scene->stage_count; s++)
-    any = any || scene->stages[s].circle.line || scene->stages[s].boundary.line || scene->stages[s].affine.line ||
-          scene->stages[s].box_line || scene->stages[s].servo.box;
+    any = any || scene->stages[s].circle.line || scene->stages[s].affine.line || scene->stages[s].box_line ||
+          scene->stages[s].servo.box; /* statements of a boundary need its circle */
   return any;
 }
 
@@ -115,7 +115,7 @@ static bool strains(const struct nb_affine *affine, enum nb_affine_source source
 static bool strains_now(const struct nb_model *model) {
   const struct nb_servo *servo = model->stage ? &model->stage->servo : NULL;
   return strains(model->affine, NB_AFFINE_FREE) || strains(model->affine, NB_AFFINE_BOUNDARY) ||
-         strains(model->affine, NB_AFFINE_CELL) || (servo && servo->line && (servo->affine || !servo->box));
+         strains(model->affine, NB_AFFINE_CELL) || (servo && servo->line && !servo->box);
 }
 
 bool nb_affine_moves(const struct nb_model *model) {

@@ -170,11 +170,9 @@ void nb_boundary_set_forces(struct nb_model *model) {
 
 /* ---- creation ---- */
 
-static bool stage_has_boundary(const struct nb_stage *stage) { return stage->circle.line || stage->boundary.line; }
-
 static bool needed(const struct nb_scene *scene) {
   for (size_t s = 0; s < scene->stage_count; s++)
-    if (stage_has_boundary(&scene->stages[s]))
+    if (scene->stages[s].circle.line)
       return true;
   return scene->circle.line > 0;
 }

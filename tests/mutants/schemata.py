@@ -73,7 +73,7 @@ EXCHANGED = {"<": ["<=", ">="], "<=": ["<", ">"], ">": [">=", "<="], ">=": [">",
              "*": ["/"], "/": ["*"], "%": ["*"], "&&": ["||"], "||": ["&&"], "&": ["|"], "|": ["&"], "<<": [">>"], ">>": ["<<"],
              "+=": ["-="], "-=": ["+="], "*=": ["/="], "/=": ["*="]}
 OPPOSITE = {"fmin": "fmax", "fmax": "fmin"}
-SYMMETRIC = {"fmin", "fmax", "hypot", "strcmp", "strncmp", "memcmp", "vec_dot", "vec_add"} # the result does not depend on the order of two arguments, or only its sign does
+SYMMETRIC = {"fmin", "fmax", "hypot", "strcmp", "strncmp", "memcmp", "vec_dot", "vec_add", "tensor_add"} # the result does not depend on the order of two arguments, or only its sign does
 
 
 class Unit:
