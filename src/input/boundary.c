@@ -33,7 +33,7 @@ static const struct nb_argument affine_fields[] = {
   FLAG("accumulated", AT_ACCUMULATED, "apart",
        "The imposed velocity is added to the particle's own velocity in every cycle and accumulates there, as in R89's program."),
   FLAG("accumulated-twice", AT_TWICE, "apart",
-       "As `accumulated`. In addition, as in R89's program [R89 4.43], the imposed velocity is added to the relative velocity of two particles in contact, which already contains it."),
+       "As `accumulated`, and the imposed velocity is also added to the relative velocity of two particles in contact, which already contains it, as in R89's program [R89 4.43]."),
   END
 };
 /* clang-format on */
@@ -215,7 +215,7 @@ void nb_imposed_motion_check(struct nb_scene_reading *reading) {
 /* clang-format off */
 NB_STATEMENTS(boundary) = {
   {"boundary circle", NB_IN_SCENE | NB_IN_STAGE, circle_fields, NULL, 0, false, apply_circle,
-   "From this line on, the particles whose centres are on this circle or outside it are the boundary of the assembly; at first they are fixed. While the boundary is fixed or strained, the circle moves with it, and a particle whose centre crosses the circle joins the boundary [R89 sec. 6.4.1].",
+   "The particles whose centres are on this circle or outside it are the boundary of the assembly, from the start or from this stage on; at first they are fixed. While the boundary is fixed or strained, the circle moves with it, and a particle whose centre crosses the circle joins the boundary [R89 sec. 6.4.1].",
    "boundary  circle 40 mm 40 mm  radius 1 m"},
   {"boundary strain", NB_IN_STAGE, strain_fields, NULL, 0, false, apply_boundary,
    "Moves the centres of the boundary's particles with this strain rate about the circle's centre, from this stage on. The boundary's particles do not rotate, and there is no force between two of them.",
@@ -230,7 +230,7 @@ NB_STATEMENTS(boundary) = {
    "Removes the boundary from this stage on: its particles are free and keep their velocities.",
    "stage     loose\n  boundary none\n  cycles  10"},
   {"box strain", NB_IN_STAGE, box_strain_fields, NULL, 0, false, apply_box_strain,
-   "Moves the four walls of the box with this strain rate about the centre of the box, from this stage on, until a stage moves one of the walls by `wall` or `walls`. Opposite walls move alike. The rate refers to the present width and height: after the time t the width is multiplied by exp(EXX t). The lengths of the walls change with the box, so that its corners stay closed.",
+   "Moves the four walls of the box with this strain rate about the centre of the box, from this stage on, until a stage moves one of the walls by `wall` or `walls`. Opposite walls move at the same speed in opposite directions. The rate refers to the present width and height: after the time t the width is multiplied by exp(EXX t). The lengths of the walls change with the box, so that its corners stay closed.",
    "stage     narrow\n  box     strain -1e-6 per cycle 1e-7 per cycle\n  cycles  10"},
   {"affine strain", NB_IN_STAGE, affine_fields, NULL, 0, false, apply_affine,
    "Imposes an affine motion of this strain rate on all free particles inside the boundary, from this stage on. The centre of the motion is the centre of the boundary; without a boundary, the origin. Forces and damping change the velocities of the particles relative to the imposed motion [R89 4.41, 4.42].",

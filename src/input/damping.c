@@ -143,7 +143,7 @@ NB_STATEMENTS(damping) = {
    "{walls} stiffness TIME|ratio X|r89-fraction X | walls none | critical beyond overlap F | mass RATE | "
    "con1 X as cs79|velocity|all | centred | late | none",
    0, false, apply_damping,
-   "Sets the damping at contacts [CS79 28] [R89 4.3, 4.13], or of all particles [CS79 34] [R89 sec. 6.5.1]; one statement for each; default none. In a stage the damping changes from this stage on.\n"
+   "Sets the damping at contacts [CS79 28] [R89 4.3, 4.13], or of all particles [CS79 34] [R89 sec. 6.5.1]; one statement for each kind of damping; default none. In a stage the damping changes from this stage on.\n"
    "stiffness TIME: a time, 0 or more. Each dashpot has the coefficient c = TIME times the stiffness k of the contact [CS79 28].\n"
    "ratio X: a number, 0 or more. Damping ratio, the fraction of critical damping: c = 2 X sqrt(M* k), M* the reduced mass [R89 4.13].\n"
    "r89-fraction X: a number, 0 or more, for linear springs. c = X k t_c/2, t_c the single-contact step [R89 4.3, 4.4].\n"

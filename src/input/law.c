@@ -364,7 +364,7 @@ NB_STATEMENTS(law) = {
    "Selects the contact law of the normal force; default `linear`. --set normal=LAW overrides the law everywhere. `nineball laws` lists the laws with their equations. In a stage the law changes from this stage on, and another law begins with empty histories of the normal force.",
    "normal    linear"},
   {"shear", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_STAGE | NB_IN_START, law_fields, "{memory K}", 1, false, apply_law,
-   "Selects the contact law of the shear force; default `none`. --set shear=LAW overrides the law everywhere. `nineball laws` lists the laws with their equations. Of the laws of elastic spheres `mindlin` has no micro-slip, so at constant normal force its loops open only when the contact slides; `mindlin_deresiewicz` is the exact law with micro-slip. In a stage the law changes from this stage on, and another law begins with empty histories of the shear force.\n"
+   "Selects the contact law of the shear force; default `none`. --set shear=LAW overrides the law everywhere. `nineball laws` lists the laws with their equations. Of the laws of elastic spheres `mindlin` has no micro-slip, so at constant normal force it dissipates energy only while the contact slides; `mindlin_deresiewicz` is the exact law with micro-slip. In a stage the law changes from this stage on, and another law begins with empty histories of the shear force.\n"
    "memory K: a whole number from 2 to 256, for a law that stores its history in pieces; without it: the default of the law. Largest number of pieces of a contact's history.",
    "shear     linear"},
   {0},

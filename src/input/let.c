@@ -17,6 +17,7 @@ enum { AT_NAME };
 static const struct nb_argument units_fields[] = {
     CHOICE(NULL, "none|si", AT_NAME, NULL, "`si`: numbers have units; `none`: they are written without units"), END};
 static const struct nb_argument value_fields[] = {NAME(AT_NAME, "a name for the value"), END};
+static const struct nb_argument trade_fields[] = {NAME(AT_NAME, "the name of a value"), END};
 
 NB_APPLY(apply_units) {
   struct nb_scene_reading *reading = subject;
@@ -431,18 +432,18 @@ void nb_setting_read_step(struct nb_scene_reading *reading) {
 /* clang-format off */
 NB_STATEMENTS(let) = {
   {"units", NB_IN_SCENE | NB_IN_CONTACT_TEST, units_fields, NULL, 0, false, apply_units,
-   "Whether numbers have units. With `si`, the default, each number has its unit. With `none` all numbers are written without a unit, in SI units. `units` holds for the whole page.",
+   "Whether numbers have units. With `si`, the default, each number that has a dimension has a unit. With `none` all numbers are written without a unit, in consistent units such as those of SI. `units` holds for the whole page.",
    "units     si"},
   {"let", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_START, value_fields, "= EXPRESSION|WORD", 0, false, apply_let,
    "Gives a name to a number or a word. In the lines below, $NAME stands for the value, and expressions use NAME. --set NAME=VALUE on the command line overrides the value.\n"
    "EXPRESSION|WORD: a number with its unit, an expression such as `2*R`, or a word such as the name of a law.",
    "let       angle = 17 deg\nlet       grip = tan(angle)"},
   {"sweep", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_START, value_fields, "{with NAME …} VALUE …", 0, false, apply_sweep,
-   "Gives a name several values, one for each run. Several sweeps make all combinations; the last sweep varies fastest. --set NAME=VALUE selects the runs with this value.\n"
+   "Gives a name several values, one for each run. Several sweeps make all combinations; the last sweep varies fastest. --set NAME=VALUE selects the runs with this value; if there are none, all runs get this value.\n"
    "with NAME …: further names, up to 16 in one sweep. Each run then takes one value for each name, in the order of the names.\n"
    "VALUE …: the values: all numbers, or all words.",
    "sweep     speed 0.1 m/s 0.2 m/s"},
-  {"trade", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_START, value_fields, "VALUE …, or laws all|none", 0, false, apply_trade,
+  {"trade", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_START, trade_fields, "VALUE …, or laws all|none", 0, false, apply_trade,
    "Lists other values of a name, which `nineball advise` may choose if the run is then cheaper and the error stays within the tolerance. `trade` changes no run. On the command line: --set 'trade=NAME VALUE …'.\n"
    "VALUE …: other values of the name. The name `soften`, which a page need not define, divides all stiffnesses by the values.\n"
    "laws all|none: `all`: the advice may change the contact laws, also with `--over`; `none`: it keeps the contact laws of the page. Without this statement: `none` with `--over`, and where the page sweeps its laws; else `all`.",

@@ -121,7 +121,7 @@ NB_STATEMENTS(record) = {
    "QUANTITY …: quantities of the scene, or MONITOR.NAME; section Quantities lists them.",
    "record    time A.x A.vx C.overlap C.normal S.fy energy.kinetic"},
   {"record", NB_IN_STAGE | NB_IN_SEGMENT, no_fields, "every N cycles | none", 0, false, apply_record,
-   "Sets how often the table gets a row in this stage only. A stage or segment without this line gets a row every cycle or step. A peak between two rows is not in the table, so `max`, `min` and `amplitude` of an expectation do not contain it.\n"
+   "Sets how often the table gets a row, for this stage only. A stage or segment without this line gets a row every cycle or step. A peak between two rows is not in the table, so `max`, `min` and `amplitude` of an expectation do not contain it.\n"
    "every N cycles: a whole number, 1 or more; in a contact test `every N steps`.\n"
    "none: the table gets no rows in this stage.",
    "  record  every 10 cycles"},

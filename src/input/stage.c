@@ -308,7 +308,7 @@ NB_STATEMENTS(stage) = {
    "Begins a stage. The statements below belong to it, up to the next `stage`.",
    "stage     strike"},
   {"ramp", NB_IN_STAGE, no_fields, "wall … | walls … | material … | pair … | gravity … | servo …", 0, false, apply_ramp,
-   "Changes the values of one statement linearly over the cycles of the stage, from the present values to the given ones. The statement follows the word `ramp`.",
+   "Changes the values of one statement linearly over the cycles of the stage, from the present values to the given ones. The stage needs `cycles`. The statement follows the word `ramp`.",
    "  ramp    material steel  friction 0.5"},
   {"cycles", NB_IN_STAGE, cycles_fields, NULL, 0, false, apply_cycles,
    "Sets how many cycles the stage lasts. Each stage needs either `cycles` or `until`.",

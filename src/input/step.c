@@ -155,7 +155,7 @@ NB_STATEMENTS(step) = {
    "N per collision: a number above 0. N steps last as long as the shortest collision.\n"
    "F of collision: a number above 0, as are all F below. The duration of the shortest collision; for elastic spheres that of Hertz, at the speeds of the pairs predicted to collide at their current velocities.\n"
    "F of stable: the guaranteed stable step at the beginning of the stage.\n"
-   "F of single-contact: 2 sqrt(m/k) of the lightest particle and the stiffest contact [CS79, Motion].\n"
+   "F of single-contact: 2 sqrt(m/k) of the smallest mass and the largest stiffness [CS79, Motion].\n"
    "F of rayleigh: the travel time of a surface wave from pole to pole of a sphere, the shortest over all spheres [R89 4.33].\n"
    "F of rayleigh-mean: the same for a sphere with the mean properties.\n"
    "F of rayleigh-fit, F of rayleigh-fit-mean: the same as the last two, with R89's fit of the wave speed [R89 4.34].",
@@ -164,7 +164,7 @@ NB_STATEMENTS(step) = {
    "Allows a step longer than the guaranteed stable one. Without this statement a run with such a step is aborted. In a stage it holds for this stage only.",
    "allow     unstable"},
   {"skin", NB_IN_SCENE | NB_IN_START, skin_fields, NULL, 0, false, apply_skin,
-   "Sets the skin of the neighbour list: pairs closer than this distance are in the list [R89 TOL]. The list is rebuilt when a particle or wall has moved by half of this distance; default a tenth of the mean radius. No result depends on the skin.",
+   "Sets the skin of the neighbour list: pairs closer than this distance are in the list [R89 TOL]. The list is rebuilt when a particle or wall has moved by half of this distance; default a tenth of the mean radius. At a given step the skin changes no force. `gap` and `step.stable`, and so a step in fractions of `stable`, depend on the pairs in the list.",
    "skin      0.5 mm"},
   {0},
 };

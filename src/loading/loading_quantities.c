@@ -74,8 +74,8 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
         "cell.strain", NB_OF_CELL, "1", NB_COMPONENTS, cell_strain,
         "strain of the cell relative to its sides at time 0, also in later stages, extension positive. xy is 0 as long "
         "as the cell is strained along x and y only. For small strains xy is half the engineering shear strain. In a "
-        "cell that was compressed before, the engineering shear strain is the change of cell.xy since then over "
-        "cell.yy"),
+        "cell that was compressed before the shear, the engineering shear strain is the change of cell.xy during the "
+        "shear over cell.yy"),
     {"cell.strain.volumetric", NB_OF_CELL, "1", 0, cell_strain_volume,
      "relative change of the cell's area since time 0, expansion positive"},
 

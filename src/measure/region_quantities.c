@@ -42,17 +42,17 @@ static void parts_of(double parts[], const struct nb_quantity_kind *kind, const 
 
 const struct nb_quantity_kind nb_region_kinds[] = {
     ENDS("stress", NB_STRESSES, "Pa", NB_STRESS, stress.total,
-         "stress by particles, compression positive: simple shear with `c12` above 0 makes xy negative"),
+         "mean stress, summed over particles, compression positive: simple shear with `c12` above 0 makes xy negative"),
     ENDS("stress.sinphi", NB_SCALAR, "1", NB_STRESS, stress.sinphi,
          "sine of the mobilized friction angle: deviator over twice the mean stress"),
-    ENDS("stress.contacts", NB_STRESSES, "Pa", NB_STRESS_PARTS, stress.contacts, "stress by contacts"),
+    ENDS("stress.contacts", NB_STRESSES, "Pa", NB_STRESS_PARTS, stress.contacts, "mean stress, summed over contacts"),
     PART("stress.normal", NB_STRESS_NORMAL, "normal forces"),
     PART("stress.shear", NB_STRESS_SHEAR, "shear forces"),
     PART("stress.fabric", NB_STRESS_FABRIC, "the mean normal force at every contact"),
     PART("stress.variation", NB_STRESS_VARIATION, "normal forces minus their mean"),
     OF("stress.residual", NB_SCALAR, "Pa", NB_AT_LEAST_0, NB_READS_ENDS, NB_STRESS_PARTS, stress.residual,
-       "largest difference between the stress by particles and by contacts, or between the stress and the sum of its "
-       "parts; it consists of rounding errors"),
+       "largest difference between `stress` and `stress.contacts`, or between the stress and the sum of its parts; it "
+       "consists of rounding errors"),
 
     FABRIC("fabric", NB_FABRICS, "1", plain.second, "structural anisotropy Phi [R89 4.48]"),
     FABRIC("fabric.fourth", NB_FOURTH, "1", plain.xxxx, "structural anisotropy of fourth order [R89 4.48]"),
@@ -82,8 +82,9 @@ const struct nb_quantity_kind nb_region_kinds[] = {
 
     OF("area", NB_SCALAR, "m2", NB_AT_LEAST_0, 0, NB_POROSITY, area, "area of the region"),
     OF("porosity", NB_SCALAR, "1", NB_AT_MOST_1, 0, NB_POROSITY, porosity.areal,
-       "areal porosity: fraction of the area that no particle covers; particles cut by the edge count with the part "
-       "inside. Without a cell the area of `all` is that of a rectangle around the particles; the porosity between the "
+       "areal porosity: 1 minus the area of the particles over that of the region; overlaps count twice, and particles "
+       "cut by the edge count with the part inside. Without a cell the area of `all` is that of a rectangle around the "
+       "particles; the porosity between the "
        "walls of a box is box.porosity"),
     OF("porosity.volume", NB_SCALAR, "1", NB_AT_MOST_1, 0, NB_POROSITY, porosity.volume,
        "porosity by volume; the volume is the area times the thickness: mean diameter of spheres, 1 m for discs [R89 "
@@ -118,8 +119,9 @@ const struct nb_quantity_kind nb_region_kinds[] = {
     LOAD("sliding.near", NB_SCALAR, "1", NB_AT_LEAST_0 | NB_AT_MOST_1, near_sliding,
          "fraction of the contacts whose shear force is 0.99 of its limit or more"),
     LOAD("unbalanced.mean", NB_SCALAR, "1", NB_AT_LEAST_0, unbalanced_mean,
-         "mean unbalanced force on a free particle over the mean normal force of the contacts; infinite without "
-         "contacts"),
+         "mean unbalanced force on a free particle over the mean normal force of the contacts; infinite if forces act "
+         "but "
+         "all normal forces are 0, 0 if no force acts"),
     LOAD("unbalanced.force", NB_SCALAR, "N", NB_AT_LEAST_0, unbalanced_force,
          "mean magnitude of the unbalanced force on a free particle"),
 

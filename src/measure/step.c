@@ -166,7 +166,7 @@ const struct nb_quantity_kind nb_step_kinds[] = {
     {"step", 0, "s", 0, step, "the time step", NB_AT_LEAST_0},
     {"step.single-contact", 0, "s", 0, critical,
      "2 sqrt(m/k) of the smallest mass and the largest stiffness [CS79, Motion]", NB_AT_LEAST_0},
-    {"step.stable", 0, "s", 0, stable, "the largest step guaranteed stable with the present contacts and damping",
+    {"step.stable", 0, "s", 0, stable, "the largest step guaranteed stable with the present neighbour list and damping",
      NB_AT_LEAST_0},
     {"step.fracc", 0, "1", NB_REQUEST_FRACC, fracc,
      "FRACC, the largest of all particles in the last cycle: not a stability bound [R89 4.40]", NB_AT_LEAST_0},

@@ -27,7 +27,8 @@ static const struct nb_reducer_row reducers[] = {
     {"min", NB_MIN, "the smallest value of the recorded rows"},
     {"mean", NB_MEAN, "the mean of all rows"},
     {"amplitude", NB_AMPLITUDE, "half the difference between the largest and the smallest value"},
-    {"frequency", NB_FREQUENCY, "upward crossings of the mean per second, 1/s"},
+    {"frequency", NB_FREQUENCY,
+     "number of upward crossings of the mean, minus one, over the time from the first to the last of them, 1/s"},
     {"at N cycles", NB_AT_CYCLE,
      "the row of that cycle, counted from the start of the run; in a contact test `at N steps`"},
     {"at TIME", NB_AT_TIME, "the value at that time, interpolated linearly between two rows"},
@@ -690,7 +691,7 @@ static const struct nb_expectation_row rows[] = {
    "C.normal max in strike  within 0.1 %"},
   {"versus", NB_VERSUS, "QUANTITY versus COLUMN {in STAGE} within TOLERANCE", take_versus,
    "A curve agrees with that of the reference at every row. COLUMN is the independent variable. `0.5 % of peak` is a fraction of the "
-   "largest reference value.",
+   "largest magnitude of the reference.",
    "C.normal versus time in strike  within 0.5 % of peak"},
   {"expected", NB_EXPECTED, "MEASURE expected NUMBER {of MEASURE} within TOLERANCE [SOURCE]", take_expected,
    "The computed value agrees with NUMBER, which comes from SOURCE. With `of`, NUMBER is a fraction of another measure. `expected NUMBER "

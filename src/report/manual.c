@@ -225,9 +225,9 @@ static void expectation(const struct manual *to, const struct nb_expectation_row
 
 static void measures(const struct manual *to) {
   paragraph(
-      to,
-      "A MEASURE is `QUANTITY {REDUCER} {in STAGE}`: a quantity that the page records, and how the rows of a stage "
-      "become one number. Without `in STAGE` the rows are those of the last stage that has rows. REDUCER is one of:");
+      to, "A MEASURE is `QUANTITY {REDUCER} {in STAGE}`: a quantity that the page records, and how the rows of a stage "
+          "become one number. Without `in STAGE` the rows are those of the last stage that has rows, and for `at` "
+          "those of all stages. REDUCER is one of:");
   for (const struct nb_reducer_row *row = nb_reducer_rows(); row->word; row++)
     part(to, row->word, NULL, row->help);
   end(to);
@@ -417,11 +417,13 @@ static void grammar(const struct manual *to) {
       to, "Each section shows the syntax of a statement, what it does, where it may stand, its arguments and an "
           "example. In the syntax, CAPITALS stand for a value, a part in `{...}` may be left out, and `a|b` means a or "
           "b. Clauses (a word and its values) may be in any order. In the list of arguments, `without it` gives the "
-          "default; an argument without default is required. `$NAME` stands for the value that a line `let` or "
+          "default; an argument without default is required, unless `|` in the syntax makes it one of several. `$NAME` "
+          "stands for the value that a line `let` or "
           "`sweep` above gives to NAME.");
   snprintf(text, sizeof text,
            "A name has fewer than %d characters. It begins with a letter (a to z, A to Z); letters, digits, `_` and "
-           "`-` may follow. A number is decimal: `-1.5e3`. A page may have at most %d MiB, lines of %d bytes and %d "
+           "`-` may follow, but the name of a value has no `-`. A number is decimal: `-1.5e3`. A page may have at most "
+           "%d MiB, lines of %d bytes and %d "
            "words, %d runs, %d particles, %d materials, and %d of each other thing that has a name. All mistakes of a "
            "page are reported at once, each "
            "with its line, what was expected and, if a known word is similar, the word that was probably meant.",
