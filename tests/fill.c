@@ -10,6 +10,7 @@
 
 #include "../src/core/model.h"
 #include "../src/packing/random_numbers.h"
+#include "run/plan.h"
 #include "suites.h"
 #include "written.h"
 
@@ -435,6 +436,40 @@ static void gap_of_a_pair_that_is_not_listed(void) {
   }
 }
 
+/* The gap counts a pair if a force can act between its particles: not if both are fixed, or one has been removed. It is
+ * the gap of the nearest images in a cell, is negative if particles overlap, and is at most the skin. */
+static void pairs_that_count_in_the_gap(void) {
+  static const struct {
+    const char *scene, *stage;
+    double gap;
+  } rows[] = {
+      {"disc 0 0 radius 1 rock\ndisc 2.125 0 radius 1 rock\ndisc 4.375 0 radius 1 rock\n", "", 0.125},
+      {"disc 0 0 radius 1 rock fixed\ndisc 2.125 0 radius 1 rock\ndisc 4.375 0 radius 1 rock\n", "", 0.125},
+      {"disc 0 0 radius 1 rock\ndisc 2.125 0 radius 1 rock fixed\ndisc 4.375 0 radius 1 rock\n", "", 0.125},
+      {"disc 0 0 radius 1 rock fixed\ndisc 2.125 0 radius 1 rock fixed\ndisc 4.375 0 radius 1 rock\n", "", 0.25},
+      {"disc 0 0 radius 1 rock\ndisc 2.125 0 radius 1 rock\ndisc 4.375 0 radius 1 rock\n", "remove disc 1\n", 0.25},
+      {"disc 0 0 radius 1 rock\ndisc 2.25 0 radius 1 rock\ndisc 4.375 0 radius 1 rock\n", "remove disc 3\n", 0.25},
+      {"disc 0 0 radius 1 rock\ndisc 1.9375 0 radius 1 rock\ndisc 4 0 radius 1 rock\n", "", -0.0625},
+      {"disc 0 0 radius 1 rock\ndisc 2.75 0 radius 1 rock\ndisc 9 0 radius 1 rock\n", "", 0.5},
+      {"disc 1.0625 5 radius 1 rock\ndisc 8.9375 5 radius 1 rock\ncell 0 0 to 10 10\n", "", 0.125},
+      {"disc 7 5 radius 2.1875 rock\ndisc 2.5 5 radius 2.1875 rock\ncell 0 0 to 10 10\n", "", 0.125},
+      {"disc 5 7 radius 2.1875 rock\ndisc 5 2.5 radius 2.1875 rock\ncell 0 0 to 10 10\n", "", 0.125},
+      {"disc 5 1.0625 radius 1 rock\ndisc 5 8.9375 radius 1 rock\ncell 0 0 to 10 10\n", "", 0.125},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(&page, ROCK "%sskin 0.5\nstep 1e-9\nrecord gap\nstage go\n%scycles 1\n", rows[k].scene, rows[k].stage);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+    CU_ASSERT_EQUAL(written_now(model, "gap"), rows[k].gap);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 static void hexagonal(void) {
   struct written it;
   make(&it, ROCK "lattice discs hexagonal 3 by 4 from 10 20 radius 1 spacing 2.5 rock\n");
@@ -470,5 +505,6 @@ void suite_fill(void) {
   CU_add_test(suite, "in a cell any copy of existing particles", any_copy_of_existing_particles);
   CU_add_test(suite, "in a cell no particle overlaps its own image", one_that_fills_the_cell);
   CU_add_test(suite, "gap of a pair that is not listed", gap_of_a_pair_that_is_not_listed);
+  CU_ADD_TEST(suite, pairs_that_count_in_the_gap);
   CU_add_test(suite, "hexagonal", hexagonal);
 }

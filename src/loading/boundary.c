@@ -52,10 +52,10 @@ static bool may_join(const struct nb_model *model, size_t i) {
 
 /* ---- a particle joins or leaves ---- */
 
-static void set_spin(struct nb_particles *particles, size_t i, double spin) {
+static void stop_spin(struct nb_particles *particles, size_t i) {
   if (particles->spin)
-    particles->spin[i] = spin;
-  particles->surface_speed[i] = spin * particles->radius[i];
+    particles->spin[i] = 0;
+  particles->surface_speed[i] = 0;
 }
 
 static void attach(struct nb_model *model, int slot) {
@@ -66,7 +66,7 @@ static void attach(struct nb_model *model, int slot) {
   nb_affine_assign(model->affine, i, NB_AFFINE_BOUNDARY);
   particles->imposed[i] = particles->velocity[i] = nb_imposed_velocity(model->affine, i, particles->position[i]);
   particles->inverse_mass[i] = particles->inverse_inertia[i] = 0;
-  set_spin(particles, i, 0);
+  stop_spin(particles, i);
 }
 
 static void detach(struct nb_model *model, int slot) {
@@ -236,7 +236,7 @@ void nb_rotation_begin(struct nb_model *model, bool rotates) {
     if (rotates)
       nb_motion_set_velocity(model, i, now);
     else
-      set_spin(particles, i, 0);
+      stop_spin(particles, i);
   }
   nb_balance_jump(model, NB_TERM_CHANGED, false);
 }
