@@ -219,6 +219,18 @@ static void order(void) { /* mistakes are listed in the order of the page */
   nb_mistakes_free(&mistakes);
 }
 
+/* A space inside parentheses does not end a word. A parenthesis that closes nothing does not count. */
+static void words_with_parentheses(void) {
+  static const char *const rows[][2] = {{"skin )(1 mm + 2 mm) b", "found `)(1 mm + 2 mm)`"},
+                                        {"skin ((1 mm) + 2 mm))( b", "expected a space after `)`, found `)( b`"},
+                                        {"skin x(1 mm) b", "found `x(1 mm)`"}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct read read = read_scene(rows[k][0], 0, NULL);
+    CU_ASSERT(says(&read, rows[k][1]));
+    done(&read);
+  }
+}
+
 static void limits_of_size(void) {
   size_t size = NB_PAGE_MAX + 1;
   char *large = malloc(size);
@@ -286,5 +298,6 @@ void suite_reader(void) {
   CU_add_test(suite, "columns of tokens after a $NAME", columns);
   CU_add_test(suite, "messages are in line order, and at most 1001", order);
   CU_add_test(suite, "limits of size", limits_of_size);
+  CU_add_test(suite, "words with parentheses", words_with_parentheses);
   CU_add_test(suite, "the table of keywords", table);
 }

@@ -96,6 +96,29 @@ static void the_error_is_relative(void) {
   }
 }
 
+/* The boundary of discs that do not rotate may have a stress with xy and yx that differ: here the middle disc rotates,
+ * and its friction turns the ring. A servo controls xy. */
+static void the_error_of_a_stress_that_is_not_symmetric(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  words_add(&page, "units none\nmaterial m density 2 kn 1000 ks 500 friction 0.5\nshear linear\nstep 0.0125\n"
+                   "disc 0 0 radius 1.01 m spin 1\n");
+  for (int k = 0; k < 6; k++)
+    words_add(&page, "disc %.17g %.17g radius 1 m\n", 2 * cos(k * acos(0.5)), 2 * sin(k * acos(0.5)));
+  words_add(&page, "boundary circle 0 0 radius 1.999\nrecord cycle\nstage s\n"
+                   "servo xy 0.25 on boundary through boundary at most 1e-9 per cycle\ncycles 9\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  written_cycles(model, 9);
+  const struct nb_tensor now = nb_boundary_stress(model);
+  CU_ASSERT(now.xy * now.yx < 0 && fabs(now.xy - now.yx) > 1);
+  CU_ASSERT_DOUBLE_EQUAL(nb_servo_error(model), fabs(now.xy - 0.25) / 0.25, 1e-9);
+  nb_model_free(model);
+  written_free(&it);
+}
+
 /* The radius follows the recursion, with a measurement every fifth cycle. At first it changes at the largest rate. In
  * the end the stress is at its target. */
 static void stress_follows_the_recursion(void) {
@@ -455,6 +478,7 @@ static void rates_that_oppose(void) {
       {{false, false, true}, false, {.xy = 1, .yx = -1}, false},
       {{true, true, false}, true, {.xx = 1, .yy = -1}, false},
       {{true, true, false}, true, {.xx = 1, .yy = 1}, true},
+      {{true, true, false}, false, {.xy = 1, .yx = 1}, false},
       {{true, true, true}, false, {.xx = 0}, false},
       {{true, false, false}, false, {.xx = 1e-6}, true}, /* rounding is relative to the largest rate */
       {{true, false, false}, false, {.xx = 1e-4, .yy = 1e6}, false},
@@ -469,6 +493,7 @@ static void rates_that_oppose(void) {
 void suite_servo(void) {
   CU_pSuite suite = CU_add_suite("servo", NULL, NULL);
   CU_add_test(suite, "the error of the stress is relative to the largest target", the_error_is_relative);
+  CU_add_test(suite, "the error of a stress that is not symmetric", the_error_of_a_stress_that_is_not_symmetric);
   CU_add_test(suite, "the stress follows the recursion to its target", stress_follows_the_recursion);
   CU_add_test(suite, "a ramp is followed", a_ramp_is_followed);
   CU_add_test(suite, "no offset under a dilatation", no_offset_under_a_dilatation);

@@ -65,7 +65,7 @@ static void warn_of_fixed(struct nb_scene *scene, const struct nb_monitor *one, 
 NB_APPLY(apply_monitor) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
-  struct nb_monitor one = {.a = -1, .b = -1};
+  struct nb_monitor one = {.b = -1};
   if (nb_token_skip(reader, "grading")) {
     one.a = nb_take_grading(scene, reader, &one.b);
     one.kind = one.b < 0 ? NB_MONITOR_GRADING : NB_MONITOR_SIZE;

@@ -98,7 +98,7 @@ bool nb_servo_opposes(const struct nb_servo *servo, const struct nb_strain_rate 
 double nb_servo_error(const struct nb_model *model) {
   const struct nb_servo *servo = &model->stage->servo;
   const double target = tensor_largest(tensor(servo->stress[0], servo->stress[2], servo->stress[2], servo->stress[1]));
-  return servo->line && target > 0 ? tensor_largest(stress_error(model, servo, 1)) / target : 0;
+  return target > 0 ? tensor_largest(stress_error(model, servo, 1)) / target : 0;
 }
 
 bool nb_servo_scales(const struct nb_model *model, const struct nb_servo *servo, double *b, double *t) {
