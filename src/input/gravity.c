@@ -106,7 +106,7 @@ NB_STATEMENTS(gravity) = {
    "Sets a uniform acceleration of all free particles; default none. In a stage it changes from this stage on.",
    "gravity   0 m/s2 -9.81 m/s2"},
   {"gravity centripetal", NB_IN_STAGE | NB_IN_RAMP, centripetal_fields, NULL, 1, false, apply_gravity,
-   "Sets an acceleration of all free particles towards a point, from this stage on [R89 sec. 6.4.1]. It replaces `gravity`.",
+   "Sets an acceleration of all free particles towards a point, from this stage on [R89 sec. 6.4.1]. It replaces `gravity`. Before it acts towards another point, a stage must set `gravity` to zero.",
    "  gravity centripetal 10 m/s2  about 40 mm 40 mm"},
   {0},
 };
