@@ -252,7 +252,7 @@ run 2 advise gas.md --over seed --set seed=2 --quantity energy.kinetic --within 
 result $? 'realizations of one seed'
 run 2 advise gas.md --over sead --quantity energy.kinetic --within '10 %' && said 'did you mean `seed`?'
 result $? 'realizations of an unknown name'
-run 2 advise gas.md --over seed --realizations 4 --quantity energy.kinetic --within '10 %' && said 'expected 8 to 32 --realizations' &&
+run 2 advise gas.md --over seed --realizations 4 --quantity energy.kinetic --within '10 %' && said 'expected --realizations from 8 to 32' &&
   run 2 advise gas.md --realizations 9 --quantity energy.kinetic --within '10 %' && said 'with --over NAME'
 result $? 'too few realizations'
 sed 's/^let rate/let stiff = 1000\n&/; s/kn 1000/kn $stiff/; s/^trade .*/trade stiff 1000 500/' gas.md >soft.md

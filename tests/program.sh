@@ -156,9 +156,9 @@ END
 printf '```contact-test\nmaterial m young 1 GPa poisson 0.3 friction 0.3\ncontact sphere 10 mm m with sphere 10 mm m\nnormal hertz\nshear mindlin\n' >loop.md
 printf 'segment press normal to 100 N in 9 steps\nsegment load shear to 20 N hold normal in 9 steps\n```\n' >>loop.md
 run 0 explain oblique.md
-said 'oblique.md:7: warning: `shear mindlin` has no micro-slip at the edge of the contact, which decides a collision without damping: the exact law is `shear mindlin_deresiewicz`'
+said 'oblique.md:7: warning: `shear mindlin` has no micro-slip at the edge of the contact, on which a collision without damping depends: the exact law is `shear mindlin_deresiewicz`'
 run 0 explain loop.md
-said 'loop.md:5: warning: `shear mindlin` has no micro-slip at the edge of the contact, which decides the path of this contact: the exact law'
+said 'loop.md:5: warning: `shear mindlin` has no micro-slip at the edge of the contact, on which the path of this contact depends: the exact law'
 sed 's/  friction 0.3$/\npair m m friction 0.3/' oblique.md >pair.md
 run 0 explain pair.md
 said 'pair.md:8: warning: `shear mindlin` has no micro-slip'
@@ -301,9 +301,9 @@ END
 run 0 explain signs.md
 said 'signs.md:8: warning: a damping ratio above 1 is more than critical damping: 30 is 3000 % of it; if that is meant, write `ratio 3000 %`, otherwise `ratio 30 %`'
 said 'signs.md:9: warning: a damping ratio above 1 is more than critical damping: 1.01 is 101 % of it'
-said 'signs.md:21: warning: wall `south` rotates about its middle: 0.05 m 0 m; its line in the scene is a `box`; a line `wall` can have `about X Y`'
+said 'signs.md:21: warning: wall `south` rotates about its middle: 0.05 m 0 m; its line in the scene is a `box`; only a line `wall` can have `about X Y`'
 said 'signs.md:22: warning: wall `north` rotates'
-tension='a negative value means tension, because stress is positive in compression: for a pressure write'
+tension='with a negative value means tension, because stress is positive in compression: for a pressure write'
 said "signs.md:15: warning: \`box.stress.mean below\` $tension \`box.stress.mean above 100000 Pa\`"
 said "signs.md:18: warning: \`servo yy\` $tension \`servo yy 1000 Pa\`"
 said "signs.md:19: warning: \`box.stress.mean above\` $tension \`box.stress.mean below 100000 Pa\`"

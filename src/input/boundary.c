@@ -164,7 +164,7 @@ void nb_box_check(struct nb_scene_reading *reading) {
       report(reading, line,
              "remove `wall` and `walls`, or this line: `box strain` and `servo` move opposite walls together",
              "expected `box strain` and `servo`, or `wall` and `walls`, to move the box in this stage, found both");
-    if (turned)
+    else if (turned)
       report(reading, line, NULL,
              "expected a box whose walls never rotate, found one with a `spin` in this stage or an earlier one");
   }

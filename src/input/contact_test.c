@@ -144,7 +144,7 @@ static bool expected_part(struct nb_reader *reader, const bool given[PARTS]) {
 static bool take_segment(struct nb_reader *reader, struct nb_stage *stage) {
   static const char *const once[] = {[PART_NORMAL] = "only one of `overlap`, `normal` and `hold normal` in a segment",
                                      [PART_SHEAR] = "only one of `slip`, `shear` and `hold shear` in a segment",
-                                     [PART_STEPS] = "`in N steps` once"};
+                                     [PART_STEPS] = "only one `in N steps` in a segment"};
   bool given[PARTS] = {false}, any = false;
   for (; nb_token_peek(reader); any = true) {
     const enum word word = take_segment_word(reader);

@@ -59,6 +59,10 @@ static void take_damping(struct nb_reader *reader, struct given *given) {
   if (word == NONE)
     given->all = given->global = given->deep = !given->walls;
   given->timing = word >= CENTRED && !given->walls, given->centred = word == CENTRED;
+  if (word == CRITICAL)
+    reader->otherwise =
+        "a fraction of critical damping is `damping ratio 0.2`; contacts that overlap deeply are damped "
+        "critically by `damping critical beyond overlap 7 %`";
   if (word == CRITICAL) { /* `beyond overlap 7 %` of the smaller diameter */
     given->deep = nb_take_word(reader, "beyond") && nb_take_word(reader, "overlap");
     nb_take_number(reader, NB_UNIT_NUMBER, NB_POSITIVE, &given->value);

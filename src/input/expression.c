@@ -313,6 +313,14 @@ const char *nb_arithmetic_hint(const struct nb_reader *reader) {
              : NULL;
 }
 
+/* The hint for a word in place of an expression, `let law = linear`; NULL: the name is something else. */
+static const char *word_hint(const struct nb_reader *reader, char *hint, const char *name) {
+  const struct nb_token *const tokens = reader->tokens;
+  snprintf(hint, NB_HINT_SIZE, "a value that is a word has no `=`: `let %.60s %.60s`",
+           reader->count > 1 ? tokens[1].text : "", name);
+  return reader->count == 4 && strcmp(tokens[0].text, "let") == 0 && strcmp(tokens[3].text, name) == 0 ? hint : NULL;
+}
+
 /* Reads a function, pi, or a value named by `let` or `sweep`. */
 static struct quantity named_value(struct parser *p) {
   char name[WORD_SIZE], hint[NB_HINT_SIZE];
@@ -341,6 +349,7 @@ static struct quantity named_value(struct parser *p) {
   const char *near = nb_syntax_hint(reader, hint, name);
   near = near ? near : NB_NEAREST(hint, name, reader->bindings, reader->binding_count);
   near = near || !nb_unit_read(&unit, name) ? near : "a unit follows a number, without an operator: `2 mm`";
+  near = near ? near : word_hint(reader, hint, name);
   near = near ? near : nb_arithmetic_hint(reader);
   if (length >= NB_NAME_SIZE)
     mistake(p, from, length, near, "expected a name of at most %d characters, found `%.*s…`", NB_NAME_SIZE - 1,

@@ -54,8 +54,12 @@ int nb_take_grading(const struct nb_scene *scene, struct nb_reader *reader, int 
   for (size_t s = 0; s < it->size_count; s++)
     if (it->sizes[s].radius == radius)
       *size = (int)s;
-  if (*size < 0)
-    nb_token_mistake(reader, at, NULL, "expected one of the radii of the grading `%s`, found another one", it->name);
+  if (*size < 0) {
+    char hint[NB_HINT_SIZE] = "the radii are";
+    for (size_t s = 0; s < it->size_count && s < 10; s++)
+      nb_append(hint, sizeof hint, "%s %g%s", s ? "," : "", it->sizes[s].radius, reader->unitless ? "" : " m");
+    nb_token_mistake(reader, at, hint, "expected one of the radii of the grading `%s`, found another one", it->name);
+  }
   return index;
 }
 

@@ -115,7 +115,7 @@ static void check_rigid(struct nb_scene_reading *reading, const int *on_particle
           (k == i ? on_particle[i] > 1 || on_wall[i] : on_particle[k] || on_wall[k])) {
         report(reading, scene->materials[i].line,
                k == i ? "write `young E  poisson NU` in place of `rigid`"
-                      : "give one of the two materials `young E  poisson NU`",
+                      : "give one of the two materials `young E  poisson NU` in place of `rigid`",
                k == i
                    ? "expected at most one `rigid` side of a contact, found that both sides can be of `%s`"
                    : "expected at most one `rigid` side of a contact, found that this material can touch `%s`, which "
@@ -327,8 +327,8 @@ static void warn_no_micro_slip(struct nb_scene_reading *reading) {
   if (reading->shear_written && strcmp(scene->shear, "mindlin") == 0 && friction &&
       (scene->contact_test ? has_tangential_segment(scene) : is_free_collision(scene)))
     nb_warn(&scene->warnings, scene->shear_line,
-            "`shear mindlin` has no micro-slip at the edge of the contact, which decides %s: the exact law is `shear "
-            "mindlin_deresiewicz`",
+            "`shear mindlin` has no micro-slip at the edge of the contact, on which %s depends: the exact law is "
+            "`shear mindlin_deresiewicz`",
             scene->contact_test ? "the path of this contact" : "a collision without damping");
 }
 

@@ -181,7 +181,8 @@ static bool word_wanted(struct nb_reader *reader, const struct nb_token *token) 
   return strcmp(token[-1].text, "from") == 0 && strcmp(reader->tokens[0].text, "sweep") == 0
              ? nb_token_mistake(reader, token - 1, "a sweep lists each value: `sweep mu 0.1 0.3 0.5`",
                                 "expected the first value of the sweep, found `from`")
-             : nb_expected_at(reader, token, NULL, "a word, because the first value of this name is a word");
+             : nb_expected_at(reader, token, "all values of a name are words, or all are numbers",
+                              "a word, because the first value of this name is a word");
 }
 
 /* True if a value has the type of the first one in its column. A column has either words or numbers of one dimension; a
@@ -434,9 +435,10 @@ NB_STATEMENTS(let) = {
   {"units", NB_IN_SCENE | NB_IN_CONTACT_TEST, units_fields, NULL, 0, false, apply_units,
    "Whether numbers have units. With `si`, the default, each number that has a dimension has a unit. With `none` all numbers are written without a unit, in consistent units such as those of SI. `units` holds for the whole page.",
    "units     si"},
-  {"let", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_START, value_fields, "= EXPRESSION|WORD", 0, false, apply_let,
+  {"let", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_START, value_fields, "= EXPRESSION, or WORD", 0, false, apply_let,
    "Gives a name to a number or a word. In the lines below, $NAME stands for the value, and expressions use NAME. --set NAME=VALUE on the command line overrides the value.\n"
-   "EXPRESSION|WORD: a number with its unit, an expression such as `2*R`, or a word such as the name of a law.",
+   "EXPRESSION: a number with its unit, or an expression such as `2*R`.\n"
+   "WORD: a word such as the name of a law, without `=`: `let law linear`.",
    "let       angle = 17 deg\nlet       grip = tan(angle)"},
   {"sweep", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_START, value_fields, "{with NAME …} VALUE …", 0, false, apply_sweep,
    "Gives a name several values, one for each run. Several sweeps make all combinations; the last sweep varies fastest. --set NAME=VALUE selects the runs with this value; if there are none, all runs get this value.\n"

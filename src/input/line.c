@@ -64,7 +64,11 @@ static const struct nb_binding *binding_of(struct nb_reader *reader, const struc
     return &reader->bindings[index];
   if (nb_name_suppressed(reader->mistakes, name))
     nb_fail_silently(reader);
-  const char *const near = NB_NEAREST(hint, name, reader->bindings, reader->binding_count);
+  const char *near = NB_NEAREST(hint, name, reader->bindings, reader->binding_count);
+  if (!near && nb_is_name(name)) {
+    snprintf(hint, sizeof hint, "define it with `let %s = VALUE`", name);
+    near = hint;
+  }
   if (strlen(name) >= NB_NAME_SIZE)
     nb_token_mistake(reader, token, near, "expected a name of at most %d characters, found `$%.*s…`", NB_NAME_SIZE - 1,
                      NB_NAME_SIZE - 1, name);
@@ -332,6 +336,18 @@ bool nb_line_mistake(struct nb_reader *reader, size_t line, const char *hint, co
 
 /* ---- hints for syntax of other languages ---- */
 
+/* Writes the hint for `6.5,2`, two numbers with a comma between them, which is byte n. A unit after them belongs to
+ * both. */
+static bool two_numbers_hint(char *hint, const struct nb_reader *reader, const char *text, size_t n) {
+  const struct nb_token *const token = nb_token_peek(reader);
+  const char *const after = token && token + 1 < reader->tokens + reader->count ? token[1].text : "";
+  struct nb_unit read;
+  const char *const unit = nb_unit_read(&read, after) ? after : "", *const space = *unit ? " " : "";
+  snprintf(hint, NB_HINT_SIZE, "put a space, not a comma, between two numbers: `%.*s%s%.40s %s%s%.40s`", (int)n, text,
+           space, unit, text + n + 1, space, unit);
+  return true;
+}
+
 /* Writes the hint for `50mm`, a number and its unit without a space, or for `1,5`, a decimal comma. */
 static bool number_hint(char *hint, const struct nb_reader *reader, const char *text) {
   struct nb_unit read;
@@ -348,10 +364,11 @@ static bool number_hint(char *hint, const struct nb_reader *reader, const char *
              nb_quantity_read(&value, number, false, &read) == NB_READ ? value : 0);
     return nb_quantity_read(&value, number, false, &read) == NB_READ;
   }
-  const char *form = unit                                  ? "put a space between the number and its unit: `%.*s %s`"
-                     : memchr(text, '.', n) && all > n + 1 ? "put a space, not a comma, between two numbers: `%.*s %s`"
-                     : all > n + 1                         ? "write `%.*s.%s`, without a comma"
-                                                           : "leave out the comma: `%.*s%s`";
+  if (!unit && memchr(text, '.', n) && all > n + 1)
+    return two_numbers_hint(hint, reader, text, n);
+  const char *form = unit          ? "put a space between the number and its unit: `%.*s %s`"
+                     : all > n + 1 ? "write `%.*s.%s`, without a comma"
+                                   : "leave out the comma: `%.*s%s`";
   snprintf(hint, NB_HINT_SIZE, form, (int)n, text, text + n + comma);
   return true;
 }
@@ -375,6 +392,25 @@ static bool is_call(const char *text) {
   return text[length] && nb_name_reserved(name);
 }
 
+/* Writes the hint for an operator at token `at`, between numbers: `5 mm * 2`. False: a number is missing. */
+static bool echo_operator(const struct nb_reader *reader, char *hint, size_t at) {
+  const struct nb_token *const tokens = reader->tokens;
+  struct nb_unit unit;
+  const size_t from = at - (at > 1 && nb_unit_read(&unit, tokens[at - 1].text) ? 2 : 1);
+  const size_t to = at + 1 + (at + 2 < reader->count && nb_unit_read(&unit, tokens[at + 2].text));
+  if (at < 1 || at + 1 >= reader->count || !nb_number_length(tokens[from].text) ||
+      !nb_number_length(tokens[at + 1].text))
+    return false;
+  snprintf(hint, NB_HINT_SIZE, "put the whole expression into parentheses: `(");
+  for (size_t k = from; k <= to; k++) {
+    if (tokens[k].name)
+      return false;
+    nb_append(hint, NB_HINT_SIZE, "%s%.60s", k > from ? " " : "", tokens[k].text);
+  }
+  nb_append(hint, NB_HINT_SIZE, ")`");
+  return true;
+}
+
 /* Writes a hint with the word in parentheses. The hint has an example instead if the word is a single character or has
  * replaced a $NAME. After a quantity it is that of nb_arithmetic_hint. */
 static void operator_hint(const struct nb_reader *reader, char *hint, const char *text) {
@@ -386,9 +422,11 @@ static void operator_hint(const struct nb_reader *reader, char *hint, const char
     snprintf(hint, NB_HINT_SIZE, "%s", arithmetic);
   else if (token && token->name)
     snprintf(hint, NB_HINT_SIZE, "put operators into parentheses, where a name has no `$`: `(2*%.80s)`", token->name);
-  else if (!text[1])
+  else if (!text[1] && !echo_operator(reader, hint, (size_t)place))
     snprintf(hint, NB_HINT_SIZE, "put the whole expression into parentheses: `(%s * 2)`",
              reader->unitless ? "5" : "5 mm");
+  else if (!text[1])
+    return;
   else
     snprintf(hint, NB_HINT_SIZE, "put operators and functions into parentheses: `(%.80s)`", text);
 }

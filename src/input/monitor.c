@@ -18,7 +18,8 @@ static int take_numbered(const struct nb_scene_reading *reading, struct nb_reade
     nb_expected(reader, NULL, "%s", what);
   nb_take_count(reader, 1, incomplete || !scene->particle_count ? NB_PARTICLES_MAX : scene->particle_count, &number);
   if (scene->particle_count == 0 && !incomplete)
-    nb_token_mistake(reader, word, NULL, "expected a particle that is defined above, found none");
+    nb_token_mistake(reader, word, "write this line below the particles",
+                     "expected a particle that is defined above, found none");
   if (reader->bad || incomplete)
     return -1;
   const bool is_disc = scene->particles[number - 1].shape == NB_DISC;

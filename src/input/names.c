@@ -341,14 +341,15 @@ void nb_tension_warn(struct nb_scene *scene, const struct nb_quantity *quantity,
                      double value, int line) {
   const bool below = strcmp(relation, "below") == 0, above = strcmp(relation, "above") == 0;
   if (value < 0 && (!quantity || is_normal_stress(*quantity)))
-    nb_warn(&scene->warnings, line,
-            "`%s %s` a negative value means tension, because stress is positive in compression: for a pressure write "
-            "`%s %s %g%s`",
-            name, relation, name,
-            below   ? "above"
-            : above ? "below"
-                    : relation,
-            -value, scene->unitless ? "" : " Pa");
+    nb_warn(
+        &scene->warnings, line,
+        "`%s %s` with a negative value means tension, because stress is positive in compression: for a pressure write "
+        "`%s %s %g%s`",
+        name, relation, name,
+        below   ? "above"
+        : above ? "below"
+                : relation,
+        -value, scene->unitless ? "" : " Pa");
 }
 
 double nb_quantity_value(struct nb_quantity quantity, const struct nb_model *model) {
@@ -687,8 +688,18 @@ const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const cha
     return owned_by_hint(hint, scene, text, owner);
   if (!scene->contact_test && meant_line(hint, text))
     return hint;
-  if (strchr(text, '('))
-    return strcpy(hint, "`max`, `mean` and other reducers follow the quantity: `A.x max`");
+  if (strchr(text, '(')) {
+    char name[2 * NB_NAME_SIZE];
+    struct nb_quantity quantity;
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(strchr(text, '(') + 1, "),"), strchr(text, '(') + 1);
+    if (!nb_quantity_find(&quantity, scene, name))
+      strcpy(name, "A.x");
+    snprintf(hint, NB_HINT_SIZE,
+             "record the quantity alone, `record %s`; in a block `expect` `max`, `mean` or another reducer follows the "
+             "quantity: `%s max`",
+             name, name);
+    return hint;
+  }
   if (strstr(hint_of(hint, scene, text), "strain.xy`"))
     nb_append(hint, NB_HINT_SIZE, " (xy is half the engineering shear strain, since the start of the run)");
   return hint;

@@ -43,7 +43,7 @@ static int material_named(const struct nb_scene *scene, struct nb_reader *reader
     nb_token_mistake(reader, file, "define it above, or give all particles one material: `packing FILE discs MATERIAL`",
                      "expected all materials of the file in the page, found that `%s` is missing", name);
   else if (scene->materials[m].density == 0 && !fixed)
-    nb_token_mistake(reader, file, NULL,
+    nb_token_mistake(reader, file, "give the material a `density`",
                      "expected a material with a density for free particles, found that `%s` has none", name);
   return m;
 }

@@ -9,18 +9,20 @@
 
 static const struct nb_argument no_fields[] = {END};
 
-#define QUANTITY "a quantity, such as `C.normal`"
+static const char *quantity_words(const struct nb_scene *scene) {
+  return scene->contact_test ? "a quantity, such as `normal`" : "a quantity, such as `C.normal`";
+}
 
 bool nb_take_requested(struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_requested *requested) {
   char hint[NB_HINT_SIZE];
   if (nb_phrase_hint(hint, reading->scene, &reader->tokens[reader->next], reader->count - reader->next))
-    return nb_expected(reader, hint, QUANTITY);
+    return nb_expected(reader, hint, "%s", quantity_words(reading->scene));
   const struct nb_token *token = nb_token_peek(reader);
   struct nb_quantity quantity;
   if (token && strcmp(reader->tokens[0].text, "until") == 0 &&
       !nb_quantity_find(&quantity, reading->scene, token->text) && nb_pair_hint(hint, "until", token->text))
-    return nb_expected(reader, hint, QUANTITY);
-  token = nb_take_token(reader, QUANTITY);
+    return nb_expected(reader, hint, "%s", quantity_words(reading->scene));
+  token = nb_take_token(reader, quantity_words(reading->scene));
   if (token && strlen(token->text) >= sizeof requested->name)
     nb_token_mistake(reader, token, NULL, "expected a name shorter than %zu bytes", sizeof requested->name);
   if (reader->bad)
@@ -56,7 +58,7 @@ NB_APPLY(apply_columns) {
                   reading->scene->contact_test
                       ? "`record every N steps` or `record none` belongs in a segment: below a line `segment NAME …`"
                       : "`record every N cycles` or `record none` belongs in a stage: below a line `stage NAME`",
-                  QUANTITY);
+                  "%s", quantity_words(reading->scene));
     if (!nb_take_requested(reading, reader, &one) ||
         nb_too_many(reader, reading->requested_count, NB_NAMED_MAX, "columns"))
       return;

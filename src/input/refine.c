@@ -81,7 +81,8 @@ static bool refine_end(struct nb_scene_reading *reading, struct nb_stage *stage)
     if (strcmp(stage->conditions[k].quantity.kind->name, "cycle") == 0)
       stage->conditions[k].value *= refine;
   return multiply(reading, stage, reading->scene->contact_test ? "steps" : "cycles",
-                  stage->condition_count > 0 ? ceil(cycles * (1 - rounding)) : cycles, &stage->cycles);
+                  stage->condition_count > 0 && cycles <= NB_COUNT_MAX ? ceil(cycles * (1 - rounding)) : cycles,
+                  &stage->cycles);
 }
 
 static bool refine_stage(struct nb_scene_reading *reading, struct nb_stage *stage) {
@@ -122,7 +123,9 @@ void nb_soften(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
   const double soften = scene->soften;
   if (soften != 1 && scene->start.stages > 0) {
-    nb_line_mistake(&reading->reader, (size_t)scene->start.line, NULL,
+    char hint[NB_HINT_SIZE];
+    snprintf(hint, sizeof hint, "soften the other page: write `with soften=%g` in the line `start`", soften);
+    nb_line_mistake(&reading->reader, (size_t)scene->start.line, hint,
                     "expected no `soften` with `start`, because the other page has computed the contacts");
     return;
   }

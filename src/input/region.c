@@ -88,7 +88,7 @@ void nb_regions_check(struct nb_scene_reading *reading) {
     if (it->kind == NB_REGION_INSIDE && !has_boundary(scene) && !nb_statement_suppressed(reader->mistakes, "boundary"))
       nb_line_mistake(
           reader, (size_t)it->line,
-          "`inside F` is a part of `boundary circle X Y radius R`; in a box or a cell write `box X1 Y1 to X2 "
+          "`inside F` is for a scene with `boundary circle X Y radius R`; in a box or a cell write `box X1 Y1 to X2 "
           "Y2`, `circle X Y radius R` or `all`",
           "expected a scene with a boundary, found none");
     for (size_t s = scene->start.stages; s < scene->stage_count; s++)

@@ -29,7 +29,8 @@ const struct nb_family *nb_keywords(void) {
 
 bool nb_set_twice(struct nb_reader *reader, const char *what, int line) {
   if (line)
-    nb_token_mistake(reader, &reader->tokens[0], NULL, "%s is given twice, first on line %d", what, line);
+    nb_token_mistake(reader, &reader->tokens[0], "keep one of the two lines", "%s is given twice, first on line %d",
+                     what, line);
   return reader->bad;
 }
 

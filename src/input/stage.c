@@ -188,7 +188,7 @@ NB_APPLY(apply_until) {
   if (nb_token_skip(reader, "every"))
     nb_take_count_of(reader, "cycle", &stage->check_interval);
   if (!nb_token_skip(reader, "at"))
-    nb_expected(reader, "add a limit: `at most N cycles`", "`and`, `every N cycles` or `at most N cycles`");
+    nb_expected(reader, "add a limit: `at most 1000000 cycles`", "`and`, `every N cycles` or `at most N cycles`");
   else if (nb_take_word(reader, "most"))
     nb_take_count_of(reader, "cycle", &stage->cycles);
 }

@@ -113,6 +113,13 @@ static void syntax_hint(char *hint, const struct nb_keyword *keyword) {
   snprintf(hint, NB_HINT_SIZE, "the statement is `%s`", syntax);
 }
 
+/* In a contact test the example `record  every 10 cycles` has steps. */
+static void count_steps(const struct nb_reader *reader, char *hint) {
+  char *const cycles = reader->here == NB_IN_SEGMENT ? strstr(hint, " cycles`") : NULL;
+  if (cycles)
+    strcpy(cycles, " steps`");
+}
+
 const char *nb_example_hint(char *hint, const struct nb_reader *reader) {
   const char *line = reader->row && reader->row->example ? reader->row->example : "", *best = "";
   char first[NB_NAME_SIZE] = "", padded[NB_HINT_SIZE], word[NB_NAME_SIZE + 2];
@@ -136,6 +143,7 @@ const char *nb_example_hint(char *hint, const struct nb_reader *reader) {
     while (length > 0 && strncmp(best + length, "  ", 2) != 0)
       length--;
   snprintf(hint, NB_HINT_SIZE, "for example `%.*s`", (int)length, best);
+  count_steps(reader, hint);
   /* if the example has several lines, one common word, the first one, is not enough to choose a line */
   return most > (lines > 1) ? hint : NULL;
 }

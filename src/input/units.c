@@ -135,6 +135,9 @@ const struct nb_foreign_unit *nb_unit_foreign(const char *name, const struct nb_
       {"mph", "m/s", 0.44704},
       {"ft/s2", "m/s2", 0.3048},
       {"min", "s", 60},
+      {"sec, second, seconds", "s", 1},
+      {"msec", "ms", 1},
+      {"usec", "us", 1},
       {"rpm", "rad/s", NB_PI / 30},
   };
   struct nb_unit unit;

@@ -1,6 +1,7 @@
 /* Values of a statement: numbers with their units, whole numbers, words and names.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -117,11 +118,30 @@ static bool resembles_unit(const char *text) {
   return nb_unit_read(&unit, text) || (nb_guess_found(&guess) && guess.distance == 0);
 }
 
+static bool is_percent(const char *text) { return strcmp(text, "percent") == 0 || strcmp(text, "per-cent") == 0; }
+
+/* True if a word after a number of an expectation is part of the expectation, `3 of`, and not a mistyped unit. */
+static bool continues_expectation(const char *text) {
+  static const char *const words[] = {"in",    "of",    "over",     "with",      "within",    "versus",
+                                      "at",    "above", "below",    "increases", "decreases", "constant",
+                                      "order", "every", "expected", NULL};
+  size_t k = 0;
+  while (words[k] && strcmp(words[k], text) != 0)
+    k++;
+  return words[k] || !isalpha((unsigned char)*text);
+}
+
+static bool is_unit_of_expectation(const struct nb_reader *reader, const struct wanted *it, const char *text) {
+  return reader->here == NB_IN_EXPECT && !is_dimensionless(it) && !continues_expectation(text);
+}
+
 /* True if the token after a number is probably meant as the unit of the number. */
 static bool meant_as_unit(const struct nb_reader *reader, const struct wanted *it) {
   const struct nb_token *token = token_after(reader, 1);
   if (!token || is_number(token) || is_clause(reader, token))
     return false;
+  if (is_percent(token->text) || is_unit_of_expectation(reader, it, token->text))
+    return true;
   const bool own = are_words_of_row(reader);
   if (reader->unitless)
     return !own && resembles_unit(token->text);
@@ -188,7 +208,7 @@ static bool radian_hint(char *hint, const char *n, const char *unit, const struc
 /* Writes the hint for `1 percent`; false: the number has another unit. */
 static bool percent_hint(char *hint, const char *n, const struct nb_token *next) {
   snprintf(hint, NB_HINT_SIZE, "write `%.40s %%`", n);
-  return next && (strcmp(next->text, "percent") == 0 || strcmp(next->text, "per-cent") == 0);
+  return next && is_percent(next->text);
 }
 
 /* Writes the hint for `1 m/2`, a quotient outside parentheses; false: no operator follows the unit. */

@@ -205,7 +205,7 @@ static void warn_of_spin(struct nb_scene *scene, size_t stages, size_t index, do
     nb_warn(
         &scene->warnings, line,
         "wall `%s` rotates about its middle: %g%s %g%s; its line in the scene %s `about X Y`, which sets the centre",
-        wall->name, wall->x, m, wall->y, m, of_box ? "is a `box`; a line `wall` can have" : "has no");
+        wall->name, wall->x, m, wall->y, m, of_box ? "is a `box`; only a line `wall` can have" : "has no");
 }
 
 void nb_spin_check(struct nb_scene *scene) {
@@ -220,8 +220,10 @@ void nb_spin_check(struct nb_scene *scene) {
 
 /* Reports that the stage sets the motion of a wall, or a part of it, again. `given`: what is set again, NB_GIVEN_ bits. */
 static void report_again(struct nb_reader *reader, const struct nb_wall *wall, unsigned given) {
+  const bool walls = strcmp(reader->tokens[0].text, "walls") == 0;
   nb_token_mistake(reader, &reader->tokens[0],
-                   "in a stage `wall` may stand below `walls`; `walls` then moves the other walls only",
+                   walls ? "in a stage `wall` may stand below `walls`; `walls` then moves the other walls only"
+                         : "keep one of the two lines",
                    "the %s of wall `%s` is given twice in this stage",
                    given == NB_GIVEN_SPIN ? "angular velocity" : "velocity", wall->name);
 }

@@ -413,13 +413,14 @@ enum nb_status nb_command_advise(const struct nb_call *call) {
   struct nb_advice advice;
   struct nb_error error = {0};
   if ((!call->all && (call->page_count != 1 || !call->within)) || !read_budget(&query.budget, call->budget)) {
-    fputs("nineball: expected one page, --within TOLERANCE, and a --budget in seconds: nineball advise PAGE --within "
-          "'1 %'; or many pages, nineball advise --all\n",
+    fputs("nineball: expected one page and --within TOLERANCE, as in `nineball advise PAGE --within '1 %'`, and with "
+          "--budget a number of seconds above 0; for many pages write `nineball advise --all`\n",
           stderr);
     return NB_BAD_USE;
   }
   if (!read_realizations(&query.realizations, call)) {
-    fprintf(stderr, "nineball: expected %d to %d --realizations, with --over NAME\n", NB_REALIZATIONS_MIN, NB_TRIALS);
+    fprintf(stderr, "nineball: expected --realizations from %d to %d, together with --over NAME\n", NB_REALIZATIONS_MIN,
+            NB_TRIALS);
     return NB_BAD_USE;
   }
   if (call->all)

@@ -488,8 +488,8 @@ static enum nb_status read_page(struct nb_advice *advice, struct nb_error *error
   for (; query->settings[count]; count++)
     if (query->over && strncmp(query->settings[count], query->over, length) == 0 &&
         query->settings[count][length] == '=')
-      return nb_error_set(error, NB_BAD_USE, "--over %s and --set %s exclude each other", query->over,
-                          query->settings[count]);
+      return nb_error_set(error, NB_BAD_USE, "--over %s and --set %s exclude each other: remove one of the two",
+                          query->over, query->settings[count]);
   advice->page_settings = calloc(count + 2, sizeof *advice->page_settings);
   advice->variants = calloc(NB_VARIANTS_MAX, sizeof *advice->variants);
   if (!advice->page_settings || !advice->variants)

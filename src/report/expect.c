@@ -204,9 +204,9 @@ static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, 
     nb_suppress_name(reader->mistakes, token->text);
     snprintf(hint, sizeof hint, "add `record %s` to the %s%s", token->text,
              scene->contact_test ? "contact test" : "scene",
-             strcmp(quantity->kind->name, "angle") == 0 ? "; it is the rotation since the start, and the direction of "
-                                                          "a velocity is `A.vx last  expected (tan(pi/9)) of A.vy "
-                                                          "last within 1 % [SOURCE]`"
+             strcmp(quantity->kind->name, "angle") == 0 ? "; this angle is the rotation since the start; a velocity at "
+                                                          "20 degrees, pi/9, from the y axis is `A.vx last  expected "
+                                                          "(tan(pi/9)) of A.vy last within 1 % [SOURCE]`"
                                                         : "");
   } else if (nb_number_read(&number, token->text, 0) != NB_NO_NUMBER)
     snprintf(hint, sizeof hint, "a number is compared by `expected NUMBER within TOLERANCE [SOURCE]`");
@@ -357,6 +357,17 @@ static const char *scale_note(const struct nb_scene *scene, const char *scale) {
   return ", with `record energy.kinetic` in the scene";
 }
 
+/* Reports a mistyped `peak`, which may stand in place of a measure. */
+static bool is_no_peak(struct nb_reader *reader, const struct nb_scene *scene) {
+  char hint[NB_HINT_SIZE];
+  struct nb_quantity quantity;
+  const struct nb_token *const token = nb_token_peek(reader);
+  struct nb_guess guess = nb_guess_begin(token ? token->text : "");
+  nb_guess_offer(&guess, "peak");
+  return token && nb_guess_found(&guess) && !nb_quantity_find(&quantity, scene, token->text) &&
+         !nb_expected(reader, nb_guess_hint(&guess, hint), "a quantity that the page records, or `peak`");
+}
+
 /* Takes a fraction: `0.1 %`, `0.5 % of peak`, `1e-9 of energy.kinetic max`; the last two only if `scene` is not
  * NULL. */
 static bool take_fraction(struct nb_reader *reader, const struct nb_scene *scene, const char *unit,
@@ -366,9 +377,9 @@ static bool take_fraction(struct nb_reader *reader, const struct nb_scene *scene
     return false;
   if (!scene || !nb_token_skip(reader, "of"))
     return true;
-  tolerance->kind = nb_token_is(reader, "peak") ? NB_OF_PEAK : NB_OF_MEASURE;
-  return tolerance->kind == NB_OF_PEAK ? nb_take_word(reader, "peak")
-                                       : take_measure_like(reader, scene, unit, &tolerance->of);
+  tolerance->kind = nb_token_skip(reader, "peak") ? NB_OF_PEAK : NB_OF_MEASURE;
+  return tolerance->kind == NB_OF_PEAK ||
+         (!is_no_peak(reader, scene) && take_measure_like(reader, scene, unit, &tolerance->of));
 }
 
 /* True if the token after the next one is this word. */
@@ -543,12 +554,17 @@ static bool multiple_mistake(struct nb_reader *reader, const struct nb_measure *
 }
 
 /* Refuses `expected 15 %` without `of`. */
-static bool percentage_mistake(struct nb_reader *reader, const char *unit) {
-  return nb_expected(reader,
-                     strcmp(unit, "1") == 0 ? "a percentage is a fraction of another measure; the value of this one is "
-                                              "a number without `%`: 0.15 for 15 %"
-                                            : "a fraction of another quantity: `15 % of C.normal mean`",
-                     "`of` and a quantity");
+static bool percentage_mistake(struct nb_reader *reader, const struct nb_measure *measure, double fraction) {
+  char hint[NB_HINT_SIZE];
+  if (strcmp(measure->unit, "1") == 0)
+    snprintf(hint, sizeof hint,
+             "a percentage is a fraction of another measure; a value of `%.80s` is a number without `%%`: write "
+             "`expected %.6g`",
+             measure->label, fraction);
+  else
+    snprintf(hint, sizeof hint, "a fraction of another quantity: `%.6g %% of %.80s max`", 100 * fraction,
+             reader->tokens[0].text);
+  return nb_expected(reader, hint, "`of` and a quantity");
 }
 
 static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
@@ -564,7 +580,7 @@ static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene
     if (!nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &expectation->number))
       return false;
     if (!nb_token_skip(reader, "of"))
-      return percentage_mistake(reader, expectation->measure.unit);
+      return percentage_mistake(reader, &expectation->measure, expectation->number);
     if (!take_measure_like(reader, scene, expectation->measure.unit, &expectation->other))
       return false;
   } else if (is_before(reader, "*")) {
@@ -645,7 +661,7 @@ static bool take_constant(struct nb_reader *reader, const struct nb_scene *scene
   snprintf(
       hint, sizeof hint,
       "`constant with NAME` compares the runs of a sweep; to check that a quantity is constant in time, write `%.80s "
-      "amplitude in all  expected 0%s%s within FRACTION of %.80s max in all [SOURCE]`",
+      "amplitude in all  expected 0%s%s within 1e-6 of %.80s max in all [SOURCE]`",
       name, *unit ? " " : "", unit, name);
   if (!nb_token_is(reader, "with"))
     return nb_expected(reader, hint, "`with` and the name of a `sweep`");

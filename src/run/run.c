@@ -68,15 +68,18 @@ static bool stage_ends(const struct nb_stage *stage, const struct nb_model *mode
              : (last || model->stage_cycle % stage->check_interval == 0) && conditions_met(stage, model);
 }
 
-/* Writes the conditions of the stage with the present values: "time is 2 JOINED above 1, ...". */
+/* Writes the conditions of the stage with the present values: "time is 2 s JOINED above 1 s, ...". */
 static void list_conditions(char *text, size_t size, const struct nb_stage *stage, const struct nb_model *model,
                             const char *joined) {
   text[0] = '\0';
   for (size_t k = 0; k < stage->condition_count; k++) {
     const struct nb_condition *condition = &stage->conditions[k];
-    nb_append(text, size, "%s%s is %g%s %s %g", k ? ", " : "", condition->name,
-              nb_quantity_value(condition->quantity, model), joined,
-              condition->relation == NB_BELOW ? "below" : "above", condition->value);
+    const char *const unit = nb_quantity_unit(condition->quantity);
+    const bool none = model->scene->unitless || strcmp(unit, "1") == 0;
+    const char *const space = none ? "" : " ", *const shown = none ? "" : unit;
+    nb_append(text, size, "%s%s is %g%s%s%s %s %g%s%s", k ? ", " : "", condition->name,
+              nb_quantity_value(condition->quantity, model), space, shown, joined,
+              condition->relation == NB_BELOW ? "below" : "above", condition->value, space, shown);
   }
 }
 
@@ -110,7 +113,7 @@ static bool waits_for_contacts(const struct nb_stage *stage, const struct nb_mod
 
 static enum nb_status conditions_not_met(const struct nb_stage *stage, const struct nb_model *model,
                                          struct nb_error *error) {
-  char text[256], servo[160];
+  char text[512], servo[160];
   list_conditions(text, sizeof text, stage, model, " and should be");
   return nb_error_set(error, NB_BROKEN, "stage `%s` (line %d) did not end within %lu cycles: %s%s%s", stage->name,
                       stage->line, stage->cycles, text, servo_limit(servo, sizeof servo, model),
@@ -206,7 +209,7 @@ static bool servo_goes_on(const struct run *run, const struct nb_stage *stage) {
 static void warn_of_end(const struct run *run, const struct nb_stage *stage) {
   struct nb_model *model = run->model;
   const char *const unbalanced = met_without_contact(model, stage);
-  char text[256], servo[160];
+  char text[512], servo[160];
   if (unbalanced) {
     propose(text, sizeof text, run->scene, &stage->servo);
     nb_warn(&model->warnings, stage->line,
