@@ -923,8 +923,9 @@ static void write_beginning(FILE *out) {
       "`make stability` writes this document ([tests/stability_maps.c](../tests/stability_maps.c)). It maps where the\n"
       "calculation cycle is stable, inaccurate or unstable. [METHOD](METHOD.md#the-time-step) explains the limit and\n"
       "the guaranteed stable step. In this document the *bound* is the guaranteed stable step, which a run checks.\n\n"
-      "A *column* of a map is one system with one mass ratio, one stiffness ratio $k_s/k_n$ and one damping ratio of\n"
-      "the contacts. Its *limit* is the step at which the largest eigenvalue of $\\Delta t^2 K + 2 \\Delta t C$ "
+      "A *column* of a map is one system with one value of each parameter, such as the mass ratio, the stiffness\n"
+      "ratio $k_s/k_n$ and the damping ratio of the contacts. Its *limit* is the step at which the largest eigenvalue "
+      "of $\\Delta t^2 K + 2 \\Delta t C$ "
       "equals\n"
       "4. $K$ and $C$ are the matrices of the assembly at rest, scaled so that $M = 1$. A point is one step of a\n"
       "column. For each point the program runs the assembly at rest with a perturbation:\n\n",
@@ -1011,7 +1012,7 @@ static void write_checks(FILE *out, const struct map maps[SYSTEMS]) {
   fprintf(
       out,
       "\n## What is checked\n\n"
-      "The program that makes the maps compares, in each column:\n\n"
+      "The program that makes the maps requires in each column:\n\n"
       "- The step at which perturbations begin to grow in runs is within %g %% of the limit. The bisection resolves "
       "0.2 %%.\n"
       "- The spectral radius of the cycle is at most 1 at 0.995 of the limit and above 1 at 1.005 of it. The cycle is "
