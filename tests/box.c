@@ -92,6 +92,7 @@ static void both_parts_of_the_servo_stay_within_the_limit(void) {
     CU_ASSERT_DOUBLE_EQUAL(added.yy, added.xx, 1e-9 * most);
     CU_ASSERT_EQUAL(integral->xx < -z, k == 0); /* the integral grows, or begins again with the other sign */
     CU_ASSERT_EQUAL(integral->xx > 0, k == 1);
+    CU_ASSERT_EQUAL(model->affine->servo_state.phase, NB_SERVO_FREE); /* it has been below the limit before */
     nb_model_free(model);
     written_free(&it);
   }
@@ -319,6 +320,16 @@ static void the_ratio_of_a_transformed_box(void) {
   }
 }
 
+/* Without a force on the south and the north wall their ratio is 0. */
+static void the_ratio_without_a_vertical_force(void) {
+  struct nb_result result;
+  run(&result, "units none\nmaterial m density 1 kn 1\ndisc 1 5 radius 1.1 m\nbox 0 0 to 2 10 m\nstep 1e-6\n"
+               "record walls.ratio walls.stress.xx\nstage a\ncycles 1\n");
+  CU_ASSERT_EQUAL(written_last(&result, "walls.ratio"), 0);
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "walls.stress.xx"), 0.1 / 10, 1e-9);
+  nb_result_free(&result);
+}
+
 void suite_box(void) {
   CU_pSuite suite = CU_add_suite("box", NULL, NULL);
   CU_add_test(suite, "porosity of the box", porosity_of_the_box);
@@ -328,6 +339,7 @@ void suite_box(void) {
   CU_add_test(suite, "the stresses and forces of a box count its four walls only", box_stress_counts_the_four_walls);
   CU_add_test(suite, "forces on walls: traction, moment, eccentricity, obliquity", forces_on_walls);
   CU_add_test(suite, "ratio of the wall forces of a transformed box", the_ratio_of_a_transformed_box);
+  CU_add_test(suite, "ratio of the wall forces without a vertical force", the_ratio_without_a_vertical_force);
   CU_add_test(suite, "walls follow the box until they are moved otherwise", walls_follow_until_they_are_moved);
   CU_add_test(suite, "any wall that moves ends the strain of the box", any_wall_that_moves_ends_the_strain);
   CU_add_test(suite, "other walls keep their own motion", other_walls_keep_their_motion);

@@ -132,6 +132,18 @@ static void a_boundary_without_particles(void) {
   }
 }
 
+/* A boundary without particles that is held again keeps its circle: a disc that reaches the circle joins it. */
+static void an_empty_boundary_is_held_again(void) {
+  const char *const page = "disc 8 0 radius 1 m velocity 1 0\nrecord boundary.particles\nboundary circle 0 0 radius 9\n"
+                           "stage a\nboundary strain 0 0\ncycles 1\nstage b\nboundary stress 1 1\ncycles 1\n"
+                           "stage c\nboundary strain 0 0\ncycles %d\n";
+  for (int n = 5; n <= 9; n += 4) { /* the disc has moved by 7/8, or by 11/8 */
+    char text[512];
+    snprintf(text, sizeof text, page, n);
+    CU_ASSERT_EQUAL(after(text, "boundary.particles"), n == 9);
+  }
+}
+
 /* `per cycle` gives the strain of one cycle, whatever the step, in later stages too. */
 static void per_cycle(void) {
   const char *page = ONE "boundary circle 3 4 radius 14\nstage s\nboundary strain -0.01 per cycle 0.02 per cycle\n"
@@ -264,8 +276,8 @@ static void discs_at_rest_join_the_boundary(void) {
  * of the boundary are, so its area is that of a square. */
 static void any_order_of_numbers(void) {
   static const double at[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-  for (int order = 0; order < 512; order++) {
-    const double size = order < 256 ? 5 : 0.5;
+  for (int order = 0; order < 768; order++) {
+    const double size = order < 256 ? 5 : order < 512 ? 0.5 : 1;
     const int k[4] = {order & 3, order >> 2 & 3, order >> 4 & 3, order >> 6 & 3};
     if ((1 << k[0] | 1 << k[1] | 1 << k[2] | 1 << k[3]) != 15)
       continue;
@@ -495,6 +507,33 @@ static void boundary_stress_equals_contact_stress(void) {
   written_free(&it);
 }
 
+/* Two particles press each other inside a boundary that they do not touch, at the beginning. So the stress of the
+ * boundary is 0, and its difference from the stress of the contacts is k d l/(A h), with the overlap d, the distance l
+ * of the centres, the area A and the thickness h. The result depends on the size L of the scene through h only. */
+static void contacts_that_do_not_press_on_the_boundary(void) {
+  static const double sizes[] = {1, 0.01};
+  for (int k = 0; k < 4; k++) {
+    const double size = sizes[k / 2];
+    const bool sphere = k % 2;
+    const char *const kind = sphere ? "sphere" : "disc";
+    struct words page = {0};
+    struct written it;
+    words_add(&page, "units none\nmaterial m density 2 kn 100\nstep 1e-6\nrecord boundary.stress.residual\n");
+    for (int n = 0; n < 4; n++)
+      words_add(&page, "%s %g %g radius %g m\n", kind, 5 * size * (n % 2 ? 0 : n - 1), 5 * size * (n % 2 ? n - 2 : 0),
+                size);
+    words_add(&page, "%s %g 0 radius %g m\n%s %g 0 radius %g m\nboundary circle 0 0 radius %g\nstage s\n", kind,
+              -0.95 * size, size, kind, 0.95 * size, size, 5 * size);
+    words_add(&page, "boundary fixed\ncycles 1\n");
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    const double thickness = sphere ? 2 * size : 1, wanted = 100 * 0.1 * 1.9 / 50 / thickness;
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "boundary.stress.residual"), wanted, 1e-12 * wanted);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 /* The forces of a stress s on the boundary sum to 0, and sum F_i X_j = -s A. */
 static void forces_of_a_boundary_stress(void) {
   struct words page = {0};
@@ -580,6 +619,7 @@ void suite_drive(void) {
   CU_add_test(suite, "a boundary is held again", a_boundary_is_held_again);
   CU_add_test(suite, "a new boundary is not strained", a_new_boundary_is_not_strained);
   CU_add_test(suite, "a boundary without particles", a_boundary_without_particles);
+  CU_add_test(suite, "a boundary without particles is held again", an_empty_boundary_is_held_again);
   CU_add_test(suite, "discs at rest join the boundary", discs_at_rest_join_the_boundary);
   CU_add_test(suite, "a circle that has shrunk takes in a disc", a_circle_that_has_shrunk_takes_in_a_disc);
   CU_add_test(suite, "a boundary with any order of numbers", any_order_of_numbers);
@@ -595,6 +635,7 @@ void suite_drive(void) {
   CU_add_test(suite, "storage, threads and instruction sets change no bit", the_same_bits);
   CU_add_test(suite, "the work balances", the_work_balances);
   CU_add_test(suite, "boundary stress equals the stress of the contacts", boundary_stress_equals_contact_stress);
+  CU_add_test(suite, "contacts that do not press on the boundary", contacts_that_do_not_press_on_the_boundary);
   CU_add_test(suite, "forces of a boundary stress", forces_of_a_boundary_stress);
   CU_add_test(suite, "a new boundary has its own forces", a_new_boundary_has_its_own_forces);
   CU_ADD_TEST(suite, a_stress_begins_and_ends_at_once);

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "../src/core/affine.h"
+#include "../src/core/boundary.h"
 #include "../src/core/model.h"
 #include "run/plan.h"
 #include "suites.h"
@@ -97,6 +98,38 @@ static void a_removed_particle_ends_its_imposed_motion(void) {
   CU_ASSERT(written_now(model, "B.x") < other); /* the imposed motion of the other disc goes on */
   nb_model_free(model);
   written_free(&it);
+}
+
+/* Of four discs at the distance 5 on the axes, which are the boundary, one is removed. The other three are the boundary
+ * then: their triangle has the area 25. A stress s on it presses the opposite disc inwards with 5 s, and the other two
+ * with s (2.5^2 + 2.5^2)^(1/2); the removed disc has no such force. */
+static void a_removed_particle_leaves_the_boundary(void) {
+  const double s = 2;
+  for (int gone = 0; gone < 4; gone++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(
+        &page,
+        "units none\nmaterial m density 3 kn 1000\ndisc 5 0 radius 1 m\ndisc 0 5 radius 1 m\ndisc -5 0 radius 1 m\n"
+        "disc 0 -5 radius 1 m\nrecord boundary.particles boundary.area\nboundary circle 0 0 radius 5\nstep 0.001\n"
+        "stage a\nboundary fixed\ncycles 1\nstage b\nremove disc %d\nboundary stress %g %g\ncycles 1\n",
+        gone + 1, s, s);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+    written_cycles(model, 1);
+    CU_ASSERT_EQUAL(written_now(model, "boundary.area"), 50);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[1], &error), NB_OK);
+    CU_ASSERT_EQUAL(written_now(model, "boundary.particles"), 3);
+    CU_ASSERT_EQUAL(written_now(model, "boundary.area"), 25);
+    for (int k = 0; k < 4; k++) {
+      const struct nb_vec force = model->boundary->boundary_force[model->particles.slot[k]];
+      CU_ASSERT_DOUBLE_EQUAL(vec_length(force), k == gone ? 0 : (k + gone) % 2 ? 2.5 * sqrt(2) * s : 5 * s, 1e-12);
+    }
+    nb_model_free(model);
+    written_free(&it);
+  }
 }
 
 /* Compares values before a stage that removes discs 2 and 5 with values just after it has begun. The velocities and
@@ -359,6 +392,7 @@ void suite_removal(void) {
   CU_add_test(suite, "values at the moment of removal", at_the_moment);
   CU_add_test(suite, "a servo begins without the removed particles", a_servo_begins_without_the_removed);
   CU_add_test(suite, "a removed particle ends its imposed motion", a_removed_particle_ends_its_imposed_motion);
+  CU_add_test(suite, "a removed particle leaves the boundary", a_removed_particle_leaves_the_boundary);
   CU_add_test(suite, "removal at time 0", removed_at_time_0);
   CU_add_test(suite, "different radii", different_radii);
   CU_add_test(suite, "regions without removed particles", regions_without_removed_particles);

@@ -411,25 +411,28 @@ static void initial_targets(void) {
   }
 }
 
-/* Tests B and T for one disc between the lower and the upper wall of a box that is wider than high, with a stiff spring
- * and with a soft one. If the servo acts through a boundary, and the scene has no boundary, B and T are 0. */
+/* Tests B and T for one particle between the lower and the upper wall of a box that is wider than high, with a stiff
+ * spring and with a soft one. The thickness of a disc is 1, that of a sphere its diameter 2. Without a contact B is 0,
+ * and T is infinite. If the servo acts through a boundary, and the scene has no boundary, B and T are 0. */
 static void scales_of_a_box(void) {
-  static const double springs[] = {1000, 1};
-  const double pi = 3.14159265358979323846, area = 6 * 1.9;
-  for (int k = 0; k < 2; k++) {
+  static const double springs[] = {1000, 1}, heights[] = {1.9, 2.1};
+  const double pi = 3.14159265358979323846;
+  for (int k = 0; k < 8; k++) {
+    const bool sphere = k & 1, apart = k & 2;
+    const double spring = springs[k / 4], height = heights[apart], area = 6 * height, volume = sphere ? 2 * area : area;
     struct words page = {0};
     struct written it;
     double b = 7, t = 7;
     words_add(&page,
-              "units none\nmaterial m density 2 kn %g\nstep 0.001\nbox 0 0 to 6 1.9 m\ndisc 3 0.95 radius 1 m\n"
+              "units none\nmaterial m density 2 kn %g\nstep 0.001\nbox 0 0 to 6 %g m\n%s 3 %g radius 1 m\n"
               "record cycle\nstage s\nservo isotropic 12 on box through box at most 1e-4 per cycle\ncycles 1\n",
-              springs[k]);
+              spring, height, sphere ? "sphere" : "disc", height / 2);
     written_scene(&it, &page);
     struct nb_model *model = written_model(&it, NULL);
-    CU_ASSERT(nb_servo_scales(model, &it.scene.stages[0].servo, &b, &t));
-    const double expected = springs[k] * 2 * 0.95 * 0.95 / (4 * area);
+    CU_ASSERT_EQUAL(nb_servo_scales(model, &it.scene.stages[0].servo, &b, &t), !apart);
+    const double expected = apart ? 0 : spring * 2 * 0.95 * 0.95 / (4 * volume), mass = 2 * pi * (sphere ? 4. / 3 : 1);
     CU_ASSERT_DOUBLE_EQUAL(b, expected, 1e-12 * expected);
-    CU_ASSERT_DOUBLE_EQUAL(t, sqrt(area) * sqrt(2 * pi / area / expected), 1e-12 * t);
+    CU_ASSERT(apart ? t == INFINITY : fabs(t - sqrt(area) * sqrt(mass / volume / expected)) < 1e-12 * t);
     CU_ASSERT_FALSE(nb_servo_scales(model, &(struct nb_servo){.every = 1}, &b, &t));
     CU_ASSERT(b == 0 && t == 0);
     nb_model_free(model);

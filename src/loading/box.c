@@ -37,7 +37,7 @@ int nb_box_first_wall(const struct nb_scene *scene) {
 bool nb_box_strained_in(const struct nb_scene *scene, size_t stage) {
   const int first = nb_box_first_wall(scene);
   bool follows = false;
-  for (size_t s = 0; s <= stage && first >= 0; s++) {
+  for (size_t s = 0; s <= stage; s++) {
     const struct nb_stage *it = &scene->stages[s];
     for (size_t m = 0; m < it->motion_count; m++)
       if (it->motions[m].wall >= first && it->motions[m].wall < first + NB_BOX_SIDES)
@@ -48,8 +48,7 @@ bool nb_box_strained_in(const struct nb_scene *scene, size_t stage) {
 }
 
 bool nb_box_is_strained(const struct nb_model *model) {
-  return model->affine && model->stage &&
-         nb_box_strained_in(model->scene, (size_t)(model->stage - model->scene->stages));
+  return model->stage && nb_box_strained_in(model->scene, (size_t)(model->stage - model->scene->stages));
 }
 
 /* The middle between opposite walls. */
