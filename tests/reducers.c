@@ -110,7 +110,7 @@ static void nothing_to_reduce(void) {
   } rows[] = {
       {"A.x within 9", "`A.x` cannot be computed: no row was recorded there", 0, {0}},
       {"A.x in two within 9", "`A.x in two` cannot be computed: no row was recorded there", 3, {1, 2, 3}},
-      {"A.x at 15 cycles within 9", "no row was recorded at that moment", 3, {1, 2, 3}},
+      {"A.x at 15 cycles within 9", "at that moment, only in other cycles from cycle 0 to 20", 3, {1, 2, 3}},
       {"A.x at 30 cycles within 9", "no row was recorded at that moment, only from cycle 0 to 20", 3, {1, 2, 3}},
       {"A.x at 2.5 within 9", "no row was recorded at that moment, only from time 0 to 2", 3, {1, 2, 3}},
       {"A.x at 2.5 in two within 9", "no row was recorded at that moment", 6, {1, 2, 3, 4, 5, 6}},

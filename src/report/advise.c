@@ -480,6 +480,27 @@ struct nb_ratios nb_level_ratios(const struct nb_advice *advice, int level) {
   return (struct nb_ratios){next / nb_level_refine(advice, level), nb_level_refine(advice, level + 2) / next};
 }
 
+/* Reports a name after --over that the page does not define, of which the page says only that it is unknown after
+ * --set. `count`: the index of its setting. */
+static enum nb_status over_mistake(struct nb_advice *advice, size_t count, struct nb_error *error) {
+  const char *const over = advice->query->over;
+  struct nb_outcome without;
+  char hint[NB_HINT_SIZE];
+  advice->page_settings[count] = NULL;
+  if (!nb_outcome_read(&without, advice->query->path, advice->page_settings)) {
+    const struct nb_scene *const scene = &without.runs[0].scene;
+    const char *const near = NB_NEAREST(hint, over, scene->bindings, scene->binding_count);
+    if (NB_FIND(scene->bindings, scene->binding_count, over) < 0) {
+      nb_outcome_free(&advice->page);
+      nb_error_set(error, NB_BAD_USE,
+                   "expected after --over a name that the page defines by `let` or `sweep`, found `%s`%s%s", over,
+                   near ? "; " : "", near ? near : "");
+    }
+  }
+  nb_outcome_free(&without);
+  return error->status;
+}
+
 /* Reads the page, with the first realization. */
 static enum nb_status read_page(struct nb_advice *advice, struct nb_error *error) {
   const struct nb_advise_query *query = advice->query;
@@ -500,7 +521,9 @@ static enum nb_status read_page(struct nb_advice *advice, struct nb_error *error
     advice->page_settings[count] = advice->first_realization;
   }
   if (nb_outcome_read(&advice->page, query->path, advice->page_settings))
-    return nb_error_set(error, advice->page.status, "%s", advice->page.error.text);
+    return query->over && over_mistake(advice, count, error)
+               ? error->status
+               : nb_error_set(error, advice->page.status, "%s", advice->page.error.text);
   advice->runs = advice->page.run_count;
   advice->trials = query->over ? query->realizations : nb_phase_count(&advice->page.runs[0].scene);
   advice->allowed = calloc(advice->runs, sizeof *advice->allowed);

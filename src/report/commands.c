@@ -330,7 +330,7 @@ static enum nb_status migrate(const char *path, bool in_place, struct nb_error *
 enum nb_status nb_command_migrate(const struct nb_call *call) {
   enum nb_status worst = NB_OK;
   if (call->page_count > 1 && !call->in_place) {
-    fputs("nineball: several pages can be rewritten only with --in-place\n", stderr);
+    fputs("nineball: several pages can be rewritten only with --in-place: add it, or give one page\n", stderr);
     return NB_BAD_USE;
   }
   for (size_t k = 0; k < call->page_count; k++) {

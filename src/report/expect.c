@@ -941,6 +941,7 @@ enum nb_status nb_expectation_read(struct nb_expectation *expectation, const cha
   *expectation = (struct nb_expectation){0};
   if (!reader)
     return NB_NO_MEMORY;
+  reader->has_units = true;
   if (nb_line_read(reader, 1) && take_measure(reader, scene, &expectation->measure) &&
       take_tolerance_of(reader, scene, expectation->measure.unit, expectation->measure.is_residual,
                         &expectation->tolerance) &&

@@ -187,10 +187,15 @@ static bool explain_material_pair(FILE *out, const struct nb_model *model,
   for (size_t c = 0; c < model->contacts.count; c++)
     contacts += &model->material_pairs[model->contacts.material_pair[c]] == material_pair;
   const struct nb_material *const materials = model->scene->materials;
-  fprintf(out, "  %s with %s%s: %zu %s in the neighbour list; k_n %g, k_s %g, tan(phi) %g, c %g\n",
-          materials[material_pair->a].name, material_pair->wall ? "wall of " : "", materials[material_pair->b].name,
-          contacts, contacts == 1 ? "pair" : "pairs", material_pair->values.kn, material_pair->values.ks,
-          material_pair->values.friction, material_pair->values.cohesion);
+  const struct nb_pair *const values = &material_pair->values;
+  fprintf(out, "  %s with %s%s: %zu %s in the neighbour list; ", materials[material_pair->a].name,
+          material_pair->wall ? "wall of " : "", materials[material_pair->b].name, contacts,
+          contacts == 1 ? "pair" : "pairs");
+  if (model->laws.normal->elastic)
+    fprintf(out, "E* %g, G* %g, ", values->young, values->shear);
+  else
+    fprintf(out, "k_n %g, k_s %g, ", values->kn, values->ks);
+  fprintf(out, "tan(phi) %g, c %g\n", values->friction, values->cohesion);
   if (!explain_changes(out, model->scene, material_pair))
     return false;
   for (int p = 0; p < material_pair->pass_count; p++) {
@@ -229,11 +234,12 @@ static size_t bytes_per_contact(const struct nb_model *model, size_t history) {
 static void explain_memory(FILE *out, const struct nb_model *model) {
   static const char *const isa_names[] = {"plain", "avx2", "avx512"};
   const size_t history = (size_t)(model->contacts.normal_history.doubles + model->contacts.shear_history.doubles);
-  fprintf(out, "memory\n  %zu bytes a particle%s, %zu a contact (%zu kept fields, %zu history variables of laws)\n",
+  fprintf(out, "memory\n  %zu bytes a particle%s, %zu a contact (%zu kept fields, %zu history variable%s of laws)\n",
           bytes_per_particle(model), model->particles.spin ? "" : " (without rotation)",
-          bytes_per_contact(model, history), nb_bit_count(model->plan.kept) + 2, history);
-  fprintf(out, "  %zu blocks of up to %d contacts, loops for %s, %d thread%s\n", model->blocks.count, NB_BLOCK_SIZE,
-          isa_names[model->machine.isa], model->machine.threads_used, model->machine.threads_used == 1 ? "" : "s");
+          bytes_per_contact(model, history), nb_bit_count(model->plan.kept) + 2, history, history == 1 ? "" : "s");
+  fprintf(out, "  %zu block%s of up to %d contacts, loops for %s, %d thread%s\n", model->blocks.count,
+          model->blocks.count == 1 ? "" : "s", NB_BLOCK_SIZE, isa_names[model->machine.isa],
+          model->machine.threads_used, model->machine.threads_used == 1 ? "" : "s");
 }
 
 /* Prints the hooks of the cycle at the start of the run. */

@@ -10,6 +10,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
+#include <string.h>
 
 #include "outcome.h"
 
@@ -121,14 +122,18 @@ static bool undefined(struct nb_error *error, const struct nb_measure *measure, 
 bool nb_measure_value(double *computed, const struct nb_measure *measure, const struct nb_table *table,
                       struct nb_error *error) {
   struct column column = {.table = table, .index = measure->column};
-  const double *const abscissa = measure->reducer == NB_AT_TIME ? table->time : table->cycle;
+  const bool is_time = measure->reducer == NB_AT_TIME;
+  const double *const abscissa = is_time ? table->time : table->cycle;
   char reason[2 * NB_NAME_SIZE];
   nb_measure_rows(measure, table, &column.from, &column.to);
   *computed = NAN;
   if (column.from == column.to)
     return undefined(error, measure, "no row was recorded there");
-  snprintf(reason, sizeof reason, "no row was recorded at that moment, only from %s %g to %g",
-           measure->reducer == NB_AT_TIME ? "time" : "cycle", abscissa[column.from], abscissa[column.to - 1]);
+  const double first = abscissa[column.from], last = abscissa[column.to - 1];
+  const bool between = measure->at >= first && measure->at <= last;
+  snprintf(reason, sizeof reason, "no row was recorded at that moment, only %sfrom %s %g to %g%s",
+           between ? "in other cycles " : "", is_time ? "time" : "cycle", first, last,
+           is_time && table->units && strcmp(table->units[0], "-") != 0 ? " s" : "");
   select_rows(&column, measure);
   if (column.from == column.to)
     return undefined(error, measure, reason);
