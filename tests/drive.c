@@ -132,6 +132,18 @@ static void a_boundary_without_particles(void) {
   }
 }
 
+/* A boundary that begins with the first or the second stage has its particles from this stage on. */
+static void a_boundary_that_begins_with_a_stage(void) {
+  CU_ASSERT_EQUAL(after("disc 5 0 radius 1 m\ndisc 2 0 radius 1 m\nrecord boundary.particles\nstage a\n"
+                        "boundary circle 0 0 radius 4\ncycles 1\nstage b\ncycles 1\n",
+                        "boundary.particles"),
+                  1);
+  CU_ASSERT_EQUAL(after("disc 5 0 radius 1 m\ndisc 2 0 radius 1 m\nrecord boundary.particles\nstage a\ncycles 1\n"
+                        "stage b\nboundary circle 0 0 radius 4\ncycles 1\n",
+                        "boundary.particles"),
+                  1);
+}
+
 /* A boundary without particles that is held again keeps its circle: a disc that reaches the circle joins it. */
 static void an_empty_boundary_is_held_again(void) {
   const char *const page = "disc 8 0 radius 1 m velocity 1 0\nrecord boundary.particles\nboundary circle 0 0 radius 9\n"
@@ -571,7 +583,7 @@ static void a_new_boundary_has_its_own_forces(void) {
   struct nb_error error;
   words_add(&page, "units none\nmaterial m density 2 kn 100\nstep 0.125\n");
   for (int n = 0; n < 8; n++) {
-    const double x = n < 4 ? 9 : 5, along = n % 2 ? -x : x;
+    const double x = n < 4 ? 5 : 9, along = n % 2 ? -x : x;
     words_add(&page, "disc %g %g radius 1 m\n", n / 2 % 2 ? 0 : along, n / 2 % 2 ? along : 0);
   }
   words_add(&page, "record cycle\nstage a\nboundary circle 0 0 radius 4.9\nboundary stress 3 3\ncycles 1\n"
@@ -579,12 +591,12 @@ static void a_new_boundary_has_its_own_forces(void) {
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
-  for (int n = 4; n < 8; n++)
+  for (int n = 0; n < 4; n++)
     CU_ASSERT(vec_length(model->boundary->boundary_force[model->particles.slot[n]]) > 1);
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[1], &error), NB_OK);
   for (int n = 0; n < 8; n++) {
     const struct nb_vec force = model->boundary->boundary_force[model->particles.slot[n]];
-    CU_ASSERT_DOUBLE_EQUAL(vec_length(force), n < 4 ? 3 * 9 : 0, 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(vec_length(force), n < 4 ? 0 : 3 * 9, 1e-12);
   }
   nb_model_free(model);
   written_free(&it);
@@ -619,6 +631,7 @@ void suite_drive(void) {
   CU_add_test(suite, "a boundary is held again", a_boundary_is_held_again);
   CU_add_test(suite, "a new boundary is not strained", a_new_boundary_is_not_strained);
   CU_add_test(suite, "a boundary without particles", a_boundary_without_particles);
+  CU_add_test(suite, "a boundary that begins with a stage", a_boundary_that_begins_with_a_stage);
   CU_add_test(suite, "a boundary without particles is held again", an_empty_boundary_is_held_again);
   CU_add_test(suite, "discs at rest join the boundary", discs_at_rest_join_the_boundary);
   CU_add_test(suite, "a circle that has shrunk takes in a disc", a_circle_that_has_shrunk_takes_in_a_disc);

@@ -179,7 +179,7 @@ static bool needed(const struct nb_scene *scene) {
 
 static bool has_stress(const struct nb_scene *scene) {
   for (size_t s = 0; s < scene->stage_count; s++)
-    if (scene->stages[s].boundary.line && scene->stages[s].boundary.control == NB_CONTROL_STRESS)
+    if (scene->stages[s].boundary.control == NB_CONTROL_STRESS)
       return true;
   return false;
 }
@@ -198,20 +198,20 @@ enum nb_status nb_boundary_create(struct nb_model *model, struct nb_error *error
   }
   if (model->owner.failed)
     return nb_error_memory(error);
-  if (scene->circle.line && scene->start.stages == 0 &&
-      model->cycle == 0) /* otherwise the saved state contains the boundary */
+  if (scene->circle.line && model->cycle == 0) /* later, the saved state contains the boundary */
     boundary_define(model, &scene->circle);
   return NB_OK;
 }
 
 /* ---- the beginning of a stage ---- */
 
-/* Counts the energy of the springs between held particles as removed, because the next search drops these pairs. */
+/* Counts the energy of the springs between held particles, and between held particles and walls, as removed, because
+ * the next search drops these contacts. */
 static void count_removed_springs(struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
   const double *inverse = model->particles.inverse_mass;
   for (size_t c = 0; c < contacts->count; c++)
-    if (!nb_with_wall(model, c) && inverse[contacts->a[c]] == 0 && inverse[contacts->b[c]] == 0)
+    if (inverse[contacts->a[c]] == 0 && (nb_with_wall(model, c) || inverse[contacts->b[c]] == 0))
       nb_sum_add(&model->terms[NB_TERM_REMOVED], nb_energy_of_contact(model, c));
 }
 

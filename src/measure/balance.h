@@ -19,6 +19,7 @@ struct nb_balance {
   struct nb_active_laws laws; /* laws at t_N before the stage begins */
   struct nb_new_overlap {
     int a, b;
+    bool wall;
   } * overlaps;                           /* pairs that already overlapped when they were listed; NULL: never sought */
   size_t overlap_count;                   /* number of these pairs; set to 0 after the next forces */
   bool changed, shear_law_changed;        /* the stage has changed parameters or laws; it has changed the shear law */

@@ -158,7 +158,10 @@ static double normal_energy_at(const struct nb_model *model, size_t c, double ov
 static double overlap_of(const struct nb_model *model, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
   const double *radius = model->particles.radius;
-  return radius[contacts->a[c]] + radius[contacts->b[c]] - vec_length(nb_contacts_branch(model, c));
+  const int a = contacts->a[c], b = contacts->b[c];
+  return nb_with_wall(model, c)
+             ? radius[a] - vec_length(nb_wall_separation(&model->walls, b, model->particles.position[a]))
+             : radius[a] + radius[b] - vec_length(nb_contacts_branch(model, c));
 }
 
 enum nb_status nb_balance_new_overlaps(struct nb_model *model, struct nb_error *error) {
@@ -172,13 +175,13 @@ enum nb_status nb_balance_new_overlaps(struct nb_model *model, struct nb_error *
   if (!b->overlaps)
     return nb_error_memory(error);
   for (size_t c = 0; c < contacts->count; c++) {
-    if (nb_with_wall(model, c) || nb_touches(contacts, c))
+    if (nb_touches(contacts, c) || (contacts->suppressed && contacts->suppressed[c] & 1))
       continue;
     const double overlap = overlap_of(model, c);
     if (!(overlap > 0))
       continue;
     nb_sum_add(&model->terms[NB_TERM_CHANGED], normal_energy_at(model, c, overlap) / 2);
-    b->overlaps[b->overlap_count++] = (struct nb_new_overlap){contacts->a[c], contacts->b[c]};
+    b->overlaps[b->overlap_count++] = (struct nb_new_overlap){contacts->a[c], contacts->b[c], nb_with_wall(model, c)};
   }
   return NB_OK;
 }
@@ -187,7 +190,7 @@ enum nb_status nb_balance_new_overlaps(struct nb_model *model, struct nb_error *
 static void end_new_overlaps(struct nb_model *model) {
   struct nb_balance *b = model->balance;
   for (size_t k = 0; k < b->overlap_count; k++) {
-    const long c = nb_contacts_find(model, b->overlaps[k].a, b->overlaps[k].b, false);
+    const long c = nb_contacts_find(model, b->overlaps[k].a, b->overlaps[k].b, b->overlaps[k].wall);
     if (c >= 0)
       nb_sum_add(&model->terms[NB_TERM_CHANGED],
                  normal_energy_at(model, (size_t)c, model->contacts.kept[NB_OVERLAP][c]) / 2);

@@ -168,7 +168,7 @@ class Unit:
             if statement and name and not name.endswith("free"):
                 self.add(node, "", True)
             for a, b in zip(given, given[1:]):
-                if a.type.get_canonical() == b.type.get_canonical() and self.of(a) != self.of(b) and not (a is given[0] and name in SYMMETRIC):
+                if a.type.get_canonical() == b.type.get_canonical() and self.of(a) != self.of(b) and not (a is given[0] and name in SYMMETRIC) and name != "nb_own":
                     start = node.extent.start.offset
                     first, mid, last = (a.extent.start.offset, a.extent.end.offset, b.extent.start.offset)
                     self.add(node, self.text[start:first] + self.of(b) + self.text[mid:last] + self.of(a) + self.text[b.extent.end.offset:node.extent.end.offset])
@@ -183,7 +183,7 @@ class Unit:
             value = children[0]
             if self.result == TypeKind.BOOL:
                 self.add(value, "!(" + self.of(value) + ")")
-            elif self.result in INTEGERS | {TypeKind.ENUM}:
+            elif self.result in INTEGERS | {TypeKind.ENUM} and self.of(value) != "NB_OK":
                 self.add(value, "0")
             elif self.result in REALS:
                 self.add(value, "-(" + self.of(value) + ")")
