@@ -222,13 +222,15 @@ static void the_traction_is_mindlins(void) {
   struct written it;
   struct nb_result result;
   run(&result, &it,
-      EXACT
-      "record normal shear radius radius.stick pieces\nsegment a normal to 60 N in 1 step\nsegment b shear to 9 N in 1 "
-      "step\nsnapshot\n");
+      EXACT "record normal shear radius radius.stick pieces traction.force\nsegment a normal to 60 N in 1 "
+            "step\nsegment b shear to 9 N in 1 "
+            "step\nsnapshot\n");
   const double n = cell(&result, 2, 0), t = cell(&result, 2, 1), a = cell(&result, 2, 2),
                c = a * cbrt(1 - t / (0.3 * n));
   CU_ASSERT_DOUBLE_EQUAL(cell(&result, 2, 3), c, 1e-9 * a);
   CU_ASSERT(cell(&result, 2, 4) == 2);
+  CU_ASSERT_DOUBLE_EQUAL(cell(&result, 2, 5), t, 1e-9 * t);
+  CU_ASSERT(result.seconds > 0 && result.stages[1].seconds > 0);
   CU_ASSERT_EQUAL_FATAL(result.snapshot_count, 1);
   const struct nb_table *table;
   const char *name;

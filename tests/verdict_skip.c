@@ -97,7 +97,8 @@ static void write_file(char path[], const char *text) {
 }
 
 /* If a setting replaces the segments of a contact test, each expectation of the page is reported as skipped, and no
- * other line is. Without this setting the expectations are checked. */
+ * other line is. The contact then follows the points, and each is recorded. Without this setting the expectations are
+ * checked. */
 static void replaced_segments(void) {
   static const char text[] =
       "# A title\n```contact-test\nmaterial g young 70 GPa poisson 0.25 friction 0.3\nnormal hertz\nshear mindlin\n"
@@ -116,6 +117,13 @@ static void replaced_segments(void) {
     for (int k = 0; k < 2; k++) {
       CU_ASSERT_EQUAL(outcome.checks[k].line, 15 + k);
       CU_ASSERT(!followed || strcmp(outcome.checks[k].message, "`follow` replaces the segments of the page") == 0);
+    }
+    const struct nb_table *const table = &outcome.runs[0].result.table;
+    static const double overlaps[] = {0, 1e-6, 3e-6}, slips[] = {0, 0, 1e-6};
+    CU_ASSERT_EQUAL_FATAL(table->row_count, followed ? 3 : 11);
+    for (size_t row = 0; row < 3 && followed; row++) {
+      CU_ASSERT_DOUBLE_EQUAL(written_cell(table, row, "overlap"), overlaps[row], 1e-18);
+      CU_ASSERT_DOUBLE_EQUAL(written_cell(table, row, "slip"), slips[row], 1e-18);
     }
     nb_outcome_free(&outcome);
     unlink(page), unlink(points);
