@@ -284,6 +284,28 @@ static void suggested_words(void) {
     }
 }
 
+#define LONG "wwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwww"
+
+/* A letter too many, a missing letter, another letter and two exchanged letters are one error each. Upper and lower case
+ * are equal. A very long word is near to none. */
+static void kinds_of_typing_errors(void) {
+  static const struct {
+    const char *typed, *known;
+    bool found;
+  } rows[] = {{"walls", "wall", true},      {"wal", "wall", true},       {"all", "wall", true},
+              {"wxll", "wall", true},       {"wlal", "wall", true},      {"awll", "wall", true},
+              {"WALL", "wall", true},       {"wall", "waller", false},   {"wallr", "wal", false},
+              {"llwa", "wall", false},      {"wxxl", "wall", false},     {"xxall", "wall", false},
+              {"lwal", "wall", false},      {"gravty", "gravity", true}, {"ravty", "gravity", false},
+              {"rgavtiy", "gravity", true}, {"wal", "walx", true},       {"wabl", "wxal", false},
+              {"awhs", "wash", false},      {"hsaw", "wash", false},     {LONG LONG LONG, "wall", false}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct nb_guess guess = nb_guess_begin(rows[k].typed);
+    nb_guess_offer(&guess, rows[k].known);
+    CU_ASSERT_EQUAL(nb_guess_found(&guess), rows[k].found);
+  }
+}
+
 void suite_reader(void) {
   CU_pSuite suite = CU_add_suite("reader", NULL, NULL);
   CU_add_test(suite, "texts that are numbers, and texts that are not", numbers);
@@ -295,6 +317,7 @@ void suite_reader(void) {
   CU_add_test(suite, "a minus before a value with a sign", signs_of_values);
   CU_add_test(suite, "--set replaces values, a law and the step", settings);
   CU_add_test(suite, "typing errors with which a word is still suggested", suggested_words);
+  CU_add_test(suite, "kinds of typing errors", kinds_of_typing_errors);
   CU_add_test(suite, "columns of tokens after a $NAME", columns);
   CU_add_test(suite, "messages are in line order, and at most 1001", order);
   CU_add_test(suite, "limits of size", limits_of_size);
