@@ -125,6 +125,10 @@ NB_APPLY(apply_let) {
     snprintf(hint, sizeof hint, "write `let %s = %.80s%s%.80s`", name->text, token->text, unit ? " " : "",
              unit ? unit->text : "");
     nb_expected(reader, hint, "`=` before a number, or a word");
+  } else if (!token) {
+    char hint[NB_HINT_SIZE];
+    snprintf(hint, sizeof hint, "write `let %s = VALUE`, or `let %s WORD`", name->text, name->text);
+    nb_expected(reader, hint, "`=` and a value, or a word");
   } else if (take_value(reader, &value, &token) && nb_token_peek(reader)) {
     nb_expected(reader, "use `sweep` for several values", "the end of the line");
   }

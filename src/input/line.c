@@ -530,6 +530,14 @@ static const char *context_hint(const struct nb_reader *reader, char *hint, cons
                                         : NULL;
 }
 
+/* The hint for a word without another hint: that of a word of another program, or the example of the statement; NULL:
+ * there is none. `complete`: the line should end here. Then only a note about the word can be right. */
+static const char *word_hint(const struct nb_reader *reader, char *hint, const char *word, bool complete) {
+  const struct nb_synonym *const synonym = nb_synonym(word);
+  const bool known = synonym && (synonym->note || !complete);
+  return (known && nb_synonym_hint(hint, word)) || (!complete && nb_example_hint(hint, reader)) ? hint : NULL;
+}
+
 bool nb_expected(struct nb_reader *reader, const char *hint, const char *format, ...) {
   char what[512];
   const struct nb_token *token = nb_token_peek(reader);
@@ -551,8 +559,7 @@ bool nb_expected(struct nb_reader *reader, const char *hint, const char *format,
   const char *const typed = context ? context : nb_syntax_hint(reader, text, token->text);
   hint = typed ? typed : hint ? hint : reader->otherwise;
   const bool complete = strcmp(what, "the end of the line") == 0; /* then an example could only contradict the line */
-  if (!hint && (nb_synonym_hint(text, token->text) || (!complete && nb_example_hint(text, reader))))
-    hint = text;
+  hint = hint ? hint : word_hint(reader, text, token->text, complete);
   if (token->name)
     return nb_token_mistake(reader, token, hint, "expected %s, found `%.80s` (`$%s`)", what, token->text, token->name);
   return nb_token_mistake(reader, token, hint, "expected %s, found `%.80s`", what, token->text);

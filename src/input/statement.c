@@ -113,13 +113,6 @@ static void syntax_hint(char *hint, const struct nb_keyword *keyword) {
   snprintf(hint, NB_HINT_SIZE, "the statement is `%s`", syntax);
 }
 
-/* In a contact test the example `record  every 10 cycles` has steps. */
-static void count_steps(const struct nb_reader *reader, char *hint) {
-  char *const cycles = reader->here == NB_IN_SEGMENT ? strstr(hint, " cycles`") : NULL;
-  if (cycles)
-    strcpy(cycles, " steps`");
-}
-
 const char *nb_example_hint(char *hint, const struct nb_reader *reader) {
   const char *line = reader->row && reader->row->example ? reader->row->example : "", *best = "";
   char first[NB_NAME_SIZE] = "", padded[NB_HINT_SIZE], word[NB_NAME_SIZE + 2];
@@ -129,9 +122,9 @@ const char *nb_example_hint(char *hint, const struct nb_reader *reader) {
   for (int same = 0; *line; line += strcspn(line, "\n"), line += *line == '\n', same = 0) {
     line += strspn(line, " ");
     snprintf(padded, sizeof padded, " %.*s ", (int)strcspn(line, "\n"), line);
-    for (size_t k = 0; k < reader->count; k++) { /* numbers do not say which line of the example is nearest */
+    for (size_t k = 0; k < reader->count; k++) { /* numbers and names of one letter do not say which line is nearest */
       snprintf(word, sizeof word, " %.63s ", reader->tokens[k].text);
-      same += !nb_number_length(word + 1) && strstr(padded, word);
+      same += !nb_number_length(word + 1) && word[2] != ' ' && strstr(padded, word);
     }
     const bool own = strncmp(line, first, strlen(first)) == 0;
     if (own && same > most)
@@ -143,7 +136,6 @@ const char *nb_example_hint(char *hint, const struct nb_reader *reader) {
     while (length > 0 && strncmp(best + length, "  ", 2) != 0)
       length--;
   snprintf(hint, NB_HINT_SIZE, "for example `%.*s`", (int)length, best);
-  count_steps(reader, hint);
   /* if the example has several lines, one common word, the first one, is not enough to choose a line */
   return most > (lines > 1) ? hint : NULL;
 }
@@ -556,11 +548,19 @@ static void list_clauses(const struct nb_reader *reader, char *list, size_t size
   }
 }
 
+static bool is_clause_word(const struct nb_reader *reader, const char *word) {
+  const struct nb_argument *field = reader->keyword->arguments;
+  while (field->count && !(field->word && nb_begins_clause(field, word)))
+    field++;
+  return field->count;
+}
+
 /* Goes back to a word that was read as a name, but is a word of another program: in `lattice discs 10 by 10 triangular
  * radius 5 mm rock` `triangular` is wrong, and not `rock`. */
 static void return_to_foreign_word(struct nb_reader *reader) {
   for (size_t k = reader->next; k-- > 1;)
-    if (nb_is_name(reader->tokens[k].text) && nb_pair_synonym(reader->tokens[0].text, reader->tokens[k].text)) {
+    if (nb_is_name(reader->tokens[k].text) && !is_clause_word(reader, reader->tokens[k].text) &&
+        nb_pair_synonym(reader->tokens[0].text, reader->tokens[k].text)) {
       reader->next = k;
       return;
     }

@@ -213,7 +213,9 @@ static bool percent_hint(char *hint, const char *n, const struct nb_token *next)
 
 /* Writes the hint for `1 m/2`, a quotient outside parentheses; false: no operator follows the unit. */
 static bool quotient_hint(char *hint, const char *n, const struct nb_token *next) {
-  const int head = next && !nb_unit_foreign(next->text, NULL) ? (int)nb_unit_before_operator(next->text) : 0;
+  struct nb_unit unit; /* `m/s2` is one unit */
+  const bool other = next && (nb_unit_foreign(next->text, NULL) || nb_unit_read(&unit, next->text));
+  const int head = next && !other ? (int)nb_unit_before_operator(next->text) : 0;
   if (head)
     snprintf(hint, NB_HINT_SIZE, "put operators and their operands into parentheses: `(%.40s %.*s %c %.80s)`", n, head,
              next->text, next->text[head], next->text + head + 1);
@@ -480,8 +482,13 @@ bool nb_take_count_of(struct nb_reader *reader, const char *one, unsigned long *
   snprintf(counted, sizeof counted, "a number of %s", several);
   snprintf(hint, sizeof hint, "write `100 %s`%s", several,
            strcmp(one, "cycle") == 0 ? "; a duration divided by the time step is a number of cycles" : "");
-  return take_count(reader, 1, NB_COUNT_MAX, value, hint, counted) &&
-         (nb_token_skip(reader, one) || nb_take_word(reader, several));
+  if (!take_count(reader, 1, NB_COUNT_MAX, value, hint, counted) || nb_token_skip(reader, one) ||
+      nb_token_skip(reader, several))
+    return !reader->bad;
+  const struct nb_token *const token = nb_token_peek(reader);
+  snprintf(hint, sizeof hint, "write `%lu %s`", *value, *value == 1 ? one : several);
+  return nb_token_mistake(reader, token, hint, "expected `%s`, found %s%.80s%s", several, token ? "`" : "",
+                          token ? token->text : "the end of the line", token ? "`" : "");
 }
 
 int nb_take_choice(struct nb_reader *reader, const char *words) {
