@@ -576,15 +576,16 @@ static void forces_of_a_boundary_stress(void) {
 
 /* A stress on a new boundary acts on the particles of the new boundary only. A square of discs at the distance 9 from
  * the centre surrounds a square at the distance 5. The first circle includes both squares, the second one only the outer
- * square. The force on each disc of the outer square is then the stress times the distance, and on each other disc 0. */
-static void a_new_boundary_has_its_own_forces(void) {
+ * square. The force on each disc of the outer square is then the stress times the distance, and on each other disc 0. For
+ * spheres the force is the thickness, their diameter 2, times as large. */
+static void own_forces_of_a_new_boundary(const char *kind, double thickness) {
   struct words page = {0};
   struct written it;
   struct nb_error error;
   words_add(&page, "units none\nmaterial m density 2 kn 100\nstep 0.125\n");
   for (int n = 0; n < 8; n++) {
     const double x = n < 4 ? 5 : 9, along = n % 2 ? -x : x;
-    words_add(&page, "disc %g %g radius 1 m\n", n / 2 % 2 ? 0 : along, n / 2 % 2 ? along : 0);
+    words_add(&page, "%s %g %g radius 1 m\n", kind, n / 2 % 2 ? 0 : along, n / 2 % 2 ? along : 0);
   }
   words_add(&page, "record cycle\nstage a\nboundary circle 0 0 radius 4.9\nboundary stress 3 3\ncycles 1\n"
                    "stage b\nboundary circle 0 0 radius 8\nboundary stress 3 3\ncycles 1\n");
@@ -596,10 +597,14 @@ static void a_new_boundary_has_its_own_forces(void) {
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[1], &error), NB_OK);
   for (int n = 0; n < 8; n++) {
     const struct nb_vec force = model->boundary->boundary_force[model->particles.slot[n]];
-    CU_ASSERT_DOUBLE_EQUAL(vec_length(force), n < 4 ? 0 : 3 * 9, 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(vec_length(force), n < 4 ? 0 : 3 * 9 * thickness, 1e-12);
   }
   nb_model_free(model);
   written_free(&it);
+}
+
+static void a_new_boundary_has_its_own_forces(void) {
+  own_forces_of_a_new_boundary("disc", 1), own_forces_of_a_new_boundary("sphere", 2);
 }
 
 /* Four discs without contacts on a circle, at rest. A stress s presses each of them towards the centre with the force s

@@ -68,6 +68,16 @@ sed -n '/^A block/,$p' "$work/a/b/old-scene.md" | diff "$work/wanted" - >"$work/
   grep -q 'no block: discs lattice 3 by 3, tries' "$work/a/b/old-scene.md"
 result $? 'prose and examples in the text stay'
 
+cat >"$work/wanted" <<'EOF'
+```gnuplot
+print reference_D_x_1
+plot $table_1 using 'time/s':'reference D.x/m' with lines title 'known'
+print column('reference D.x max in fall/m')
+```
+EOF
+sed -n '/^```gnuplot/,/^```$/p' "$work/a/b/old-expect.md" | diff "$work/wanted" - >"$work/said"
+result $? 'in a figure columns and variables change, other words stay'
+
 printf '```scene\r\ndiscs lattice 1 by 1 radius 1 m rock\r\n```\r\nlast' >"$work/one.md"
 printf '```scene\r\nlattice discs 1 by 1 radius 1 m rock\r\n```\r\nlast' >"$work/wanted"
 cp "$work/one.md" "$work/two.md"
