@@ -168,6 +168,12 @@ static void no_overlap_with_existing_particles(void) {
   sound(&it.scene, 2);
   it.scene.fill_count = 2;
   written_free(&it);
+  /* the only disc that is already there is larger than all sizes of the grading */
+  make(&it, ROCK "disc 5 0 radius 20 rock fixed\n" GRADED
+                 "fill discs circle 0 0 radius 30 g rock seed 1 attempts 100 else skip\n");
+  CU_ASSERT(it.scene.fills[0].count > 400);
+  sound(&it.scene, 1);
+  written_free(&it);
   /* Dust a thousandth as large as the largest grains of the next grading: on the level of the dust, such a grain covers
    * more search boxes than there are dust particles. */
   make(&it,
@@ -336,25 +342,28 @@ static void no_overlap_across_edges(void) {
   }
 }
 
-/* No two images of large particles overlap, whichever side of the cell is longer. Their radii are up to a sixth of its
- * shorter side. */
+/* No two images of large particles overlap, whichever side of the cell is longer, and whatever its size is. Their radii
+ * are up to a sixth of its shorter side. */
 static void no_overlap_of_large_particles(void) {
-  for (int seed = 1; seed <= 10; seed++) {
+  for (int seed = 1; seed <= 20; seed++) {
     const bool upright = seed % 2;
-    const double width = upright ? 30 : 50, height = upright ? 50 : 30;
+    const double size = seed > 10 ? 0x1p-10 : 1;
+    const double width = size * (upright ? 30 : 50), height = size * (upright ? 50 : 30);
     struct written it;
     char page[512];
     size_t overlaps = 0;
     snprintf(page, sizeof page,
-             ROCK "cell -3 2 to %g %g\ngrading g 5 6 4 9\nfill discs cell g rock seed %d attempts 3000 else skip\n",
-             width - 3, height + 2, seed);
+             ROCK
+             "cell %.17g %.17g to %.17g %.17g\ngrading g %.17g 6 %.17g 9\nfill discs cell g rock seed %d attempts 3000 "
+             "else skip\n",
+             -3 * size, 2 * size, width - 3 * size, height + 2 * size, 5 * size, 4 * size, seed);
     make(&it, page);
     const struct nb_particle *at = it.scene.particles;
     CU_ASSERT(it.scene.particle_count > 7);
     for (size_t i = 0; i < it.scene.particle_count; i++)
       for (size_t j = 0; j < i; j++)
         overlaps += hypot(remainder(at[i].x - at[j].x, width), remainder(at[i].y - at[j].y, height)) <
-                    at[i].radius + at[j].radius - 1e-14;
+                    at[i].radius + at[j].radius - 1e-14 * size;
     CU_ASSERT_EQUAL(overlaps, 0);
     written_free(&it);
   }
@@ -382,7 +391,7 @@ static void uniform_in_a_cell(void) {
 static void any_copy_of_existing_particles(void) {
   static const char *const there[] = {"disc 1 30 radius 6 rock fixed\ndisc 25 10 radius 5 rock fixed\n",
                                       "disc 51 0 radius 6 rock fixed\ndisc 25 10 radius 5 rock fixed\n",
-                                      "disc -99 60 radius 6 rock fixed\ndisc 125 -50 radius 5 rock fixed\n"};
+                                      "disc -1999 1230 radius 6 rock fixed\ndisc 2025 -1190 radius 5 rock fixed\n"};
   uint64_t first = 0;
   for (int k = 0; k < 3; k++) {
     struct written it;
@@ -394,6 +403,23 @@ static void any_copy_of_existing_particles(void) {
     memmove(it.scene.particles, it.scene.particles + 2, it.scene.particle_count * sizeof *it.scene.particles);
     first = k ? first : bits_of(&it.scene);
     CU_ASSERT(bits_of(&it.scene) == first);
+    written_free(&it);
+  }
+}
+
+/* Two discs whose radii are 0.23 and 0.24 of the sides: the distance at which they overlap is nearly half of a side. */
+static void two_that_nearly_fill_the_cell(void) {
+  for (int seed = 1; seed <= 60; seed++) {
+    struct written it;
+    char page[512];
+    snprintf(page, sizeof page,
+             ROCK "disc 5 5 radius 2.3 rock\ncell 0 0 to 10 10\ngrading g 2.4 1\nfill discs cell g rock seed %d "
+                  "attempts 1000 else stop\n",
+             seed);
+    make(&it, page);
+    const struct nb_particle *at = it.scene.particles;
+    CU_ASSERT_EQUAL_FATAL(it.scene.particle_count, 2);
+    CU_ASSERT(hypot(remainder(at[1].x - 5, 10), remainder(at[1].y - 5, 10)) >= 4.7 - 1e-14);
     written_free(&it);
   }
 }
@@ -504,6 +530,7 @@ void suite_fill(void) {
   CU_add_test(suite, "in a cell uniform to the edges", uniform_in_a_cell);
   CU_add_test(suite, "in a cell any copy of existing particles", any_copy_of_existing_particles);
   CU_add_test(suite, "in a cell no particle overlaps its own image", one_that_fills_the_cell);
+  CU_add_test(suite, "in a cell no overlap of two particles that nearly fill it", two_that_nearly_fill_the_cell);
   CU_add_test(suite, "gap of a pair that is not listed", gap_of_a_pair_that_is_not_listed);
   CU_ADD_TEST(suite, pairs_that_count_in_the_gap);
   CU_add_test(suite, "hexagonal", hexagonal);
