@@ -413,8 +413,9 @@ static void two_that_nearly_fill_the_cell(void) {
     struct written it;
     char page[512];
     snprintf(page, sizeof page,
-             ROCK "disc 5 5 radius 2.3 rock\ncell 0 0 to 10 10\ngrading g 2.4 1\nfill discs cell g rock seed %d "
-                  "attempts 1000 else stop\n",
+             ROCK
+             "skin 0.05\ndisc 5 5 radius 2.3 rock\ncell 0 0 to 10 10\ngrading g 2.4 1\nfill discs cell g rock seed %d "
+             "attempts 1000 else stop\n",
              seed);
     make(&it, page);
     const struct nb_particle *at = it.scene.particles;
