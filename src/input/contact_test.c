@@ -140,6 +140,19 @@ static bool expected_part(struct nb_reader *reader, const bool given[PARTS]) {
                             : "`overlap`, `normal`, `slip`, `shear`, `hold`, `in N steps` or `follow FILE`");
 }
 
+/* Reports a word after `hold` that is no force. */
+static bool cannot_hold(struct nb_reader *reader) {
+  char hint[NB_HINT_SIZE];
+  const struct nb_token *const token = nb_token_peek(reader);
+  struct nb_guess guess = nb_guess_begin(token ? token->text : "");
+  nb_guess_offer(&guess, "normal"), nb_guess_offer(&guess, "shear");
+  return nb_expected(reader,
+                     token && nb_guess_found(&guess)
+                         ? nb_guess_hint(&guess, hint)
+                         : "overlap and slip stay constant where the segment does not name them",
+                     "`normal` or `shear`");
+}
+
 /* Takes the parts of a segment, in any order, each at most once. */
 static bool take_segment(struct nb_reader *reader, struct nb_stage *stage) {
   static const char *const once[] = {[PART_NORMAL] = "only one of `overlap`, `normal` and `hold normal` in a segment",
@@ -149,8 +162,7 @@ static bool take_segment(struct nb_reader *reader, struct nb_stage *stage) {
   for (; nb_token_peek(reader); any = true) {
     const enum word word = take_segment_word(reader);
     if (word == HOLD && !nb_token_is(reader, "normal") && !nb_token_is(reader, "shear"))
-      return nb_expected(reader, "overlap and slip stay constant where the segment does not name them",
-                         "`normal` or `shear`");
+      return cannot_hold(reader);
     if (word == FOLLOW && any)
       reader->next--;
     if (word == WORDS || (word == FOLLOW && any))

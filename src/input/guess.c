@@ -124,7 +124,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"servo_walls servo_west servo_east servo_north servo_south servo_left servo_right servo_sides servo_lateral servo_box", "servo", SERVO_WALLS},
     {"wall_servo walls_servo wall_activate", "servo", "for example `servo yy 100 kPa on box through box at most 1e-6 per cycle`"},
     {"wall_force wall_load wall_pressure wall_stress wall_traction wall_weight walls_force walls_load walls_pressure walls_stress", "servo", "a wall has no force control: it stands still or has a velocity. A servo controls the stress of the box: `servo yy 100 kPa on box through box at most 0.1 1/s`"},
-    {"snapshot_end snapshot_last snapshot_final snapshot_at snapshot_in snapshot_on snapshot_after snapshot_every", "snapshot", "write `snapshot` alone, in the stage: the program takes the snapshot at the end of that stage"},
+    {"snapshot_end snapshot_last snapshot_final snapshot_at snapshot_in snapshot_on snapshot_after snapshot_every", "snapshot", "write `snapshot` alone: the program takes the snapshot at the end of the stage or segment"},
     {"stop_wall stop_walls stop_all stop_box", "wall, walls", "in a stage write `walls stop`, or for one wall `wall NAME velocity 0 m/s 0 m/s`"},
     {"until_equals until_equal until_= until_== until_is until_reaches until_to until_until", "until", "a condition has `above` or `below`: `until stage.time above 0.1 s at most 1000000 cycles`"},
     {"until_within until_between", "until", "a condition has `above` or `below`, and a range has two: `until stage.time above 0.1 s and energy.kinetic below 1 mJ at most 1000000 cycles`"},

@@ -781,6 +781,26 @@ static bool offer_reducers(const struct nb_reader *reader, const struct nb_measu
   return again;
 }
 
+/* Writes the hint for a reducer after the stage, `C.normal in load max`; false: the word is no such reducer. */
+static bool reducer_after_stage(char *hint, const struct nb_measure *measure, const char *word) {
+  const struct nb_reducer_row *row = reducers;
+  while (row->word && strcmp(row->word, word) != 0)
+    row++;
+  snprintf(hint, NB_HINT_SIZE, "write `%.*s %s%s`", (int)measure->bare_length, measure->label, word,
+           measure->label + measure->bare_length);
+  return row->word && measure->reducer == NB_LAST && measure->stage != -1;
+}
+
+/* The hint for a token that is no word of an expectation. `again`: it is a reducer although the measure has one. */
+static const char *kind_hint(char *hint, const struct nb_measure *measure, const struct nb_token *token,
+                             const struct nb_guess *guess, bool again) {
+  if (!token)
+    return "`report MEASURE` writes the value into the tables and checks nothing";
+  return reducer_after_stage(hint, measure, token->text) ? hint
+         : again ? "one line has one of `max`, `min`, `mean` …: write a line for each"
+                 : nb_guess_hint(guess, hint);
+}
+
 /* Reads the rest of the expectation as the row of its word says. The hint for an unknown word also suggests reducers
  * and `in`. */
 static bool take_kind(struct nb_reader *reader, const struct reading *reading, struct nb_expectation *expectation) {
@@ -808,11 +828,7 @@ static bool take_kind(struct nb_reader *reader, const struct reading *reading, s
       ratio_hint(hint, reader, reading->scene, *token->text, expectation->measure.label, "");
     return nb_token_mistake(reader, token, hint, "expected %s, found `%s`", words, token->text);
   }
-  return nb_expected(reader,
-                     again   ? "one line has one of `max`, `min`, `mean` …: write a line for each"
-                     : token ? nb_guess_hint(&guess, hint)
-                             : "`report MEASURE` writes the value into the tables and checks nothing",
-                     "%s", words);
+  return nb_expected(reader, kind_hint(hint, &expectation->measure, token, &guess, again), "%s", words);
 }
 
 /* Reads `report MEASURE`: the measure is written to the tables, without a check. */
