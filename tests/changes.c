@@ -6,6 +6,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/model.h"
+#include "run/plan.h"
 #include "suites.h"
 #include "written.h"
 
@@ -127,6 +129,31 @@ static void gravity_ramps(void) {
   CU_ASSERT_DOUBLE_EQUAL(after(ramps, "D.vy"), -4, 1e-15);
   CU_ASSERT_DOUBLE_EQUAL(row_of(ramps, "D.vy", 4), -1, 1e-15);
   CU_ASSERT_DOUBLE_EQUAL(after(FLIGHT "stage a\nramp gravity 0 -4\ncycles 8\nstage b\ncycles 4\n", "D.vy"), -8, 1e-15);
+}
+
+/* At the end of a ramp gravity is exactly that of the statement, although 0.7 + (0.1 - 0.7) is not 0.1 when rounded. */
+static void a_ramp_ends_exactly(void) {
+  static const char *const scenes[] = {"gravity 0 -0.7\n", "gravity -0.7 0\n"};
+  static const char *const ramps[] = {"gravity 0 -0.1", "gravity -0.1 0"};
+  for (int k = 0; k < 3; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(&page, "units none\n" FLIGHT "%sstage a\n%scycles 1\nstage b\nramp %s\ncycles 3\n",
+              k < 2 ? scenes[k] : "", k < 2 ? "" : "gravity centripetal 0.7 about 1 2\n",
+              k < 2 ? ramps[k] : "gravity centripetal 0.1 about 1 2");
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    for (int s = 0; s < 2; s++) {
+      CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[s], &error), NB_OK);
+      written_cycles(model, s ? 3 : 1);
+    }
+    CU_ASSERT_EQUAL(model->gravity.x, k == 1 ? -0.1 : 0);
+    CU_ASSERT_EQUAL(model->gravity.y, k == 0 ? -0.1 : 0);
+    CU_ASSERT_EQUAL(model->central.acceleration, k == 2 ? 0.1 : 0);
+    nb_model_free(model);
+    written_free(&it);
+  }
 }
 
 /* A stage can have several ramps, in any order. A heavy disc slides along a wall without friction. */
@@ -418,6 +445,7 @@ void suite_changes(void) {
   CU_add_test(suite, "gravity acts away from a point", gravity_acts_away_from_a_point);
   CU_add_test(suite, "the point of central gravity stays", the_point_of_central_gravity_stays);
   CU_add_test(suite, "gravity ramps", gravity_ramps);
+  CU_add_test(suite, "a ramp of gravity ends exactly", a_ramp_ends_exactly);
   CU_ADD_TEST(suite, two_ramps);
   CU_add_test(suite, "a wall ramps", a_wall_ramps);
   CU_add_test(suite, "materials change", materials_change);
