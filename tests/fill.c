@@ -345,6 +345,7 @@ static void no_overlap_across_edges(void) {
 /* No two images of large particles overlap, whichever side of the cell is longer, and whatever its size is. Their radii
  * are up to a sixth of its shorter side. */
 static void no_overlap_of_large_particles(void) {
+  int across[2] = {0, 0}; /* particles across an edge, in cells of both sizes */
   for (int seed = 1; seed <= 20; seed++) {
     const bool upright = seed % 2;
     const double size = seed > 10 ? 0x1p-10 : 1;
@@ -364,9 +365,12 @@ static void no_overlap_of_large_particles(void) {
       for (size_t j = 0; j < i; j++)
         overlaps += hypot(remainder(at[i].x - at[j].x, width), remainder(at[i].y - at[j].y, height)) <
                     at[i].radius + at[j].radius - 1e-14 * size;
+    for (size_t i = 0; i < it.scene.particle_count; i++)
+      across[seed > 10] += at[i].x - at[i].radius < -3 * size || at[i].y - at[i].radius < 2 * size;
     CU_ASSERT_EQUAL(overlaps, 0);
     written_free(&it);
   }
+  CU_ASSERT(across[0] > 9 && across[1] > 9);
 }
 
 /* The centres are also uniformly distributed over the hundredths of the width and of the height. So an error that
@@ -421,6 +425,18 @@ static void two_that_nearly_fill_the_cell(void) {
     const struct nb_particle *at = it.scene.particles;
     CU_ASSERT_EQUAL_FATAL(it.scene.particle_count, 2);
     CU_ASSERT(hypot(remainder(at[1].x - 5, 10), remainder(at[1].y - 5, 10)) >= 4.7 - 1e-14);
+    written_free(&it);
+  }
+}
+
+/* A box exactly as wide or as high as the disc, in numbers without rounding: the disc is placed in its middle. */
+static void a_box_as_wide_as_the_disc(void) {
+  for (int upright = 0; upright < 2; upright++) {
+    struct written it;
+    make(&it, upright ? ROCK "grading g 1 1\nfill discs box 0 4 to 9 6 g rock seed 1 attempts 1 else skip\n"
+                      : ROCK "grading g 1 1\nfill discs box 4 0 to 6 9 g rock seed 1 attempts 1 else skip\n");
+    CU_ASSERT_EQUAL_FATAL(it.scene.particle_count, 1);
+    CU_ASSERT_EQUAL(upright ? it.scene.particles[0].y : it.scene.particles[0].x, 5);
     written_free(&it);
   }
 }
@@ -525,6 +541,7 @@ void suite_fill(void) {
   CU_add_test(suite, "expected number of attempts", expected_number_of_attempts);
   CU_add_test(suite, "attempts and skipped sizes", attempts_and_skipped_sizes);
   CU_add_test(suite, "a place across the edge by rounding is refused", across_the_edge_by_rounding);
+  CU_add_test(suite, "a box as wide as the disc", a_box_as_wide_as_the_disc);
   CU_add_test(suite, "the same bits on every machine", the_same_bits);
   CU_add_test(suite, "in a cell no overlap across the edges", no_overlap_across_edges);
   CU_add_test(suite, "in a cell no overlap of large particles", no_overlap_of_large_particles);

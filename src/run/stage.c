@@ -305,7 +305,7 @@ enum nb_status nb_stage_change(struct nb_model *model, struct nb_error *error) {
   for (size_t k = 0; k < stage->change_count; k++)
     ramps = ramps || stage->changes[k].ramp;
   model->changes->changing = ramps && fraction < 1;
-  if (begins && model->affine && !nb_affine_moves(model)) /* this cycle was the last one with an affine motion */
+  if (begins && !nb_affine_moves(model)) /* this cycle was the last one with an affine motion */
     model->all_affine = false;
   const bool plan = change_properties(model, fraction);
   const enum nb_status status = plan ? plan_again(model, error) : NB_OK;
