@@ -513,6 +513,16 @@ static void pairs_that_count_in_the_gap(void) {
   }
 }
 
+static void square(void) {
+  struct written it;
+  make(&it, ROCK "lattice discs 3 by 4 from 10 20 radius 1 spacing 2.5 rock\n");
+  CU_ASSERT_EQUAL_FATAL(it.scene.particle_count, 12);
+  for (size_t k = 0; k < 12; k++) /* the rows are filled one after the other */
+    CU_ASSERT(it.scene.particles[k].x == 10 + 2.5 * (double)(k % 3) &&
+              it.scene.particles[k].y == 20 + 2.5 * (double)(k / 3));
+  written_free(&it);
+}
+
 static void hexagonal(void) {
   struct written it;
   make(&it, ROCK "lattice discs hexagonal 3 by 4 from 10 20 radius 1 spacing 2.5 rock\n");
@@ -551,5 +561,6 @@ void suite_fill(void) {
   CU_add_test(suite, "in a cell no overlap of two particles that nearly fill it", two_that_nearly_fill_the_cell);
   CU_add_test(suite, "gap of a pair that is not listed", gap_of_a_pair_that_is_not_listed);
   CU_ADD_TEST(suite, pairs_that_count_in_the_gap);
+  CU_add_test(suite, "square", square);
   CU_add_test(suite, "hexagonal", hexagonal);
 }

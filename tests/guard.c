@@ -575,15 +575,19 @@ static void resolution_of_coordinates(void) {
       {-0.5, 8589934592., true},
       {0, 0, false},
   };
+  static const double sizes[] = {1, 0x1p-10, 0x1p10};
   for (size_t k = 0; k < sizeof cases / sizeof *cases; k++)
-    for (int axis = 0; axis < 2; axis++) {
+    for (int n = 0; n < 6; n++) {
+      const int axis = n % 2;
+      const double size = sizes[n / 2]; /* multiplies all lengths, and the result stays the same */
       char statements[500];
       snprintf(statements, sizeof statements,
-               axis ? "material m density 1 kn 1\ndisc 0 %.17g radius 1 m\ndisc 0 %.17g radius 1 m\n"
-                    : "material m density 1 kn 1\ndisc %.17g 0 radius 1 m\ndisc %.17g 0 radius 1 m\n",
-               cases[k].at, cases[k].at + 2 - cases[k].overlap);
+               axis ? "material m density 1 kn 1\ndisc 0 %.17g radius %.17g m\ndisc 0 %.17g radius %.17g m\n"
+                    : "material m density 1 kn 1\ndisc %.17g 0 radius %.17g m\ndisc %.17g 0 radius %.17g m\n",
+               size * cases[k].at, size, size * (cases[k].at + 2 - cases[k].overlap), size);
       warned(text, statements);
       CU_ASSERT_EQUAL(text[0] != 0, cases[k].warns);
+      CU_ASSERT(!cases[k].warns || (strstr(text, "of the mean overlap") != NULL) == (cases[k].overlap > 0));
       if ((text[0] != 0) != cases[k].warns)
         printf("# %s%s\n", statements, text);
     }

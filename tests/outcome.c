@@ -207,7 +207,7 @@ static void warnings_of_regions(void) {
   static const char scene[] =
       "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m fixed\n"
       "disc %s 0 radius 1 m velocity 1 0\ndisc 0 50 radius 1 m velocity -1 0\nmonitor porosity disc 3\nstep 0.1\n"
-      "region A circle %s\nrecord time %s\nstage one\n"
+      "region A circle %s\nrecord %s time\nstage one\n"
       "cycles 2\nstage two\ncycles 2";
   static const struct {
     const char *x, *region, *column, *warning;

@@ -197,6 +197,7 @@ static void bits_of_expectations(void) {
       {"A.vx expected 0 within 4 [t]", -1}, /* its largest magnitude is 4 */
       {"A.vx expected 0 within 3 [t]", 53},
       {"energy.residual within 1e-12 of A.x", -1},
+      {"A.x in one within 1 % of A.x max in two", 14}, /* 2^-12 in row 2, relative to 4 */
   };
   struct words list = {0};
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
@@ -224,6 +225,8 @@ static void bits_of_expectations(void) {
   planted_page(&other, "", list.text), planted_rows(&other, 0, 3, x); /* stage two records nothing */
   CU_ASSERT(nb_expected_bits(&other.runs[0], &nearest.runs[0], 3) == 53);
   CU_ASSERT(nb_expected_bits(&other.runs[0], &nearest.runs[0], 2) == 0);
+  const size_t scaled = sizeof rows / sizeof *rows - 1; /* its scale cannot be computed */
+  CU_ASSERT(nb_expected_bits(&nearest.runs[0], &other.runs[0], scaled) == 0);
   nb_outcome_free(&other), nb_outcome_free(&nearest);
   free(list.text);
 }
