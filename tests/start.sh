@@ -338,6 +338,25 @@ stage     on
   cycles  300
 END
 result $? 'an unstable step, which the first page allows'
+in_two stable <<'END'
+# A stable step, for which two discs count that are listed and have moved apart by more than the skin
+```scene
+units     none
+material  m density 1 kn 4
+disc      -0.02 0 radius 1 m velocity -0.01 0
+disc      2.075 0 radius 1 m
+disc      4.17 0 radius 1 m velocity -0.002 0
+monitor   D  disc 1
+monitor   E  disc 2 with disc 3
+record    time step D.x E.overlap
+step      0.2 of stable
+stage     shear
+  cycles  20
+---
+stage     on
+  cycles  300
+END
+result $? 'a step in units of the stable step'
 in_two box <<'END'
 # Spheres between walls that follow a servo, and rest afterwards
 ```scene

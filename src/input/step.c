@@ -154,7 +154,7 @@ NB_STATEMENTS(step) = {
    "TIME: a time above 0.\n"
    "N per collision: a number above 0. N steps last as long as the shortest collision.\n"
    "F of collision: a number above 0, as are all F below. The duration of the shortest collision; for elastic spheres that of Hertz, at the speeds of the pairs predicted to collide at their current velocities.\n"
-   "F of stable: the guaranteed stable step at the beginning of the stage.\n"
+   "F of stable: the guaranteed stable step at the beginning of each stage.\n"
    "F of single-contact: 2 sqrt(m/k) of the smallest mass and the largest stiffness [CS79, Motion].\n"
    "F of rayleigh: the travel time of a surface wave from pole to pole of a sphere, the shortest over all spheres [R89 4.33].\n"
    "F of rayleigh-mean: the same for a sphere with the mean properties.\n"

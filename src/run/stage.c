@@ -248,11 +248,18 @@ static enum nb_status begin_loading(struct nb_model *model, const struct nb_stag
   return NB_OK;
 }
 
+/* The stable step depends on the listed pairs, and these on the time of the last search. A search before the step is
+ * computed makes the step that of a run that continues from a state, which begins with a search. */
+static enum nb_status search_for_step(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
+  const bool listed = model->search.last_cycle == model->cycle;
+  return listed || stage->step.kind != NB_STEP_STABLE ? NB_OK : nb_neighbours_search_again(model, error);
+}
+
 enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
   model->previous_damping = model->damping;
   model->stage_time = model->time;
   model->stage_cycle = 0;
-  if (begin_assembly(model, stage, error))
+  if (begin_assembly(model, stage, error) || search_for_step(model, stage, error))
     return error->status;
   model->damping = stage->damping;
   model->next_laws = nb_laws_of(stage, model->laws);
