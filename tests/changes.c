@@ -239,7 +239,7 @@ static void materials_change(void) {
   const char *jumps = DEEP "stage a\ncycles 2\nstage b\nmaterial m kn 16\ncycles 2\n";
   CU_ASSERT_EQUAL(row_of(jumps, "O.normal", 2), 2);
   CU_ASSERT_EQUAL(row_of(jumps, "O.normal", 3), 4);                              /* from the stage's first forces on */
-  CU_ASSERT_DOUBLE_EQUAL(after(jumps, "C.normal"), 2 * 16 * 8 / 24. / 4, 1e-15); /* two springs in series */
+  CU_ASSERT_DOUBLE_EQUAL(after(jumps, "C.normal"), 2 * 16 * 8 / 24. / 4, 1e-15); /* 2ab/(a + b) of two materials */
   const char *ramps = DEEP "stage a\nramp material m kn 24\ncycles 4\nstage b\ncycles 1\n";
   CU_ASSERT_EQUAL(row_of(ramps, "O.normal", 1), 3);
   CU_ASSERT_EQUAL(row_of(ramps, "O.normal", 3), 5);
@@ -247,8 +247,8 @@ static void materials_change(void) {
   CU_ASSERT_EQUAL(after(ramps, "O.normal"), 6);
 }
 
-/* Two ramps from different values and a jump after them. Two springs of k_1 and k_2 have the force
- * 2 k_1 k_2/(k_1 + k_2)/4 at the overlap 1/4. */
+/* Two ramps from different values and a jump after them. Two materials of k_1 and k_2 have the
+ * contact force 2 k_1 k_2/(k_1 + k_2)/4 at the overlap 1/4. */
 static void two_materials_ramp(void) {
   const char *ramps = DEEP "stage a\nmaterial n kn 16\ncycles 4\nstage b\nramp material m kn 24\n"
                            "ramp material n kn 48\nmaterial n ks 2\ncycles 4\n";

@@ -397,7 +397,7 @@ static void a_stage_without_dashpots(void) {
 void suite_damping(void) {
   CU_pSuite suite = CU_add_suite("damping", NULL, NULL);
   CU_add_test(suite, "equal dampings", equal_dampings);
-  CU_add_test(suite, "the step of first touch", first_touch);
+  CU_add_test(suite, "in the step of first touch the dashpot has the full rate", first_touch);
   CU_add_test(suite, "coefficients of the three conventions", coefficients);
   CU_add_test(suite, "coefficients under a ramp of the stiffness", coefficients_under_a_ramp);
   CU_add_test(suite, "centred dashpots", centred);

@@ -285,7 +285,7 @@ static void an_impact_follows_the_recursion(void) {
 void suite_deep(void) {
   CU_pSuite suite = CU_add_suite("deep", NULL, NULL);
   CU_add_test(suite, "coefficients of elastic spheres", elastic_coefficients);
-  CU_add_test(suite, "damping walls", walls_separate);
+  CU_add_test(suite, "`damping walls` changes the coefficient at walls only", walls_separate);
   CU_add_test(suite, "the stable step uses the damping of walls", stable_step_with_damping_walls);
   CU_add_test(suite, "the stable step of discs apart uses their damping", stable_step_of_discs_apart);
   CU_add_test(suite, "deep contacts are counted", overlaps_are_counted);

@@ -643,7 +643,7 @@ void suite_drive(void) {
   CU_add_test(suite, "a boundary with any order of numbers", any_order_of_numbers);
   CU_add_test(suite, "the roughness of a boundary is relative", roughness_is_relative);
   CU_add_test(suite, "the boundary follows exactly", the_boundary_follows_exactly);
-  CU_add_test(suite, "strains per cycle", per_cycle);
+  CU_add_test(suite, "a strain per cycle does not depend on the step", per_cycle);
   CU_add_test(suite, "damping acts on the own velocity only", damping_acts_on_own_velocity);
   CU_add_test(suite, "accumulated affine strain grows", accumulated_strain_grows);
   CU_add_test(suite, "dashpot forces include the imposed velocity", dashpots_see_the_strain);

@@ -412,6 +412,6 @@ void suite_driven(void) {
   CU_add_test(suite, "affine motion twice: normal increment", normal_increment_with_affine_motion_twice);
   CU_add_test(suite, "affine motion twice: tangential increment", tangential_increment_with_affine_motion_twice);
   CU_add_test(suite, "affine motion twice: first touch", first_touch_with_affine_motion_twice);
-  CU_add_test(suite, "one strain after another", one_strain_after_another);
+  CU_add_test(suite, "strains one after another deform the circle in this order", one_strain_after_another);
   CU_add_test(suite, "velocities are means of half steps", velocities_are_means_of_half_steps);
 }

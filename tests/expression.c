@@ -333,6 +333,6 @@ void suite_expression(void) {
   CU_add_test(suite, "values and dimensions", values);
   CU_add_test(suite, "how a value is written", texts);
   CU_add_test(suite, "columns and messages of mistakes", mistakes);
-  CU_add_test(suite, "nesting", deep);
+  CU_add_test(suite, "nesting of a hundred levels, and more", deep);
   CU_add_test(suite, "reserved names", reserved);
 }

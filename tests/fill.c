@@ -561,6 +561,6 @@ void suite_fill(void) {
   CU_add_test(suite, "in a cell no overlap of two particles that nearly fill it", two_that_nearly_fill_the_cell);
   CU_add_test(suite, "gap of a pair that is not listed", gap_of_a_pair_that_is_not_listed);
   CU_ADD_TEST(suite, pairs_that_count_in_the_gap);
-  CU_add_test(suite, "square", square);
-  CU_add_test(suite, "hexagonal", hexagonal);
+  CU_add_test(suite, "places in a square lattice", square);
+  CU_add_test(suite, "places and neighbours in a hexagonal lattice", hexagonal);
 }

@@ -394,7 +394,7 @@ void suite_removal(void) {
   CU_add_test(suite, "a removed particle ends its imposed motion", a_removed_particle_ends_its_imposed_motion);
   CU_add_test(suite, "a removed particle leaves the boundary", a_removed_particle_leaves_the_boundary);
   CU_add_test(suite, "removal at time 0", removed_at_time_0);
-  CU_add_test(suite, "different radii", different_radii);
+  CU_add_test(suite, "removal of a disc beside one of another radius changes no spin", different_radii);
   CU_add_test(suite, "regions without removed particles", regions_without_removed_particles);
   CU_add_test(suite, "places of removed particles are free", places_of_removed_particles_are_free);
   CU_add_test(suite, "spins do not change", spins_do_not_change);

@@ -140,5 +140,5 @@ void suite_signs(void) {
   CU_add_test(suite, "forces and moments on a pair", forces_on_a_pair);
   CU_add_test(suite, "force on a wall", force_on_a_wall);
   CU_add_test(suite, "mirrors and rotations by 90 degrees change no bit", mirrors_and_rotations_by_90_degrees);
-  CU_add_test(suite, "any rotation", any_rotation);
+  CU_add_test(suite, "other rotations change only the rounding", any_rotation);
 }

@@ -465,7 +465,7 @@ void suite_stability(void) {
   CU_add_test(suite, "a pair may use up the limit", a_pair_may_use_up_the_limit);
   CU_add_test(suite, "stiffer unloading lowers the stable-overlap limit", stiffer_unloading_lowers_the_limit);
   CU_add_test(suite, "a contact may become deep", a_contact_may_become_deep);
-  CU_add_test(suite, "a fixed particle", a_fixed_particle);
+  CU_add_test(suite, "beside a fixed particle the free one gets the whole limit", a_fixed_particle);
   CU_add_test(suite, "a wall and two spheres share the limit", wall_and_two_spheres_share_the_limit);
   CU_add_test(suite, "every cycle is guaranteed stable", every_cycle_is_guaranteed_stable);
   CU_add_test(suite, "what limits the step, in words", what_limits_the_step_in_words);

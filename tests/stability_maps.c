@@ -34,7 +34,7 @@
 #include "limit.h"
 
 enum { MOST = 32, AXIS = 8, STEPS = 17, FINE = 64, GROWTH_CYCLES = 1500, LONGEST = 2000, KICK_CYCLES = 1000 };
-static const double overlap = 1e-4; /* of each contact at rest, over the radius; that of the random packing is random */
+static const double overlap = 1e-4; /* of each contact at rest, over the radius; not in the chain and the packing */
 static const double perturbation = 1e-9; /* largest displacement of the perturbation in a cycle, over the radius */
 /* Largest growth. Close to the limit the amplitude of a stable vibration rises and falls by a factor of about 10. */
 static const double growth_limit = 100;

@@ -136,5 +136,5 @@ void suite_through(void) {
   CU_add_test(suite, "random steps across a wall or not", random_steps);
   CU_add_test(suite, "at an end of the wall", at_an_end);
   CU_add_test(suite, "on the line of the wall", on_the_line);
-  CU_add_test(suite, "the message", the_message);
+  CU_add_test(suite, "the message about a crossing", the_message);
 }

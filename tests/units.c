@@ -185,7 +185,7 @@ void suite_units(void) {
   CU_pSuite suite = CU_add_suite("units", NULL, NULL);
   CU_add_test(suite, "powers of ten and dimensions of units, and words that are no units", units);
   CU_add_test(suite, "short numbers have the bits of strtod", short_numbers);
-  CU_add_test(suite, "kinds of numbers", kinds);
+  CU_add_test(suite, "the units in messages exist, and have one dimension", kinds);
   CU_add_test(suite, "dimensions in words", written);
   CU_add_test(suite, "units of other systems", foreign);
 }

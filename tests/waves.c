@@ -92,5 +92,5 @@ void suite_waves(void) {
   CU_pSuite suite = CU_add_suite("waves", NULL, NULL);
   CU_add_test(suite, "a wave is a sine from the centre", a_wave_is_a_sine_from_the_centre);
   CU_add_test(suite, "speeds of long waves follow from the moduli", long_waves_follow_from_the_moduli);
-  CU_add_test(suite, "short waves", short_waves);
+  CU_add_test(suite, "short waves, and orthogonal modes", short_waves);
 }

@@ -47,7 +47,7 @@ struct nb_normal {
 
 struct nb_shear {
   double force;      /* F_s, with the sign of the displacement that caused it, N */
-  double stiffness;  /* dF_s/ds while sticking, N/m; 0 without contact */
+  double stiffness;  /* dF_s/ds while sticking, with R89's laws times theta, N/m; 0 without contact */
   double sliding;    /* 1 when the force is at its limit, else 0 */
   double dissipated; /* energy lost to micro-slip and sliding in this step, J; only laws that declare DISSIPATIVE */
 };

@@ -287,8 +287,8 @@ static NB_COLD void advance_general(struct nb_pair p, struct nb_normal n, double
   out->force = force_of(p, n, at[pieces].d, at[pieces].b);
 }
 
-/* Updates the row. The general case is: none of the last four corners is kept, rounding affects a piece, or no piece is
- * free. */
+/* Updates the row. The general case is: none of the last four corners is kept, the new piece may vanish by rounding or
+ * be merged, or no piece is free. */
 static inline NB_FORM void shear_mindlin_deresiewicz_store(struct nb_pair p, struct nb_normal n, double ds, double m[],
                                                            struct piece piece, struct nb_shear *out, bool counts) {
   struct corner *at = (struct corner *)(m + HEAD);

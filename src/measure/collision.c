@@ -43,7 +43,7 @@ static struct approach circles_approach(struct nb_vec apart, struct nb_vec relat
 }
 
 /* Velocities of a wall in the stage that sets the step. When the step of the scene is set, the first stage has not
- * begun; the velocities then follow from its statements. */
+ * begun; the velocities then follow from its statements, except those with `ramp`. */
 static struct nb_velocities wall_state(const struct nb_model *model, int wall) {
   struct nb_velocities state = {model->walls.velocity[wall], model->walls.spin[wall]};
   const struct nb_stage *first = &model->scene->stages[0];
@@ -102,7 +102,8 @@ static double effective_young(const struct nb_model *model, int a, int b) {
   return nb_properties_pair(&model->properties, a, b).young;
 }
 
-/* Tries the collisions of particle i with all other particles; `velocity`: the velocities of all particles. */
+/* Tries the collisions of particle i, which moves, with other particles, those with moving ones of smaller number
+ * excepted: they have been tried. `velocity`: the velocities of all particles. */
 static void try_particles(struct nb_collision *shortest, const struct nb_model *model, const struct nb_vec *velocity,
                           size_t i) {
   const struct nb_particles *particles = &model->particles;

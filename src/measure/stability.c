@@ -13,9 +13,10 @@
  *
  *   S_i/m_i + S_j/m_j  <=  L        and        h (S_i (1/m_i + R_i^2/I_i) + S_j (1/m_j + R_j^2/I_j))  <=  L
  *
- * L minus the larger of the two left sides is the remainder of a contact. Each of its two particles gets half of the
- * remainder; a particle at a wall or at a fixed particle gets all of it. The smallest of the parts that a particle gets
- * from its contacts is divided equally among these contacts. So q of a contact may increase by
+ * L minus the larger of the two left sides is the remainder of a contact, where the second left side has the present sums
+ * of dt^2 k_s + 2 dt c_s in place of h S with R^2/I. Each of its two particles gets half of the remainder; a particle at
+ * a wall or at a fixed particle gets all of it. The smallest of the parts that a particle gets from its contacts is
+ * divided equally among these contacts. So q of a contact may increase by
  *
  *   min over its free particles of  (smallest part)/n / max(1/m, h (1/m + R^2/I))
  *

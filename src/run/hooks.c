@@ -50,7 +50,8 @@ static enum nb_status make_changes(struct nb_model *model, struct nb_error *erro
   return status;
 }
 
-/* Checks the stability of the step after each search, and every NB_STABILITY_CYCLES cycles. */
+/* Checks the stability of the step and the resolution of the coordinates after each search, and every
+ * NB_STABILITY_CYCLES cycles. */
 static enum nb_status check_stability(struct nb_model *model, struct nb_error *error) {
   if (model->search.last_cycle != model->cycle && model->cycle % NB_STABILITY_CYCLES != 0)
     return NB_OK;

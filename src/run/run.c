@@ -372,7 +372,7 @@ static enum nb_status begin_stage(struct run *run, const struct nb_stage *stage,
   return status;
 }
 
-/* True if cycles of the stage are not recorded, and the run keeps the extremes of all of them. */
+/* True if the stage records rows, but not in every cycle, and the run keeps the extremes of all cycles. */
 static bool tracks_extremes(const struct run *run, const struct nb_stage *stage) {
   bool tracked = false;
   for (size_t c = 0; c < run->scene->column_count; c++)

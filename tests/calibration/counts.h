@@ -17,7 +17,7 @@ struct choice {
   double claim; /* estimated error over the true error; NaN: the true error is too small to be known */
 };
 
-/* A page and a question about it that is drawn at random (document.c), and the answers of the estimators. */
+/* A page and a question about it that is drawn at random (tests/accuracy.c), and the answers of the estimators. */
 struct draw {
   char page[64], kind[64];
   bool held_out;  /* the page was not used in tuning */

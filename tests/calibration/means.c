@@ -1,4 +1,4 @@
-/* Draws (document.c) about means over realizations, and the controls that choose a setting from the same runs.
+/* Draws (tests/accuracy.c) about means over realizations, and the controls that choose a setting from the same runs.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
