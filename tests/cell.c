@@ -15,11 +15,12 @@
 
 enum { DISCS = 150 };
 
-/* A gas of discs of these radii with friction in a cell that is strained. `more`: further statements. If `wander` is 1,
- * the page gives another image of every particle. */
 struct radii {
   double least, greatest;
 };
+
+/* A gas of discs of these radii with friction in a cell that is strained. `more`: further statements. If `wander` is 1,
+ * the page gives another image of every particle. */
 static void gas_of(struct written *it, struct radii radii, const char *strain, const char *more, int wander,
                    unsigned seed) {
   struct words page = {0};
