@@ -25,8 +25,8 @@ static void done(struct written *it, struct nb_model *model) {
   written_free(it);
 }
 
-/* The fractions of the deviator that normal and shear forces carry sum to 1, at the start and after a cycle, even if
- * the page requests no other quantity of the stress. */
+/* The fractions of the deviator that normal and shear forces carry sum to 1, at the start and after nine cycles,
+ * even if the page requests no other quantity of the stress. */
 static void fractions_without_the_stress(void) {
   struct words page = {0};
   struct written it;
@@ -92,7 +92,7 @@ static void contacts_at_equal_angles(void) {
 }
 
 /* The rattlers of chains, of a loop and of a single disc. Four discs in a square loop are no rattlers; the discs of a
- * tail attached to the loop are rattlers. A rattler takes no contact from a neighbour that it does not touch. */
+ * tail attached to the loop are rattlers. Only the particles that a rattler touches lose a contact with it. */
 static void rattlers(void) {
   struct words page = {0};
   struct written it;
@@ -100,8 +100,8 @@ static void rattlers(void) {
                    "lattice discs 2 by 2 from 0 0 radius 1 spacing 1.99 m\n" /* 1-4: a loop */
                    "disc 3.98 0 radius 1 m\ndisc 5.97 0 radius 1 m\n"        /* 5, 6: its tail */
                    "disc 0 4 radius 1 m\n" /* 7: a neighbour of the loop without contact */
-                   "disc 30 0 radius 1 m fixed\ndisc 31.99 0 radius 1 m\n" /* 8 fixed; 9 between 8 */
-                   "wall w 32.98 -1 to 32.98 1 m\n"                        /* and a wall: no rattler */
+                   "disc 30 0 radius 1 m fixed\ndisc 31.99 0 radius 1 m\n" /* 8 is fixed */
+                   "wall w 32.98 -1 to 32.98 1 m\n"                        /* 9 touches 8 and this wall: no rattler */
                    "region A all\nregion B box -2 -2 to 3 3\n"
                    "record A.particles A.contacts A.coordination A.coordination.mechanical A.rattlers "
                    "B.particles B.contacts B.coordination B.coordination.mechanical B.rattlers\nstage s\ncycles 1\n");
@@ -156,7 +156,7 @@ static void centres_on_the_edge(void) {
   written_free(&it);
 }
 
-/* A box and its corners, which cut the discs, are rotated and mirrored with the scene. */
+/* A box, two of whose edges halve a disc each, is rotated and mirrored with the scene. */
 static void a_rotated_box(void) {
   static const char *const places[] = {"", "transform rotate 0.5\n", "transform mirror x rotate 2 translate 3 -2\n"};
   for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
@@ -228,7 +228,8 @@ static void imbalance_without_contacts(void) {
   }
 }
 
-/* Discs on linear springs that lie on fixed discs, and Hertz's spheres: every measure from a hand calculation. */
+/* Every measure of two scenes from a hand calculation: discs that lie on fixed discs, with linear springs, and spheres
+ * with Hertz's law. */
 static void loads(void) {
   struct words page = {0};
   struct written it;
@@ -375,7 +376,7 @@ static void tension(void) {
 }
 
 /* Discs at the places X move with the velocities L X. The strain and the rotation of the remaining discs follow from L t,
- * also after a disc inside the region, and then a disc outside, have been removed. */
+ * also after a disc inside the region has been removed, and then another one inside and one outside. */
 static void strain_without_removed_particles(void) {
   struct words page = {0};
   struct written it;
@@ -405,7 +406,7 @@ static void strain_without_removed_particles(void) {
 }
 
 /* After a stage has removed all particles of a region, every quantity of the region is 0. Before, its stress, its moduli
- * and its fabric are not, however small the region is. */
+ * and its fabric are above 0, although the area of the region is only 0.14. */
 static void a_region_without_particles(void) {
   struct words page = {0};
   struct written it;

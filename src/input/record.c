@@ -96,8 +96,8 @@ bool nb_stage_before_start(const struct nb_scene *scene, struct nb_reader *reade
   if (before)
     nb_token_mistake(reader, name, "use the first stage of this page, which begins with the state",
                      "expected a stage of this page, found `%s` of the page from which this page starts: the saved "
-                     "state holds only the end of that page",
-                     name->text);
+                     "state holds only the end of its stage `%s`",
+                     name->text, scene->stages[scene->start.stages - 1].name);
   return before;
 }
 

@@ -231,8 +231,8 @@ static void print_left_out(const struct nb_advice *advice) {
     printf("the one with the smallest difference is %s: %s\n", name, out.nearest->reason);
   }
   if (out.equal + out.refused + out.too_late + out.farther)
-    puts("  (a variant is the page with other contact laws, or with other values of the names in its `trade` "
-         "statements)");
+    puts("  (a variant is the page with other contact laws, softer contacts, centred dashpots, or other values of the "
+         "names in its `trade` statements)");
 }
 
 static void print_advice(struct nb_advice *advice) {
