@@ -94,6 +94,7 @@ static void the_point_of_central_gravity_stays(void) {
     CU_ASSERT_EQUAL(nb_run(&result, &it.scene, NULL, NULL, &error), of[n].refused ? NB_BAD_USE : NB_OK);
     CU_ASSERT_EQUAL(strstr(error.text, "the point of central gravity moves") != NULL, of[n].refused);
     CU_ASSERT(n != 4 || strstr(error.text, "moves from (0, 8) to (1, 8)"));
+    CU_ASSERT_EQUAL(strstr(error.text, "). Expected the same point") != NULL, of[n].refused); /* `units none` */
     nb_result_free(&result);
     written_free(&it);
   }

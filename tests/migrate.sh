@@ -68,6 +68,10 @@ sed -n '/^A block/,$p' "$work/a/b/old-scene.md" | diff "$work/wanted" - >"$work/
   grep -q 'no block: discs lattice 3 by 3, tries' "$work/a/b/old-scene.md"
 result $? 'prose and examples in the text stay'
 
+printf '```scene\nstep 20 %% of critical # a percentage\n```\n' >"$work/one.md"
+"$nineball" migrate "$work/one.md" 2>"$work/said" | grep -qxF 'step 20 % of single-contact # a percentage'
+result $? 'a percentage is one value'
+
 cat >"$work/wanted" <<'EOF'
 ```gnuplot
 print reference_D_x_1

@@ -493,7 +493,7 @@ out '`run` of other programs is `cycles` or `until` here'
 run 0 --help dashpot
 test "$(grep -c 'stiffness TIME|ratio X' out)" -eq 1 || echo 'the statement is not shown once' >>why
 run 0 --help unbalanced-force
-out "is PFC's ratio of the means"
+out "PFC's average ratio"
 out 'unbalanced.max, quantity of the scene'
 run 0 --help mindlin_loops
 out 'mindlin_loops, a reference'

@@ -13,6 +13,8 @@ struct nb_synonym {
   const char *words, *ours; /* terms of other programs, "ball disk"; keywords of nineball, "disc, sphere" */
   const char *note;         /* "there is no local damping"; NULL: no note */
 };
+/* True if two words are equal but for capitals and for the signs `_`, `-` and `.` between their parts. */
+bool nb_same_spelling(const char *a, const char *b);
 const struct nb_synonym *nb_synonym(const char *word); /* NULL: not a term of another program */
 /* Writes "`ball` of other programs is `disc` or `sphere` here: …" to `hint`, which has NB_HINT_SIZE bytes. Returns
  * `hint`; NULL: the word is no term of another program. */

@@ -321,6 +321,15 @@ static const char *word_hint(const struct nb_reader *reader, char *hint, const c
   return reader->count == 4 && strcmp(tokens[0].text, "let") == 0 && strcmp(tokens[3].text, name) == 0 ? hint : NULL;
 }
 
+/* The hint for the time in an expectation, which is a number there; NULL: the name is no time. */
+static const char *time_hint(const struct nb_reader *reader, const char *name) {
+  const bool time = strcmp(name, "time") == 0 || strcmp(name, "t") == 0 || strcmp(name, "cycle") == 0;
+  return time && reader->here == NB_IN_EXPECT
+             ? "a line compares the value at one time: `A.vx at 0.1 s  expected (a*0.1 s) within 1 % [SOURCE]`, with "
+               "`let a = 3 m/s2` in the scene; write a line for each time"
+             : NULL;
+}
+
 /* Reads a function, pi, or a value named by `let` or `sweep`. */
 static struct quantity named_value(struct parser *p) {
   char name[WORD_SIZE], hint[NB_HINT_SIZE];
@@ -350,6 +359,7 @@ static struct quantity named_value(struct parser *p) {
   near = near ? near : NB_NEAREST(hint, name, reader->bindings, reader->binding_count);
   near = near || !nb_unit_read(&unit, name) ? near : "a unit follows a number, without an operator: `2 mm`";
   near = near ? near : word_hint(reader, hint, name);
+  near = near ? near : time_hint(reader, name);
   near = near ? near : nb_arithmetic_hint(reader);
   if (length >= NB_NAME_SIZE)
     mistake(p, from, length, near, "expected a name of at most %d characters, found `%.*s…`", NB_NAME_SIZE - 1,

@@ -27,17 +27,57 @@ bool nb_item(const char **list, char item[NB_NAME_SIZE]) {
   "a servo ends with its stage: begin a new stage, `stage NAME`, without a line `servo`. The boundary, the cell or the walls then have only the strain rate of a " \
   "`boundary strain`, `cell strain` or `box strain`, and without one they stand still, unless `wall` or `walls` moves them"
 #define SERVO_WALLS \
-  "write `through box`: the servo strains the whole box, so opposite walls move by equal distances, as in `servo isotropic 50 kPa on box through box at most 0.1 1/s`. A biaxial test is `box strain 0 1/s -0.01 1/s` " \
-  "with `servo xx 50 kPa on box through box at most 0.1 1/s`. A condition or `record` is then on `box.stress.xx`"
+  "walls controlled by their mean stress are `servo isotropic 50 kPa on walls through box at most 0.1 1/s`, or `servo yy 50 kPa on walls through box at most 0.1 1/s` for one direction. The servo strains the whole box, so opposite walls move by equal distances. A biaxial test is `box strain 0 1/s -0.01 1/s` " \
+  "with `servo xx 50 kPa on walls through box at most 0.1 1/s`. A condition or `record` is then on `walls.stress.xx`"
+#define WALLS_MOVE \
+  "opposite walls move in a stage with `box strain 0 1/s -0.1 1/s`, the strain rates in x and y, extension positive; one wall moves by `wall north velocity 0 m/s -1 mm/s`. The stress of the walls is controlled by `servo xx 50 kPa on walls through box at most 0.1 1/s`"
+#define LOADING \
+  "a biaxial test is a stage with `box strain 0 1/s -0.01 1/s` and `servo xx 50 kPa on walls through box at most 0.1 1/s`, an isotropic compression is `servo isotropic 50 kPa on walls through box at most 0.1 1/s`; in a cell `cell strain 0 1/s -0.01 1/s`, and a servo `on cell through cell`"
+#define FORCE_CHAINS \
+  "force chains are drawn from a line `snapshot` in the stage by a block `gnuplot` with the lines `particles = '$STAGE_particles'; contacts = '$STAGE_contacts'` and `load plots.'force-chains.gp'`; `nineball --help gnuplot` shows how"
 #define SIMPLE_SHEAR \
   "simple shear at the rate G = 0.1 1/s is `cell strain 0 1/s 0 1/s  c12 0.1 1/s`, where c12 is the velocity in x per unit of y. The clause " \
   "`shear EXY` is pure shear, c12 = c21 = EXY, with the engineering shear rate 2 EXY"
 #define NO_ROTATION "`rotation off`, a line of its own below a line `stage NAME`, prevents the rotation of all particles"
 /* clang-format on */
 
+/* How a word may be spelt: as in the table, but for `-` and a space; also in capitals, and with `.` for `_`; also in the
+ * plural. */
+enum spelling { EXACT, LOOSE, SINGULAR };
+
+static bool is_separator(char c) { return c && strchr("-_. ", c); }
+
+/* True if b is the letter a of a word in a table. A small letter may be typed as a capital, but not if it stands alone:
+ * `E` is a modulus, `e` a void ratio. */
+static bool same_letter(char a, char b, bool alone) {
+  return a == b || (is_separator(a) && is_separator(b)) || (!alone && a == tolower((unsigned char)b));
+}
+
+bool nb_same_spelling(const char *a, const char *b) {
+  while (*a && same_letter(*a, *b, false))
+    a++, b++;
+  return *a == *b;
+}
+
+/* True if `word` is one of the words in the list, which have blanks between them. */
+static bool has_word(const char *list, const char *word, bool loose) {
+  for (const char *at = list; *at; at += strcspn(at, " "), at += strspn(at, " ")) {
+    const size_t length = strcspn(at, " ");
+    size_t k = 0;
+    while (k < length && word[k] &&
+           (loose ? same_letter(at[k], word[k],
+                                (k == 0 || is_separator(at[k - 1])) && (k + 1 == length || is_separator(at[k + 1])))
+                  : at[k] == word[k] || (at[k] == '_' && (word[k] == '-' || word[k] == ' '))))
+      k++;
+    if (k == length && !word[k])
+      return true;
+  }
+  return false;
+}
+
 const struct nb_synonym *nb_synonym(const char *word) {
   /* clang-format off */
-  static const struct nb_synonym synonyms[] = { /* each word once; `_` stands for `-` and a space too */
+  static const struct nb_synonym synonyms[] = { /* each word once; `_` stands for `-`, `.` and a space too */
     {"ball balls disk disks particle particles grain grains body bodies clump", "disc, sphere"}, {"grid mesh regular", "lattice"},
     {"create create_atoms", "fill, lattice, disc, sphere"}, {"generate pack insert distribute pour random cloud makeCloud", "fill", RANDOM_PACKING},
     {"psd gradation size distribution bimodal", "grading"},
@@ -46,22 +86,23 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"spheres", "lattice, fill", "several particles are `lattice spheres 20 by 1 radius 5 mm MATERIAL`, or `fill spheres`; a line `sphere` is one particle"},
     {"brick rblock rblocks block", "disc, sphere, lattice", "particles are discs or spheres: `disc 0 m 0 m radius 5 mm MATERIAL`; a regular packing is `lattice discs hexagonal 20 by 20 radius 5 mm MATERIAL`"},
     {"contact_model cmat pair_style pair_coeff model", "normal, shear", "contact laws are two statements: `normal linear` and `shear linear`, or `normal hertz` and `shear mindlin`"}, {"property prop attribute set assign", "material, pair, let"},
-    {"variable define fish", "let"}, {"parameter parameters", "let, sweep", "one value is `let mu = 0.3`, a run for each of several values is `sweep mu 0.1 0.3`; statements then use `$mu`"}, {"loop foreach for while", "sweep, repeat", "there are no loops: several particles are `lattice discs 20 by 1 radius 5 mm MATERIAL`, a run for each value is `sweep mu 0.1 0.3`, and repeated stages are `repeat from STAGE 3 times`"}, {"study vary parametric", "sweep"}, {"result results", "report"}, {"bond bonds cement adhesion linearpbond linearcbond", "cohesion"},
+    {"define fish", "let"}, {"parameter parameters variable", "let, sweep", "one value is `let mu = 0.3`, a run for each of several values is `sweep mu 0.1 0.3`; statements then use `$mu`"}, {"loop foreach for while", "sweep, repeat", "there are no loops: several particles are `lattice discs 20 by 1 radius 5 mm MATERIAL`, a run for each value is `sweep mu 0.1 0.3`, and repeated stages are `repeat from STAGE 3 times`"}, {"study vary parametric", "sweep"}, {"result results", "report"}, {"bond bonds cement adhesion linearpbond linearcbond", "cohesion"},
     {"friction_coefficient fric mu xmu slidingFriction", "friction"}, {"friction_angle frictionAngle", "friction", "`friction` is the tangent of the friction angle: `friction (tan(30 deg))`"}, {"coulomb", "friction, linear"}, {"rho dens mass_density", "density"},
     {"material_mass material_weight quantity_mass quantity_weight weight", "density", "the mass follows from `density D`: it is D pi R^2 times 1 m for a disc, which is 1 m thick, and D 4/3 pi R^3 for a sphere"},
-    {"thickness depth", "density, disc", "a disc is a cylinder 1 m thick, so its mass is `density` times pi R^2 times 1 m; another thickness cannot be given, but masses, stiffnesses and forces are then those of 1 m"},
+    {"thickness depth", "density", "a disc is a cylinder 1 m thick, so its mass is `density` times pi R^2 times 1 m; another thickness cannot be given, but masses, stiffnesses and forces are then those of 1 m"},
     {"young_modulus youngs_modulus youngs modulus emod E", "young"}, {"shear_modulus G", "young", "the shear modulus G gives `young` as 2 G (1 + poisson)"}, {"poisson_ratio poissons_ratio pois nu", "poisson"},
     {"normal_stiffness k_n", "kn"}, {"shear_stiffness tangential_stiffness k_s k_t kt kratio", "ks"}, {"stiffness spring", "kn, ks, young, linear", "stiffness is `kn` and `ks` in `material` or `pair`, or `young` in `material`"},
     {"diameter r", "radius"}, {"g grav acceleration", "gravity"}, {"dt timestep time_step O.dt set_timestep set_dt timestep_NUMBER setTimeStep", "step", "write `step 0.2 of stable`, or a time, `step 10 us`"},
     {"damp viscosity dashpot gamma gamma_n dp_nratio dp_sratio beta", "damping, ratio, stiffness"}, {"neighbor verlet cutoff neighbor_NUMBER neigh_modify", "skin", "the program rebuilds the neighbour list when needed, and no result depends on it; `skin 0.5 mm` in the scene sets its skin"},
-    {"local nonviscous damp_NUMBER damp_local set_damp set_damping local_damping", "mass, ratio", "there is no local damping; write `damping mass 50 1/s`, a rate at which velocities decay as exp(-50 t), or `damping ratio 0.2` at contacts"}, {"viscous", "ratio", "a fraction of critical damping at contacts is `damping ratio 0.1`; for a restitution of 0.7 write `damping ratio (-log(0.7)/hypot(pi, log(0.7)))` with `normal linear`"},
-    {"dump dump_NUMBER dump_modify export vtk write_dump write_data", "record, snapshot", "particles, walls and contacts at the end of a stage are saved by `snapshot`, in the stage; quantities are recorded by `record time A.x A.vx` with `monitor A disc 1`, in the scene"}, {"plot graph figure", "gnuplot"},
+    {"local nonviscous damp_NUMBER damp_local set_damp set_damping local_damping", "mass, ratio", "there is no local damping; write `damping mass 50 1/s`, a rate at which velocities decay as exp(-50 t), or `damping ratio 0.2` at contacts"}, {"global global_damping background_damping", "mass", "damping of all particles is mass-proportional, a rate in 1/s: write `damping mass 50 1/s`, with which velocities decay as exp(-50 t)"}, {"viscous", "ratio", "a fraction of critical damping at contacts is `damping ratio 0.1`; for a restitution of 0.7 write `damping ratio (-log(0.7)/hypot(pi, log(0.7)))` with `normal linear`"},
+    {"dump dump_NUMBER dump_modify export vtk write_dump write_data", "record, snapshot", "particles, walls and contacts at the end of a stage are saved by `snapshot`, in the stage; quantities are recorded by `record time A.x A.vx` with `monitor A disc 1`, in the scene"}, {"draw draw_force draw_chains draw_contacts plot_force plot_chains plot_contacts figure_force", "snapshot, gnuplot", FORCE_CHAINS}, {"plot graph figure", "gnuplot"},
     {"restitution cor material_en", "ratio, impact.restitution", "restitution is a result, not an input; for example, for a restitution of 0.7 write `damping ratio (-log(0.7)/hypot(pi, log(0.7)))` with `normal linear`, `damping ratio (-sqrt(5/6)*log(0.7)/hypot(pi, log(0.7)))` with `normal hertz`"},
     {"rolling rolling_friction rolling_resistance rrolling rrlinear rollingFriction", "rotation off", "there is no rolling resistance"},
     {"history hist track trace thermo thermo_NUMBER thermo_style output probe PyRunner", "record, monitor", "write `record time energy.kinetic` in the scene, and `record every 100 cycles` in a stage; quantities of a particle or contact need `monitor A disc 1`, then `record A.vx`"}, {"print echo", "report, record", "a value is `report energy.kinetic max in STAGE`, in a block `expect`; a column of the table is `record time energy.kinetic`, in the scene"}, {"measure measure_create measurement range", "region", "write `region M circle 40 mm 40 mm radius 30 mm`, or `region M all`, then `record M.porosity M.coordination M.stress.mean`"}, {"group", "monitor, region", "there are no groups: `monitor A disc 1` names a particle, `region M all` names the particles of an average"},
     {"run solve go iterate cycle", "cycles, until"}, {"run_NUMBER cycle_NUMBER iterate_NUMBER O.run", "cycles", "cycles are part of a stage: a line `stage load`, below it `cycles 1000`"}, {"equilibrium converge unbal", "until, unbalanced.max"},
-    {"unbalanced unbalanced_force mech_ratio mechanical_ratio", "unbalanced.max", "`unbalanced.max` is the largest unbalanced force over the largest contact force [CS79]; `M.unbalanced.mean`, with `region M all`, is PFC's ratio of the means"},
-    {"ratio", "unbalanced.max, damping, poisson"}, {"critical", "ratio, single-contact"}, {"no_contact separation", "contacts"}, {"coordination_number cn Z", "coordination"}, {"voidratio", "void_ratio"}, {"solid_fraction packing_fraction volume_fraction", "porosity", "the porosity is 1 minus the solid fraction"},
+    {"quantity_ratio_average quantity_ratio_avg quantity_average_ratio quantity_mech_ratio_average quantity_mech_ratio_avg quantity_aratio", "unbalanced.mean", "PFC's average ratio is `M.unbalanced.mean`, with `region M all`; `unbalanced.max` is the largest unbalanced force over the largest contact force [CS79]"},
+    {"unbalanced unbalanced_force mech_ratio mechanical_ratio ratio_maximum ratio_max maximum_ratio", "unbalanced.max", "`unbalanced.max` is the largest unbalanced force over the largest contact force [CS79]; `M.unbalanced.mean`, with `region M all`, is the ratio of the means, PFC's average ratio"},
+    {"ratio", "unbalanced.max, damping, poisson"}, {"critical", "ratio, single-contact"}, {"no_contact separation", "contacts"}, {"coordination_number coord coord_number mean_coordination coordination_mean average_coordination cn Z", "coordination"}, {"voidratio", "void_ratio"}, {"solid_fraction packing_fraction volume_fraction", "porosity", "the porosity is 1 minus the solid fraction"},
     {"contact", "damping, monitor, region"}, {"all", "region", "`region M all` measures all particles and contacts"},
     {"calm relax quench", "zero velocities"}, {"unfix free release", "fixed", "a `fixed` particle stays fixed, and nothing releases it; in a stage `remove disc 1` removes it, and `wall NAME velocity 0 m/s -1 mm/s` moves a wall away from particles that it holds"},
     {"newton", "momentum.x", "the forces on the two particles of a contact are always equal and opposite: delete the line"}, {"reset_timestep", "stage.time", "the time of a stage is `stage.time`, from 0: `until stage.time above 0.1 s at most 1000000 cycles`; `time` and `cycle` count from the start of the run"},
@@ -90,6 +131,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     /* STATEMENT_WORD: a word in a statement that does not have it */
     {"units_lj units_cgs units_micro units_real units_SI units_Si units_metric", "units", "write `units none` if numbers have no units (they are in SI), or `units si` and a unit after each number: `5 mm`"},
     {"disc_at disc_velocity", "disc", "a statement `disc` takes no number and no word `at`; particles are numbered in the order of their lines. Begin with x and y of the centre: `disc 0 m 0 m radius 5 mm MATERIAL velocity 1 m/s 0 m/s`"},
+    {"fix_spin fix_rotation fix_all fix_angle block_rotation block_spin lock_rotation prevent_rotation stop_rotation rotation_none rotation_fixed rotation_false rotation_no rotation_NUMBER rotations_none rotations_fixed rotations_off rotations_no disc_no sphere_no spin_NUMBER", "rotation off", NO_ROTATION},
     {"fixed_spin fixed_rotation disc_off sphere_off spin_off scene_spin", "rotation off, spin", NO_ROTATION "; `spin W` is an angular velocity at the start, which a `fixed` particle keeps: `disc 0 m 0 m radius 5 mm MATERIAL spin 0 rad/s`"},
     {"sphere_at sphere_velocity", "sphere", "a statement `sphere` takes no number and no word `at`; particles are numbered in the order of their lines. Begin with x and y of the centre: `sphere 0 m 0 m radius 5 mm MATERIAL velocity 1 m/s 0 m/s`"},
     {"wall_generate wall_create wall_box wall_block wall_name wall_vertices wall_id wall_group", "wall, box", "four walls are `box 0 m 0 m to 1 m 1 m MATERIAL`; one wall is `wall floor 0 m 0 m to 1 m 0 m MATERIAL`"},
@@ -101,8 +143,8 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"wall_stop wall_still wall_halt wall_inward", "wall", "in a stage write `wall NAME velocity 0 m/s 0 m/s`, or for all walls `walls stop`"},
     {"wall_sine wall_sin wall_sinus wall_sinusoidal wall_harmonic wall_oscillate wall_amplitude wall_frequency wall_period", "wall", "a wall moves at a constant velocity in each stage, `wall NAME velocity 0 m/s 1 mm/s`, or at one that `ramp wall NAME velocity 0 m/s -1 mm/s` changes linearly; stages are repeated by `repeat from STAGE 3 times`"},
     {"walls_velocity walls_speed walls_move", "walls", "`walls inward 1 mm/s` moves the four walls of a box; one wall moves by `wall NAME velocity 0 m/s -1 mm/s`"},
-    {"wall_velocity_y wall_velocity_x wall_down wall_up wall_left wall_right wall_move wall_speed", "wall", "in a stage write `wall NAME velocity 0 m/s -1 mm/s`"},
-    {"fill_NUMBER fill_radius fill_to fill_porosity fill_number fill_count fill_size fill_uniform fill_distribution fix_pour fix_insert/pack", "fill", RANDOM_PACKING},
+    {"wall_velocity_y wall_velocity_x wall_down wall_up wall_left wall_right wall_move wall_speed wall_vx wall_vy", "wall", "in a stage write `wall NAME velocity 0 m/s -1 mm/s`"},
+    {"fill_NUMBER fill_radius fill_to fill_porosity fill_number fill_count fill_size fill_uniform fill_distribution fix_pour fix_insert/pack packing_random", "fill", RANDOM_PACKING},
     {"grading_uniform grading_to grading_m grading_mm grading_um grading_radius grading_normal grading_gaussian grading_lognormal grading_from grading_range grading_min grading_mean", "grading", "there is no continuous distribution; write several sizes, each a radius and a number of particles: `grading sand 0.4 mm 20  0.45 mm 20  0.5 mm 20  0.55 mm 20  0.6 mm 20`"},
     {"fill_velocity", "fill", "filled particles begin at rest: add moving ones with `disc X Y radius R MATERIAL velocity VX VY` above the `fill`"},
     {"stage_time stage_duration stage_for stage_lasts stage_length setTimeMax", "until", "a stage of 0.1 s ends with `until stage.time above 0.1 s at most 1000000 cycles`"},
@@ -112,6 +154,8 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"segment_to segment_by segment_for segment_NUMBER segment_steps segment_tangential segment_displacement segment_normal_force", "segment", "the word after `segment` is its name: `segment load normal to 100 N in 100 steps`, `segment slide slip to 2 um hold normal in 1000 steps`"},
     {"contact_spheres contact_discs contact_radius contact_at", "contact", "write `contact sphere 5 mm MATERIAL with sphere 5 mm MATERIAL`"},
     {"servo_none servo_off servo_stop servo_end servo_remove servo_release servo_disable servo_delete stop_servo end_servo no_servo remove_servo delete_servo release_servo", "servo, stage", SERVO_ENDS},
+    {"servo_twice", "servo", "one line has all components: `servo xx 50 kPa yy 100 kPa on walls through box at most 0.1 1/s`, or `servo isotropic 50 kPa on walls through box at most 0.1 1/s`"},
+    {"gravity_twice", "gravity", "one line has both components, in x and y: `gravity 0 m/s2 -9.81 m/s2`"},
     {"servo_NUMBER servo_pressure servo_stress servo_target servo_force servo_wall", "servo", ONE_SERVO},
     {"contact_linear contact_hertz", "normal, shear", "contact laws are two statements: `normal linear` and `shear linear`, or `normal hertz` and `shear mindlin`"},
     {"shear_hertz", "shear", "the shear law of elastic spheres is `shear mindlin` or `shear mindlin_deresiewicz`"},
@@ -122,11 +166,13 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"monitor_assembly monitor_sample monitor_particles monitor_system", "region", "averages over all particles are those of a region: `region A all`, then `record A.porosity A.coordination A.stress.mean`"},
     {"monitor_contact", "monitor", "a contact is named by its two partners: `monitor C disc 1 with disc 2`"},
     {"servo_walls servo_west servo_east servo_north servo_south servo_left servo_right servo_sides servo_lateral servo_box", "servo", SERVO_WALLS},
-    {"wall_servo walls_servo wall_activate", "servo", "for example `servo yy 100 kPa on box through box at most 1e-6 per cycle`"},
-    {"wall_force wall_load wall_pressure wall_stress wall_traction wall_weight walls_force walls_load walls_pressure walls_stress", "servo", "a wall has no force control: it stands still or has a velocity. A servo controls the stress of the box: `servo yy 100 kPa on box through box at most 0.1 1/s`"},
+    {"wall_servo walls_servo wall_activate", "servo", SERVO_WALLS}, {"servo_m/s servo_mm/s servo_um/s servo_cm/s", "servo", "the limit is a strain rate, the largest velocity of a wall over the size of the box: `at most 0.1 1/s`"},
+    {"walls_east walls_west walls_north walls_south walls_left walls_right walls_top walls_bottom walls_vertical walls_horizontal walls_lateral walls_axial walls_strain walls_rate walls_compress", "box strain, wall", WALLS_MOVE},
+    {"stage_axial stage_lateral stage_vertical stage_horizontal stage_biaxial stage_triaxial stage_uniaxial stage_oedometer stage_consolidate stage_consolidation stage_isotropic stage_stress stage_confining", "box strain, servo", LOADING},
+    {"wall_force wall_load wall_pressure wall_stress wall_traction wall_weight walls_force walls_load walls_pressure walls_stress", "servo", "a wall has no force control: it stands still or has a velocity. A servo controls the mean stress of the walls: `servo yy 100 kPa on walls through box at most 0.1 1/s`"},
     {"snapshot_end snapshot_last snapshot_final snapshot_at snapshot_in snapshot_on snapshot_after snapshot_every", "snapshot", "write `snapshot` alone: the program takes the snapshot at the end of the stage or segment"},
     {"stop_wall stop_walls stop_all stop_box", "wall, walls", "in a stage write `walls stop`, or for one wall `wall NAME velocity 0 m/s 0 m/s`"},
-    {"until_equals until_equal until_= until_== until_is until_reaches until_to until_until", "until", "a condition has `above` or `below`: `until stage.time above 0.1 s at most 1000000 cycles`"},
+    {"until_equals until_equal until_= until_== until_is until_reaches until_to until_until", "until", "a condition has `above` or `below`: `until stage.time above 0.1 s at most 1000000 cycles`; the end of all contacts is `until contacts below 1 at most 1000000 cycles`"},
     {"until_within until_between", "until", "a condition has `above` or `below`, and a range has two: `until stage.time above 0.1 s and energy.kinetic below 1 mJ at most 1000000 cycles`"},
     {"until_at", "until", "a condition has `above` or `below`: `until stage.time above 0.1 s at most 1000000 cycles`, or, to wait for rest, `until unbalanced.max below 1e-4 and contacts above 0 at most 1000000 cycles`"},
     {"until_rest until_equilibrium until_static until_steady until_settled until_quiet until_converged until_relaxed stage_equilibrate stage_settle stage_rest", "until, unbalanced.max", "at rest the contact forces balance: `until unbalanced.max below 1e-4 and contacts above 0 at most 1000000 cycles`"},
@@ -143,13 +189,15 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"model_new model_domain", "box, cell", "a page needs no such line; the domain is `box 0 m 0 m to 1 m 1 m MATERIAL`, or periodic `cell 0 m 0 m to 1 m 1 m`"},
     {"model_gravity set_gravity", "gravity", "write `gravity 0 m/s2 -9.81 m/s2`"}, {"model_calm", "zero velocities", "in a stage write `zero velocities`"},
     {"model_large_strain model_largestrain model_title model_random model_deterministic", "units", "a page needs no such line: delete it; large displacements and rotations are always computed; `nineball --help scene` lists the statements"},
-    {"model_solve model_cycle model_step stage_solve scene_solve scene_run scene_cycle solve_ratio solve_ratio_average solve_aratio minimize", "until, cycles", "in a stage write `cycles 1000`, or `until unbalanced.max below 1e-4 and contacts above 0 at most 1000000 cycles`"},
+    {"model_solve model_cycle model_step stage_solve scene_solve scene_run scene_cycle minimize", "until, cycles", "in a stage write `cycles 1000`, or `until unbalanced.max below 1e-4 and contacts above 0 at most 1000000 cycles`"},
+    {"solve_ratio solve_ratio_average solve_aratio solve_average", "until, unbalanced.mean", "in a stage write `until M.unbalanced.mean below 1e-4 and contacts above 0 at most 1000000 cycles`, with `region M all` in the scene: PFC's average ratio. `unbalanced.max`, the largest unbalanced force over the largest contact force, is stricter"},
     {"model_save model_restore", "start", "nothing has to be saved: a second page begins with `start THIS-PAGE stage NAME`"},
     {"contact_cmat contact_method", "normal, shear", "contact laws are two statements: `normal linear` and `shear linear`, or `normal hertz` and `shear mindlin`"},
     {"ball_generate ball_distribute", "fill", RANDOM_PACKING}, {"ball_create O.bodies.append atom_style", "disc, sphere", "a particle is `disc 0 m 0 m radius 5 mm MATERIAL`, or `sphere` in place of `disc`"},
     {"ball_attribute ball_property scene_mass disc_density disc_kn disc_friction disc_young sphere_density sphere_kn sphere_friction sphere_young species FrictMat ViscElMat LinearViscoelasticFrictionSpecies HertzianViscoelasticMindlinSpecies disc_mass sphere_mass", "material", "density and stiffness are properties of a material: `material steel density 7800 kg/m3 kn 1 MN/m ks 1 MN/m friction 0.3`"},
-    {"translation disc_translation disc_x disc_y sphere_translation sphere_x sphere_y", "fixed", "no direction can be fixed alone: `fixed` in the line of a particle keeps its centre, and `rotation off` in a stage prevents all rotation"},
+    {"translation disc_translation disc_x disc_y sphere_translation sphere_x sphere_y", "fixed", "the centre is written without the words x and y: `disc 0 m 0 m radius 5 mm MATERIAL`; `fixed` in this line keeps the centre, no direction can be fixed alone, and `rotation off` in a stage prevents all rotation"},
     {"damping_of damping_fraction damping_coefficient", "ratio", "a fraction of critical damping is `damping ratio 0.1`"},
+    {"gravity_angle gravity_deg gravity_rad gravity_degrees gravity_down gravity_inclined", "gravity", "gravity has its components in x and y: on a slope of 30 degrees, along x, write `gravity (9.81 m/s2*sin(30 deg)) (-9.81 m/s2*cos(30 deg))`"},
     {"gravity_off gravity_none", "gravity", "without gravity write `gravity 0 m/s2 0 m/s2`, or no such line"},
     {"boundary_servo", "servo", "a servo of the boundary is for example `servo isotropic 100 kPa on boundary through boundary at most 1e-6 per cycle`"},
     {"remove_all", "remove", "particles are removed by their numbers: `remove discs 1 to 20`"},
@@ -165,7 +213,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"set_random set_seed", "seed", "each `fill` has its own seed of random numbers: `seed 1`"},
     {"set_fric set_friction", "friction", "friction is changed by `material NAME friction 0.5`"},
     {"ball_fix", "fixed", "a particle that does not move is `disc X Y radius R MATERIAL fixed`"},
-    {"fix_NUMBER fix_wall/gran fix_nve/sphere fix_all", "wall, gravity, fixed", "motion is integrated without a statement; a wall is `wall floor -1 m 0 m to 1 m 0 m MATERIAL`, gravity is `gravity 0 m/s2 -9.81 m/s2`"},
+    {"fix_NUMBER fix_wall/gran fix_nve/sphere", "wall, gravity, fixed", "motion is integrated without a statement; a wall is `wall floor -1 m 0 m to 1 m 0 m MATERIAL`, gravity is `gravity 0 m/s2 -9.81 m/s2`"},
     {"scene_velocity", "disc, sphere", "an initial velocity is a part of a particle: `disc 0 m 0 m radius 5 mm MATERIAL velocity 1 m/s 0 m/s`"},
     {"compute", "record", "write `record time energy.kinetic`; `nineball --help quantities` lists the quantities"},
     {"PWaveTimeStep GlobalStiffnessTimeStepper", "stable", "write `step 0.3 of stable`, with elastic spheres `step 0.2 of rayleigh`"},
@@ -175,6 +223,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"expect_trend expect_proportional expect_scales expect_scaling expect_power expect_exponent expect_monotonic expect_monotonically expect_varies expect_depends expect_correlates", "increases, decreases", "a trend with a sweep is `A.vx max  increases with k`, or `decreases with k`"},
     {"expect_approx expect_approximately expect_about expect_~ expect_= expect_== expect_equals expect_equal", "expected", "write `C.normal max  expected 3 N within 1 % [SOURCE]`"},
     {"expect_average expect_avg", "mean", "the mean of the rows is `mean`: `C.normal mean in load  below 3 N`"},
+    {"expect_always expect_every expect_everywhere expect_never expect_each expect_throughout", "min, max", "in all rows of a stage the least value is `A.vx min in STAGE  above -1 m/s`, the largest `A.vx max in STAGE  below 3 m/s`; a value at a time is `A.vx at 0.1 s  expected 3 m/s within 1 % [SOURCE]`"},
     {"expect_first expect_initial expect_begin expect_start", "expected", "the first row of the run is `at 0 cycles`. The first row of a later stage, or after `start`, is `at N cycles`: `record cycle` and `report cycle min in STAGE` show N; `nineball --help expect` lists all such words"},
     {"expect_positive expect_zero expect_nonzero expect_!=", "above, below", "write `above 0 N` or `below 0 N`, with the unit of the quantity; a value of zero is `expected 0 N within 1 mN [SOURCE]`"},
     {"expect_std expect_rms expect_sum", "max, min, mean", "there is no such word; `nineball --help expect` lists the words that may follow a quantity"},
@@ -183,18 +232,23 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"expect_minus expect_change expect_difference expect_diff expect_increment expect_gain expect_rise expect_growth", "expected", "a line has no difference of two measures: write `A.vx last  expected (v + 3 m/s) within 1 % [SOURCE]`, with `let v = 1 m/s` in the scene, or `A.vx last  expected 2 of A.vx at 0 cycles within 1 % [SOURCE]`"},
     {"expect_after expect_before expect_during expect_when expect_once", "in", "the name of a stage follows `in`: `A.vx last in bounce  expected -0.7 of A.vx last in approach within 1 % [SOURCE]`"},
     {"expect_order", "order", "the measure comes first, and the swept value is named: `energy.residual max in all  order 2 in dt within 0.1`, with `sweep dt 1 us 2 us 4 us` and `step $dt` in the scene"},
-    {"expect_expect expect_check expect_require expect_verify expect_test expect_claim", "expected", "the line begins with the quantity: `C.normal max  expected 3 N within 1 % [SOURCE]`"},
+    {"expect_expect expect_check expect_require expect_verify expect_test expect_claim expect_assert", "expected", "the line begins with the quantity: `C.normal max  expected 3 N within 1 % [SOURCE]`"},
     {"expect_+_ expect_±", "within", "a tolerance is `within 1 %`, or a number with its unit, `within 0.1 N`"},
     {"expect_print", "report", "write `report energy.kinetic max in STAGE`"},
     {"expect_stage", "in", "`in` is followed by the name alone: `C.normal max in load`"},
-    {"expect_expected", "expected", "the quantity comes first: `C.shear last in load  expected 0.1 N within 1 % [SOURCE]`, or, for a value in another stage, `expected 1 of C.shear last in unload within 1 % [SOURCE]`"},
+    {"expect_expected", "expected", "the value follows the quantity, a reducer and `in STAGE`: `C.shear last in load  expected 0.1 N within 1 % [SOURCE]`, or at a time `C.shear at 2 ms  expected 0.1 N within 1 % [SOURCE]`, or, for a value in another stage, `expected 1 of C.shear last in unload within 1 % [SOURCE]`"},
     {"expect_abs expect_magnitude expect_absolute expect_mag expect_norm expect_absmax", "above, below", "a magnitude below X is two lines: `C.shear max below X` and `C.shear min above -X`"},
     /* quantity_WORD: another name of a quantity */
     {"quantity_p quantity_pressure quantity_mean_stress quantity_s quantity_pprime", "stress.mean"}, {"quantity_q quantity_deviatoric_stress quantity_deviator quantity_deviator_stress quantity_t", "stress.deviator"},
     {"quantity_stress.ratio quantity_stress_ratio quantity_stressratio quantity_eta quantity_stress.eta quantity_mobilized_friction", "stress.sinphi", "`stress.sinphi` is the deviator over twice the mean stress, the sine of the mobilized friction angle"},
     {"quantity_stress.q quantity_stress.t", "stress.deviator"}, {"quantity_stress.p quantity_stress.s", "stress.mean"},
+    {"quantity_floaters quantity_floater", "rattlers"}, {"quantity_force_chains quantity_force_chain quantity_chain", "chains"}, {"quantity_timestep quantity_time_step quantity_dt quantity_step_size", "step"},
+    {"quantity_overlap_max quantity_max_overlap quantity_maximum_overlap quantity_overlap_maximum quantity_largest_overlap quantity_contacts_overlap_max quantity_gap quantity_gap_min quantity_min_gap", "gap, overlap", "`gap` is the smallest gap of all pairs of particles, below 0 m if they overlap, so the largest overlap is its magnitude: `record gap`. The overlap of one contact is `C.overlap`, with `monitor C disc 1 with disc 2`, and its largest value is `C.overlap max` in a block `expect`"},
+    /* suffix_PART: the last part of the name of a quantity */
+    {"suffix_1 suffix_I", "major"}, {"suffix_2 suffix_3 suffix_II suffix_III", "minor"}, {"suffix_11", "xx"}, {"suffix_12", "xy"}, {"suffix_21", "yx"}, {"suffix_22", "yy"},
+    {"suffix_zz suffix_33 suffix_xz suffix_yz", "xx, yy", "the simulation is in the plane, x to the right and y up, and no quantity has a component in z: write `xx`, `xy`, `yx` or `yy`"},
     {"quantity_e", "void_ratio"}, {"quantity_n quantity_poros quantity_phi", "porosity"}, {"quantity_z quantity_cn", "coordination"},
-    {"quantity_sxx quantity_s11 quantity_sigma_xx quantity_sigmaxx quantity_stress_xx quantity_sigma_h", "stress.xx"}, {"quantity_syy quantity_s22 quantity_sigma_yy quantity_sigmayy quantity_stress_yy quantity_sigma_v quantity_sigma", "stress.yy"}, {"quantity_sxy quantity_s12 quantity_tau quantity_sigma_xy quantity_stress_xy", "stress.xy"},
+    {"quantity_sxx quantity_s11 quantity_sigma_xx quantity_sigmaxx quantity_sigma_h quantity_pxx", "stress.xx"}, {"quantity_syy quantity_s22 quantity_sigma_yy quantity_sigmayy quantity_sigma_v quantity_sigma quantity_pyy", "stress.yy"}, {"quantity_sxy quantity_s12 quantity_tau quantity_sigma_xy quantity_pxy", "stress.xy"},
     {"quantity_exx quantity_e11 quantity_epsilon_xx", "strain.xx"}, {"quantity_eyy quantity_e22 quantity_epsilon_yy quantity_ea quantity_epsilon quantity_eps", "strain.yy"}, {"quantity_ev quantity_volumetric_strain quantity_epsilon_v", "strain.volumetric"},
     {"quantity_fn quantity_f_n quantity_nforce quantity_normal_force quantity_normalforce quantity_fnormal", "normal, normal.mean"}, {"quantity_fs quantity_ft quantity_f_s quantity_f_t quantity_sforce quantity_shear_force quantity_tangential_force quantity_shearforce quantity_fshear", "shear, shear.mean"},
     {"quantity_un quantity_u_n quantity_delta quantity_delta_n quantity_alpha quantity_penetration quantity_penetrationdepth quantity_indentation", "overlap"}, {"quantity_ut quantity_u_t quantity_us quantity_delta_t", "slip"},
@@ -204,12 +258,12 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"quantity_vn quantity_v_n quantity_vt quantity_v_t quantity_vs quantity_vrel quantity_v_rel quantity_velocity_normal quantity_normal_velocity quantity_relative_velocity quantity_approach_velocity quantity_overlap_rate quantity_overlap.rate", "monitor, vx, vy", "a contact has no relative velocity: record those of its particles with `monitor A disc 1`, `monitor B disc 2` and `record A.vx B.vx`; their difference is plotted by `column('A.vx/m/s') - column('B.vx/m/s')`, and a restitution is `A.vx last in touch  expected -0.7 of A.vx last in approach within 1 % [SOURCE]`"},
     {"quantity_rebound quantity_rebound_angle quantity_rebound.angle quantity_angle.rebound quantity_velocity.angle quantity_velocity_angle quantity_v.angle quantity_direction quantity_velocity.direction quantity_heading quantity_angle.after quantity_angle_after quantity_exit_angle quantity_angle.out quantity_angle_out quantity_reflection_angle quantity_outgoing_angle quantity_impact.rebound quantity_impact.angle.rebound quantity_impact.angle2 quantity_impact.rebound_angle quantity_impact.angle.after", "vx, vy", "no quantity is the direction of a velocity, and `A.angle` is a rotation: record `A.vx` and `A.vy`; for a velocity at 20 degrees, pi/9, from the y axis write `A.vx last  expected (tan(pi/9)) of A.vy last within 1 % [SOURCE]`"},
     {"quantity_v", "vx, vy"}, {"quantity_xvel quantity_vel_x quantity_x_velocity", "vx"}, {"quantity_yvel quantity_vel_y quantity_y_velocity", "vy"}, {"quantity_xfob quantity_xfor quantity_force_x", "fx"}, {"quantity_yfob quantity_yfor quantity_force_y", "fy"}, {"quantity_torque quantity_tz", "moment"},
-    {"quantity_box.strain quantity_box.strain.xx quantity_box.strain.yy quantity_box.strain.x quantity_box.strain.y quantity_box.exx quantity_box.eyy quantity_box.axial_strain quantity_box.strain.axial", "box.strain.width, box.strain.height", "the strains of a box are those of its width, in x, and of its height, in y: `record box.strain.width box.strain.height`, relative changes since time 0, extension positive"},
+    {"quantity_box.strain quantity_box.strain.xx quantity_box.strain.yy quantity_box.strain.x quantity_box.strain.y quantity_box.exx quantity_box.eyy quantity_box.axial_strain quantity_box.strain.axial", "box.strain.width, box.strain.height", "the strains of a box are those of its width, in x, and of its height, in y: `record box.strain.width box.strain.height`, relative changes since time 0, extension positive. Those of a region, `M.strain.xx` and `M.strain.yy` with `region M all`, follow from the motion of its particles"},
     {"quantity_box.servo quantity_box.servo.xx quantity_box.servo.yy quantity_walls.servo.xx quantity_walls.servo.yy quantity_servo.xx quantity_servo.yy quantity_servo.stress quantity_servo.stress.xx quantity_servo.stress.yy", "box.stress.xx, walls.stress.xx", "a servo has no quantity of its own. With `on box` it controls `box.stress.xx` and `box.stress.yy`, with `on walls` `walls.stress.xx` and `walls.stress.yy`: `record box.stress.xx box.stress.yy`"},
     {"quantity_cell.shear quantity_cell.gamma quantity_cell.c12 quantity_cell.shear_strain quantity_cell.strain.shear quantity_cell.shear.strain", "cell.xy, cell.strain.xy", "the engineering shear strain of a cell is `cell.xy` over `cell.yy`: `record cell.xy cell.yy`, then `cell.xy  expected 0.1 of cell.yy within 1 % [SOURCE]`. `cell.strain.xy` is half of it in a cell that only shears"},
     {"reset_strain reset_strains reset_displacement reset_displacements reset_cell reset_box reset_region reset_cell.strain reset_cell.strain.xx reset_cell.strain.yy reset_cell.strain.xy reset_cell.strain.volumetric reset_box.strain reset_box.strain.width reset_box.strain.height zero_strain zero_strains zero_displacement zero_displacements zero_cell zero_box zero_region zero_cell.strain zero_cell.strain.xx zero_cell.strain.yy zero_cell.strain.xy zero_cell.strain.volumetric zero_box.strain zero_box.strain.width zero_box.strain.height reset", "region", "no strain is set to zero: strains count from the start of the run. With `region S all from STAGE` the strain `S.strain.yy` counts from the beginning of STAGE, for `record` and `until`; the sides of a cell or a box are compared by `cell.yy last in LATER  expected 0.98 of cell.yy last in EARLIER within 1 % [SOURCE]`, `box.height` likewise"},
     {"quantity_stage.strain quantity_stage.strain.xx quantity_stage.strain.xy quantity_stage.strain.yy quantity_stage.strain.volumetric", "region", "a strain since a stage is that of a region: `region S all from STAGE`, then `record S.strain.xx S.strain.xy S.strain.yy S.strain.volumetric`"},
-    {"quantity_box.strain.volumetric quantity_box.strain.volume quantity_box.strain.area quantity_box.strain.mean quantity_box.volumetric", "box.width, box.height", "the volumetric strain of a box is the relative change of its area, `box.width` times `box.height`: `record box.width box.height`. That of a region, `M.strain.volumetric`, follows from the motion of its particles"},
+    {"quantity_box.strain.volumetric quantity_box.strain.volume quantity_box.strain.area quantity_box.strain.mean quantity_box.volumetric", "box.width, box.height", "the volumetric strain of a box is the relative change of its area, `box.width` times `box.height`: `record box.width box.height`. That of a region is `M.strain.volumetric`, with `region M all`; it follows from the motion of its particles and differs"},
     {"quantity_velocity.fluctuation quantity_velocity_fluctuation quantity_fluctuation quantity_granular_temperature quantity_speed.rms quantity_velocity.rms quantity_speed.fluctuation", "speed.mean", "the fluctuation of velocities is `M.speed.mean`, with `region M all`: the mean speed relative to the imposed motion, m/s"},
     {"quantity_inertial_number quantity_inertial.number quantity_inertia_number", "cell.stress.mean", "there is no quantity for the inertial number: it is d g sqrt(rho/p), with the diameter d, the shear rate g, the density rho and the mean stress p, `cell.stress.mean` or `box.stress.mean`"},
     {"quantity_restitution quantity_cor quantity_coefficient_of_restitution", "impact.restitution", "a restitution is a ratio of velocities: with `monitor A sphere 1` and `record A.vx` write `A.vx last in touch  expected -0.7 of A.vx last in approach within 1 % [SOURCE]`; in a scene with `impact` it is `impact.restitution`"},
@@ -222,12 +276,16 @@ const struct nb_synonym *nb_synonym(const char *word) {
   /* clang-format on */
   char plain[NB_NAME_SIZE];
   const size_t length = (size_t)snprintf(plain, sizeof plain, "%.*s", (int)strcspn(word, "("), word); /* `O.run(9)` */
-  for (char *between = plain; (between = strpbrk(between, "- "));)
-    *between = '_';
-  for (size_t k = 0; k < sizeof synonyms / sizeof *synonyms && length; k++)
-    for (const char *at = synonyms[k].words; (at = strstr(at, plain)); at++)
-      if ((at == synonyms[k].words || at[-1] == ' ') && (at[length] == ' ' || !at[length]))
+  const size_t count = length && length < sizeof plain ? sizeof synonyms / sizeof *synonyms : 0;
+  for (enum spelling spelling = EXACT; spelling <= SINGULAR; spelling++) {
+    const char *const last = strrchr(plain, '_'); /* `expect_rises` has no other meaning than `rises` */
+    if (spelling == SINGULAR && (length < 4 || plain[length - 1] != 's' || (last && nb_synonym(last + 1))))
+      break;
+    plain[length - (spelling == SINGULAR)] = '\0';
+    for (size_t k = 0; k < count; k++)
+      if (has_word(synonyms[k].words, plain, spelling != EXACT))
         return &synonyms[k];
+  }
   return NULL;
 }
 
@@ -334,7 +392,7 @@ static bool is_related(const char *known, const char *word, size_t length) {
   if (length < 3 || !first)
     return false;
   const bool begins = strncmp(known, word, length) == 0 && known[length] == '.';
-  const bool follows = strncmp(first + 1, word, length) == 0 && first[length + 1] == '.';
+  const bool follows = strncmp(first + 1, word, length) == 0 && strchr(".", first[length + 1]);
   return begins || follows || strcmp(strrchr(known, '.') + 1, word) == 0;
 }
 

@@ -20,7 +20,11 @@ static void report_unknown(struct nb_reader *reader, const char *kind, const str
           nb_guess_offer(&guess, what);
   const char *near = nb_guess_hint(&guess, hint);
   snprintf(what, sizeof what, "the name of a `%s` law", kind);
-  nb_expected_at(reader, token, near ? near : "`nineball laws` lists the laws", what);
+  const bool rate = strcmp(kind, "shear") == 0 && (nb_number_length(token->text) || strcmp(token->text, "strain") == 0);
+  if (rate && nb_pair_hint(hint, kind, "rate"))
+    nb_token_mistake(reader, token, hint, "expected %s, found `%s`", what, token->text);
+  else
+    nb_expected_at(reader, token, near ? near : "`nineball laws` lists the laws", what);
 }
 
 /* Words that users may write after the name of a law, because other programs expect parameters there. */

@@ -237,6 +237,19 @@ static bool matches(const struct nb_quantity_kind *kind, const char *name, const
   return false;
 }
 
+/* Writes the name of the quantity that is equal to a text but for capitals and for `_` or `-` in place of a dot; false:
+ * there is none. A text of one letter is no name in another spelling. */
+static bool spelt(char name[2 * NB_NAME_SIZE], const char *text) {
+  const struct nb_suffix *suffix;
+  FOR_EACH (kind)
+    for (size_t s = 0; nth_suffix(kind, s, &suffix); s++) {
+      name_of(name, 2 * NB_NAME_SIZE, kind, suffix);
+      if (text[0] && text[1] && nb_same_spelling(name, text))
+        return true;
+    }
+  return false;
+}
+
 bool nb_is_quantity(const char *name) {
   const struct nb_suffix *suffix;
   FOR_EACH (kind)
@@ -256,12 +269,18 @@ static bool find_quantity(struct nb_quantity *quantity, const struct nb_scene *s
   return false;
 }
 
+/* True if a guess may be the quantity: a scene without a boundary has its quantities, too, but they are not meant. */
+static bool is_offered(const struct nb_quantity_kind *kind, const struct nb_scene *scene, int w) {
+  const bool boundary = strncmp(kind->name, "boundary.", strlen("boundary.")) == 0;
+  return applies(kind, scene, w) && (!boundary || scene->circle.line);
+}
+
 /* Offers the names of all quantities of monitor w; w = -1: of the whole scene. */
 static void offer_names(struct nb_guess *guess, const struct nb_scene *scene, int w) {
   char name[NB_NAME_SIZE], whole[3 * NB_NAME_SIZE];
   const struct nb_suffix *suffix;
   FOR_EACH (kind)
-    for (size_t s = 0; applies(kind, scene, w) && nth_suffix(kind, s, &suffix); s++) {
+    for (size_t s = 0; is_offered(kind, scene, w) && nth_suffix(kind, s, &suffix); s++) {
       name_of(name, sizeof name, kind, suffix);
       snprintf(whole, sizeof whole, "%s%s%s", w < 0 ? "" : scene->monitors[w].name, w < 0 ? "" : ".", name);
       nb_guess_offer(guess, whole);
@@ -559,6 +578,16 @@ static void add_namesakes(char *hint, const char *text) {
   }
 }
 
+/* Writes the note on the same quantity of a box, which has another name: for `strain.volumetric` that on
+ * `box.strain.volumetric`. False: the scene has no box, or there is no such note. */
+static bool box_note(char *hint, const struct nb_scene *scene, const char *text) {
+  char name[3 * NB_NAME_SIZE];
+  snprintf(name, sizeof name, "box.%s", text);
+  const struct nb_synonym *const synonym = nb_pair_synonym("quantity", name);
+  return nb_is_quantity(text) && nb_box_first_wall(scene) >= 0 && synonym && synonym->note &&
+         nb_pair_hint(hint, "quantity", name);
+}
+
 /* The hint for the name of a quantity whose owner is missing. The text may be such a name, also with `-` for `_`; it
  * may have such a name after its first dot; or it may be another word for such a name. */
 static const char *owned_hint(char *hint, const struct nb_scene *scene, const char *text) {
@@ -571,10 +600,14 @@ static const char *owned_hint(char *hint, const struct nb_scene *scene, const ch
   const char *found = owner_hint(hint, scene, item);
   if (found)
     add_namesakes(hint, item);
-  found = found || !rest ? found : owner_hint(hint, scene, rest + 1);
-  while (!found && nb_item(&items, item))
+  while (!found && nb_item(&items, item)) {
+    if (box_note(hint, scene, item))
+      return hint;
     found = owner_hint(hint, scene, item);
-  return found;
+    if (found)
+      add_namesakes(hint, item);
+  }
+  return found || !rest ? found : owner_hint(hint, scene, rest + 1);
 }
 
 /* The hint for a quantity that needs a monitor: `north.fx` of a wall, also as `box.top.fx`, or `disc1.vx`. NULL: the
@@ -660,6 +693,14 @@ static bool same_owner(const struct nb_guess *guess) {
   return !strchr(guess->word, '.') || nb_guess_found(&owner);
 }
 
+/* Writes the hint with the owner that the scene lacks, or with the nearest name; false: there is neither. A word with
+ * another meaning is no typing error: `sxx` is a stress, not `S.x`. */
+static bool near_hint(char *hint, const struct nb_scene *scene, const struct nb_guess *guess, int owner) {
+  if (lacks_owner(scene, guess->word))
+    return owner_hint(hint, scene, guess->word);
+  return (!guess->synonym || guess->marked || owner >= 0) && nb_guess_hint(guess, hint);
+}
+
 /* Writes the hint for a text that is not the name of a quantity. */
 static const char *hint_of(char *hint, const struct nb_scene *scene, const char *text) {
   const char *const rest = strchr(text, '.');
@@ -667,9 +708,10 @@ static const char *hint_of(char *hint, const struct nb_scene *scene, const char 
   char stem[2 * NB_NAME_SIZE]; /* `energy` of `energy.potential` */
   snprintf(stem, sizeof stem, "%.*s", rest && owner < 0 ? (int)(strrchr(text, '.') - text) : 0, text);
   struct nb_guess guess = nb_guess_begin(text), of_stem = nb_guess_begin(stem);
+  guess.synonym = meaning(text);
   for (int w = -1; w < (int)scene->monitor_count; w++)
     offer_names(&guess, scene, w), offer_names(&of_stem, scene, w);
-  if (lacks_owner(scene, text) ? owner_hint(hint, scene, text) : nb_guess_hint(&guess, hint))
+  if (box_note(hint, scene, text) || near_hint(hint, scene, &guess, owner))
     return hint;
   if (owner >= 0)
     return owned_by_hint(hint, scene, text, owner);
@@ -681,8 +723,62 @@ static const char *hint_of(char *hint, const struct nb_scene *scene, const char 
   return hint;
 }
 
+/* Writes the part of a name before its last dot to `name`, and after it the part of the quantities that this last part
+ * stands for: `stress.major` for `stress.1`. Returns the note on the last part, or "". False in *found: there is no such
+ * quantity. */
+static const char *with_other_part(char name[2 * NB_NAME_SIZE], bool *found, const char *text) {
+  const char *const dot = strrchr(text, '.');
+  char part[2 * NB_NAME_SIZE];
+  snprintf(part, sizeof part, "suffix_%s", dot ? dot + 1 : "");
+  const struct nb_synonym *const synonym = nb_synonym(part);
+  const char *items = synonym ? synonym->ours : "";
+  char item[NB_NAME_SIZE];
+  *found = nb_item(&items, item);
+  if (*found)
+    snprintf(name, 2 * NB_NAME_SIZE, "%.*s.%s", (int)(dot - text), text, item);
+  *found = *found && (nb_is_quantity(name) || nb_is_quantity(name + strcspn(name, ".") + 1));
+  return synonym && synonym->note ? synonym->note : "";
+}
+
+/* Writes the hint for a name with another last part; false: the last part is none of another program. */
+static bool part_hint(char *hint, const struct nb_scene *scene, const char *text) {
+  char name[2 * NB_NAME_SIZE];
+  struct nb_quantity quantity;
+  bool found;
+  const char *const note = with_other_part(name, &found, text);
+  if (!found)
+    return false;
+  if (*note)
+    snprintf(hint, NB_HINT_SIZE, "%s", note);
+  else if (nb_quantity_find(&quantity, scene, name))
+    snprintf(hint, NB_HINT_SIZE, "did you mean `%s`?", name);
+  else
+    nb_quantity_hint(hint, scene, name);
+  return true;
+}
+
+/* Writes the hint for a known name in another spelling, `fabric_xx` or `Stress.xx`; false: the text is no such name. */
+static bool spelling_hint(char *hint, const struct nb_scene *scene, const char *text) {
+  const size_t stem = strcspn(text, ".");
+  const bool owned = text[stem] && monitor_named(scene, text, stem) >= 0;
+  char known[2 * NB_NAME_SIZE], name[3 * NB_NAME_SIZE];
+  if (!spelt(known, owned ? text + stem + 1 : text))
+    return false;
+  struct nb_quantity quantity;
+  snprintf(name, sizeof name, "%.*s%s", owned ? (int)stem + 1 : 0, text, known);
+  if (strcmp(name, text) == 0)
+    return false;
+  if (nb_quantity_find(&quantity, scene, name))
+    snprintf(hint, NB_HINT_SIZE, "did you mean `%s`?", name);
+  else
+    nb_quantity_hint(hint, scene, name);
+  return true;
+}
+
 const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const char *text) {
   const size_t stem = strcspn(text, ".");
+  if (!scene->contact_test && (part_hint(hint, scene, text) || spelling_hint(hint, scene, text)))
+    return hint;
   const int owner = text[stem] && nb_pair_synonym("quantity", text + stem + 1) ? monitor_named(scene, text, stem) : -1;
   if (owner >= 0) /* `A.w` means the spin, not `A.x` */
     return owned_by_hint(hint, scene, text, owner);

@@ -152,7 +152,7 @@ static bool may_be_any(const struct word *word, const char *pattern) {
 }
 
 /* True if a pattern matches the line from word `first` on; at[k] is then the index in the line of the pattern's k-th
- * word. */
+ * word. A value includes a `%` after it. */
 static bool match(const char *pattern, const struct line *line, size_t first, size_t *at) {
   const size_t length = pattern_word(&pattern);
   *at = first;
@@ -167,7 +167,8 @@ static bool match(const char *pattern, const struct line *line, size_t first, si
   const struct word *word = &line->words[first];
   const bool same =
       is_any(pattern) ? may_be_any(word, pattern) : word->length == length && strncmp(word->at, pattern, length) == 0;
-  return same && match(behind, line, first + 1, at + 1);
+  const bool percent = is_any(pattern) && first + 1 < line->count && word[1].length == 1 && *word[1].at == '%';
+  return same && (match(behind, line, first + 1, at + 1) || (percent && match(behind, line, first + 2, at + 1)));
 }
 
 /* Index of a word in the pattern; the number of words of the pattern if it does not contain the word. */

@@ -6,6 +6,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "scene.h"
+#include "core/clean.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -28,9 +29,11 @@ const struct nb_family *nb_keywords(void) {
 /* ---- mistakes common to several statements ---- */
 
 bool nb_set_twice(struct nb_reader *reader, const char *what, int line) {
+  char note[NB_HINT_SIZE], hint[NB_HINT_SIZE] = "keep one of the two lines";
+  if (nb_pair_hint(note, reader->tokens[0].text, "twice"))
+    nb_append(hint, sizeof hint, "; %s", note);
   if (line)
-    nb_token_mistake(reader, &reader->tokens[0], "keep one of the two lines", "%s is given twice, first on line %d",
-                     what, line);
+    nb_token_mistake(reader, &reader->tokens[0], hint, "%s is given twice, first on line %d", what, line);
   return reader->bad;
 }
 

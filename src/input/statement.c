@@ -266,8 +266,8 @@ static void suppress_unknown(struct nb_reader *reader, unsigned here, const stru
 static const char *verb_hint(char *hint, const struct nb_reader *reader, const struct nb_family *table, unsigned here,
                              const struct nb_guess *guess) {
   const char *const text = nb_token_peek(reader)->text;
-  const bool pair = reader->count > 1 && nb_pair_hint(hint, text, reader->tokens[1].text);
-  if (pair || nb_pair_hint(hint, place_name(here), text))
+  if (nb_pair_hint(hint, place_name(here), text) ||
+      (reader->count > 1 && nb_pair_hint(hint, text, reader->tokens[1].text)))
     return hint;
   if (guess)
     return nb_guess_hint(guess, hint);

@@ -195,11 +195,11 @@ static enum nb_status begin_gravity_change(struct nb_model *model, struct nb_err
   model->changes->gravity_from = model->gravity;
   model->changes->central_from = *central;
   if (to->line && central_point_moves(central, to))
-    return nb_error_set(
-        error, NB_BAD_USE,
-        "line %d: the point of central gravity moves from (%g, %g) to (%g, %g), in SI units. Expected the "
-        "same point, or a stage in between with `gravity` and two zeros",
-        to->line, central->point.x, central->point.y, to->about_x, to->about_y);
+    return nb_error_set(error, NB_BAD_USE,
+                        "line %d: the point of central gravity moves from (%g, %g) to (%g, %g)%s. Expected the "
+                        "same point, or a stage in between with `gravity` and two zeros",
+                        to->line, central->point.x, central->point.y, to->about_x, to->about_y,
+                        model->scene->unitless ? "" : " m");
   if (!to->line || to->ramp)
     return NB_OK;
   const double before = model->previous_step, after = model->step;
