@@ -611,6 +611,9 @@ sed 's/shear 2e-5 per/c12 2e-5 per/' "$pages/drives.md" >simple.md
 printf '```scene\nunits none\nmaterial m density 1 kn 1\nbox 0 0 to 9 9 m\ndisc 3 3 radius 1 m\nstep 1\nrecord time\nstage a\nwall east velocity 1 0\nwall west velocity 2 0\ncycles 1\nstage b\ncycles 1\nwall west velocity 0 0\nstage c\nbox strain 0 1\ncycles 1\nstage d\ncycles 1\n```\n' >moved.md
 run 0 explain moved.md
 grep 'goes on' out >goes-on
+sed 's/^wall east.*/walls inward 1/; /^wall west/d; /^box strain/d' moved.md >walls.md
+run 0 explain walls.md
+test "$(grep -c 'goes on from stage `a`, line 9: walls inward 1' out)" -eq 3 || echo 'a line for four walls is not shown once in each stage' >>why
 printf '    goes on from stage `a`, line 9: wall east velocity 1 0\n    goes on from stage `c`, line 16: box strain 0 1\n' | diff - goes-on >>why
 for stage in b d; do
   printf '```scene\nunits none\nstart moved stage %s\nrecord time\nstage e\ncycles 1\n```\n' $stage >from-moved.md
@@ -618,7 +621,7 @@ for stage in b d; do
 done >goes-on 2>>why
 printf '    goes on from stage `a` of moved, line 9: wall east velocity 1 0\n    goes on from stage `c` of moved, line 16: box strain 0 1\n' | diff - goes-on >>why
 run 0 explain simple.md
-out ' c12 2e-05, c21 0, yy -0.0001 per cycle: simple shear, the engineering shear rate is 2e-05 per cycle'
+out ' c12 2e-05, c21 0, yy -0.0001 per cycle: simple shear, the engineering shear rate is 2e-05 per cycle; xy of a stress becomes negative'
 sed 's/shear 2e-5 per cycle/c12 2e-5 per cycle c21 1e-5 per cycle/' "$pages/drives.md" >turned.md
 run 0 explain turned.md
 out ': shear with rotation, the engineering shear rate is 3e-05 per cycle'
@@ -1164,6 +1167,17 @@ if command -v gnuplot >/dev/null; then
   run 0 figure tree/cases/given.md -o drawn --trust
   grep -q "^[$]table << EOD" drawn/given.gp || echo 'there are several runs' >>why
   verdict 'a page gets all variables of --help gnuplot'
+
+  # The example of --help gnuplot, as it is printed.
+  {
+    printf '```scene\nmaterial m density 1 kg/m3 kn 100 N/m\nsweep v 1 m/s 2 m/s\ndisc 0 m 0 m radius 1 m m velocity $v 0 m/s\n'
+    printf 'disc 2 m 0 m radius 1 m m\nmonitor C disc 1 with disc 2\nstep 0.1 of stable\nrecord time C.overlap C.normal\n'
+    printf 'stage a\ncycles 10\n```\n\n```expect\nC.normal max expected 1 N within 100 N [a test]\n```\n\n```gnuplot\n'
+    "$nineball" --help gnuplot | sed -n '/^ *set xlabel/,$p'
+    echo '```'
+  } >tree/cases/example.md
+  run 0 figure tree/cases/example.md -o drawn --trust
+  verdict 'the example of --help gnuplot is a valid script'
 
   # The names of the data blocks of a sweep end in numbers, even if --set leaves one value, so that the figure still works.
   {

@@ -523,8 +523,11 @@ static void explain_strain_rate(FILE *out, const struct nb_scene *scene, int lin
     fprintf(out, "pure shear, the engineering shear rate is twice c12, %g%s; simple shear at this rate is `c12 %g%s`\n",
             sum, unit, sum, unit);
   else
-    fprintf(out, "%s, the engineering shear rate is %g%s\n",
-            rate->xy == 0 || rate->yx == 0 ? "simple shear" : "shear with rotation", sum, unit);
+    fprintf(out, "%s, the engineering shear rate is %g%s%s\n",
+            rate->xy == 0 || rate->yx == 0 ? "simple shear" : "shear with rotation", sum, unit,
+            sum > 0   ? "; xy of a stress becomes negative"
+            : sum < 0 ? "; xy of a stress becomes positive"
+                      : "");
 }
 
 /* A stage with shear may end when the component xy of a strain, half the engineering shear strain, passes a value. For
@@ -595,10 +598,14 @@ static void explain_inherited(FILE *out, const struct nb_scene *scene, size_t s)
   }
   for (size_t from = 0; from < s; from++) {
     const struct nb_scene *of = scene_of(scene, from);
+    int printed = 0; /* the line printed last: `walls` sets the motion of several walls */
     for (size_t n = 0; n < scene->stages[from].motion_count; n++) {
       const struct nb_wall_motion *m = &scene->stages[from].motions[n];
-      if ((m->vx != 0 || m->vy != 0 || m->spin != 0) && !is_replaced(scene, from, m, s))
-        print_inherited(out, of, from, of->stages[from].motions[n].line, of == scene);
+      const int line = of->stages[from].motions[n].line;
+      if (line == printed || (m->vx == 0 && m->vy == 0 && m->spin == 0) || is_replaced(scene, from, m, s))
+        continue;
+      print_inherited(out, of, from, line, of == scene);
+      printed = line;
     }
   }
 }

@@ -254,7 +254,8 @@ static void figures(const struct manual *to) {
        "with `versus`. With a sweep there is one table for each run, `$table_1`, `$table_2`, …, also when `--set` "
        "leaves only one value"},
       {"$values", "one row for each run: the swept values, then the computed value and the reference of every measure "
-                  "of the expect blocks"},
+                  "of the expect blocks. The head of a column has the name and the unit, `v/m/s`, `C.normal max/N`, "
+                  "`reference C.normal max/N`; `last` is left out: `M.porosity in load/-`"},
       {"runs", "the number of runs; `run[i]` are the swept values of run i: \"v=0.12, n=40\""},
       {"C_normal_max", "a variable for each measure of the expect blocks, here `C.normal max`: any character but a "
                        "letter or a digit becomes `_`. With a sweep `C_normal_max_1`, …"},
@@ -265,7 +266,8 @@ static void figures(const struct manual *to) {
        "the particles of a snapshot; also `$STAGE_walls` and `$STAGE_contacts`, with a boundary `$STAGE_boundary`, "
        "with rings of a region `$STAGE_rings`, with `snapshot from` `$STAGE_lattice`. A contact test has "
        "`$SEGMENT_traction` and `$SEGMENT_pieces` instead. With a sweep `$STAGE_particles_1`, …"},
-      {"plots", "the folder of the recipes: `load plots.'force-chains.gp'`"},
+      {"plots", "the folder of the recipes. A recipe needs the names of its data: for a stage `load` with `snapshot`, "
+                "`particles = '$load_particles'; contacts = '$load_contacts'`, then `load plots.'force-chains.gp'`"},
       {"terminal", "SVG, then PNG, of 840 by 560 points; the program sets it and the output file. `eval canvas(1100, "
                    "760)` sets another size"},
   };
@@ -285,8 +287,8 @@ static void figures(const struct manual *to) {
             "\n"
             "set key inside bottom right vertical\n"
             "set logscale x\n"
-            "plot $values using 'v':'C.normal max' with points title 'computed', \\\n"
-            "     $values using 'v':'reference C.normal max' with lines title 'reference'");
+            "plot $values using 'v/m/s':'C.normal max/N' with points title 'computed', \\\n"
+            "     $values using 'v/m/s':'reference C.normal max/N' with lines title 'reference'");
   end(to);
 }
 
