@@ -315,6 +315,37 @@ run 0 explain plus.md
 quiet said
 verdict 'warnings: tension in place of a pressure, more than critical damping, a wall of a box that rotates'
 
+cat >strains.md <<'END'
+```scene
+units none
+material m density 1 kn 100
+box 0 0 to 9 9 m
+disc 3 3 radius 1 m
+region M all
+step 0.1 of stable
+record time
+stage a
+box strain 0 -0.1
+until M.strain.yy above 0.1 at most 9 cycles
+stage b
+until box.strain.height above 0.2 at most 9 cycles
+stage c
+box strain 0.1 -0.1
+until M.strain.xx below -0.1 at most 9 cycles
+stage right
+until M.strain.xx above 0.1 and box.strain.height below -0.1 at most 9 cycles
+stage servo
+servo yy 1 on walls through box at most 1
+until M.strain.yy above 0.1 at most 9 cycles
+```
+END
+run 0 explain strains.md
+said 'strains.md:11: warning: stage `a` compresses in y, and extension is positive: in place of `M.strain.yy above 0.1` write `M.strain.yy below -0.1`'
+said 'strains.md:13: warning: stage `b` compresses in y, and extension is positive: in place of `box.strain.height above 0.2`'
+said 'strains.md:16: warning: stage `c` extends in x, and extension is positive: in place of `M.strain.xx below -0.1` write `M.strain.xx above 0.1`'
+test "$(grep -c 'extension is positive' said)" -eq 3 || echo 'not three warnings' >>why
+verdict 'warnings: a condition on a strain of the other sign than the strain rate'
+
 for command in check run 'check --tap' explain; do
   "$nineball" $command "$pages/warns.md" >out 2>&1 </dev/null
   test "$(grep -c 'warns.md:4: warning: friction' out)" -eq 1 || echo "not once in a file: $command" >>why

@@ -212,6 +212,50 @@ void nb_imposed_motion_check(struct nb_scene_reading *reading) {
   }
 }
 
+/* The direction of a normal strain by the end of its name, 0 for x and 1 for y; -1: another quantity. */
+static int strain_axis(const char *name) {
+  static const char *const ends[] = {".strain.xx", ".strain.yy", ".strain.width", ".strain.height"};
+  const size_t length = strlen(name);
+  for (size_t k = 0; k < sizeof ends / sizeof *ends; k++)
+    if (length > strlen(ends[k]) && strcmp(name + length - strlen(ends[k]), ends[k]) == 0)
+      return (int)k % 2;
+  return -1;
+}
+
+/* The strain rate of a source in x or y, as given in the stage or inherited; 0: none, or a servo changes it. */
+static double rate_along(const struct nb_scene *scene, size_t s, enum nb_affine_source source, int axis) {
+  const struct nb_servo *const servo = &scene->stages[s].servo;
+  int line;
+  const struct nb_strain_rate *rate = nb_affine_given(&scene->stages[s], source, &line);
+  const int from = line ? (int)s : nb_affine_inherited(scene, s, source, &line);
+  if (from < 0)
+    return 0;
+  rate = nb_affine_given(&scene->stages[from], source, &line);
+  const struct nb_strain_rate along = {.xx = axis ? 0 : rate->xx, .yy = axis ? rate->yy : 0};
+  return servo->line && nb_servo_opposes(servo, &along) ? 0 : along.xx + along.yy;
+}
+
+/* Warns if the condition has the other sign than a strain rate of the stage. */
+static void warn_of_sign(struct nb_scene *scene, size_t s, const struct nb_condition *condition) {
+  const int axis = strain_axis(condition->name);
+  const bool above = condition->relation == NB_ABOVE;
+  const double value = condition->value;
+  double rate = 0;
+  for (int source = NB_AFFINE_FREE; source < NB_AFFINE_SOURCES && axis >= 0; source++)
+    rate += rate_along(scene, s, source, axis);
+  if (above ? value > 0 && rate < 0 : value < 0 && rate > 0)
+    nb_warn(&scene->warnings, condition->line,
+            "stage `%s` %s in %c, and extension is positive: in place of `%s %s %g` write `%s %s %g`",
+            scene->stages[s].name, above ? "compresses" : "extends", axis ? 'y' : 'x', condition->name,
+            above ? "above" : "below", value, condition->name, above ? "below" : "above", -value);
+}
+
+void nb_strain_check(struct nb_scene *scene) {
+  for (size_t s = scene->start.stages; s < scene->stage_count; s++)
+    for (size_t k = 0; k < scene->stages[s].condition_count; k++)
+      warn_of_sign(scene, s, &scene->stages[s].conditions[k]);
+}
+
 /* clang-format off */
 NB_STATEMENTS(boundary) = {
   {"boundary circle", NB_IN_SCENE | NB_IN_STAGE, circle_fields, NULL, 0, false, apply_circle,

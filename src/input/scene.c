@@ -264,7 +264,7 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
     nb_refine(reading);
   nb_laws_check(reading, mistakes->total == before);
   if (mistakes->total == before)
-    nb_servo_check(reading);
+    nb_servo_check(reading), nb_strain_check(scene);
   if (mistakes->total == before && !scene->start.line) {
     nb_outside_check(scene);
     if (!reading->transform.line)

@@ -165,6 +165,8 @@ void nb_ramps_check(struct nb_scene_reading *reading);
 void nb_box_check(struct nb_scene_reading *reading);
 /* Warns of an inherited strain rate against which a servo works, and of conditions: nb_servo_compare. */
 void nb_servo_check(struct nb_scene_reading *reading);
+/* Warns of conditions on a normal strain of the other sign than the strain rate of the stage. */
+void nb_strain_check(struct nb_scene *scene);
 /* Warns of free particles whose centres begin outside the box. */
 void nb_outside_check(struct nb_scene *scene);
 /* Warns of gravity upwards, away from all walls and fixed particles. Not called after `transform`, which rotates the
