@@ -32,7 +32,7 @@ bool nb_item(const char **list, char item[NB_NAME_SIZE]) {
 #define WALLS_MOVE \
   "opposite walls move in a stage with `box strain 0 1/s -0.1 1/s`, the strain rates in x and y, extension positive; one wall moves by `wall north velocity 0 m/s -1 mm/s`. The stress of the walls is controlled by `servo xx 50 kPa on walls through box at most 0.1 1/s`"
 #define LOADING \
-  "a biaxial test is a stage with `box strain 0 1/s -0.01 1/s` and `servo xx 50 kPa on walls through box at most 0.1 1/s`, an isotropic compression is `servo isotropic 50 kPa on walls through box at most 0.1 1/s`; in a cell `cell strain 0 1/s -0.01 1/s`, and a servo `on cell through cell`"
+  "a biaxial test is a stage with `box strain 0 1/s -0.01 1/s` and `servo xx 50 kPa on walls through box at most 0.1 1/s`, an isotropic compression is `servo isotropic 50 kPa on walls through box at most 0.1 1/s`; in a cell `cell strain 0 1/s -0.01 1/s`, and a servo `on cell through cell`; a boundary of particles has `boundary stress 50 kPa 50 kPa`"
 #define FORCE_CHAINS \
   "force chains are drawn from a line `snapshot` in the stage by a block `gnuplot` with the lines `particles = '$STAGE_particles'; contacts = '$STAGE_contacts'` and `load plots.'force-chains.gp'`; `nineball --help gnuplot` shows how"
 #define SIMPLE_SHEAR \
@@ -166,9 +166,9 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"monitor_assembly monitor_sample monitor_particles monitor_system", "region", "averages over all particles are those of a region: `region A all`, then `record A.porosity A.coordination A.stress.mean`"},
     {"monitor_contact", "monitor", "a contact is named by its two partners: `monitor C disc 1 with disc 2`"},
     {"servo_walls servo_west servo_east servo_north servo_south servo_left servo_right servo_sides servo_lateral servo_box", "servo", SERVO_WALLS},
-    {"wall_servo walls_servo wall_activate", "servo", SERVO_WALLS}, {"servo_m/s servo_mm/s servo_um/s servo_cm/s", "servo", "the limit is a strain rate, the largest velocity of a wall over the size of the box: `at most 0.1 1/s`"},
+    {"wall_servo walls_servo wall_activate", "servo", SERVO_WALLS}, {"servo_m servo_mm servo_m/s servo_mm/s servo_um/s servo_cm/s", "servo", "the limit is a strain rate, the largest velocity of a wall over the size of the box: `at most 0.1 1/s`"},
     {"walls_east walls_west walls_north walls_south walls_left walls_right walls_top walls_bottom walls_vertical walls_horizontal walls_lateral walls_axial walls_strain walls_rate walls_compress", "box strain, wall", WALLS_MOVE},
-    {"stage_axial stage_lateral stage_vertical stage_horizontal stage_biaxial stage_triaxial stage_uniaxial stage_oedometer stage_consolidate stage_consolidation stage_isotropic stage_stress stage_confining", "box strain, servo", LOADING},
+    {"stage_axial stage_lateral stage_vertical stage_horizontal stage_biaxial stage_triaxial stage_uniaxial stage_oedometer stage_consolidate stage_consolidation stage_isotropic stage_stress stage_confining stage_confine stage_pressure stage_compress stage_compression stage_loading", "box strain, servo", LOADING},
     {"wall_force wall_load wall_pressure wall_stress wall_traction wall_weight walls_force walls_load walls_pressure walls_stress", "servo", "a wall has no force control: it stands still or has a velocity. A servo controls the mean stress of the walls: `servo yy 100 kPa on walls through box at most 0.1 1/s`"},
     {"snapshot_end snapshot_last snapshot_final snapshot_at snapshot_in snapshot_on snapshot_after snapshot_every", "snapshot", "write `snapshot` alone: the program takes the snapshot at the end of the stage or segment"},
     {"stop_wall stop_walls stop_all stop_box", "wall, walls", "in a stage write `walls stop`, or for one wall `wall NAME velocity 0 m/s 0 m/s`"},
@@ -208,7 +208,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"disc_force disc_moment sphere_force sphere_moment", "gravity, wall, boundary stress", "no force can be given to one particle: forces come from contacts, `gravity` and, in a stage, `boundary stress`"},
     {"disc_omega sphere_omega", "spin", "the angular velocity of a particle is `spin 1 rad/s`"},
     {"disc_name disc_id disc_group sphere_name sphere_id sphere_group", "monitor", "particles have no names, but numbers in the order of their lines: `monitor A disc 1` is the first one"},
-    {"scene_processors scene_comm_modify scene_comm_style scene_package scene_suffix scene_undump scene_thermo_modify scene_setDimension scene_fragment scene_program", "units", "a page needs no such line: delete it; `nineball --help scene` lists the statements"},
+    {"scene_dimension scene_processors scene_comm_modify scene_comm_style scene_package scene_suffix scene_undump scene_thermo_modify scene_setDimension scene_fragment scene_program", "units", "a page needs no such line: delete it; `nineball --help scene` lists the statements"},
     {"scene_energy", "record", "energies are recorded: `record energy.kinetic energy.stored energy.residual`"},
     {"set_random set_seed", "seed", "each `fill` has its own seed of random numbers: `seed 1`"},
     {"set_fric set_friction", "friction", "friction is changed by `material NAME friction 0.5`"},
@@ -249,7 +249,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"suffix_zz suffix_33 suffix_xz suffix_yz", "xx, yy", "the simulation is in the plane, x to the right and y up, and no quantity has a component in z: write `xx`, `xy`, `yx` or `yy`"},
     {"quantity_e", "void_ratio"}, {"quantity_n quantity_poros quantity_phi", "porosity"}, {"quantity_z quantity_cn", "coordination"},
     {"quantity_sxx quantity_s11 quantity_sigma_xx quantity_sigmaxx quantity_sigma_h quantity_pxx", "stress.xx"}, {"quantity_syy quantity_s22 quantity_sigma_yy quantity_sigmayy quantity_sigma_v quantity_sigma quantity_pyy", "stress.yy"}, {"quantity_sxy quantity_s12 quantity_tau quantity_sigma_xy quantity_pxy", "stress.xy"},
-    {"quantity_exx quantity_e11 quantity_epsilon_xx", "strain.xx"}, {"quantity_eyy quantity_e22 quantity_epsilon_yy quantity_ea quantity_epsilon quantity_eps", "strain.yy"}, {"quantity_ev quantity_volumetric_strain quantity_epsilon_v", "strain.volumetric"},
+    {"quantity_exx quantity_eps_xx quantity_epsxx quantity_e11 quantity_epsilon_xx", "strain.xx"}, {"quantity_eyy quantity_eps_yy quantity_epsyy quantity_e22 quantity_epsilon_yy quantity_ea quantity_epsilon quantity_eps", "strain.yy"}, {"quantity_ev quantity_volumetric_strain quantity_vol_strain quantity_volume_strain quantity_eps_v quantity_eps_vol quantity_epsv quantity_epsilon_v", "strain.volumetric"},
     {"quantity_fn quantity_f_n quantity_nforce quantity_normal_force quantity_normalforce quantity_fnormal", "normal, normal.mean"}, {"quantity_fs quantity_ft quantity_f_s quantity_f_t quantity_sforce quantity_shear_force quantity_tangential_force quantity_shearforce quantity_fshear", "shear, shear.mean"},
     {"quantity_un quantity_u_n quantity_delta quantity_delta_n quantity_alpha quantity_penetration quantity_penetrationdepth quantity_indentation", "overlap"}, {"quantity_ut quantity_u_t quantity_us quantity_delta_t", "slip"},
     {"quantity_spin.after quantity_impact.spin quantity_impact.spin2 quantity_impact.omega quantity_impact.omega2 quantity_impact.spin_after quantity_impact.vx quantity_impact.vy quantity_impact.velocity quantity_impact.v quantity_impact.v2 quantity_impact.vt quantity_impact.vn quantity_impact.speed", "spin, vx, vy", "an impact has no velocities and no spin; those of the particle are recorded with `monitor A sphere 1` and `record A.vx A.vy A.spin`"},
