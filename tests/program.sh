@@ -642,6 +642,9 @@ sed 's/shear 2e-5 per/c12 2e-5 per/' "$pages/drives.md" >simple.md
 printf '```scene\nunits none\nmaterial m density 1 kn 1\nbox 0 0 to 9 9 m\ndisc 3 3 radius 1 m\nstep 1\nrecord time\nstage a\nwall east velocity 1 0\nwall west velocity 2 0\ncycles 1\nstage b\ncycles 1\nwall west velocity 0 0\nstage c\nbox strain 0 1\ncycles 1\nstage d\ncycles 1\n```\n' >moved.md
 run 0 explain moved.md
 grep 'goes on' out >goes-on
+printf '```scene\nunits none\nmaterial m density 1 young 1.82 poisson 0.3\nsphere 0 0 radius 1 m\nsphere 2 0 radius 1 m\nstep 1\nrecord time\nstage a\nnormal hertz\ncycles 1\n```\n' >later.md
+run 0 explain later.md
+out '  m with m: 1 pair in the neighbour list; E* 1, G* '
 sed 's/^wall east.*/walls inward 1/; /^wall west/d; /^box strain/d' moved.md >walls.md
 run 0 explain walls.md
 test "$(grep -c 'goes on from stage `a`, line 9: walls inward 1' out)" -eq 3 || echo 'a line for four walls is not shown once in each stage' >>why

@@ -191,7 +191,7 @@ static bool explain_material_pair(FILE *out, const struct nb_model *model,
   fprintf(out, "  %s with %s%s: %zu %s in the neighbour list; ", materials[material_pair->a].name,
           material_pair->wall ? "wall of " : "", materials[material_pair->b].name, contacts,
           contacts == 1 ? "pair" : "pairs");
-  if (model->laws.normal->elastic)
+  if (model->laws.normal->elastic || (values->kn == 0 && values->young > 0)) /* a later stage may have an elastic law */
     fprintf(out, "E* %g, G* %g, ", values->young, values->shear);
   else
     fprintf(out, "k_n %g, k_s %g, ", values->kn, values->ks);
