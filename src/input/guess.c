@@ -276,13 +276,14 @@ const struct nb_synonym *nb_synonym(const char *word) {
   /* clang-format on */
   char plain[NB_NAME_SIZE];
   const size_t length = (size_t)snprintf(plain, sizeof plain, "%.*s", (int)strcspn(word, "("), word); /* `O.run(9)` */
-  const size_t count = length && length < sizeof plain ? sizeof synonyms / sizeof *synonyms : 0;
+  if (length == 0 || length >= sizeof plain)
+    return NULL; /* no synonym is so long */
   for (enum spelling spelling = EXACT; spelling <= SINGULAR; spelling++) {
     const char *const last = strrchr(plain, '_'); /* `expect_rises` has no other meaning than `rises` */
     if (spelling == SINGULAR && (length < 4 || plain[length - 1] != 's' || (last && nb_synonym(last + 1))))
       break;
     plain[length - (spelling == SINGULAR)] = '\0';
-    for (size_t k = 0; k < count; k++)
+    for (size_t k = 0; k < sizeof synonyms / sizeof *synonyms; k++)
       if (has_word(synonyms[k].words, plain, spelling != EXACT))
         return &synonyms[k];
   }
