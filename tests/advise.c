@@ -307,7 +307,7 @@ static void the_cost_is_counted(void) {
 
 /* On a page without `impact` the phases have different steps: in phase k of 8 the step of every stage is divided by 1 +
  * 0.08 k/8. */
-static void phases_of_other_pages_have_other_steps(void) {
+static void phases_of_pages_without_impact_have_different_steps(void) {
 #define FLIGHT                                                                                                         \
   "units none\nmaterial m density 1 kn 1000\ndisc 0 3 radius 1 m\nwall w -9 0 to 9 0 m\ngravity 0 -1\n"                \
   "monitor D disc 1\nrecord D.y D.vy\nstep %.17g\nstage a\nuntil D.vy above 0 at most 100000 cycles\nstage b\n"        \
@@ -336,7 +336,7 @@ static void phases_of_other_pages_have_other_steps(void) {
 
 /* A page with a strain per cycle, a number of cycles, or a damping per cycle has one phase, because such a page with
  * another step is another case. */
-static void other_pages_have_one_phase(void) {
+static void pages_whose_case_depends_on_the_step_have_one_phase(void) {
 #define MATERIAL "units none\nmaterial m density 3 kn 100\n"
 #define LATTICE "lattice discs 4 by 4 from 1 1 radius 1 spacing 2 m\n"
 #define RUN "record time\nstep 0.001\nstage a\n"
@@ -455,7 +455,7 @@ static void the_time_of_a_setting_that_cannot_run(void) {
 }
 
 /* Softer contacts save nothing in single runs of an impact in which every stage takes its step from the collision. */
-static void when_softness_is_useless(void) {
+static void when_softer_contacts_save_nothing(void) {
   for (int k = 0; k < 32; k++) {
     struct nb_stage stages[3] = {{.cycles = 1}};
     struct nb_page_run run = {.scene = {.stages = stages, .stage_count = 3, .impact = {.line = k & 8 ? 4 : 0}}};
@@ -594,7 +594,7 @@ static void variants_are_all_combinations(void) {
 }
 
 /* Softer contacts and centred dashpots are variants with the laws of the page. */
-static void variants_with_the_own_laws(void) {
+static void variants_with_the_laws_of_the_page(void) {
   static const struct {
     const char *more, *step;
     size_t soft, centred;
@@ -915,15 +915,15 @@ void suite_advise(void) {
   CU_ADD_TEST(suite, claims_follow_from_the_values);
   CU_ADD_TEST(suite, laws_have_a_distance_from_the_anchor);
   CU_ADD_TEST(suite, the_cost_is_counted);
-  CU_ADD_TEST(suite, phases_of_other_pages_have_other_steps);
-  CU_ADD_TEST(suite, other_pages_have_one_phase);
+  CU_ADD_TEST(suite, phases_of_pages_without_impact_have_different_steps);
+  CU_ADD_TEST(suite, pages_whose_case_depends_on_the_step_have_one_phase);
   CU_add_test(suite, "the time of a setting that cannot run", the_time_of_a_setting_that_cannot_run);
-  CU_add_test(suite, "when softness is useless", when_softness_is_useless);
+  CU_add_test(suite, "when softer contacts save nothing", when_softer_contacts_save_nothing);
   CU_add_test(suite, "a trial that would end after the budget", a_trial_that_would_end_after_the_budget);
   CU_ADD_TEST(suite, a_trial_of_a_mean_is_a_realization);
   CU_ADD_TEST(suite, claims_of_a_mean_follow_from_its_realizations);
   CU_ADD_TEST(suite, settings_of_a_mean_have_a_margin_of_stability);
   CU_ADD_TEST(suite, variants_are_all_combinations);
-  CU_ADD_TEST(suite, variants_with_the_own_laws);
+  CU_ADD_TEST(suite, variants_with_the_laws_of_the_page);
   CU_ADD_TEST(suite, no_softer_contacts_after_a_start);
 }

@@ -167,7 +167,7 @@ static void volumes_count(void) {
 }
 
 /* Fixed particles and particles outside the region are in no chain. */
-static void not_these(void) {
+static void fixed_and_outside_particles(void) {
   struct words page = begin();
   struct written it;
   words_add(
@@ -200,10 +200,10 @@ void suite_chains(void) {
   CU_add_test(suite, "fixed particles alone are no chain", all_fixed);
   CU_add_test(suite, "a zigzag bends by twice its angle", zigzags);
   CU_add_test(suite, "hexagonal lattices, across the rows and along", hexagonal);
-  CU_add_test(suite, "links along the axes of both, stress above the mean", along_and_above);
+  CU_add_test(suite, "links along the major stress of both particles, stress above the mean", along_and_above);
   CU_add_test(suite, "shear forces count", shear_counts);
   CU_add_test(suite, "stress per volume of spheres and discs", volumes_count);
-  CU_add_test(suite, "fixed particles and particles outside are in no chain", not_these);
+  CU_add_test(suite, "fixed particles and particles outside are in no chain", fixed_and_outside_particles);
   CU_add_test(suite, "a fixed particle separates two chains", fixed_between);
   CU_add_test(suite, "a weak neighbour is no link", a_weak_neighbour_is_no_link);
 }

@@ -254,8 +254,8 @@ static void a_circle_that_has_shrunk_takes_in_a_disc(void) {
 }
 
 /* The ellipse reaches discs at rest. The discs do not move, so no search lists again the discs near the boundary. The
- * boundary must do this itself when the ellipse has moved. Half the height of the ellipse is 20 (1 - 0.01 dt)^n after n
- * cycles. */
+ * boundary must list them itself when the ellipse has moved. Half the height of the ellipse is 20 (1 - 0.01 dt)^n after
+ * n cycles. */
 static void discs_at_rest_join_the_boundary(void) {
   static const char *const skins[] = {"", "skin 0.01\n", "skin 0.5\n"};
   for (size_t k = 0; k < 3; k++) {
@@ -644,7 +644,7 @@ void suite_drive(void) {
   CU_add_test(suite, "the roughness of a boundary is relative", roughness_is_relative);
   CU_add_test(suite, "the boundary follows exactly", the_boundary_follows_exactly);
   CU_add_test(suite, "a strain per cycle does not depend on the step", per_cycle);
-  CU_add_test(suite, "damping acts on the own velocity only", damping_acts_on_own_velocity);
+  CU_add_test(suite, "damping does not act on the imposed velocity", damping_acts_on_own_velocity);
   CU_add_test(suite, "accumulated affine strain grows", accumulated_strain_grows);
   CU_add_test(suite, "dashpot forces include the imposed velocity", dashpots_see_the_strain);
   CU_add_test(suite, "particles that reach the boundary join it", particles_join_the_boundary);

@@ -153,8 +153,8 @@ static void a_boundary_is_fixed_again(void) {
   nb_result_free(&result);
 }
 
-/* A disc that leaves a boundary under stress joins it when it is fixed again: the circle has the radius 20, and the disc
- * is at (15.5, 15.5). An ellipse that is twice as wide would contain the disc. */
+/* A disc that leaves a boundary under stress joins the boundary when the boundary is fixed again: the circle has the
+ * radius 20, and the disc is at (15.5, 15.5). An ellipse that is twice as wide would contain the disc. */
 static void a_disc_joins_the_boundary_that_is_fixed_again(void) {
   struct nb_result result;
   run(&result, "material m density 2 kn 100\nstep 0.125\ndisc 20 0 radius 1 m\ndisc 0 20 radius 1 m\n"

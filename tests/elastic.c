@@ -183,7 +183,7 @@ void suite_elastic(void) {
   CU_pSuite suite = CU_add_suite("elastic", NULL, NULL);
   CU_add_test(suite, "increments lose speed", increments_lose_speed);
   CU_add_test(suite, "increments are of first order", increments_are_of_first_order);
-  CU_add_test(suite, "increments as printed", increments_as_printed);
+  CU_add_test(suite, "increments are those of R89 4.11, 4.12 and 4.14", increments_as_printed);
   CU_add_test(suite, "increments separate before the surfaces do", increments_separate_before_the_surfaces);
   CU_add_test(suite, "without slip: energy around a rectangle", rectangles);
   CU_add_test(suite, "without slip: first order while N changes", stuck_is_of_first_order);

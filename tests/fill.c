@@ -556,7 +556,7 @@ void suite_fill(void) {
   CU_add_test(suite, "in a cell no overlap across the edges", no_overlap_across_edges);
   CU_add_test(suite, "in a cell no overlap of large particles", no_overlap_of_large_particles);
   CU_add_test(suite, "in a cell uniform to the edges", uniform_in_a_cell);
-  CU_add_test(suite, "in a cell any copy of existing particles", any_copy_of_existing_particles);
+  CU_add_test(suite, "in a cell any image of existing particles may be given", any_copy_of_existing_particles);
   CU_add_test(suite, "in a cell no particle overlaps its own image", one_that_fills_the_cell);
   CU_add_test(suite, "in a cell no overlap of two particles that nearly fill it", two_that_nearly_fill_the_cell);
   CU_add_test(suite, "gap of a pair that is not listed", gap_of_a_pair_that_is_not_listed);

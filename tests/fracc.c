@@ -115,7 +115,7 @@ static void a_force_that_rotates_does_not_count(void) {
 
 void suite_fracc(void) {
   CU_pSuite suite = CU_add_suite("fracc", NULL, NULL);
-  CU_add_test(suite, "as it is defined", as_defined);
+  CU_add_test(suite, "FRACC as R89 defines it", as_defined);
   CU_add_test(suite, "no displacement, no FRACC", no_displacement_no_fracc);
   CU_add_test(suite, "a force that rotates does not count", a_force_that_rotates_does_not_count);
 }

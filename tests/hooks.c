@@ -306,7 +306,7 @@ static void rotation_of_a_stage(void) {
 
 void suite_hooks(void) {
   CU_pSuite suite = CU_add_suite("hooks", NULL, NULL);
-  CU_add_test(suite, "a scene has what it uses", a_scene_has_what_it_uses);
+  CU_add_test(suite, "a scene has exactly the hooks that it uses", a_scene_has_what_it_uses);
   CU_add_test(suite, "hooks end with their work", hooks_end_with_their_work);
   CU_add_test(suite, "passes of the material pairs, with their lines", passes_and_their_lines);
   CU_add_test(suite, "passes of a stage", passes_of_a_stage);

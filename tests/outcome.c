@@ -696,9 +696,10 @@ static void warnings_of_the_imposed_work(void) {
   }
 }
 
-/* A failed check of a normal force that is twice the expected one, or of an overlap that is half of it, says which
- * stiffness a contact has. With kn = 1 and the overlap 0.1 the force is 0.1. Other ratios have no such note, nor has a
- * ratio that may have another cause: the overshoot of a load, gravity, or a `pair` that gives `kn`. */
+/* A failed check of a normal force that is twice the expected force, or of an overlap that is half the expected
+ * overlap, says which stiffness a contact has. With kn = 1 and the overlap 0.1 the force is 0.1. Other ratios have no
+ * such note, nor has a ratio that may have another cause: the overshoot of a load, gravity, or a `pair` that gives
+ * `kn`. */
 static void stiffness_of_springs_in_series(void) {
   static const struct {
     const char *expectation;
@@ -1093,7 +1094,7 @@ void suite_outcome(void) {
   CU_pSuite suite = CU_add_suite("outcome", NULL, NULL);
   CU_add_test(suite, "progress and notes of several runs", progress);
   CU_add_test(suite, "a note of the memory size that changes", note_of_memory_size);
-  CU_add_test(suite, "warnings of stages that end at once", warnings_of_ends);
+  CU_add_test(suite, "warnings of stages that end too early", warnings_of_ends);
   CU_add_test(suite, "warnings of stages that end too early propose a condition", warnings_of_ends_propose);
   CU_add_test(suite, "warnings of regions without particles or contacts, and of a negative porosity",
               warnings_of_regions);
@@ -1101,7 +1102,7 @@ void suite_outcome(void) {
   CU_add_test(suite, "servos that go on in the next stage", servos_that_go_on);
   CU_add_test(suite, "warnings of expectations of another stress than the servo controls",
               expectations_of_another_stress);
-  CU_add_test(suite, "servos at the largest rate", servos_at_the_largest_rate);
+  CU_add_test(suite, "messages about servos at their largest rate", servos_at_the_largest_rate);
   CU_add_test(suite, "units of reported values", units);
   CU_add_test(suite, "stages without rows", stages_without_rows);
   CU_add_test(suite, "error of a run", error_of_a_run);
@@ -1118,7 +1119,7 @@ void suite_outcome(void) {
   CU_add_test(suite, "folders that cannot be made", folders_that_cannot_be_made);
   CU_add_test(suite, "locks and checkpoints of all runs", locks_and_checkpoints);
   CU_add_test(suite, "the lock of a page with one run", lock_of_one_run);
-  CU_add_test(suite, "runs at once", runs_at_once);
+  CU_add_test(suite, "number of runs at once", runs_at_once);
   CU_add_test(suite, "results of runs in a temporary file", results_in_a_file);
   CU_add_test(suite, "deep contacts of all runs together", deep_overlaps_of_all_runs);
 }

@@ -43,7 +43,7 @@ static void converges(void) {
 
 void suite_refs_damped(void) {
   CU_pSuite suite = CU_add_suite("refs_damped", NULL, NULL);
-  CU_add_test(suite, "without damping it equals the undamped exact contact", without_damping);
-  CU_add_test(suite, "gross sliding equals the closed form", gross_sliding);
-  CU_add_test(suite, "it converges with the number of steps", converges);
+  CU_add_test(suite, "without damping psi2 is that of the exact contact", without_damping);
+  CU_add_test(suite, "in gross sliding psi2 equals the closed form", gross_sliding);
+  CU_add_test(suite, "psi2 converges with the number of steps", converges);
 }

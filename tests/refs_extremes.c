@@ -20,7 +20,7 @@ static void read_page(struct written *it, struct refs_scene *scene, const char *
 }
 
 /* A disc of weight pi in a right angle exerts the force pi/sqrt(2) on each wall. */
-static void a_right_angle_halves_the_square_of_the_weight(void) {
+static void a_disc_in_a_right_angle(void) {
   struct written it;
   struct refs_scene scene;
   read_page(&it, &scene,
@@ -126,7 +126,7 @@ static void a_row_of_two_spheres(void) {
 
 void suite_refs_extremes(void) {
   CU_pSuite suite = CU_add_suite("refs_extremes", NULL, NULL);
-  CU_add_test(suite, "a disc in a right angle", a_right_angle_halves_the_square_of_the_weight);
+  CU_add_test(suite, "a disc in a right angle", a_disc_in_a_right_angle);
   CU_add_test(suite, "the moving end of a wall returns a disc", the_end_of_a_wall_returns_a_disc);
   CU_add_test(suite, "a stiff end reflects as a rigid one", a_stiff_end_reflects_as_a_rigid_one);
   CU_add_test(suite, "two spheres between walls", a_row_of_two_spheres);

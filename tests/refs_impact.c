@@ -138,8 +138,8 @@ static void other_scenes_are_refused(void) {
 void suite_refs_impact(void) {
   CU_pSuite suite = CU_add_suite("refs_impact", NULL, NULL);
   CU_add_test(suite, "the approach is that of Hertz", approach_is_hertz);
-  CU_add_test(suite, "the springs converge", springs_converge);
-  CU_add_test(suite, "the springs give Maw's curve", springs_give_maws_curve);
+  CU_add_test(suite, "psi2 converges with the number of steps", springs_converge);
+  CU_add_test(suite, "psi2 has the values of Maw's curve", springs_give_maws_curve);
   CU_add_test(suite, "errors of simplified laws", errors_of_simplified_laws);
   CU_add_test(suite, "dissipation by gross sliding is a part of the total dissipation",
               gross_sliding_is_part_of_dissipation);

@@ -453,8 +453,8 @@ void suite_run(void) {
   CU_add_test(suite, "a position that is NaN or infinite", a_position_that_is_nan_or_infinite);
   CU_add_test(suite, "a snapshot has the contacts that touch", a_snapshot_has_the_touching_contacts);
   CU_add_test(suite, "a stage that ends in an aborted cycle has no snapshot", an_aborted_cycle_has_no_snapshot);
-  CU_add_test(suite, "until, in vain, without a contact force", waits_for_contacts_in_vain);
-  CU_add_test(suite, "until ... every N cycles", conditions_checked_every_n_cycles);
+  CU_add_test(suite, "a stage that waits in vain, without a contact force", waits_for_contacts_in_vain);
+  CU_add_test(suite, "conditions that are checked every N cycles", conditions_checked_every_n_cycles);
   CU_add_test(suite, "repeated stages", repeated_stages);
   CU_ADD_TEST(suite, repeated_stages_with_long_names);
   CU_add_test(suite, "settings change the hash", settings_change_the_hash);

@@ -470,14 +470,14 @@ void suite_state(void) {
   CU_add_test(suite, "continued runs have the same bits with centred dashpots", centred_dashpots);
   CU_add_test(suite, "continued runs have the same bits in an impact with a phase", an_impact_with_a_phase);
   CU_add_test(suite, "the balances count from the state on", balances_begin_anew);
-  CU_add_test(suite, "pair rules of stages fit", rules_of_stages_fit);
+  CU_add_test(suite, "pair rules of stages are in the state", rules_of_stages_fit);
   CU_add_test(suite, "other particles do not fit", other_particles_do_not_fit);
   CU_add_test(suite, "other names do not fit", other_names_do_not_fit);
   CU_add_test(suite, "other laws do not fit", other_laws_do_not_fit);
   CU_add_test(suite, "messages about states that do not fit", messages_about_states);
   CU_add_test(suite, "contacts that are apart do not fit", contacts_that_are_apart_do_not_fit);
   CU_add_test(suite, "total forces without dashpots", contact_forces_without_dashpots);
-  CU_add_test(suite, "contacts of the last step continue", contacts_of_the_last_step_continue);
+  CU_add_test(suite, "properties of contacts in the last step are in the state", contacts_of_the_last_step_continue);
   CU_add_test(suite, "a history that begins with 0", a_history_that_begins_with_0);
   CU_ADD_TEST(suite, the_single_contact_step_at_the_start);
 }

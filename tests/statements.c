@@ -89,7 +89,7 @@ static void a_file_of_columns(void) {
       {"c/m\tx/-\ta/m\n2\t9\t1\n4\t9\t3\n", 2, 0, 6004, false},                   /* in any order, between others */
       {"a/mm\tc/um\n1\t2\n", 1, 0, 1e-3 + 2e-3, false},                           /* each in its own unit */
       {"b/km\tc/m\n1\t2\n", 1, 0, 3000, false},                                   /* the other name */
-      {"# first\n\n  a/m  c/m\n 1 2\n# between\n\n  3   4\n", 2, 0, 6004, false}, /* blanks */
+      {"# first\n\n  a/m  c/m\n 1 2\n# between\n\n  3   4\n", 2, 0, 6004, false}, /* spaces */
       {"a/-\tc/-\n1\t2\n", 1, 0, 2001, true},
       {"a/m\tc/m\n1\t2\n", 0, 1, 0, true}, /* not allowed in a scene without units */
       {"a/-\tc/-\n1\t2\n", 0, 1, 0, false},

@@ -92,7 +92,7 @@ static void override_timing(const struct nb_scene_reading *reading, struct nb_re
         "`centred` or `late`");
 }
 
-/* A page gives five settings, with one statement each: the damping of all contacts, of contacts with walls, of deep
+/* A page may give five settings, with one statement each: the damping of all contacts, of contacts with walls, of deep
  * contacts and of all particles, and the time of the velocity that dashpots use. `none` sets all five. In a stage a
  * statement replaces the inherited setting. */
 NB_APPLY(apply_damping) {

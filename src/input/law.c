@@ -308,7 +308,7 @@ static bool has_tangential_segment(const struct nb_scene *scene) {
   return false;
 }
 
-/* True if the page gives particles a velocity, and there is neither damping nor gravity. */
+/* True if the page gives particles a velocity or a spin, and there is neither damping nor gravity. */
 static bool is_free_collision(const struct nb_scene *scene) {
   bool moving = scene->impact.line > 0, undisturbed = nb_damping_none(&scene->damping) && !scene->gravity.line;
   for (size_t k = 0; k < scene->particle_count && !moving; k++)

@@ -7,7 +7,7 @@
 enum { AT_NAME };
 static const struct nb_argument monitor_fields[] = {NAME(AT_NAME, "a name for what is monitored"), END};
 
-/* Takes the number N of `disc N`. Returns the index of the particle; -1 with a message, or without one if numbers of
+/* Takes `disc N` or `sphere N`. Returns the index of the particle; -1 with a message, or without one if numbers of
  * particles cannot be checked. */
 static int take_numbered(const struct nb_scene_reading *reading, struct nb_reader *reader, const char *what) {
   const struct nb_scene *scene = reading->scene;

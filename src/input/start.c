@@ -243,7 +243,7 @@ static bool truncate_scene(struct nb_reader *reader, struct nb_scene *other, con
 }
 
 /* After a `start` with a mistake the rest of the page is not read, because it may depend on the other page. After a
- * word of another program that means `start`, it is read, but no name in it is unknown. */
+ * word of another program that means `start`, the rest is read, but no name in it is unknown. */
 static void leave_unjudged(struct nb_scene_reading *reading, const struct nb_reader *reader) {
   const bool start = strcmp(reader->tokens[0].text, "start") == 0;
   if (!start)
