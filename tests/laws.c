@@ -53,7 +53,7 @@ static void stiffness_is_the_slope(struct contact it, struct chance *chance) {
 }
 
 /* A law that declares a constant stiffness returns the stiffness of the material pair, or 0. Dashpots rely on this: they
- * store coefficients that they compute from it. */
+ * store coefficients that they compute from the stiffness. */
 static void constant_stiffness_is_that_of_the_pair(struct contact it, struct chance *chance) {
   for (int k = 0; k < 20; k++) {
     contact_go(&it, k % 5 ? chance_scale(chance, 1e-9, 1e-3) : 0, chance_between(chance, -1e-4, 1e-4));

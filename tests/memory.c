@@ -128,9 +128,9 @@ static void listed_arrays_stay(void) {
 
 void suite_memory(void) {
   CU_pSuite suite = CU_add_suite("memory", NULL, NULL);
-  CU_add_test(suite, "few variables", few);
-  CU_add_test(suite, "many variables", many);
-  CU_add_test(suite, "different lengths", different_lengths);
-  CU_add_test(suite, "fields and rows", fields_and_rows);
+  CU_add_test(suite, "history of few variables", few);
+  CU_add_test(suite, "history of many variables", many);
+  CU_add_test(suite, "copies between histories of different lengths", different_lengths);
+  CU_add_test(suite, "no copies between fields and rows", fields_and_rows);
   CU_add_test(suite, "listed arrays stay", listed_arrays_stay);
 }

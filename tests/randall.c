@@ -310,7 +310,7 @@ static void return_to_virgin_loading_deletes_DD(void) {
 void suite_randall(void) {
   CU_pSuite suite = CU_add_suite("randall", NULL, NULL);
   CU_add_test(suite, "constant N: loading, unloading, reloading", curves_of_constant_normal_force);
-  CU_add_test(suite, "the history", the_history);
+  CU_add_test(suite, "T, T* and T** after each step", the_history);
   CU_add_test(suite, "loss of a closed loop", loss_of_a_closed_loop);
   CU_add_test(suite, "unloading beyond -T* is virgin loading", unloading_beyond_the_mirror_image_is_virgin);
   CU_add_test(suite, "re-unloading retraces reloading", unloading_again_retraces_reloading);

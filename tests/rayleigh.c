@@ -103,8 +103,8 @@ static void without_elastic_moduli(void) {
 
 void suite_rayleigh(void) {
   CU_pSuite suite = CU_add_suite("rayleigh", NULL, NULL);
-  CU_add_test(suite, "the root", the_root);
+  CU_add_test(suite, "the speed of the Rayleigh wave and its fit", the_root);
   CU_add_test(suite, "the step of steel", the_step_of_steel);
-  CU_add_test(suite, "different spheres", different_spheres);
+  CU_add_test(suite, "shortest and mean step of different spheres", different_spheres);
   CU_add_test(suite, "a particle without elastic moduli", without_elastic_moduli);
 }

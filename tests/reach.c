@@ -124,7 +124,7 @@ static void cells(void) {
 
 void suite_reach(void) {
   CU_pSuite suite = CU_add_suite("reach", NULL, NULL);
-  CU_add_test(suite, "particles", particles);
-  CU_add_test(suite, "walls", walls);
-  CU_add_test(suite, "strains of a periodic cell", cells);
+  CU_add_test(suite, "particles that require a search", particles);
+  CU_add_test(suite, "walls that require a search", walls);
+  CU_add_test(suite, "the strain of a periodic cell reduces the travel limit", cells);
 }

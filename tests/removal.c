@@ -397,7 +397,7 @@ void suite_removal(void) {
   CU_add_test(suite, "removal of a disc beside one of another radius changes no spin", different_radii);
   CU_add_test(suite, "regions without removed particles", regions_without_removed_particles);
   CU_add_test(suite, "places of removed particles are free", places_of_removed_particles_are_free);
-  CU_add_test(suite, "spins do not change", spins_do_not_change);
+  CU_add_test(suite, "removal without friction changes no spin", spins_do_not_change);
   CU_add_test(suite, "steps count remaining particles", steps_count_remaining_particles);
   CU_add_test(suite, "collision prediction without removed particles", collision_prediction_without_removed_particles);
   CU_add_test(suite, "removal with other changes of the stage", removal_with_other_changes);

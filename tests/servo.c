@@ -501,15 +501,15 @@ void suite_servo(void) {
   CU_add_test(suite, "a ramp is followed", a_ramp_is_followed);
   CU_add_test(suite, "no offset under a dilatation", no_offset_under_a_dilatation);
   CU_add_test(suite, "servo through a cell", servo_through_a_cell);
-  CU_add_test(suite, "stress of a region", stress_of_a_region);
+  CU_add_test(suite, "a servo on a region controls the stress of the region", stress_of_a_region);
   CU_add_test(suite, "servo through boundary affine", servo_through_boundary_affine);
   CU_add_test(suite, "the particles inside have the added rate", the_particles_inside_have_the_added_rate);
   CU_add_test(suite, "rates that oppose a servo", rates_that_oppose);
-  CU_add_test(suite, "removed particles have no mass", removed_particles_have_no_mass);
+  CU_add_test(suite, "the servo does not count the mass of removed particles", removed_particles_have_no_mass);
   CU_add_test(suite, "components that are not controlled", components_that_are_not_controlled);
   CU_add_test(suite, "isotropic has no shear stress", isotropic_has_no_shear);
   CU_add_test(suite, "the added rate is updated every tenth cycle by default", every_tenth_cycle);
-  CU_add_test(suite, "stiffness and travel time in a box", scales_of_a_box);
+  CU_add_test(suite, "bulk stiffness B and time T of a box", scales_of_a_box);
   CU_add_test(suite, "soft springs give the same motion", soft_springs_give_the_same_motion);
   CU_add_test(suite, "a servo begins at its target, a ramp at the current stress", initial_targets);
 }

@@ -457,11 +457,11 @@ void suite_stability(void) {
   CU_pSuite suite = CU_add_suite("stability", NULL, NULL);
   CU_add_test(suite, "searches add checks", searches_add_checks);
   CU_add_test(suite, "the limit is kept to a millionth", the_limit_is_kept_to_a_millionth);
-  CU_add_test(suite, "a step without a limit", a_step_without_a_limit);
+  CU_add_test(suite, "a very short step has an infinite stable-overlap limit", a_step_without_a_limit);
   CU_add_test(suite, "the proposed number of steps per collision", the_proposed_number_of_steps);
   CU_add_test(suite, "cohesion alone counts in the stable step", cohesion_alone_counts);
   CU_add_test(suite, "an impact between two checks", an_impact_between_two_checks);
-  CU_add_test(suite, "walls are not particles", walls_are_not_particles);
+  CU_add_test(suite, "the limit at a wall does not depend on the first particle", walls_are_not_particles);
   CU_add_test(suite, "a pair may use up the limit", a_pair_may_use_up_the_limit);
   CU_add_test(suite, "stiffer unloading lowers the stable-overlap limit", stiffer_unloading_lowers_the_limit);
   CU_add_test(suite, "a contact may become deep", a_contact_may_become_deep);
