@@ -196,5 +196,6 @@ void suite_affine(void) {
   CU_ADD_TEST(suite, a_reversed_particle_of_a_strained_cell_returns);
   CU_ADD_TEST(suite, fixed_particles_are_not_strained);
   CU_ADD_TEST(suite, the_affine_motion_ends);
-  CU_add_test(suite, "zero velocities is as at time 0", zero_velocities_is_as_at_time_0);
+  CU_add_test(suite, "after `zero velocities` dashpot forces and kinetic energy are 0",
+              zero_velocities_is_as_at_time_0);
 }

@@ -79,7 +79,7 @@ static void pairs_that_may_meet(void) {
 
 /* A removed particle counts in no pair, although it was the only one of its material. The two discs that are left have
  * omega^2 = 16. So their stable step is 1/2, and their collision lasts pi/4. */
-static void a_removed_particle_meets_none(void) {
+static void a_removed_particle_collides_with_none(void) {
   static const struct {
     const char *step;
     double wanted;
@@ -141,6 +141,6 @@ static void the_advised_step_is_stable(void) {
 void suite_apart(void) {
   CU_pSuite suite = CU_add_suite("apart", NULL, NULL);
   CU_add_test(suite, "pairs that could collide later", pairs_that_may_meet);
-  CU_ADD_TEST(suite, a_removed_particle_meets_none);
+  CU_ADD_TEST(suite, a_removed_particle_collides_with_none);
   CU_ADD_TEST(suite, the_advised_step_is_stable);
 }

@@ -251,7 +251,7 @@ static void across_the_edge(void) {
 void suite_configuration(void) {
   CU_pSuite suite = CU_add_suite("configuration", NULL, NULL);
   CU_add_test(suite, "contacts lost, new and kept", goes_over);
-  CU_add_test(suite, "contacts lost and new of a region, and where they point", of_regions);
+  CU_add_test(suite, "contacts lost and new of a region, and their directions", of_regions);
   CU_add_test(suite, "a sphere slides down an incline", slides);
   CU_add_test(suite, "a rolling sphere does not slide", rolls);
   CU_add_test(suite, "slid begins at 0 when a contact closes again", comes_back);

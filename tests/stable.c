@@ -327,7 +327,7 @@ void suite_stable(void) {
   CU_add_test(suite, "lattices equal closed forms", lattices_equal_closed_forms);
   CU_add_test(suite, "margins stated in step-limit.md", margins_stated_in_step_limit);
   CU_add_test(suite, "rotation lowers the limit by thirty per cent", rotation_lowers_the_limit);
-  CU_add_test(suite, "damping has its formula", damping_has_its_formula);
+  CU_add_test(suite, "the limit of a damped pair equals its formula", damping_has_its_formula);
   CU_add_test(suite, "random networks stay below the limit", random_networks_stay_below_the_limit);
   CU_add_test(suite, "stiffer unloading counts", stiffer_unloading_counts);
   CU_add_test(suite, "discs apart count as they touch", discs_apart_count_as_they_touch);

@@ -119,5 +119,5 @@ void suite_team(void) {
   CU_pSuite suite = CU_add_suite("team", NULL, NULL);
   CU_add_test(suite, "each part is done once", each_part_is_done_once);
   CU_add_test(suite, "a thread takes over parts of another", a_thread_takes_over_parts);
-  CU_add_test(suite, "the team rests while it loses time", the_team_rests);
+  CU_add_test(suite, "the team rests after it has lost time", the_team_rests);
 }
