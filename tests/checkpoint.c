@@ -11,6 +11,7 @@
 
 #include "../src/input/reader.h"
 #include "../src/run/checkpoint.h"
+#include "../src/run/restart.h"
 #include "every_page.h"
 #include "suites.h"
 #include "written.h"
@@ -365,6 +366,83 @@ static void a_collision_step_that_is_set(void) {
   written_free(&it);
 }
 
+/* A run that does not resume must not replace the checkpoint of an interrupted one, nor the checkpoint before it. The
+ * computation of a state for another page relies on this test. */
+static void a_checkpoint_is_not_replaced(void) {
+  struct words words = {0};
+  struct written it;
+  struct nb_result result;
+  struct nb_error error = {NB_OK, ""};
+  char path[256], old[264];
+  words_add(&words, "%s%s", head, scenes[2]);
+  written_scene(&it, &words);
+  snprintf(path, sizeof path, "%s/%s-%016llx.checkpoint", folder, it.scene.page->name, 1ULL);
+  snprintf(old, sizeof old, "%s.old", path);
+  CU_ASSERT_EQUAL(session(&result, &it.scene, 0, 20, 1, &error), NB_BROKEN);
+  nb_result_free(&result);
+  for (int is_old = 0; is_old < 2; is_old++) {
+    if (is_old) {
+      remove(old);
+      CU_ASSERT_EQUAL(rename(path, old), 0);
+    }
+    CU_ASSERT_EQUAL(session(&result, &it.scene, 0, 30, 1, &error), NB_BAD_USE);
+    CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "the run of this page was interrupted"));
+    CU_ASSERT_PTR_NOT_NULL(strstr(error.text, is_old ? old : path));
+    nb_result_free(&result);
+  }
+  CU_ASSERT_EQUAL(session(&result, &it.scene, 20, 0, 1, &error), NB_OK);
+  nb_result_free(&result);
+  remove_checkpoint(&it.scene, 1);
+  written_free(&it);
+}
+
+/* A page that starts from a stage of another one continues from its own checkpoint, not from the saved state of the
+ * other page, and needs this state no more. */
+static void a_page_that_starts_from_another(void) {
+  static const unsigned long cuts[] = {0, 10, 30, 35, 0};
+  char path[] = "/tmp/nineball-checkpoint-XXXXXX.md", state[NB_STATE_PATH];
+  const int descriptor = mkstemps(path, 3);
+  CU_ASSERT_FATAL(descriptor >= 0);
+  FILE *file = fdopen(descriptor, "w");
+  CU_ASSERT_PTR_NOT_NULL_FATAL(file);
+  fputs("# A page\n\n```scene\nunits none\nmaterial m density 3 kn 5000\ndisc 0 0 radius 1 m velocity 1 0\n"
+        "disc 1.9 0.3 radius 1 m\nstep 0.001\nrecord time\nstage a\ncycles 20\n```\n",
+        file);
+  fclose(file);
+  struct words words = {0};
+  struct written it;
+  struct nb_result whole, result;
+  struct nb_error error = {NB_OK, ""};
+  words_add(&words,
+            "start %s stage a\nmonitor D disc 2\nrecord time D.x D.y energy.kinetic\nstage b\ncycles 30\nstage c\n"
+            "damping mass 3\ncycles 20\n",
+            path);
+  written_scene(&it, &words);
+  const struct nb_options options = {.threads = 1, .states = folder};
+  CU_ASSERT_EQUAL_FATAL(nb_run(&whole, &it.scene, &options, NULL, &error), NB_OK);
+  CU_ASSERT_EQUAL(whole.cycles, 50);
+  CU_ASSERT_EQUAL_FATAL(nb_start_path(state, sizeof state, &it.scene, &options, &error), NB_OK);
+  for (size_t k = 0; k + 1 < sizeof cuts / sizeof *cuts; k++) {
+    const unsigned long to = cuts[k + 1];
+    if (k == 2)
+      CU_ASSERT_EQUAL(unlink(state), 0);
+    CU_ASSERT_EQUAL(session(&result, &it.scene, cuts[k], to, 1, &error), to ? NB_BROKEN : NB_OK);
+    const char *what = !strstr(error.text, "the checkpoint is") ? error.text
+                       : to                                     ? NULL
+                                                                : difference(&it.scene, &whole, &result);
+    if (what)
+      printf("# from cycle %lu: %s\n", cuts[k], what);
+    CU_ASSERT_PTR_NULL(what);
+    CU_ASSERT_EQUAL(result.cycles, to ? to : whole.cycles);
+    CU_ASSERT_EQUAL(access(state, F_OK) == 0, k < 2); /* the run does not compute it again */
+    nb_result_free(&result);
+  }
+  nb_result_free(&whole);
+  remove_checkpoint(&it.scene, 1);
+  written_free(&it);
+  unlink(path);
+}
+
 static void every_page_interrupted(void) { every_page(interrupt_page, 400); }
 
 static int make_folder(void) { return mkdtemp(folder) == NULL; }
@@ -377,5 +455,7 @@ void suite_checkpoint(void) {
   CU_add_test(suite, "checkpoints that lack a variable are refused", missing_variables_are_refused);
   CU_add_test(suite, "ramps, a servo and references interrupted", interrupted_in_the_middle);
   CU_ADD_TEST(suite, a_collision_step_that_is_set);
+  CU_ADD_TEST(suite, a_checkpoint_is_not_replaced);
+  CU_ADD_TEST(suite, a_page_that_starts_from_another);
   CU_add_test(suite, "every page interrupted and continued", every_page_interrupted);
 }
