@@ -118,7 +118,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
                       .radius = particle->radius,
                       .overlap = particle->radius - fabs(away),
                       .v = side * (wall->vx * wall->ex + wall->vy * wall->ey)};
-  if (!(it.overlap > 0) || fabs(wall->vy * wall->ex - wall->vx * wall->ey) > 0 || !read_stages(&it, scene))
+  const bool along = fabs(wall->vy * wall->ex - wall->vx * wall->ey) <= 1e-14 * hypot(wall->vx, wall->vy);
+  if (!(it.overlap > 0) || !along || !read_stages(&it, scene))
     return nb_error_set(
         error, NB_BAD_USE,
         "the reference `changed_law` is for up to %d stages, a wall that moves tangentially at a constant "
