@@ -76,8 +76,6 @@ double impact_press(double *u, const double *depth, int springs, double from, do
       sum[k] += u[i + k] = clip(u[i + k] + slip, to - depth[i + k]);
   for (; i < after; i++)
     all += u[i] = clip(i < stay ? u[i] + slip : slip * (to - depth[i]) / (to - from), to - depth[i]);
-  for (; i < before; i++)
-    u[i] = 0;
   for (int k = 0; k < 8; k++)
     all += sum[k];
   return 1.5 * all / springs;

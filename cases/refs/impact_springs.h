@@ -47,6 +47,7 @@ bool impact_exact(struct impact_path *path, double chi, double psi1, int steps);
  * the contact does not end, or GSL failed. */
 double impact_damped(double chi, double kappa, double beta, double psi1, int steps);
 /* Updates the deflections u of the springs for a change of xi from `from` to `to` and of d by `slip`. Returns f. Spring
- * i touches while xi > depth[i]. *sliding: the gross sliding of the contact. */
+ * i touches while xi > depth[i]; u[i] of a spring that does not touch is not read. *sliding: the gross sliding of the
+ * contact. */
 double impact_press(double *u, const double *depth, int springs, double from, double to, double slip, double *sliding);
 void impact_path_free(struct impact_path *path);
