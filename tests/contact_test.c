@@ -281,11 +281,34 @@ static void the_stick_radius_in_both_senses(void) {
     CU_ASSERT_EQUAL(stick[0][r], stick[1][r]);
 }
 
+/* With a wall there is one particle. The array of particles has room for more, and what is there must not limit the
+ * displacements at which a force is sought. */
+static void a_force_between_a_sphere_and_a_wall(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "path\nmaterial steel young 210 GPa poisson 0.3 friction 0.3\nmaterial hard rigid friction 1\n"
+                   "contact sphere 10 mm steel with wall hard\nnormal hertz\nshear mindlin\n"
+                   "segment press normal to 40 N in 2 steps\nsegment push shear to 3 N in 3 steps\n");
+  written_scene(&it, &page);
+  CU_ASSERT_EQUAL_FATAL(it.scene.particle_count, 1);
+  it.scene.particles[1] = it.scene.particles[0];
+  it.scene.particles[1].radius = 1e-15;
+  written_run(&result, &it, NULL);
+  /* N = 4/3 E* (R alpha^3)^(1/2) */
+  const double alpha = pow(3 * 40 / (4 * (210e9 / 0.91) * sqrt(0.01)), 2. / 3);
+  CU_ASSERT_DOUBLE_EQUAL(cell(&result, 2, 1) / alpha, 1, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(cell(&result, 5, 3), 40, 1e-9);
+  CU_ASSERT_DOUBLE_EQUAL(cell(&result, 5, 4), 3, 1e-9);
+  done(&result, &it);
+}
+
 void suite_contact_test(void) {
   CU_pSuite suite = CU_add_suite("contact_test", NULL, NULL);
   CU_add_test(suite, "work is stored or dissipated", work_is_stored_or_dissipated);
   CU_add_test(suite, "segments go along straight lines", segments_go_along_straight_lines);
   CU_add_test(suite, "forces are reached", forces_are_reached);
+  CU_add_test(suite, "a force between a sphere and a wall", a_force_between_a_sphere_and_a_wall);
   CU_add_test(suite, "a force that cannot be reached stops the run", unreachable_forces_stop_the_run);
   CU_add_test(suite, "shear forces at the friction limit are reached", the_limit_is_reached);
   CU_add_test(suite, "cohesion raises the limit", cohesion_raises_the_limit);

@@ -580,6 +580,17 @@ run 0 explain alone.md
 out 'stable: no limit, because no contact with a stiffness can form'
 out 'collision: none is possible'
 grep -q ' inf' out && echo "a disc alone: $(grep ' inf' out)" >>why
+# The duration of a collision [R89 4.28]: 2.94328 alpha/v, alpha = (5 m v^2/(4 K))^(2/5), K = 4/3 E* R^(1/2).
+collides() { printf '```scene\nunits none\nmaterial m density 1 young 1000 poisson 0.2\nnormal hertz\n'"$1"'\nstep 0.001\nrecord time\nstage s\ncycles 1\n```\n' >collides.md; }
+collides 'sphere 0 3 radius 1 m velocity 0 -1\nwall w -9 0 to 9 0 m'
+run 0 explain collides.md
+out '  collision, Hertz: 0.416654, 417 steps; particle 1 and wall w at 1'
+collides 'sphere 0 3 radius 1 m velocity 1 0\nsphere 9 3 radius 1 m'
+run 0 explain collides.md
+grep -q '^  collision, Hertz: 0.362718, 363 steps; particle [12] and particle [12] at 1$' out || echo 'the collision of two spheres' >>why
+collides 'sphere 0 3 radius 1 m velocity -1 0\nsphere 9 3 radius 1 m'
+run 0 explain collides.md
+out '  collision: no pair approaches'
 sed 's/kn 1  ks 1 //; s/^shear .*//' "$pages/passes.md" >soft.md
 run 0 explain soft.md
 out 'single contact: none, no contact has a stiffness'

@@ -87,18 +87,24 @@ static void different_spheres(void) {
   CU_ASSERT(fabs(steps[3] * nb_rayleigh_fit(0.25) / mean - 1) < 1e-14);
 }
 
+/* None of the four steps exists without a free particle that has elastic moduli. */
 static void without_elastic_moduli(void) {
-  struct words page = {0};
-  struct written it;
-  struct nb_error error = {0};
-  words_add(&page, "units none\nmaterial m density 1 kn 1\nsphere 0 0 radius 1 m\nstep 1 of rayleigh-mean\nstage s\n"
-                   "cycles 1\n");
-  written_scene(&it, &page);
-  CU_ASSERT_PTR_NULL(nb_model_create(&it.scene, NULL, &error));
-  CU_ASSERT_EQUAL(error.status, NB_BAD_USE);
-  CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "no free particle has `young`"));
-  CU_ASSERT_EQUAL(error.line, 5);
-  written_free(&it);
+  static const char *const kinds[] = {"rayleigh", "rayleigh-mean", "rayleigh-fit", "rayleigh-fit-mean"};
+  static const char *const spheres[] = {"material m density 1 kn 1\nsphere 0 0 radius 1 m",
+                                        "material m density 1 young 1 poisson 0.2\nsphere 0 0 radius 1 m fixed"};
+  for (int k = 0; k < 4; k++)
+    for (int n = 0; n < 2; n++) {
+      struct words page = {0};
+      struct written it;
+      struct nb_error error = {0};
+      words_add(&page, "units none\n%s\nstep 1 of %s\nstage s\ncycles 1\n", spheres[n], kinds[k]);
+      written_scene(&it, &page);
+      CU_ASSERT_PTR_NULL(nb_model_create(&it.scene, NULL, &error));
+      CU_ASSERT_EQUAL(error.status, NB_BAD_USE);
+      CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "no free particle has `young`"));
+      CU_ASSERT_EQUAL(error.line, 5);
+      written_free(&it);
+    }
 }
 
 void suite_rayleigh(void) {

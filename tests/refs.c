@@ -106,6 +106,8 @@ static void steep_zigzags_are_refused(void) {
   }
 }
 
+#define SQUEEZE "step 0.05 of single-contact\nstage s\nbox strain 0 per cycle -1e-4 per cycle\ncycles 10\n"
+
 /* Scenes whose features a reference accepts, but whose particles or regions its formulas do not cover. */
 static void uncovered_particles_and_regions_are_refused(void) {
   static const char head[] = "units none\nmaterial a density 1 kn 9 ks 9 young 1e6 poisson 0.2 friction 0.5\n"
@@ -180,6 +182,20 @@ static void uncovered_particles_and_regions_are_refused(void) {
        "normal hertz\nshear mindlin\nsphere 0 0 radius 1 a\nsphere 3 0 radius 1 b\nregion R circle 0 0 radius 9\n"
        "step 0.1 of rayleigh-fit-mean\nstage s\naffine strain 1e-6 per cycle -1e-6 per cycle accumulated\ncycles 1\n",
        "one material", NULL},
+      {"boxed_lattice",
+       "normal linear\nshear none\nbox 0 0 to 4 6 a\nlattice discs 2 by 2 radius 1 a\ndisc 1 5 radius 1 a\n" SQUEEZE,
+       "touching discs in a box", NULL},
+      {"boxed_lattice",
+       "normal linear\nshear none\nbox 0 0 to 4 4 a\nlattice discs 2 by 1 radius 1 a\ndisc 1 3 radius 1 a\n"
+       "disc 3 3 radius 1 b\n" SQUEEZE,
+       "touching discs in a box", NULL},
+      {"boxed_lattice",
+       "normal linear\nshear none\nbox 0 0 to 4 4 a\nlattice discs 2 by 1 radius 1 a\ndisc 1 3 radius 1 a\n"
+       "disc 3 3.001 radius 1 a\n" SQUEEZE,
+       "touching discs in a box", NULL},
+      {"boxed_lattice",
+       "normal linear\nshear none\nbox 0 0 to 4 4 a\nlattice discs 2 by 2 radius 1 a\nwall w 1 9 to 2 9 a\n" SQUEEZE,
+       "touching discs in a box", NULL},
       {"fracc_touch",
        "disc 0 0 radius 1 a velocity 1 0\ndisc 2.1 0.01 radius 1 a\nstep 0.1 of single-contact\nstage s\ncycles 1\n",
        "head-on", NULL},
@@ -198,6 +214,35 @@ static void uncovered_particles_and_regions_are_refused(void) {
     } else {
       struct nb_solution solution = refs_solution(scenes[k].reference, &scene);
       CU_ASSERT_PTR_NULL(solution_find(&solution, scenes[k].missing));
+      solution_free(&solution);
+    }
+    written_free(&it);
+  }
+}
+
+/* Contact tests whose normal force changes while the contact is sheared, or which prescribe the shear force. The last
+ * one does neither. */
+static void other_contact_paths_are_refused(void) {
+  static const char *const segments[] = {
+      "segment press normal to 88 N in 1 step\nsegment rub normal to 90 N slip by 0.1 um in 2 steps\n",
+      "segment press normal to 88 N slip by 0.1 um in 1 step\n",
+      "segment press normal to 88 N in 1 step\nsegment rub shear to 1 N in 2 steps\n",
+      "segment press normal to 88 N in 1 step\nsegment rub slip by 0.1 um in 2 steps\n"};
+  for (size_t k = 0; k < sizeof segments / sizeof *segments; k++) {
+    struct words page = {0};
+    struct written it;
+    struct refs_scene scene;
+    words_add(&page,
+              "path\nmaterial steel young 210 GPa poisson 0.28 friction 0.3\ncontact sphere 10 mm steel with "
+              "sphere 10 mm steel\nnormal hertz\nshear mindlin\nrecord step slip shear work.shear\n%s",
+              segments[k]);
+    written_scene(&it, &page);
+    scene.scene = it.scene;
+    if (k < 3) {
+      CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("contact_ladder", &scene).text, "at one normal force"));
+    } else {
+      struct nb_solution solution = refs_solution("contact_ladder", &scene);
+      CU_ASSERT_PTR_NOT_NULL(solution_find_curve(&solution, "shear", "step"));
       solution_free(&solution);
     }
     written_free(&it);
@@ -455,6 +500,7 @@ void suite_refs(void) {
   CU_add_test(suite, "zigzags of 45 degrees and more are refused", steep_zigzags_are_refused);
   CU_add_test(suite, "particles and regions that a formula does not cover are refused",
               uncovered_particles_and_regions_are_refused);
+  CU_ADD_TEST(suite, other_contact_paths_are_refused);
   CU_add_test(suite, "failed allocation in GSL ends the program", failed_allocation_in_gsl_ends_the_program);
   CU_ADD_TEST(suite, every_reference_reports_missing_memory);
   CU_add_test(suite, "friction and cohesion of a particle and a wall", friction_and_cohesion_at_a_wall);

@@ -182,6 +182,17 @@ run 0 report site/README.md site/first.md site/second.md -o made && cp made/inde
 result $? 'report: links to pages and to files below the folder of the page; the first document is the index'
 ! grep -q -i 'secret\|javascript:\|alert(2)</script\|onclick\|nothing.md' made/index.html && test "$(ls made/files | wc -l)" -eq 2
 result $? 'report: no raw HTML, no script, no file outside of the folder of the page'
+# Files whose last two folders have the same names: the second one gets a number, and each keeps its ending.
+mkdir -p two/a/sub two/b/sub
+for folder in a b; do
+  echo "$folder" >two/$folder/sub/data.tsv
+  printf '<svg xmlns="http://www.w3.org/2000/svg" id="%s"/>' $folder >two/$folder/sub/p.svg
+done
+printf '# Two\n\n[a](a/sub/data.tsv), [b](b/sub/data.tsv), ![a](a/sub/p.svg), ![b](b/sub/p.svg)\n' >two/README.md
+run 0 report two/README.md -o both && ls both/files >"$why" && test "$(wc -l <"$why")" -eq 4 &&
+  cmp -s two/a/sub/data.tsv both/files/sub-data.tsv.txt && cmp -s two/b/sub/data.tsv both/files/[0-9]*-sub-data.tsv.txt &&
+  cmp -s two/a/sub/p.svg both/files/sub-p.svg && cmp -s two/b/sub/p.svg both/files/[0-9]*-sub-p.svg
+result $? 'report: files of the same name in different folders'
 run 0 report site/README.md site/first.md site/second.md -o made --trust && grep -q 'files/.*-secret.c.txt' made/index.html
 result $? 'report --trust copies any file to which a page links'
 grep -q '<math.*<msqrt>' made/first/index.html && grep -q '<h1 [^>]*>First &amp; &lt;last&gt;</h1>\|<h1 [^>]*>First &amp;' made/first/index.html &&

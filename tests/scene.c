@@ -3,6 +3,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -156,6 +157,43 @@ static void stages(void) {
   done(&read);
 }
 
+/* The stages of the other page come first, and each stage of this page is added. An array of stages grows at 8, 16 and
+ * 32 stages. */
+static void stages_after_those_of_another_page(void) {
+  static const int counts[] = {1, 7, 8, 9, 15, 16, 17, 32};
+  for (size_t k = 0; k < sizeof counts / sizeof *counts; k++) {
+    char path[] = "/tmp/nineball-scene-XXXXXX.md", text[1024];
+    const int descriptor = mkstemps(path, 3);
+    CU_ASSERT_FATAL(descriptor >= 0);
+    FILE *file = fdopen(descriptor, "w");
+    CU_ASSERT_PTR_NOT_NULL_FATAL(file);
+    fputs("# A page\n\n```scene\nunits none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nstep 0.25\nrecord time\n",
+          file);
+    for (int s = 0; s < counts[k]; s++)
+      fprintf(file, "stage s%d\ncycles %d\n", s, s + 1);
+    fputs("```\n", file);
+    fclose(file);
+    snprintf(text, sizeof text, "start %s stage s%d\nrecord time\nstage one\ncycles 100\nstage two\ncycles 200", path,
+             counts[k] - 1);
+    struct read read = read_scene(text);
+    const struct nb_scene *scene = &read.scene;
+    CU_ASSERT_EQUAL(scene->start.stages, (size_t)counts[k]);
+    CU_ASSERT_EQUAL_FATAL(scene->stage_count, (size_t)counts[k] + 2);
+    for (int s = 0; s < counts[k]; s++) {
+      char name[16];
+      snprintf(name, sizeof name, "s%d", s);
+      CU_ASSERT_STRING_EQUAL(scene->stages[s].name, name);
+      CU_ASSERT_EQUAL(scene->stages[s].cycles, (unsigned long)s + 1);
+    }
+    CU_ASSERT_STRING_EQUAL(scene->stages[counts[k]].name, "one");
+    CU_ASSERT_EQUAL(scene->stages[counts[k]].cycles, 100);
+    CU_ASSERT_STRING_EQUAL(scene->stages[counts[k] + 1].name, "two");
+    CU_ASSERT_EQUAL(scene->stages[counts[k] + 1].cycles, 200);
+    done(&read);
+    unlink(path);
+  }
+}
+
 /* Two names are distinguished even if one is the beginning of the other. */
 static void monitors_whose_names_begin_alike(void) {
   struct words page = {0};
@@ -247,5 +285,6 @@ void suite_scene(void) {
   CU_add_test(suite, "quantities of an impact, a cell and a box", quantities_of_objects);
   CU_add_test(suite, "statements that change the hash of a stage", hash_of_a_stage);
   CU_add_test(suite, "what stages set, and what they inherit", stages);
+  CU_add_test(suite, "stages after those of another page", stages_after_those_of_another_page);
   CU_add_test(suite, "monitors whose names begin alike", monitors_whose_names_begin_alike);
 }

@@ -79,10 +79,25 @@ static void characters(void) {
   }
 }
 
+/* A column counts characters, not bytes: after one character of any length, the next one is in column 2. The byte that
+ * is reported is the first one that is replaced. */
+static void columns(void) {
+  static const char *const first[] = {"a", "\xC2\xB5", "\xE2\x82\xAC", "\xF0\x9F\x8E\xB1"};
+  for (size_t k = 0; k < sizeof first / sizeof *first; k++) {
+    char text[16];
+    unsigned byte = 0;
+    snprintf(text, sizeof text, "%s\xFFz\xFE", first[k]);
+    CU_ASSERT_EQUAL(nb_clean(text, strlen(text), &byte), 2);
+    CU_ASSERT_EQUAL(byte, 0xFF);
+    CU_ASSERT(strncmp(text, first[k], strlen(first[k])) == 0 && strcmp(text + strlen(first[k]), "?z?") == 0);
+  }
+}
+
 void suite_words(void) {
   CU_pSuite suite = CU_add_suite("words of a command", NULL, NULL);
   CU_add_test(suite, "plain words", plain_words);
   CU_add_test(suite, "words with special characters", quoted_words);
   CU_add_test(suite, "apostrophes", apostrophes);
   CU_add_test(suite, "characters of one to four bytes", characters);
+  CU_add_test(suite, "columns after characters of one to four bytes", columns);
 }
