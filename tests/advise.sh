@@ -156,7 +156,7 @@ result $? 'an assembly'
 run 1 advise "$pages/too-long-a-step.md" --quantity D.x --within '1 %'
 said 'the page cannot be run with its own step and with half of it: ' && said 'because further contacts make it shorter'
 result $? 'a step above the stable one: the whole message'
-run 2 advise "$hertz" --quantity impact.duration --within '1 %' --budget never && said '--budget in seconds'
+run 2 advise "$hertz" --quantity impact.duration --within '1 %' --budget never && said 'with --budget a number of seconds above 0'
 result $? 'a budget that is not a time'
 sed 's/^units none/&\nlet refine = 2/' still.md >named.md
 run 2 advise named.md --quantity D.vx --within 0.1 && said 'the page has a value named `refine`'
@@ -360,9 +360,9 @@ run 1 advise --all folder/a.md --quantity 'D.force; D.vx' --within '50 %' -o all
   said '2 searches, 1 with advice' && grep -q '	D.force	50 %	refused	expected a quantity' all/trades.tsv
 result $? 'a page that does not record the quantity'
 mkdir empty
-run 2 advise --all empty && said 'there is no page below that folder' && run 2 advise --all -o none && said 'cases: error: ' && run 2 advise --all folder --budget 0 && said '--budget in seconds'
+run 2 advise --all empty && said 'there is no page below that folder' && run 2 advise --all -o none && said 'cases: error: ' && run 2 advise --all folder --budget 0 && said 'with --budget a number of seconds above 0'
 result $? 'no page'
-run 2 advise folder/a.md still.md --within '1 %' && said 'or many pages, nineball advise --all'
+run 2 advise folder/a.md still.md --within '1 %' && said 'for many pages write `nineball advise --all`'
 result $? 'many pages without --all'
 run 0 advise --all "$cases/1-two-discs/two-wall-compression.md" --set "density=500" --set "trade=laws none" --quantity 'X.fx at 1 cycles' --within '10 %' -o "it's" &&
   test "$(column "it's/trades.tsv" 3)" = 'density=500, trade=laws none'
