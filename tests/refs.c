@@ -106,6 +106,9 @@ static void steep_zigzags_are_refused(void) {
   }
 }
 
+#define PAIR "normal linear\nshear linear\n"
+#define BRIEF "step 0.001\nrecord time\nstage s\ncycles 100\n"
+#define CELL "step 0.001\nrecord time\nstage s\ncell strain -1e-4 per cycle 0 per cycle\ncycles 10\n"
 #define SQUEEZE "step 0.05 of single-contact\nstage s\nbox strain 0 per cycle -1e-4 per cycle\ncycles 10\n"
 
 /* Scenes whose features a reference accepts, but whose particles or regions its formulas do not cover. */
@@ -182,6 +185,27 @@ static void uncovered_particles_and_regions_are_refused(void) {
        "normal hertz\nshear mindlin\nsphere 0 0 radius 1 a\nsphere 3 0 radius 1 b\nregion R circle 0 0 radius 9\n"
        "step 0.1 of rayleigh-fit-mean\nstage s\naffine strain 1e-6 per cycle -1e-6 per cycle accumulated\ncycles 1\n",
        "one material", NULL},
+      {"one_contact",
+       PAIR "disc 0 0 radius 1 a\ndisc 1.9 0 radius 1 a\ndisc 9 9 radius 1 a\nmonitor C disc 1 with disc 2\n" BRIEF,
+       "two particles, or a particle and a wall", NULL},
+      {"one_contact",
+       PAIR "disc 0 0 radius 1 a\ndisc 1.9 0 radius 1 a velocity 0 1\nmonitor C disc 1 with disc 2\n" BRIEF,
+       "a contact that does not slide", NULL},
+      {"one_contact",
+       PAIR "disc 0 0.9 radius 1 a velocity 0.05 10\nwall w -5 0 to 5 0 a\nmonitor C disc 1 with wall w\n" BRIEF,
+       "opens only with an undeformed shear spring", NULL},
+      {"one_contact",
+       "normal linear\nshear none\ndisc 0 0.9 radius 1 a velocity 10 0\nwall w -5 0 to 0.5 0 a\n"
+       "monitor C disc 1 with wall w\n" BRIEF,
+       "a wall so long", NULL},
+      {"lattice_moduli",
+       PAIR
+       "cell 0 0 to 6 6\nlattice discs 3 by 2 radius 1 a\nlattice discs 3 by 1 from 1 5 radius 1 spacing 2 b\n" CELL,
+       "equal particles at rest", NULL},
+      {"lattice_moduli", PAIR "cell 0 0 to 9 9\nlattice discs 3 by 3 radius 1 a\n" CELL, "four or six others", NULL},
+      {"lattice_waves",
+       PAIR "cell 0 0 to 5.85 5.85\nlattice discs 3 by 3 radius 1 spacing 1.95 a\nmonitor D disc 1\n" BRIEF,
+       "a friction of at least 1e6", NULL},
       {"boxed_lattice",
        "normal linear\nshear none\nbox 0 0 to 4 6 a\nlattice discs 2 by 2 radius 1 a\ndisc 1 5 radius 1 a\n" SQUEEZE,
        "touching discs in a box", NULL},
