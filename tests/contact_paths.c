@@ -15,9 +15,10 @@
 enum { SHORT = 100000, LONG = 10000000, EXACT = 500000 }; /* steps; EXACT: of the comparison with the list */
 enum { COMPARED = KIND_DECADES };                         /* kinds of path for that comparison */
 
-/* Tolerances of T over mu N, for each kind of path and each recorded run (rows) and each number of pieces (columns):
- * above the largest error measured in docs/PATHS.md, for most errors above 1e-5 three to ten times. If there is enough memory, the only errors are those
- * of merges, each of which changes T by less than 1e-7 mu N. */
+/* Tolerances of the error of T over mu N, for each kind of path and each recorded run (rows) and each number of pieces
+ * (columns). Each is larger than the largest error in docs/PATHS.md. Where that error exceeds 1e-5, the tolerance is in
+ * most cases three to ten times as large. If there is enough memory, the only errors are those of merges, each of which
+ * changes T by less than 1e-7 mu N. */
 static const double allowed[COMPARED + RUNS][MEMORIES] = {
     {0.3, 0.1, 0.01, 1e-5, 1e-7},      {0.1, 0.02, 2e-3, 2e-4, 1e-7},       {0.2, 0.03, 5e-3, 1e-3, 1e-7},
     {0.2, 0.03, 5e-3, 1e-3, 1e-7},     {0.3, 0.02, 1e-4, 1e-6, 1e-7},       {0.2, 0.1, 0.05, 0.02, 1e-7},

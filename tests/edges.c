@@ -189,8 +189,8 @@ static void at_time_0_velocities_are_those_of_the_page(void) {
   }
 }
 
-/* measure/strain.c: particles on one line have no strain at right angles to it, and the tensor is 0 in all
- * components. */
+/* measure/strain.c: the strain at right angles to a line of particles is undefined, so the tensor is set to 0
+ * in all components. */
 static void particles_on_a_line_have_no_strain(void) {
   static const char *const names[] = {"A.strain.xx", "A.strain.xy", "A.strain.yy", "A.strain.rotation"};
   struct written it;

@@ -23,7 +23,7 @@
 #include <string.h>
 
 #include "core/names.h"
-#include "statement.h"
+#include "scene.h"
 
 static const double rounding = 1e-9; /* relative error of R, which is written with a limited number of digits */
 
@@ -42,7 +42,7 @@ static bool multiply(struct nb_scene_reading *reading, const struct nb_stage *st
     return nb_line_mistake(&reading->reader, (size_t)stage->line, NULL,
                            "expected at most %d %s in `%s` with --set refine=%.12g, found %.12g", NB_COUNT_MAX, what,
                            stage->name, refine, product);
-  if (!nb_refined_is_whole(product, &whole)) /* never 0, because the product is positive */
+  if (!nb_refined_is_whole(product, &whole)) /* a product that rounds to 0 is refused */
     return nb_line_mistake(&reading->reader, (size_t)stage->line, "choose another number for `refine`",
                            "expected a whole number of %s in `%s` with --set refine=%.12g, found %.12g", what,
                            stage->name, refine, product);

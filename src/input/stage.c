@@ -104,8 +104,8 @@ static bool strain_hint(char *hint, const struct nb_reader *reader, const struct
   snprintf(
       hint, NB_HINT_SIZE,
       "with a constant strain rate, %s %g%s, the stage ends at a time: `until stage.time above (log(%g)/(%g 1/s)) at "
-      "most 1000000 cycles`. Or write a value: `until %s %s (%g*L) at most 1000000 cycles`, with `let L = 100 mm` in "
-      "the scene, the %s at the beginning of the stage",
+      "most 1000000 cycles`, with more cycles if the step is short. Or write a value: `until %s %s (%g*L) at most "
+      "1000000 cycles`, where `let L = …` in the scene is the %s at the beginning of the stage",
       own != 0 ? "here" : "for example", rate, reader->unitless ? "" : " 1/s", fraction, rate, condition->name,
       condition->relation == NB_BELOW ? "below" : "above", fraction, size % 2 ? "height" : "width");
   return true;

@@ -213,7 +213,7 @@ static bool read_other(const struct nb_scene_reading *reading, struct nb_reader 
   free(settings);
   if (reader->mistakes->total > before && !reader->bad)
     nb_token_mistake(reader, word, NULL,
-                     "expected a page that is read without errors: the messages for that page say what is wrong");
+                     "expected a page and settings without errors: the messages about them say what is wrong");
   return reader->mistakes->total == before;
 }
 

@@ -102,8 +102,8 @@ static double effective_young(const struct nb_model *model, int a, int b) {
   return nb_properties_pair(&model->properties, a, b).young;
 }
 
-/* Tries the collisions of particle i, which moves, with other particles, those with moving ones of smaller number
- * excepted: they have been tried. `velocity`: the velocities of all particles. */
+/* Tries the collisions of the moving particle i with all other particles except moving ones with a smaller number: those
+ * pairs have been tried already. `velocity`: the velocities of all particles. */
 static void try_particles(struct nb_collision *shortest, const struct nb_model *model, const struct nb_vec *velocity,
                           size_t i) {
   const struct nb_particles *particles = &model->particles;
