@@ -302,7 +302,7 @@ static struct quantity call(struct parser *p, const struct function *f, const ch
 const char *nb_arithmetic_hint(const struct nb_reader *reader) {
   if (reader->here == NB_IN_EXPECT)
     return "an expression has numbers and names of `let` and `sweep`, and no quantities; a ratio of two measures is "
-           "`A.vx max expected 0.5 of B.vx max within 1 % [SOURCE]`, and a difference part of a formula, `A.vx last "
+           "`A.vx max expected 0.5 of B.vx max within 1 % [SOURCE]`, and a difference is part of a formula, `A.vx last "
            "expected (v + 3 m/s) within 1 % [SOURCE]`, with `let v = 1 m/s` in the scene";
   const char *statement = reader->count > 0 ? reader->tokens[0].text : "";
   if (strcmp(statement, "until") == 0)
