@@ -49,6 +49,11 @@ struct nb_contacts {
   struct nb_history slip_sum; /* sliding displacement since each reference stage, m: measure/configuration.c */
 };
 
+/* True if another wall's contact replaces this one. */
+static inline bool nb_is_suppressed(const struct nb_contacts *contacts, size_t c) {
+  return contacts->suppressed && contacts->suppressed[c] & 1;
+}
+
 /* The force on the first particle of a contact, N. */
 static inline struct nb_vec nb_contact_force(const struct nb_contacts *contacts, size_t contact) {
   return vec(contacts->force[contact].x, contacts->force[contact].y);

@@ -226,11 +226,11 @@ static int strain_axis(const char *name) {
 static double rate_along(const struct nb_scene *scene, size_t s, enum nb_affine_source source, int axis) {
   const struct nb_servo *const servo = &scene->stages[s].servo;
   int line;
-  const struct nb_strain_rate *rate = nb_affine_given(&scene->stages[s], source, &line);
+  nb_affine_given(&scene->stages[s], source, &line);
   const int from = line ? (int)s : nb_affine_inherited(scene, s, source, &line);
   if (from < 0)
     return 0;
-  rate = nb_affine_given(&scene->stages[from], source, &line);
+  const struct nb_strain_rate *const rate = nb_affine_given(&scene->stages[from], source, &line);
   const struct nb_strain_rate along = {.xx = axis ? 0 : rate->xx, .yy = axis ? rate->yy : 0};
   return servo->line && nb_servo_opposes(servo, &along) ? 0 : along.xx + along.yy;
 }

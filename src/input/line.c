@@ -338,14 +338,13 @@ bool nb_line_mistake(struct nb_reader *reader, size_t line, const char *hint, co
 
 /* Writes the hint for `6.5,2`, two numbers with a comma between them, which is byte n. A unit after them belongs to
  * both. */
-static bool two_numbers_hint(char *hint, const struct nb_reader *reader, const char *text, size_t n) {
+static void two_numbers_hint(char *hint, const struct nb_reader *reader, const char *text, size_t n) {
   const struct nb_token *const token = nb_token_peek(reader);
   const char *const after = token && token + 1 < reader->tokens + reader->count ? token[1].text : "";
   struct nb_unit read;
   const char *const unit = nb_unit_read(&read, after) ? after : "", *const space = *unit ? " " : "";
   snprintf(hint, NB_HINT_SIZE, "put a space, not a comma, between two numbers: `%.*s%s%.40s %s%s%.40s`", (int)n, text,
            space, unit, text + n + 1, space, unit);
-  return true;
 }
 
 /* Writes the hint for `50mm`, a number and its unit without a space, or for `1,5`, a decimal comma. */
@@ -365,7 +364,7 @@ static bool number_hint(char *hint, const struct nb_reader *reader, const char *
     return nb_quantity_read(&value, number, false, &read) == NB_READ;
   }
   if (!unit && memchr(text, '.', n) && all > n + 1)
-    return two_numbers_hint(hint, reader, text, n);
+    return two_numbers_hint(hint, reader, text, n), true;
   const char *form = unit          ? "put a space between the number and its unit: `%.*s %s`"
                      : all > n + 1 ? "write `%.*s.%s`, without a comma"
                                    : "leave out the comma: `%.*s%s`";
@@ -422,13 +421,11 @@ static void operator_hint(const struct nb_reader *reader, char *hint, const char
     snprintf(hint, NB_HINT_SIZE, "%s", arithmetic);
   else if (token && token->name)
     snprintf(hint, NB_HINT_SIZE, "put operators into parentheses, where a name has no `$`: `(2*%.80s)`", token->name);
-  else if (!text[1] && !echo_operator(reader, hint, (size_t)place))
+  else if (text[1])
+    snprintf(hint, NB_HINT_SIZE, "put operators and functions into parentheses: `(%.80s)`", text);
+  else if (!echo_operator(reader, hint, (size_t)place))
     snprintf(hint, NB_HINT_SIZE, "put the whole expression into parentheses: `(%s * 2)`",
              reader->unitless ? "5" : "5 mm");
-  else if (!text[1])
-    return;
-  else
-    snprintf(hint, NB_HINT_SIZE, "put operators and functions into parentheses: `(%.80s)`", text);
 }
 
 /* Writes the hint for `O.dt=1e-5`: the line to write for a word of another program; false: there is no such line. */

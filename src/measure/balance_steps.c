@@ -155,15 +155,6 @@ static double normal_energy_at(const struct nb_model *model, size_t c, double ov
   return normal_energy(material_pair->normal, nb_contact_constants(model, c, material_pair->values), overlap, history);
 }
 
-static double overlap_of(const struct nb_model *model, size_t c) {
-  const struct nb_contacts *contacts = &model->contacts;
-  const double *radius = model->particles.radius;
-  const int a = contacts->a[c], b = contacts->b[c];
-  return nb_with_wall(model, c)
-             ? radius[a] - vec_length(nb_wall_separation(&model->walls, b, model->particles.position[a]))
-             : radius[a] + radius[b] - vec_length(nb_contacts_branch(model, c));
-}
-
 enum nb_status nb_balance_new_overlaps(struct nb_model *model, struct nb_error *error) {
   struct nb_balance *b = model->balance;
   const struct nb_contacts *contacts = &model->contacts;
@@ -175,9 +166,9 @@ enum nb_status nb_balance_new_overlaps(struct nb_model *model, struct nb_error *
   if (!b->overlaps)
     return nb_error_memory(error);
   for (size_t c = 0; c < contacts->count; c++) {
-    if (nb_touches(contacts, c) || (contacts->suppressed && contacts->suppressed[c] & 1))
+    if (nb_touches(contacts, c) || nb_is_suppressed(contacts, c))
       continue;
-    const double overlap = overlap_of(model, c);
+    const double overlap = nb_overlap(model, c);
     if (!(overlap > 0))
       continue;
     nb_sum_add(&model->terms[NB_TERM_CHANGED], normal_energy_at(model, c, overlap) / 2);

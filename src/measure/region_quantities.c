@@ -84,8 +84,7 @@ const struct nb_quantity_kind nb_region_kinds[] = {
     OF("porosity", NB_SCALAR, "1", NB_AT_MOST_1, 0, NB_POROSITY, porosity.areal,
        "areal porosity: 1 minus the area of the particles over that of the region; overlaps count twice, and particles "
        "cut by the edge count with the part inside. Without a cell the area of `all` is that of a rectangle around the "
-       "particles; the porosity between the "
-       "walls of a box is box.porosity"),
+       "particles; the porosity between the walls of a box is box.porosity"),
     OF("porosity.volume", NB_SCALAR, "1", NB_AT_MOST_1, 0, NB_POROSITY, porosity.volume,
        "porosity by volume; the volume is the area times the thickness: mean diameter of spheres, 1 m for discs [R89 "
        "sec. 4.4]"),
@@ -120,8 +119,7 @@ const struct nb_quantity_kind nb_region_kinds[] = {
          "fraction of the contacts whose shear force is 0.99 of its limit or more"),
     LOAD("unbalanced.mean", NB_SCALAR, "1", NB_AT_LEAST_0, unbalanced_mean,
          "mean unbalanced force on a free particle over the mean normal force of the contacts; infinite if forces act "
-         "but "
-         "all normal forces are 0, 0 if no force acts"),
+         "but all normal forces are 0, 0 if no force acts"),
     LOAD("unbalanced.force", NB_SCALAR, "N", NB_AT_LEAST_0, unbalanced_force,
          "mean magnitude of the unbalanced force on a free particle"),
 

@@ -81,7 +81,7 @@ static void capture_contacts(struct nb_saved *saved, const struct nb_model *mode
     struct nb_saved_contact it = {.a = particles->number[contacts->a[c]] - 1,
                                   .b = wall ? contacts->b[c] : particles->number[contacts->b[c]] - 1,
                                   .wall = wall,
-                                  .suppressed = contacts->suppressed && (contacts->suppressed[c] & 1),
+                                  .suppressed = nb_is_suppressed(contacts, c),
                                   .force = nb_contact_force(contacts, c)};
 #define CAPTURE_FIELD(which, name, range) it.field[which] = contacts->kept[which] ? contacts->kept[which][c] : 0;
     NB_SAVED_FIELDS(CAPTURE_FIELD)
