@@ -183,7 +183,7 @@ static void propose(char *text, size_t size, const struct nb_scene *scene, const
   while (k < 3 && !(servo->controlled[k] && servo->stress[k] != 0))
     k++;
   snprintf(text, size, "`and contacts above 0`");
-  if (!servo->line || k == 3)
+  if (k == 3)
     return;
   const struct nb_quantity stress = servo->quantity[part[k]];
   snprintf(text, size, "`and %s%s%s.%s %s %g%s`", stress.monitor < 0 ? "" : scene->monitors[stress.monitor].name,
