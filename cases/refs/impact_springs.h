@@ -1,4 +1,4 @@
-/* An oblique impact in dimensionless numbers: shared by oblique_impact.c, rebound.c and their helpers.
+/* An oblique impact in dimensionless numbers: shared by several references, such as oblique_impact.c and rebound.c.
  *
  *   overlap     xi = alpha/alpha_max            tangential displacement   d = delta/(mu kappa alpha_max)
  *   forces      N/N_max = xi^(3/2) [Hertz]      shear force               f = T/(mu N_max), by the shear law

@@ -10,7 +10,7 @@
  * p and n change linearly in a stage that ramps gravity, and are constant otherwise. The velocities are their
  * integrals.
  *
- * Returns, for D that monitors the particle:   D.vx, D.spin along time and at the end of each stage
+ * Returns, for D that monitors the particle:   D.vx, D.spin versus time and at the end of each stage
  * Refuses a particle that rolls again after it has slid.
  * Error: with springs a rolling particle has v + R w = F'/k_s, the rate at which the deflection of the shear spring
  * grows. So v is larger by F'/((1 + q) k_s), and R |w| is smaller by q times this. When the ramp ends, the velocities

@@ -67,11 +67,12 @@ static enum nb_status add_contact(struct lattice *lattice, const struct nb_scene
   if (state == OPEN)
     return NB_OK;
   if (state == MAY_CLOSE)
-    return nb_error_set(error, NB_BAD_USE,
-                        "this reference is for particles that just touch: the gap between particle %d and %s %d is %g; "
-                        "it must be 0, or "
-                        "more than twice the displacement of the walls",
-                        a + 1, wall ? "wall" : "particle", b + 1, gap);
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "this reference is for particles that just touch: the gap between particle %d and %s %d is %g m; "
+        "it must be 0, or "
+        "more than twice the displacement of the walls",
+        a + 1, wall ? "wall" : "particle", b + 1, gap);
   lattice->contacts[lattice->contact_count++] = contact;
   return NB_OK;
 }

@@ -99,7 +99,7 @@ static bool step_is_stable(const struct lattice *lattice, double top, struct nb_
                  "the modes of the network cannot be computed: its stiffnesses or masses differ too much");
     return false;
   }
-  nb_error_set(error, NB_BAD_USE, "the step %g is too long for this network: its limit is %g", lattice->step,
+  nb_error_set(error, NB_BAD_USE, "the step %g s is too long for this network: the limit is %g s", lattice->step,
                2 / sqrt(top));
   return false;
 }

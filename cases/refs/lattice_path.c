@@ -16,8 +16,8 @@
  * reference has no solution. The error is of the order of one increment.
  *
  * Where nothing resists a rotation, or all contacts of a disc slide, these equations do not determine du. So a weak
- * spring, whose stiffness is the fraction `weak` of the largest one, ties each particle to its place. This spring
- * changes the forces by no more than that fraction.
+ * spring, whose stiffness is the fraction `weak` of the largest one, ties each particle to its place. It changes the
+ * forces by about that fraction.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "lattice_path.h"

@@ -73,7 +73,7 @@ enum nb_status lattice_row_build(struct lattice_row *row, const struct nb_scene 
   if (!sort_contacts(row))
     status = nb_error_set(error, NB_BAD_USE,
                           "this reference is for two particles in contact, with one wall behind each; walls beside "
-                          "them must have ks = 0");
+                          "them must exert no shear force");
   else if (!find_motion(row, scene))
     status = nb_error_set(error, NB_BAD_USE,
                           "this reference is for two walls that approach with equal speeds from the start");

@@ -20,7 +20,7 @@
  * M^(-1/2) K M^(-1/2), M = (m, m, I). Without rotation there is no psi. The motion begins with the velocities V and
  * without displacements, so the velocity in each mode varies as cos(w t).
  *
- * Returns, for D that monitors a particle:   D.vx, D.vy, D.spin along time
+ * Returns, for D that monitors a particle:   D.vx, D.vy, D.spin versus time
  * Exact in continuous time for small amplitudes; terms of the order of u/s are neglected. A run of step dt is ahead of
  * this solution by the phase w t (w dt)^2/24.
  *

@@ -24,7 +24,7 @@
  * displacement, and c = 0. A shear force above mu N cannot be reached; then there are no values.
  *
  * Returns slip (delta), shear (T), radius.stick (c), dissipated and work.shear (the integral of T d(delta)), as curves
- * along step and at the end of each segment. Refuses a normal force that decreases, or that changes during or after
+ * versus step and at the end of each segment. Refuses a normal force that decreases, or that changes during or after
  * shear. Error: rounding.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */

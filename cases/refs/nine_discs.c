@@ -2,7 +2,7 @@
  * contact as the sum over the normal modes of the network [CS79 figures 6, 7].
  *
  * Returns, for C that monitors a contact, and likewise for C.shear:
- *   C.normal along cycle, time    the exact solution of the calculation cycle for the linear network
+ *   C.normal versus cycle, time   the exact solution of the calculation cycle for the linear network
  *   C.normal mean                 the static force, about which the force oscillates when the walls are at rest
  *   C.normal amplitude            half of the difference between the largest and the smallest value in an infinitely
  *                                 long run: the sum of the amplitudes of the modes. With two modes of the amplitudes A1

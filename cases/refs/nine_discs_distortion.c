@@ -4,7 +4,7 @@
  * The network of springs (lattice_path.c) follows the path of the walls in equilibrium; contacts slide and stick again.
  *
  * Returns, for C that monitors a contact:
- *   C.normal, C.shear along cycle, linear between the points of the path, and at the end of each stage and of the run
+ *   C.normal, C.shear versus cycle, linear between the points of the path, and at the end of each stage and of the run
  * Exact for small displacements and infinitely slow walls. The relative error of a run has three parts. The first is of
  * the order of the ratio of overlap to radius, the second of the order of the square of the angle of the walls, divided
  * by this ratio. The third is the effect of the speed of the walls.

@@ -14,7 +14,7 @@
  * Returns:
  *   impact.psi1, .psi2, .angle, .restitution, .duration, impact.energy.normal .tangential .rotational    at the end
  *   energy.frictional, energy.sliding              dissipated in all, and in gross sliding, J
- *   impact.normal, .shear, .slip along impact.time
+ *   impact.normal, .shear, .slip versus impact.time
  *   impact.time, .slip in STAGE                    of a stage that ends when gross sliding begins or ends, or
  *                                                  impact.time, .shear or .normal passes a value
  *   C.normal max, C.overlap max                    for C that monitors the contact
@@ -93,7 +93,7 @@ static enum nb_status refuse(const struct nb_scene *scene, struct nb_error *erro
   return why ? nb_error_set(error, NB_BAD_USE, "the reference `oblique_impact` is for %s", why) : NB_OK;
 }
 
-/* A curve along impact.time: equal steps from first contact to separation, then a straight line. */
+/* A curve versus impact.time: equal steps from first contact to separation, then a straight line. */
 struct curve {
   int steps;
   double rate; /* of the straight line, per T_c */

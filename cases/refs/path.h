@@ -51,5 +51,5 @@ struct path_column {
 };
 struct path_column *path_column(const struct nb_scene *scene); /* of zeros; NULL: out of memory */
 /* Adds the value at the end of each segment, `NAME in SEGMENT`, the value at the end of the path, NAME, and the curve
- * along `step`. NAN stands for "no value"; a column with a NAN gives no curve. Takes ownership of the column. */
+ * versus `step`. NAN stands for "no value"; a column with a NAN gives no curve. Takes ownership of the column. */
 void path_add(struct nb_solution *solution, const struct nb_scene *scene, const char *name, struct path_column *column);

@@ -12,7 +12,7 @@
  * u + d(delta) is limited once, at the end of the step, and a spring that begins to touch takes only the part of
  * d(delta) that follows the first touch. A spring dissipates its friction, which changes linearly too, times its slip.
  *
- * Returns, as curves along step and at the end of each segment:
+ * Returns, as curves versus step and at the end of each segment:
  *   overlap, slip, normal, shear, traction.force (equal to shear), stored.shear, dissipated, work.shear
  * Bisection finds the slip for a prescribed force. work.shear is the sum of stored.shear and dissipated: the work along
  * the path itself, not a sum over the rows of the table. Error: with n springs the error of T is of the order of

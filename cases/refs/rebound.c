@@ -19,8 +19,8 @@
  *         `shear mindlin_deresiewicz` only, psi2 is that of independent springs (impact_springs.c, impact_damped.c).
  *
  * Returns, at the end: D.vx, D.vy, D.spin for D that monitors a particle; impact.psi1, impact.psi2, impact.restitution
- * (ratio of the relative speeds of the centres); energy.kinetic. Also energy.kinetic max, the initial value, if no wall and
- * no fixed particle moves: it could add energy.
+ * (ratio of the relative speeds of the centres); energy.kinetic. Also energy.kinetic max, the initial value, unless a
+ * wall or a fixed particle moves, which could add energy.
  *
  * Error    of psi2: rounding if the contact slides all the time; 1e-6 by springs; with dashpots 5e-4 for e = 0.5 and
  *          2e-5 for e = 0.98 (tests/refs_damped.c).

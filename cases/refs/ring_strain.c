@@ -19,7 +19,7 @@
  *
  * L is symmetric; its axes and eigenvalues are GSL's.
  *
- * Returns, along cycle:  D.x, D.y for D that monitors a particle, boundary.area and, without `accumulated`,
+ * Returns, versus cycle:  D.x, D.y for D that monitors a particle, boundary.area and, without `accumulated`,
  * energy.kinetic.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */

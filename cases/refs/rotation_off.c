@@ -14,8 +14,8 @@
  * Returns, for D that monitors the particle:
  *   D.vx, D.spin in STAGE       at the end of each stage
  *   time in STAGE               of a stage with `until`
- *   energy.changed in STAGE     minus the rotational energy that `rotation off` has removed so far; at a removal it is
- *                               I w^2/2, with w before it
+ *   energy.changed in STAGE     minus the rotational energy that `rotation off` has removed so far; each removal takes
+ *                               I w^2/2, with the w before it
  *
  * Source   elementary; the end of sliding as in slide_to_roll.c [MFiX DEM-04].
  *

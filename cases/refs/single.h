@@ -23,7 +23,7 @@ struct single {
 enum nb_status single_read(struct single *single, const struct nb_scene *scene, struct nb_error *error);
 /* Adds `MONITOR.WHAT`, with ` in STAGE` if there is one; nothing without a monitor. */
 void single_add(struct nb_solution *solution, const char *monitor, const char *what, const char *stage, double value);
-/* Adds the curve `MONITOR.WHAT` along time; nothing without a monitor. Its data are a copy of the `size` bytes at
+/* Adds the curve `MONITOR.WHAT` versus time; nothing without a monitor. Its data are a copy of the `size` bytes at
  * `data`. */
 void single_curve(struct nb_solution *solution, const char *monitor, const char *what,
                   double (*at)(const void *data, double t), const void *data, size_t size);

@@ -18,7 +18,7 @@
  *           d = d_m e^(-b t) (cos w_d t + (b/w_d) sin w_d t), s' = d'
  *
  * Returns, for D that monitors the particle:
- *   D.vx, D.spin, D.x along time
+ *   D.vx, D.spin, D.x versus time
  *   time in STAGE, D.x in STAGE      of the stage that ends when sliding ends
  *   D.vx in STAGE                    of later stages, when the oscillation has decayed
  *
@@ -126,7 +126,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     return nb_error_set(
         error, NB_BAD_USE,
         "the reference `slide_to_roll` is for a particle that moves along the floor without spin, with an initial "
-        "normal force equal to its weight %g; the force is %g",
+        "normal force equal to its weight of %g N; the force is %g N",
         weight, force);
   const double b = (1 + particle.q) * particle.cs / (2 * particle.m),
                square = (1 + particle.q) * particle.pair.ks / particle.m - b * b;

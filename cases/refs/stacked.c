@@ -10,7 +10,7 @@
  *
  * The method is the eighth-order one of Prince and Dormand, with the tolerance 1e-13.
  *
- * Returns, along time:   D.y, D.vy for D that monitors a sphere; C.overlap for C that monitors their contact
+ * Returns, versus time:   D.y, D.vy for D that monitors a sphere; C.overlap for C that monitors their contact
  *
  * Source   [MFiX DEM-03].
  *

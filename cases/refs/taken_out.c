@@ -14,7 +14,7 @@
  *
  * Returns:
  *   energy.removed
- *   D.x, D.y along time; D.vx, D.vy at the end   for D that monitors such a neighbour
+ *   D.x, D.y versus time; D.vx, D.vy at the end   for D that monitors such a neighbour
  * Exact. In a run D has the error of the step, and energy.removed has only rounding errors.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */

@@ -13,7 +13,7 @@
  *
  * q/W is sqrt(2/3) for a disc and sqrt(5/7) for a sphere.
  *
- * Returns, along time:
+ * Returns, versus time:
  *   D.x, D.y, D.spin      for D that monitors the particle
  *   C.normal, C.shear     for C that monitors its contact
  * Error: the overlap is neglected. The relative error is of the order of N/(k_n s_0).

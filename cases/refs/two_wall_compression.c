@@ -19,8 +19,8 @@
  *     C.normal, C.overlap at n cycles          k v dt a_n (or b_n, c_n) and v dt a_n
  *     D.fx, D.fy at n cycles                   the sum of forces, CS79 (2)
  *     D.vx.half, D.vy.half at n cycles         the velocity over the previous step, CS79 (4)
- * and, if all stages have the same step and no damping, and no contact opens or slips, C.normal along cycle and along
- * time, by normal modes.
+ * and, if all stages have the same step and no damping, and no contact opens or slips, C.normal versus cycle and
+ * versus time, by normal modes.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
