@@ -58,7 +58,7 @@ features() {
 
 ## Features and the cases that use them
 
-These tables give the cases that use each word of the language, each law and each quantity, or the number of these cases if there are more than a dozen. A case that starts from another case is not listed for the words of that case. Words without a case are covered by other tests.
+These tables give the cases that use each word of the language and each law, or the number of these cases if there are more than a dozen. The last table gives the cases with an expectation that begins with the quantity. A case that starts from another case is not listed for the words of that case. Words without a case are covered by other tests.
 TEXT
 awk '
   # ---- rows: words from docs/LANGUAGE.md, laws from their files, others from the lists below ----

@@ -80,7 +80,7 @@ static void each_energy_source_has_its_term(void) {
 /* A wall presses against a heavy disc, moves tangentially, and leaves the disc while the shear spring is stretched. It
  * does this twice. The shear force is F_s = k_s s, where s is the tangential displacement (m); its limit is the
  * cohesion of 6 N. At each separation F_s^2/(2 k_s) is dissipated. Before the second separation the contact slides by
- * 0.02 m. The disc of 3e12 kg moves by about 1e-12 m, so the energies are exact to 1e-10 J. */
+ * 0.02 m. The disc of 3e12 kg moves by less than 2e-11 m, so the energies are exact to 1e-10 J. */
 static void shear_energy_is_dissipated_at_each_separation(void) {
   struct words page = {0};
   struct written it;

@@ -46,9 +46,9 @@ static void a_count_may_be_rounded(void) {
   written_free(&it);
 }
 
-/* cell.c, nb_cell_check_width: the height, the distance of opposite sides, must be at least twice the largest diameter
- * plus the skin, 2 (2 + 0.1). The height is checked at each search; the strain requires a search after 5 %. A cell of
- * width 5 may shrink to 4.3, but not to 4. */
+/* cell.c, nb_cell_check_width: the height, the distance of opposite sides, must be at least 2 (2 + 0.1), twice the sum of
+ * the largest diameter and the skin. The height is checked at each search; the strain requires a search after 5 %. A cell
+ * of width 5 may shrink to 4.3, but not to 4. */
 static void a_cell_stays_wide_enough_or_not(void) {
   for (int wide = 0; wide < 2; wide++) {
     struct words words = {0};

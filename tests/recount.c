@@ -219,8 +219,8 @@ static void moduli(void) {
 }
 
 /* The constraint ratio is the number of constraints over the number of degrees of freedom. First, free particles with
- * fewer than two contacts are removed until none is left. Each of the other free particles in the region has three degrees
- * of freedom. Each of their contacts is one constraint if it slides, and two if it does not. */
+ * fewer than two contacts are removed until none is left. All contacts have friction, so each of the other free particles
+ * in the region has three degrees of freedom. Each of their contacts is one constraint if it slides, and two if not. */
 static void constraints(void) {
   struct written it;
   struct nb_result result;

@@ -331,7 +331,7 @@ static void rebound_without_energy_from_outside(void) {
 }
 
 /* A disc that rolls down a plane; m = k_n = pi, so the single-contact step 2 (m/k_n)^(1/2) is 2 s, and ten steps of half
- * of it take 10 s. The velocity grows by 2/3 of the gravity along the plane. */
+ * of it take 10 s. The acceleration is 2/3 of the gravity along the plane. */
 static void a_step_relative_to_a_single_contact(void) {
   struct words page = {0};
   struct written it;

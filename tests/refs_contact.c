@@ -6,8 +6,9 @@
  *
  *   s'' + (3/M*) (c_s s' + k_s s) = 0,   s(0) = 0,   s'(0) = -(R_1 + R_2) w,   F_s = k_s s
  *
- * The normal spring is 10^4 times softer than the shear spring. The rotation of the contact changes s' by the fraction
- * of the distance by which the discs move apart in this time, 2e-7. Terms of second order in w are smaller.
+ * The normal spring is 10^4 times softer than the shear spring. The distance of the centres grows by the fraction 2e-7
+ * in the time of the test. The rotation of the contact changes s' by a fraction of this size. Terms of second order in w
+ * are smaller.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

@@ -3,7 +3,7 @@
  * All pairs with a free particle whose gap is smaller than the skin are listed, touching or not. Until a particle or a
  * wall has moved by more than half the skin, a pair that is not listed cannot touch. A scene in which nothing moves is
  * searched once, when the model is created. If no free particle can touch anything, the skin is infinite and there is
- * no search. A contact that stays in the list keeps its history.
+ * no search. A search keeps the history of every contact.
  *
  * Particles are in a grid of boxes with levels by size (grid.h), each on the finest level whose boxes are at least as
  * wide as its diameter plus the skin. For each particle the nine boxes around it are searched, on its own level and on
