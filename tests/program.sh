@@ -158,7 +158,7 @@ printf 'segment press normal to 100 N in 9 steps\nsegment load shear to 20 N hol
 run 0 explain oblique.md
 said 'oblique.md:7: warning: `shear mindlin` has no micro-slip at the edge of the contact, on which a collision without damping depends: the exact law is `shear mindlin_deresiewicz`'
 run 0 explain loop.md
-said 'loop.md:5: warning: `shear mindlin` has no micro-slip at the edge of the contact, on which the path of this contact depends: the exact law'
+said 'loop.md:5: warning: `shear mindlin` has no micro-slip at the edge of the contact, on which the result of this contact test depends: the exact law'
 sed 's/  friction 0.3$/\npair m m friction 0.3/' oblique.md >pair.md
 run 0 explain pair.md
 said 'pair.md:8: warning: `shear mindlin` has no micro-slip'

@@ -333,7 +333,7 @@ static void warn_no_micro_slip(struct nb_scene_reading *reading) {
     nb_warn(&scene->warnings, scene->shear_line,
             "`shear mindlin` has no micro-slip at the edge of the contact, on which %s depends: the exact law is "
             "`shear mindlin_deresiewicz`",
-            scene->contact_test ? "the path of this contact" : "a collision without damping");
+            scene->contact_test ? "the result of this contact test" : "a collision without damping");
 }
 
 void nb_laws_check(struct nb_scene_reading *reading, bool complete) {

@@ -65,6 +65,9 @@ static const struct nb_binding *binding_of(struct nb_reader *reader, const struc
   if (nb_name_suppressed(reader->mistakes, name))
     nb_fail_silently(reader);
   const char *near = NB_NEAREST(hint, name, reader->bindings, reader->binding_count);
+  char *const quote = near ? strchr(hint, '`') : NULL;
+  if (quote && strchr(quote + 1, '`') == strrchr(quote, '`')) /* one name: as on the page, with `$` */
+    memmove(quote + 2, quote + 1, strlen(quote)), quote[1] = '$';
   if (!near && nb_is_name(name)) {
     snprintf(hint, sizeof hint, "define it with `let %s = VALUE`", name);
     near = hint;

@@ -678,7 +678,7 @@ static const char *order_hint(char *hint, const struct nb_scene *scene, const st
            swept ? swept->name : "dt", swept ? "" : ", with `sweep dt 1 us 2 us 4 us` and `step $dt` in the scene",
            expectation->measure.is_residual
                ? ""
-               : ", below a line `reference NAME`: the error is that against the reference");
+               : ", below a line `reference NAME`: the order is that of the error against the reference");
   return hint;
 }
 
