@@ -322,6 +322,7 @@ SUITES = \
   tests/refs_nine.c \
   tests/refs_rotation.c \
   tests/refs_extremes.c \
+  tests/refs_refuses.c \
   tests/refs_row.c \
   tests/refs_impact.c \
   tests/refs_loops.c \

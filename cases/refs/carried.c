@@ -87,7 +87,7 @@ static bool add_value(struct nb_solution *solution, const struct nb_scene *scene
 }
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
-  bool right = scene->stage_count >= 1 && scene->stage_count <= 2;
+  bool right = scene->stage_count <= 2;
   for (size_t s = 0; s < scene->stage_count && right; s++) {
     const struct nb_affine_motion *it = &scene->stages[s].affine;
     right = it->line && it->strain.per_cycle && it->strain.xy == 0 && it->strain.yx == 0 &&

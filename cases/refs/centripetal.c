@@ -26,10 +26,9 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   for (size_t s = 0; s < scene->stage_count; s++)
     if (scene->stages[s].gravity.line)
       gravity = &scene->stages[s].gravity;
-  if (!(gravity->central > 0) || scene->particle_count == 0)
-    return nb_error_set(
-        error, NB_BAD_USE,
-        "the reference `centripetal` is for scenes with particles and `gravity centripetal` in the last stage");
+  if (!(gravity->central > 0))
+    return nb_error_set(error, NB_BAD_USE,
+                        "the reference `centripetal` is for `gravity centripetal` in the last stage");
   for (size_t k = 0; k < scene->particle_count; k++) {
     const struct nb_particle *particle = &scene->particles[k];
     mass += matter_mass(scene, particle);

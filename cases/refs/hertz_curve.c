@@ -138,11 +138,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   const char *upper = NULL;
   if (scene->contact_test)
     return solve_contact_test(solution, scene, error);
-  if (scene->wall_count != 2 || scene->particle_count < 1 || scene->particle_count >= CONTACTS || !symmetric(scene) ||
-      scene->gravity.line)
-    return refuse(
-        error,
-        "up to seven spheres between a lower and an upper wall that approach with equal speeds, without gravity");
+  if (scene->wall_count != 2 || scene->particle_count < 1 || scene->particle_count >= CONTACTS || !symmetric(scene))
+    return refuse(error, "up to seven spheres between a lower and an upper wall that approach with equal speeds");
   if (column(contact, scene, error))
     return error->status;
   for (size_t w = 0; w < scene->monitor_count; w++)

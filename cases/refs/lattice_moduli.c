@@ -91,7 +91,7 @@ static enum nb_status read_lattice(struct lattice *it, const struct nb_scene *sc
   *it = (struct lattice){.radius = first->radius, .hertz = strcmp(scene->normal, "hertz") == 0};
   it->thickness = first->shape == NB_SPHERE ? 2 * first->radius : 1;
   it->pair = matter_pair(scene, first->material, first->material);
-  if (!scene->cell.line || scene->cell.h[1] != 0 || scene->cell.h[2] != 0)
+  if (scene->cell.h[1] != 0 || scene->cell.h[2] != 0)
     return refuse(error, "an upright periodic cell");
   for (size_t k = 0; k < scene->particle_count; k++)
     if (scene->particles[k].radius != first->radius || scene->particles[k].material != first->material ||
@@ -114,15 +114,14 @@ static enum nb_status read_lattice(struct lattice *it, const struct nb_scene *sc
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct lattice lattice;
-  if (scene->particle_count == 0 || read_lattice(&lattice, scene, error))
+  if (read_lattice(&lattice, scene, error))
     return error->status;
   struct nb_strain_rate rate = {0};
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     rate = stage->cell_line ? stage->cell : rate;
-    if (stage->step.kind != NB_STEP_TIME || stage->condition_count > 0 || rate.xy != rate.yx)
-      return refuse(error,
-                    "steps given as times, stages of a given number of cycles, and strain rates without rotation");
+    if (stage->step.kind != NB_STEP_TIME || rate.xy != rate.yx)
+      return refuse(error, "steps given as times, and strain rates without rotation");
     const double time = rate.per_cycle ? (double)stage->cycles : (double)stage->cycles * stage->step.value;
     strain(&lattice, time * rate.xx, time * rate.yy, time * rate.xy);
     add_value(solution, &lattice, stage->name);

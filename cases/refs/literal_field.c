@@ -20,14 +20,13 @@
 #include "reference.h"
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
-  const struct nb_stage *last = scene->stage_count ? &scene->stages[scene->stage_count - 1] : NULL;
-  const struct nb_strain_rate *strain = last ? &last->affine.strain : NULL;
-  if (!last || !last->affine.line || !last->affine.accumulated || !strain->per_cycle || strain->xx != -strain->yy ||
-      strain->xy != 0 || strain->yx != 0 || last->step.kind != NB_STEP_RAYLEIGH_FIT_MEAN || last->damping.global_kind)
+  const struct nb_stage *last = &scene->stages[scene->stage_count - 1];
+  const struct nb_strain_rate *strain = &last->affine.strain;
+  if (!last->affine.accumulated || !strain->per_cycle || strain->xx != -strain->yy || strain->xy != 0 ||
+      strain->yx != 0 || last->step.kind != NB_STEP_RAYLEIGH_FIT_MEAN)
     return nb_error_set(error, NB_BAD_USE,
                         "the reference `literal_field` is for a last stage with `affine strain E -E accumulated` per "
-                        "cycle, a step that "
-                        "is a fraction of rayleigh-fit-mean, and no damping except at contacts");
+                        "cycle, and a step that is a fraction of rayleigh-fit-mean");
   double mass = 0, radius = 0;
   for (size_t k = 0; k < scene->particle_count; k++) {
     if (scene->particles[k].material != scene->particles[0].material)

@@ -130,12 +130,12 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   const struct nb_stage *stage = scene->stages;
   const struct nb_strain_rate *rate = &stage->affine.strain;
   struct strained it = {.centre = {scene->circle.x, scene->circle.y}, .accumulated = stage->affine.accumulated};
-  if (scene->stage_count != 1 || !scene->circle.line || !stage->affine.line || !rate->per_cycle ||
-      rate->xy != rate->yx || !equal_rates(rate, &stage->boundary.strain) || !(scene->step.value > 0))
+  if (scene->stage_count != 1 || !rate->per_cycle || rate->xy != rate->yx ||
+      !equal_rates(rate, &stage->boundary.strain) || scene->step.kind != NB_STEP_TIME)
     return nb_error_set(
         error, NB_BAD_USE,
         "the reference `ring_strain` is for one stage with the same symmetric strain per cycle in `boundary strain` "
-        "and `affine strain`");
+        "and `affine strain`, and a step given as a time");
   it.keep = kept_fraction(&stage->damping);
   find_axes(&it, rate);
   double energy = 0;

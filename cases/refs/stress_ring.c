@@ -72,11 +72,11 @@ static bool solve_equations(struct ring *ring, double *d1, double *d2) {
 static int kind(size_t particle) { return particle == 0 ? 0 : particle % 2 ? 1 : 2; }
 
 static bool is_ring(const struct nb_scene *scene) {
-  if (scene->particle_count != 7 || scene->wall_count > 0 || !scene->circle.line || scene->stage_count == 0)
+  if (scene->particle_count != 7)
     return false;
   for (size_t k = 0; k < 7; k++)
     if (scene->particles[k].radius != scene->particles[k < 3 ? k : 2 - k % 2].radius ||
-        scene->particles[k].material != scene->particles[0].material || scene->particles[k].shape != NB_SPHERE)
+        scene->particles[k].material != scene->particles[0].material)
       return false;
   return true;
 }
@@ -88,7 +88,7 @@ static void add_value(struct nb_solution *solution, const struct nb_scene *scene
 }
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
-  const struct nb_boundary *load = scene->stage_count ? &scene->stages[scene->stage_count - 1].boundary : NULL;
+  const struct nb_boundary *load = &scene->stages[scene->stage_count - 1].boundary;
   if (!is_ring(scene) || !load->line || load->control != NB_CONTROL_STRESS || load->sxx != load->syy || load->sxy != 0)
     return nb_error_set(error, NB_BAD_USE,
                         "the reference `stress_ring` is for six spheres of two sizes in turn around a seventh, and an "

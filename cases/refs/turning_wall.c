@@ -59,8 +59,6 @@ static const char *check_start(const struct nb_scene *scene, const struct rollin
   const double speed = fabs(it->wall_spin) * hypot(particle->x - it->px, particle->y - it->py);
   const double difference = hypot(particle->vx + it->wall_spin * (particle->y - it->py),
                                   particle->vy - it->wall_spin * (particle->x - it->px));
-  if (wall->vx != 0 || wall->vy != 0 || !(fabs(it->wall_spin) > 0))
-    return "a wall that turns about a fixed point";
   if (!(difference <= 1e-9 * speed) || particle->spin != it->wall_spin)
     return "a particle that turns with the wall at first";
   if (!(fabs(fabs(it->n - wall->h0) - it->radius) <= 1e-9 * it->radius))
