@@ -12,8 +12,9 @@
  * Mean, amplitude and frequency are also returned `in STAGE` for each stage in which the walls are at rest.
  *
  * Refuses scenes in which a contact opens, slips or closes. The error is due to the rotation of contacts and grows
- * with overlap over radius. For nine discs the relative error of the mean force and of the frequencies is about 0.01
- * times overlap over radius. In a curve the error grows from one oscillation to the next.
+ * with overlap over radius. For nine discs with the step 0.12 of single-contact, the relative error of the frequencies
+ * is about 0.01 times overlap over radius, and that of the mean force over 4000 cycles is about 0.06 times overlap over
+ * radius. The errors of curve, mean and amplitude grow with the number of oscillations.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>

@@ -64,8 +64,8 @@ int nb_digit_count(double a, double b, int least) {
 
 void nb_check_error(struct nb_check *check, const char *what, double error, double scale,
                     const struct nb_tolerance *tolerance, const char *unit) {
-  const bool relative =
-      tolerance->kind != NB_ABSOLUTE; /* printed in per cent, unless the tolerance is below 1e-7 or above 1e7 */
+  const bool relative = tolerance->kind != NB_ABSOLUTE;
+  /* in per cent, unless the tolerance is above 1e7, or below 1e-7 and not 0 */
   const bool percent = relative && !(tolerance->value > 0 && (tolerance->value < 1e-7 || tolerance->value > 1e7));
   const double of = relative ? fabs(scale) : 1, factor = percent ? 100 : 1;
   const char *in = percent ? " %" : relative ? "" : unit;
