@@ -52,7 +52,8 @@ static void take_damping(struct nb_reader *reader, struct given *given) {
   int word = nb_take_choice(reader, CONTACT_WORDS "|walls|critical|mass|con1|centred|late|none");
   if (word == WALLS) {
     given->walls = true;
-    reader->otherwise = "a fraction of critical damping at walls is `damping walls ratio 0.2`";
+    reader->otherwise =
+        "`damping walls` damps contacts with walls only; a fraction of critical damping is `damping walls ratio 0.2`";
     word = nb_take_choice(reader, CONTACT_WORDS "|none");
     word = word == WALLS ? NONE : word;
   }
