@@ -617,6 +617,7 @@ INPUT = \
   src/input/line.c \
   src/input/mistakes.c \
   src/input/migrate.c \
+  src/input/name_parts.c \
   src/input/names.c \
   src/input/old_words.c \
   src/input/old_words.h \

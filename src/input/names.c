@@ -701,6 +701,15 @@ static bool near_hint(char *hint, const struct nb_scene *scene, const struct nb_
   return (!guess->synonym || guess->marked || owner >= 0) && nb_guess_hint(guess, hint);
 }
 
+/* Writes the hint for a name by its parts; false: there is none. `first`: before other hints, if the name has several
+ * parts. A meaning of the whole name in the table of words has priority. */
+static bool parts_hint(char *hint, const struct nb_scene *scene, const char *text, int owner, bool first) {
+  const char *const name = owner >= 0 ? text + strcspn(text, ".") + 1 : text;
+  const struct nb_synonym *const whole = meaning(name);
+  return !nb_is_quantity(text) && !(whole && (first || owner < 0 || whole->note)) && (!first || strpbrk(name, "._-")) &&
+         nb_parts_hint(hint, scene, text, owner);
+}
+
 /* Writes the hint for a text that is not the name of a quantity. */
 static const char *hint_of(char *hint, const struct nb_scene *scene, const char *text) {
   const char *const rest = strchr(text, '.');
@@ -711,7 +720,10 @@ static const char *hint_of(char *hint, const struct nb_scene *scene, const char 
   guess.synonym = meaning(text);
   for (int w = -1; w < (int)scene->monitor_count; w++)
     offer_names(&guess, scene, w), offer_names(&of_stem, scene, w);
-  if (box_note(hint, scene, text) || near_hint(hint, scene, &guess, owner))
+  if (box_note(hint, scene, text) || parts_hint(hint, scene, text, owner, true) ||
+      near_hint(hint, scene, &guess, owner))
+    return hint;
+  if (parts_hint(hint, scene, text, owner, false))
     return hint;
   if (owner >= 0)
     return owned_by_hint(hint, scene, text, owner);
