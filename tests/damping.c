@@ -286,20 +286,25 @@ static void a_wall_has_infinite_mass(void) {
 }
 
 /* At time 0 the dashpot at a wall that rotates about P uses the velocity w x (Q - P) of the nearest point Q of the
- * wall. */
+ * wall, also if P is not on the line of the wall. Q is (0, 0.9), and e points from the disc to Q, in +y. */
 static void a_wall_that_rotates(void) {
-  struct words page = {0};
-  struct written it;
-  words_add(
-      &page,
-      "units none\nmaterial m density 3 kn 400\ndisc 0 0 radius 1 m\nwall w -4 0.9 to 4 0.9 m about -2 0.9 spin -0.5\n"
-      "damping ratio 0.1\ndamping centred\nstep 0.001\nmonitor C disc 1 with wall w\nrecord C.dashpot.normal\n"
-      "stage s\ncycles 9\n");
-  written_scene(&it, &page);
-  struct nb_model *model = written_model(&it, NULL);
-  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.dashpot.normal"), 0.2 * sqrt(pi * 3 * 400) * 0.5 * 2, 1e-12);
-  nb_model_free(model);
-  written_free(&it);
+  const double c = 0.2 * sqrt(pi * 3 * 400), spin = -0.5;
+  for (int above = 0; above < 4; above++) { /* distance of P from the wall */
+    const double u = -spin * (0.9 - (0.9 + above)), v = spin * 2;
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\nmaterial m density 3 kn 400 ks 400 friction 9\nshear linear\ndisc 0 0 radius 1 m\n"
+              "wall w -4 0.9 to 4 0.9 m about -2 %g spin %g\ndamping ratio 0.1\ndamping centred\nstep 0.001\n"
+              "monitor C disc 1 with wall w\nrecord C.dashpot.normal C.dashpot.shear\nstage s\ncycles 9\n",
+              0.9 + above, spin);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.dashpot.normal"), -c * v, 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.dashpot.shear"), -c * u, 1e-12);
+    nb_model_free(model);
+    written_free(&it);
+  }
 }
 
 /* When discs separate fast, the tension of the dashpot exceeds the force of the spring; the total normal force is

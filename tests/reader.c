@@ -148,6 +148,28 @@ static void tuples(void) {
   }
 }
 
+/* The words of a sweep may also be names of units. A unit follows a number only, in `let`, `sweep` and --set. */
+static void words_that_are_units(void) {
+  static const char text[] = "sweep at A m kg\nsweep on s rad\n" ROCK
+                             "disc 0 m 0 m radius 1 m rock\nstep 1 us\nstage $at\ncycles 1\nstage $on\ncycles 1\n";
+  static const char *const at[] = {"A", "m", "kg"}, *const on[] = {"s", "rad"};
+  for (size_t run = 0; run < 6; run++) {
+    struct read read = read_scene(text, run, NULL);
+    CU_ASSERT_EQUAL_FATAL(read.status, NB_OK);
+    CU_ASSERT_EQUAL(read.scene.runs, 6);
+    CU_ASSERT_STRING_EQUAL(read.scene.stages[0].name, at[run / 2]);
+    CU_ASSERT_STRING_EQUAL(read.scene.stages[1].name, on[run % 2]);
+    done(&read);
+  }
+  const char *const set[] = {"on=s m", NULL};
+  struct read read = read_scene(text, 0, set);
+  CU_ASSERT(says(&read, "expected the end of the value, found `m`"));
+  done(&read);
+  read = read_scene("let a b m\n" ROCK "disc 0 m 0 m radius 1 m rock\nstep 1 us\nstage $a\ncycles 1\n", 0, NULL);
+  CU_ASSERT(says(&read, "expected the end of the line, found `m`"));
+  done(&read);
+}
+
 static void settings(void) {
   static const char text[] =
       "sweep v with n  1 m/s 40  2 m/s 120\nlet R = 1 mm\nshear none\n" ROCK
@@ -314,6 +336,7 @@ void suite_reader(void) {
   CU_add_test(suite, "line ends of DOS", line_ends);
   CU_add_test(suite, "several sweeps give all combinations of their values", product);
   CU_add_test(suite, "a sweep of several names", tuples);
+  CU_add_test(suite, "words that are units", words_that_are_units);
   CU_add_test(suite, "a minus before a value with a sign", signs_of_values);
   CU_add_test(suite, "--set replaces values, a law and the step", settings);
   CU_add_test(suite, "typing errors with which a word is still suggested", suggested_words);

@@ -109,6 +109,10 @@ static void steep_zigzags_are_refused(void) {
 #define PAIR "normal linear\nshear linear\n"
 #define BRIEF "step 0.001\nrecord time\nstage s\ncycles 100\n"
 #define CELL "step 0.001\nrecord time\nstage s\ncell strain -1e-4 per cycle 0 per cycle\ncycles 10\n"
+#define COHESIVE                                                                                                       \
+  "normal linear\nshear linear\ndisc 0 1 radius 1 a\nwall low -4 0 to 4 0 a\nwall high -4 2 to 4 2 a\n"                \
+  "wall stop 1 0.5 to 1 1.5 b\nmonitor L disc 1 with wall low\nstep 0.1\n"                                             \
+  "stage press\nwall high velocity 0 -0.001\ncycles 10\n"
 #define SQUEEZE "step 0.05 of single-contact\nstage s\nbox strain 0 per cycle -1e-4 per cycle\ncycles 10\n"
 
 /* Scenes whose features a reference accepts, but whose particles or regions its formulas do not cover. */
@@ -130,6 +134,22 @@ static void uncovered_particles_and_regions_are_refused(void) {
        "stage drag\nwall low velocity 0.001 0\nwall high velocity 0.001 0\ncycles 10\n"
        "stage part\nwall low velocity 0 0\nwall high velocity 0 1\ncycles 10\n",
        "neither friction nor cohesion", NULL},
+      {"cohesion",
+       COHESIVE "stage drag\nwall low velocity 0.001 0\nwall high velocity 0.001 -0.001\ncycles 10\n"
+                "stage part\nwall low velocity 0 0\nwall high velocity 0 1\ncycles 10\n",
+       "press, shear and then leave", NULL},
+      {"cohesion",
+       COHESIVE "stage drag\nwall low velocity 0.002 0\nwall high velocity 0.001 0\ncycles 10\n"
+                "stage part\nwall low velocity 0 0\nwall high velocity 0 1\ncycles 10\n",
+       "press, shear and then leave", NULL},
+      {"cohesion",
+       COHESIVE "stage drag\nwall low velocity 0 0\nwall high velocity 0 -0.001\ncycles 10\n"
+                "stage part\nwall low velocity 0 0\nwall high velocity 0 1\ncycles 10\n",
+       "press, shear and then leave", NULL},
+      {"cohesion",
+       COHESIVE "stage drag\nwall low velocity 0.001 0\nwall high velocity 0.001 0\ncycles 10\n"
+                "stage part\nwall low velocity 0 0\nwall high velocity 0 0.001\ncycles 10\n",
+       "press, shear and then leave", NULL},
       {"rayleigh_step",
        "normal hertz\nsphere 0 0 radius 1 a velocity 0.1 0\nsphere 2 0 radius 0.9 a\nmonitor D sphere 2\n"
        "step 0.1 of rayleigh\nrecord D.vx\nstage s\ncycles 1\n",

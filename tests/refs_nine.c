@@ -258,6 +258,40 @@ static void modes_equal_ode(void) {
   lattice_free(&lattice);
 }
 
+/* Moves the point P of every wall by `h` to the right of the wall; the wall stays where it is. The velocity of the new
+ * point is that of the rigid motion of the wall. */
+static void move_points(struct refs_scene *it, double h) {
+  for (size_t k = 0; k < 4; k++) {
+    struct nb_wall *wall = &it->walls[k];
+    wall->h0 = h, wall->x += h * wall->ey, wall->y -= h * wall->ex;
+    it->motions[k].vx += it->motions[k].spin * h * wall->ex, it->motions[k].vy += it->motions[k].spin * h * wall->ey;
+  }
+}
+
+/* The solution depends on the motion of the walls, not on the point that the page uses to describe it. */
+static void walls_about_other_points(void) {
+  static const char *const references[] = {"nine_discs_statics", "nine_discs_slip", "nine_discs_distortion",
+                                           "nine_discs"};
+  for (size_t k = 0; k < 4; k++)
+    for (int spins = 0; spins < 2; spins++)
+      for (double h = -200; h < 300; h += 400) {
+        struct refs_scene it;
+        refs_nine_discs(&it, kn, 2, 40, 400);
+        it.motions[0].spin = spins * 1e-4;
+        const double unit = force_unit(&it);
+        struct nb_solution on = refs_solution(references[k], &it);
+        move_points(&it, h);
+        struct nb_solution off = refs_solution(references[k], &it);
+        CU_ASSERT(on.value_count > 0);
+        CU_ASSERT_EQUAL_FATAL(on.value_count, off.value_count);
+        for (size_t v = 0; v < on.value_count; v++)
+          if (strstr(on.values[v].name, "normal") || strstr(on.values[v].name, "shear"))
+            REFS_NEAR(refs_value(&off, on.values[v].name), on.values[v].value, 1e-9, unit);
+        solution_free(&on);
+        solution_free(&off);
+      }
+}
+
 void suite_refs_nine(void) {
   CU_pSuite suite = CU_add_suite("refs_nine", NULL, NULL);
   CU_add_test(suite, "static forces equal closed forms", static_forces_equal_closed_forms);
@@ -265,4 +299,5 @@ void suite_refs_nine(void) {
   CU_add_test(suite, "modes in steps equal the leapfrog scheme", modes_equal_leapfrog);
   CU_add_test(suite, "modes in continuous time equal the ODE", modes_equal_ode);
   CU_add_test(suite, "mean, amplitude, frequency", mean_amplitude_and_frequency);
+  CU_add_test(suite, "walls given by points off their lines", walls_about_other_points);
 }
