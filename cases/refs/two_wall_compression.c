@@ -129,8 +129,11 @@ static enum nb_status add_contact(struct nb_solution *solution, const char *moni
   struct numbers numbers = numbers_of(row);
   long double overlap = numbers.unit * evaluate(&hand->overlap[place][n], numbers.at);
   if (overlap < 0)
-    return nb_error_set(error, NB_BAD_USE, "the contact of monitor %s opens at cycle %lu: the step is too long",
-                        monitor, n);
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "the contact of monitor %s opens at cycle %lu: use a shorter step, with which no contact opens in "
+        "%d cycles",
+        monitor, n, (int)LAST);
   add_value(solution, monitor, "overlap", n, overlap);
   add_value(solution, monitor, "normal", n, overlap * row->k[place]);
   return NB_OK;
