@@ -191,8 +191,8 @@ static const char *const scenes[] = {
 };
 
 /* Elastic spheres. In the first scene the overlaps are beyond the range of the theory. In the second one they grow so
- * slowly that the stability of the step must be checked again between two searches, at cycles 315 and 420. This run is
- * interrupted at cycle 330, before the check, and at cycle 370. */
+ * slowly that the stability of the step must be checked again between the searches of the cycles 315 and 420. This run is
+ * interrupted at cycle 330, before this check, and at cycle 370. */
 static const char elastic[] =
     "units none\nmaterial m density 3 young 5000 poisson 0.2 friction 0.3\nnormal hertz\nshear mindlin\n"
     "record time energy.residual\n";

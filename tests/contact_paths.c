@@ -105,7 +105,7 @@ static struct nb_shear half_the_memory(struct nb_pair p, struct nb_normal n, dou
   p.pieces /= 2;
   return call("mindlin_deresiewicz", p, n, ds, m);
 }
-/* A wrong law that removes the outermost of three or more corners when the contact slips back. */
+/* A wrong law that removes the corner between the two outermost of three or more pieces when the contact slips back. */
 static struct nb_shear drops_a_corner(struct nb_pair p, struct nb_normal n, double ds, double m[]) {
   if (m[0] > 2 && ds < 0) {
     double *last = m + 2 + 5 * ((int)m[0] - 1);

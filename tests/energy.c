@@ -207,7 +207,7 @@ static void by_walls_and_stored(void) {
 }
 
 /* A disc too heavy to move overlaps by 0.1 with a wall that moves tangentially: F_n = 40, and the friction limit 12 is
- * reached at the slip 0.06. The contact of the last pair of materials would have no friction. */
+ * reached at the slip 0.06. The last pair of materials has no friction and no contact. */
 #define DRAG                                                                                                           \
   "units none\nmaterial m density 3 kn 400 ks 200 friction 0.3\nshear linear\ndisc 0 0.9 radius 1 m\n"                 \
   "material heavy density 1e12 kn 400 ks 200 friction 0.3\ndisc 20 0.9 radius 1 heavy\n"                               \

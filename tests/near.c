@@ -352,8 +352,8 @@ static int rank_of_partner(const struct nb_model *model, int contact, int slot) 
   return a == slot ? nb_partner_rank(model, pair) : model->particles.number[a];
 }
 
-/* Two large discs with 40 and 20 neighbours, which have the same place in the sort of a batch (incidence.c), and a row of
- * discs with at most two neighbours each, which fills several batches. */
+/* Two large discs with 40 and 20 neighbours, numbers that the sort of a batch (incidence.c) does not distinguish, and a row
+ * of discs with at most two neighbours each, which fills several batches. */
 enum { RING = 62, ROW = 700, LARGE_AND_SMALL = RING + ROW };
 static void large_and_small(struct written *it) {
   struct words page = {0};

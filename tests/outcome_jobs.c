@@ -83,7 +83,7 @@ static void carry_out(struct nb_outcome *outcome, double radius) {
 }
 
 /* Runs 1 to 3 fail. The thread of run 1 is delayed until run 2 has failed: the thread of run 0 has then asked for run 2
- * and for another one. */
+ * and for another run. */
 static void first_failure_is_reported(void) {
   struct nb_outcome outcome;
   delay_run(1, 2);
@@ -96,7 +96,8 @@ static void first_failure_is_reported(void) {
   nb_outcome_free(&outcome);
 }
 
-/* Run 0 succeeds. Its thread is delayed until run 1 has failed and its thread has asked for another one. */
+/* Run 0 succeeds. Its thread is delayed until run 1 has failed and the thread of run 1 has asked for another
+ * run. */
 static void result_before_a_failure(void) {
   struct nb_outcome outcome;
   delay_run(0, 1);

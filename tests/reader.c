@@ -288,8 +288,8 @@ static void table(void) {
   }
 }
 
-/* A known word is suggested if the typed word differs in at most one letter of 3 to 5, in two of 6 to 9, or in three of
- * 10 or more letters. */
+/* A known word is suggested if at most one letter differs in a word of 3 to 5 letters, two in a word of 6 to 9 letters, or
+ * three in a longer word. */
 static void suggested_words(void) {
   static const char word[] = "bcdfghjklmnp";
   for (size_t length = 1; length <= 12; length++)

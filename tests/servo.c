@@ -119,8 +119,8 @@ static void the_error_of_a_stress_that_is_not_symmetric(void) {
   written_free(&it);
 }
 
-/* The radius follows the recursion, with a measurement every fifth cycle. At first it changes at the largest rate. In
- * the end the stress is at its target. */
+/* The radius follows the recursion, with a measurement every fifth cycle. At first it changes at 0.93 of the largest
+ * rate, because the integral part begins again at every measurement. In the end the stress is at its target. */
 static void stress_follows_the_recursion(void) {
   struct nb_result result;
   run(&result,

@@ -35,13 +35,13 @@
 
 enum { MOST = 32, AXIS = 8, STEPS = 17, FINE = 64, GROWTH_CYCLES = 1500, LONGEST = 2000, KICK_CYCLES = 1000 };
 static const double overlap = 1e-4; /* of each contact at rest, over the radius; not in the chain and the packing */
-static const double perturbation = 1e-9; /* largest displacement of the perturbation in a cycle, over the radius */
+static const double perturbation = 1e-9; /* largest displacement in x, and in y, in the first cycle, over the radius */
 /* Largest growth. Close to the limit the amplitude of a stable vibration rises and falls by a factor of about 10. */
 static const double growth_limit = 100;
 static const double displacement_tolerance = 0.01; /* as a fraction of the largest displacement */
 static const double agreement = 0.01;              /* largest relative difference between the limit and runs */
 static const double visible = 0.01;                /* energy residual or imbalance that a user would see */
-/* Displacement in the first cycle of a run that looks for symptoms, over the mean overlap. */
+/* Largest displacement in x, and in y, in the first cycle of a run that looks for symptoms, over the mean overlap. */
 static const double kick_size = 0.03;
 static const double steps[STEPS] = {1. / 32, 1. / 16, 0.125, 0.25, 0.5,  0.75, 0.875, 0.95, 0.99,
                                     1.01,    1.05,    1.1,   1.2,  1.35, 1.5,  1.75,  2};
@@ -299,7 +299,7 @@ static double mean_overlap(const struct nb_model *model) {
   return sum / (double)model->contacts.count; /* of all listed pairs */
 }
 
-/* Gives the particles random velocities at the start. `distance` is the largest displacement in a cycle. */
+/* Gives the particles random velocities at the start. `distance` is the largest displacement in a cycle, in x and in y. */
 static void kick(struct written *it, double distance, double step, unsigned seed) {
   struct chance chance = chance_begin(seed);
   const bool rotates = it->scene.stages[0].rotation != NB_ROTATION_OFF;
@@ -533,8 +533,8 @@ static const char *guard_of(const char *text) {
   return "motion";
 }
 
-/* Runs the scene with random velocities. `distance` is the largest displacement in the first cycle over the mean
- * overlap. */
+/* Runs the scene with random velocities. `distance` is the largest displacement in the first cycle, in x and in y, over
+ * the mean overlap. */
 static struct symptom symptom_of(struct written *it, double step, double distance, int cycles) {
   struct symptom symptom = {0};
   struct nb_error error = {0};
@@ -932,9 +932,9 @@ static void write_beginning(FILE *out) {
       out);
   fprintf(
       out,
-      "- **Unstable:** a random perturbation that moves particles by up to %g of the radius in a cycle grows. Its\n"
-      "  velocity changes become more than %g times as large as at first, within %d cycles, while the same contacts\n"
-      "  are closed.\n"
+      "- **Unstable:** a random perturbation grows. At first it moves particles by up to %g of the radius in a cycle,\n"
+      "  in x and in y. Its velocity changes become more than %g times as large as at first, within %d cycles, while\n"
+      "  the same contacts are closed.\n"
       "- **Inaccurate:** the displacement in the slowest mode is wrong by more than %g %% of its largest value. The\n"
       "  run is compared with one whose step is 1/%d of the limit, over half a period, or over %d limits if that is\n"
       "  shorter.\n"
@@ -955,7 +955,9 @@ static void write_beginning(FILE *out) {
   fprintf(
       out,
       "**Symptoms.** Points that are unstable or inaccurate are run again with `allow unstable` for %d cycles. Random\n"
-      "velocities move the discs by up to %g of the mean overlap in a cycle. The symptom is the first of these:\n\n"
+      "velocities move the discs by up to %g of the mean overlap in a cycle, in x and in y. The symptom is the first "
+      "of\n"
+      "these:\n\n"
       "- *message*: a guard stops the run.\n"
       "- *energy*: the largest `energy.residual` exceeds %g %% of the initial energy.\n"
       "- *imbalance*: the mean `unbalanced.max` at the end exceeds %g %%.\n"
@@ -1089,7 +1091,8 @@ static void write_above(FILE *out, const char *folder) {
       "\n## Just above the limit\n\n"
       "Two systems with equal masses and friction 1 are run for %d cycles. Random velocities move the discs by up to "
       "%g\n"
-      "of the overlap in the first cycle. The tables show what a user could record. The force is the mean of all\n"
+      "of the overlap in the first cycle, in x and in y. The tables show what a user could record. The force is the "
+      "mean of all\n"
       "contacts over the last half of the cycles, and `unbalanced.max` is averaged over the last tenth.\n"
       "`energy.residual` is the largest residual divided by the initial energy, and `energy.kinetic` the last kinetic\n"
       "energy divided by the first. *Stopped* names the guard that stopped the run. *motion*: a particle moved by more "

@@ -149,7 +149,8 @@ static void move_end(double from, const double to[2], const int cycles[2], const
 }
 
 /* Ends that are apart at time 0 never become common. Ends that coincide at time 0 are common when they meet again. In
- * the second call the end of b is at x = 0.04 at the last search, so this search does not see that the ends meet. */
+ * the second call with the default skin the end of b is at x = 0.04 at the last search, so this search does not see that
+ * the ends meet. */
 static void common_ends_are_those_of_time_0(void) {
   const double at_end = 400 * (1 - hypot(0.2, 0.95));
   const int equal[2] = {10, 10}, unequal[2] = {15, 3};
@@ -222,10 +223,9 @@ static void one_contact_at_a_corner(void) {
   push("wall a -9 0 to 0 0 m\nwall b 0 0 to 9 0 m\nwall c 0 0 to 0 -9 m", 0, 0.9,
        &contacts); /* three walls with a common end */
   CU_ASSERT_EQUAL(contacts, 1);
-  push("wall a -9 0 to -1e-10 0 m\nwall b 1e-10 0 to 9 0 m", 0, 0.9,
-       &contacts); /* a gap of the size of rounding errors */
+  push("wall a -9 0 to -1e-10 0 m\nwall b 1e-10 0 to 9 0 m", 0, 0.9, &contacts); /* a gap below 1e-9 of the radius */
   CU_ASSERT_EQUAL(contacts, 1);
-  push("wall a -9 0 to -1e-6 0 m\nwall b 1e-6 0 to 9 0 m", 0, 0.9, &contacts); /* a real gap: two ends */
+  push("wall a -9 0 to -1e-6 0 m\nwall b 1e-6 0 to 9 0 m", 0, 0.9, &contacts); /* a larger gap: two ends */
   CU_ASSERT_EQUAL(contacts, 2);
   push("wall a -9 0 to 1 0 m", 1.1, 0.9, &contacts); /* a wall and its end */
   CU_ASSERT_EQUAL(contacts, 1);

@@ -244,8 +244,8 @@ static bool write_means(FILE *out, const struct results *results) {
   fprintf(
       out,
       "\n## Means over realizations\n\n"
-      "The same criteria were measured for `--over seed` on %zu pages of assemblies of about a hundred particles, with "
-      "%d draws\n"
+      "The advice with `--over seed` was tested on %zu pages of assemblies of about a hundred particles, with %d "
+      "draws\n"
       "for each.\n"
       "Each draw has its own 8, 16 or 32 realizations. The pages trade a rate of loading or the stiffness. The truth "
       "is\n"
