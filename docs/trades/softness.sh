@@ -1,5 +1,5 @@
 #!/bin/sh
-# What softer spheres and faster loading do to a shear test: prints two lessons of docs/TRADES.md from softness.tsv in this folder.
+# What softer spheres and faster loading do to a shear test: prints two paragraphs of docs/TRADES.md from softness.tsv in this folder.
 #
 #   docs/trades/softness.sh           prints them
 #   docs/trades/softness.sh --run     writes the table first, from a run of cases/7-assemblies/softness-price.md: three minutes.

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Prints the section of docs/TRADES.md on other ways to trade. Every number comes from a table *.tsv of this folder,
-# whose first lines name the commit and the command. The tables are results of code that was measured but did not become
-# part of the program, so no command makes them again.
+# Prints the section of docs/TRADES.md on other ways to trade. Every measured number comes from a table *.tsv of this
+# folder, whose first lines name the command. springs.sh writes the tables linear-springs*.tsv. The other tables were
+# measured with the commit that their first lines name, and no command makes them again.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 set -eu
