@@ -496,8 +496,8 @@ static void strain_rates_against_a_servo(void) {
   }
 }
 
-/* Gravity away from all walls and fixed particles causes a warning. There is none if a wall or a fixed particle is in its
- * direction, if something else moves the particles or the walls, or if there is no wall at all. */
+/* Gravity upwards, and away from all walls and fixed particles, causes a warning. There is none if a wall or a fixed
+ * particle is in its direction, if something else moves the particles or the walls, or if there is no wall at all. */
 static void gravity_away_from_walls(void) {
   static const char floor[] = "wall w -9 0 to 9 0 m", ceiling[] = "wall w -9 9 to 9 9 m",
                     below[] = "disc 0 -5 radius 1 m fixed";
