@@ -27,8 +27,8 @@
  * Range      as in shear_randall.c. In the limit of small steps the law is exact in virgin loading at constant N, and
  *            almost nowhere else.
  * History    m[0..4]  N of the previous step, 0: none; T, T*, T**, N; DD, m.
- * Creates    energy: in the cycle given in shear_randall.c, 0.0067 mu N A the first time and 0.0113 mu N A each later
- *            time.
+ * Creates    energy: in the cycle given in shear_randall.c, 0.0067 mu N A the first time and 0.0113 mu N A in each of
+ *            the next five cycles.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "randall.h"
