@@ -145,10 +145,36 @@ static void report(struct nb_scene_reading *reading, int line, const char *hint,
   nb_line_mistake(&reading->reader, (size_t)line, hint, "%s", what);
 }
 
+/* Writes the hint for a stage in which `wall` moves walls of the box and a servo strains it: a `box strain` with the
+ * strain rates that the velocities of the walls mean. */
+static void moved_hint(char *hint, const struct nb_scene *scene, const struct nb_stage *stage, int first,
+                       bool unitless) {
+  const struct nb_wall *const south = &scene->walls[first];
+  const double height = scene->walls[first + 2].y - south->y,
+               width = scene->walls[first + 1].x - scene->walls[first + 3].x;
+  double x = 0, y = 0;
+  for (size_t m = 0; m < stage->motion_count; m++) {
+    const struct nb_wall_motion *const motion = &stage->motions[m];
+    const int side = motion->wall - first; /* south, east, north, west */
+    x += side == 1 ? motion->vx / width : side == 3 ? -motion->vx / width : 0;
+    y += side == 2 ? motion->vy / height : side == 0 ? -motion->vy / height : 0;
+  }
+  const char *const rate = unitless ? "" : " 1/s";
+  if (stage->box_line)
+    snprintf(hint, NB_HINT_SIZE, "remove `wall` and `walls`, or this line: `box strain` moves opposite walls together");
+  else
+    snprintf(
+        hint, NB_HINT_SIZE,
+        "write `box strain %.4g%s %.4g%s` in place of `wall` and `walls`: it moves opposite walls together, and the "
+        "servo adds to it what its stress needs",
+        x + 0.0, rate, y + 0.0, rate);
+}
+
 /* Reports a motion of a wall that follows the strain of a box: such walls have no motion of their own. */
 void nb_box_check(struct nb_scene_reading *reading) {
   const struct nb_scene *scene = reading->scene;
   const int first = nb_box_first_wall(scene);
+  char hint[NB_HINT_SIZE];
   bool turned = false;
   for (size_t s = 0; s < scene->stage_count && first >= 0; s++) {
     const struct nb_stage *stage = &scene->stages[s];
@@ -161,8 +187,9 @@ void nb_box_check(struct nb_scene_reading *reading) {
     if (!line || s < scene->start.stages)
       continue;
     if (moved)
-      report(reading, line,
-             "remove `wall` and `walls`, or this line: `box strain` and `servo` move opposite walls together",
+      moved_hint(hint, scene, stage, first, reading->reader.unitless);
+    if (moved)
+      report(reading, line, hint,
              "expected `box strain` and `servo`, or `wall` and `walls`, to move the box in this stage, found both");
     else if (turned)
       report(reading, line, NULL,

@@ -81,12 +81,12 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"ball balls disk disks particle particles grain grains body bodies clump", "disc, sphere"}, {"grid mesh regular", "lattice"},
     {"create create_atoms", "fill, lattice, disc, sphere"}, {"generate pack insert distribute pour random cloud makeCloud", "fill", RANDOM_PACKING},
     {"psd gradation size distribution bimodal", "grading"},
-    {"facet facets plane plate wallHandler InfiniteWall", "wall"}, {"domain container create_box setXMax setXMin setYMax setYMin", "box, cell", "the domain is `box 0 m 0 m to 1 m 1 m MATERIAL`, or periodic `cell 0 m 0 m to 1 m 1 m`"}, {"periodic pbc", "cell", "periodic boundaries are `cell 0 m 0 m to 1 m 1 m`, in place of walls"},
+    {"facet facets plane plate wallHandler InfiniteWall", "wall"}, {"domain container create_box setXMax setXMin setYMax setYMin", "box, cell", "the domain is `box 0 m 0 m to 1 m 1 m MATERIAL`, or periodic `cell 0 m 0 m to 1 m 1 m`"}, {"periodic pbc", "cell", "periodic boundaries are `cell 0 m 0 m to 1 m 1 m`, in place of walls; a cell is always periodic in x and in y"},
     {"discs", "lattice, fill", "several particles are `lattice discs 20 by 1 radius 5 mm MATERIAL`, or `fill discs`; a line `disc` is one particle"},
     {"spheres", "lattice, fill", "several particles are `lattice spheres 20 by 1 radius 5 mm MATERIAL`, or `fill spheres`; a line `sphere` is one particle"},
     {"brick rblock rblocks block", "disc, sphere, lattice", "particles are discs or spheres: `disc 0 m 0 m radius 5 mm MATERIAL`; a regular packing is `lattice discs hexagonal 20 by 20 radius 5 mm MATERIAL`"},
-    {"contact_model cmat pair_style pair_coeff model", "normal, shear", "contact laws are two statements: `normal linear` and `shear linear`, or `normal hertz` and `shear mindlin`"}, {"property prop attribute set assign", "material, pair, let"},
-    {"define fish", "let"}, {"parameter parameters variable", "let, sweep", "one value is `let mu = 0.3`, a run for each of several values is `sweep mu 0.1 0.3`; statements then use `$mu`"}, {"loop foreach for while", "sweep, repeat", "there are no loops: several particles are `lattice discs 20 by 1 radius 5 mm MATERIAL`, a run for each value is `sweep mu 0.1 0.3`, and repeated stages are `repeat from STAGE 3 times`"}, {"study vary parametric", "sweep"}, {"result results", "report"}, {"bond bonds cement adhesion linearpbond linearcbond", "cohesion"},
+    {"contact_model cmat pair_style pair_coeff model", "normal, shear", "contact laws are two statements: `normal linear` and `shear linear`, or `normal hertz` and `shear mindlin`; there are no bonds"}, {"property prop attribute set assign", "material, pair, let"},
+    {"define fish", "let"}, {"parameter parameters variable", "let, sweep", "one value is `let mu = 0.3`, a run for each of several values is `sweep mu 0.1 0.3`; statements then use `$mu`"}, {"loop foreach for while", "sweep, repeat", "there are no loops: several particles are `lattice discs 20 by 1 radius 5 mm MATERIAL`, a run for each value is `sweep mu 0.1 0.3`, and repeated stages are `repeat from STAGE 3 times`"}, {"study vary parametric", "sweep"}, {"result results", "report"}, {"bond bonds cement adhesion linearpbond linearcbond parallel_bond contact_bond", "cohesion", "there are no bonds and no tension; `cohesion 10 N` in `material` is added to the limit of the shear force"},
     {"friction_coefficient fric mu xmu slidingFriction", "friction"}, {"friction_angle frictionAngle", "friction", "`friction` is the tangent of the friction angle: `friction (tan(30 deg))`"}, {"coulomb", "friction, linear"}, {"rho dens mass_density", "density"},
     {"material_mass material_weight quantity_mass quantity_weight weight", "density", "the mass follows from `density D`: it is D pi R^2 times 1 m for a disc, which is 1 m thick, and D 4/3 pi R^3 for a sphere"},
     {"thickness depth", "density", "a disc is a cylinder 1 m thick, so its mass is `density` times pi R^2 times 1 m; another thickness cannot be given: masses, stiffnesses and forces are those of 1 m of thickness"},
@@ -123,9 +123,9 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"force contact_force forces", "normal, shear, fx, fy"}, {"position pos", "x, y"}, {"displacement disp", "slip, x, y"}, {"shear_displacement tangential_displacement", "slip, impact.slip", "the tangential displacement of a contact is `slip` in a contact test, and `impact.slip` in a scene with `impact`"}, {"vel velocity speed", "velocity, vx, vy, speed.mean, speed.max", "a velocity is given by `velocity VX VY` and recorded as `A.vx` and `A.vy`"},
     {"kinetic kinetic_energy ke", "energy.kinetic"}, {"elastic elastic_energy strain_energy energy.elastic energy.strain", "energy.stored"}, {"potential_energy energy.potential energy.gravitational energy.gravitation gravitational_energy energy.height", "energy.gravity, energy.stored", "`energy.gravity` is the work of gravity since the start, the negative change of the potential energy; the energy of the springs is `energy.stored`"}, {"energy.dissipated energy.dissipation energy.lost energy.loss dissipated_energy", "energy.damped, energy.frictional", "the dissipated energy is `energy.damped` plus `energy.frictional`, by damping and by friction; record both"},
     {"total total_energy energy.total balance energy.balance energy.error", "energy.residual", "there is no quantity for the total energy; the error of the balance is `energy.residual`: record it, and check `energy.residual max in all` and `energy.residual min in all`, each with `within 0.1 % of energy.kinetic max in all`"},
-    {"void voids", "void_ratio"}, {"3d three_dimensions", "disc, sphere", "the simulation is in the plane, x to the right and y up; spheres move in the plane, too"}, {"hertz_mindlin hertzian hertz_material mindlin_rescale", "normal hertz, shear mindlin"},
+    {"void voids", "void_ratio"}, {"3d three_dimensions", "disc, sphere", "the simulation is in the plane, x to the right and y up; spheres move in the plane, too"}, {"hertz_mindlin hertzian hertz_material mindlin_rescale gran/hertz/history hertz/history mindlin/history", "normal hertz, shear mindlin"},
     {"micro_slip microslip partial_slip partialslip cattaneo deresiewicz", "mindlin_deresiewicz", "`shear mindlin_deresiewicz` is the exact law with micro-slip; `shear mindlin` has none, so at constant normal force its loops open only when the contact slides"},
-    {"hooke hookean", "normal linear, shear linear"}, {"SI", "units", "`units none`: all numbers are in SI, without units; `units si`: each number has its unit, `5 mm`"}, {"degree degrees", "deg"},
+    {"hooke hookean gran/hooke/history gran/hooke hooke/history rotlinear linear_history", "normal linear, shear linear"}, {"SI", "units", "`units none`: all numbers are in SI, without units; `units si`: each number has its unit, `5 mm`"}, {"degree degrees", "deg"},
     {"norotation no_rotation irrotational blockedDOFs", "rotation off", NO_ROTATION}, {"false no disable disabled", "off"}, {"true yes enable enabled", "on"},
     {"safety safety_factor", "stable", "write `step 0.2 of stable`"}, {"number count", "grading", "a grading has the number of particles of each radius: `grading sand 2 mm 100  1 mm 400`"},
     /* STATEMENT_WORD: a word in a statement that does not have it */
@@ -140,6 +140,11 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"lattice_x lattice_times lattice_*", "by", "the number in a row and the number of rows have `by` between them: `lattice discs 10 by 10 radius 5 mm MATERIAL`"},
     {"lattice_at", "lattice", "the centre of the first particle is `from X Y`"},
     {"wall_at wall_normal", "wall", "a wall is a line in the plane between two ends, without `at` and `normal`: `wall floor -1 m 0 m to 1 m 0 m MATERIAL`"},
+    {"stage_constant scene_constant constant_volume", "cell strain, box strain", "a cell without a servo keeps its area in simple shear, `cell strain 0 1/s 0 1/s c12 0.1 1/s`; a biaxial test at constant area is `cell strain 0.1 1/s -0.1 1/s`, between walls `box strain 0.1 1/s -0.1 1/s`. With constant stress it is a servo"},
+    {"lattice_fixed fill_fixed packing_fixed grading_fixed", "fixed", "only a line `disc` or `sphere` has `fixed`: `disc 0 m 0 m radius 5 mm MATERIAL fixed`; a straight row of fixed particles is a `wall`, and all particles along the edge are held by a `boundary circle` and `boundary fixed` in a stage"},
+    {"normal_linearpbond shear_linearpbond normal_linearcbond shear_linearcbond normal_parallel_bond shear_parallel_bond normal_bond shear_bond normal_bonded shear_bonded material_pb_kn material_pb_ks material_bond material_tensile_strength material_tension", "cohesion", "there are no bonds and no tension; `cohesion 10 N` in `material` is added to the limit of the shear force: `material MATERIAL cohesion 10 N`"},
+    {"region_position region_at region_x region_centre region_center", "region", "the centre follows `circle`, x and y without a word: `region M circle 40 mm 40 mm radius 30 mm`"},
+    {"sweep_of sweep_step", "sweep", "a sweep gives values to a name: `sweep f 5 % 10 %`, and the line of the step has the name, `step $f of stable` or `step $f of rayleigh`"},
     {"wall_stop wall_still wall_halt wall_inward", "wall", "in a stage write `wall NAME velocity 0 m/s 0 m/s`, or for all walls `walls stop`"},
     {"wall_sine wall_sin wall_sinus wall_sinusoidal wall_harmonic wall_oscillate wall_amplitude wall_frequency wall_period", "wall", "a wall moves at a constant velocity in each stage, `wall NAME velocity 0 m/s 1 mm/s`, or at one that `ramp wall NAME velocity 0 m/s -1 mm/s` changes linearly; stages are repeated by `repeat from STAGE 3 times`"},
     {"walls_velocity walls_speed walls_move", "walls", "`walls inward 1 mm/s` moves the four walls of a box; one wall moves by `wall NAME velocity 0 m/s -1 mm/s`"},
@@ -192,7 +197,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"model_solve model_cycle model_step stage_solve scene_solve scene_run scene_cycle minimize", "until, cycles", "in a stage write `cycles 1000`, or `until unbalanced.max below 1e-4 and contacts above 0 at most 1000000 cycles`"},
     {"solve_ratio solve_ratio_average solve_aratio solve_average", "until, unbalanced.mean", "in a stage write `until M.unbalanced.mean below 1e-4 and contacts above 0 at most 1000000 cycles`, with `region M all` in the scene: PFC's average ratio. `unbalanced.max`, the largest unbalanced force over the largest contact force, is stricter"},
     {"model_save model_restore", "start", "nothing has to be saved: a second page begins with `start THIS-PAGE stage NAME`"},
-    {"contact_cmat contact_method", "normal, shear", "contact laws are two statements: `normal linear` and `shear linear`, or `normal hertz` and `shear mindlin`"},
+    {"contact_cmat contact_method contact_linearpbond", "normal, shear", "contact laws are two statements: `normal linear` and `shear linear`, or `normal hertz` and `shear mindlin`; there are no bonds"},
     {"ball_generate ball_distribute", "fill", RANDOM_PACKING}, {"ball_create O.bodies.append atom_style", "disc, sphere", "a particle is `disc 0 m 0 m radius 5 mm MATERIAL`, or `sphere` in place of `disc`"},
     {"ball_attribute ball_property scene_mass disc_density disc_kn disc_friction disc_young sphere_density sphere_kn sphere_friction sphere_young species FrictMat ViscElMat LinearViscoelasticFrictionSpecies HertzianViscoelasticMindlinSpecies disc_mass sphere_mass", "material", "density and stiffness are properties of a material: `material steel density 7800 kg/m3 kn 1 MN/m ks 1 MN/m friction 0.3`"},
     {"translation disc_translation disc_x disc_y sphere_translation sphere_x sphere_y", "fixed", "the centre is written without the words x and y: `disc 0 m 0 m radius 5 mm MATERIAL`; `fixed` in this line keeps the centre, no direction can be fixed alone, and `rotation off` in a stage prevents all rotation"},
@@ -225,7 +230,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"expect_average expect_avg", "mean", "the mean of the rows is `mean`: `C.normal mean in load  below 3 N`"},
     {"expect_always expect_every expect_everywhere expect_never expect_each expect_throughout", "min, max", "in all rows of a stage the least value is `A.vx min in STAGE  above -1 m/s`, the largest `A.vx max in STAGE  below 3 m/s`; a value at a time is `A.vx at 0.1 s  expected 3 m/s within 1 % [SOURCE]`"},
     {"expect_first expect_initial expect_begin expect_start", "expected", "the first row of the run is `at 0 cycles`. The first row of a later stage, or after `start`, is `at N cycles`: `record cycle` and `report cycle min in STAGE` show N; `nineball --help expect` lists all such words"},
-    {"expect_positive expect_zero expect_nonzero expect_!=", "above, below", "write `above 0 N` or `below 0 N`, with the unit of the quantity; a value of zero is `expected 0 N within 1 mN [SOURCE]`"},
+    {"expect_positive expect_negative expect_zero expect_nonzero expect_!=", "above, below", "write `above 0 N` or `below 0 N`, with the unit of the quantity; a value of zero is `expected 0 N within 1 mN [SOURCE]`"},
     {"expect_std expect_rms expect_sum", "max, min, mean", "there is no such word; `nineball --help expect` lists the words that may follow a quantity"},
     {"expect_integral quantity_integral integral integrate trapz quantity_work quantity_work.walls quantity_walls.work quantity_work.wall quantity_energy.work quantity_work.done quantity_work.external quantity_energy.external", "energy.walls", "there is no integral over rows. The work of moving walls and moving fixed particles is `energy.walls`, that of gravity `energy.gravity`, the energy dissipated by friction `energy.frictional`: `record energy.walls`"},
     {"expect_slope expect_rate expect_derivative expect_gradient quantity_slope quantity_rate quantity_derivative slope derivative", "at, expected", "there is no slope or rate of change: compare the values at two times, `A.vx at 2 ms  expected 2 of A.vx at 1 ms within 1 % [SOURCE]`, or a value with a formula, `A.vx at 2 ms  expected (a*2 ms) within 1 % [SOURCE]`, with `let a = 3 m/s2` in the scene"},
@@ -237,6 +242,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"expect_print", "report", "write `report energy.kinetic max in STAGE`"},
     {"expect_stage", "in", "`in` is followed by the name alone: `C.normal max in load`"},
     {"expect_expected", "expected", "the value follows the quantity, a reducer and `in STAGE`: `C.shear last in load  expected 0.1 N within 1 % [SOURCE]`, or at a time `C.shear at 2 ms  expected 0.1 N within 1 % [SOURCE]`, or, for a value in another stage, `expected 1 of C.shear last in unload within 1 % [SOURCE]`"},
+    {"expect_period", "frequency", "the period is 1 over the `frequency`, which needs the values of a whole stage: `A.x frequency in load  expected 5 1/s within 1 % [SOURCE]`"},
     {"expect_abs expect_magnitude expect_absolute expect_mag expect_norm expect_absmax", "above, below", "a magnitude below X is two lines: `C.shear max below X` and `C.shear min above -X`"},
     /* quantity_WORD: another name of a quantity */
     {"quantity_p quantity_pressure quantity_mean_stress quantity_s quantity_pprime", "stress.mean"}, {"quantity_q quantity_deviatoric_stress quantity_deviator quantity_deviator_stress quantity_deviatoric", "stress.deviator"},
@@ -405,9 +411,15 @@ static bool is_related(const char *known, const char *word, size_t length) {
   return begins || follows || strcmp(strrchr(known, '.') + 1, word) == 0;
 }
 
+/* True if the known word is the last part of the word: `yy` of `stress.yy`. */
+static bool is_last_part(const char *known, const char *word) {
+  const char *const dot = strrchr(word, '.');
+  return dot && known[0] && known[1] && strcmp(dot + 1, known) == 0;
+}
+
 void nb_guess_offer(struct nb_guess *guess, const char *known) {
   const bool marked = mark(guess, known), related = !marked && is_related(known, guess->word, strlen(guess->word));
-  const int d = marked ? 0 : related ? 1 : distance(guess->word, known);
+  const int d = marked ? 0 : related || is_last_part(known, guess->word) ? 1 : distance(guess->word, known);
   if (related && guess->related_count++ < NB_RELATED_MAX)
     nb_append_item(guess->related, sizeof guess->related, known, false);
   if (d >= guess->distance || strlen(known) >= sizeof guess->best)

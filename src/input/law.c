@@ -21,6 +21,8 @@ static void report_unknown(struct nb_reader *reader, const char *kind, const str
   const char *near = nb_guess_hint(&guess, hint);
   snprintf(what, sizeof what, "the name of a `%s` law", kind);
   const bool rate = strcmp(kind, "shear") == 0 && (nb_number_length(token->text) || strcmp(token->text, "strain") == 0);
+  if (!near && nb_pair_hint(hint, kind, token->text))
+    near = hint;
   if (rate && nb_pair_hint(hint, kind, "rate"))
     nb_token_mistake(reader, token, hint, "expected %s, found `%s`", what, token->text);
   else

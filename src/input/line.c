@@ -535,7 +535,9 @@ static const char *context_hint(const struct nb_reader *reader, char *hint, cons
 static const char *word_hint(const struct nb_reader *reader, char *hint, const char *word, bool complete) {
   const struct nb_synonym *const synonym = nb_synonym(word);
   const bool known = synonym && (synonym->note || !complete);
-  return (known && nb_synonym_hint(hint, word)) || (!complete && nb_example_hint(hint, reader)) ? hint : NULL;
+  if (synonym && synonym->note)
+    return nb_synonym_hint(hint, word);
+  return (!complete && nb_example_hint(hint, reader)) || (known && nb_synonym_hint(hint, word)) ? hint : NULL;
 }
 
 bool nb_expected(struct nb_reader *reader, const char *hint, const char *format, ...) {

@@ -394,12 +394,17 @@ static struct nb_guess guess_clause(const struct nb_reader *reader, const char *
 /* True if one of several such clauses is required: their default begins with `|`. */
 static bool is_alternative(const struct nb_argument *field) { return field->otherwise && field->otherwise[0] == '|'; }
 
-/* True if the field is required and missing. */
-static bool is_missing(const struct nb_reader *reader, const struct nb_argument *field) {
+/* True if the field is one of several clauses of which the line has another one. */
+static bool is_excluded(const struct nb_reader *reader, const struct nb_argument *field) {
   bool other = false;
   for (const struct nb_argument *it = reader->keyword->arguments; it->count; it++)
     other = other || (is_alternative(it) && given(reader, it));
-  return !given(reader, field) && (!field->otherwise || (is_alternative(field) && !other));
+  return is_alternative(field) && other;
+}
+
+/* True if the field is required and missing. */
+static bool is_missing(const struct nb_reader *reader, const struct nb_argument *field) {
+  return !given(reader, field) && (!field->otherwise || (is_alternative(field) && !is_excluded(reader, field)));
 }
 
 /* True if some required field is missing; `clause`: some required clause. */
@@ -516,10 +521,34 @@ static void usage_hint(const struct nb_reader *reader, char *hint, const struct 
                        const struct nb_argument *missing) {
   char example[NB_HINT_SIZE];
   syntax_hint(hint, reader->keyword);
-  if (!token && nb_example_hint(example, reader))
+  if ((!token || missing) && nb_example_hint(example, reader))
     nb_append(hint, NB_HINT_SIZE, ", %s", example);
   if (number_next(reader) && missing && missing->word && !missing->otherwise && nb_example_hint(example, reader))
     snprintf(hint, NB_HINT_SIZE, "write `%s` before `%.40s`, %.300s", missing->word, token->text, example);
+}
+
+/* The hint for `fixed yes`, a word that follows a word without a value; NULL: the words are others. */
+static const char *flag_hint(char *hint, const struct nb_reader *reader, const struct nb_token *token) {
+  const struct nb_synonym *const synonym = token ? nb_synonym(token->text) : NULL;
+  const bool yes = token && (strcmp(token->text, "on") == 0 || (synonym && strcmp(synonym->ours, "on") == 0));
+  for (const struct nb_argument *field = reader->keyword->arguments; yes && field->count; field++)
+    if (field->kind == NB_ARGUMENT_FLAG && nb_begins_clause(field, token[-1].text)) {
+      snprintf(hint, NB_HINT_SIZE, "`%s` has no value: leave out `%.40s`", field->word, token->text);
+      return hint;
+    }
+  return NULL;
+}
+
+/* The hint for a clause with another name before it in an incomplete line, `servo stress.yy 20 kPa`; NULL: the word is no
+ * such clause. */
+static const char *part_hint(char *hint, const struct nb_reader *reader, const struct nb_token *token,
+                             const struct nb_argument *missing, const struct nb_guess *guess) {
+  char example[NB_HINT_SIZE];
+  if (!token || !missing || !strchr(token->text, '.') || !nb_guess_hint(guess, hint))
+    return NULL;
+  if (nb_example_hint(example, reader))
+    nb_append(hint, NB_HINT_SIZE, " %s", example);
+  return hint;
 }
 
 /* Writes the hint for an unexpected word or a missing field. False: there is no such hint, and *hint is that of
@@ -528,7 +557,8 @@ static bool fields_hint(const struct nb_reader *reader, char *hint, const struct
                         const struct nb_argument *missing) {
   const struct nb_guess guess = guess_clause(reader, token ? token->text : "");
   usage_hint(reader, hint, token, missing);
-  return (token && nb_pair_hint(hint, reader->tokens[0].text, token->text)) || /* has priority over guesses */
+  return flag_hint(hint, reader, token) || part_hint(hint, reader, token, missing, &guess) ||
+         (token && nb_pair_hint(hint, reader->tokens[0].text, token->text)) || /* has priority over guesses */
          (number_next(reader) && third_coordinate(hint, reader, missing)) || nb_guess_hint(&guess, hint) ||
          (token && reader->given && other_statement(hint, reader, token->text)) || namesake_hint(reader, hint, missing);
 }
@@ -537,7 +567,7 @@ static bool fields_hint(const struct nb_reader *reader, char *hint, const struct
 static void list_clauses(const struct nb_reader *reader, char *list, size_t size, bool end) {
   *list = '\0';
   for (const struct nb_argument *field = reader->keyword->arguments; field->count; field++)
-    if (field->word && !given(reader, field))
+    if (field->word && !given(reader, field) && !is_excluded(reader, field))
       list_word(list, size, ", ", field->word);
   char word[NB_NAME_SIZE], *const last = end ? NULL : strrchr(list, ',');
   if (last) {

@@ -51,6 +51,24 @@ static const char *fraction_hint(char *hint, const struct nb_reader *reader) {
   return hint;
 }
 
+/* Refuses several steps in one line, `step 5 % 10 %`. True: they are refused. */
+static bool refuse_several(struct nb_reader *reader) {
+  const struct nb_token *const number = nb_token_peek(reader);
+  const size_t percent = reader->count > 2 && strcmp(number[1].text, "%") == 0, at = reader->next + 1 + percent;
+  double value;
+  char hint[NB_HINT_SIZE];
+  if (at >= reader->count || nb_number_read(&value, number->text, 0) != NB_READ ||
+      nb_number_read(&value, reader->tokens[at].text, 0) != NB_READ)
+    return false;
+  const char *const sign = percent ? " %" : "";
+  snprintf(
+      hint, sizeof hint,
+      "a run for each of several steps is `sweep f %.40s%s %.40s%s`, and below it `step $f of stable`, with elastic "
+      "spheres `step $f of rayleigh`",
+      number->text, sign, reader->tokens[at].text, sign);
+  return !nb_token_mistake(reader, &reader->tokens[at], hint, "expected one time step, found several");
+}
+
 /* Refuses `step 0.3` and `step 30 %`, numbers without a unit and without a reference step; another statement may follow
  * in the line. True: it is refused. */
 static bool refuse_number(struct nb_reader *reader) {
@@ -108,7 +126,7 @@ NB_APPLY(apply_step) {
   const bool fraction = follows(reader, "of|critical|" STEP_KINDS), per = follows(reader, "per"),
              setting = reader == &reading->setting;
   struct nb_step step = {.kind = NB_STEP_TIME, .line = setting ? 0 : (int)reader->line, .set = setting};
-  if (refuse_number(reader) ||
+  if (refuse_number(reader) || refuse_several(reader) ||
       !nb_take_number(reader, fraction || per ? NB_UNIT_NUMBER : NB_UNIT_TIME, NB_POSITIVE, &step.value))
     return;
   if (fraction)

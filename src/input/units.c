@@ -103,7 +103,7 @@ static const struct {
     [NB_UNIT_FORCE] = {"a force", "N, kN, MN, mN, uN"},
     [NB_UNIT_RATE] = {"a rate", "1/s, 1/ms"},
     [NB_UNIT_STRAIN_RATE] = {"a strain rate", "1/s, 1/ms, " NB_PER_CYCLE},
-    [NB_UNIT_SPIN] = {"a spin", "rad/s"},
+    [NB_UNIT_SPIN] = {"a spin", "rad/s, deg/s"},
     [NB_UNIT_ANGLE] = {"an angle", "rad, deg"},
     [NB_UNIT_ENERGY] = {"an energy", "J, mJ, uJ, nJ"},
     [NB_UNIT_MOMENT] = {"a moment", "N.m"},

@@ -652,17 +652,23 @@ static bool take_trend(struct nb_reader *reader, const struct nb_scene *scene, s
          take_sample(reader, scene, expectation);
 }
 
-static bool take_constant(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
+/* Writes how to check that a quantity is constant in time. */
+static void append_constant(char *hint, const struct nb_reader *reader, const struct nb_scene *scene) {
   const char *const name = reader->tokens[0].text;
   struct nb_quantity quantity;
   const char *const unit =
       nb_quantity_find(&quantity, scene, name) ? shown_unit(reader, nb_quantity_unit(quantity)) : "";
-  char hint[NB_HINT_SIZE];
-  snprintf(
-      hint, sizeof hint,
-      "`constant with NAME` compares the runs of a sweep; to check that a quantity is constant in time, write `%.80s "
-      "amplitude in all  expected 0%s%s within 1e-6 of %.80s max in all [SOURCE]`",
-      name, *unit ? " " : "", unit, name);
+  const char *const space = *unit ? " " : "";
+  nb_append(
+      hint, NB_HINT_SIZE,
+      "to check that a quantity is constant in time, write `%.80s amplitude in all  expected 0%s%s within 1e-6 of "
+      "%.80s max in all [SOURCE]`, or, if it is always near 0, a tolerance with its unit: `within 1e-9%s%s`",
+      name, space, unit, name, space, unit);
+}
+
+static bool take_constant(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
+  char hint[NB_HINT_SIZE] = "`constant with NAME` compares the runs of a sweep; ";
+  append_constant(hint, reader, scene);
   if (!nb_token_is(reader, "with"))
     return nb_expected(reader, hint, "`with` and the name of a `sweep`");
   return take_trend(reader, scene, expectation) &&
@@ -801,6 +807,25 @@ static const char *kind_hint(char *hint, const struct nb_measure *measure, const
                  : nb_guess_hint(guess, hint);
 }
 
+/* Writes the hint for `conserved`; or, for a value, the line with `expected` before it. NULL: the token is neither. */
+static const char *value_hint(char *hint, const struct nb_reader *reader, const struct nb_scene *scene,
+                              const struct nb_token *token) {
+  bool within = false;
+  *hint = '\0';
+  if (strcmp(token->text, "conserved") == 0) {
+    append_constant(hint, reader, scene);
+    return hint;
+  }
+  snprintf(hint, NB_HINT_SIZE, "write `");
+  for (size_t k = 0; k < reader->count && *reader->tokens[k].text != '['; k++) {
+    within = within || strcmp(reader->tokens[k].text, "within") == 0;
+    nb_append(hint, NB_HINT_SIZE, "%s%s%.40s", k ? " " : "", k == reader->next ? "expected " : "",
+              reader->tokens[k].text);
+  }
+  nb_append(hint, NB_HINT_SIZE, "%s [SOURCE]`", within ? "" : " within 1 %");
+  return nb_number_length(token->text) ? hint : NULL;
+}
+
 /* Reads the rest of the expectation as the row of its word says. The hint for an unknown word also suggests reducers
  * and `in`. */
 static bool take_kind(struct nb_reader *reader, const struct reading *reading, struct nb_expectation *expectation) {
@@ -828,6 +853,8 @@ static bool take_kind(struct nb_reader *reader, const struct reading *reading, s
       ratio_hint(hint, reader, reading->scene, *token->text, expectation->measure.label, "");
     return nb_token_mistake(reader, token, hint, "expected %s, found `%s`", words, token->text);
   }
+  if (token && value_hint(hint, reader, reading->scene, token))
+    return nb_token_mistake(reader, token, hint, "expected %s, found `%s`", words, token->text);
   return nb_expected(reader, kind_hint(hint, &expectation->measure, token, &guess, again), "%s", words);
 }
 
