@@ -118,7 +118,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
                       .radius = particle->radius,
                       .overlap = particle->radius - fabs(away),
                       .v = side * (wall->vx * wall->ex + wall->vy * wall->ey)};
-  /* The unit vector of the wall and the two products are rounded to 1e-16; a wall with a real normal velocity is far above. */
+  /* Rounding leaves about 1e-16 of the speed; a normal velocity that the page gives is far above 1e-14 of it. */
   const bool along = fabs(wall->vy * wall->ex - wall->vx * wall->ey) <= 1e-14 * hypot(wall->vx, wall->vy);
   if (!(it.overlap > 0) || !along || !read_stages(&it, scene))
     return nb_error_set(
