@@ -328,7 +328,7 @@ static void roughness_is_relative(void) {
 }
 
 /* A disc that moves outwards belongs to the boundary from the first cycle that begins with its centre on the circle
- * or outside, whatever the skin is; meanwhile the circle shrinks to an ellipse. */
+ * or outside, whatever the skin is; meanwhile the circle becomes an ellipse. */
 static void particles_join_the_boundary(void) {
   static const char *const skins[] = {"skin 0.01\n", "skin 0.5\n", "skin 40\n"};
   for (size_t s = 0; s < 3; s++) {

@@ -228,7 +228,7 @@ static void imbalance_without_contacts(void) {
   }
 }
 
-/* Every measure of two scenes from a hand calculation: discs that lie on fixed discs, with linear springs, and spheres
+/* Measures of two scenes from a hand calculation: discs that lie on fixed discs, with linear springs, and spheres
  * with Hertz's law. */
 static void loads(void) {
   struct words page = {0};
