@@ -194,6 +194,56 @@ static void stages_after_those_of_another_page(void) {
   }
 }
 
+/* A statement that a page takes from another one by `start` has the line of `start`, which messages show. A statement that
+ * the other page does not have has no line. */
+static void statements_of_another_page_have_the_line_of_start(void) {
+  static const char *const more[] = {
+      "", "gravity 0 -1\ncell -9 -9 to 9 9\nnormal linear\ndamping ratio 0.1\nstage s\ncell strain 0.1 0\ncycles 1",
+      "boundary circle 0 0 radius 9\nshear linear\ndamping mass 1\npair m m ks 1\nstage s\nboundary strain 0.1 0\n"
+      "affine strain 0.1 0\nrotation off\ngravity 0 -1\ncycles 1",
+      "box -9 -9 to 9 9 m\nstage s\nbox strain 0.1 0\nshear linear\nnormal linear\ncycles 1"};
+  for (size_t k = 0; k < sizeof more / sizeof *more; k++) {
+    char path[] = "/tmp/nineball-scene-XXXXXX.md", text[1024];
+    const int descriptor = mkstemps(path, 3);
+    CU_ASSERT_FATAL(descriptor >= 0);
+    FILE *file = fdopen(descriptor, "w");
+    CU_ASSERT_PTR_NOT_NULL_FATAL(file);
+    fprintf(file, "\n\n```scene\nunits none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nstep 0.25\n%s\n%s```\n",
+            more[k], k ? "" : "stage s\ncycles 1\n");
+    fclose(file);
+    snprintf(text, sizeof text, "start %s stage s\nrecord time\nstage one\ncycles 1", path);
+    struct read read = read_scene(text);
+    const struct nb_scene *of = &read.scene, *other = of->start.scene;
+    const struct nb_stage *a = &of->stages[0], *b = &other->stages[0];
+    const int lines[][2] = {{of->gravity.line, other->gravity.line},
+                            {of->cell.line, other->cell.line},
+                            {of->circle.line, other->circle.line},
+                            {of->normal_line, other->normal_line},
+                            {of->shear_line, other->shear_line},
+                            {of->materials[0].line, other->materials[0].line},
+                            {of->particles[0].line, other->particles[0].line},
+                            {of->wall_count ? of->walls[3].line : 0, other->wall_count ? other->walls[3].line : 0},
+                            {a->line, b->line},
+                            {a->gravity.line, b->gravity.line},
+                            {a->damping.contact_line, b->damping.contact_line},
+                            {a->damping.global_line, b->damping.global_line},
+                            {a->boundary.line, b->boundary.line},
+                            {a->affine.line, b->affine.line},
+                            {a->rotation_line, b->rotation_line},
+                            {a->cell_line, b->cell_line},
+                            {a->box_line, b->box_line},
+                            {a->laws.normal_line, b->laws.normal_line},
+                            {a->laws.shear_line, b->laws.shear_line}};
+    for (size_t l = 0; l < sizeof lines / sizeof *lines; l++) {
+      if (lines[l][0] != (lines[l][1] ? of->start.line : 0))
+        printf("# %zu, %zu: %d, %d\n", k, l, lines[l][0], lines[l][1]);
+      CU_ASSERT_EQUAL(lines[l][0], lines[l][1] ? of->start.line : 0);
+    }
+    done(&read);
+    unlink(path);
+  }
+}
+
 /* Two names are distinguished even if one is the beginning of the other. */
 static void monitors_whose_names_begin_alike(void) {
   struct words page = {0};
@@ -286,5 +336,6 @@ void suite_scene(void) {
   CU_add_test(suite, "statements that change the hash of a stage", hash_of_a_stage);
   CU_add_test(suite, "what stages set, and what they inherit", stages);
   CU_add_test(suite, "stages after those of another page", stages_after_those_of_another_page);
+  CU_ADD_TEST(suite, statements_of_another_page_have_the_line_of_start);
   CU_add_test(suite, "monitors whose names begin alike", monitors_whose_names_begin_alike);
 }

@@ -30,6 +30,10 @@ static void a_step_relative_to_a_limit(void) {
   /* omega^2 = 2 k/m = 16 */
   NEAR(step_of(PAIR "lattice discs 2 by 1 radius 1 m\nstep 0.5 of stable\n"), 0.25, 1e-15);
   NEAR(step_of(PAIR "lattice discs 2 by 1 radius 1 m\nstep 50 % of stable\n"), 0.25, 1e-15);
+  /* the pair with the shorter stable step counts, even if the steps of two pairs differ by a 2000th only */
+  NEAR(step_of(PAIR "material h density 0.31830988618379067 kn 8.008\nlattice discs 2 by 1 radius 1 m\n"
+                    "lattice discs 2 by 1 from 0 9 radius 1 h\nstep 0.5 of stable\n"),
+       0.25 / sqrt(1.001), 1e-15);
   /* pairs within the skin count; particles far apart count as if they touched, and so does a wall */
   NEAR(step_of(PAIR "lattice discs 2 by 1 radius 1 spacing 2.09 m\nstep 0.5 of stable\n"), 0.25, 1e-15);
   NEAR(step_of(PAIR "lattice discs 2 by 1 radius 1 spacing 5 m\nstep 0.5 of stable\n"), 0.25, 1e-15);
@@ -246,13 +250,17 @@ static void steps_that_spheres_do_not_have(void) {
     const char *statements, *words;
     int line; /* 0: any */
   } pages[] = {
-      {"sphere 0 3 radius 1 m\nsphere 9 3 radius 1 m velocity 1 0\nstep 1 of collision\n", "no pair approaches", 9},
+      {"sphere 0 3 radius 1 m\nsphere 9 3 radius 1 m velocity 1 0\nstep 1 of collision\n",
+       "no pair approaches, so there is no collision: write a time, or `step 0.2 of rayleigh`", 9},
       {"gravity 0 -9\nsphere 0 3 radius 1 m\nwall w -9 0 to 9 0 r\nstep 9 per collision\n", "no pair approaches", 10},
       {"sphere 0 3 radius 1 m\nstep 0.1 of stable\n", "the stable step follows from the stiffness", 8},
       {"lattice spheres 3 by 1 radius 1 m\nstep 0.1 of stable\n",
        "elastic spheres without overlap have none: write `step 0.2 of rayleigh`", 0},
       {"lattice spheres 2 by 1 radius 1 spacing 1.9 m\nstep 0.1 of single-contact\n",
-       "elastic spheres have no single-contact step", 8},
+       "because their stiffness increases with the load: write `step 0.2 of rayleigh`, or with approaching pairs `step "
+       "200",
+       8},
+      {"sphere 0 3 radius 1 r\nstep 0.1 of rayleigh\n", "there are no waves: write a time, or `step 0.2 of stable`", 8},
   };
   for (size_t n = 0; n < sizeof pages / sizeof *pages; n++) {
     struct words page = {0};

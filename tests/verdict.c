@@ -259,6 +259,12 @@ static void words(void) {
   CU_ASSERT_STRING_EQUAL(outcome.checks[0].message,
                          "computed 3, reference 0, error 3, tolerance 9; the worst of 3 rows, at time = 2");
   nb_outcome_free(&outcome);
+  planted_page(&outcome, "", "A.x versus time within 9"); /* the rows of the last stage only */
+  planted_rows(&outcome, 0, 5, (double[]){7, 8, 9, 4, 5});
+  planted_curve(&outcome, 5, (double[]){0, 0, 0, 0, 0});
+  planted_is(&outcome, NB_PASS);
+  planted_says(&outcome, "computed 5, reference 0, error 5, tolerance 9; the worst of 2 rows, at time = 4");
+  nb_outcome_free(&outcome);
   planted_page(&outcome, "", "A.x   within\t 2  # of something");
   planted_rows(&outcome, 0, 1, (double[]){1});
   planted_solution(&outcome, "A.x", 1);

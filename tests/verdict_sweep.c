@@ -87,6 +87,7 @@ static void orders(void) {
       {"sweep h 1 2 4", "A.x order 2 in h within 0.5", ERRORS(2), NB_PASS,
        "computed order 2, expected 2, error 0, tolerance 0.5: errors 1 at h = 1, 4 at 2, 16 at 4"},
       {"sweep h 1 2 4", "A.x order 2 in h within 0.5", ERRORS(2.5 - 1e-9), NB_PASS, "computed order 2.5"},
+      {"sweep h 1 2 4", "A.x order 2 in h within 0.5", ERRORS(2.4994), NB_PASS, "error 0.499, tolerance 0.5"},
       {"sweep h 1 2 4", "A.x order 2 in h within 0.5", ERRORS(2.5 + 1e-9), NB_FAIL, ""},
       {"sweep h 1 2 4", "A.x order 2 in h within 0.5", ERRORS(1.5 + 1e-9), NB_PASS, ""},
       {"sweep h 1 2 4", "A.x order 2 in h within 0.5", ERRORS(1.5 - 1e-9), NB_FAIL, "computed order 1.5"},
