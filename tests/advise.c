@@ -469,7 +469,7 @@ static void when_softer_contacts_save_nothing(void) {
 
 /* ---- means over realizations ---- */
 
-/* Random discs that fly about in a periodic cell and collide. */
+/* Random discs at rest in a periodic cell that shrinks. In some realizations discs collide. */
 #define GAS                                                                                                            \
   "units none\n%s%smaterial m density 1 kn 1000 ks 500 friction 0.5\nnormal linear\nshear %s\ncell 0 0 to 9 9\n"       \
   "grading g 1 6 0.7 8\nfill discs cell g m seed %s attempts 10000 else skip\nregion A all\nrecord "                   \

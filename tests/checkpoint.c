@@ -453,7 +453,7 @@ void suite_checkpoint(void) {
   CU_add_test(suite, "other records are refused", other_records_are_refused);
   CU_ADD_TEST(suite, other_tracked_columns);
   CU_add_test(suite, "checkpoints that lack a variable are refused", missing_variables_are_refused);
-  CU_add_test(suite, "ramps, a servo and references interrupted", interrupted_in_the_middle);
+  CU_add_test(suite, "special scenes interrupted and continued", interrupted_in_the_middle);
   CU_ADD_TEST(suite, a_collision_step_that_is_set);
   CU_ADD_TEST(suite, a_checkpoint_is_not_replaced);
   CU_ADD_TEST(suite, a_page_that_starts_from_another);

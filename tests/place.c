@@ -4,9 +4,9 @@
  * error, or particles move differently. The scene is run as it is and with several transforms; particles and walls must
  * end at the transformed places of the first run.
  *
- * Every keyword of the page language must be in one of two lists: `rows` has the statements with a direction, `scalars`
- * the keywords without one. The test fails if a keyword is in neither of them, or if `scalars` has a keyword that takes
- * values with a direction.
+ * Every keyword of a scene except `transform` must be in one of two lists: `rows` has the statements with a direction,
+ * `scalars` the keywords without one. The test fails if a keyword is in neither of them, or if `scalars` has a keyword
+ * that takes values with a direction.
  *
  * Tolerance: a transformed scene differs only by rounding, 1e-16 of coordinates below 20, and the runs are so short
  * that contacts amplify this to at most 1e-10; the tolerance is 1e-9. The effect of each line is above 1e-6.
