@@ -344,6 +344,40 @@ said 'strains.md:11: warning: stage `a` compresses in y, and extension is positi
 said 'strains.md:13: warning: stage `b` compresses in y, and extension is positive: in place of `box.strain.height above 0.2`'
 said 'strains.md:16: warning: stage `c` extends in x, and extension is positive: in place of `M.strain.xx below -0.1` write `M.strain.xx above 0.1`'
 test "$(grep -c 'extension is positive' said)" -eq 3 || echo 'not three warnings' >>why
+cat >pressed.md <<'END'
+```scene
+units none
+material m density 1 kn 100
+disc 1 1 radius 1 m
+disc 1 3 radius 1 m
+wall bottom -9 0 to 9 0 m
+wall top -9 4 to 9 4 m velocity 0 -0.1
+wall side 2.5 -9 to 2.5 9 m velocity 0 -0.1
+region M all
+step 0.1 of stable
+record time
+stage a
+until M.strain.yy above 0.1 at most 9 cycles
+stage b
+wall top velocity 0 0.1
+until M.strain.yy below -0.1 at most 9 cycles
+stage right
+wall top velocity 0 -0.1
+until M.strain.yy below -0.1 and M.strain.xx above 0.1 at most 9 cycles
+stage both
+wall bottom velocity 0 -0.2
+until M.strain.yy above 0.1 at most 9 cycles
+stage again
+wall bottom velocity 0 0
+until M.strain.yy above 0.2 at most 9 cycles
+repeat from again 2 times
+```
+END
+run 0 explain pressed.md
+said 'pressed.md:13: warning: stage `a` compresses in y, and extension is positive: in place of `M.strain.yy above 0.1` write `M.strain.yy below -0.1`'
+said 'pressed.md:16: warning: stage `b` extends in y, and extension is positive: in place of `M.strain.yy below -0.1` write `M.strain.yy above 0.1`'
+said 'pressed.md:25: warning: stage `again` compresses in y, and extension is positive: in place of `M.strain.yy above 0.2`'
+test "$(grep -c 'extension is positive' said)" -eq 3 || echo 'not three warnings of walls that move' >>why
 verdict 'warnings: a condition on a strain of the other sign than the strain rate'
 
 for command in check run 'check --tap' explain; do

@@ -270,6 +270,8 @@ static void warn_of_sign(struct nb_scene *scene, size_t s, const struct nb_condi
   double rate = 0;
   for (int source = NB_AFFINE_FREE; source < NB_AFFINE_SOURCES && axis >= 0; source++)
     rate += rate_along(scene, s, source, axis);
+  if (rate == 0 && axis >= 0 && !scene->stages[s].servo.line)
+    rate = nb_walls_strain_sign(scene, s, axis);
   if (above ? value > 0 && rate < 0 : value < 0 && rate > 0)
     nb_warn(&scene->warnings, condition->line,
             "stage `%s` %s in %c, and extension is positive: in place of `%s %s %g` write `%s %s %g`",
@@ -277,9 +279,17 @@ static void warn_of_sign(struct nb_scene *scene, size_t s, const struct nb_condi
             above ? "above" : "below", value, condition->name, above ? "below" : "above", -value);
 }
 
+/* True if `repeat` has made the stage: an earlier one has the same line. */
+static bool is_repeated(const struct nb_scene *scene, size_t s) {
+  size_t before = s;
+  while (before > scene->start.stages && scene->stages[before - 1].line != scene->stages[s].line)
+    before--;
+  return before > scene->start.stages;
+}
+
 void nb_strain_check(struct nb_scene *scene) {
   for (size_t s = scene->start.stages; s < scene->stage_count; s++)
-    for (size_t k = 0; k < scene->stages[s].condition_count; k++)
+    for (size_t k = 0; k < scene->stages[s].condition_count && !is_repeated(scene, s); k++)
       warn_of_sign(scene, s, &scene->stages[s].conditions[k]);
 }
 

@@ -167,6 +167,9 @@ void nb_box_check(struct nb_scene_reading *reading);
 void nb_servo_check(struct nb_scene_reading *reading);
 /* Warns of conditions on a normal strain of the other sign than the strain rate of the stage. */
 void nb_strain_check(struct nb_scene *scene);
+/* The sign of the strain rate along x or y, axis 0 or 1, that the walls which move in a stage impose on the particles
+ * between them; 0: none moves, or some compress and others extend. */
+int nb_walls_strain_sign(const struct nb_scene *scene, size_t s, int axis);
 /* Warns of free particles whose centres begin outside the box. */
 void nb_outside_check(struct nb_scene *scene);
 /* Warns of gravity upwards, away from all walls and fixed particles. Not called after `transform`, which rotates the

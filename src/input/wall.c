@@ -191,6 +191,21 @@ static struct nb_wall_motion motion_after(const struct nb_scene *scene, size_t s
   return motion;
 }
 
+int nb_walls_strain_sign(const struct nb_scene *scene, size_t s, int axis) {
+  double centre = 0;
+  bool compresses = false, extends = false;
+  for (size_t p = 0; p < scene->particle_count; p++)
+    centre += (axis ? scene->particles[p].y : scene->particles[p].x) / (double)scene->particle_count;
+  for (size_t w = 0; w < scene->wall_count; w++) {
+    const struct nb_wall *const wall = &scene->walls[w];
+    const struct nb_wall_motion motion = motion_after(scene, s + 1, w);
+    const bool faces = axis ? fabs(wall->ex) > fabs(wall->ey) : fabs(wall->ey) > fabs(wall->ex);
+    const double outward = ((axis ? wall->y : wall->x) - centre) * (axis ? motion.vy : motion.vx);
+    compresses = compresses || (faces && outward < 0), extends = extends || (faces && outward > 0);
+  }
+  return extends - compresses;
+}
+
 /* Warns of a wall that rotates about its middle because its line does not say about which point. Opposite walls of a box
  * may rotate alike, because this distorts the box. */
 static void warn_of_spin(struct nb_scene *scene, size_t stages, size_t index, double spin, int line) {
