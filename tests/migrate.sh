@@ -22,7 +22,7 @@ for page in tests/pages/old-*.md; do
   result $? 'the columns of its figures are migrated'
   "$nineball" migrate "$new" 2>&1 | diff "$new" - >"$work/said"
   result $? 'a second migration changes nothing'
-  ! "$nineball" explain "$page" >/dev/null 2>"$work/said" && grep -q 'of version 0.3 is' "$work/said"
+  ! "$nineball" explain "$page" >/dev/null 2>"$work/said" && grep -q 'rewrites pages of version 0.3' "$work/said"
   result $? 'old words are errors, and the hint names the new ones'
 done
 

@@ -370,7 +370,7 @@ until M.strain.yy above 0.1 at most 9 cycles
 stage again
 wall bottom velocity 0 0
 until M.strain.yy above 0.2 at most 9 cycles
-repeat from again 2 times
+repeat from again 2 more times
 ```
 END
 run 0 explain pressed.md

@@ -315,8 +315,8 @@ static void repeated_stages(void) {
   struct words shorter = {0}, longer = {0};
   struct written it, full;
   struct nb_result result, whole;
-  words_add(&shorter, "%sstage a\ncycles 5\nstage in\n%sstage out\n%srepeat from in 2 times\nstage z\ncycles 7\n", head,
-            in, out);
+  words_add(&shorter, "%sstage a\ncycles 5\nstage in\n%sstage out\n%srepeat from in 2 more times\nstage z\ncycles 7\n",
+            head, in, out);
   words_add(&longer, "%sstage a\ncycles 5\n", head);
   static const char *const names[] = {"a", "in", "out", "in-2", "out-2", "in-3", "out-3", "z"};
   for (int k = 0; k < 3; k++)
@@ -346,7 +346,7 @@ static void repeated_stages_with_long_names(void) {
   memset(name, 'x', sizeof name - 1);
   words_add(&page,
             "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nstep 1\nrecord time\nstage %s\ncycles 1\n"
-            "repeat from %s 1 times\n",
+            "repeat from %s 1 more times\n",
             name, name);
   written_scene(&it, &page);
   CU_ASSERT_EQUAL_FATAL(it.scene.stage_count, 2);

@@ -69,6 +69,8 @@ const struct nb_old_word *nb_old_words(void) {
     {NB_OLD_STATEMENT, "… servo stress yy", "… servo yy"},
     {NB_OLD_STATEMENT, "… servo stress xy", "… servo xy"},
     {NB_OLD_STATEMENT, "leg", "segment"},
+    {NB_OLD_STATEMENT, "repeat from STAGE NUMBER times", "repeat from STAGE NUMBER more times", ""},
+    {NB_OLD_STATEMENT, "repeat from STAGE NUMBER time", "repeat from STAGE NUMBER more time", ""},
     {NB_OLD_FENCE, "path", "contact-test"},
     {NB_OLD_EXPECT, "… stated", "… expected"},
     {NB_OLD_EXPECT, "… rises with", "… increases with"},
@@ -401,11 +403,19 @@ void nb_old_line(struct nb_text *text, const char *line, enum nb_old_block block
 
 #define NOW "`%s` of version 0.3 is `%s` now"
 
-static const char *hint_of(char *hint, const struct nb_old_word *row) {
-  if (!row)
+/* Writes the hint for a row and the rewritten text: a line, or the name of a quantity. */
+static const char *hint_of(char *hint, const struct nb_old_word *row, const char *text) {
+  static const char migrate[] = "(`nineball migrate` rewrites pages of version 0.3)";
+  if (!row || (row->note && !*row->note))
     return NULL;
-  snprintf(hint, NB_HINT_SIZE, "%s%s" NOW "; `nineball migrate` rewrites a page", row->note ? row->note : "",
-           row->note ? "; " : "", row->old, row->now);
+  text += strspn(text, " \t");
+  size_t length = strcspn(text, "#");
+  while (length > 0 && strchr(" \t\r", text[length - 1]))
+    length--;
+  if (row->note)
+    snprintf(hint, NB_HINT_SIZE, "%s %s", row->note, migrate);
+  else
+    snprintf(hint, NB_HINT_SIZE, "did you mean `%.*s`? %s", length < 160 ? (int)length : 160, text, migrate);
   return hint;
 }
 
@@ -420,20 +430,23 @@ const char *nb_old_hint(char *hint, const struct nb_page *page, size_t number) {
   const bool expect = page->kind_of && page->kind_of[number - 1] == 1 + NB_BLOCK_EXPECT;
   struct nb_text text = {0};
   const struct nb_old_word *row = add_words(&text, line, expect ? NB_OLD_EXPECTATIONS : NB_OLD_STATEMENTS);
+  const char *const found = hint_of(hint, row, text.at ? text.at : "");
   free(text.at);
-  return hint_of(hint, row);
+  return found;
 }
 
 const char *nb_old_fence(char *hint, const char *line) {
   size_t at;
-  return hint_of(hint, fence_row(line, &at));
+  const struct nb_old_word *const row = fence_row(line, &at);
+  return hint_of(hint, row, row ? row->now : "");
 }
 
 const char *nb_old_name(char *hint, const char *name) {
   struct nb_text text = {0};
   const struct nb_old_word *row = add_name(&text, name, strlen(name), '.');
+  const char *const found = hint_of(hint, row, text.at ? text.at : "");
   free(text.at);
-  return hint_of(hint, row);
+  return found;
 }
 
 static bool has_word(const char *pattern, const char *word, size_t length) {

@@ -20,7 +20,7 @@ enum nb_old_kind {
 struct nb_old_word {
   enum nb_old_kind kind;
   const char *old, *now;
-  const char *note; /* for hints; NULL: none */
+  const char *note; /* for hints; NULL: none; "": no hint, the message itself shows the new line */
 };
 const struct nb_old_word *nb_old_words(void); /* the last row has no words */
 

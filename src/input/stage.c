@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/clean.h"
 #include "core/names.h"
 #include "loading/loading.h"
 #include "statement.h"
@@ -282,6 +283,23 @@ bool nb_misplaced_after_repeat(struct nb_scene_reading *reading) {
   return true;
 }
 
+/* Takes `N more times`. The word `more` says that the lines have run once before they are repeated. */
+static bool take_times(struct nb_reader *reader, const char *from, unsigned long *times) {
+  char hint[NB_HINT_SIZE];
+  if (!nb_take_count(reader, 1, NB_NAMED_MAX, times))
+    return false;
+  snprintf(hint, sizeof hint, "write `repeat from %.80s %lu more time%s`", from, *times, *times > 1 ? "s" : "");
+  if (*times > 1)
+    nb_append(hint, sizeof hint,
+              "; with the first one that makes %lu, so for %lu in all write `repeat from %.80s %lu more time%s`",
+              *times + 1, *times, from, *times - 1, *times > 2 ? "s" : "");
+  const struct nb_token *const token = nb_token_peek(reader);
+  if (!nb_token_skip(reader, "more"))
+    return token ? nb_token_mistake(reader, token, hint, "expected `more times`, found `%s`", token->text)
+                 : nb_expected(reader, hint, "`more times`");
+  return nb_token_skip(reader, "time") || nb_take_word(reader, "times");
+}
+
 NB_APPLY(apply_repeat) {
   struct nb_scene_reading *reading = subject;
   const struct nb_scene *scene = reading->scene;
@@ -297,8 +315,7 @@ NB_APPLY(apply_repeat) {
   if (from < reading->repeat.until)
     nb_token_mistake(reader, token, NULL, "expected %s below the `repeat` of line %zu, found one above it",
                      scene->contact_test ? "a segment" : "a stage", reading->repeat.until);
-  else if (nb_take_count(reader, 1, NB_NAMED_MAX, &times) &&
-           (nb_token_skip(reader, "time") || nb_take_word(reader, "times")))
+  else if (take_times(reader, token->text, &times))
     reading->repeat = (struct nb_repeat){.from = from, .times = times, .until = reader->line};
 }
 
@@ -332,16 +349,16 @@ NB_STATEMENTS(stage) = {
   {"rotation on", NB_IN_STAGE, no_fields, NULL, 0, false, apply_rotation,
    "Lets particles rotate again, from this stage on.",
    "stage     roll\n  rotation on\n  cycles  10"},
-  {"repeat", NB_IN_STAGE, no_fields, "from STAGE N times", 0, false, apply_repeat,
-   "Repeats the lines from the beginning of STAGE down to this line. The repeated stages are called STAGE-2, STAGE-3 and so on.\n"
+  {"repeat", NB_IN_STAGE, no_fields, "from STAGE N more times", 0, false, apply_repeat,
+   "Repeats the lines from the beginning of STAGE down to this line N times, after they have run once. The repeated stages are called STAGE-2, STAGE-3 and so on.\n"
    "from STAGE: the name of a stage above.\n"
    "N times: a whole number, 1 or more. How often the lines run in addition to the first time.",
-   "stage     press\n  cycles  10\nrepeat    from press 2 times"},
-  {"repeat", NB_IN_SEGMENT, no_fields, "from SEGMENT N times", 0, false, apply_repeat,
-   "Repeats the lines from the beginning of SEGMENT down to this line. The repeated segments are called SEGMENT-2, SEGMENT-3 and so on.\n"
+   "stage     press\n  cycles  10\nrepeat    from press 2 more times"},
+  {"repeat", NB_IN_SEGMENT, no_fields, "from SEGMENT N more times", 0, false, apply_repeat,
+   "Repeats the lines from the beginning of SEGMENT down to this line N times, after they have run once. The repeated segments are called SEGMENT-2, SEGMENT-3 and so on.\n"
    "from SEGMENT: the name of a segment above.\n"
    "N times: a whole number, 1 or more. How often the lines run in addition to the first time.",
-   "repeat    from load 2 times"},
+   "repeat    from load 2 more times"},
   {0},
 };
 /* clang-format on */
