@@ -187,7 +187,7 @@ result $? 'an option of another command'
 # ---- traded values, and means over realizations ----
 
 cat >gas.md <<'EOF'
-# Discs that collide in a periodic cell
+# Discs in a periodic cell that shrinks
 
 ```scene
 units none
