@@ -312,8 +312,8 @@ struct nb_impact {
   int line;     /* 0: no such statement */
 };
 
-/* What lines of a stage have set of the motion of a wall. NB_GIVEN_WALLS: by `walls`, which a line `wall` below it may
- * change. */
+/* What the lines of a stage have set for a wall: its velocity, its spin. NB_GIVEN_WALLS: a line `walls` has set its
+ * motion, and a line `wall` below it may change the motion. */
 enum { NB_GIVEN_VELOCITY = 1, NB_GIVEN_SPIN = 2, NB_GIVEN_WALLS = 4 };
 /* Motion of a wall from the beginning of a stage until another stage changes it. */
 struct nb_wall_motion {

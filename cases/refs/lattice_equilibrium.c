@@ -157,8 +157,8 @@ enum nb_status lattice_equilibrium_sliding(const struct lattice *lattice, const 
   if (status == NB_OK)
     status = lattice_check_forces(lattice, forces, (double)lattice->cycles, error);
   if (status == NB_OK && !slides_along_force(lattice, stretches, forces, slides))
-    status =
-        nb_error_set(error, NB_BAD_USE, "no equilibrium found: a contact would have to slide against its shear force");
+    status = nb_error_set(error, NB_BAD_USE,
+                          "no equilibrium was found: a contact would have to slide against its shear force");
   gsl_vector_free(stretches);
   free(slides);
   return status;

@@ -156,8 +156,7 @@ enum nb_status lattice_path(const struct lattice *lattice, lattice_path_point *a
         solve_increment(&walk);
       while (correct_states(&walk) && ++attempts < ATTEMPTS);
       if (attempts == ATTEMPTS)
-        status =
-            nb_error_set(error, NB_BAD_USE, "the network has no equilibrium in increment %d of stage %zu", k, s + 1);
+        status = nb_error_set(error, NB_BAD_USE, "no equilibrium was found in increment %d of stage %zu", k, s + 1);
       gsl_vector_memcpy(walk.forces, walk.next);
       gsl_vector_view dn = gsl_vector_subvector_with_stride(walk.stretches, 0, 2, lattice->contact_count);
       gsl_vector_add(walk.overlap, &dn.vector);

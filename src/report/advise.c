@@ -480,8 +480,8 @@ struct nb_ratios nb_level_ratios(const struct nb_advice *advice, int level) {
   return (struct nb_ratios){next / nb_level_refine(advice, level), nb_level_refine(advice, level + 2) / next};
 }
 
-/* Reports a name after --over that the page does not define, of which the page says only that it is unknown after
- * --set. `count`: the index of its setting. */
+/* Reports a name after --over that the page does not define. Without this function the message would call it a name
+ * after --set. `count`: the index of its setting. */
 static enum nb_status over_mistake(struct nb_advice *advice, size_t count, struct nb_error *error) {
   const char *const over = advice->query->over;
   struct nb_outcome without;

@@ -17,7 +17,7 @@
 /* ---- run, check, figure ---- */
 
 #ifndef NB_RESULTS_KEPT
-#define NB_RESULTS_KEPT (32 << 20) /* bytes of the results of a sweep that stay in memory; 0 in the tests */
+#define NB_RESULTS_KEPT (32 << 20) /* bytes of the results of a sweep that stay in memory; 0 in tests/faults */
 #endif
 
 /* What a command does with the outcome of a page: a set of flags. */
