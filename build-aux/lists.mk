@@ -430,6 +430,7 @@ SHELL_TESTS = \
   tests/papers.sh \
   tests/recipes.sh \
   tests/equations.sh \
+  tests/hints.sh \
   tests/language.sh \
   tests/migrate.sh \
   tests/layers.sh \
