@@ -413,6 +413,30 @@ run finer "$pages/finer.md"
 "$nineball" explain "$pages/finer.md" --states "$states" >>"$work/said" && grep -q '^  0.01, line 2$' "$work/said"
 result $? 'explain names the line of a step that the other page got by `with`'
 
+# A state has the same bytes whether `nineball state` writes it or a run of a page that starts from it.
+cat >"$pages/pair.md" <<'END'
+# A disc and two stages
+```scene
+units   none
+material  m  density 1 kn 1
+disc    0 0 radius 1 m velocity 1 0
+step    0.01
+record  time
+stage   one
+cycles  2
+stage   two
+cycles  3
+```
+END
+: >"$work/differing"
+for stage in one two; do
+  printf '# Goes on\n```scene\nstart pair stage %s\nrecord time\nstage on\ncycles 1\n```\n' "$stage" >"$pages/goes-on.md"
+  run goes-on "$pages/goes-on.md" && "$nineball" state "$pages/pair.md" --stage "$stage" -o "$work/$stage.state" >"$work/said" 2>&1 &&
+    diff "$states"/pair-"$stage"-*.state "$work/$stage.state" >>"$work/differing" || echo "stage $stage" >>"$work/differing"
+done
+cp "$work/differing" "$work/said" && test ! -s "$work/differing"
+result $? 'a state written by command is that of a page that starts from this stage'
+
 # ---- the page has changed ----
 
 sed 's/^walls     inward 0.12/walls     inward 0.11/' cases/3-nine-discs/nine-discs.md >"$pages/nine-discs.md"
