@@ -57,6 +57,7 @@ static void features_of_particles_and_walls(void) {
     HAS((particle->spin = sign, particle->line = LINE), HAS_DISCS, HAS_SPINS, HAS_NOTHING);
     HAS((it.walls->vx = sign, it.walls->line = LINE, scene->wall_count = 1), HAS_WALLS, HAS_MOVING_WALLS, HAS_NOTHING);
     HAS((it.walls->vy = sign, it.walls->line = LINE, scene->wall_count = 1), HAS_WALLS, HAS_MOVING_WALLS, HAS_NOTHING);
+    HAS((it.walls->h0 = sign, it.walls->line = LINE, scene->wall_count = 1), HAS_WALLS, HAS_OFFSET_WALLS, HAS_NOTHING);
     HAS((it.walls->spin = sign, it.walls->line = LINE, scene->wall_count = 1), HAS_WALLS, HAS_TURNING_WALLS,
         HAS_NOTHING);
   }

@@ -120,6 +120,26 @@ static void static_forces_of_springs_in_series(void) {
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("two_wall_statics", &it).text, "stop"));
 }
 
+/* The forces depend on where the walls are, not on the point P that the page uses to describe them: here P is `h` to the
+ * right of each wall. */
+static void walls_about_other_points(void) {
+  static const char *const references[] = {"two_wall_compression", "two_wall_statics"};
+  for (size_t r = 0; r < 2; r++)
+    for (double h = -3; h < 4; h += 6) {
+      struct refs_scene it;
+      refs_row(&it, k, m, v, step, 6, 100);
+      struct nb_solution on = refs_solution(references[r], &it);
+      for (size_t w = 0; w < 2; w++)
+        it.walls[w].h0 = h, it.walls[w].x += h * it.walls[w].ey, it.walls[w].y -= h * it.walls[w].ex;
+      struct nb_solution off = refs_solution(references[r], &it);
+      CU_ASSERT(on.value_count > 0 && on.value_count == off.value_count);
+      for (size_t i = 0; i < on.value_count; i++)
+        REFS_NEAR(refs_value(&off, on.values[i].name), on.values[i].value, 1e-12, on.values[i].value);
+      solution_free(&on);
+      solution_free(&off);
+    }
+}
+
 void suite_refs_row(void) {
   CU_pSuite suite = CU_add_suite("refs_row", NULL, NULL);
   CU_add_test(suite, "first cycles equal the equations of CS79", first_cycles_equal_cs79);
@@ -127,4 +147,5 @@ void suite_refs_row(void) {
   CU_add_test(suite, "the hand calculation ends when the walls stop or damping begins",
               hand_ends_with_the_first_motion);
   CU_add_test(suite, "static forces are those of springs in series", static_forces_of_springs_in_series);
+  CU_add_test(suite, "walls given by points off their lines", walls_about_other_points);
 }

@@ -109,9 +109,8 @@ static bool read_stages(struct course *it, const struct nb_scene *scene) {
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_particle *particle = scene->particles;
   const struct nb_wall *wall = scene->walls;
-  if (scene->particle_count != 1 || scene->wall_count != 1 || wall->h0 != 0)
-    return nb_error_set(error, NB_BAD_USE,
-                        "the reference `changed_law` is for one sphere and one wall given by its ends");
+  if (scene->particle_count != 1 || scene->wall_count != 1)
+    return nb_error_set(error, NB_BAD_USE, "the reference `changed_law` is for one sphere and one wall");
   const double dx = particle->x - wall->x, dy = particle->y - wall->y, away = dy * wall->ex - dx * wall->ey;
   const double side = away > 0 ? 1 : -1; /* e points from the particle to the wall, t is e turned clockwise */
   struct course it = {.pair = matter_pair(scene, particle->material, wall->material),

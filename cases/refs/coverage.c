@@ -19,6 +19,7 @@ static const char *const names[NB_FEATURES] = {
     [HAS_WALLS] = "wall",
     [HAS_MOVING_WALLS] = "wall velocity",
     [HAS_TURNING_WALLS] = "wall spin",
+    [HAS_OFFSET_WALLS] = "wall about a point off its line",
     [HAS_CELL] = "cell",
     [HAS_CONTACT_TEST] = "contact",
     [HAS_FRICTION] = "friction",
@@ -83,6 +84,7 @@ static void note_particles(int lines[], const struct nb_scene *scene) {
     note(lines, HAS_WALLS, true, it->line);
     note(lines, HAS_MOVING_WALLS, it->vx != 0 || it->vy != 0, it->line);
     note(lines, HAS_TURNING_WALLS, it->spin != 0, it->line);
+    note(lines, HAS_OFFSET_WALLS, it->h0 != 0, it->line);
   }
   note(lines, HAS_IMPACT, scene->impact.line, scene->impact.line);
   note(lines, HAS_CELL, scene->cell.line, scene->cell.line);

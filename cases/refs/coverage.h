@@ -21,6 +21,7 @@ enum nb_feature {
   HAS_WALLS,
   HAS_MOVING_WALLS,
   HAS_TURNING_WALLS,
+  HAS_OFFSET_WALLS, /* the point P of a wall is not on its line: h0 is not 0 */
   HAS_CELL,
   HAS_CONTACT_TEST, /* a single contact without motion */
   /* forces */

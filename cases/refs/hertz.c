@@ -43,13 +43,13 @@ static bool steady(const struct nb_scene *scene) {
 }
 
 /* Reads the direction, the speed and the beginning of the impact. False: the particles do not approach head-on, they
- * spin or overlap at first, or the wall rotates, is not given by its ends, or ends before the point of impact. */
+ * spin or overlap at first, or the wall rotates or ends before the point of impact. */
 static bool read_impact(struct hertz *hertz, const struct nb_wall *wall) {
   const struct nb_particle *a = hertz->particles[0], *b = hertz->particles[1];
   double x = b ? b->x - a->x : wall->x - a->x, y = b ? b->y - a->y : wall->y - a->y;
   if (!b) { /* the foot of the perpendicular must lie on the wall */
     const double s = -(x * wall->ex + y * wall->ey);
-    if (!(s > wall->h1 && s < wall->h2) || wall->spin != 0 || wall->h0 != 0)
+    if (!(s > wall->h1 && s < wall->h2) || wall->spin != 0)
       return false;
     x += s * wall->ex, y += s * wall->ey;
   }

@@ -57,7 +57,7 @@ const struct nb_reference reference_time_reversal = {
     .title = "motion reversed in time: the initial state with opposite velocities",
     .source = "-",
     .accepts = {HAS_DISCS, HAS_SPHERES, HAS_VELOCITIES, HAS_SPINS, HAS_WALLS, HAS_MOVING_WALLS, HAS_TURNING_WALLS,
-                HAS_GRAVITY},
+                HAS_OFFSET_WALLS, HAS_GRAVITY},
     .needs = {HAS_REVERSE_VELOCITIES},
     .normal = "linear hertz",
     .shear = "none",

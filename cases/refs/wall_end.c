@@ -71,7 +71,7 @@ static double turned(struct scatter *it) {
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_particle *particle = &scene->particles[0];
   const struct nb_wall *wall = &scene->walls[0];
-  if (scene->particle_count != 1 || scene->wall_count != 1 || wall->h0 != 0)
+  if (scene->particle_count != 1 || scene->wall_count != 1)
     return nb_error_set(error, NB_BAD_USE, "the reference `wall_end` is for one particle and one wall");
   const double m = matter_mass(scene, particle), R = particle->radius;
   /* The end on the side of the particle, and the direction out of the wall there. */

@@ -135,13 +135,13 @@ static double order_of(const struct nb_advice *advice) {
 }
 
 /* Whether the shear law of a variant in which only this law differs from the page is accurate enough: 1 yes, 0 no, -1
- * unknown. */
+ * unknown. The search of a variant ends at the first level within the tolerance, so its last setting decides. */
 static int is_enough(const struct nb_advice *advice, size_t variant) {
   const struct nb_variant *law = &advice->variants[variant];
   int enough = law->equal && strstr(law->reason, "the page") ? 1 : law->distance > 0 ? 0 : -1;
   for (size_t k = 0; k < advice->setting_count; k++)
     if (advice->settings[k].variant == variant)
-      enough = enough == 1 || advice->settings[k].ratio <= 1;
+      enough = advice->settings[k].ratio <= 1;
   return enough;
 }
 
