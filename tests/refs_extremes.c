@@ -19,22 +19,29 @@ static void read_page(struct written *it, struct refs_scene *scene, const char *
   scene->scene = it->scene;
 }
 
-/* A disc of weight pi in a right angle exerts the force pi/sqrt(2) on each wall. */
+/* A disc of weight pi in a right angle exerts the force pi/sqrt(2) on each wall, wherever the points P of the walls are. */
 static void a_disc_in_a_right_angle(void) {
-  struct written it;
-  struct refs_scene scene;
-  read_page(&it, &scene,
-            "units none\nmaterial m density 1 kn 100\nnormal linear\nshear none\ngravity 0 -1\ndisc 0 1.5 radius 1 m\n"
-            "wall a 0 0 to -9 9 m\nwall b 0 0 to 9 9 m\nmonitor C disc 1 with wall a\nmonitor D disc 1\nstep 0.001\n"
-            "stage s\ncycles 1\n");
-  struct nb_solution solution = refs_solution("wedge", &scene);
+  static const char *const about[] = {"", " about 3 1", " about -5 -2"};
   const double force = pi / sqrt(2);
-  CU_ASSERT_DOUBLE_EQUAL(refs_value(&solution, "C.normal in s"), force, 1e-14);
-  CU_ASSERT_DOUBLE_EQUAL(refs_value(&solution, "D.x in s"), 0, 1e-15);
-  CU_ASSERT_DOUBLE_EQUAL(refs_value(&solution, "D.y in s"), sqrt(2) * (1 - force / 100), 1e-14);
-  CU_ASSERT_DOUBLE_EQUAL(refs_value(&solution, "step.stable in s"), 2 * sqrt(pi / 200), 1e-15);
-  solution_free(&solution);
-  written_free(&it);
+  for (int k = 0; k < 9; k++) {
+    struct written it;
+    struct refs_scene scene;
+    char text[512];
+    snprintf(
+        text, sizeof text,
+        "units none\nmaterial m density 1 kn 100\nnormal linear\nshear none\ngravity 0 -1\ndisc 0 1.5 radius 1 m\n"
+        "wall a 0 0 to -9 9 m%s\nwall b 0 0 to 9 9 m%s\nmonitor C disc 1 with wall a\nmonitor D disc 1\nstep 0.001\n"
+        "stage s\ncycles 1\n",
+        about[k % 3], about[k / 3]);
+    read_page(&it, &scene, text);
+    struct nb_solution solution = refs_solution("wedge", &scene);
+    CU_ASSERT_DOUBLE_EQUAL(refs_value(&solution, "C.normal in s"), force, 1e-14);
+    CU_ASSERT_DOUBLE_EQUAL(refs_value(&solution, "D.x in s"), 0, 1e-14);
+    CU_ASSERT_DOUBLE_EQUAL(refs_value(&solution, "D.y in s"), sqrt(2) * (1 - force / 100), 1e-14);
+    CU_ASSERT_DOUBLE_EQUAL(refs_value(&solution, "step.stable in s"), 2 * sqrt(pi / 200), 1e-15);
+    solution_free(&solution);
+    written_free(&it);
+  }
 }
 
 /* A disc that hits the end of a wall head-on with the relative speed v oscillates for half a period on the contact
