@@ -352,6 +352,9 @@ static void assemblies(void) {
        {"sphere    0 mm 1.35 mm  radius 0.5 mm  light",
         "sphere    0 mm 1.35 mm  radius 0.5 mm  light velocity 1 mm/s 0 m/s", "without horizontal velocity"},
        {"to 2 mm 0 mm ", "to 2 mm 0.001 mm ", "two horizontal walls"},
+       {"-2 mm 0 mm    to 2 mm 0 mm ", "-2 mm 0.46 mm to 2 mm 0.46 mm ", "first the floor"},
+       {"sphere    0 mm 0.45 mm", "sphere    0 mm 1.36 mm", "vertically below"},
+       {"-2 mm 1.8 mm  to 2 mm 1.8 mm ", "-2 mm 1.3 mm  to 2 mm 1.3 mm ", "then the ceiling"},
        {"to 2 mm 1.8 mm ", "to 2 mm 1.801 mm ", "two horizontal walls"});
   PAGE("4-oblique/nested-loops",
        {"shear to 16 N    hold normal", "shear to 16 N    normal to 89 N", "constant once there is shear"});

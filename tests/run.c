@@ -360,7 +360,7 @@ static void repeated_stages_with_long_names(void) {
  * settings has a hash of its own, which is also different from the hash without settings. */
 static void settings_change_the_hash(void) {
   static const char *const settings[] = {"",           "normal=hertz", "shear=none", "step=2e-3", "damping=centred",
-                                         "refine=0.5", "refine=2",     "soften=10",  "soften=100"};
+                                         "refine=0.5", "refine=2",     "refine=3",   "soften=10", "soften=100"};
   enum { SETTINGS = sizeof settings / sizeof *settings };
   unsigned long long hash[SETTINGS];
   for (int k = 0; k < SETTINGS; k++) {

@@ -208,7 +208,9 @@ static void statements_of_another_page_have_the_line_of_start(void) {
     CU_ASSERT_FATAL(descriptor >= 0);
     FILE *file = fdopen(descriptor, "w");
     CU_ASSERT_PTR_NOT_NULL_FATAL(file);
-    fprintf(file, "\n\n```scene\nunits none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nstep 0.25\n%s\n%s```\n",
+    fprintf(file,
+            "\n\n```scene\nunits none\nmaterial m density 1 kn 1\ngrading g 1 9\ndisc 0 0 radius 1 m\nstep "
+            "0.25\n%s\n%s```\n",
             more[k], k ? "" : "stage s\ncycles 1\n");
     fclose(file);
     snprintf(text, sizeof text, "start %s stage s\nrecord time\nstage one\ncycles 1", path);
@@ -221,6 +223,7 @@ static void statements_of_another_page_have_the_line_of_start(void) {
                             {of->normal_line, other->normal_line},
                             {of->shear_line, other->shear_line},
                             {of->materials[0].line, other->materials[0].line},
+                            {of->gradings[0].line, other->gradings[0].line},
                             {of->particles[0].line, other->particles[0].line},
                             {of->wall_count ? of->walls[3].line : 0, other->wall_count ? other->walls[3].line : 0},
                             {a->line, b->line},
@@ -234,6 +237,7 @@ static void statements_of_another_page_have_the_line_of_start(void) {
                             {a->box_line, b->box_line},
                             {a->laws.normal_line, b->laws.normal_line},
                             {a->laws.shear_line, b->laws.shear_line}};
+    CU_ASSERT(of->gradings[0].sizes != other->gradings[0].sizes); /* each scene frees its own */
     for (size_t l = 0; l < sizeof lines / sizeof *lines; l++) {
       if (lines[l][0] != (lines[l][1] ? of->start.line : 0))
         printf("# %zu, %zu: %d, %d\n", k, l, lines[l][0], lines[l][1]);
@@ -277,7 +281,21 @@ static void hash_of_a_stage(void) {
               {"", "gravity 0 1\n", false},
               {"", "damping ratio 0.1\n", false},
               {"", "allow unstable\n", false}};
-  unsigned long long first = 0;
+  /* Values that differ in the last digit only, and values whose digits are the same without the spaces. */
+  static const char *const values[] = {"gravity 0 1\n", "gravity 0 2\n", "gravity 1 11\n", "gravity 11 1\n"};
+  enum { VALUES = sizeof values / sizeof *values };
+  unsigned long long first = 0, hash[VALUES];
+  for (int k = 0; k < VALUES; k++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nstep 0.1\nstage a\n%scycles 1\n",
+              values[k]);
+    written_scene(&it, &page);
+    hash[k] = it.scene.stages[0].hash;
+    for (int other = 0; other < k; other++)
+      CU_ASSERT(hash[k] != hash[other]);
+    written_free(&it);
+  }
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
     struct words page = {0};
     struct written it;

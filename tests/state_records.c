@@ -238,10 +238,26 @@ static void at_most(void) {
   free(many), free(text);
 }
 
+/* A tensor is written as xx, xy, yx, yy, as docs/STATE.md says: the cell is strained at xx 0.1, xy 0.3, yx 0, yy -0.1. */
+static void the_components_of_a_tensor_have_their_order(void) {
+  size_t size;
+  char *text = state_of(state_cell, &size);
+  const char *record = strstr(text, "\ncarrier cell apart ");
+  double at[8];
+  CU_ASSERT_PTR_NOT_NULL_FATAL(record);
+  CU_ASSERT_EQUAL_FATAL(sscanf(record, "\ncarrier cell apart %lf %lf %lf %lf time %lf %lf %lf %lf", &at[0], &at[1],
+                               &at[2], &at[3], &at[4], &at[5], &at[6], &at[7]),
+                        8);
+  for (int k = 0; k < 8; k += 4)
+    CU_ASSERT(at[k] == 0.1 && at[k + 1] == 0.3 && at[k + 2] == 0 && at[k + 3] == -0.1);
+  free(text);
+}
+
 void suite_state_records(void) {
   CU_pSuite suite = CU_add_suite("state_records", NULL, NULL);
   CU_add_test(suite, "invalid fields are refused at their place", every_field);
   CU_add_test(suite, "fields at their limits", fields_at_their_limits);
+  CU_ADD_TEST(suite, the_components_of_a_tensor_have_their_order);
   CU_add_test(suite, "missing and doubled records", every_record);
   CU_add_test(suite, "no particles, or no line end before `end`", without_particles);
   CU_add_test(suite, "largest numbers of records and of numbers", at_most);
