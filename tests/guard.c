@@ -525,6 +525,10 @@ static void gravity_away_from_walls(void) {
       {floor, "gravity 0 0", "disc 0 2 radius 1 m", "", false},
       {ceiling, "gravity 0 -9.81\ntransform rotate (pi)", "disc 0 2 radius 1 m", "", false},
       {floor, "gravity 0 9.81", "disc 0 2 radius 1 m\ndisc 9 -2 radius 1 m", "", false},
+      /* The obstacle is the wall, not the point P that its line names. */
+      {"wall w -9 9 to 9 9 m about 0 -5", "gravity 0 9.81", "disc 0 2 radius 1 m", "", false},
+      {"wall w -9 0 to 9 0 m about 0 5", "gravity 0 9.81", "disc 0 2 radius 1 m", "", true},
+      {"wall w 20 -9 to 20 9 m about -30 0", "gravity 1 1", "disc 0 2 radius 1 m", "", false},
   };
   for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
     char statements[500], wanted[300] = "";
