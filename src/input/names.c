@@ -269,18 +269,20 @@ static bool find_quantity(struct nb_quantity *quantity, const struct nb_scene *s
   return false;
 }
 
-/* True if a guess may be the quantity: a scene without a boundary has its quantities, too, but they are not meant. */
-static bool is_offered(const struct nb_quantity_kind *kind, const struct nb_scene *scene, int w) {
+/* True if a guess may be the quantity: a scene without a boundary has its quantities, too, but they are not meant.
+ * `owned`: the searched word is a quantity of a region or a monitor, and then a quantity of the scene is not meant. */
+static bool is_offered(const struct nb_quantity_kind *kind, const struct nb_scene *scene, int w, bool owned) {
   const bool boundary = strncmp(kind->name, "boundary.", strlen("boundary.")) == 0;
-  return applies(kind, scene, w) && (!boundary || scene->circle.line);
+  return applies(kind, scene, w) && (boundary ? scene->circle.line : kind->monitors || !owned);
 }
 
 /* Offers the names of all quantities of monitor w; w = -1: of the whole scene. */
 static void offer_names(struct nb_guess *guess, const struct nb_scene *scene, int w) {
   char name[NB_NAME_SIZE], whole[3 * NB_NAME_SIZE];
   const struct nb_suffix *suffix;
+  const bool owned = nb_is_quantity(guess->word);
   FOR_EACH (kind)
-    for (size_t s = 0; is_offered(kind, scene, w) && nth_suffix(kind, s, &suffix); s++) {
+    for (size_t s = 0; is_offered(kind, scene, w, owned) && nth_suffix(kind, s, &suffix); s++) {
       name_of(name, sizeof name, kind, suffix);
       snprintf(whole, sizeof whole, "%s%s%s", w < 0 ? "" : scene->monitors[w].name, w < 0 ? "" : ".", name);
       nb_guess_offer(guess, whole);
@@ -650,6 +652,18 @@ static bool meant_line(char *hint, const char *text) {
   return synonym && synonym->note && nb_pair_hint(hint, "quantity", text);
 }
 
+/* Writes the hint for the force on a wall by the word of a contact, `F.shear`; false: the owner or the word is
+ * another. */
+static bool wall_force_hint(char *hint, const struct nb_scene *scene, const char *rest, int owner) {
+  const char *const name = scene->monitors[owner].name;
+  if (scene->monitors[owner].kind != NB_MONITOR_WALL ||
+      (strcmp(rest, "shear") != 0 && strcmp(rest, "normal") != 0 && strcmp(rest, "tangential") != 0))
+    return false;
+  snprintf(hint, NB_HINT_SIZE,
+           "the force on a wall has a component in x and one in y: did you mean `%s.fx` or `%s.fy`?", name, name);
+  return true;
+}
+
 /* Writes "did you mean `M.coordination`?" for `M.cn`, whose second part is a word of other programs; otherwise a list
  * of the quantities of the owner. */
 static const char *owned_by_hint(char *hint, const struct nb_scene *scene, const char *text, int owner) {
@@ -660,6 +674,8 @@ static const char *owned_by_hint(char *hint, const struct nb_scene *scene, const
   struct nb_quantity quantity;
   bool found = false;
   *hint = '\0';
+  if (*dot && wall_force_hint(hint, scene, dot + 1, owner))
+    return hint;
   if (synonym && synonym->note)
     nb_append(hint, NB_HINT_SIZE, "%s: ", synonym->note);
   while (nb_item(&items, item)) {
@@ -711,7 +727,7 @@ static bool parts_hint(char *hint, const struct nb_scene *scene, const char *tex
 }
 
 /* Writes the hint for a text that is not the name of a quantity. */
-static const char *hint_of(char *hint, const struct nb_scene *scene, const char *text) {
+static char *hint_of(char *hint, const struct nb_scene *scene, const char *text) {
   const char *const rest = strchr(text, '.');
   const int owner = monitor_named(scene, text, strcspn(text, "."));
   char stem[2 * NB_NAME_SIZE]; /* `energy` of `energy.potential` */
@@ -726,7 +742,7 @@ static const char *hint_of(char *hint, const struct nb_scene *scene, const char 
   if (parts_hint(hint, scene, text, owner, false))
     return hint;
   if (owner >= 0)
-    return owned_by_hint(hint, scene, text, owner);
+    return owned_by_hint(hint, scene, text, owner), hint;
   const bool found = !scene->contact_test &&
                      (unmonitored(hint, scene, text) || owned_hint(hint, scene, text) ||
                       (same_owner(&of_stem) && nb_guess_hint(&of_stem, hint)) || owner_hint(hint, scene, stem));
@@ -787,8 +803,46 @@ static bool spelling_hint(char *hint, const struct nb_scene *scene, const char *
   return true;
 }
 
+static bool is_part_end(char c) { return !c || strchr("._- ", c); }
+
+/* True if a text is the name of a material, or `contacts` and such a name: `contacts.steel.glass`. */
+static bool names_material(const struct nb_scene *scene, const char *text) {
+  const size_t stem = strncmp(text, "contacts", strlen("contacts")) == 0 ? strlen("contacts") : 0;
+  text += stem + (stem && is_part_end(text[stem]) && text[stem]);
+  for (size_t k = 0; k < scene->material_count; k++) {
+    const size_t length = strlen(scene->materials[k].name);
+    if (strncmp(text, scene->materials[k].name, length) == 0 && (stem ? is_part_end(text[length]) : !text[length]))
+      return true;
+  }
+  return false;
+}
+
+/* Writes the note of the table of words on a whole name, `height`, without an owner or after the name of a region;
+ * false: there is no such note. */
+static bool whole_hint(char *hint, const struct nb_scene *scene, const char *text) {
+  const char *const rest = strchr(text, '.');
+  const int owner = rest ? monitor_named(scene, text, strcspn(text, ".")) : -1;
+  if (scene->contact_test)
+    return false;
+  if (names_material(scene, text))
+    return nb_pair_hint(hint, "whole", "contacts_by_material");
+  return nb_pair_hint(hint, "whole", owner >= 0 && scene->monitors[owner].kind == NB_MONITOR_REGION ? rest + 1 : text);
+}
+
+/* Appends what the proposed shear strain, or the proposed force on wall w, means. */
+static void add_meaning(char *hint, const struct nb_scene *scene, int w) {
+  if (strstr(hint, ".fy`") && w >= 0 && scene->monitors[w].kind == NB_MONITOR_WALL)
+    nb_append(hint, NB_HINT_SIZE,
+              " (the force of the particles on the wall: on a floor under gravity `%s.fy` is below 0)",
+              scene->monitors[w].name);
+  if (strstr(hint, "strain.xy`"))
+    nb_append(hint, NB_HINT_SIZE, " (xy is half the engineering shear strain, since the start of the run)");
+}
+
 const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const char *text) {
   const size_t stem = strcspn(text, ".");
+  if (whole_hint(hint, scene, text))
+    return hint;
   if (!scene->contact_test && (part_hint(hint, scene, text) || spelling_hint(hint, scene, text)))
     return hint;
   const int owner = text[stem] && nb_pair_synonym("quantity", text + stem + 1) ? monitor_named(scene, text, stem) : -1;
@@ -808,7 +862,6 @@ const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const cha
              name, name);
     return hint;
   }
-  if (strstr(hint_of(hint, scene, text), "strain.xy`"))
-    nb_append(hint, NB_HINT_SIZE, " (xy is half the engineering shear strain, since the start of the run)");
+  add_meaning(hint_of(hint, scene, text), scene, monitor_named(scene, text, stem));
   return hint;
 }
