@@ -96,6 +96,7 @@ void planted_parts(const struct nb_outcome *outcome, const char *const parts[NB_
     if (strcmp(part, parts[k]) != 0)
       printf("# part %d is `%s`, wanted `%s`, in: %s\n", k, part, parts[k], check->message);
     CU_ASSERT_STRING_EQUAL(part, parts[k]);
+    CU_ASSERT(check->parts[k].at + check->parts[k].length <= strlen(check->message));
   }
 }
 

@@ -220,6 +220,8 @@ static void impacts(void) {
        {"monitor   C", "wall far 1 m 1 m to 2 m 1 m steel\nmonitor   C", "one particle and one wall"});
   PAGE("4-oblique/oblique-impact-phase",
        {"stage     strike", "stage     strike\nwall floor velocity 0 m/s 0 m/s", "no stage changes"});
+  PAGE("2-hertz/hertz-impact-wall",
+       {"monitor   C", "wall far 1 m 1 m to 2 m 1 m steel\nmonitor   C", "another sphere or a wall"});
   PAGE("8-published/chung-ooi-1",
        {"monitor   C", "sphere 1 m 1 m radius 1 mm $of\nmonitor   C", "another sphere or a wall"},
        {"0.01 of collision", "0.1 of rayleigh", "duration of the collision"});
@@ -251,7 +253,18 @@ static void lattices(void) {
        {"west  0 -1     to 0 1 ", "west  0.001 -1     to 0.001 1 ", "normal to the row"},
        {"west  0 -1     to 0 1 ", "west  0 -1     to 0.001 1 ", "normal to the row"},
        {"east  9.70 -1  to 9.70", "east  9.71 -1  to 9.71", "normal to the row"});
-  PAGE("6-lattices/chain-wave", {"monitor   A", "wall more 9 9 to 8 9 m\nmonitor   A", "two walls"},
+  PAGE("6-lattices/force-chain", {"discs 5 by 1  from 0.95 0  radius 1  spacing 1.95  m\nwall      west  0 -1     to 0 "
+                                  "1     m\nwall      east  9.70 -1  to 9.70 1 ",
+                                  "discs 2 by 1  from 0.95 0  radius 1  spacing 1.95  m\nwall      west  0 -1     to 0 "
+                                  "1     m\nwall      east  3.85 -1  to 3.85 1 ",
+                                  NULL});
+  PAGE("6-lattices/chain-wave",
+       {"disc      0.99 0  radius 1  m  velocity 0.001 0\nlattice   discs 99 by 1  from 2.98 0  radius 1  spacing 1.99 "
+        " m\nwall      west  0 -1       to 0 1       m\nwall      east  198.99 -1  to 198.99 1 ",
+        "disc      1.01 0  radius 1  m  velocity 0.001 0\nlattice   discs 99 by 1  from 3.02 0  radius 1  spacing 2.01 "
+        " m\nwall      west  0 -1       to 0 1       m\nwall      east  201.01 -1  to 201.01 1 ",
+        "the same overlap"},
+       {"monitor   A", "wall more 9 9 to 8 9 m\nmonitor   A", "two walls"},
        {"disc      0.99 0  radius", "disc      0.99 1e-9  radius", "a straight row"},
        {"velocity 0.001 0", "velocity 0.001 1e-9", "a straight row"},
        {"disc      0.99 0  radius 1 ", "disc      0.99 0  radius 1.0001 ", "equal particles"},
@@ -356,6 +369,20 @@ static void assemblies(void) {
        {"sphere    0 mm 0.45 mm", "sphere    0 mm 1.36 mm", "vertically below"},
        {"-2 mm 1.8 mm  to 2 mm 1.8 mm ", "-2 mm 1.3 mm  to 2 mm 1.3 mm ", "then the ceiling"},
        {"to 2 mm 1.8 mm ", "to 2 mm 1.801 mm ", "two horizontal walls"});
+  PAGE("6-lattices/force-chain-turn",
+       {"lattice   discs 1 by 3  from 0 mm $Y  radius 10 mm  spacing $Y  steel\nlattice   discs 1 by 4  from $x $y  "
+        "radius 10 mm  spacing $Y  steel",
+        "disc $x $y radius 10 mm steel\ndisc 0 mm $Y radius 10 mm steel", "three or more free discs"},
+       {"lattice   discs 1 by 3  from 0 mm $Y  radius 10 mm  spacing $Y  steel\nlattice   discs 1 by 4  from $x $y  "
+        "radius 10 mm  spacing $Y  steel",
+        "disc $x $y radius 10 mm steel\ndisc 0 mm $Y radius 10 mm steel\ndisc $x (3*y) radius 10 mm steel", NULL},
+       {"region    A  all", "region    A  circle 0 m 0 m radius 1 mm", NULL},
+       {"discs 1 by 2  from 100 mm 0 mm  radius 10 mm  spacing 30 mm  steel",
+        "discs 2 by 1  from 100 mm 0 mm  radius 10 mm  spacing 19 mm  steel", "the same angle with y"});
+  PAGE("1-two-discs/two-wall-statics",
+       {"monitor   A", "disc 900 900 radius 1 x\nmonitor   A", "two particles in a row"},
+       {"velocity 0.12 0", "velocity 0.13 0", "equal speeds"},
+       {"velocity -0.12 0", "velocity 0.12 0", "approach with equal speeds"});
   PAGE("4-oblique/nested-loops",
        {"shear to 16 N    hold normal", "shear to 16 N    normal to 89 N", "constant once there is shear"});
 }

@@ -111,8 +111,8 @@ static enum nb_status column(struct contact *contact, const struct nb_scene *sce
     contact[c].fraction = pow(contact[c].young * sqrt(contact[c].radius), -2. / 3); /* up to a common factor */
     compliance += contact[c].fraction;
     top += above ? 2 * above->radius : 0;
-    if (!(contact[c].young > 0) || (above && (above->x != scene->particles[0].x || above->shape != NB_SPHERE)))
-      return refuse(error, "elastic spheres one above the other, in the order of the page");
+    if (above && above->x != scene->particles[0].x)
+      return refuse(error, "spheres one above the other, in the order of the page");
   }
   for (size_t c = 0; c <= n; c++)
     contact[c].fraction /= compliance, contact[c].touch = top, contact[c].rate = 2;
@@ -127,8 +127,6 @@ static enum nb_status solve_contact_test(struct nb_solution *solution, const str
   const struct nb_particle *a = &scene->particles[0], *b = scene->particle_count > 1 ? &scene->particles[1] : NULL;
   struct contact contact = {.radius = matter_radius(a->radius, b ? b->radius : INFINITY),
                             .young = matter_pair(scene, a->material, b ? b->material : scene->walls[0].material).young};
-  if (!(contact.young > 0) || strcmp(scene->normal, "hertz") != 0)
-    return refuse(error, "elastic spheres with `normal hertz`");
   add_value(solution, "normal", "overlap", force_at, &contact);
   return solution_status(solution, error);
 }

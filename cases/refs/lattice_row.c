@@ -65,8 +65,8 @@ static bool find_motion(struct lattice_row *row, const struct nb_scene *scene) {
 
 enum nb_status lattice_row_build(struct lattice_row *row, const struct nb_scene *scene, struct nb_error *error) {
   *row = (struct lattice_row){0};
-  if (scene->particle_count != 2 || scene->particles[0].fixed || scene->particles[1].fixed)
-    return nb_error_set(error, NB_BAD_USE, "this reference is for two free particles in a row");
+  if (scene->particle_count != 2)
+    return nb_error_set(error, NB_BAD_USE, "this reference is for two particles in a row");
   enum nb_status status = lattice_build(&row->lattice, scene, error);
   if (status != NB_OK)
     return status;

@@ -191,10 +191,8 @@ static bool walk_path(struct loops *loops, const struct path_contact *contact, c
 }
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
-  struct path_contact contact;
+  const struct path_contact contact = path_contact(scene);
   struct path_column *columns[COLUMNS];
-  if (path_contact(&contact, scene, "mindlin_loops", error))
-    return error->status;
   struct loops *loops = calloc(1, sizeof *loops);
   bool made = loops;
   const bool two = strcmp(scene->shear, "randall") == 0, none = strncmp(scene->shear, "mindlin", 7) == 0;

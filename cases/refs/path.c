@@ -7,22 +7,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum nb_status path_contact(struct path_contact *contact, const struct nb_scene *scene, const char *reference,
-                            struct nb_error *error) {
-  if (!scene->contact_test || strcmp(scene->normal, "hertz") != 0)
-    return nb_error_set(error, NB_BAD_USE, "the reference `%s` is for a contact test with `normal hertz`", reference);
+struct path_contact path_contact(const struct nb_scene *scene) {
   const struct nb_particle *particles = scene->particles;
   const bool wall = scene->particle_count == 1;
   const struct matter_pair pair =
       matter_pair(scene, particles[0].material, wall ? scene->walls[0].material : particles[1].material);
-  *contact = (struct path_contact){
+  return (struct path_contact){
       .radius = matter_radius(particles[0].radius, wall ? INFINITY : particles[1].radius),
       .young = pair.young,
       .shear = pair.shear,
       .friction = pair.friction,
       .kappa = pair.young / (4 * pair.shear),
   };
-  return NB_OK;
 }
 
 double path_normal(const struct path_contact *contact, double overlap) {

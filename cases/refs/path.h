@@ -14,9 +14,7 @@ struct path_contact {
   double friction; /* mu, 1 */
   double kappa;    /* E* / (4 G*) */
 };
-/* NB_BAD_USE when the page is not a contact test with `normal hertz`; the message names `reference`. */
-enum nb_status path_contact(struct path_contact *contact, const struct nb_scene *scene, const char *reference,
-                            struct nb_error *error);
+struct path_contact path_contact(const struct nb_scene *scene);
 double path_normal(const struct path_contact *contact, double overlap); /* normal force, N [R89 3.13] */
 double path_overlap(const struct path_contact *contact, double normal); /* its inverse, m */
 

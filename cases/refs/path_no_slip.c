@@ -83,10 +83,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   struct path_column *columns[COLUMNS];
   if (strcmp(scene->shear, "mindlin_deresiewicz") == 0)
     return reference_path_springs.solve(solution, scene, error);
-  if (path_contact(&contact.elastic, scene, "path_no_slip", error))
-    return error->status;
-  if (!contact.linear && !contact.scaled && strcmp(scene->shear, "mindlin") != 0)
-    return nb_error_set(error, NB_BAD_USE, "the reference `path_no_slip` does not cover `shear %s`", scene->shear);
+  contact.elastic = path_contact(scene);
   const struct nb_particle *particles = scene->particles;
   contact.ks = matter_pair(scene, particles[0].material,
                            scene->particle_count == 1 ? scene->walls[0].material : particles[1].material)

@@ -175,12 +175,7 @@ static bool walk_path(struct contact *it, const struct nb_scene *scene, struct p
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct contact contact = {.literal = strcmp(scene->shear, "randall_literal") == 0};
   struct path_column *columns[COLUMNS];
-  if (path_contact(&contact.elastic, scene, "path_randall", error))
-    return error->status;
-  if (!contact.literal && strcmp(scene->shear, "randall") != 0)
-    return nb_error_set(error, NB_BAD_USE,
-                        "the reference `path_randall` is for `shear randall` and `shear randall_literal`, not `%s`",
-                        scene->shear);
+  contact.elastic = path_contact(scene);
   bool made = true;
   for (int c = 0; c < COLUMNS; c++)
     made = (columns[c] = path_column(scene)) != NULL && made;

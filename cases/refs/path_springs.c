@@ -134,10 +134,8 @@ static void walk_path(struct row *row, double workspace[], const struct nb_scene
 }
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
-  struct path_contact contact;
+  const struct path_contact contact = path_contact(scene);
   struct path_column *columns[COLUMNS];
-  if (path_contact(&contact, scene, "path_springs", error))
-    return error->status;
   struct row *row = calloc(1, sizeof *row);
   double *workspace = calloc(SPRINGS, sizeof *workspace);
   bool made = row && workspace;
