@@ -21,9 +21,9 @@ static const struct nb_argument grading_fields[] = {NAME(AT_NAME, "a name for th
 static const struct nb_argument fill_fields[] = {
   SHAPE(AT_SHAPE),
   CLAUSE("circle", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_CIRCLE, 2, "|`box` or `cell`", "Fills a circle about this centre."),
-  CLAUSE("radius", "R", NB_UNIT_LENGTH, NB_POSITIVE, AT_RADIUS, 1, "`box` or `cell`", "Radius of the circle."),
+  CLAUSE("radius", "R", NB_UNIT_LENGTH, NB_POSITIVE, AT_RADIUS, 1, "+`box` or `cell`", "Radius of the circle."),
   CLAUSE("box", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_BOX, 2, "|`circle` or `cell`", "Fills a box: its corner with the smallest x and y. This box has no walls."),
-  CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_TO, 2, "`circle` or `cell`", "The opposite corner of the box."),
+  CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_TO, 2, "+`circle` or `cell`", "The opposite corner of the box."),
   FLAG("cell", AT_CELL, "|`circle` or `box`", "Fills the periodic cell, across its edges, so that the packing has no wall effect."),
   WORD("GRADING", AT_GRADING, "the name of a grading, which gives radii and numbers of particles: `grading NAME RADIUS N …`; `radius R` is that of the circle"),
   MATERIAL(AT_MATERIAL),

@@ -446,7 +446,7 @@ NB_STATEMENTS(let) = {
    "let       angle = 17 deg\nlet       grip = tan(angle)"},
   {"sweep", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_START, value_fields, "{with NAME …} VALUE …", 0, false, apply_sweep,
    "Gives a name several values, one for each run. Several sweeps make all combinations; the last sweep varies fastest. --set NAME=VALUE selects the runs with this value; if there are none, all runs get this value.\n"
-   "with NAME …: further names, up to 16 in one sweep. Each run then takes one value for each name, in the order of the names.\n"
+   "with NAME …: further names; a sweep has up to 16 names in all. Each run then takes one value for each name, in the order of the names.\n"
    "VALUE …: the values: all numbers, or all words.",
    "sweep     speed 0.1 m/s 0.2 m/s"},
   {"trade", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_START, trade_fields, "VALUE …, or laws all|none", 0, false, apply_trade,

@@ -269,8 +269,9 @@ static bool find_quantity(struct nb_quantity *quantity, const struct nb_scene *s
   return false;
 }
 
-/* True if a guess may be the quantity: a scene without a boundary has its quantities, too, but they are not meant.
- * `owned`: the searched word is a quantity of a region or a monitor, and then a quantity of the scene is not meant. */
+/* True if a hint may propose the quantity. Every scene has the quantities `boundary.…`, but a hint proposes them only if
+ * the scene has a boundary. `owned`: the searched word is a quantity of a region or a monitor, and then a hint proposes
+ * no quantity of the scene. */
 static bool is_offered(const struct nb_quantity_kind *kind, const struct nb_scene *scene, int w, bool owned) {
   const bool boundary = strncmp(kind->name, "boundary.", strlen("boundary.")) == 0;
   return applies(kind, scene, w) && (boundary ? scene->circle.line : kind->monitors || !owned);
@@ -751,8 +752,8 @@ static char *hint_of(char *hint, const struct nb_scene *scene, const char *text)
   return hint;
 }
 
-/* Writes the part of a name before its last dot to `name`, and after it the part of the quantities that this last part
- * stands for: `stress.major` for `stress.1`. Returns the note on the last part, or "". False in *found: there is no such
+/* Replaces the last part of a name, a word of another program, by the word of this program, and writes the result to
+ * `name`: `stress.major` for `stress.1`. Returns the note on this word, or "". False in *found: there is no such
  * quantity. */
 static const char *with_other_part(char name[2 * NB_NAME_SIZE], bool *found, const char *text) {
   const char *const dot = strrchr(text, '.');
@@ -768,7 +769,7 @@ static const char *with_other_part(char name[2 * NB_NAME_SIZE], bool *found, con
   return synonym && synonym->note ? synonym->note : "";
 }
 
-/* Writes the hint for a name with another last part; false: the last part is none of another program. */
+/* Writes the hint for a name whose last part is a word of another program; false: it is no such name. */
 static bool part_hint(char *hint, const struct nb_scene *scene, const char *text) {
   char name[2 * NB_NAME_SIZE];
   struct nb_quantity quantity;
@@ -836,7 +837,7 @@ static void add_meaning(char *hint, const struct nb_scene *scene, int w) {
               " (the force of the particles on the wall: on a floor under gravity `%s.fy` is below 0)",
               scene->monitors[w].name);
   if (strstr(hint, "strain.xy`"))
-    nb_append(hint, NB_HINT_SIZE, " (xy is half the engineering shear strain, since the start of the run)");
+    nb_append(hint, NB_HINT_SIZE, " (xy is half the engineering shear strain)");
 }
 
 const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const char *text) {

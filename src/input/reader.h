@@ -234,7 +234,8 @@ struct nb_argument {
   enum nb_unit_kind unit;
   enum nb_range range;
   int slot, count;       /* first slot of the values in the record; number of values */
-  const char *otherwise; /* default, for the manual; NULL: required; "|…": one of several such arguments is required */
+  const char *otherwise; /* default, for the manual; NULL: required; "|…": one of several such arguments is required;
+                            "+…": required with the argument before it */
   const char *help;      /* for names and words, messages use this text too: "the name of a material" */
 };
 

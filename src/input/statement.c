@@ -394,9 +394,15 @@ static struct nb_guess guess_clause(const struct nb_reader *reader, const char *
 /* True if one of several such clauses is required: their default begins with `|`. */
 static bool is_alternative(const struct nb_argument *field) { return field->otherwise && field->otherwise[0] == '|'; }
 
-/* True if the field is one of several clauses of which the line has another one. */
+/* True if the clause is a part of the clause before it, as `to X Y` is of `box X Y`: its default begins with `+`. */
+static bool is_part(const struct nb_argument *field) { return field->otherwise && field->otherwise[0] == '+'; }
+
+/* True if the field is one of several clauses of which the line has another one, or a part of a clause that the line
+ * does not have. */
 static bool is_excluded(const struct nb_reader *reader, const struct nb_argument *field) {
   bool other = false;
+  if (is_part(field))
+    return !given(reader, field - 1);
   for (const struct nb_argument *it = reader->keyword->arguments; it->count; it++)
     other = other || (is_alternative(it) && given(reader, it));
   return is_alternative(field) && other;
@@ -404,7 +410,8 @@ static bool is_excluded(const struct nb_reader *reader, const struct nb_argument
 
 /* True if the field is required and missing. */
 static bool is_missing(const struct nb_reader *reader, const struct nb_argument *field) {
-  return !given(reader, field) && (!field->otherwise || (is_alternative(field) && !is_excluded(reader, field)));
+  const bool dependent = is_alternative(field) || is_part(field);
+  return !given(reader, field) && (!field->otherwise || (dependent && !is_excluded(reader, field)));
 }
 
 /* True if some required field is missing; `clause`: some required clause. */

@@ -133,7 +133,7 @@ static void argument(const struct manual *to, const struct nb_argument *field) {
   const bool number = field->kind == NB_ARGUMENT_NUMBER, count = field->kind == NB_ARGUMENT_COUNT;
   char otherwise[128] = "";
   if (field->otherwise)
-    snprintf(otherwise, sizeof otherwise, "; without it: %s", field->otherwise + (*field->otherwise == '|'));
+    snprintf(otherwise, sizeof otherwise, "; without it: %s", field->otherwise + strspn(field->otherwise, "|+"));
   if (number || count)
     snprintf(text, sizeof text, "%s%s%s%s. %s", number ? nb_unit_kind_name(field->unit) : "a whole number, 1 or more",
              field->count > 1 ? " each" : "", number ? nb_range_words(field->range) : "", otherwise, field->help);
