@@ -167,6 +167,7 @@ static void one_particle(void) {
       {"C.sliding below 0.5", "time below 5 s", "`until C.sliding below X`"},
       {"C.sliding below 0.5", "C.sliding below 0.5 and time above 0 s", "`until C.sliding below X`"});
   PAGE("1-two-discs/slide-to-roll", {"gravity   0 m/s2 ", "gravity   0.001 m/s2 ", "along the floor"},
+       {"to 9 m 0 m", "to 9 m 1 mm", "a wall along x"},
        {"velocity $u0 0 m/s", "velocity $u0 1 mm/s", "along the floor"},
        {"velocity $u0 0 m/s", "velocity -$u0 0 m/s", "along the floor"},
        {"let       y = R - m*g/kn", "let       y = R - 1.0002*m*g/kn", "equal to its weight"},
@@ -196,7 +197,15 @@ static void one_particle(void) {
 }
 
 static void impacts(void) {
-  PAGE("7-assemblies/pinched-sphere",
+  PAGE("5-numerics/glancing-discs", {"step      $h", "step      0.1 of stable", "a step given as a time"},
+       {"friction 0  cohesion 1e200", "friction 0  cohesion 1", "does not slide"},
+       {"monitor   A", "disc 9 9 radius 1 steel\nmonitor   A", "two particles, or"});
+  PAGE("5-numerics/order", {"stage     strike", "stage     strike\nwall floor velocity 0.1 0", "no stage changes"},
+       {"friction 1e9", "friction 0.1", "does not slide"},
+       {"to 9 0  steel", "to 0.01 0  steel", "does not reach its end"},
+       {"-9 0  to 9 0  steel", "-0.001 0  to 9 0  steel", "does not reach its end"},
+       {"n  0.002 60", "n  0.002 9000", "opens only with an undeformed"});
+  PAGE("7-assemblies/pinched-sphere", {"V  10 mm/s 30", "V  0 mm/s 30", "approach each other"},
        {"monitor   P", "sphere 1 m 1 m radius $r glass\nmonitor   P", "spheres of one material"},
        {"sphere    -$X", "material m density 1 g/cm3 young 1 GPa poisson 0.2\nsphere    -$X", "of one material"},
        {"-$X 0 mm  radius $R  glass  velocity $V 0 m/s   fixed", "-$X 0 mm  radius $R  glass  velocity $V 0 m/s",
@@ -311,6 +320,21 @@ static void lattices(void) {
 }
 
 static void assemblies(void) {
+  PAGE("7-assemblies/fill-tries",
+       {"monitor   G", "sphere 1 m 1 m radius 1 mm glass\nmonitor   G", "no other particles"},
+       {"fill      spheres circle 0 mm 0 mm radius $R  $which glass  seed $seed  attempts $tries  else skip",
+        "fill spheres circle 1 m 0 mm radius $R  $which glass  seed $seed  attempts $tries  else skip\nfill spheres "
+        "circle 0 mm 0 mm radius $R  $which glass  seed $seed  attempts $tries  else skip",
+        "one `fill`"});
+  PAGE("6-lattices/lattice-stress", {"region    A", "disc 50 0 radius 0.1 m\nregion    A", "lattice"},
+       {"lattice   discs 10 by 1  from 0 0               radius 1 ",
+        "lattice   discs 10 by 1  from 0 0.001               radius 1 ", "lattice"},
+       {"lattice   discs 10 by 1  from $x1 $h            radius 1 ",
+        "lattice   discs 10 by 1  from (x1 + 0.001) $h            radius 1 ", "lattice"},
+       {"lattice   discs 10 by 1  from $x1 $h            radius 1 ",
+        "lattice   discs 10 by 1  from $x1 $h            radius 1.001 ", "lattice"},
+       {"(2.3 + 4*a)", "(2.3 + 3.3*a)", "boxes of whole cells"},
+       {"(2.7 + 2*h)", "(2.7 + 1.3*h)", "boxes of whole cells"});
   PAGE("6-lattices/box-servo",
        {"stage     rest", "stage more\nwalls stop\ncycles 1\nstage     rest", "by `box strain` and"},
        {"stage     mean\n", "stage     mean\nbox strain 1e-9 per cycle 2e-9 per cycle\n", "alone"},
