@@ -211,7 +211,7 @@ static bool read_other(const struct nb_scene_reading *reading, struct nb_reader 
   if (find_page(reading, reader, word, path) && !nb_page_read(start->page, path, reader->mistakes))
     read_scene(reading, reader, start, settings, word);
   free(settings);
-  if (reader->mistakes->total > before && !reader->bad)
+  if (reader->mistakes->total > before)
     nb_token_mistake(reader, word, NULL,
                      "expected a page and settings without errors: the messages about them say what is wrong");
   return reader->mistakes->total == before;
