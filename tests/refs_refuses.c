@@ -333,8 +333,8 @@ static void assemblies(void) {
         "lattice   discs 10 by 1  from (x1 + 0.001) $h            radius 1 ", "lattice"},
        {"lattice   discs 10 by 1  from $x1 $h            radius 1 ",
         "lattice   discs 10 by 1  from $x1 $h            radius 1.001 ", "lattice"},
-       {"(2.3 + 4*a)", "(2.3 + 3.3*a)", "boxes of whole cells"},
-       {"(2.7 + 2*h)", "(2.7 + 1.3*h)", "boxes of whole cells"});
+       {"(2.3 + 4*a)", "(2.3 + 3.5*a)", "boxes of whole cells"},
+       {"(2.7 + 2*h)", "(2.7 + 1.5*h)", "boxes of whole cells"});
   PAGE("6-lattices/box-servo",
        {"stage     rest", "stage more\nwalls stop\ncycles 1\nstage     rest", "by `box strain` and"},
        {"stage     mean\n", "stage     mean\nbox strain 1e-9 per cycle 2e-9 per cycle\n", "alone"},

@@ -104,8 +104,10 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     if (scene->monitors[w].kind != NB_MONITOR_REGION)
       continue;
     const struct nb_region *region = &scene->regions[scene->monitors[w].a];
-    const double cells = 4 * region->half_x * region->half_y / lattice.area;
-    if (region->kind != NB_REGION_BOX || fabs(cells - round(cells)) > 1e-9)
+    /* the rows of the lattice are along x, and the box has whole spacings along a row and whole distances of rows */
+    const double columns = 2 * region->half_x / lattice.x1, rows = 2 * region->half_y * lattice.x1 / lattice.area;
+    if (region->kind != NB_REGION_BOX || lattice.y1 != 0 || fabs(columns - round(columns)) > 1e-9 ||
+        fabs(rows - round(rows)) > 1e-9)
       return nb_error_set(error, NB_BAD_USE,
                           "the reference `lattice_stress` is for regions that are boxes of whole cells");
     add_region(solution, scene->monitors[w].name, &lattice, scene->particles[0].radius, matter_pair(scene, m, m).kn);
