@@ -482,6 +482,8 @@ said 'there is no command `chek`'
 said 'did you mean `check`?'
 run 2 frobnicate
 said 'there is no command `frobnicate`; see nineball --help'
+run 2 compare a.md b.md
+said 'there is no command `compare`; compare runs in one page: `sweep mu 0.2 0.6`'
 run 2 check
 said '`nineball check` needs a page'
 verdict 'no command, an unknown command, a command without a page'

@@ -525,6 +525,9 @@ static const char *context_hint(const struct nb_reader *reader, char *hint, cons
   const struct nb_synonym *const sign = inside ? NULL : nb_pair_synonym("expect", token->text);
   if (token > reader->tokens && sign && strstr(sign->words, "expect_="))
     return compared_hint(hint, reader);
+  const bool servo = inside && strcmp(reader->tokens[0].text, "servo") == 0 && !nb_number_length(token[-1].text);
+  if (servo && nb_pair_synonym("servo", token->text) && nb_servo_hint(hint, reader))
+    return hint;
   return inside                         ? nb_pair_hint(hint, reader->tokens[0].text, token->text)
          : reader->here == NB_IN_EXPECT ? nb_pair_hint(hint, "expect", token->text)
                                         : NULL;

@@ -286,6 +286,10 @@ void nb_keyword_syntax(char *text, size_t size, const struct nb_keyword *keyword
 /* The statements of scene and contact-test blocks, for reading, --help and the manual. */
 const struct nb_family *nb_keywords(void);
 
+/* servo.c: writes the line `servo …` that the tokens mean, for the cell, the box or the boundary of the page. False: the
+ * page has none of them, or the line has no number. */
+bool nb_servo_hint(char *hint, const struct nb_reader *reader);
+
 /* ---- page.c ---- */
 
 enum nb_block_kind {

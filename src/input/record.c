@@ -32,6 +32,39 @@ bool nb_take_requested(struct nb_scene_reading *reading, struct nb_reader *reade
   return true;
 }
 
+/* Writes the hint for an `until` with a word for the unbalanced force: without a condition on a stress or on contacts the
+ * stage may end before any contact has a force. Or with a strain in a later stage: it counts from the start of a region.
+ * False: the line is another. */
+static bool until_hint(char *hint, const struct nb_scene_reading *reading, const char *name) {
+  const struct nb_reader *const reader = &reading->reader;
+  const struct nb_scene *const scene = reading->scene;
+  const struct nb_synonym *const synonym = nb_pair_synonym("quantity", name), *const other = nb_synonym(name);
+  const char *const ours = synonym ? synonym->ours : other ? other->ours : "";
+  char text[2 * NB_NAME_SIZE];
+  if (strcmp(reader->tokens[0].text, "until") != 0 || reading->here != NB_IN_STAGE)
+    return false;
+  if (strcmp(ours, "unbalanced.max") == 0 && reader->next == 2 && reader->count > 3 &&
+      strcmp(reader->tokens[reader->count > 4 ? 4 : 0].text, "and") != 0) {
+    const char *const stress = nb_servo_condition(text, sizeof text, reading);
+    snprintf(
+        hint, NB_HINT_SIZE,
+        "`until unbalanced.max below %.20s and %s at most 1000000 cycles`: without the second condition the stage "
+        "ends at once if no contact has a force. `unbalanced.max` is the largest unbalanced force over the largest "
+        "contact force, and the ratio of the means is `M.unbalanced.mean`, with `region M all`",
+        reader->tokens[3].text, stress ? stress : "contacts above 0");
+    return true;
+  }
+  if (scene->stage_count - scene->start.stages < 2 || !nb_is_quantity(name) || strncmp(name, "strain.", 7) != 0)
+    return false;
+  snprintf(
+      hint, NB_HINT_SIZE,
+      "write `region S all from %.63s` in the scene, then `until S.%.30s …`: the strain since the beginning of this "
+      "stage, extension positive, so for compression `until S.%.30s below -0.05 at most 1000000 cycles`. The strains "
+      "of a box and a cell count from time 0",
+      nb_current_stage(scene)->name, name, name);
+  return true;
+}
+
 bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *quantity,
                        const struct nb_requested *requested) {
   char hint[NB_HINT_SIZE];
@@ -41,7 +74,7 @@ bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *qua
   if (nb_name_suppressed(mistakes, requested->name))
     return false;
   nb_suppress_name(mistakes, requested->name);
-  if (!nb_old_name(hint, requested->name))
+  if (!nb_old_name(hint, requested->name) && !until_hint(hint, reading, requested->name))
     nb_quantity_hint(hint, reading->scene, requested->name);
   nb_mistake(mistakes, reading->reader.page, requested->line, requested->column, requested->length, hint,
              "expected a quantity, found `%s`", requested->name);
@@ -51,6 +84,11 @@ bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *qua
 /* Reads `record QUANTITY …` in the scene. The quantities are found later, when all monitors are known. */
 NB_APPLY(apply_columns) {
   struct nb_scene_reading *reading = subject;
+  const struct nb_token *every = NULL; /* in `record every 100 cycles time` the rest of the line is read, too */
+  if (nb_token_is(reader, "every") && reader->count > 4) {
+    every = nb_token_peek(reader);
+    reader->next += 3;
+  }
   do {
     struct nb_requested one;
     if (nb_token_is(reader, "every") || nb_token_is(reader, "none"))
@@ -69,6 +107,10 @@ NB_APPLY(apply_columns) {
     else
       NB_APPEND(reader, reading->requested, reading->requested_count, one);
   } while (nb_token_peek(reader));
+  if (every)
+    nb_expected_at(reader, every,
+                   "write two lines: here `record QUANTITY …`, without `every`, and in a stage `record every N cycles`",
+                   quantity_words(reading->scene));
 }
 
 /* Reads `record every N cycles` or `record none` in a stage. */
@@ -83,6 +125,11 @@ NB_APPLY(apply_record) {
                 scene->contact_test ? "`record QUANTITY …` belongs before the first `segment`"
                                     : "`record QUANTITY …` belongs before the first `stage`",
                 scene->contact_test ? "`every N steps` or `none`" : "`every N cycles` or `none`");
+  if (!reader->bad && every > 0 && nb_token_peek(reader))
+    nb_expected(reader,
+                scene->contact_test ? "`record QUANTITY …` is a line of its own, before the first `segment`"
+                                    : "`record QUANTITY …` is a line of its own, before the first `stage`",
+                "the end of the line");
   if (reader->bad || nb_given_twice(reader, nb_current_stage(scene)->record_line))
     return;
   nb_current_stage(scene)->record_interval = every;

@@ -62,6 +62,9 @@ struct nb_scene_reading {
   } repeat;
   const char *follow; /* `--set follow=FILE`: the name of the file, or NULL */
   int contact_line;   /* line of the statement `contact` of a contact test; 0: none */
+  /* The last `servo` with a mistake: the condition on the stress that it wants to control, and its line. */
+  char servo_wanted[2 * NB_NAME_SIZE];
+  int servo_wanted_line;
 };
 
 /* The stage of the current line; NULL: before the first stage. */
@@ -165,6 +168,9 @@ void nb_ramps_check(struct nb_scene_reading *reading);
 void nb_box_check(struct nb_scene_reading *reading);
 /* Warns of an inherited strain rate against which a servo works, and of conditions: nb_servo_compare. */
 void nb_servo_check(struct nb_scene_reading *reading);
+/* The condition that the stress which the servo of the current stage controls is near its target; NULL: the stage has no
+ * servo. Written to `text` if the statement `servo` has no mistake. */
+const char *nb_servo_condition(char *text, size_t size, const struct nb_scene_reading *reading);
 /* Warns of conditions on a normal strain of the other sign than the strain rate of the stage. */
 void nb_strain_check(struct nb_scene *scene);
 /* The sign of the strain rate along x or y, axis 0 or 1, that the walls which move in a stage impose on the particles

@@ -2,8 +2,10 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 
+#include <ctype.h>
 #include <string.h>
 
+#include "core/clean.h"
 #include "core/model.h"
 #include "core/names.h"
 #include "laws/laws_now.h"
@@ -28,6 +30,120 @@ static const struct nb_argument servo_fields[] = {
   END
 };
 /* clang-format on */
+
+/* ---- a line that works in this page ---- */
+
+/* The object of the page that a servo can strain: `cell`, `box` or `boundary`; NULL: the page defines none. */
+static const char *place_of_page(const struct nb_page *page) {
+  static const char *const places[] = {"cell", "box", "boundary"};
+  for (size_t p = 0; p < 3; p++)
+    for (size_t k = 0; page->kind_of && k < page->line_count; k++) {
+      const char *at = page->lines[k] + strspn(page->lines[k], " \t");
+      const size_t length = strlen(places[p]);
+      if (page->kind_of[k] != 1 + NB_BLOCK_SCENE || strncmp(at, places[p], length) != 0 || !strchr(" \t", at[length]))
+        continue;
+      at += length + strspn(at + length, " \t");
+      if (p == 2 ? strncmp(at, "circle", strlen("circle")) == 0 : !isalpha((unsigned char)*at))
+        return places[p];
+    }
+  return NULL;
+}
+
+/* Writes the target of a servo as the line means it: for `servo wall west stress 50 kPa` "xx 50 kPa". *number: the index
+ * of the number. False: the line has no number. */
+static bool target_of(char *text, size_t size, const struct nb_reader *reader, const char **component, size_t *number) {
+  static const struct {
+    const char *words, *component;
+  } meanings[] = {{" xx west east left right lateral horizontal sides ", "xx"},
+                  {" yy north south top bottom vertical axial ", "yy"},
+                  {" xy ", "xy"},
+                  {" mean ", "mean"}};
+  char word[NB_NAME_SIZE + 2];
+  double value;
+  struct nb_unit unit;
+  *component = "isotropic";
+  for (*number = 1; *number < reader->count; ++*number) {
+    const char *const token = reader->tokens[*number].text, *const dot = strrchr(token, '.');
+    if (strcmp(token, "at") == 0) /* the limit is no target */
+      return false;
+    if (nb_number_read(&value, token, 0) == NB_READ)
+      break;
+    snprintf(word, sizeof word, " %.60s ", dot ? dot + 1 : token);
+    for (size_t k = 0; k < sizeof meanings / sizeof *meanings; k++)
+      if (strstr(meanings[k].words, word))
+        *component = meanings[k].component;
+  }
+  if (*number >= reader->count)
+    return false;
+  const struct nb_token *const token = &reader->tokens[*number];
+  const bool has_unit = *number + 1 < reader->count && nb_unit_read(&unit, token[1].text);
+  snprintf(text, size, "%s %.40s%s%.10s", *component, token->text, has_unit ? " " : "", has_unit ? token[1].text : "");
+  return true;
+}
+
+bool nb_servo_hint(char *hint, const struct nb_reader *reader) {
+  const char *const place = place_of_page(reader->page), *component;
+  char target[NB_NAME_SIZE + 2];
+  size_t number;
+  if (!place || !target_of(target, sizeof target, reader, &component, &number))
+    return false;
+  snprintf(
+      hint, NB_HINT_SIZE,
+      "write `servo %s on %s through %s at most 1e-6 per cycle`; `xx P`, `yy P` and `xy P` control components, and "
+      "`mean P` controls (xx + yy)/2",
+      target, strcmp(place, "box") == 0 ? "walls" : place, place);
+  if (strcmp(place, "box") == 0 && *component != 'i')
+    nb_append(hint, NB_HINT_SIZE,
+              ". The servo strains the whole box, so opposite walls move by equal distances; one direction may have "
+              "`box strain 0 1/s -0.01 1/s`, the other the servo");
+  return true;
+}
+
+/* Notes the condition on the stress that a line with a mistake wants to control, for the hint of an `until` below. */
+static void note_wanted(struct nb_scene_reading *reading, const struct nb_reader *reader) {
+  const char *const place = place_of_page(reader->page), *component;
+  char target[NB_NAME_SIZE + 2];
+  double value;
+  size_t number;
+  if (!place || !target_of(target, sizeof target, reader, &component, &number) ||
+      nb_number_read(&value, reader->tokens[number].text, 0) != NB_READ)
+    return;
+  const char *const unit = strrchr(target, ' ');
+  snprintf(reading->servo_wanted, sizeof reading->servo_wanted, "%s.stress.%s above %g%.12s",
+           strcmp(place, "box") == 0 ? "walls" : place, *component == 'i' ? "mean" : component, 0.9 * value,
+           unit && isalpha((unsigned char)unit[1]) ? unit : "");
+  reading->servo_wanted_line = (int)reader->line;
+}
+
+const char *nb_servo_condition(char *text, size_t size, const struct nb_scene_reading *reading) {
+  static const int part[] = {0, 3, 1}; /* indices of xx, yy and xy among the four measured components */
+  const struct nb_scene *const scene = reading->scene;
+  const struct nb_stage *const stage = nb_current_stage(scene);
+  int k = 0;
+  while (k < 3 && !(stage->servo.line && stage->servo.controlled[k] && stage->servo.stress[k] != 0))
+    k++;
+  if (k == 3)
+    return reading->servo_wanted_line > stage->line ? reading->servo_wanted : NULL;
+  const struct nb_quantity stress = stage->servo.quantity[part[k]];
+  snprintf(text, size, "%s%s%s.%s %s %g%s", stress.monitor < 0 ? "" : scene->monitors[stress.monitor].name,
+           stress.monitor < 0 ? "" : ".", stress.kind->name, stress.suffix->name,
+           stage->servo.stress[k] > 0 ? "above" : "below", 0.9 * stage->servo.stress[k], scene->unitless ? "" : " Pa");
+  return text;
+}
+
+/* Refuses `on box` or `through box` in a scene with a cell, and a cell in a scene with a box. True: the place is wrong. */
+static bool wrong_place(struct nb_reader *reader, const struct nb_scene *scene, const struct nb_token *token) {
+  const bool cell = strcmp(token->text, "cell") == 0,
+             box = strcmp(token->text, "box") == 0 || strcmp(token->text, "walls") == 0;
+  const bool has_box = nb_box_first_wall(scene) >= 0;
+  char hint[NB_HINT_SIZE];
+  if (!(box && !has_box && scene->cell.line) && !(cell && !scene->cell.line && has_box))
+    return false;
+  nb_token_mistake(reader, token, nb_servo_hint(hint, reader) ? hint : NULL,
+                   "expected `%s`, because the scene has a %s, found `%s`", box ? "cell" : "box",
+                   box ? "periodic cell" : "box of walls", token->text);
+  return true;
+}
 
 /* Finds the quantities of the measured stress components. */
 static void find_stress(struct nb_scene_reading *reading, struct nb_reader *reader, const struct nb_token *place,
@@ -65,6 +181,11 @@ NB_APPLY(apply_servo) {
   struct nb_scene *scene = reading->scene;
   struct nb_stage *stage = nb_current_stage(scene);
   const struct nb_value *value = record->value;
+  if (reader->bad || wrong_place(reader, scene, value[AT_ON].token) ||
+      wrong_place(reader, scene, value[AT_THROUGH].token)) {
+    note_wanted(reading, reader);
+    return;
+  }
   const int through = (int)value[AT_THROUGH].number;
   struct nb_servo servo = {.axis_x = {1, 0},
                            .axis_y = {0, 1},
@@ -187,7 +308,7 @@ void nb_servo_check(struct nb_scene_reading *reading) {
 
 /* clang-format off */
 NB_STATEMENTS(servo) = {
-  {"servo", NB_IN_STAGE | NB_IN_RAMP, servo_fields, "{every N cycles}", 0, false, apply_servo,
+  {"servo", NB_IN_STAGE | NB_IN_RAMP, servo_fields, "{every N cycles}", 0, true, apply_servo,
    "Controls a stress in this stage; a servo ends with its stage. It controls the stress of a region, on the boundary, in the cell or on the box, or the mean traction of the box's walls. The servo adds a strain rate to that of the boundary, the cell or the box. Components that are not named are not controlled. The stress of the box is computed from all forces on its walls, the traction of the walls from the normal forces: with friction at the walls the two differ. The program computes the gain from the stiffness of the contacts.\n"
    "every N cycles: a whole number, 1 or more; without it: 10. How often the added strain rate is updated.",
    "stage     walled\n  servo   isotropic 1 kPa  on box  through box  at most 1e-6 per cycle\n  cycles  10\n"

@@ -201,6 +201,27 @@ static const char *clause_hint(char *hint, const struct nb_family *table, unsign
   return *list ? hint : NULL;
 }
 
+/* The hint for a property of a material or a pair in place of a statement: for `friction steel glass 0.2` the line `pair
+ * steel glass friction 0.2`; NULL: the line is none such. */
+static const char *property_hint(char *hint, const struct nb_reader *reader, const struct nb_family *table,
+                                 unsigned here) {
+  const struct nb_token *const tokens = reader->tokens;
+  size_t names = 1;
+  if (!clause_hint(hint, table, here, tokens[0].text) || !strstr(hint, "`pair`"))
+    return NULL;
+  while (names < reader->count && nb_is_name(tokens[names].text))
+    names++;
+  if (names > 3 || names == reader->count)
+    return NULL;
+  snprintf(hint, NB_HINT_SIZE, "`%s` is a property of a material or of a pair of materials: write `%s %s%s%s %s",
+           tokens[0].text, names == 3 ? "pair" : "material", names > 1 ? tokens[1].text : "NAME", names == 3 ? " " : "",
+           names == 3 ? tokens[2].text : "", tokens[0].text);
+  for (size_t k = names; k < reader->count; k++)
+    nb_append(hint, NB_HINT_SIZE, " %.40s", tokens[k].text);
+  nb_append(hint, NB_HINT_SIZE, "`");
+  return hint;
+}
+
 /* The hint for a word that is no clause of this line but begins another statement: `disc … rotation off`; NULL: the
  * word begins no other statement. */
 static const char *other_statement(char *hint, const struct nb_reader *reader, const char *word) {
@@ -271,7 +292,9 @@ static const char *verb_hint(char *hint, const struct nb_reader *reader, const s
     return hint;
   if (guess)
     return nb_guess_hint(guess, hint);
-  return clause_hint(hint, table, here, text) || nb_synonym_hint(hint, text) ? hint : quantity_hint(hint, here, text);
+  return property_hint(hint, reader, table, here) || clause_hint(hint, table, here, text) || nb_synonym_hint(hint, text)
+             ? hint
+             : quantity_hint(hint, here, text);
 }
 
 /* Reports a first word with which no row begins. Returns the row that was probably meant, or NULL. */
@@ -558,13 +581,21 @@ static const char *part_hint(char *hint, const struct nb_reader *reader, const s
   return hint;
 }
 
+/* Writes the line that an incomplete `servo`, or one with a word of another program, means; false: there is none. */
+static bool servo_hint(char *hint, const struct nb_reader *reader, const struct nb_token *token) {
+  const char *const word = reader->keyword->word ? reader->keyword->word : "";
+  return strcmp(word, "servo") == 0 && (!token || strchr(token->text, '.') || nb_pair_synonym(word, token->text)) &&
+         nb_servo_hint(hint, reader);
+}
+
 /* Writes the hint for an unexpected word or a missing field. False: there is no such hint, and *hint is that of
  * usage_hint. */
 static bool fields_hint(const struct nb_reader *reader, char *hint, const struct nb_token *token,
                         const struct nb_argument *missing) {
   const struct nb_guess guess = guess_clause(reader, token ? token->text : "");
   usage_hint(reader, hint, token, missing);
-  return flag_hint(hint, reader, token) || part_hint(hint, reader, token, missing, &guess) ||
+  return flag_hint(hint, reader, token) || servo_hint(hint, reader, token) ||
+         part_hint(hint, reader, token, missing, &guess) ||
          (token && nb_pair_hint(hint, reader->tokens[0].text, token->text)) || /* has priority over guesses */
          (number_next(reader) && third_coordinate(hint, reader, missing)) || nb_guess_hint(&guess, hint) ||
          (token && reader->given && other_statement(hint, reader, token->text)) || namesake_hint(reader, hint, missing);

@@ -307,6 +307,19 @@ static enum nb_status read_options(struct nb_call *call, int count, char **words
   return status;
 }
 
+static enum nb_status no_command(const char *word) {
+  if (strcmp(word, "compare") == 0 || strcmp(word, "diff") == 0)
+    return usage("there is no command `%s`; compare runs in one page: `sweep mu 0.2 0.6`, a line with `$mu`, and in a "
+                 "block `expect` for example `M.coordination last in STAGE  constant with mu within 1 %%`",
+                 word);
+  char hint[NB_HINT_SIZE];
+  struct nb_guess guess = nb_guess_begin(word);
+  for (int k = 0; k < COMMANDS; k++)
+    nb_guess_offer(&guess, commands[k].name);
+  const char *suggestion = nb_guess_hint(&guess, hint);
+  return usage("there is no command `%s`%s%s", word, suggestion ? "; " : "", suggestion ? suggestion : "");
+}
+
 static enum nb_status run_command(struct nb_call *call, const char *word) {
   const int command = find_command(word);
   for (int k = 0; k < OPTIONS && command >= 0; k++)
@@ -321,12 +334,7 @@ static enum nb_status run_command(struct nb_call *call, const char *word) {
     catch_signals(call);
     return commands[command].run(call);
   }
-  char hint[NB_HINT_SIZE];
-  struct nb_guess guess = nb_guess_begin(word);
-  for (int k = 0; k < COMMANDS; k++)
-    nb_guess_offer(&guess, commands[k].name);
-  const char *suggestion = nb_guess_hint(&guess, hint);
-  return usage("there is no command `%s`%s%s", word, suggestion ? "; " : "", suggestion ? suggestion : "");
+  return no_command(word);
 }
 
 static enum nb_status execute(struct nb_call *call, int count, char **words) {
