@@ -65,10 +65,14 @@ struct nb_page {
   char **lines;            /* the text, line by line, without line ends; owned */
   size_t line_count;       /* lines[0] is line 1 of the file */
   unsigned char *kind_of;  /* for each line, the kind of block that contains it (input/reader.h); owned */
+  size_t misnamed;         /* blocks with a misspelt kind, which have been reported */
   unsigned long long hash; /* FNV-1a of the whole file; tables record it */
 };
 /* Reads the file and finds its blocks. Adds all errors to `mistakes`; after an error the page is empty. */
 enum nb_status nb_page_read(struct nb_page *page, const char *path, struct nb_mistakes *mistakes);
+/* Does the same, but after misspelt kinds of blocks alone the page is kept, and these blocks have the kinds that are
+ * meant: so all mistakes of a page are reported at once. */
+enum nb_status nb_page_read_kept(struct nb_page *page, const char *path, struct nb_mistakes *mistakes);
 void nb_page_free(struct nb_page *page);
 
 /* ---- names.c: quantities and their names ---- */

@@ -221,6 +221,14 @@ static int imposed_motion_line(const struct nb_stage *stage) {
   return stage->box_line ? stage->box_line : stage->servo.box ? stage->servo.line : 0;
 }
 
+/* The line of `reverse velocities` in a stage. */
+static size_t line_of_reverse(const struct nb_page *page, const struct nb_stage *stage) {
+  for (size_t line = (size_t)stage->line; line < page->line_count; line++)
+    if (strncmp(page->lines[line] + strspn(page->lines[line], " \t"), "reverse", strlen("reverse")) == 0)
+      return line + 1;
+  return (size_t)stage->line;
+}
+
 /* Reports `reverse velocities` together with an imposed motion other than that of a cell, whose strain rate is
  * reversed, too. An imposed motion uses the positions at the beginning of a step, so its displacements are not
  * reversible. */
@@ -233,7 +241,7 @@ void nb_imposed_motion_check(struct nb_scene_reading *reading) {
     line = line ? line : imposed_motion_line(stage);
     if (stage->reverse_velocities && line)
       nb_line_mistake(
-          &reading->reader, (size_t)stage->line, NULL,
+          &reading->reader, line_of_reverse(reading->reader.page, stage), NULL,
           "expected a stage without `reverse velocities`, because of line %d: an imposed motion is not reversible",
           line);
   }

@@ -12,6 +12,7 @@
 
 #include "core/clean.h"
 #include "core/names.h"
+#include "laws/law.h"
 #include "loading/loading.h"
 #include "measure/energy.h"
 #include "reader.h"
@@ -840,6 +841,15 @@ static void add_meaning(char *hint, const struct nb_scene *scene, int w) {
     nb_append(hint, NB_HINT_SIZE, " (xy is half the engineering shear strain)");
 }
 
+/* Changes a hint that proposes the stored energy if a law of the scene has none. */
+static void stored_hint(char *hint, const struct nb_scene *scene) {
+  const struct nb_law *const laws[] = {nb_law_find("normal", scene->normal), nb_law_find("shear", scene->shear)};
+  for (size_t k = 0; k < 2; k++)
+    if (laws[k] && !laws[k]->stored)
+      snprintf(hint, NB_HINT_SIZE, "`%s %s` has no stored energy: the work of the shear forces is `energy.shear`",
+               laws[k]->kind, laws[k]->name);
+}
+
 const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const char *text) {
   const size_t stem = strcspn(text, ".");
   if (whole_hint(hint, scene, text))
@@ -863,6 +873,9 @@ const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const cha
              name, name);
     return hint;
   }
-  add_meaning(hint_of(hint, scene, text), scene, monitor_named(scene, text, stem));
+  hint_of(hint, scene, text);
+  if (strstr(hint, "`energy.stored`"))
+    stored_hint(hint, scene);
+  add_meaning(hint, scene, monitor_named(scene, text, stem));
   return hint;
 }

@@ -96,7 +96,7 @@ static const char *near_kind(const char *word) {
 
 /* The kind of block that an opening fence begins; -1: none. A misspelt kind is reported, because its block would be
  * ignored. */
-static int kind_of_info(const struct nb_page *page, size_t line, const char *info, struct nb_mistakes *mistakes) {
+static int kind_of_info(struct nb_page *page, size_t line, const char *info, struct nb_mistakes *mistakes) {
   char word[NB_NAME_SIZE], hint[NB_HINT_SIZE];
   const size_t signs = strspn(info, "{."), length = strcspn(info + signs, " \t}");
   if (length == 0 || length >= sizeof word)
@@ -113,8 +113,9 @@ static int kind_of_info(const struct nb_page *page, size_t line, const char *inf
   if (near || old) {
     nb_mistake(mistakes, page, line, (int)(info + signs - page->lines[line - 1]) + 1, (int)length, hint,
                "expected a block of a known kind (scene, contact-test, expect, gnuplot), found `%.*s`", whole, info);
+    page->misnamed++;
   }
-  return -1;
+  return near ? nb_page_kind(near, strlen(near)) : -1;
 }
 
 /* The length of the fence of an expect block that is not read, because it is in a quote, in a list, or indented by more
@@ -139,7 +140,7 @@ static bool closes(const struct open_block *block, const char *line) {
   return nb_fence(line + prefix, &sign, &info) >= block->length && sign == block->sign && *info == '\0';
 }
 
-static bool opens(struct open_block *block, const struct nb_page *page, size_t line, struct nb_mistakes *mistakes) {
+static bool opens(struct open_block *block, struct nb_page *page, size_t line, struct nb_mistakes *mistakes) {
   const char *info, *text = page->lines[line - 1];
   block->line = line;
   if ((block->length = nb_fence(text, &block->sign, &info)))
@@ -222,9 +223,10 @@ static bool begin(struct nb_page *page, const char *path, struct nb_mistakes *mi
   return true;
 }
 
-static enum nb_status end(struct nb_page *page, struct nb_mistakes *mistakes, size_t before) {
+/* `kept`: a page whose only mistakes are misspelt kinds is kept. */
+static enum nb_status end(struct nb_page *page, struct nb_mistakes *mistakes, size_t before, bool kept) {
   const enum nb_status status = nb_mistakes_status(mistakes, before);
-  if (status)
+  if (status && !(kept && status == NB_BAD_USE && mistakes->total - before == page->misnamed))
     nb_page_free(page);
   return status;
 }
@@ -243,7 +245,7 @@ enum nb_status nb_page_read_bytes(struct nb_page *page, const char *path, const 
   const size_t before = mistakes->total;
   if (begin(page, path, mistakes))
     set_content(page, bytes, size, mistakes);
-  return end(page, mistakes, before);
+  return end(page, mistakes, before, false);
 }
 
 /* Writes the hint for a path such as `cases/order` if there is no such file, but a file cases/order.md; otherwise
@@ -256,7 +258,8 @@ static const char *md_hint(char *hint, const char *path) {
   return hint;
 }
 
-enum nb_status nb_page_read_limited(struct nb_page *page, const char *path, size_t most, struct nb_mistakes *mistakes) {
+static enum nb_status read_file(struct nb_page *page, const char *path, size_t most, bool kept,
+                                struct nb_mistakes *mistakes) {
   const size_t before = mistakes->total;
   struct nb_error error;
   char hint[NB_HINT_SIZE];
@@ -271,7 +274,15 @@ enum nb_status nb_page_read_limited(struct nb_page *page, const char *path, size
   else
     nb_mistake(mistakes, page, 0, 0, 0, md_hint(hint, path), "%s", error.text);
   free(bytes);
-  return end(page, mistakes, before);
+  return end(page, mistakes, before, kept);
+}
+
+enum nb_status nb_page_read_limited(struct nb_page *page, const char *path, size_t most, struct nb_mistakes *mistakes) {
+  return read_file(page, path, most, false, mistakes);
+}
+
+enum nb_status nb_page_read_kept(struct nb_page *page, const char *path, struct nb_mistakes *mistakes) {
+  return read_file(page, path, NB_PAGE_MAX, true, mistakes);
 }
 
 enum nb_status nb_page_read(struct nb_page *page, const char *path, struct nb_mistakes *mistakes) {

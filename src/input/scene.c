@@ -150,13 +150,14 @@ static void survey(struct nb_scene_reading *reading, struct nb_mistakes *mistake
   reading->units_line = 0;
 }
 
-/* Stores the settings as lines of a page without a file. False: no memory. */
+/* Stores the settings as lines of a page without a file: those of the command line, or those of `start … with` on a page
+ * that another starts from. False: no memory. */
 static bool store_settings(struct nb_scene_reading *reading, nb_settings settings) {
-  static char path[] = "--set";
+  static char set[] = "--set", with[] = "start … with";
   size_t count = 0;
   while (settings && settings[count])
     count++;
-  reading->settings = (struct nb_page){.path = path, .line_count = count};
+  reading->settings = (struct nb_page){.path = reading->parent ? with : set, .line_count = count};
   reading->settings.lines = calloc(count + 1, sizeof *reading->settings.lines);
   for (size_t i = 0; i < count && reading->settings.lines; i++) {
     size_t size = strlen(settings[i]) + 1;
@@ -280,10 +281,11 @@ static enum nb_status read_run(struct nb_scene *scene, const struct nb_page *pag
   size_t before = mistakes->total;
   *scene = (struct nb_scene){.page = page, .runs = 1, .refine = 1, .soften = 1};
   struct nb_scene_reading *reading = calloc(1, sizeof *reading);
+  if (reading)
+    reading->parent = parent;
   if (reading && store_settings(reading, settings)) {
     reading->scene = scene;
     reading->run = run;
-    reading->parent = parent;
     reading->hash = nb_hash_settings(settings);
     scene->contact_test = nb_page_fence(page, NB_BLOCK_CONTACT_TEST) != 0;
     reading->here = scene->contact_test ? NB_IN_CONTACT_TEST : NB_IN_SCENE;

@@ -232,7 +232,7 @@ static void read_runs(struct nb_outcome *outcome, nb_settings settings, size_t p
 static enum nb_status read_page(struct nb_outcome *outcome, const char *path, nb_settings settings,
                                 size_t particles_kept) {
   *outcome = (struct nb_outcome){.settings = settings};
-  if (!nb_page_read(&outcome->page, path, &outcome->mistakes))
+  if (!nb_page_read_kept(&outcome->page, path, &outcome->mistakes) || outcome->page.lines)
     read_runs(outcome, settings, particles_kept);
   outcome->status = nb_mistakes_status(&outcome->mistakes, 0);
   if (outcome->status == NB_NO_MEMORY)
