@@ -68,6 +68,7 @@ typed() {
   regions) scene "$materials" "$particles" 'region A all' "$marked" "$stages" ;;
   cells) scene "$materials" 'cell 0 m 0 m to 1 m 1 m' "$particles" "$names" "$marked" "$stages" ;;
   spheres) scene "$materials" "$(echo "$particles" | sed 's/disc/sphere/g')" "$marked" "$stages" ;;
+  walls) scene "$materials" "$box" "$(echo "$particles" | sed s/disc/sphere/g)" "$marked" "$stages" ;;
   impact) scene "$materials" "$particles" "$names" 'impact C speed 1 m/s angle 10 deg' "$marked" "$stages" ;;
   stage) scene "$materials" "$box" "$particles" "$names" "$stages" 'stage next' "$marked" 'cycles 10' ;;
   cell) scene "$materials" 'cell 0 m 0 m to 1 m 1 m' "$particles" "$names" "$stages" 'stage next' "$marked" 'cycles 10' ;;
@@ -80,8 +81,8 @@ typed() {
     scene "$materials" 'cell 0 m 0 m to 1 m 1 m' "$particles" "$names" 'record cell.xy cell.yy' "$stages"
     printf '```expect\n%s\n```\n' "$marked"
     ;;
-  test) printf '```contact-test\nmaterial rock kn 1 MN/m ks 1 MN/m friction 0.3\n%s\nsegment a normal to 1 N in 10 steps\n```\n' "$marked" ;;
-  segment) printf '```contact-test\nmaterial rock kn 1 MN/m ks 1 MN/m friction 0.3\ncontact disc 1 m rock with wall rock\nsegment a normal to 1 N in 10 steps\n%s\n```\n' "$marked" ;;
+  test) printf '```contact-test\nmaterial rock kn 1 MN/m ks 1 MN/m friction 0.3\n%s\nsegment back normal to 1 N in 10 steps\n```\n' "$marked" ;;
+  segment) printf '```contact-test\nmaterial rock kn 1 MN/m ks 1 MN/m friction 0.3\ncontact disc 1 m rock with wall rock\nsegment back normal to 1 N in 10 steps\n%s\n```\n' "$marked" ;;
   esac
 }
 
@@ -91,7 +92,7 @@ while IFS= read -r text; do
     s/wall NAME/wall south/; s/material NAME/material rock/; s/\[SOURCE\]/[a guess]/; s/\<X Y\>/0.5 m 0.5 m/
     s/\<VX VY\>/1 m\/s 0 m\/s/; s/radius R\>/radius 5 mm/; s/\<VALUE\>/1/; s/-X$/-1 N/')
   echo "$line" | grep -qE '\<[A-Z]{2,}\>' && continue
-  valid=false places='scene below stage cell circle regions cells spheres impact test segment'
+  valid=false places='scene below stage cell circle regions cells spheres walls impact test segment'
   echo "$line" | grep -qE '^report | (expected|below|above) ' && ! echo "$line" | grep -q '^until' && places='expect expect-cell'
   : >"$work/errors"
   for place in $places; do
