@@ -21,9 +21,10 @@
  *   - A reversal sets T* or T** before theta is computed. `branch` tells whether they have a value, because 0 is a
  *     valid force.
  *   - dN moves T* and T** in every step, including the one that sets them.
- *   - Increments are compared in the sense of the motion, |ds| > ds_c + DD, whether N rises or falls. In each step
- *     ds_c - |ds| is added to DD, with either sign, but DD does not fall below 0. DD is 0 until the first motion; a
- *     reversal, the return to virgin loading, and sliding set it to 0 again.
+ *   - ds is taken in the sense of the branch, after a reversal in that of the new branch. It is negative only while N
+ *     falls and a motion slower than |ds_c| opposes the slip. The contact slips if ds > ds_c + DD, whether N rises or
+ *     falls. In each step ds_c - ds is added to DD, with either sign, but DD does not fall below 0. DD is 0 until the
+ *     first motion; a reversal, the return to virgin loading, and sliding set it to 0 again.
  *   - While N falls, slip continues in the same sense even if ds = 0, and even against a motion with |ds| < |ds_c|.
  *     Only a faster motion is a reversal.
  *   - Re-unloading, between T** and T*, follows the reloading curve, with UFL = 1 as in reloading.
