@@ -341,8 +341,8 @@ until M.strain.yy above 0.1 at most 9 cycles
 END
 run 0 explain strains.md
 said 'strains.md:11: warning: stage `a` compresses in y, and extension is positive: in place of `M.strain.yy above 0.1` write `M.strain.yy below -0.1`'
-said 'strains.md:13: warning: stage `b` compresses in y, and extension is positive: in place of `box.strain.height above 0.2`'
-said 'strains.md:16: warning: stage `c` extends in x, and extension is positive: in place of `M.strain.xx below -0.1` write `M.strain.xx above 0.1`'
+said 'strains.md:13: warning: stage `b` compresses in y, and extension is positive: in place of `box.strain.height above 0.2` write `S.strain.yy below -0.2`, with `region S all from b` in the scene'
+said 'strains.md:16: warning: stage `c` extends in x, and extension is positive: in place of `M.strain.xx below -0.1` write `S.strain.xx above 0.1`, with `region S all from c` in the scene'
 test "$(grep -c 'extension is positive' said)" -eq 3 || echo 'not three warnings' >>why
 cat >pressed.md <<'END'
 ```scene
@@ -375,7 +375,7 @@ repeat from again 2 more times
 END
 run 0 explain pressed.md
 said 'pressed.md:13: warning: stage `a` compresses in y, and extension is positive: in place of `M.strain.yy above 0.1` write `M.strain.yy below -0.1`'
-said 'pressed.md:16: warning: stage `b` extends in y, and extension is positive: in place of `M.strain.yy below -0.1` write `M.strain.yy above 0.1`'
+said 'pressed.md:16: warning: stage `b` extends in y, and extension is positive: in place of `M.strain.yy below -0.1` write `S.strain.yy above 0.1`, with `region S all from b` in the scene'
 said 'pressed.md:25: warning: stage `again` compresses in y, and extension is positive: in place of `M.strain.yy above 0.2`'
 test "$(grep -c 'extension is positive' said)" -eq 3 || echo 'not three warnings of walls that move' >>why
 verdict 'warnings: a condition on a strain of the other sign than the strain rate'

@@ -270,6 +270,29 @@ static double rate_along(const struct nb_scene *scene, size_t s, enum nb_affine_
   return servo->line && nb_servo_opposes(servo, &along) ? 0 : along.xx + along.yy;
 }
 
+/* True if the strain of a condition counts from an earlier time than the beginning of stage s, so that an earlier stage
+ * may have passed the value. */
+static bool counts_from_before(const struct nb_scene *scene, size_t s, const struct nb_condition *condition) {
+  const int monitor = condition->quantity.monitor;
+  const int region = monitor < 0 ? -1 : NB_FIND(scene->regions, scene->region_count, scene->monitors[monitor].name);
+  return s > 0 && (region < 0 || !scene->regions[region].from[0]);
+}
+
+static void warn_of_other_sign(struct nb_scene *scene, size_t s, const struct nb_condition *condition, int axis) {
+  const bool above = condition->relation == NB_ABOVE, before = counts_from_before(scene, s, condition);
+  const double value = condition->value;
+  nb_warn(&scene->warnings, condition->line,
+          "stage `%s` %s in %c, and extension is positive: in place of `%s %s %g` write `%s %s %g`%s%s%s",
+          scene->stages[s].name, above ? "compresses" : "extends", axis ? 'y' : 'x', condition->name,
+          above ? "above" : "below", value,
+          !before ? condition->name
+          : axis  ? "S.strain.yy"
+                  : "S.strain.xx",
+          above ? "below" : "above", -value, before ? ", with `region S all from " : "",
+          before ? scene->stages[s].name : "",
+          before ? "` in the scene: the strain then counts from the beginning of this stage" : "");
+}
+
 /* Warns if the condition has the other sign than a strain rate of the stage. */
 static void warn_of_sign(struct nb_scene *scene, size_t s, const struct nb_condition *condition) {
   const int axis = strain_axis(condition->name);
@@ -281,10 +304,7 @@ static void warn_of_sign(struct nb_scene *scene, size_t s, const struct nb_condi
   if (rate == 0 && axis >= 0 && !scene->stages[s].servo.line)
     rate = nb_walls_strain_sign(scene, s, axis);
   if (above ? value > 0 && rate < 0 : value < 0 && rate > 0)
-    nb_warn(&scene->warnings, condition->line,
-            "stage `%s` %s in %c, and extension is positive: in place of `%s %s %g` write `%s %s %g`",
-            scene->stages[s].name, above ? "compresses" : "extends", axis ? 'y' : 'x', condition->name,
-            above ? "above" : "below", value, condition->name, above ? "below" : "above", -value);
+    warn_of_other_sign(scene, s, condition, axis);
 }
 
 /* True if `repeat` has made the stage: an earlier one has the same line. */
