@@ -153,7 +153,7 @@ static void repeated_segments_have_names(void) {
   run(&result, &it,
       STEEL "segment a overlap to 1 um in 2 steps\nsegment b overlap by 1 um in 1 step\nsegment c slip by 1 um in 3 "
             "steps\nrepeat "
-            "from b 2 times\n");
+            "from b 2 more times\n");
   static const char *const names[] = {"a", "b", "c", "b-2", "c-2", "b-3", "c-3"};
   CU_ASSERT_EQUAL_FATAL(it.scene.stage_count, 7);
   for (size_t s = 0; s < 7; s++)
