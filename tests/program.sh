@@ -315,6 +315,25 @@ run 0 explain plus.md
 quiet said
 verdict 'warnings: tension in place of a pressure, more than critical damping, a wall of a box that rotates'
 
+cat >rows.md <<'END'
+```scene
+units none
+material m density 1 kn 100
+disc 0 0 radius 1 m velocity 1 0
+step 1e-6
+record time
+stage long
+cycles 1000001
+```
+END
+run 0 run rows.md -o rows
+said 'rows.md:7: warning: table.tsv has 1000002 rows, most of them of stage `long`: write `record every 10 cycles` in it'
+sed 's/^stage long/&\nrecord every 10 cycles/' rows.md >fewer.md
+run 0 run fewer.md -o fewer
+grep 'warning: table' said >>why
+rm -rf rows fewer
+verdict 'a warning of a table of a million rows'
+
 cat >strains.md <<'END'
 ```scene
 units none

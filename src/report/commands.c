@@ -72,6 +72,34 @@ bool nb_outcome_is_unchecked(const struct nb_outcome *outcome) {
   return outcome->status == NB_OK && !outcome->mark_count[NB_PASS];
 }
 
+/* Warns of a table of very many rows. The warning names a `record every` for the stage with most rows, with which the
+ * table has at most a million, unless the other stages alone have more. */
+static void warn_of_rows(const struct nb_outcome *outcome, const char *path) {
+  const double most_rows = 1e6;
+  const struct nb_scene *const scene = &outcome->runs[0].scene;
+  double *const rows = calloc(scene->stage_count + 1, sizeof *rows), all = 0;
+  size_t most = 0;
+  for (size_t r = 0; rows && r < outcome->run_count; r++) {
+    const struct nb_table *const table = nb_run_table(&outcome->runs[r]);
+    for (size_t k = 0; k < table->row_count; k++)
+      if (table->stage[k] >= 0 && table->stage[k] < (int)scene->stage_count)
+        rows[table->stage[k]]++, all++;
+  }
+  for (size_t s = 0; rows && s < scene->stage_count; s++)
+    most = rows[s] > rows[most] ? s : most;
+  if (rows && all > most_rows) {
+    const struct nb_stage *const stage = &scene->stages[most];
+    const double others = all - rows[most], wanted = others < most_rows / 2 ? most_rows - others : most_rows / 2;
+    double every = (double)stage->record_interval;
+    for (double left = rows[most]; left > wanted - (double)outcome->run_count; left /= 10)
+      every *= 10;
+    fprintf(stderr,
+            "%s:%d: warning: table.tsv has %.0f rows, most of them of stage `%s`: write `record every %.0f %s` in it\n",
+            path, stage->line, all, stage->name, every, scene->contact_test ? "steps" : "cycles");
+  }
+  free(rows);
+}
+
 /* Writes tables and figure, and prints where they are. */
 static enum nb_status save_outputs(const struct nb_outcome *outcome, const struct nb_call *call, const char *path,
                                    const char *folder, unsigned actions, double began) {
@@ -85,6 +113,7 @@ static enum nb_status save_outputs(const struct nb_outcome *outcome, const struc
     free(names.at);
     if (status)
       return nb_print_plain_error(&error);
+    warn_of_rows(outcome, path);
     fputs("  ", stdout);
     nb_cost_print_actual(stdout, outcome, (nb_cost_clock() - began) / call->options.threads, &call->options);
     printf("tables are in %s%s\n", folder, incomplete);
