@@ -525,8 +525,10 @@ static const char *context_hint(const struct nb_reader *reader, char *hint, cons
   const struct nb_synonym *const sign = inside ? NULL : nb_pair_synonym("expect", token->text);
   if (token > reader->tokens && sign && strstr(sign->words, "expect_="))
     return compared_hint(hint, reader);
-  const bool servo = inside && strcmp(reader->tokens[0].text, "servo") == 0 && !nb_number_length(token[-1].text);
-  if (servo && nb_pair_synonym("servo", token->text) && nb_servo_hint(hint, reader))
+  const char *const verb = reader->tokens[0].text;
+  if (inside && !nb_number_length(token[-1].text) && nb_pair_synonym(verb, token->text) &&
+      ((strcmp(verb, "servo") == 0 && nb_servo_hint(hint, reader)) ||
+       (strcmp(verb, "box") == 0 && nb_open_box_hint(hint, reader, token))))
     return hint;
   return inside                         ? nb_pair_hint(hint, reader->tokens[0].text, token->text)
          : reader->here == NB_IN_EXPECT ? nb_pair_hint(hint, "expect", token->text)

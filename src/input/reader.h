@@ -289,6 +289,9 @@ const struct nb_family *nb_keywords(void);
 /* servo.c: writes the line `servo …` that the tokens mean, for the cell, the box or the boundary of the page. False: the
  * page has none of them, or the line has no number. */
 bool nb_servo_hint(char *hint, const struct nb_reader *reader);
+/* wall.c: writes three lines `wall …` for `box X Y to X Y MATERIAL open top`; `token` is the word after the material. False:
+ * the line is another. */
+bool nb_open_box_hint(char *hint, const struct nb_reader *reader, const struct nb_token *token);
 
 /* ---- page.c ---- */
 

@@ -62,6 +62,30 @@ bool nb_lacks_box(const struct nb_scene *scene, struct nb_reader *reader) {
   return reader->bad;
 }
 
+bool nb_open_box_hint(char *hint, const struct nb_reader *reader, const struct nb_token *token) {
+  char value[4][NB_NAME_SIZE + 12]; /* the corners, each number with its unit */
+  struct nb_unit unit;
+  double number;
+  int count = 0;
+  for (size_t k = 1; &reader->tokens[k + 1] < token && count < 4; k++) {
+    const struct nb_token *const it = &reader->tokens[k];
+    const bool has_unit = nb_unit_read(&unit, it[1].text);
+    if (nb_number_read(&number, it->text, 0) == NB_READ)
+      snprintf(value[count++], sizeof *value, "%.40s%s%.10s", it->text, has_unit ? " " : "",
+               has_unit ? it[1].text : "");
+  }
+  const char *const material = token[-1].text;
+  if (count < 4 || !nb_is_name(material))
+    return false;
+  const char *const x = value[0], *const y = value[1], *const x1 = value[2], *const y1 = value[3];
+  snprintf(hint, NB_HINT_SIZE,
+           "a box has four walls; open at the top it is three lines: `wall floor %.24s %.24s to %.24s %.24s %.32s`, "
+           "`wall left "
+           "%.24s %.24s to %.24s %.24s %.32s` and `wall right %.24s %.24s to %.24s %.24s %.32s`",
+           x, y, x1, y, material, x, y1, x, y, material, x1, y, x1, y1, material);
+  return true;
+}
+
 /* ---- in the scene ---- */
 
 static bool is_of_box(const struct nb_wall *wall) { return wall->inx != 0 || wall->iny != 0; }
