@@ -102,8 +102,8 @@ static void losses_in_cycles(void) {
   }
 }
 
-/* Every ring sticks while |d(delta)| < mu kappa d(alpha): T/N is constant when N grows, and when it falls, and
- * nothing is dissipated. */
+/* While N grows, every ring sticks if |d(delta)| < mu kappa d(alpha), and T/N is constant. When N falls back along the same
+ * line, T/N is constant, too, and nothing is dissipated. */
 static void proportional_loading(void) {
   struct exact it = exact_of(steel);
   exact_lead(&it, 2e-6, 0.7 * 2e-6 * unit(steel), 50);

@@ -92,7 +92,7 @@ cell    strain -0.1 0
 until   cell.strain.xx below -0.1 at most 90 cycles
 ```
 END
-run sheared "$pages/sheared.md" && grep -qF 'sheared.md:7: warning: `cell.strain.xx` counts from the start of the first page; the strain of this stage alone is its rate times `stage.time`' "$work/said" &&
+run sheared "$pages/sheared.md" && grep -qF 'sheared.md:7: warning: `cell.strain.xx` counts from the start of the first page; a small strain of this stage alone is its rate times `stage.time`' "$work/said" &&
   awk '!/^#/ { n++ } END { exit !(n > 2 && n < 20) }' "$work/sheared/table.tsv"
 result $? 'a condition on the strain of a cell after `start` is warned of, and counts from the first page'
 run held "$pages/held.md" && grep -qF 'held.md:9: warning: this contact has no force: a `fixed` particle has no contact with a wall' "$work/said" &&

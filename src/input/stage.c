@@ -155,10 +155,10 @@ static bool take_condition(struct nb_scene_reading *reading, struct nb_reader *r
             "`time` counts from the start of the first page, `stage.time` from that of the stage");
   if (reading->scene->start.stages > 0 &&
       (strncmp(condition->name, "cell.strain", 11) == 0 || strncmp(condition->name, "box.strain", 10) == 0))
-    nb_warn(
-        &reading->scene->warnings, condition->line,
-        "`%s` counts from the start of the first page; the strain of this stage alone is its rate times `stage.time`",
-        condition->name);
+    nb_warn(&reading->scene->warnings, condition->line,
+            "`%s` counts from the start of the first page; a small strain of this stage alone is its rate times "
+            "`stage.time`",
+            condition->name);
   nb_comparison_warn(&reading->scene->warnings, condition->line, &comparison);
   nb_tension_warn(reading->scene, &condition->quantity, condition->name,
                   condition->relation == NB_BELOW ? "below" : "above", condition->value, condition->line);
