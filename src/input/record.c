@@ -108,9 +108,14 @@ NB_APPLY(apply_columns) {
       NB_APPEND(reader, reading->requested, reading->requested_count, one);
   } while (nb_token_peek(reader));
   if (every)
-    nb_expected_at(reader, every,
-                   "write two lines: here `record QUANTITY …`, without `every`, and in a stage `record every N cycles`",
-                   quantity_words(reading->scene));
+    nb_expected_at(
+        reader, every,
+        reading->scene->contact_test
+            ? "write two lines: here `record QUANTITY …`, without `every`, and below a line `segment` `record "
+              "every N steps`"
+            : "write two lines: here `record QUANTITY …`, without `every`, and in a stage `record every N "
+              "cycles`",
+        quantity_words(reading->scene));
 }
 
 /* Reads `record every N cycles` or `record none` in a stage. */
