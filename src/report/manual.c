@@ -427,8 +427,8 @@ static void grammar(const struct manual *to) {
            "`-` may follow, but the name of a value has no `-`. A number is decimal: `-1.5e3`. A page may have at most "
            "%d MiB, lines of %d bytes and %d "
            "words, %d runs, %d particles, %d materials, and %d of each other thing that has a name. All lines with a "
-           "mistake are reported at once, most of them up to their first mistake, each "
-           "with its number, what was expected and, if a known word is similar, the word that was probably meant.",
+           "mistake are reported at once, most of them up to their first mistake. Each message "
+           "says the line, what was expected and, if a known word is similar, the word that was probably meant.",
            NB_NAME_SIZE, NB_PAGE_MAX >> 20, NB_LINE_MAX, NB_TOKENS_MAX - 1, NB_RUNS_MAX, NB_PARTICLES_MAX,
            NB_MATERIALS_MAX, NB_NAMED_MAX);
   paragraph(to, text);
