@@ -45,7 +45,7 @@ static bool until_hint(char *hint, const struct nb_scene_reading *reading, const
     return false;
   if (strcmp(ours, "unbalanced.max") == 0 && reader->next == 2 && reader->count > 3 &&
       strcmp(reader->tokens[reader->count > 4 ? 4 : 0].text, "and") != 0) {
-    const char *const stress = nb_servo_condition(text, sizeof text, reading);
+    const char *const stress = nb_servo_wanted(text, sizeof text, reading);
     snprintf(
         hint, NB_HINT_SIZE,
         "`until unbalanced.max below %.20s and %s at most 1000000 cycles`: without the second condition the stage "

@@ -170,7 +170,7 @@ void nb_box_check(struct nb_scene_reading *reading);
 void nb_servo_check(struct nb_scene_reading *reading);
 /* The condition that the stress which the servo of the current stage controls is near its target; NULL: the stage has no
  * servo. Written to `text` if the statement `servo` has no mistake. */
-const char *nb_servo_condition(char *text, size_t size, const struct nb_scene_reading *reading);
+const char *nb_servo_wanted(char *text, size_t size, const struct nb_scene_reading *reading);
 /* Warns of conditions on a normal strain of the other sign than the strain rate of the stage. */
 void nb_strain_check(struct nb_scene *scene);
 /* The sign of the strain rate along x or y, axis 0 or 1, that the walls which move in a stage impose on the particles

@@ -115,20 +115,11 @@ static void note_wanted(struct nb_scene_reading *reading, const struct nb_reader
   reading->servo_wanted_line = (int)reader->line;
 }
 
-const char *nb_servo_condition(char *text, size_t size, const struct nb_scene_reading *reading) {
-  static const int part[] = {0, 3, 1}; /* indices of xx, yy and xy among the four measured components */
-  const struct nb_scene *const scene = reading->scene;
-  const struct nb_stage *const stage = nb_current_stage(scene);
-  int k = 0;
-  while (k < 3 && !(stage->servo.line && stage->servo.controlled[k] && stage->servo.stress[k] != 0))
-    k++;
-  if (k == 3)
-    return reading->servo_wanted_line > stage->line ? reading->servo_wanted : NULL;
-  const struct nb_quantity stress = stage->servo.quantity[part[k]];
-  snprintf(text, size, "%s%s%s.%s %s %g%s", stress.monitor < 0 ? "" : scene->monitors[stress.monitor].name,
-           stress.monitor < 0 ? "" : ".", stress.kind->name, stress.suffix->name,
-           stage->servo.stress[k] > 0 ? "above" : "below", 0.9 * stage->servo.stress[k], scene->unitless ? "" : " Pa");
-  return text;
+const char *nb_servo_wanted(char *text, size_t size, const struct nb_scene_reading *reading) {
+  const struct nb_stage *const stage = nb_current_stage(reading->scene);
+  return nb_servo_condition(text, size, reading->scene, &stage->servo) ? text
+         : reading->servo_wanted_line > stage->line                    ? reading->servo_wanted
+                                                                       : NULL;
 }
 
 /* Refuses `on box` or `through box` in a scene with a cell, and a cell in a scene with a box. True: the place is wrong. */

@@ -101,6 +101,21 @@ double nb_servo_error(const struct nb_model *model) {
   return target > 0 ? tensor_largest(stress_error(model, servo, 1)) / target : 0;
 }
 
+bool nb_servo_condition(char *text, size_t size, const struct nb_scene *scene, const struct nb_servo *servo) {
+  static const int part[] = {0, 3, 1}; /* indices of xx, yy and xy among the four measured components */
+  const double near = 0.9;
+  int k = 0;
+  while (k < 3 && !(servo->controlled[k] && servo->stress[k] != 0))
+    k++;
+  if (k == 3)
+    return false;
+  const struct nb_quantity stress = servo->quantity[part[k]];
+  snprintf(text, size, "%s%s%s.%s %s %g%s", stress.monitor < 0 ? "" : scene->monitors[stress.monitor].name,
+           stress.monitor < 0 ? "" : ".", stress.kind->name, stress.suffix ? stress.suffix->name : "",
+           servo->stress[k] > 0 ? "above" : "below", near * servo->stress[k], scene->unitless ? "" : " Pa");
+  return true;
+}
+
 bool nb_servo_scales(const struct nb_model *model, const struct nb_servo *servo, double *b, double *t) {
   const struct nb_vec sides = servo->box ? nb_box_sides(model) : vec(0, 0);
   *b = *t = 0;

@@ -174,23 +174,6 @@ static const char *counts_from(const struct nb_stage *stage) {
   return "";
 }
 
-/* Writes the condition that a user should add: "`and contacts above 0`", or, in a stage with a servo, a condition on a
- * stress that the servo controls: "`and cell.stress.xx above 900 Pa`". */
-static void propose(char *text, size_t size, const struct nb_scene *scene, const struct nb_servo *servo) {
-  static const int part[] = {0, 3, 1}; /* indices of xx, yy and xy among the four measured components */
-  const double near = 0.9;
-  int k = 0;
-  while (k < 3 && !(servo->controlled[k] && servo->stress[k] != 0))
-    k++;
-  snprintf(text, size, "`and contacts above 0`");
-  if (k == 3)
-    return;
-  const struct nb_quantity stress = servo->quantity[part[k]];
-  snprintf(text, size, "`and %s%s%s.%s %s %g%s`", stress.monitor < 0 ? "" : scene->monitors[stress.monitor].name,
-           stress.monitor < 0 ? "" : ".", stress.kind->name, stress.suffix ? stress.suffix->name : "",
-           servo->stress[k] > 0 ? "above" : "below", near * servo->stress[k], scene->unitless ? "" : " Pa");
-}
-
 /* If the largest difference of a controlled stress from its target, over the largest target, is above this, the end of
  * a stage is doubtful. This ratio is 1 if all stresses are 0. */
 static const double servo_tolerance = 0.1;
@@ -211,10 +194,10 @@ static void warn_of_end(const struct run *run, const struct nb_stage *stage) {
   const char *const unbalanced = met_without_contact(model, stage);
   char text[512], servo[160];
   if (unbalanced) {
-    propose(text, sizeof text, run->scene, &stage->servo);
+    const bool controlled = nb_servo_condition(text, sizeof text, run->scene, &stage->servo);
     nb_warn(&model->warnings, stage->line,
-            "stage `%s` ended in cycle %lu without a contact force, where `%s` is 0; add a condition such as %s",
-            stage->name, model->stage_cycle, unbalanced, text);
+            "stage `%s` ended in cycle %lu without a contact force, where `%s` is 0; add a condition such as `and %s`",
+            stage->name, model->stage_cycle, unbalanced, controlled ? text : "contacts above 0");
   } else if (run->met_before && model->stage_cycle <= stage->check_interval) {
     list_conditions(text, sizeof text, stage, model, ",");
     nb_warn(&model->warnings, stage->line,
