@@ -22,7 +22,7 @@
  *   #define BRANCHING, NON_CONSERVATIVE, INCREMENTAL   (optional, see law.h)
  *
  * If a law has more than four doubles of history, m[0] is 0 when the history is empty, and the other doubles are then
- * undefined. Such a law is not called without contact.
+ * undefined. Such a shear law is not called without contact; such a normal law is called with overlap 0 and m[0] = 0.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 

@@ -9,7 +9,8 @@
  *   c = 2 sqrt(M* k)            `critical beyond overlap`, for deep contacts in place of the others [R89 sec. 6.4.3]
  *
  *   D_n, D_s  forces of the normal and the shear dashpot, N      c, c_n, c_s  coefficients, N s/m
- *   k    stiffness, N/m: k_n for c_n and k_s for c_s; for elastic spheres 2 E* a and 8 G* a
+ *   k    stiffness, N/m: k_n for c_n and k_s for c_s; for elastic spheres 2 E* a and 8 G* a,
+ *        with the shear laws of R89 8 G* a theta
  *   t_c  single-contact step 2 sqrt(m/k), s                      M*  reduced mass, kg
  *
  * Contacts with walls may have their own beta.

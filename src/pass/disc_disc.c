@@ -10,8 +10,8 @@
  *   v, w   velocity, m/s, and angular velocity, rad/s, counterclockwise, over the last step
  *   alpha  overlap, m                             dn, ds  normal and tangential increment since the last forces, m
  *
- * Without friction, no pass needs ds. Without dashpots as well, only a law by increments needs dn. So the loop exists
- * in three forms (run/plan.c).
+ * Without friction and cohesion, no pass needs ds. Without dashpots as well, only a law by increments needs dn. So the
+ * loop exists in three forms (run/plan.c).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "disc_disc.h"
