@@ -1089,7 +1089,8 @@ static void write_above(FILE *out, const char *folder) {
   fprintf(
       out,
       "\n## Just above the limit\n\n"
-      "Two systems with equal densities and friction 1 are run for %d cycles. Random velocities move the discs by up to "
+      "Two systems with equal densities and friction 1 are run for %d cycles. Random velocities move the discs by up "
+      "to "
       "%g\n"
       "of the overlap in the first cycle, in x and in y. The tables show what a user could record. The force is the "
       "mean of all\n"

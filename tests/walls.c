@@ -295,7 +295,7 @@ static void every_crossing_stops_the_run(void) {
   through("disc 0 1.45 radius 1 m velocity 0 -99\nwall w -5 0 to 5 0 m", passed, 2); /* touches after the first step */
   through("disc 0 0.95 radius 1 m velocity 0 -99\nwall w -5 0 to 5 0 m", passed, 1);
   through("disc 0 10.5 radius 1 m velocity 0 -1e6\nwall w -5 0 to 5 0 m", passed, 1); /* from afar, in one step */
-  through("disc 0 3 radius 1 m velocity 0 -30\nwall w -5 0 to 5 0 m", passed, -1); /* pressed through */
+  through("disc 0 3 radius 1 m velocity 0 -30\nwall w -5 0 to 5 0 m", passed, -1);    /* pressed through */
   through("material h density 1e9 kn 10\ndisc 0 0.5 radius 1e-3 h velocity 0 -0.09\nwall w -5 0 to 5 0 m\n"
           "disc 50 50 radius 30 m",
           "particle 1 (line 6) passed through wall `w` (line 7)", 556);
