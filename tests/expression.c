@@ -17,12 +17,12 @@ static const double pi = 3.14159265358979323846;
 
 #define LONGEST "abcdefghijklmnopqrstuvwxyzabcdefghijklmnopqrstuvwxyzabcdefghijk" /* 63 letters */
 
-static const struct nb_binding names[] = {{.name = LONGEST, .value = 1},
-                                          {.name = "a", .value = 3},
-                                          {.name = "N", .value = 7},
-                                          {.name = "R", .value = 0.5, .dimension = {60, 0, 0}},
-                                          {.name = "m", .value = 4, .dimension = {0, 60, 0}},
-                                          {.name = "law", .text = "linear", .value = NAN}};
+static struct nb_binding names[] = {{.name = LONGEST, .value = 1},
+                                    {.name = "a", .value = 3},
+                                    {.name = "N", .value = 7},
+                                    {.name = "R", .value = 0.5, .dimension = {60, 0, 0}},
+                                    {.name = "m", .value = 4, .dimension = {0, 60, 0}},
+                                    {.name = "law", .text = "linear", .value = NAN}};
 
 /* The value of the text, or NaN; *given has the messages, which the next call frees. `unitless`: the page has `units
  * none`. */

@@ -696,6 +696,57 @@ static void warnings_of_the_imposed_work(void) {
   }
 }
 
+/* A sweep of which no line uses a name makes equal runs. */
+static void sweeps_that_no_line_uses(void) {
+  static const struct {
+    const char *sweep, *step, *expectation, *setting,
+        *unused; /* unused: the first names of the sweeps with a warning */
+  } cases[] = {
+      {"sweep h 1e-3 2e-3", "step $h", "time above 0", NULL, ""},
+      {"sweep h 1e-3 2e-3", "step (2*h)", "time above 0", NULL, ""},
+      {"sweep h 1e-3 2e-3\nlet g = h", "step 1e-3", "time above 0", NULL, ""},
+      {"sweep step 1e-3 2e-3", "step 1e-3", "time above 0", NULL, "step"},
+      {"sweep h 1e-3 2e-3", "step 1e-3", "time below (h + 1)", NULL, ""},
+      {"sweep h 1e-3 2e-3", "step 1e-3", "time constant with h within 1 %", NULL, "h"},
+      {"sweep h with k 1e-3 1 2e-3 2", "step $h", "time above 0", NULL, ""},
+      {"sweep k with h 1 1e-3 2 2e-3", "step $h", "time above 0", NULL, ""},
+      {"sweep k with h 1 1e-3 2 2e-3", "step 1e-3", "time above 0", NULL, "k"},
+      {"sweep h 1e-3 2e-3\nsweep k 1 2", "step $h", "time above 0", NULL, "k"},
+      {"sweep k 1 2\nsweep h 1e-3 2e-3", "step $h", "time above 0", NULL, "k"},
+      {"sweep k 1 2\nsweep h 1e-3 2e-3", "step 1e-3", "time above 0", NULL, "kh"},
+      {"sweep k 1 2", "step 1e-3", "time above 0", "k=1", ""}, /* one run */
+      {"let k = 1", "step 1e-3", "time above 0", NULL, ""},
+  };
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    static const char before[] = "no line uses `$";
+    struct nb_outcome outcome;
+    char scene[512], unused[64] = "";
+    snprintf(scene, sizeof scene,
+             "units none\nmaterial m density 1 kn 1\n%s\ndisc 2 2 radius 1 m\n%s\nrecord time\nstage one\ncycles 1",
+             cases[k].sweep, cases[k].step);
+    const char *const settings[] = {cases[k].setting, NULL};
+    char path[] = "/tmp/nineball-outcome-XXXXXX";
+    write_page(path, scene, cases[k].expectation);
+    nb_outcome_make(&outcome, path, cases[k].setting ? settings : NULL, NULL, NULL);
+    unlink(path);
+    CU_ASSERT(outcome.status <= NB_FAILED);
+    if (outcome.mistakes.text)
+      printf("# %s", outcome.mistakes.text);
+    for (size_t w = 0; w < outcome.warnings.count; w++) {
+      const char *const text = outcome.warnings.list[w].text;
+      if (strncmp(text, before, strlen(before)) == 0) {
+        const size_t length = strcspn(text + strlen(before), "`"), end = strlen(unused);
+        snprintf(unused + end, sizeof unused - end, "%.*s", (int)length, text + strlen(before));
+        CU_ASSERT(outcome.warnings.list[w].line == 4 || outcome.warnings.list[w].line == 5);
+      }
+    }
+    if (strcmp(unused, cases[k].unused) != 0)
+      printf("# %zu: `%s`, expected `%s`; %s\n", k, unused, cases[k].unused, outcome.error.text);
+    CU_ASSERT_STRING_EQUAL(unused, cases[k].unused);
+    nb_outcome_free(&outcome);
+  }
+}
+
 /* A failed check of a normal force that is twice the expected force, or of an overlap that is half the expected
  * overlap, says which stiffness a contact has. With kn = 1 and the overlap 0.1 the force is 0.1. Other ratios have no
  * such note, nor has a ratio that may have another cause: the overshoot of a load, gravity, or a `pair` that gives
@@ -1113,6 +1164,7 @@ void suite_outcome(void) {
   CU_add_test(suite, "warnings of all runs", warnings_of_all_runs);
   CU_add_test(suite, "warnings of removed particles", warnings_of_removed_particles);
   CU_add_test(suite, "warnings of an imposed work that is 0", warnings_of_the_imposed_work);
+  CU_add_test(suite, "sweeps that no line uses", sweeps_that_no_line_uses);
   CU_add_test(suite, "a check that expects springs in series", stiffness_of_springs_in_series);
   CU_ADD_TEST(suite, overshoot_of_a_weight);
   CU_add_test(suite, "collisions between two rows", collisions_between_rows);

@@ -199,8 +199,8 @@ static void stages_after_those_of_another_page(void) {
 static void statements_of_another_page_have_the_line_of_start(void) {
   static const char *const more[] = {
       "", "gravity 0 -1\ncell -9 -9 to 9 9\nnormal linear\ndamping ratio 0.1\nstage s\ncell strain 0.1 0\ncycles 1",
-      "boundary circle 0 0 radius 9\nshear linear\ndamping mass 1\npair m m ks 1\nstage s\nboundary strain 0.1 0\n"
-      "affine strain 0.1 0\nrotation off\ngravity 0 -1\ncycles 1",
+      ("boundary circle 0 0 radius 9\nshear linear\ndamping mass 1\npair m m ks 1\nstage s\nboundary strain 0.1 0\n"
+       "affine strain 0.1 0\nrotation off\ngravity 0 -1\ncycles 1"),
       "box -9 -9 to 9 9 m\nstage s\nbox strain 0.1 0\nshear linear\nnormal linear\ncycles 1"};
   for (size_t k = 0; k < sizeof more / sizeof *more; k++) {
     char path[] = "/tmp/nineball-scene-XXXXXX.md", text[1024];

@@ -338,17 +338,17 @@ static struct quantity named_value(struct parser *p) {
   const size_t length = read_word(p, "_", name);
   struct nb_reader *reader = p->reader;
   const struct function *f = function_of(name);
-  const int index = NB_FIND(reader->bindings, reader->binding_count, name);
+  const struct nb_binding *const it = nb_use_binding(reader, name);
   p->at += length;
   if (f)
     return call(p, f, from);
   if (strcmp(name, "pi") == 0)
     return (struct quantity){NB_PI, {0, 0, 0}};
-  if (index >= 0 && !isnan(reader->bindings[index].value))
-    return (struct quantity){reader->bindings[index].value, reader->bindings[index].dimension};
-  if (index >= 0)
+  if (it && !isnan(it->value))
+    return (struct quantity){it->value, it->dimension};
+  if (it)
     return mistake(p, from, length, NULL, "expected the name of a number, found `%s`, which stands for `%s`", name,
-                   reader->bindings[index].text);
+                   it->text);
   if (nb_name_suppressed(reader->mistakes, name))
     return nb_fail_silently(reader), (struct quantity){0};
   if (peek(p) == '(') {

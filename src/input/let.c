@@ -73,6 +73,7 @@ static void bind(struct nb_scene_reading *reading, struct nb_reader *reader, con
   if (nb_too_many(reader, scene->binding_count, NB_NAMED_MAX, "names for values"))
     return;
   snprintf(value.name, sizeof value.name, "%s", name->text);
+  value.line = (int)reader->line;
   NB_APPEND(reader, scene->bindings, scene->binding_count, value);
   reading->reader.bindings = reading->setting.bindings = scene->bindings;
   reading->reader.binding_count = reading->setting.binding_count = scene->binding_count;

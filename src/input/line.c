@@ -56,12 +56,20 @@ static bool begin_token(struct nb_reader *reader, struct nb_token token) {
   return append_text(reader, "", 0);
 }
 
+const struct nb_binding *nb_use_binding(struct nb_reader *reader, const char *name) {
+  const int index = NB_FIND(reader->bindings, reader->binding_count, name);
+  if (index < 0)
+    return NULL;
+  reader->bindings[index].used = true;
+  return &reader->bindings[index];
+}
+
 /* The value of $NAME. NULL if NAME has no value: with a message, unless NAME is suppressed. */
 static const struct nb_binding *binding_of(struct nb_reader *reader, const struct nb_token *token, const char *name) {
   char hint[NB_HINT_SIZE];
-  const int index = NB_FIND(reader->bindings, reader->binding_count, name);
-  if (index >= 0)
-    return &reader->bindings[index];
+  const struct nb_binding *const it = nb_use_binding(reader, name);
+  if (it)
+    return it;
   if (nb_name_suppressed(reader->mistakes, name))
     nb_fail_silently(reader);
   const char *near = NB_NEAREST(hint, name, reader->bindings, reader->binding_count);

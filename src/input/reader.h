@@ -79,7 +79,9 @@ struct nb_binding {
   struct nb_dimension dimension;
   bool computed; /* by an expression; the value is then accepted as an angle or an angular velocity, too */
   bool swept;    /* the name has several values and is a column of the tables */
+  bool used;     /* some line of the page uses the value */
   int sweep;     /* index of its `sweep` in the page, also if --set has left one value only; -1: it is from a `let` */
+  int line;      /* that defines it */
 };
 
 struct nb_keyword;
@@ -88,11 +90,11 @@ struct nb_keyword;
 struct nb_reader {
   const struct nb_page *page;
   struct nb_mistakes *mistakes;
-  struct nb_warnings *warnings;      /* of the scene; NULL: doubtful expressions are not reported */
-  bool unitless;                     /* `units none` */
-  bool starts;                       /* the page continues another one: it has a `start` */
-  bool has_units;                    /* a number with a unit has been read */
-  const struct nb_binding *bindings; /* the values of $NAME */
+  struct nb_warnings *warnings; /* of the scene; NULL: doubtful expressions are not reported */
+  bool unitless;                /* `units none` */
+  bool starts;                  /* the page continues another one: it has a `start` */
+  bool has_units;               /* a number with a unit has been read */
+  struct nb_binding *bindings;  /* the values of $NAME */
   size_t binding_count;
 
   size_t line; /* line of the statement, from 1 */
@@ -113,6 +115,8 @@ struct nb_reader {
 struct nb_token nb_token_at(const char *line, const char *at, size_t length);
 /* Begins a line: the reader has no tokens and no mistake. */
 void nb_line_begin(struct nb_reader *reader, size_t line);
+/* The value of NAME, which a line uses; NULL: no `let` or `sweep` above defines NAME. */
+const struct nb_binding *nb_use_binding(struct nb_reader *reader, const char *name);
 /* Splits a line of the page into tokens; after `let NAME =` the rest of the line is one token. False if the line has no
  * tokens; line 0 has none. */
 bool nb_line_read(struct nb_reader *reader, size_t line);

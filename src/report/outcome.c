@@ -199,6 +199,26 @@ static bool warn_of_stresses(struct nb_page_run *run) {
   return true;
 }
 
+/* True if a line of the page uses one of the names of a sweep. */
+static bool is_sweep_used(const struct nb_scene *scene, int sweep) {
+  bool used = false;
+  for (size_t k = 0; k < scene->binding_count; k++)
+    used = used || (scene->bindings[k].sweep == sweep && scene->bindings[k].used);
+  return used;
+}
+
+/* Warns of sweeps that no line uses: their runs are equal. */
+static void warn_unused_sweeps(struct nb_outcome *outcome, const struct nb_scene *scene) {
+  for (size_t k = 0; k < scene->binding_count && outcome->mistakes.total == 0; k++) {
+    const struct nb_binding *const it = &scene->bindings[k];
+    const bool first = k == 0 || scene->bindings[k - 1].sweep != it->sweep;
+    if (it->swept && first && !is_sweep_used(scene, it->sweep))
+      nb_warn(&outcome->warnings, it->line,
+              "no line uses `$%s`, so the runs of this `sweep` are equal: write `$%s` where the value belongs",
+              it->name, it->name);
+  }
+}
+
 /* Reads all runs of the page, up to the first run with mistakes, because most mistakes would be in every run. */
 static void read_runs(struct nb_outcome *outcome, nb_settings settings, size_t particles_kept) {
   size_t particles = 0;
@@ -223,6 +243,8 @@ static void read_runs(struct nb_outcome *outcome, nb_settings settings, size_t p
     add_warnings(outcome, &run->scene.warnings);
     warn_removed(outcome, run);
     warn_imposed(outcome, run);
+    if (r == 0)
+      warn_unused_sweeps(outcome, &run->scene);
     particles += run->scene.particle_count;
     if (particles > particles_kept)
       release_particles(run);

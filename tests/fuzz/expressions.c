@@ -12,9 +12,9 @@ static const char before[] = "let x = ";
 
 /* Reads the expression of the line `let x = …` of the page. False: it is wrong, and *mistakes says why. */
 static bool read_line(struct nb_page *page, bool unitless, struct nb_binding *value, struct nb_mistakes *mistakes) {
-  static const struct nb_binding values[] = {{.name = "a", .text = "2", .value = 2},
-                                             {.name = "b_1", .text = "3 mm", .value = 3e-3, .dimension = {60, 0, 0}},
-                                             {.name = "word", .text = "word", .value = NAN}};
+  static struct nb_binding values[] = {{.name = "a", .text = "2", .value = 2},
+                                       {.name = "b_1", .text = "3 mm", .value = 3e-3, .dimension = {60, 0, 0}},
+                                       {.name = "word", .text = "word", .value = NAN}};
   static struct nb_reader reader;
   const char *line = page->lines[0];
   reader.page = page, reader.mistakes = mistakes, reader.unitless = unitless;
