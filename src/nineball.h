@@ -108,7 +108,9 @@ enum nb_shape {
   ROW(kn, "K", STIFFNESS, NOT_NEGATIVE, "0", series, "Normal stiffness of a contact [CS79 16].")                       \
   ROW(ks, "K", STIFFNESS, NOT_NEGATIVE, "0", series, "Shear stiffness of a contact [CS79 17].")                        \
   ROW(friction, "F", NUMBER, NOT_NEGATIVE, "0", smaller, "Tangent of the angle of friction [CS79 19].")                \
-  ROW(cohesion, "N", FORCE, NOT_NEGATIVE, "0", smaller, "Cohesion, a force [CS79 19].")
+  ROW(cohesion, "N", FORCE, NOT_NEGATIVE, "0", smaller,                                                                \
+      "Cohesion, a force [CS79 19], which is added to the limit of the shear force. There are no bonds and no "        \
+      "tension.")
 #define NB_PAIR_MEMBER(name, ...) double name;
 
 struct nb_material {

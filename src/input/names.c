@@ -617,7 +617,10 @@ static const char *owned_hint(char *hint, const struct nb_scene *scene, const ch
 /* The hint for a quantity that needs a monitor: `north.fx` of a wall, also as `box.top.fx`, or `disc1.vx`. NULL: the
  * text is no such quantity. */
 static const char *unmonitored(char *hint, const struct nb_scene *scene, const char *text) {
-  text += strncmp(text, "box.", 4) == 0 ? 4 : strncmp(text, "walls.", 6) == 0 ? 6 : 0;
+  text += strncmp(text, "box.", 4) == 0     ? 4
+          : strncmp(text, "wall.", 5) == 0  ? 5
+          : strncmp(text, "walls.", 6) == 0 ? 6
+                                            : 0;
   const size_t stem = strcspn(text, "."), letters = strcspn(text, ".0123456789");
   char word[NB_NAME_SIZE], of[NB_NAME_SIZE];
   snprintf(word, sizeof word, "%.*s", (int)letters, text);
@@ -631,6 +634,8 @@ static const char *unmonitored(char *hint, const struct nb_scene *scene, const c
     snprintf(word, sizeof word, "%s", sides[side % 4].name);
   if (wall && letters == stem)
     snprintf(of, sizeof of, "%s", word), strcpy(word, "wall");
+  if (wall && nb_pair_hint(hint, "of_wall", text + stem + (text[stem] == '.')))
+    return hint;
   const struct nb_token tokens[] = {{.text = word}, {.text = of}, {.text = text + stem + (text[stem] == '.')}};
   return *of && stem < strlen(text) ? nb_phrase_hint(hint, scene, tokens, 3) : NULL;
 }
@@ -819,8 +824,8 @@ static bool names_material(const struct nb_scene *scene, const char *text) {
   return false;
 }
 
-/* Writes the note of the table of words on a whole name, `height`, without an owner or after the name of a region;
- * false: there is no such note. */
+/* Writes the note of the table of words on a whole name, `height`, without an owner, or on a word after the name of a
+ * monitor, `vy` of `F.vy` for a wall; false: there is no such note. */
 static bool whole_hint(char *hint, const struct nb_scene *scene, const char *text) {
   const char *const rest = strchr(text, '.');
   const int owner = rest ? monitor_named(scene, text, strcspn(text, ".")) : -1;
@@ -828,7 +833,14 @@ static bool whole_hint(char *hint, const struct nb_scene *scene, const char *tex
     return false;
   if (names_material(scene, text))
     return nb_pair_hint(hint, "whole", "contacts_by_material");
-  return nb_pair_hint(hint, "whole", owner >= 0 && scene->monitors[owner].kind == NB_MONITOR_REGION ? rest + 1 : text);
+  static const char *const places[NB_MONITOR_SIZE] = {
+      [NB_MONITOR_WALL] = "of_wall",
+      [NB_MONITOR_PARTICLE_PARTICLE] = "of_contact",
+      [NB_MONITOR_PARTICLE_WALL] = "of_contact",
+      [NB_MONITOR_REGION] = "whole",
+  };
+  const char *const place = owner >= 0 ? places[scene->monitors[owner].kind] : NULL;
+  return place ? nb_pair_hint(hint, place, rest + 1) : nb_pair_hint(hint, "whole", text);
 }
 
 /* Appends what the proposed shear strain, or the proposed force on wall w, means. */

@@ -486,7 +486,9 @@ bool nb_take_count_of(struct nb_reader *reader, const char *one, unsigned long *
       nb_token_skip(reader, several))
     return !reader->bad;
   const struct nb_token *const token = nb_token_peek(reader);
-  snprintf(hint, sizeof hint, "write `%lu %s`", *value, *value == 1 ? one : several);
+  struct nb_unit unit;
+  if (!token || !nb_unit_read(&unit, token->text) || !nb_pair_hint(hint, reader->tokens[0].text, token->text))
+    snprintf(hint, sizeof hint, "write `%lu %s`", *value, *value == 1 ? one : several);
   return nb_token_mistake(reader, token, hint, "expected `%s`, found %s%.80s%s", several, token ? "`" : "",
                           token ? token->text : "the end of the line", token ? "`" : "");
 }

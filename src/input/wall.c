@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/clean.h"
 #include "loading/loading.h"
 #include "statement.h"
 
@@ -38,16 +39,29 @@ static const struct nb_argument wall_motion_fields[] = {
 };
 /* clang-format on */
 
+/* The hint for an unknown name of a wall: the walls that the scene has. */
+static const char *walls_hint(char hint[NB_HINT_SIZE], const struct nb_scene *scene, const struct nb_reader *reader) {
+  if (nb_box_first_wall(scene) >= 0)
+    return "the walls of a box are `south` (bottom), `east` (right), `north` (top) and `west` (left); `box strain` or "
+           "`servo` moves all";
+  if (reader->starts)
+    return "a page that starts from another has the walls of that page only";
+  const size_t shown = scene->wall_count < 8 ? scene->wall_count : 8;
+  char list[NB_HINT_SIZE / 2] = "";
+  for (size_t k = 0; k < shown; k++)
+    nb_append_item(list, sizeof list, scene->walls[k].name, false);
+  snprintf(hint, NB_HINT_SIZE, "%s%s%s%sdefine it above with `wall NAME …` or `box …`",
+           shown ? "the scene has the walls " : "", list, shown < scene->wall_count ? ", …" : "", shown ? "; " : "");
+  return hint;
+}
+
 int nb_wall_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token) {
+  char hint[NB_HINT_SIZE];
   const bool known = token && NB_FIND(scene->walls, scene->wall_count, token->text) >= 0;
   if (!known && nb_statement_suppressed(reader->mistakes, "box")) /* a bad `box`, which would define four walls */
     nb_fail_silently(reader);
-  return NB_NAMED(
-      reader, token, scene->walls, scene->wall_count, "the name of a wall",
-      reader->starts && nb_box_first_wall(scene) < 0 ? "a page that starts from another has the walls of that page only"
-      : nb_box_first_wall(scene) < 0
-          ? "define it above with `wall NAME …` or `box …`"
-          : "the walls of a box are `south`, `east`, `north` and `west`; `box strain` or `servo` moves all");
+  return NB_NAMED(reader, token, scene->walls, scene->wall_count, "the name of a wall",
+                  walls_hint(hint, scene, reader));
 }
 
 bool nb_lacks_box(const struct nb_scene *scene, struct nb_reader *reader) {
