@@ -244,29 +244,80 @@ static void list_features(char *list, size_t size, const struct nb_reference *re
       used += (size_t)snprintf(list + used, size - used, "%s`%s`", used ? ", " : "", nb_feature_name(f));
 }
 
+/* True if the text between "does not cover" and "; it covers" names the feature; with its line unless `line` is 0. */
+static bool names_feature(const char *text, enum nb_feature feature, int line) {
+  char item[128];
+  const char *const begin = strstr(text, " does not cover "), *const end = strstr(text, "; it covers ");
+  snprintf(item, sizeof item, "`%s`%s", nb_feature_name(feature), line ? " (line 12)" : "");
+  const char *const at = begin ? strstr(begin, item) : NULL;
+  return at && end && at < end;
+}
+
+/* The features that the reference covers, in its message: after its laws, if the message has them. */
+static const char *shown_features(const char *text) {
+  const char *at = strstr(text, "; it covers ");
+  at += at ? strlen("; it covers ") : 0;
+  while (at && strncmp(at, "`normal or", strlen("`normal or")) != 0 &&
+         (strncmp(at, "`normal ", strlen("`normal ")) == 0 || strncmp(at, "`shear ", strlen("`shear ")) == 0)) {
+    at = strstr(at, ", ");
+    at += at ? strlen(", ") : 0;
+  }
+  return at ? at : "";
+}
+
 static void unlisted_features_are_refused(void) {
   for (const struct nb_reference *const *it = nb_references(); *it; it++)
     for (enum nb_feature feature = HAS_NOTHING; feature < NB_FEATURES; feature++) {
       struct refs_scene scene;
       struct nb_error error = {0};
-      char expected[1024], features[512];
+      char begin[128], features[512];
       scene_with(&scene, *it, feature);
       const enum nb_status status = nb_reference_covers(*it, &scene.scene, &error);
       const bool fits = feature == HAS_NOTHING || covered(*it, feature);
-      /* A wall with a point off its line is a wall first. */
-      const enum nb_feature refused = feature == HAS_OFFSET_WALLS && !covered(*it, HAS_WALLS) ? HAS_WALLS : feature;
       list_features(features, sizeof features, *it);
-      snprintf(expected, sizeof expected, "the reference `%s` does not cover `%s` (line %d); it covers %s", (*it)->name,
-               nb_feature_name(refused), LINE, features);
-      const char *const cut = strstr(error.text, ", …");
-      const size_t compared = cut ? (size_t)(cut - error.text) : sizeof expected;
-      const bool as_expected = strncmp(error.text, expected, compared) == 0 && (!cut || strlen(features) > 150);
+      snprintf(begin, sizeof begin, "the reference `%s` does not cover ", (*it)->name);
+      const char *const cut = strstr(error.text, ", …"), *const shown = shown_features(error.text);
+      const size_t compared = cut ? (size_t)(cut - shown) : sizeof features;
+      bool as_expected = strncmp(error.text, begin, strlen(begin)) == 0 && names_feature(error.text, feature, LINE) &&
+                         strncmp(shown, features, compared) == 0 && (!cut || strlen(features) > 150);
+      for (enum nb_feature f = HAS_NOTHING + 1; f < NB_FEATURES; f++)
+        as_expected = as_expected && !(covered(*it, f) && names_feature(error.text, f, 0));
       if (status != (fits ? NB_OK : NB_BAD_USE) || (!fits && !as_expected))
         printf("# %s, %s: %s\n", (*it)->name, nb_feature_name(feature), error.text);
       CU_ASSERT_EQUAL(status, fits ? NB_OK : NB_BAD_USE);
       if (!fits)
         CU_ASSERT(as_expected);
     }
+}
+
+/* One message has all features and laws that the reference does not cover, each with its line and once. A list that is
+ * too long ends in "…". */
+static void all_uncovered_words_are_named(void) {
+  const struct nb_reference *const reference = nb_reference_find("hertz_impact");
+  struct refs_scene scene;
+  struct nb_error error = {0};
+  CU_ASSERT_PTR_NOT_NULL_FATAL(reference);
+  scene_with(&scene, reference, HAS_NOTHING);
+  add(&scene, HAS_CELL, 1);
+  add(&scene, HAS_SERVO, 1);
+  strcpy(scene.scene.normal, "linear");
+  scene.scene.normal_line = 7;
+  strcpy(scene.stages[0].laws.normal, "linear");
+  CU_ASSERT_EQUAL(nb_reference_covers(reference, &scene.scene, &error), NB_BAD_USE);
+  const char *const list =
+      "`cell` (line 12), `servo` (line 12), `normal or shear in a stage`, `normal linear` (line 7); it "
+      "covers `normal hertz`, `normal hertz_increment`, `sphere`, ";
+  if (!strstr(error.text, list))
+    printf("# %s\n", error.text);
+  CU_ASSERT_PTR_NOT_NULL(strstr(error.text, list));
+  CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "`impact`"));
+  static const enum nb_feature more[] = {HAS_BOUNDARY_STRAIN, HAS_AFFINE_STRAIN, HAS_ROTATION_OFF,       HAS_BOX_STRAIN,
+                                         HAS_REMOVE,          HAS_STEP_CHANGE,   HAS_REVERSE_VELOCITIES, HAS_RAMP};
+  for (size_t k = 0; k < sizeof more / sizeof *more; k++)
+    add(&scene, more[k], 1);
+  CU_ASSERT_EQUAL(nb_reference_covers(reference, &scene.scene, &error), NB_BAD_USE);
+  CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "`cell` (line 12), "));
+  CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "), …; it covers `normal hertz`, "));
 }
 
 static void missing_features_are_refused(void) {
@@ -317,4 +368,5 @@ void suite_refs_covers(void) {
   CU_add_test(suite, "features that a reference does not list are refused", unlisted_features_are_refused);
   CU_add_test(suite, "scenes without a needed feature are refused", missing_features_are_refused);
   CU_add_test(suite, "other laws are refused", other_laws_are_refused);
+  CU_add_test(suite, "one message names all that a reference does not cover", all_uncovered_words_are_named);
 }

@@ -221,62 +221,84 @@ static bool lists_law(const char *laws, const char *law) {
   return false;
 }
 
-/* Lists what the reference covers. If `kind` is "normal " or "shear ", these are its laws of this kind; if `kind` is
- * empty, its features. A list of features that does not fit ends in "…". */
-static void list_covered(char *list, size_t size, const struct nb_reference *reference, const char *kind) {
-  const char *const laws = *kind == 'n' ? reference->normal : *kind == 's' ? reference->shear : "";
-  const char *between = "";
+/* Appends "`normal hertz`, `normal linear`" to a list, or the same for `shear`. */
+static void append_laws(char *list, size_t size, const char *kind, const char *laws) {
+  for (const char *at = laws; *at; at += strcspn(at, " "), at += strspn(at, " "))
+    nb_append(list, size, "%s`%s%.*s`", *list ? ", " : "", kind, (int)strcspn(at, " "), at);
+}
+
+/* What a scene has and a reference does not cover. */
+struct uncovered {
+  char list[240];
+  bool more, feature, normal, shear; /* `more`: some that the list has no room for; which kinds are in the list */
+};
+
+/* Appends "`until` (line 17)" unless the list has it. */
+static void append_uncovered(struct uncovered *it, const char *kind, const char *what, int line) {
+  char item[sizeof it->list];
+  snprintf(item, sizeof item, "`%s%s`", kind, what);
+  if (strstr(it->list, item) || it->more)
+    return;
+  if (line > 0)
+    nb_append(item, sizeof item, " (line %d)", line);
+  it->more = strlen(it->list) + strlen(item) + sizeof ", , …" > sizeof it->list;
+  nb_append(it->list, sizeof it->list, "%s%s", *it->list ? ", " : "", it->more ? "…" : item);
+}
+
+static void find_laws(struct uncovered *it, const struct nb_reference *reference, const char *normal, int normal_line,
+                      const char *shear, int shear_line) {
+  if (!lists_law(reference->normal, normal))
+    append_uncovered(it, "normal ", normal, normal_line), it->normal = true;
+  if (!lists_law(reference->shear, shear))
+    append_uncovered(it, "shear ", shear, shear_line), it->shear = true;
+}
+
+static void find_uncovered(struct uncovered *it, const struct nb_reference *reference, const int lines[NB_FEATURES],
+                           const struct nb_scene *scene) {
+  for (enum nb_feature f = HAS_NOTHING + 1; f < NB_FEATURES; f++)
+    if (lines[f] >= 0 && !lists(reference->needs, f) && !lists(reference->accepts, f))
+      append_uncovered(it, "", names[f], lines[f]), it->feature = true;
+  find_laws(it, reference, scene->normal, scene->normal_line, scene->shear, scene->shear_line);
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_laws *laws = &scene->stages[s].laws;
+    find_laws(it, reference, laws->normal, laws->normal_line, laws->shear, laws->shear_line);
+  }
+}
+
+/* Lists what the reference covers, of the kinds of which the scene has something else. A list of features that does not
+ * fit ends in "…". */
+static void list_covered(char *list, size_t size, const struct nb_reference *reference, const struct uncovered *it) {
   *list = '\0';
-  for (const char *at = laws; *at; at += strcspn(at, " "), at += strspn(at, " "), between = ", ")
-    nb_append(list, size, "%s`%s%.*s`", between, kind, (int)strcspn(at, " "), at);
-  for (enum nb_feature f = HAS_NOTHING + 1; f < NB_FEATURES && !*kind; f++) {
+  if (it->normal)
+    append_laws(list, size, "normal ", reference->normal);
+  if (it->shear)
+    append_laws(list, size, "shear ", reference->shear);
+  for (enum nb_feature f = HAS_NOTHING + 1; f < NB_FEATURES && it->feature; f++) {
     if (!lists(reference->needs, f) && !lists(reference->accepts, f))
       continue;
     if (strlen(list) + strlen(names[f]) + sizeof ", ``, …" > size) {
       nb_append(list, size, ", …");
       return;
     }
-    nb_append(list, size, "%s`%s`", between, names[f]), between = ", ";
+    nb_append(list, size, "%s`%s`", *list ? ", " : "", names[f]);
   }
-}
-
-static enum nb_status refuse(const struct nb_reference *reference, const char *kind, const char *what, int line,
-                             struct nb_error *error) {
-  char where[32] = "", covered[200];
-  if (line > 0)
-    snprintf(where, sizeof where, " (line %d)", line);
-  list_covered(covered, sizeof covered, reference, kind);
-  return nb_error_set(error, NB_BAD_USE, "the reference `%s` does not cover `%s%s`%s; it covers %s", reference->name,
-                      kind, what, where, covered);
-}
-
-static enum nb_status covers_laws(const struct nb_reference *reference, const char *normal, int normal_line,
-                                  const char *shear, int shear_line, struct nb_error *error) {
-  if (!lists_law(reference->normal, normal))
-    return refuse(reference, "normal ", normal, normal_line, error);
-  if (!lists_law(reference->shear, shear))
-    return refuse(reference, "shear ", shear, shear_line, error);
-  return NB_OK;
 }
 
 enum nb_status nb_reference_covers(const struct nb_reference *reference, const struct nb_scene *scene,
                                    struct nb_error *error) {
+  struct uncovered uncovered = {0};
+  char covered[200];
   int lines[NB_FEATURES];
   nb_features(lines, scene);
-  for (enum nb_feature f = HAS_NOTHING + 1; f < NB_FEATURES; f++) {
-    const bool needed = lists(reference->needs, f);
-    if (lines[f] >= 0 && !needed && !lists(reference->accepts, f))
-      return refuse(reference, "", names[f], lines[f], error);
-    if (lines[f] < 0 && needed)
+  find_uncovered(&uncovered, reference, lines, scene);
+  if (*uncovered.list) {
+    list_covered(covered, sizeof covered, reference, &uncovered);
+    return nb_error_set(error, NB_BAD_USE, "the reference `%s` does not cover %s; it covers %s", reference->name,
+                        uncovered.list, covered);
+  }
+  for (enum nb_feature f = HAS_NOTHING + 1; f < NB_FEATURES; f++)
+    if (lines[f] < 0 && lists(reference->needs, f))
       return nb_error_set(error, NB_BAD_USE, "the reference `%s` is for a scene with `%s`, and this one has none",
                           reference->name, names[f]);
-  }
-  if (covers_laws(reference, scene->normal, scene->normal_line, scene->shear, scene->shear_line, error))
-    return error->status;
-  for (size_t s = 0; s < scene->stage_count; s++) {
-    const struct nb_laws *laws = &scene->stages[s].laws;
-    if (covers_laws(reference, laws->normal, laws->normal_line, laws->shear, laws->shear_line, error))
-      return error->status;
-  }
   return NB_OK;
 }

@@ -80,6 +80,7 @@ void nb_features(int lines[NB_FEATURES], const struct nb_scene *scene);
 
 struct nb_reference;
 /* NB_BAD_USE when the scene has a feature or a law that the reference does not accept, or lacks a feature that the
- * reference needs. The error names the first such feature or law and, if a line of the page asks for it, this line. */
+ * reference needs. The error names all such features and laws, each with the line of the page that asks for it, if there
+ * is one. */
 enum nb_status nb_reference_covers(const struct nb_reference *reference, const struct nb_scene *scene,
                                    struct nb_error *error);
