@@ -307,17 +307,9 @@ static void warn_of_sign(struct nb_scene *scene, size_t s, const struct nb_condi
     warn_of_other_sign(scene, s, condition, axis);
 }
 
-/* True if `repeat` has made the stage: an earlier one has the same line. */
-static bool is_repeated(const struct nb_scene *scene, size_t s) {
-  size_t before = s;
-  while (before > scene->start.stages && scene->stages[before - 1].line != scene->stages[s].line)
-    before--;
-  return before > scene->start.stages;
-}
-
 void nb_strain_check(struct nb_scene *scene) {
   for (size_t s = scene->start.stages; s < scene->stage_count; s++)
-    for (size_t k = 0; k < scene->stages[s].condition_count && !is_repeated(scene, s); k++)
+    for (size_t k = 0; k < scene->stages[s].condition_count && !nb_is_repeated(scene, s); k++)
       warn_of_sign(scene, s, &scene->stages[s].conditions[k]);
 }
 

@@ -96,10 +96,19 @@ static size_t position_of(const struct nb_mistakes *mistakes, const char *path, 
   return at;
 }
 
+/* True if the last message before this position is the same: a check of stages finds a mistake in a line again in each
+ * stage that `repeat` makes of it. */
+static bool is_known(const struct nb_mistakes *mistakes, size_t at, const struct nb_text *message) {
+  return at > 0 &&
+         strncmp(mistakes->text + mistakes->inside->positions[at - 1].start, message->at, message->length) == 0;
+}
+
 static void insert(struct nb_mistakes *mistakes, const char *path, size_t line, int column,
                    const struct nb_text *message) {
   struct nb_mistakes_inside *internals = inside(mistakes);
   size_t count = mistakes->count, at = internals ? position_of(mistakes, path, line, column) : 0;
+  if (is_known(mistakes, at, message))
+    return;
   size_t end = mistakes->text ? strlen(mistakes->text) : 0;
   struct position *positions = internals ? nb_array_reserve(internals->positions, count, 1, sizeof *positions) : NULL;
   char *text = positions ? realloc(mistakes->text, end + message->length + 1) : NULL;

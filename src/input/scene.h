@@ -162,6 +162,8 @@ void nb_laws_check(struct nb_scene_reading *reading, bool complete);
 void nb_regions_check(struct nb_scene_reading *reading);
 /* A cell is wide enough, and has no walls. */
 void nb_cell_check(struct nb_scene_reading *reading);
+/* True if `repeat` has made the stage: an earlier one has the same line. */
+bool nb_is_repeated(const struct nb_scene *scene, size_t s);
 /* A stage with a ramp has a known number of cycles. */
 void nb_ramps_check(struct nb_scene_reading *reading);
 /* Walls that follow the strain of a box have no other motion. */

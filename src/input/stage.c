@@ -218,11 +218,18 @@ static int ramp_of(const struct nb_stage *it) {
   return it->servo.ramp ? it->servo.line : it->gravity.ramp ? it->gravity.line : 0;
 }
 
+bool nb_is_repeated(const struct nb_scene *scene, size_t s) {
+  size_t before = s;
+  while (before > scene->start.stages && scene->stages[before - 1].line != scene->stages[s].line)
+    before--;
+  return before > scene->start.stages;
+}
+
 void nb_ramps_check(struct nb_scene_reading *reading) {
   for (size_t i = 0; i < reading->scene->stage_count; i++) {
     const struct nb_stage *it = &reading->scene->stages[i];
     const int line = ramp_of(it);
-    if (!line || it->condition_count == 0)
+    if (!line || it->condition_count == 0 || nb_is_repeated(reading->scene, i))
       continue;
     nb_line_mistake(&reading->reader, (size_t)line, "a ramp lasts as long as its stage: give the stage `cycles N`",
                     "expected a stage with `cycles N` for a ramp, found `until` in `%s`", it->name);
