@@ -501,14 +501,28 @@ static bool take_within(struct nb_reader *reader, const struct nb_scene *scene, 
   return take_tolerance_of(reader, scene, measure->unit, measure->is_residual, &expectation->tolerance);
 }
 
+/* Appends how to compare a number with a quantity, in place of its curve. */
+static void append_value(char *hint, const struct nb_measure *measure) {
+  nb_append(hint, NB_HINT_SIZE,
+            "; a number or a formula is compared with one value, such as `%.*s last%s expected (FORMULA) within 1 %% "
+            "[SOURCE]`",
+            (int)measure->bare_length, measure->label, measure->label + measure->bare_length);
+}
+
 static bool take_versus(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
   const struct nb_token *token = nb_take_token(reader, "a quantity that the page records");
   struct nb_quantity quantity;
   if (!token || !find_column(reader, scene, token, &expectation->column, &quantity))
     return false;
   snprintf(expectation->against, sizeof expectation->against, "%s", token->text);
-  return take_stage(reader, scene, &expectation->measure) &&
-         take_tolerance(reader, scene, expectation->measure.unit, false, &expectation->tolerance);
+  if (!take_stage(reader, scene, &expectation->measure))
+    return false;
+  char hint[NB_HINT_SIZE] = "a curve is compared only with that of a `reference`";
+  append_value(hint, &expectation->measure);
+  if (nb_token_is(reader, "expected") || nb_token_is(reader, "above") || nb_token_is(reader, "below"))
+    return nb_token_mistake(reader, nb_token_peek(reader), hint, "expected `within`, found `%s`",
+                            nb_token_peek(reader)->text);
+  return take_tolerance(reader, scene, expectation->measure.unit, false, &expectation->tolerance);
 }
 
 /* True, with a message, if the expectation can never hold or can never fail, because of the bounds of the quantity. */
@@ -944,6 +958,16 @@ static const struct nb_expectation *needing_reference(const struct nb_expectatio
   return NULL;
 }
 
+/* Writes the hint for an expectation that needs a reference. */
+static void reference_hint(char *hint, const struct nb_expectation *e) {
+  strcpy(hint, "write `reference NAME` above this line; `nineball list` names the references");
+  if (e->kind == NB_WITHIN)
+    nb_append(hint, NB_HINT_SIZE,
+              "; a number or a formula needs none: `%.120s expected (FORMULA) within 1 %% [SOURCE]`", e->measure.label);
+  if (e->kind == NB_VERSUS)
+    append_value(hint, &e->measure);
+}
+
 enum nb_status nb_expectations_read(struct nb_expectations *expectations, const struct nb_page *page,
                                     const struct nb_scene *scene, struct nb_mistakes *mistakes) {
   const size_t before = mistakes->total;
@@ -962,12 +986,11 @@ enum nb_status nb_expectations_read(struct nb_expectations *expectations, const 
     }
   const struct nb_expectation *const e =
       expectations->reference || !reference_required ? NULL : needing_reference(expectations);
-  char hint[NB_HINT_SIZE] = "write `reference NAME` above this line; `nineball list` names the references";
-  if (e && e->kind == NB_WITHIN)
-    nb_append(hint, sizeof hint, "; a number or a formula needs none: `%.120s expected (FORMULA) within 1 %% [SOURCE]`",
-              e->measure.label);
-  if (e)
+  char hint[NB_HINT_SIZE];
+  if (e) {
+    reference_hint(hint, e);
     nb_line_mistake(reader, (size_t)e->line, hint, "expected a `reference` in this page to compare with, found none");
+  }
   free(reader);
   const enum nb_status status = nb_mistakes_status(mistakes, before);
   if (status)
