@@ -331,7 +331,9 @@ bool nb_comparison_is_open(struct nb_reader *reader, const struct nb_comparison 
            : zero ? "of 0 or more"
                   : "of 1 or less",
            it->name, relation,
-           never  ? zero ? "1e-9" : "0.999"
+           never  ? !zero                        ? "0.999"
+                    : strcmp(it->unit, "m") == 0 ? "1e-12" /* an overlap can be far below 1 nm in a whole contact */
+                                                 : "1e-9"
            : zero ? "0"
                   : "1",
            number ? "" : " ", number ? "" : it->unit);
@@ -843,7 +845,7 @@ static bool whole_hint(char *hint, const struct nb_scene *scene, const char *tex
   return place ? nb_pair_hint(hint, place, rest + 1) : nb_pair_hint(hint, "whole", text);
 }
 
-/* Appends what the proposed shear strain, or the proposed force on wall w, means. */
+/* Appends what the proposed strain, or the proposed force on wall w, means. */
 static void add_meaning(char *hint, const struct nb_scene *scene, int w) {
   if (strstr(hint, ".fy`") && w >= 0 && scene->monitors[w].kind == NB_MONITOR_WALL)
     nb_append(hint, NB_HINT_SIZE,
@@ -851,6 +853,12 @@ static void add_meaning(char *hint, const struct nb_scene *scene, int w) {
               scene->monitors[w].name);
   if (strstr(hint, "strain.xy`"))
     nb_append(hint, NB_HINT_SIZE, " (xy is half the engineering shear strain)");
+  for (size_t k = 0; k < 2 && scene->stage_count > 1; k++)
+    if (strstr(hint, k ? "cell.strain.yy`" : "cell.strain.xx`"))
+      nb_append(hint, NB_HINT_SIZE,
+                " (a strain of the cell counts from time 0: that of a later stage is (1 + END)/(1 + BEGIN) - 1, or "
+                "`S.strain.%s` of the particles with `region S all from STAGE`)",
+                k ? "yy" : "xx");
 }
 
 /* Changes a hint that proposes the stored energy if a law of the scene has none. */

@@ -65,6 +65,22 @@ static bool until_hint(char *hint, const struct nb_scene_reading *reading, const
   return true;
 }
 
+/* Writes the hint for an `until` with the name of a contact alone, `until C ends`; false: the line is another. */
+static bool contact_hint(char *hint, const struct nb_scene_reading *reading, const char *name) {
+  const struct nb_scene *const scene = reading->scene;
+  const int w = NB_FIND(scene->monitors, scene->monitor_count, name);
+  if (strcmp(reading->reader.tokens[0].text, "until") != 0 || w < 0 ||
+      (scene->monitors[w].kind != NB_MONITOR_PARTICLE_PARTICLE && scene->monitors[w].kind != NB_MONITOR_PARTICLE_WALL))
+    return false;
+  snprintf(
+      hint, NB_HINT_SIZE,
+      "a stage that begins during the contact ends with it by `until %.63s.overlap below 1e-12 m at most 1000000 "
+      "cycles`; a stage that begins before the contact ends at its first cycle by `until %.63s.overlap above 0 m at "
+      "most 1000000 cycles`",
+      name, name);
+  return true;
+}
+
 bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *quantity,
                        const struct nb_requested *requested) {
   char hint[NB_HINT_SIZE];
@@ -74,7 +90,8 @@ bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *qua
   if (nb_name_suppressed(mistakes, requested->name))
     return false;
   nb_suppress_name(mistakes, requested->name);
-  if (!nb_old_name(hint, requested->name) && !until_hint(hint, reading, requested->name))
+  if (!nb_old_name(hint, requested->name) && !until_hint(hint, reading, requested->name) &&
+      !contact_hint(hint, reading, requested->name))
     nb_quantity_hint(hint, reading->scene, requested->name);
   nb_mistake(mistakes, reading->reader.page, requested->line, requested->column, requested->length, hint,
              "expected a quantity, found `%s`", requested->name);

@@ -124,8 +124,9 @@ const struct nb_quantity_kind nb_region_kinds[] = {
          "mean magnitude of the unbalanced force on a free particle"),
 
     STRAIN("strain", NB_TENSOR, "1", strain,
-           "strain fitted to the displacements of the particles by least squares, extension positive; xy is "
-           "half the engineering shear strain. The strain of walls is box.strain.width and box.strain.height"),
+           "strain fitted by least squares to the displacements of particles, extension positive; xy is half the "
+           "engineering shear strain. All particles that were inside when it began count, rattlers included. The "
+           "strain of walls is box.strain.width and box.strain.height"),
     STRAIN("strain.volumetric", NB_SCALAR, "1", volumetric, "volumetric strain xx + yy, expansion positive"),
     STRAIN("strain.rotation", NB_SCALAR, "rad", rotation, "mean rigid rotation of the region, small, counterclockwise"),
 
