@@ -1,6 +1,7 @@
 /* Output of a run: `record QUANTITY …`; in a stage `record every N cycles` and `snapshot`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
 #include <string.h>
 
 #include "core/names.h"
@@ -135,14 +136,33 @@ NB_APPLY(apply_columns) {
         quantity_words(reading->scene));
 }
 
+/* Refuses an interval in a unit of time, `record every 1 ms`, with its number of cycles; false: it is another interval,
+ * or the step is no time. */
+static bool is_duration(struct nb_reader *reader, const struct nb_step *step) {
+  const struct nb_token *const number = &reader->tokens[reader->next], *const text = number + 1;
+  char hint[NB_HINT_SIZE];
+  struct nb_unit unit;
+  double time;
+  if (reader->next + 1 >= reader->count || step->kind != NB_STEP_TIME || step->value <= 0 ||
+      !nb_pair_synonym("record", text->text) || !nb_unit_read(&unit, text->text) ||
+      nb_quantity_read(&time, number->text, number->computed, &unit) != NB_READ || round(time / step->value) < 2)
+    return false;
+  snprintf(hint, sizeof hint,
+           "the interval is a number of cycles. With a step of %.6g s, %.40s %s is %.6g cycles: `record every %.0f "
+           "cycles`",
+           step->value, number->text, text->text, time / step->value, round(time / step->value));
+  nb_token_mistake(reader, text, hint, "expected `cycles`, found `%.80s`", text->text);
+  return true;
+}
+
 /* Reads `record every N cycles` or `record none` in a stage. */
 NB_APPLY(apply_record) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
   unsigned long every = 0;
-  if (nb_token_skip(reader, "every"))
+  if (nb_token_skip(reader, "every") && (scene->contact_test || !is_duration(reader, &nb_current_stage(scene)->step)))
     nb_take_count_of(reader, scene->contact_test ? "step" : "cycle", &every);
-  else if (!nb_token_skip(reader, "none"))
+  else if (!reader->bad && !nb_token_skip(reader, "none"))
     nb_expected(reader,
                 scene->contact_test ? "`record QUANTITY …` belongs before the first `segment`"
                                     : "`record QUANTITY …` belongs before the first `stage`",
