@@ -315,6 +315,33 @@ run 0 explain plus.md
 quiet said
 verdict 'warnings: tension in place of a pressure, more than critical damping, a wall of a box that rotates'
 
+cat >cohesive.md <<'END'
+```scene
+units     si
+material  rock  density 2500 kg/m3  kn 1 kN/m  ks 1 kN/m  friction 0.3  cohesion 1 mN
+normal    linear
+shear     linear
+disc      0 mm 0 mm     radius 5 mm  rock
+disc      9.99 mm 0 mm  radius 5 mm  rock
+monitor   C  disc 1 with disc 2
+step      0.01 of single-contact
+record    C.normal C.shear
+stage     pull
+cycles    2
+```
+```expect
+C.normal min  expected -1 mN within 10 % [cohesion]
+C.normal min  expected 1 mN within 10 % [a guess]
+C.shear min   expected -1 mN within 10 % [a guess]
+C.normal min  below -1 mN
+```
+END
+run 0 explain cohesive.md
+said 'cohesive.md:15: warning: `C.normal` is 0 or more with all laws of nineball: there are no bonds and no tension, and `cohesion`'
+said 'cohesive.md:18: warning: `C.normal` is 0 or more'
+test "$(grep -c 'warning' said)" -eq 2 || echo 'not two warnings' >>why
+verdict 'a warning of a tensile normal force'
+
 cat >rows.md <<'END'
 ```scene
 units none

@@ -181,6 +181,17 @@ static void warn_imposed(struct nb_outcome *outcome, const struct nb_page_run *r
             "`energy.imposed` is 0, because only walls and fixed particles move: their work is `energy.walls`");
 }
 
+/* Warns of a negative normal force after `expected` or `below`, which the laws of this program cannot give. */
+static void warn_of_tension(struct nb_scene *scene, const struct nb_expectation *it) {
+  const struct nb_column *column = &scene->columns[it->measure.column];
+  const unsigned bounds = nb_quantity_bounds(column->quantity) & (NB_AT_LEAST_0 | NB_AT_LEAST_0_BY_LAW);
+  if (it->number < 0 && bounds == NB_AT_LEAST_0_BY_LAW)
+    nb_warn(&scene->warnings, it->line,
+            "`%s` is 0 or more with all laws of nineball: there are no bonds and no tension, and `cohesion` in "
+            "`material` is added to the limit of the shear force",
+            column->name);
+}
+
 /* Warns of expectations on a negative pressure, and on a stress other than the one that the servo of their stage
  * controls. `above` may have a negative value, as the lower bound of a magnitude. False: out of memory. */
 static bool warn_of_stresses(struct nb_page_run *run) {
@@ -189,9 +200,11 @@ static bool warn_of_stresses(struct nb_page_run *run) {
     const struct nb_expectation *it = &run->expectations.list[k];
     const struct nb_column *column = &scene->columns[it->measure.column];
     const size_t stage = it->measure.stage >= 0 ? (size_t)it->measure.stage : scene->stage_count - 1;
-    if ((it->kind == NB_EXPECTED && !it->has_scale) || (it->kind == NB_LESS && it->has_number))
+    if ((it->kind == NB_EXPECTED && !it->has_scale) || (it->kind == NB_LESS && it->has_number)) {
       nb_tension_warn(scene, &column->quantity, column->name, it->kind == NB_LESS ? "below" : "expected", it->number,
                       it->line);
+      warn_of_tension(scene, it);
+    }
     if (it->kind == NB_EXPECTED && !it->has_scale &&
         !nb_servo_compare(scene, stage, column->quantity, column->name, "expectation", it->line))
       return false;
