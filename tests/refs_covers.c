@@ -256,11 +256,11 @@ static bool names_feature(const char *text, enum nb_feature feature, int line) {
 /* The features that the reference covers, in its message: after its laws, if the message has them. */
 static const char *shown_features(const char *text) {
   const char *at = strstr(text, "; it covers ");
-  at += at ? strlen("; it covers ") : 0;
+  at = at ? at + strlen("; it covers ") : NULL;
   while (at && strncmp(at, "`normal or", strlen("`normal or")) != 0 &&
          (strncmp(at, "`normal ", strlen("`normal ")) == 0 || strncmp(at, "`shear ", strlen("`shear ")) == 0)) {
     at = strstr(at, ", ");
-    at += at ? strlen(", ") : 0;
+    at = at ? at + strlen(", ") : NULL;
   }
   return at ? at : "";
 }
