@@ -212,8 +212,7 @@ static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, 
     snprintf(hint, sizeof hint, "a number is compared by `expected NUMBER within TOLERANCE [SOURCE]`");
   else if (!expression_hint(hint, reader, scene, token->text) &&
            !nb_phrase_hint(hint, scene, token, reader->count - (size_t)(token - reader->tokens)) &&
-           !nb_pair_hint(hint, "expect", token->text) &&
-           !reducer_hint(hint, reader, scene, token))
+           !nb_pair_hint(hint, "expect", token->text) && !reducer_hint(hint, reader, scene, token))
     nb_quantity_hint(hint, scene, token->text);
   return nb_token_mistake(reader, token, hint, "expected a quantity that the page records, found `%s`", token->text);
 }
