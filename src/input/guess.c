@@ -233,7 +233,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"packing_in packing_circle", "fill", RANDOM_CIRCLE},
     {"boundary_rate boundary_xx boundary_yy boundary_axial boundary_volumetric", "boundary strain", "two rates follow `boundary strain`, those in x and y: `boundary strain 0.1 1/s -0.1 1/s`, with a line `boundary circle X Y radius R` in the scene"},
     {"area_constant area_fixed area_conserved constant_area stage_area", "cell strain, box strain, boundary strain", CONSTANT_AREA},
-    {"strain_stop strain_off strain_none strain_zero strain_end cell_stop cell_off cell_none box_stop box_off box_none boundary_stop boundary_off boundary_none stop_strain stop_cell stop_boundary", "cell strain, box strain, boundary strain", STRAIN_STOPS},
+    {"strain_stop strain_off strain_none strain_zero strain_end cell_stop cell_off cell_none box_stop box_off box_none boundary_stop boundary_off stop_strain stop_cell stop_boundary", "cell strain, box strain, boundary strain", STRAIN_STOPS},
     {"record_s record_ms record_us record_ns record_second record_seconds", "record", "the interval is a number of cycles, the time over the step: `record every 100 cycles`"},
     {"sweep_to", "sweep", "a sweep lists each value: `sweep mu 0.1 0.3 0.5`"},
     {"disc_force disc_moment sphere_force sphere_moment", "gravity, wall, boundary stress", "no force can be given to one particle: forces come from contacts, `gravity` and, in a stage, `boundary stress`"},
