@@ -421,8 +421,9 @@ static bool echo_operator(const struct nb_reader *reader, char *hint, size_t at)
   return true;
 }
 
-/* Writes a hint with the word in parentheses. The hint has an example instead if the word is a single character or has
- * replaced a $NAME. After a quantity it is that of nb_arithmetic_hint. */
+/* Writes a hint with the word in parentheses. A single character gives the expression around it (echo_operator), or an
+ * example if there is none; a word that has replaced a $NAME gives an example. After a quantity the hint is that of
+ * nb_arithmetic_hint. */
 static void operator_hint(const struct nb_reader *reader, char *hint, const char *text) {
   const struct nb_token *const token = nb_token_peek(reader);
   const long place = token ? token - reader->tokens : 0;
