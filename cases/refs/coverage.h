@@ -80,7 +80,7 @@ void nb_features(int lines[NB_FEATURES], const struct nb_scene *scene);
 
 struct nb_reference;
 /* NB_BAD_USE when the scene has a feature or a law that the reference does not accept, or lacks a feature that the
- * reference needs. The error names all such features and laws, each with the line of the page that asks for it, if there
- * is one. */
+ * reference needs. The error names all features and laws that it does not accept, each with the line of the page that
+ * asks for it, if there is one; or, if it accepts all, the first needed feature that is missing. */
 enum nb_status nb_reference_covers(const struct nb_reference *reference, const struct nb_scene *scene,
                                    struct nb_error *error);
