@@ -115,11 +115,20 @@ static bool find_scale(double *scale, double own, struct nb_check *check, const 
   return false;
 }
 
-bool nb_check_computed(double *value, struct nb_check *check, const struct nb_page_run *run,
-                       const struct nb_expectation *e) {
+/* Finds the value of the expectation's measure; `given` replaces it unless it is NULL. */
+static bool find_value(double *value, const double *given, const struct nb_page_run *run,
+                       const struct nb_expectation *e, struct nb_error *error) {
+  if (given)
+    *value = *given;
+  return given || nb_measure_value(value, &e->measure, nb_run_table(run), error);
+}
+
+/* nb_check_computed, where `given` replaces the value of the measure unless it is NULL. */
+static bool find_computed(double *value, struct nb_check *check, const struct nb_page_run *run,
+                          const struct nb_expectation *e, const double *given) {
   struct nb_error error;
   double scale = 1;
-  if (!nb_measure_value(value, &e->measure, nb_run_table(run), &error) ||
+  if (!find_value(value, given, run, e, &error) ||
       (e->has_scale && !nb_measure_value(&scale, &e->other, nb_run_table(run), &error))) {
     nb_check_result(check, false, "%s", error.text);
     return false;
@@ -129,6 +138,11 @@ bool nb_check_computed(double *value, struct nb_check *check, const struct nb_pa
   if (!isfinite(*value))
     nb_check_result(check, false, "computed %.6g and %.6g: their ratio is not a finite number", numerator, scale);
   return isfinite(*value);
+}
+
+bool nb_check_computed(double *value, struct nb_check *check, const struct nb_page_run *run,
+                       const struct nb_expectation *e) {
+  return find_computed(value, check, run, e, NULL);
 }
 
 const double *nb_check_solution(const struct nb_page_run *run, const struct nb_measure *measure) {
@@ -207,14 +221,15 @@ static void note_series(struct nb_check *check, const struct nb_page_run *run, c
 }
 
 /* Compares a value with the reference, or with the number that the page gives. */
-static void check_value(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
+static void check_value(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e,
+                        const double *given) {
   const bool expected = e->kind == NB_EXPECTED;
   const double *reference = expected ? &e->number : nb_check_solution(run, &e->measure);
   double computed = NAN, scale;
   char unit[NB_NAME_SIZE];
   if (!reference)
     nb_check_result(check, false, "the reference does not return `%s`", e->measure.label);
-  else if (nb_check_computed(&computed, check, run, e) && find_scale(&scale, *reference, check, run, &e->tolerance))
+  else if (find_computed(&computed, check, run, e, given) && find_scale(&scale, *reference, check, run, &e->tolerance))
     compare(check, &e->tolerance, computed, *reference, scale, nb_check_unit(unit, run, e),
             expected ? "expected" : "reference");
   if (expected && !e->has_scale)
@@ -268,12 +283,13 @@ static void check_curve(struct nb_check *check, const struct nb_page_run *run, c
 }
 
 /* Compares a measure with another one of the same run or with a number, or reports it. */
-static void check_measures(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
+static void check_measures(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e,
+                           const double *given) {
   struct nb_error error;
   double one, other = e->number;
   char unit[NB_NAME_SIZE];
   const bool reported = e->kind == NB_REPORTED;
-  if (!nb_measure_value(&one, &e->measure, nb_run_table(run), &error) ||
+  if (!find_value(&one, given, run, e, &error) ||
       (!reported && !e->has_number && !nb_measure_value(&other, &e->other, nb_run_table(run), &error))) {
     nb_check_result(check, false, "%s", error.text);
     return;
@@ -285,6 +301,16 @@ static void check_measures(struct nb_check *check, const struct nb_page_run *run
     note_other_sign(check, run, e, fabs(other));
   } else
     check->mark = NB_NOTE;
+}
+
+void nb_check_run(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e,
+                  const double *given) {
+  if (e->kind == NB_VERSUS)
+    check_curve(check, run, e);
+  else if (e->kind == NB_LESS || e->kind == NB_GREATER || e->kind == NB_REPORTED)
+    check_measures(check, run, e, given);
+  else
+    check_value(check, run, e, given);
 }
 
 /* Sets the label: the statement of the page without its comment. */
@@ -309,12 +335,8 @@ static void evaluate(struct nb_check *check, const struct nb_outcome *outcome, s
     nb_append(check->label, sizeof check->label, " (%s)", group);
   if (nb_is_over_sweep(e))
     nb_check_sweep(check, outcome, r, index);
-  else if (e->kind == NB_VERSUS)
-    check_curve(check, run, e);
-  else if (e->kind == NB_LESS || e->kind == NB_GREATER || e->kind == NB_REPORTED)
-    check_measures(check, run, e);
   else
-    check_value(check, run, e);
+    nb_check_run(check, run, e, NULL);
 }
 
 static bool is_skipped(const struct nb_outcome *outcome, int line) {

@@ -27,6 +27,10 @@ bool nb_check_computed(double *value, struct nb_check *check, const struct nb_pa
 /* The value of the reference solution, or else 0 for a residual; NULL: there is none. */
 const double *nb_check_solution(const struct nb_page_run *run, const struct nb_measure *measure);
 
+/* Checks an expectation about one run. `given` replaces the value of its measure unless it is NULL. */
+void nb_check_run(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *expectation,
+                  const double *given);
+
 /* ---- verdict_rows.c ---- */
 
 /* Warns of a largest or smallest value that would have another verdict with all cycles than with the recorded rows. */

@@ -31,22 +31,6 @@ static double reduce(enum nb_reducer reducer, struct nb_extremes values) {
                              : (values.largest - values.smallest) / 2;
 }
 
-/* True if the expectation holds for this value of its measure. */
-static bool holds(const struct nb_page_run *run, const struct nb_expectation *e, double value) {
-  const struct nb_table *const table = nb_run_table(run);
-  struct nb_error error;
-  double other = e->number;
-  if (e->kind == NB_LESS || e->kind == NB_GREATER)
-    return (e->has_number || nb_measure_value(&other, &e->other, table, &error)) &&
-           (e->kind == NB_LESS ? value < other : value > other);
-  const double *const solution = e->kind == NB_WITHIN ? nb_check_solution(run, &e->measure) : &e->number;
-  double divisor = 1, scale = solution ? *solution : 0;
-  if (!solution || (e->has_scale && !nb_measure_value(&divisor, &e->other, table, &error)) ||
-      (e->tolerance.kind == NB_OF_MEASURE && !nb_measure_value(&scale, &e->tolerance.of, table, &error)))
-    return false;
-  return nb_error_ratio(&e->tolerance, value / divisor, *solution, scale) <= 1;
-}
-
 void nb_check_rows(struct nb_warnings *warnings, const struct nb_page_run *run, const struct nb_expectation *e,
                    const struct nb_check *check) {
   const enum nb_reducer reducer = e->measure.reducer;
@@ -61,12 +45,14 @@ void nb_check_rows(struct nb_warnings *warnings, const struct nb_page_run *run, 
     return;
   const double recorded = reduce(reducer, rows), value = reduce(reducer, extend(rows, run, &e->measure));
   const bool passes = check->mark == NB_PASS;
+  struct nb_check all_cycles = {0};
   struct nb_expectation bare = *e;
   char unit[NB_NAME_SIZE];
   const int digits = nb_digit_count(recorded, value, 4);
   bare.has_scale = false;
   nb_check_unit(unit, run, &bare);
-  if (isfinite(value) && holds(run, e, value) != passes)
+  nb_check_run(&all_cycles, run, e, &value);
+  if (isfinite(value) && all_cycles.mark != check->mark)
     nb_warn(warnings, e->line,
             "`%s`: it is %.*g%s in the recorded rows and %.*g%s in all cycles, so this check %s only because `record "
             "every N cycles` leaves cycles out%s%s%s",
