@@ -123,7 +123,8 @@ enum nb_status nb_cell_check_width(const struct nb_model *model, struct nb_error
   const char *m = nb_unit(model->scene, " m"), *s = nb_unit(model->scene, " s");
   nb_error_set(
       error, model->cycle ? NB_BROKEN : NB_BAD_USE,
-      "the cell is %g%s wide at cycle %lu, at time %g%s: a particle could touch two images of another particle. "
+      "the cell is %g%s wide at cycle %lu, at time %g%s: a particle could have two images of another particle as "
+      "neighbours. "
       "Expected at least twice the sum of the largest diameter and the skin, %g%s: make the cell wider, or the skin "
       "smaller",
       width, m, model->cycle, model->time, s, least, m);

@@ -97,7 +97,9 @@ void nb_cell_check(struct nb_scene_reading *reading) {
   snprintf(what, sizeof what,
            "expected cell sides of at least %g%s, twice the sum of the largest diameter and the skin, found %g%s",
            least, unit, width, unit);
-  report(reading, "make the cell larger: in a smaller one a particle could touch two images of another particle", what);
+  report(reading,
+         "make the cell larger: in a smaller one a particle could have two images of another particle as neighbours",
+         what);
 }
 
 /* clang-format off */

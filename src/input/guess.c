@@ -46,7 +46,7 @@ bool nb_item(const char **list, char item[NB_NAME_SIZE]) {
   "`wall right 1 m 0 m to 1 m 1 m MATERIAL`"
 #define RANDOM_CIRCLE \
   "a random packing is two lines, `grading mixed 4 mm 8  5 mm 8  6 mm 8` (radius and number of each size) and `fill discs circle 0 mm 0 mm " \
-  "radius 30 mm mixed MATERIAL seed 1 attempts 1000 else stop`; there is no target porosity"
+  "radius 40 mm mixed MATERIAL seed 1 attempts 1000 else stop`; there is no target porosity"
 #define NO_BONDS "there are no bonds and no tension; `cohesion 10 N` in `material` is added to the limit of the shear force"
 #define CONSTANT_AREA \
   "the area is constant if the strain rates in x and y are opposite: in a cell `cell strain 0.1 1/s -0.1 1/s`, between walls `box strain 0.1 1/s -0.1 1/s`, " \
@@ -155,7 +155,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"lattice_x lattice_times lattice_*", "by", "the number in a row and the number of rows have `by` between them: `lattice discs 10 by 10 radius 5 mm MATERIAL`"},
     {"lattice_at", "lattice", "the centre of the first particle is `from X Y`"},
     {"wall_at wall_normal", "wall", "a wall is a line in the plane between two ends, without `at` and `normal`: `wall floor -1 m 0 m to 1 m 0 m MATERIAL`"},
-    {"stage_constant scene_constant constant_volume", "cell strain, box strain", "a cell without a servo keeps its area in simple shear, `cell strain 0 1/s 0 1/s c12 0.1 1/s`; a biaxial test at constant area is `cell strain 0.1 1/s -0.1 1/s`, between walls `box strain 0.1 1/s -0.1 1/s`. With constant stress it is a servo"},
+    {"stage_constant scene_constant constant_volume", "cell strain, box strain", "a cell without a servo keeps its area in simple shear, `cell strain 0 1/s 0 1/s c12 0.1 1/s`; a biaxial test at constant area is `cell strain 0.1 1/s -0.1 1/s`, between walls `box strain 0.1 1/s -0.1 1/s`. A constant stress needs a `servo`"},
     {"lattice_fixed fill_fixed packing_fixed grading_fixed", "fixed", "only a line `disc` or `sphere` has `fixed`: `disc 0 m 0 m radius 5 mm MATERIAL fixed`; a straight row of fixed particles is a `wall`, and all particles along the edge are held by a `boundary circle` and `boundary fixed` in a stage"},
     {"normal_linearpbond shear_linearpbond normal_linearcbond shear_linearcbond normal_parallel_bond shear_parallel_bond normal_bond shear_bond normal_bonded shear_bonded material_pb_kn material_pb_ks material_bond material_tensile_strength material_tension", "cohesion", "there are no bonds and no tension; `cohesion 10 N` in `material` is added to the limit of the shear force: `material MATERIAL cohesion 10 N`"},
     {"region_position region_at region_x region_centre region_center", "region", "the centre follows `circle`, x and y without a word: `region M circle 40 mm 40 mm radius 30 mm`"},
@@ -180,7 +180,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"servo_NUMBER servo_pressure servo_stress servo_target servo_force", "servo", ONE_SERVO},
     {"contact_linear contact_hertz", "normal, shear", "contact laws are two statements: `normal linear` and `shear linear`, or `normal hertz` and `shear mindlin`"},
     {"shear_hertz", "shear", "the shear law of elastic spheres is `shear mindlin` or `shear mindlin_deresiewicz`"},
-    {"wall_fixed box_fixed", "wall, walls", "a wall does not move unless it has a `velocity`"},
+    {"wall_fixed box_fixed", "wall, walls", "a wall does not move unless it has a `velocity` or a `spin`, or a stage moves it"},
     {"remove_wall remove_walls wall_remove wall_delete wall_off wall_erase wall_kill wall_destroy wall_disable delete_wall delete_walls kill_wall erase_wall destroy_wall", "wall", "a wall stays, but it can move away: `wall NAME velocity VX VY`"}, {"step_auto", "stable", "write `step 0.3 of stable`, with elastic spheres `step 0.2 of rayleigh`"},
     {"cycles_s cycles_ms cycles_us cycles_second cycles_seconds", "until", "a stage of 2 s ends with `until stage.time above 2 s at most 1000000 cycles`"},
     {"monitor_box monitor_walls", "monitor", "a wall of a box is `monitor B wall south`, `east`, `north` or `west`, then `record B.fx B.fy`; the stress of the box needs no monitor: `record box.stress.xx box.stress.yy`"},
@@ -188,7 +188,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"monitor_highest monitor_lowest monitor_topmost monitor_uppermost monitor_last monitor_first", "monitor", "a particle is named by its number, `monitor T disc 1`: particles are numbered in the order of the lines of the page, those of a lattice row by row upward, so the last disc of a lattice of 10 by 4 is disc 40, if the lattice is the first line with particles"},
     {"monitor_contact", "monitor", "a contact is named by its two partners: `monitor C disc 1 with disc 2`"},
     {"servo_wall servo_walls servo_west servo_east servo_north servo_south servo_left servo_right servo_sides servo_lateral servo_box", "servo", SERVO_WALLS},
-    {"wall_servo walls_servo wall_activate", "servo", SERVO_WALLS}, {"servo_m servo_mm servo_m/s servo_mm/s servo_um/s servo_cm/s", "servo", "the limit is a strain rate, the largest velocity of a wall over the size of the box: `at most 0.1 1/s`"},
+    {"wall_servo walls_servo wall_activate", "servo", SERVO_WALLS}, {"servo_m servo_mm servo_m/s servo_mm/s servo_um/s servo_cm/s", "servo", "the limit is a strain rate, the largest one that the servo adds: `at most 0.1 1/s`"},
     {"walls_east walls_west walls_north walls_south walls_left walls_right walls_top walls_bottom walls_vertical walls_horizontal walls_lateral walls_axial walls_strain walls_rate walls_compress", "box strain, wall", WALLS_MOVE},
     {"stage_axial stage_lateral stage_vertical stage_horizontal stage_biaxial stage_triaxial stage_uniaxial stage_oedometer stage_consolidate stage_consolidation stage_isotropic stage_stress stage_confining stage_confine stage_pressure stage_compress stage_compression stage_loading", "box strain, servo", LOADING},
     {"wall_force wall_load wall_pressure wall_stress wall_traction wall_weight walls_force walls_load walls_pressure walls_stress", "servo", "a wall has no force control: it stands still or has a velocity. A servo controls the mean stress of the walls: `servo yy 100 kPa on walls through box at most 1e-6 per cycle`"},
@@ -228,7 +228,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"quantity_position quantity_positions quantity_trajectory quantity_trajectories", "snapshot, monitor", "a stage with the line `snapshot` saves all particles at its end; the path of one particle is `monitor P disc 1`, then `record P.x P.y`"},
     {"fix_press fix_servo", "servo, boundary, cell, box", "a pressure is kept by a `servo`, and a strain rate is given to a `cell`, a `boundary` or a `box`: for example `servo isotropic 100 kPa on cell through cell at most 1e-6 per cycle`"},
     {"integrator leapfrog scene_integrator scene_integration scene_integrate scene_leapfrog scene_scheme scene_run_style stage_integrator stage_integration stage_integrate", "step", "there is one integrator, leapfrog: delete the line"},
-    {"step_collision_time step_collision_duration step_contact_time step_contact_duration step_time step_duration", "collision", "a step is a share of the duration of a collision, `step 0.1 of collision`, or a time, `step 10 us`"},
+    {"step_collision_time step_collision_duration step_contact_time step_contact_duration step_time step_duration", "collision", "a step is a fraction of the duration of a collision, `step 0.1 of collision`, or a time, `step 10 us`"},
     {"packing_radius packing_porosity packing_mm packing_m packing_to", "fill", RANDOM_PACKING},
     {"packing_in packing_circle", "fill", RANDOM_CIRCLE},
     {"boundary_rate boundary_xx boundary_yy boundary_axial boundary_volumetric", "boundary strain", "two rates follow `boundary strain`, those in x and y: `boundary strain 0.1 1/s -0.1 1/s`, with a line `boundary circle X Y radius R` in the scene"},
@@ -242,7 +242,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"scene_dimension scene_processors scene_comm_modify scene_comm_style scene_package scene_suffix scene_undump scene_thermo_modify scene_setDimension scene_fragment scene_program", "units", "a page needs no such line: delete it; `nineball --help scene` lists the statements"},
     {"scene_seed stage_seed", "seed", "each `fill` has its own seed of random numbers: `fill discs box 0 m 0 m to 0.2 m 0.2 m GRADING MATERIAL seed 1 attempts 1000 else stop`"},
     {"scene_energy", "record", "energies are recorded: `record energy.kinetic energy.stored energy.residual`"},
-    {"box_frictionless wall_frictionless disc_frictionless lattice_frictionless box_smooth wall_smooth", "friction", "without friction is a material of its own, with the other properties as they are: `material smooth density 2650 kg/m3 kn 10 MN/m ks 10 MN/m friction 0`; its name then stands here"},
+    {"box_frictionless wall_frictionless disc_frictionless lattice_frictionless box_smooth wall_smooth", "friction", "friction belongs to the material: define one without friction, `material smooth density 2650 kg/m3 kn 10 MN/m ks 10 MN/m friction 0`, and write `smooth` here"},
     {"set_random set_seed", "seed", "each `fill` has its own seed of random numbers: `seed 1`"},
     {"set_fric set_friction", "friction", "friction is changed by `material NAME friction 0.5`"},
     {"ball_fix", "fixed", "a particle that does not move is `disc X Y radius R MATERIAL fixed`"},
@@ -256,7 +256,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"expect_trend expect_proportional expect_scales expect_scaling expect_power expect_exponent expect_monotonic expect_monotonically expect_varies expect_depends expect_correlates", "increases, decreases", "a trend with a sweep is `A.vx max  increases with k`, or `decreases with k`"},
     {"expect_approx expect_approximately expect_about expect_~ expect_= expect_== expect_equals expect_equal", "expected", "write `C.normal max  expected 3 N within 1 % [SOURCE]`"},
     {"expect_average expect_avg", "mean", "the mean of the rows is `mean`: `C.normal mean in load  below 3 N`"},
-    {"expect_always expect_every expect_everywhere expect_never expect_each expect_throughout", "min, max", "in all rows of a stage the least value is `A.vx min in STAGE  above -1 m/s`, the largest `A.vx max in STAGE  below 3 m/s`; a value at a time is `A.vx at 0.1 s  expected 3 m/s within 1 % [SOURCE]`"},
+    {"expect_always expect_every expect_everywhere expect_never expect_each expect_throughout", "min, max", "to check all rows of a stage write `A.vx min in STAGE  above -1 m/s` and `A.vx max in STAGE  below 3 m/s`; a value at one time is `A.vx at 0.1 s  expected 3 m/s within 1 % [SOURCE]`"},
     {"expect_first expect_initial expect_begin expect_start", "expected", "the first row of the run is `at 0 cycles`. The first row of a later stage, or after `start`, is `at N cycles`: `record cycle` and `report cycle min in STAGE` show N; `nineball --help expect` lists all such words"},
     {"expect_positive expect_negative expect_zero expect_nonzero expect_!=", "above, below", "write `above 0 N` or `below 0 N`, with the unit of the quantity; a value of zero is `expected 0 N within 1 mN [SOURCE]`"},
     {"expect_std expect_rms expect_sum", "max, min, mean", "there is no such word; `nineball --help expect` lists the words that may follow a quantity"},
@@ -270,7 +270,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"expect_print", "report", "write `report energy.kinetic max in STAGE`"},
     {"expect_stage", "in", "`in` is followed by the name alone: `C.normal max in load`"},
     {"expect_expected", "expected", "the value follows the quantity, a reducer and `in STAGE`: `C.shear last in load  expected 0.1 N within 1 % [SOURCE]`, or at a time `C.shear at 2 ms  expected 0.1 N within 1 % [SOURCE]`, or, for a value in another stage, `expected 1 of C.shear last in unload within 1 % [SOURCE]`"},
-    {"expect_period", "frequency", "the period is 1 over the `frequency`, which needs the values of a whole stage: `A.x frequency in load  expected 5 1/s within 1 % [SOURCE]`"},
+    {"expect_period", "frequency", "the period is 1 over the `frequency`, which needs the values of a whole stage: for a period of 0.2 s write `A.x frequency in load  expected 5 1/s within 1 % [SOURCE]`"},
     {"expect_abs expect_magnitude expect_absolute expect_mag expect_norm expect_absmax", "above, below", "a magnitude below X is two lines: `C.shear max below X` and `C.shear min above -X`"},
     /* quantity_WORD: another name of a quantity */
     {"quantity_friction_energy quantity_frictional_energy quantity_energy.friction quantity_friction_work quantity_friction_dissipation quantity_friction_loss quantity_energy.slip quantity_energy.slipped quantity_eslip", "energy.frictional"},
@@ -295,7 +295,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"quantity_friction-angle quantity_friction_angle quantity_friction.angle quantity_friction quantity_stress.friction quantity_stress.ratio quantity_stress_ratio quantity_stressratio quantity_eta quantity_stress.eta quantity_mobilized_friction", "stress.sinphi", "`stress.sinphi` is the deviator over twice the mean stress, the sine of the mobilized friction angle: `region M all`, then `record M.stress.sinphi`. In simple shear the shear stress over the normal stress follows from `record cell.stress.xy cell.stress.yy`"},
     {"quantity_t", "time, stage.time"}, {"quantity_cycles quantity_ncycles", "cycle"}, {"quantity_stress.q quantity_stress.t", "stress.deviator"}, {"quantity_stress.p quantity_stress.s", "stress.mean"},
     {"quantity_floaters quantity_floater", "rattlers"}, {"quantity_force_chains quantity_force_chain quantity_chain", "chains"}, {"quantity_timestep quantity_time_step quantity_dt quantity_step_size", "step"},
-    {"quantity_overlap_max quantity_max_overlap quantity_maximum_overlap quantity_overlap_maximum quantity_largest_overlap quantity_contacts_overlap_max quantity_gap quantity_gap_min quantity_min_gap", "gap, overlap", "`gap` is the smallest gap of all pairs of particles, below 0 m if they overlap, so the largest overlap is its magnitude: `record gap`. The overlap of one contact is `C.overlap`, with `monitor C disc 1 with disc 2`, and its largest value is `C.overlap max` in a block `expect`"},
+    {"quantity_overlap_max quantity_max_overlap quantity_maximum_overlap quantity_overlap_maximum quantity_largest_overlap quantity_contacts_overlap_max quantity_gap quantity_gap_min quantity_min_gap", "gap, overlap", "`gap` is the smallest gap between two particles, and below 0 m its magnitude is the largest overlap: `record gap`. The overlap of one contact is `C.overlap`, with `monitor C disc 1 with disc 2`, and its largest value is `C.overlap max` in a block `expect`"},
     /* suffix_PART: the last part of the name of a quantity */
     {"suffix_1 suffix_I", "major"}, {"suffix_2 suffix_3 suffix_II suffix_III", "minor"}, {"suffix_11", "xx"}, {"suffix_12", "xy"}, {"suffix_21", "yx"}, {"suffix_22", "yy"},
     {"suffix_zz suffix_33 suffix_xz suffix_yz", "xx, yy", "the simulation is in the plane, x to the right and y up, and no quantity has a component in z: write `xx`, `xy`, `yx` or `yy`"},
@@ -332,10 +332,10 @@ const struct nb_synonym *nb_synonym(const char *word) {
     {"quantity_histogram histogram hist_contacts stage_histogram scene_histogram distribution_contacts", "snapshot", "a histogram is drawn from a line `snapshot` in the stage by a block `gnuplot` with the lines `tables = '$STAGE_contacts'; names = 'forces'`, `stats $STAGE_contacts using 'normal/N' name 'f' nooutput`, `of(c) = column('normal/N')/f_mean; low = 0; high = 5; bins = 20; curve(v) = NaN` and `load plots.'histogram.gp'`"},
     {"quantity_impulse quantity_impulse.shear quantity_impulse.normal quantity_shear.impulse quantity_normal.impulse", "mean", "there is no quantity for an impulse: it is the mean force times the duration, `C.shear mean in touch`, or follows from the change of `A.vx` or `A.spin`"},
     {"quantity_duration quantity_contact_time quantity_collision_time quantity_impact_time quantity_contact_duration", "impact.duration, stage.time", "with one impact write `impact C speed 1 m/s angle 0 deg` in the scene, then `record impact.duration`. The duration of another contact is that of a stage, to within one time step: end one stage with `until C.overlap above 0 m at most 1000000 cycles`, the next one, `stage touch`, with `until C.overlap below 1e-12 m at most 1000000 cycles`, and write `record stage.time` and `report stage.time in touch`"},
-    {"until_contact until_contacts until_no until_separation until_separated until_separate until_contact_lost until_lost_contact until_detached until_touch until_touching", "until", "a stage that begins during a contact ends with it by `until C.overlap below 1e-12 m at most 1000000 cycles`, with `monitor C disc 1 with disc 2` in the scene; a stage that begins before the contact ends at its first cycle by `until C.overlap above 0 m at most 1000000 cycles`"},
+    {"until_contact until_contacts until_no until_separation until_separated until_separate until_contact_lost until_lost_contact until_detached until_touch until_touching", "until", "to end a stage at the end of a contact, write `until C.overlap below 1e-12 m at most 1000000 cycles` in a stage that begins during the contact, with `monitor C disc 1 with disc 2` in the scene; to end a stage at the first cycle of the contact, write `until C.overlap above 0 m at most 1000000 cycles`"},
     {"quantity_shear_modulus", "modulus.shear", "the shear modulus of a packing, an upper bound, is `M.modulus.shear`, with `region M all`; the bulk modulus is `M.modulus.bulk`"},
     {"box_open box_without box_no box_top box_lid box_except box_bottom box_walls box_sides", "wall", THREE_WALLS},
-    {"box_shear box_c12 box_c21", "cell strain, boundary strain", "the walls of a box do not rotate, so a box has no shear"},
+    {"box_shear box_c12 box_c21", "cell strain, boundary strain", "`box strain` does not rotate the walls, so it has no shear"},
   };
   /* clang-format on */
   char plain[NB_NAME_SIZE];

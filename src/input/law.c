@@ -206,7 +206,7 @@ static void check_laws(struct nb_scene_reading *reading, const struct nb_active_
                     "expected a normal law of elastic spheres for `shear %s`", laws->shear->name);
   if (laws->shear->cohesionless && cohesive > 0)
     report(reading, cohesive,
-           "remove `cohesion`, or use a law whose friction limit includes it, such as `shear linear`",
+           "remove `cohesion`, or use a law whose friction limit includes it, such as `shear mindlin`",
            "expected no cohesion for %s", law_text(text, laws->shear, stage));
 }
 

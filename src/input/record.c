@@ -75,9 +75,9 @@ static bool contact_hint(char *hint, const struct nb_scene_reading *reading, con
     return false;
   snprintf(
       hint, NB_HINT_SIZE,
-      "a stage that begins during the contact ends with it by `until %.63s.overlap below 1e-12 m at most 1000000 "
-      "cycles`; a stage that begins before the contact ends at its first cycle by `until %.63s.overlap above 0 m at "
-      "most 1000000 cycles`",
+      "to end a stage at the end of the contact, write `until %.63s.overlap below 1e-12 m at most 1000000 cycles` in a "
+      "stage that begins during the contact; to end a stage at the first cycle of the contact, write `until "
+      "%.63s.overlap above 0 m at most 1000000 cycles`",
       name, name);
   return true;
 }
@@ -129,10 +129,9 @@ NB_APPLY(apply_columns) {
     nb_expected_at(
         reader, every,
         reading->scene->contact_test
-            ? "write two lines: here `record QUANTITY …`, without `every`, and below a line `segment` `record "
-              "every N steps`"
-            : "write two lines: here `record QUANTITY …`, without `every`, and in a stage `record every N "
-              "cycles`",
+            ? "write two lines: `record QUANTITY …`, without `every`, here, and `record every N steps` below a "
+              "line `segment`"
+            : "write two lines: `record QUANTITY …`, without `every`, here, and `record every N cycles` in a stage",
         quantity_words(reading->scene));
 }
 

@@ -298,7 +298,7 @@ static bool take_times(struct nb_reader *reader, const char *from, unsigned long
   snprintf(hint, sizeof hint, "write `repeat from %.80s %lu more time%s`", from, *times, *times > 1 ? "s" : "");
   if (*times > 1)
     nb_append(hint, sizeof hint,
-              "; with the first one that makes %lu, so for %lu in all write `repeat from %.80s %lu more time%s`",
+              "; with the first run that makes %lu, so for %lu in all write `repeat from %.80s %lu more time%s`",
               *times + 1, *times, from, *times - 1, *times > 2 ? "s" : "");
   const struct nb_token *const token = nb_token_peek(reader);
   if (!nb_token_skip(reader, "more"))

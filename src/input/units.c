@@ -212,8 +212,8 @@ void nb_unit_offer(struct nb_guess *guess, const char *list) {
 /* ---- numbers ---- */
 
 const char *nb_reading_words(enum nb_reading reading) {
-  return reading == NB_TOO_LARGE   ? "a number that a double can hold, up to 1.7e308"
-         : reading == NB_TOO_SMALL ? "a number that a double can hold, from 4.9e-324"
+  return reading == NB_TOO_LARGE   ? "a number that a double can hold in SI units, up to 1.7e308"
+         : reading == NB_TOO_SMALL ? "a number that a double can hold in SI units, from 4.9e-324"
                                    : "a number";
 }
 

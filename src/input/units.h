@@ -77,7 +77,7 @@ enum nb_reading nb_number_read(double *value, const char *text, int shift);
 /* Sets `value` to a number with its unit, in SI. A computed number is converted to a double first, then multiplied by
  * the unit. */
 enum nb_reading nb_quantity_read(double *value, const char *text, bool computed, const struct nb_unit *unit);
-/* What a message expects instead of a number that cannot be read: "a number that a double can hold, up to 1.7e308". */
+/* What a message expects instead of a number that cannot be read: "a number that a double can hold in SI units, up to 1.7e308". */
 const char *nb_reading_words(enum nb_reading reading);
 /* Length of the decimal number at the beginning of a text, which has no sign; 0: there is none. */
 size_t nb_number_length(const char *text);
