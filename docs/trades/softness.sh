@@ -46,10 +46,10 @@ grep -v '^#' "$top/docs/trades/softness.tsv" | awk -F '\t' '
     glass = "1 1"
     printf "**Softer spheres in a shear test.** With a tenth, a hundredth and a thousandth of Young'"'"'s modulus the preparation and shear of 300 spheres\n"
     printf "need %.1f, %.1f and %.1f times fewer cycles ([softness-price](../cases/7-assemblies/softness-price.md),\n", ratio(glass, "10 1"), ratio(glass, "100 1"), ratio(glass, "1000 1")
-    printf "[softness.tsv](trades/softness.tsv), eight realizations). The mean coordination number rises from %.2f to %.2f, %.2f and\n", z[glass]/8, z["10 1"]/8, z["100 1"]/8
+    printf "[softness.tsv](trades/softness.tsv), eight realizations). In the second half of the test the mean coordination number rises from %.2f to %.2f, %.2f and\n", z[glass]/8, z["10 1"]/8, z["100 1"]/8
     printf "%.2f, and the porosity falls from %.3f to %.3f, %.3f and %.3f. $\\sin \\Phi$ changes less clearly, by\n", z["1000 1"]/8, void[glass]/8, void["10 1"]/8, void["100 1"]/8, void["1000 1"]/8
     printf "%s, %s and %s (95 %% confidence).\n\n", difference("10 1", glass), difference("100 1", glass), difference("1000 1", glass)
     printf "**Faster loading.** At 3, 10 and 100 times the rate the same preparation and test of glass need %.1f, %.1f and %.1f times fewer\n", ratio(glass, "1 3"), ratio(glass, "1 10"), ratio(glass, "1 100")
-    printf "cycles, and $\\sin \\Phi$ changes by %s, %s and %s. The preparation still needs all its cycles;\n", difference("1 3", glass), difference("1 10", glass), difference("1 100", glass)
+    printf "cycles. In the second half of the test $\\sin \\Phi$ changes by %s, %s and %s. The preparation still needs all its cycles;\n", difference("1 3", glass), difference("1 10", glass), difference("1 100", glass)
     printf "[preparation-price](../cases/7-assemblies/preparation-price.md) varies its rates.\n"
   }'

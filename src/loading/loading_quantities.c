@@ -65,11 +65,12 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
     TENSOR(
         "cell", NB_OF_CELL, "m", NB_COMPONENTS, cell_sides,
         "vector of a side of the cell; xx and yx belong to the side along x on the page, xy and yy to the other side"),
-    TENSOR("cell.stress", NB_OF_CELL, "Pa", NB_STRESSES, cell_stress,
-           "stress in the cell, compression positive: simple shear with `c12` above 0 makes xy negative. It is the sum "
-           "of F_i l_j over the contacts (F force with dashpots, l vector from centre to centre), divided by the "
-           "volume. The volume is "
-           "the area times 1 m for discs, times the mean diameter for spheres"),
+    TENSOR(
+        "cell.stress", NB_OF_CELL, "Pa", NB_STRESSES, cell_stress,
+        "stress in the cell, compression positive: simple shear with `c12` above 0 makes xy negative. It is the sum "
+        "of F_i l_j over the contacts (F force on the second particle with dashpots, l vector from the first centre to "
+        "the second), divided by the volume. The volume is the area times 1 m for discs, times the mean diameter for "
+        "spheres"),
     TENSOR(
         "cell.strain", NB_OF_CELL, "1", NB_COMPONENTS, cell_strain,
         "strain of the cell relative to its sides at time 0, also in later stages, extension positive. xy is 0 as long "

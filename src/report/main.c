@@ -90,7 +90,8 @@ static const struct option_row {
      "continue from the last checkpoint, with the same results as a run without interruption; implies --checkpoint"},
     {"unrun", "PAGE", 0, PAGE, 0, "report", "show this page too, without running it; may be given many times"},
     {"trust", NULL, 0, FLAG, AT(trust), "figure, report, advise",
-     "draw even where gnuplot cannot be confined, and copy all files to which a page links: for pages that you trust"},
+     "draw even where gnuplot cannot be confined, and copy linked texts and pictures from all folders: for pages that "
+     "you trust"},
     {"in-place", NULL, 0, FLAG, AT(in_place), "migrate",
      "write the result into the pages (default: to standard output)"},
     {"rounding", "WHICH", 0, TEXT, AT(rounding), "check",

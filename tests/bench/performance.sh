@@ -180,8 +180,8 @@ TEXT
 ## Order of the numbers
 
 The packing \`random\` once more, with shuffled numbers and with numbers in rows. Times are in microseconds; the ratio is that
-of LAMMPS to numbers in rows. LAMMPS sorts its particles from time to time, nineball does not: a contact needs the data of two
-particles, and if their numbers are far apart, these are far apart in memory. The clause \`sorted\` of \`packing\` numbers the
+of LAMMPS to numbers in rows. LAMMPS sorts its particles from time to time; nineball does not. A contact needs the data of two
+particles. If their numbers are far apart, their data are far apart in memory. The clause \`sorted\` of \`packing\` numbers the
 particles of a file in rows. The command of a row is that of the rows above with \`random rows\` as packings.
 
 TEXT
@@ -210,7 +210,8 @@ TEXT
   instructions_table
   cat <<TEXT
 
-This count divided by the times above is the rate at which the machine executes instructions. The last column
+The times above are those of the widest loops of the processor. So this count divided by them is only an estimate of
+the rate at which the machine executes instructions. The last column
 is the number of instructions per particle that it could execute at this rate in an eighth of the time of LAMMPS:
 
 TEXT
