@@ -646,7 +646,7 @@ struct nb_result {
 };
 
 struct nb_progress {
-  /* Called about ten times a second during a run, with the completed fraction, 0 to 1, and the seconds since the run
+  /* Called at most ten times a second during a run, with the completed fraction, 0 to 1, and the seconds since the run
    * started; NULL: not called. */
   void (*call)(void *data, const char *stage, double fraction, double seconds);
   void (*note)(void *data, const char *text); /* receives messages of interest to the user; NULL: not called */

@@ -35,7 +35,7 @@ struct nb_affine {
   bool any_before;              /* some particles moved affinely in the previous step */
   bool uniform;                 /* all particles have the same L */
   struct nb_servo_state {
-    double stress[3];          /* the controlled stresses xx, yy, xy when the servo began, Pa */
+    double stress[3];          /* the stresses xx, yy, xy when a servo with `ramp` began; otherwise the targets, Pa */
     struct nb_tensor integral; /* Z of servo.c, 1/s */
     enum nb_servo_phase {
       NB_SERVO_BEGINS,  /* the integral has not been set */

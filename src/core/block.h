@@ -41,7 +41,7 @@ enum nb_field {
   NB_DISSIPATED,      /* energy lost to micro-slip and sliding in the last step, by dissipative laws, J */
   NB_TOTAL_NORMAL,    /* F_n + D_n, N, with the force D_n of the dashpot; may be tensile */
   NB_TOTAL_SHEAR,     /* F_s + D_s, N, with the force D_s of the dashpot */
-  NB_RADIUS_SUM,      /* R_x + R_y, at a wall R_x, m; this field and the next two are constant while a pair is listed */
+  NB_RADIUS_SUM,      /* R_x + R_y, at a wall R_x, m; each search sets this field and the next two */
   NB_MASS,            /* M*, reduced mass, kg [R89 4.6] */
   NB_REDUCED,         /* R*, effective radius, m [R89 4.5] */
   NB_NORMAL_ROOT,     /* sqrt(M* k_n), kg/s, for the k_n of the material pair: pass/dashpots.c */

@@ -1,5 +1,5 @@
 /* All boxes of one width as an array, and the particles sorted by box. Searches use it if the particles are of similar
- * size and fill their surroundings; other searches use grid.h.
+ * size and fill their surroundings; other searches use grid.h, or test all pairs of a few particles.
  *
  * The particles of neighbouring boxes of a row follow each other, so a search reads memory in sequence. The coordinates
  * of boxes are those of grid.h, so that both searches find the same pairs.
@@ -30,7 +30,7 @@ struct nb_mesh_points {
 };
 
 struct nb_mesh {
-  size_t count; /* number of items; 0: the search needs grid.h, because there would be too many boxes */
+  size_t count; /* number of items; 0: the search needs grid.h, because of too many boxes or too large coordinates */
   int row;      /* number of boxes of a row; the first and the last box and the first and the last row are empty */
   int *start;   /* for each box, the index of its first item; one element more than there are boxes */
   struct nb_mesh_item *item;

@@ -66,7 +66,7 @@ struct nb_material_pair {
   struct nb_pair values;               /* must be first: the parameters that laws read */
   int a, b;                            /* indices of the materials */
   bool wall;                           /* b is the material of walls */
-  const struct nb_law *normal, *shear; /* shear NULL: no friction, or law `none` */
+  const struct nb_law *normal, *shear; /* shear NULL: no friction and no cohesion, or law `none` */
   struct nb_planned {
     nb_run_pass *run; /* compiled for the selected instruction set */
     char name[NB_NAME_SIZE];
@@ -96,7 +96,7 @@ struct nb_active_laws {
 struct nb_machine {
   enum nb_isa isa;
   int threads;          /* upper limit */
-  int threads_used;     /* threads in use now: each has at least NB_CONTACTS_PER_THREAD contacts */
+  int threads_used;     /* threads in use now; of several, each has at least NB_CONTACTS_PER_THREAD contacts */
   struct nb_team *team; /* the threads; NULL: there never were several, or memory ran out */
   struct nb_rounding rounding;
 };
@@ -149,7 +149,7 @@ struct nb_search {
   double skin; /* pairs closer than this are listed, m [R89 TOL]; infinite: no pair can touch, and there is no search */
   double smallest_radius;               /* of all particles, m */
   unsigned long last_cycle;             /* cycle of the last search */
-  unsigned long long count, candidates; /* number of searches; number of distances computed in them */
+  unsigned long long count, candidates; /* number of searches; number of distances between particles computed in them */
   bool keep_forces; /* contacts keep their forces in the next search, because no force calculation follows it */
   bool check_walls; /* a centre was within the skin of a wall: test crossings in every cycle */
   bool check_pairs; /* a pair was within the skin of the overlap limit of guard.c: test pairs in every cycle */

@@ -64,8 +64,8 @@ extern const struct nb_quantity_kind nb_contact_test_kinds[];
 /* input/names.c */
 /* Writes a hint what to type instead of a name that is no quantity of the scene: the nearest name, or a list. */
 const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const char *text);
-/* input/name_parts.c: does so for a name of several words in any order, of the monitor `owner` or of none, -1. False: no
- * quantity has all these words. */
+/* input/name_parts.c: does so for a name of several words in any order. `owner`: index of the monitor; -1: none. False:
+ * no quantity has all these words. */
 bool nb_parts_hint(char *hint, const struct nb_scene *scene, const char *text, int owner);
 bool nb_is_quantity(const char *name);                     /* some quantity of a monitor or of a scene has this name */
 bool nb_quantity_is_residual(struct nb_quantity quantity); /* the quantity is a residual, 0 by definition */

@@ -7,7 +7,7 @@ struct nb_team;
 
 /* Returns a team of `threads` threads: `team` itself if it has this size, else a new one; the old one is then freed. A
  * team starts `threads` - 1 threads, which wait for work; the caller of nb_team_run is the remaining member. If the
- * system starts fewer threads, these do all parts. NULL: no memory. The caller frees the team. */
+ * system starts fewer threads, these and the caller do all parts. NULL: no memory. The caller frees the team. */
 struct nb_team *nb_team_sized(struct nb_team *team, int threads);
 void nb_team_free(struct nb_team *team); /* ends the threads; team may be NULL */
 

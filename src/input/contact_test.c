@@ -25,7 +25,7 @@ static int take_material(const struct nb_scene *scene, struct nb_reader *reader)
   return nb_material_of(scene, reader, nb_take_token(reader, "the name of a material"));
 }
 
-/* Takes `sphere R MATERIAL`: a particle. A contact test has no positions. */
+/* Takes a particle, `sphere R MATERIAL` or `disc R MATERIAL`. A contact test has no positions. */
 static void take_particle(struct nb_scene *scene, struct nb_reader *reader) {
   const bool sphere = nb_token_skip(reader, "sphere");
   if (!sphere && !nb_token_skip(reader, "disc"))

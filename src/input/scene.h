@@ -42,7 +42,9 @@ struct nb_scene_reading {
   size_t *rows;              /* number of rows of each sweep, in page order, from the first pass; owned */
   size_t sweep_count, sweep; /* number of sweeps; index of the next one in this pass */
 
-  unsigned here; /* NB_IN_SCENE; after `start` NB_IN_START; from the first `stage` on NB_IN_STAGE */
+  /* NB_IN_SCENE, after `start` NB_IN_START, from the first `stage` on NB_IN_STAGE; in a contact test NB_IN_CONTACT_TEST,
+   * from the first `segment` on NB_IN_SEGMENT. */
+  unsigned here;
   const struct nb_scene_reading *parent; /* the page that starts from this one, or NULL */
   size_t first_line;                     /* line of the first statement other than `units`, `let` and `sweep` */
   bool start_failed;                     /* `start` has a mistake: the rest of the page is not read */

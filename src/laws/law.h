@@ -35,7 +35,7 @@ static inline double nb_where(bool condition, double x) {
 }
 
 struct nb_normal {
-  double force;     /* F_n >= 0, N; above 0 at the largest overlap so far; may be 0 at a smaller overlap */
+  double force;     /* F_n >= 0, N; above 0 at the largest overlap so far, unless the law is incremental */
   double stiffness; /* dF_n/d(overlap) in the direction of this step, loading or unloading, N/m; 0 without force */
   double radius;    /* a, radius of the contact circle, m; 0 for laws without one */
   double overlap;   /* alpha, m, which shear laws read; set by the caller of a normal law, not by the law */

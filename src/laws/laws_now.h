@@ -15,7 +15,7 @@ bool nb_laws_normal_changes(const struct nb_model *model);
 bool nb_laws_shear_changes(const struct nb_model *model);
 bool nb_laws_elastic(const struct nb_scene *scene);  /* in some stage the normal law is for elastic spheres */
 bool nb_laws_shear(const struct nb_scene *scene);    /* in some stage there is a shear law */
-bool nb_laws_friction(const struct nb_scene *scene); /* in some stage some contact has friction or cohesion */
+bool nb_laws_friction(const struct nb_scene *scene); /* in some stage some material or pair has friction or cohesion */
 /* The first law without stored energy that a stage makes active: by a change of the law, or by friction or cohesion for
  * contacts that had none. `normal`: among the normal laws; otherwise among the shear laws. NULL: no stage does. */
 const struct nb_law *nb_laws_unstored(const struct nb_scene *scene, bool normal);

@@ -12,9 +12,9 @@
  * Range      as in normal_hertz.c.
  * History    m[0]  T, N;   m[1]  a, m.
  * Energy     No closed path creates energy. T^2/(16 G* a), the work of applying T at this a, decreases when a grows at
- *            constant T, and when T decreases in proportion to a; otherwise it changes by T ds. So T^2/(16 G* a) never
- *            exceeds the work done on the contact. But a change of N loses energy without sliding, so the law has no
- *            stored energy; the energy balance counts the shear work instead.
+ *            constant T, and when T decreases in proportion to a; otherwise it changes by at most T ds. So T^2/(16 G* a)
+ *            never exceeds the work done on the contact. But a change of N loses energy without sliding, so the law has
+ *            no stored energy; the energy balance counts the shear work instead.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "law.h"

@@ -6,7 +6,7 @@
  * In the text T* and T** are 0 while they have no value. They are set after dT has been computed, and the dN of that
  * step does not move them. UFL is -1 in re-unloading too. theta of reloading uses T* instead of T** [R89 4.24], and
  * nothing limits theta to 1. The critical increment ds_c contains mu twice. DD decreases by |ds_c| in every step with a
- * displacement in which N falls [R89 4.18], increases by |ds| in unloading, and is never set to 0.
+ * displacement in which N falls [R89 4.18], increases by ds_c + |ds| in other steps of unloading, and is never set to 0.
  *
  * This file makes these choices where the text cannot be coded or says nothing:
  *

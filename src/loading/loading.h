@@ -36,7 +36,7 @@ int nb_affine_inherited(const struct nb_scene *scene, size_t stage, enum nb_affi
 /* Prepares the imposed motion of the next step. Called before the motion. True: every particle has an imposed velocity;
  * false: only particles of a boundary may have one. */
 bool nb_affine_step(struct nb_model *model);
-/* Some particle moves affinely in the last step or in this one, or a servo may make it move. */
+/* Some particle moved affinely in the last step or moves so in this one, or a servo may make it move. */
 bool nb_affine_moves(const struct nb_model *model);
 bool nb_affine_ends(const struct nb_model *model); /* some particle moved affinely in the last step, none in this one */
 void nb_affine_clear(struct nb_model *model);      /* sets all imposed velocities to 0 */

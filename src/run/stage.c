@@ -248,8 +248,8 @@ static enum nb_status begin_loading(struct nb_model *model, const struct nb_stag
   return NB_OK;
 }
 
-/* The stable step depends on the listed pairs, and these on the time of the last search. A search before the step is
- * computed makes the step that of a run that continues from a state, which begins with a search. */
+/* The stable step depends on the listed pairs, and these on the time of the last search. A run that continues from a
+ * state begins with a search. This search gives an uninterrupted run the same step. */
 static enum nb_status search_for_step(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
   const bool listed = model->search.last_cycle == model->cycle;
   return listed || stage->step.kind != NB_STEP_STABLE ? NB_OK : nb_neighbours_search_again(model, error);
