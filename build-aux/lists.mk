@@ -613,6 +613,7 @@ INPUT = \
   src/input/expression.c \
   src/input/expression.h \
   src/input/file.c \
+  src/input/fill_hint.c \
   src/input/guess.c \
   src/input/hash.h \
   src/input/line.c \
@@ -623,6 +624,7 @@ INPUT = \
   src/input/old_words.c \
   src/input/old_words.h \
   src/input/page.c \
+  src/input/page_names.c \
   src/input/reader.h \
   src/input/refine.c \
   src/input/scene.c \

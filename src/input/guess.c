@@ -19,7 +19,7 @@ bool nb_item(const char **list, char item[NB_NAME_SIZE]) {
 
 /* clang-format off */
 #define RANDOM_PACKING \
-  "a random packing is two lines, `grading mixed 4 mm 67  5 mm 66  6 mm 67` (radius and number of each size) and `fill discs " \
+  NB_RANDOM_PACKING ", `grading mixed 4 mm 67  5 mm 66  6 mm 67` (radius and number of each size) and `fill discs " \
   "box 0 m 0 m to 0.2 m 0.2 m mixed MATERIAL seed 1 attempts 1000 else stop` (in a periodic cell `cell` in place of `box … to …`); " \
   "there is no target porosity: compress with `walls inward 1 mm/s` and `until box.porosity below 0.16 at most 1000000 cycles`"
 #define ONE_SERVO "write `servo isotropic 50 kPa on box through box at most 1e-6 per cycle`; `xx P`, `yy P` and `xy P` control components, and `mean P` controls (xx + yy)/2"
@@ -45,7 +45,7 @@ bool nb_item(const char **list, char item[NB_NAME_SIZE]) {
   "a box has four walls; open at the top it is three lines: `wall floor 0 m 0 m to 1 m 0 m MATERIAL`, `wall left 0 m 1 m to 0 m 0 m MATERIAL` and " \
   "`wall right 1 m 0 m to 1 m 1 m MATERIAL`"
 #define RANDOM_CIRCLE \
-  "a random packing is two lines, `grading mixed 4 mm 8  5 mm 8  6 mm 8` (radius and number of each size) and `fill discs circle 0 mm 0 mm " \
+  NB_RANDOM_PACKING ", `grading mixed 4 mm 8  5 mm 8  6 mm 8` (radius and number of each size) and `fill discs circle 0 mm 0 mm " \
   "radius 40 mm mixed MATERIAL seed 1 attempts 1000 else stop`; there is no target porosity"
 #define NO_BONDS "there are no bonds and no tension; `cohesion 10 N` in `material` is added to the limit of the shear force"
 #define CONSTANT_AREA \

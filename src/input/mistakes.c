@@ -154,8 +154,9 @@ void nb_mistake(struct nb_mistakes *mistakes, const struct nb_page *page, size_t
   nb_text_add(&message, "\n");
   if (line && line <= page->line_count)
     add_line(&message, page->lines[line - 1], in_file ? line : 0, column, length);
+  char named[NB_HINT_SIZE];
   if (hint && hint[0])
-    nb_text_add(&message, "  hint: %s\n", hint);
+    nb_text_add(&message, "  hint: %s\n", nb_page_hint(named, page, line, hint));
   if (!message.failed && mistakes->count == MISTAKES_MAX) {
     line = page->line_count + 1, message.length = 0;
     nb_text_add(&message, "%s: error: more than %d mistakes; the others are not shown\n", page->path, MISTAKES_MAX);

@@ -146,6 +146,17 @@ static void hash_particles(struct nb_scene_reading *reading, size_t first) {
   }
 }
 
+/* The hint for a FILE that may be a mistake: a number of particles, `packing discs 25 rock`, asks for a random packing, and
+ * a material alone has no file. NULL: neither. */
+static const char *not_a_file(const struct nb_scene *scene, const struct nb_reader *reader, const char *file) {
+  for (size_t k = 1; k < reader->count; k++)
+    if (strspn(reader->tokens[k].text, "0123456789") == strlen(reader->tokens[k].text))
+      return NB_RANDOM_PACKING;
+  return NB_FIND(scene->materials, scene->material_count, file) >= 0
+             ? "this is a material; the statement is `packing FILE discs MATERIAL`"
+             : NULL;
+}
+
 NB_APPLY(apply_packing) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
@@ -153,9 +164,7 @@ NB_APPLY(apply_packing) {
   const struct nb_token *file = record->value[AT_FILE].token, *of = NULL;
   char path[NB_PATH_SIZE];
   struct nb_particle all = {0};
-  const bool is_material = NB_FIND(scene->materials, scene->material_count, file->text) >= 0;
-  nb_file_named(reader, file, is_material ? "this is a material; the statement is `packing FILE discs MATERIAL`" : NULL,
-                path);
+  nb_file_named(reader, file, not_a_file(scene, reader, file->text), path);
   for (enum nb_shape shape = NB_DISC; shape <= NB_SPHERE; shape++) {
     const struct nb_token *material = record->value[AT_OF + shape].token;
     if (of && material)

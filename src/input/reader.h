@@ -62,6 +62,16 @@ int nb_find(const void *things, size_t count, size_t size, const char *name);
 const char *nb_nearest(char *hint, const char *word, const void *things, size_t count, size_t size);
 #define NB_NEAREST(hint, word, things, count) nb_nearest(hint, word, things, count, sizeof *(things))
 
+/* ---- page_names.c ---- */
+
+/* True if a line of a block `scene` or `contact-test` begins with this word; *rest: the text after it. */
+bool nb_page_statement(const struct nb_page *page, size_t line, const char *verb, const char **rest);
+/* Copies the name that lines `VERB NAME` of the page define: the name that `line` has, else the only one. False: neither. */
+bool nb_page_name_of(char name[NB_NAME_SIZE], const struct nb_page *page, const char *verb, size_t line);
+/* Copies a hint about a line to a text of NB_HINT_SIZE. In each line between backquotes MATERIAL, GRADING and STAGE become
+ * names of the page, unless the line has another word that stands for a value. */
+const char *nb_page_hint(char *text, const struct nb_page *page, size_t line, const char *hint);
+
 /* ---- line.c: tokens ---- */
 
 struct nb_token {
@@ -293,6 +303,8 @@ const struct nb_family *nb_keywords(void);
 /* servo.c: writes the line `servo …` that the tokens mean, for the cell, the box or the boundary of the page. False: the
  * page has none of them, or the line has no number. */
 bool nb_servo_hint(char *hint, const struct nb_reader *reader);
+/* fill_hint.c: writes the lines `grading` and `fill` that the tokens mean, such as `random discs 200 radius 2 mm`. */
+const char *nb_fill_hint(char *hint, const struct nb_reader *reader);
 /* wall.c: writes three lines `wall …` for `box X Y to X Y MATERIAL open top`; `token` is the word after the material. False:
  * the line is another. */
 bool nb_open_box_hint(char *hint, const struct nb_reader *reader, const struct nb_token *token);
