@@ -130,7 +130,7 @@ static void dashpot_is_that_of_r89(void) {
 
 /* The time step causes an error of the restitution e, which contains Hurwitz's zeta(-3/2, a) of the phase a
  * (hertz_corner.h). The error is the same at the phases 0 and 1, because the impact then begins at a whole step. From
- * a = 0 to 1, zeta(-3/2, a) lies between -0.0315 and 0.0241. */
+ * a = 0 to 1, zeta(-3/2, a) lies between -0.0316 and 0.0242. */
 static void step_error_is_periodic(void) {
   struct refs_scene it;
   double first = 0, least = 1, most = 1;

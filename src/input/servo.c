@@ -87,11 +87,11 @@ bool nb_servo_hint(char *hint, const struct nb_reader *reader) {
   size_t number;
   if (!place || !target_of(target, sizeof target, reader, &component, &number))
     return false;
-  snprintf(
-      hint, NB_HINT_SIZE,
-      "write `servo %s on %s through %s at most 1e-6 per cycle`; `xx P`, `yy P` and `xy P` control components, and "
-      "`mean P` controls (xx + yy)/2",
-      target, strcmp(place, "box") == 0 ? "walls" : place, place);
+  snprintf(hint, NB_HINT_SIZE,
+           "write `servo %s on %s through %s at most 1e-6 per cycle`; %s control components, and `mean P` controls "
+           "(xx + yy)/2",
+           target, strcmp(place, "box") == 0 ? "walls" : place, place,
+           strcmp(place, "box") == 0 ? "`xx P` and `yy P`" : "`xx P`, `yy P` and `xy P`");
   if (strcmp(place, "box") == 0 && *component != 'i')
     nb_append(hint, NB_HINT_SIZE,
               ". The servo strains the whole box, so opposite walls move by equal distances; one direction may have "
