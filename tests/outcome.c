@@ -604,6 +604,7 @@ static void warnings_of_removed_particles(void) {
       {"F.normal", "report F.normal", "for a value before, write `F.normal in one`", false},
       {"A.vx", "report A.vx", "`A.vx` is 0 in all stages, because this line removes its particle in the first one",
        true},
+      {"E.normal", "report E.normal", "`E.normal` is 0 in all stages", true},
       {"C.normal", "C.normal expected 0 within 0 [t]", NULL, false},
       {"A.x", "report A.x", NULL, false},
       {"A.y", "report A.y", NULL, false},
@@ -635,7 +636,8 @@ static void warnings_of_removed_particles(void) {
  * expects 0 or records the work of the walls, too. There is no warning if nothing moves, or if a stage imposes a motion
  * or a stress on particles. */
 static void warnings_of_the_imposed_work(void) {
-  static const char box[] = "box 0 0 to 9 9 m", cell[] = "cell 0 0 to 9 9", ring[] = "boundary circle 0 0 radius 1";
+  static const char box[] = "box 0 0 to 9 9 m", cell[] = "cell 0 0 to 9 9\ndisc 5 5 radius 1 m fixed velocity 1 0";
+  static const char ring[] = "boundary circle 0 0 radius 1\ndisc 5 5 radius 1 m fixed velocity 1 0";
   static const char fixed[] = "disc 5 5 radius 1 m fixed velocity 1 0", wall[] = "wall w 0 0 to 9 0 m velocity 0 -1";
   static const struct {
     const char *scene, *first, *second, *expectation;
@@ -665,7 +667,9 @@ static void warnings_of_the_imposed_work(void) {
       {ring, "boundary strain 0 0 c12 1e-3", "", "report energy.imposed", false},
       {ring, "boundary stress 1 1", "", "report energy.imposed", false},
       {ring, "boundary stress 1 1", "boundary stress 2 2", "report energy.imposed", false},
-      {ring, "boundary strain 0 0", "", "report energy.imposed", false},
+      {ring, "boundary strain 0 0", "", "report energy.imposed", true},
+      {ring, "servo isotropic 1 on boundary through boundary at most 1e-3", "", "report energy.imposed", false},
+      {cell, "", "", "report energy.imposed", true},
       {"wall w 0 0 to 9 0 m velocity 1 0\nwall v 0 9 to 9 9 m", "", "", "report energy.imposed", true},
       {"wall v 0 9 to 9 9 m\nwall w 0 0 to 9 0 m velocity 1 0", "", "", "report energy.imposed", true},
       {"disc 5 5 radius 1 m fixed spin 1\ndisc 8 8 radius 1 m fixed", "", "", "report energy.imposed", true},

@@ -399,6 +399,7 @@ disc 1 3 radius 1 m
 wall bottom -9 0 to 9 0 m
 wall top -9 4 to 9 4 m velocity 0 -0.1
 wall side 2.5 -9 to 2.5 9 m velocity 0 -0.1
+wall other 3 -9 to 3 9 m velocity 0 0.1
 region M all
 step 0.1 of stable
 record time
@@ -420,9 +421,9 @@ repeat from again 2 more times
 ```
 END
 run 0 explain pressed.md
-said 'pressed.md:13: warning: stage `a` compresses in y, and extension is positive: in place of `M.strain.yy above 0.1` write `M.strain.yy below -0.1`'
-said 'pressed.md:16: warning: stage `b` extends in y, and extension is positive: in place of `M.strain.yy below -0.1` write `S.strain.yy above 0.1`, with `region S all from b` in the scene'
-said 'pressed.md:25: warning: stage `again` compresses in y, and extension is positive: in place of `M.strain.yy above 0.2`'
+said 'pressed.md:14: warning: stage `a` compresses in y, and extension is positive: in place of `M.strain.yy above 0.1` write `M.strain.yy below -0.1`'
+said 'pressed.md:17: warning: stage `b` extends in y, and extension is positive: in place of `M.strain.yy below -0.1` write `S.strain.yy above 0.1`, with `region S all from b` in the scene'
+said 'pressed.md:26: warning: stage `again` compresses in y, and extension is positive: in place of `M.strain.yy above 0.2`'
 test "$(grep -c 'extension is positive' said)" -eq 3 || echo 'not three warnings of walls that move' >>why
 verdict 'warnings: a condition on a strain of the other sign than the strain rate'
 
@@ -662,6 +663,49 @@ run 0 explain alone.md
 out 'stable: no limit, because no contact with a stiffness can form'
 out 'collision: none is possible'
 grep -q ' inf' out && echo "a disc alone: $(grep ' inf' out)" >>why
+out '  none: no particle can touch another one or a wall'
+# Two spheres with the radii 1 and 3, G = 1 and nu = 0: the Rayleigh step of the first one is pi/0.874032 [R89 4.33], and that
+# of a sphere with the mean radius is twice as long. The smallest rectangle around both has the sides 8 and 12.
+printf '```scene\nunits none\nmaterial m density 1 young 2 poisson 0\nnormal hertz\nwall floor -9 0 to 9 0 m\nsphere 0 1 radius 1 m velocity 0 -1\nsphere 4 9 radius 3 m\nstep 0.2 of rayleigh\nregion A all\nrecord time work.residual\nstage s\ncycles 1\n```\n' >elastic.md
+run 0 explain elastic.md
+out '  1 pairs closer than 0.2; rebuilt when a particle or wall has moved 0.1'
+out '  line 9: region A all: 2 particles now; area 96, that of the smallest rectangle around all particles, without the gaps at walls'
+out '  stable: unknown, elastic spheres without overlap have no stiffness'
+out '  rayleigh, the travel time of a surface wave round half a sphere: smallest 3.59437, mean 7.18874; the step is 0.2 and 0.1 of it'
+out '  before the motion  energy balance'
+out '  after the motion   energy balance'
+out '  before the forces  stability check'
+out '  after the forces   stability check of stiffening contacts'
+out '  work, updated every cycle by one thread'
+# A disc of mass 1 on a wall: the stiffness 16 limits the step to 2/16^(1/2), and a collision takes pi/16^(1/2).
+printf '```scene\nunits none\nlet d = 1/pi\nmaterial m density $d kn 16 ks 4 friction 0.5\nnormal linear\nshear linear\ndisc 0 0.9375 radius 1 m\nwall w -9 0 to 9 0 m\nstep 0.1 of single-contact\nrecord time energy.residual\nstage s\nramp material m kn 32 ks 1 friction 0\ncycles 1\n```\n' >springs.md
+run 0 explain springs.md
+out '    in stage `s` linearly until its end (line 12): kn 32, ks 1, friction 0; no shear force without friction and cohesion'
+out '  energy, updated every cycle by one thread'
+out '  0.05, line 9'
+out '  single contact, 2 sqrt(m/k): 0.5; the step is 0.1 of it, the stable step 1 of it'
+out '  stable: 0.5; the step is 0.1 of it; limited by normal motion of particle 1 and wall w'
+out '  collision, the shortest possible: 0.785398; the step is 0.063662 of it'
+sed 's/^step .*/step 1\nallow unstable/; s/ energy.residual/ energy.residual work.residual/; s/ friction 0$/ friction 0.25/' springs.md >longer.md
+run 0 explain longer.md --set step=0.75
+out '(line 13): kn 32, ks 1, friction 0.25'
+grep -q 'no shear force' out && echo 'friction that a stage reduces is called 0' >>why
+out '  work and energy, updated every cycle by one thread'
+out '  0.75, --set'
+out '  stable: 0.5; the step is 1.5 of it; limited by normal motion of particle 1 and wall w; allowed to be unstable'
+# A disc of mass 1 in a box, with springs of the length 0.9375 to two walls: B = 2*16*0.9375^2/(4*7.5), and with the fixed
+# disc T = (2/B)^(1/2).
+printf '```scene\nunits none\nlet d = 1/pi\nmaterial m density $d kn 16 ks 4\nmaterial n density $d kn 16 ks 4 friction 0.5\nnormal linear\nshear linear\nbox 0 0 to 1.875 4 m\ndisc 0.9375 2 radius 1 m\ndisc 9 9 radius 1 n fixed\nstep 0.1\nrecord time\nstage s\nservo xx 1 on box through box at most 1e-6\ncycles 1\n```\n' >squeezed.md
+run 0 explain squeezed.md
+out '    (no shear linear: the pair has neither friction nor cohesion)'
+out '    gain of the servo: strain rate P = error/(2 B T), plus the time integral of P/(16 T); now the bulk stiffness B is 0.9375, the travel time T of a wave across the assembly 1.46059'
+# One of two discs of radius 2 has space in a circle of radius 2.5.
+printf '```scene\nunits none\nmaterial m density 1 kn 1\ngrading g 2 2 0.25 1\nfill discs circle 0 0 radius 2.5 g m seed 1 attempts 100 else skip\nstep 0.1\nrecord time\nstage s\ncycles 1\n```\n' >full.md
+run 0 explain full.md
+out '  circle with g, seed 1: 2 of 3 particles placed in '
+out ' attempts, particles 1 to 2 (line 5)'
+out '    radius 2: 1, 1 not placed, no space'
+grep -qx '    radius 0.25: 1' out || echo 'the number of the small discs' >>why
 # The duration of a collision [R89 4.28]: 2.94328 alpha/v, alpha = (5 m v^2/(4 K))^(2/5), K = 4/3 E* R^(1/2).
 collides() { printf '```scene\nunits none\nmaterial m density 1 young 1000 poisson 0.2\nnormal hertz\n'"$1"'\nstep 0.001\nrecord time\nstage s\ncycles 1\n```\n' >collides.md; }
 collides 'sphere 0 3 radius 1 m velocity 0 -1\nwall w -9 0 to 9 0 m'
