@@ -171,6 +171,11 @@ for change in '/^stage/i gravity 0 m/s2 -9 m/s2' '/^stage/i damping ratio 0.1' '
     grep -q 'micro-slip at the edge' said && echo "a warning of micro-slip on the page $page after $change" >>why
   done
 done
+for motion in 'velocity 0 m/s -1 m/s' 'velocity 1 m/s 0 m/s' 'spin 1 rad/s'; do
+  sed "s,velocity .*,$motion," oblique.md >moving.md
+  run 0 explain moving.md
+  said 'moving.md:7: warning: `shear mindlin` has no micro-slip'
+done
 run 0 explain oblique.md --set shear=mindlin
 grep -q 'micro-slip at the edge' said && echo 'a warning of micro-slip with --set' >>why
 verdict 'warnings: `shear mindlin` where micro-slip decides'
@@ -404,7 +409,7 @@ region M all
 step 0.1 of stable
 record time
 stage a
-until M.strain.yy above 0.1 at most 9 cycles
+until M.strain.yy above 0.1 and M.strain.xx below -0.1 at most 9 cycles
 stage b
 wall top velocity 0 0.1
 until M.strain.yy below -0.1 at most 9 cycles

@@ -28,11 +28,11 @@ static const struct nb_argument transform_fields[] = {
 /* clang-format on */
 
 /* The number of quarter turns in the angle, rad, from 0 to 3. *exact: the angle is a multiple of 90 deg from -360 to 360
- * deg. A multiple may be computed in two ways, which round differently. 0 for any other angle. */
+ * deg. 0 for any other angle. */
 static int quarters_of(double angle, bool *exact) {
   const double degree = NB_PI / 180;
   for (int n = -4; n <= 4; n++) {
-    *exact = angle == 90 * n * degree || angle == n * (90 * degree);
+    *exact = angle == 90 * n * degree;
     if (*exact)
       return (n + 4) % 4;
   }
