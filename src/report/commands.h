@@ -19,9 +19,9 @@ struct nb_call {
   struct nb_options options;
   bool tap;
   bool in_place;
-  bool all;                                      /* `advise --all`: many pages */
-  bool trust;                                    /* draw even if gnuplot cannot be confined */
-  bool help, version;                            /* print help or version and do nothing else */
+  bool all;           /* `advise --all`: many pages */
+  bool trust;         /* draw even if gnuplot cannot be confined; copy linked files of any folder */
+  bool help, version; /* print help or version and do nothing else */
   const char *quantity, *within, *budget, *over; /* options of `advise` */
   int realizations;                              /* number of realizations for `advise --over`; 0: not given */
   const char *rounding;                          /* option of `check`: "all" or "parts"; NULL: to nearest only */

@@ -45,7 +45,7 @@ enum nb_expectation_kind {
   NB_GREATER,
   NB_INCREASES, /* increases from each value of a sweep to the next larger one */
   NB_DECREASES,
-  NB_CONSTANT, /* is the same for all values of a sweep */
+  NB_CONSTANT, /* differs between the values of a sweep by at most the tolerance */
   NB_ORDER,    /* the error is proportional to this power of the swept value */
   NB_REPORTED  /* nothing is expected */
 };

@@ -606,7 +606,7 @@ static bool find_quantity(const struct manual *to, const char *word, struct nb_g
   return found;
 }
 
-/* Prints the help on a law, on a function or constant of expressions, or on a unit. False: the word is none of
+/* Prints the help on a law, a reference, a function or constant of expressions, or a unit. False: the word is none of
  * these. */
 static bool find_name(const struct manual *to, const char *word) {
   struct nb_unit unit;

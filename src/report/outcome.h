@@ -57,9 +57,10 @@ struct nb_outcome {
   struct nb_page_run *runs;    /* owned, like everything below */
   size_t run_count;
   struct nb_check *checks;
-  size_t check_count, mark_count[NB_MARKS]; /* all checks; checks of each mark */
+  size_t check_count, mark_count[NB_MARKS]; /* all, also notes and skips; those of each mark */
   struct nb_warnings warnings;              /* warnings of all runs, each once */
-  /* the status of reading; nb_outcome_make replaces it by that of the first run that failed, or else of the verdict */
+  /* the status of reading; nb_outcome_make replaces it by that of the locks, the runs or the verdict: of the first of
+   * them that fails, or else of the verdict */
   enum nb_status status;
   struct nb_error error; /* the message, if status is above NB_FAILED and there are no mistakes */
   struct nb_lock lock;   /* lock of the checkpoints, until they are removed */

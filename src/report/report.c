@@ -106,7 +106,7 @@ static bool has_own_folders(const struct nb_report *report) {
 
 /* ---- large files ---- */
 
-/* Removes a file that the program has written if the file is large, and writes its name to page->dropped. */
+/* Removes a file that the program has written if the file is large, and appends its name to `dropped`. */
 static void drop_if_large(struct nb_report_page *page, struct nb_text *dropped, const char *folder, const char *name) {
   char path[8192];
   struct stat status;

@@ -30,7 +30,7 @@ struct nb_report {
   const char *folder;
   struct nb_report_page *pages;
   size_t count;
-  bool trust; /* copy any file to which a page links, not only those below the folder of the page */
+  bool trust; /* copy linked texts and pictures also from other folders, and hidden ones */
   struct nb_report_file {
     char *real, *name; /* the real path of the file; its name in the folder `files`; both owned */
   } * files;

@@ -1,6 +1,6 @@
 /* Tables as tab-separated text: preamble lines that begin with `#`, one head row `name/unit`, and rows of numbers. In
- * table.tsv a row also has the name of its stage, and verdict.tsv has texts. The numbers are written by %.17g, so that
- * the same double is read back.
+ * table.tsv a row also has the name of its stage, and verdict.tsv has texts. Computed numbers are written by %.17g, so
+ * that the same double is read back.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>

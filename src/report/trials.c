@@ -190,7 +190,8 @@ static bool is_affordable(struct nb_advice *advice, const struct nb_point *point
   return !advice->exhausted;
 }
 
-/* Runs the trials of a batch in parallel; none of them has been run. False: one of them has no value. */
+/* Runs the trials of a batch in parallel; none of them has been run. False: the budget is spent, or one of them has no
+ * value. */
 static bool run_batch(struct nb_advice *advice, struct nb_variant *variant, int level, struct trial *batch, int count) {
   struct nb_point *point = &variant->points[level - NB_LEVEL_LOW];
   bool good = true;
