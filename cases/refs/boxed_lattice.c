@@ -72,8 +72,8 @@ static void solve_equations(double a[4][5], double x[4]) {
   }
 }
 
-/* Newton's method with finite differences: the equations are quadratic at most, so the size of a difference hardly
- * matters. */
+/* Newton's method. Each residual is linear in each single unknown, so finite differences give the derivatives exactly,
+ * except for rounding. */
 static struct state equilibrium(const struct lattice *it, enum control control, const struct state *to) {
   struct state s = *to;
   const double delta[4] = {1e-6 * it->r, 1e-6 * it->r, 1e-6 * it->k, 1e-6 * it->k};

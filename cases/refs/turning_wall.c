@@ -51,8 +51,8 @@ static double at(const void *data, double t) {
   return all[it->quantity];
 }
 
-/* NULL if the particle moves with the wall at first and no stage changes the motion of the wall; else what the
- * reference is for. */
+/* NULL if the particle moves with the wall at first and just touches it, and no stage changes the motion of the wall;
+ * else what the reference is for. */
 static const char *check_start(const struct nb_scene *scene, const struct rolling *it) {
   const struct nb_particle *particle = &scene->particles[0];
   const struct nb_wall *wall = &scene->walls[0];
