@@ -614,6 +614,7 @@ INPUT = \
   src/input/expression.h \
   src/input/file.c \
   src/input/fill_hint.c \
+  src/input/foreign.c \
   src/input/guess.c \
   src/input/hash.h \
   src/input/line.c \

@@ -107,4 +107,43 @@ done <"$work/texts"
 cp "$work/wrong" "$why"
 test ! -s "$work/wrong"
 result $? "the $(wc -l <"$work/texts") lines that hints propose are valid"
+
+# Whole lines of other programs: in the pages tests/bad/whole-lines-*.md each hint proposes the line to type, or two lines,
+# with the numbers and names of the page. Typed in place of the wrong line they must have no mistake.
+
+# proposed PAGE: prints the number of each line of the page with a hint, and the lines that the hint proposes, after tabs.
+proposed() {
+  "$nineball" explain "$1" 2>&1 >/dev/null | awk -v page="$1" '
+    index($0, page ":") == 1 { split(substr($0, length(page) + 2), part, ":"); number = part[1] }
+    /^  hint: (write|a random packing is two lines,) `/ {
+      text = $0
+      sub(/^[^`]*`/, "", text)
+      for (lines = number; match(text, /`/); text = substr(text, RSTART + RLENGTH)) {
+        lines = lines "\t" substr(text, 1, RSTART - 1)
+        text = substr(text, RSTART)
+        if (!match(text, /^`( \(radius and number\))? and `/))
+          break
+      }
+      print lines
+    }'
+}
+printf 'x/m y/m radius/m\n0.05 0.05 0.001\n' >"$work/grains.txt"
+: >"$work/wrong" >"$work/typed"
+for page in tests/bad/whole-lines-*.md tests/bad/random-packing*.md; do
+  proposed "$page" >"$work/proposed"
+  while IFS= read -r proposal; do
+    echo "$proposal" >>"$work/typed"
+    number=${proposal%%	*}
+    echo "$proposal" | cut -f2- | tr '\t' '\n' >"$work/lines"
+    last=$((number + $(wc -l <"$work/lines") - 1))
+    sed -e "${number}r $work/lines" -e "${number}d" "$page" >"$work/page.md"
+    "$nineball" explain "$work/page.md" >/dev/null 2>"$work/heard"
+    for line in $(seq "$number" $last); do
+      grep -A 2 "page.md:$line:[0-9]*: error" "$work/heard" >>"$work/wrong"
+    done
+  done <"$work/proposed"
+done
+cp "$work/wrong" "$why"
+test ! -s "$work/wrong" && test "$(wc -l <"$work/typed")" -gt 90
+result $? "the $(wc -l <"$work/typed") lines that hints propose for lines of other programs are valid"
 echo "1..$n"

@@ -15,7 +15,7 @@
 /* Discs placed at random one after the other fill at most 0.547 of an area; up to SOLID each is placed in a few
  * attempts, and above MOST the attempts of the proposed line may not be enough. */
 #define SOLID 0.4
-#define MOST 0.5
+#define MOST 0.45
 
 struct wanted {
   bool spheres, has_porosity;

@@ -330,10 +330,12 @@ bool nb_token_mistake(struct nb_reader *reader, const struct nb_token *token, co
     column = last->column + last->length;
   }
   char old[NB_HINT_SIZE], bare[NB_HINT_SIZE], packing[NB_HINT_SIZE];
-  const char *const now = nb_old_hint(old, reader->page, reader->line);
+  const char *const foreign = nb_foreign_hint(old, reader);
+  const char *const now = foreign ? foreign : nb_old_hint(old, reader->page, reader->line);
   if (hint && strncmp(hint, NB_RANDOM_PACKING, strlen(NB_RANDOM_PACKING)) == 0)
     hint = nb_fill_hint(packing, reader);
-  hint = now ? now : hint && reader->unitless ? without_units(bare, hint) : hint;
+  hint = now ? now : hint;
+  hint = hint && reader->unitless ? without_units(bare, hint) : hint;
   nb_mistake(reader->mistakes, reader->page, reader->line, column, length, hint, "%s", text);
   return nb_fail_silently(reader);
 }

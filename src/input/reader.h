@@ -303,6 +303,11 @@ const struct nb_family *nb_keywords(void);
 /* servo.c: writes the line `servo …` that the tokens mean, for the cell, the box or the boundary of the page. False: the
  * page has none of them, or the line has no number. */
 bool nb_servo_hint(char *hint, const struct nb_reader *reader);
+/* servo.c: the object of the page that a servo can strain, `cell`, `box` or `boundary`; NULL: the page defines none. */
+const char *nb_page_place(const struct nb_page *page);
+/* foreign.c: writes the line of the page language that a line of another program or of a textbook means, with its numbers
+ * and names, and returns `hint`. NULL: the line is not known. */
+const char *nb_foreign_hint(char *hint, const struct nb_reader *reader);
 /* fill_hint.c: writes the lines `grading` and `fill` that the tokens mean, such as `random discs 200 radius 2 mm`. */
 const char *nb_fill_hint(char *hint, const struct nb_reader *reader);
 /* wall.c: writes three lines `wall …` for `box X Y to X Y MATERIAL open top`; `token` is the word after the material. False:

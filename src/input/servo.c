@@ -33,8 +33,7 @@ static const struct nb_argument servo_fields[] = {
 
 /* ---- a line that works in this page ---- */
 
-/* The object of the page that a servo can strain: `cell`, `box` or `boundary`; NULL: the page defines none. */
-static const char *place_of_page(const struct nb_page *page) {
+const char *nb_page_place(const struct nb_page *page) {
   static const char *const places[] = {"cell", "box", "boundary"};
   for (size_t p = 0; p < 3; p++)
     for (size_t k = 0; page->kind_of && k < page->line_count; k++) {
@@ -82,7 +81,7 @@ static bool target_of(char *text, size_t size, const struct nb_reader *reader, c
 }
 
 bool nb_servo_hint(char *hint, const struct nb_reader *reader) {
-  const char *const place = place_of_page(reader->page), *component;
+  const char *const place = nb_page_place(reader->page), *component;
   char target[NB_NAME_SIZE + 2];
   size_t number;
   if (!place || !target_of(target, sizeof target, reader, &component, &number))
@@ -101,7 +100,7 @@ bool nb_servo_hint(char *hint, const struct nb_reader *reader) {
 
 /* Notes the condition on the stress that a line with a mistake wants to control, for the hint of an `until` below. */
 static void note_wanted(struct nb_scene_reading *reading, const struct nb_reader *reader) {
-  const char *const place = place_of_page(reader->page), *component;
+  const char *const place = nb_page_place(reader->page), *component;
   char target[NB_NAME_SIZE + 2];
   double value;
   size_t number;

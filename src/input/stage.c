@@ -170,8 +170,13 @@ NB_APPLY(apply_until) {
   struct nb_stage *stage = nb_current_stage(reading->scene);
   const struct nb_token *const token = nb_token_peek(reader);
   double number;
+  char hint[NB_HINT_SIZE];
   if (ends_twice(stage, reader))
     return;
+  if (nb_foreign_hint(hint, reader)) { /* `until separation` */
+    nb_expected(reader, hint, "a quantity");
+    return;
+  }
   if (token && nb_number_read(&number, token->text, 0) == NB_READ) {
     nb_token_mistake(
         reader, token,

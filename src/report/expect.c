@@ -666,18 +666,45 @@ static bool take_trend(struct nb_reader *reader, const struct nb_scene *scene, s
          take_sample(reader, scene, expectation);
 }
 
-/* Writes how to check that a quantity is constant in time. */
+/* The sum of mass times speed of all particles at the start, kg.m/s: the scale of a momentum, which may be 0 itself. */
+static double momentum_scale(const struct nb_scene *scene) {
+  double sum = 0;
+  for (size_t k = 0; k < scene->particle_count; k++) {
+    const struct nb_particle *const it = &scene->particles[k];
+    const double area = NB_PI * it->radius * it->radius,
+                 volume = it->shape == NB_SPHERE ? 4.0 / 3 * it->radius * area : area;
+    if (!it->fixed && it->material >= 0)
+      sum += scene->materials[it->material].density * volume * hypot(it->vx, it->vy);
+  }
+  return sum;
+}
+
+/* Writes how to check that a quantity is constant in time: a fraction of its largest value if it is never below 0; else it
+ * may be 0, or near 0, and the tolerance is absolute. */
 static void append_constant(char *hint, const struct nb_reader *reader, const struct nb_scene *scene) {
   const char *const name = reader->tokens[0].text;
   struct nb_quantity quantity;
-  const char *const unit =
-      nb_quantity_find(&quantity, scene, name) ? shown_unit(reader, nb_quantity_unit(quantity)) : "";
-  const char *const space = *unit ? " " : "";
-  nb_append(
-      hint, NB_HINT_SIZE,
-      "to check that a quantity is constant in time, write `%.80s amplitude in all  expected 0%s%s within 1e-6 of "
-      "%.80s max in all [SOURCE]`, or, if it is always near 0, a tolerance with its unit: `within 1e-9%s%s`",
-      name, space, unit, name, space, unit);
+  const bool known = nb_quantity_find(&quantity, scene, name),
+             positive = known && nb_quantity_bounds(quantity) & NB_AT_LEAST_0,
+             momentum = known && strcmp(nb_quantity_unit(quantity), "kg.m/s") == 0;
+  const char *const unit = known ? shown_unit(reader, nb_quantity_unit(quantity)) : "", *const space = *unit ? " " : "";
+  const double scale = momentum ? momentum_scale(scene) : 0;
+  char tolerance[32] = "1e-9";
+  if (scale > 0)
+    snprintf(tolerance, sizeof tolerance, "%.1g", 1e-9 * scale);
+  nb_append(hint, NB_HINT_SIZE,
+            "to check that a quantity is constant in time, write `%.80s amplitude in all  expected 0%s%s within ", name,
+            space, unit);
+  if (positive)
+    nb_append(hint, NB_HINT_SIZE,
+              "1e-6 of %.80s max in all [SOURCE]`, or, if it is always near 0, a tolerance with its unit: "
+              "`within 1e-9%s%s`",
+              name, space, unit);
+  else
+    nb_append(hint, NB_HINT_SIZE,
+              "%s%s%s [SOURCE]`%s; if it is far from 0, the tolerance may also be a fraction: `within 1e-6 of %.80s "
+              "max in all`",
+              tolerance, space, unit, scale > 0 ? ", 1e-9 of the sum of mass times speed at the start" : "", name);
 }
 
 static bool take_constant(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {

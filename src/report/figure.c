@@ -191,12 +191,47 @@ enum nb_status nb_script_draw(const struct nb_script *script, const char *folder
   return draw(&drawing, "png", "\x89PNG", error);
 }
 
+/* The first line of a gnuplot block that draws the contacts of this snapshot; 0: none. A sweep adds `_1`, … to the name. */
+static size_t line_of_contacts(const struct nb_page *page, const char *stage) {
+  for (size_t k = 0; k < page->line_count; k++) {
+    const char *at = page->kind_of[k] == 1 + NB_BLOCK_GNUPLOT ? page->lines[k] : "";
+    while ((at = strchr(at, '$'))) {
+      size_t n = 0;
+      for (at++; stage[n] && at[n] == (isalnum((unsigned char)stage[n]) ? stage[n] : '_'); n++)
+        ;
+      if (!stage[n] && strncmp(at + n, "_contacts", strlen("_contacts")) == 0)
+        return k + 1;
+    }
+  }
+  return 0;
+}
+
+/* Warns of a contact network without contacts, which a figure draws as particles alone. */
+static void warn_of_no_contacts(const struct nb_outcome *outcome) {
+  size_t last = 0;
+  for (size_t r = 0; r < outcome->run_count; r++) {
+    const struct nb_page_run *run = &outcome->runs[r];
+    const struct nb_result *result = nb_run_result(run);
+    for (size_t k = 0; k < result->snapshot_count; k++) {
+      const char *const stage = run->scene.stages[result->snapshots[k].stage].name;
+      const size_t line = result->snapshots[k].contacts.row_count ? 0 : line_of_contacts(&outcome->page, stage);
+      if (line > last) {
+        fprintf(stderr,
+                "%s:%zu: warning: the figure draws no contact network: at the end of stage `%s` nothing touches\n",
+                outcome->page.path, line, stage);
+        last = line;
+      }
+    }
+  }
+}
+
 enum nb_status nb_figure_draw(const struct nb_outcome *outcome, const char *folder, bool trust, bool *drawn,
                               struct nb_error *error) {
   const struct nb_script script = {outcome->page.name, outcome, write_page_figure, NULL};
   *drawn = false;
   if (!nb_page_has_figure(&outcome->page))
     return NB_OK;
+  warn_of_no_contacts(outcome);
   const enum nb_status status = nb_script_draw(&script, folder, trust, error);
   *drawn = !status;
   return status;
