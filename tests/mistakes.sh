@@ -148,6 +148,37 @@ cat "$why" >>"$work/heard"
 grep -qF 'expected the end of the text, found `x`' "$why"
 result $? 'text after the tolerance of advise'
 
+# ---- `transform` makes a number infinite ----
+
+# moved ANGLE NUMBER SCENE STAGE: prints a page with this statement in the scene, or in the stage, and this number for each @.
+moved() {
+  printf '```scene\nunits none\nmaterial m density 1 kn 1\nwall w 0 0 to 1 0 m\ndisc 0 9 radius 1 m\n%s\nstep 1\nrecord time\ntransform rotate (%s*pi/180)\nstage go\n%s\ncycles 1\n```\n' \
+    "$3" "$1" "$4" | sed "s/@/$2/g"
+}
+# A vector of two numbers of 1.7e308, rotated by 45 or -45 degrees, has a component that is larger than the largest double.
+while IFS='|' read -r in_scene in_stage; do
+  for angle in 45 -45; do
+    moved $angle 1 "$in_scene" "$in_stage" >"$work/right.md"
+    moved $angle 17e307 "$in_scene" "$in_stage" >"$work/wrong.md"
+    limit "rotated by $angle degrees: $in_scene$in_stage" 'expected finite coordinates after `transform`; these are too large'
+  done
+done <<'END'
+disc @ @ radius 1 m
+disc 5 5 radius 1 m velocity @ @
+wall v 5 5 to 6 5 m velocity @ @
+wall v 5 5 to 6 5 m about @ @
+region A circle @ @ radius 1
+gravity @ @
+boundary circle @ @ radius 1
+|gravity @ @
+|gravity centripetal 1 about @ @
+|boundary circle @ @ radius 1
+|wall w velocity @ @
+|affine strain @ @ shear @
+boundary circle 0 0 radius 1|boundary strain @ @ shear @
+boundary circle 0 0 radius 1|boundary stress @ @ shear @
+END
+
 # ---- pipes, devices and folders: reading a pipe could block forever ----
 
 mkfifo "$work/pipe.md" "$work/pipe.tsv" && mkdir "$work/folder.md"
