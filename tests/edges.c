@@ -115,6 +115,36 @@ static void released_particles_do_not_rotate_under_rotation_off(void) {
   nb_result_free(&result), written_free(&it);
 }
 
+/* boundary.c, may_join: a fixed particle is no part of a boundary, neither outside the circle at the start nor when it
+ * crosses the circle. */
+static void fixed_particles_are_no_part_of_a_boundary(void) {
+  struct written it;
+  struct nb_result result;
+  run(&result, &it,
+      "units none\nmaterial m density 1 kn 100\nstep 0.001\ndisc 0 0 radius 0.1 m\ndisc 5 0 radius 0.1 m fixed\n"
+      "disc 0 5 radius 0.1 m\ndisc -2 0 radius 0.1 m fixed velocity -1 0\nboundary circle 0 0 radius 2.05\nmonitor D "
+      "disc 4\nrecord boundary.particles D.x\nstage a\ncycles 100\n");
+  CU_ASSERT(written_last(&result, "D.x") < -2.09);
+  for (size_t r = 0; r < result.table.row_count; r++)
+    CU_ASSERT_EQUAL(result.table.values[r * result.table.column_count], 1);
+  nb_result_free(&result), written_free(&it);
+}
+
+/* servo.c, nb_servo_apply: a servo that strains the box adds nothing to the strain rate of the boundary in the box. Each
+ * cycle multiplies the sides of the boundary's square by 1 - 1e-4. */
+static void a_servo_of_the_box_does_not_strain_a_boundary(void) {
+  struct written it;
+  struct nb_result result;
+  run(&result, &it,
+      "units none\nmaterial m density 1 kn 100\nstep 0.001\nlattice discs 2 by 2 from 3 3 radius 0.5 spacing 4 m\n"
+      "box 0 0 to 10 10 m\nboundary circle 5 5 radius 2\nrecord boundary.area box.width\n"
+      "stage a\nboundary strain -1e-4 per cycle -1e-4 per cycle\nservo mean 1 on box through box at most 1e-3 per "
+      "cycle\ncycles 20\n");
+  CU_ASSERT(written_last(&result, "box.width") < 9.9);
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "boundary.area"), 16 * pow(1 - 1e-4, 40), 1e-12);
+  nb_result_free(&result), written_free(&it);
+}
+
 #define SOFT                                                                                                           \
   "path\nmaterial soft young 1 MPa poisson 0 friction 0.3\ncontact sphere 10 mm soft with sphere 10 mm soft\n"         \
   "normal hertz\n"
@@ -213,6 +243,8 @@ void suite_edges(void) {
   CU_ADD_TEST(suite, straining_reduces_the_travel_limit);
   CU_ADD_TEST(suite, without_contacts_there_is_no_search);
   CU_ADD_TEST(suite, released_particles_do_not_rotate_under_rotation_off);
+  CU_ADD_TEST(suite, fixed_particles_are_no_part_of_a_boundary);
+  CU_ADD_TEST(suite, a_servo_of_the_box_does_not_strain_a_boundary);
   CU_ADD_TEST(suite, the_last_step_of_a_segment_is_recorded);
   CU_ADD_TEST(suite, a_force_deep_in_the_contact_is_found);
   CU_ADD_TEST(suite, an_overlap_of_0_is_no_contact);

@@ -38,7 +38,7 @@ void nb_fracc_after_forces(struct nb_model *model) {
                  change = fabs(force - model->fracc->previous_force[i]);
     const double distance = vec_length(particles->velocity[i]) * dt;
     model->fracc->previous_force[i] = force;
-    if (!(particles->inverse_mass[i] > 0 && distance > 0))
+    if (!(distance > 0))
       continue;
     const double fraction = dt / 2 * sqrt(change * particles->inverse_mass[i] / distance);
     largest = fraction > largest ? fraction : largest;
