@@ -92,4 +92,30 @@ cat said >>"$why"
 result $status "the recipes draw"
 diff wanted said >"$why" 2>&1
 result $? "their numbers are right"
+
+# A network without contacts: the discs are apart. The warning names the line of the block `gnuplot`; a network with
+# contacts has none, as the test above shows.
+cat >apart.md <<'EOF'
+# Discs apart
+
+```scene
+units    none
+material m  density 1  kn 100
+disc     0 0  radius 1  m
+disc     4 0  radius 1  m
+step     1e-9
+record   time
+stage    look
+  cycles 1
+  snapshot
+```
+
+```gnuplot
+particles = '$look_particles'; contacts = '$look_contacts'
+load plots.'force-chains.gp'
+```
+EOF
+"$nineball" figure apart.md -o apart --trust >"$why" 2>&1 &&
+  grep -qF 'apart.md:16: warning: the figure draws no contact network: at the end of stage `look` nothing touches' "$why"
+result $? "a contact network without contacts: a warning"
 echo "1..$n"

@@ -466,12 +466,23 @@ static const char *list_quantities(char *hint, const struct nb_scene *scene, int
   return hint;
 }
 
-/* Writes "`normal.max` is a quantity of a region: `region M all`, then `M.normal.max`". NULL: no owner has a quantity
- * of this name. */
+/* Appends the name with the monitors of the scene that have the quantity: `M.coordination`. */
+static void append_own(char *list, size_t size, const struct nb_scene *scene, const struct nb_quantity_kind *kind,
+                       const char *name) {
+  char whole[3 * NB_NAME_SIZE];
+  for (int w = 0; w < (int)scene->monitor_count; w++) {
+    snprintf(whole, sizeof whole, "%s.%s", scene->monitors[w].name, name);
+    if (applies(kind, scene, w) && strlen(list) + strlen(whole) + 4 < size)
+      nb_append_item(list, size, whole, false);
+  }
+}
+
+/* Writes "`normal.max` is a quantity of a region: `region M all`, then `M.normal.max`"; or "did you mean `A.normal.max`?" if
+ * the scene has such an owner. NULL: no owner has a quantity of this name. */
 static const char *owner_hint(char *hint, const struct nb_scene *scene, const char *text) {
   const bool spheres = scene->particle_count && scene->particles[0].shape == NB_SPHERE;
   const struct nb_suffix *suffix;
-  char name[NB_NAME_SIZE];
+  char name[NB_NAME_SIZE], own[NB_HINT_SIZE / 4] = "";
   unsigned done = 0;
   const size_t length = strlen(text);
   size_t used = 0;
@@ -485,11 +496,14 @@ static const char *owner_hint(char *hint, const struct nb_scene *scene, const ch
     if (begins)
       nth_suffix(kind, 0, &suffix);
     name_of(name, sizeof name, kind, suffix);
+    append_own(own, sizeof own, scene, kind, name);
     used += (size_t)snprintf(hint + used, NB_HINT_SIZE - used, "%s`%s` is a quantity of %s: `%s`, then `%s%s`",
                              used ? "; " : "", name, owner->of,
                              spheres && owner->of_spheres ? owner->of_spheres : owner->statement, owner->name, name);
     done |= owner->monitors;
   }
+  if (*own)
+    snprintf(hint, NB_HINT_SIZE, "did you mean %s?", own);
   return used ? hint : NULL;
 }
 
@@ -528,7 +542,8 @@ static unsigned named_by(char *name, size_t size, const struct nb_scene *scene, 
   const size_t number = strspn(of, "0123456789") == strlen(of) ? strtoul(of, NULL, 10) : 0;
   const bool is_sphere = number - 1 < scene->particle_count ? scene->particles[number - 1].shape == NB_SPHERE : sphere;
   snprintf(name, size, "%s %.63s", wall ? "wall" : is_sphere ? "sphere" : "disc", of);
-  return wall ? WALL : number && means_particle(word) ? PARTICLE : 0;
+  const bool known = NB_FIND(scene->walls, scene->wall_count, of) >= 0 || !meaning(of); /* `wall force` is no wall */
+  return wall ? (known ? WALL : 0) : number && means_particle(word) ? PARTICLE : 0;
 }
 
 /* A letter that is not yet the name of a monitor, for a new monitor of `of`: A for disc 1, B for disc 2. */
@@ -540,20 +555,64 @@ static char free_name(const struct nb_scene *scene, unsigned kind, const char *o
   return name;
 }
 
+/* True if a quantity begins with this owner and this name: `cell.` and `stress`. */
+static bool is_beginning(const char *owner, const char *text) {
+  const struct nb_suffix *suffix;
+  char name[NB_NAME_SIZE];
+  const size_t stem = strlen(owner), length = strlen(text);
+  FOR_EACH (kind)
+    for (size_t s = 0; nth_suffix(kind, s, &suffix); s++) {
+      name_of(name, sizeof name, kind, suffix);
+      if (strncmp(name, owner, stem) == 0 && strncmp(name + stem, text, length) == 0 &&
+          strchr(".", name[stem + length]))
+        return true;
+    }
+  return false;
+}
+
+/* True if the first n tokens are one phrase, and not several quantities: nothing but a condition follows, some word does
+ * not mean a quantity by itself, and at most one begins the name of a quantity. */
+static bool is_one_phrase(const struct nb_token *tokens, size_t n, size_t count) {
+  const char *const after = n < count ? tokens[n].text : "above";
+  bool all = true;
+  int quantities = 0;
+  for (size_t k = 0; k < n; k++) {
+    all = all && nb_pair_synonym("quantity", tokens[k].text);
+    quantities += is_beginning("", tokens[k].text);
+    if (strpbrk(tokens[k].text, "._0123456789")) /* a name of parts, not a word */
+      return false;
+  }
+  return !all && quantities < 2 && (strcmp(after, "above") == 0 || strcmp(after, "below") == 0);
+}
+
+/* The hint for several words that together mean a quantity, `mechanical coordination number`; NULL: they do not. */
+static const char *words_hint(char *hint, const struct nb_scene *scene, const struct nb_token *tokens, size_t count) {
+  enum { WORDS_MAX = 5 };
+  char joined[2 * NB_NAME_SIZE], known[2 * NB_NAME_SIZE];
+  struct nb_quantity quantity;
+  if (scene->contact_test || nb_quantity_find(&quantity, scene, tokens[0].text))
+    return NULL;
+  for (size_t n = count < WORDS_MAX ? count : WORDS_MAX; n > 1; n--) {
+    *joined = '\0';
+    for (size_t k = 0; k < n; k++)
+      nb_append(joined, sizeof joined, "%s%.30s", k ? "_" : "", tokens[k].text);
+    if (meaning(joined) || nb_pair_synonym("whole", joined) || spelt(known, joined) ||
+        (is_one_phrase(tokens, n, count) && nb_parts_hint(hint, scene, joined, -1)))
+      return nb_quantity_hint(hint, scene, joined);
+  }
+  return NULL;
+}
+
 const char *nb_phrase_hint(char *hint, const struct nb_scene *scene, const struct nb_token *tokens, size_t count) {
   char of[4 * NB_NAME_SIZE] = "", name[2 * NB_NAME_SIZE], names[NB_HINT_SIZE / 4] = "", monitor[] = "A";
-  struct nb_quantity quantity;
   unsigned kind = 0, other;
   for (size_t k = 0; k + 1 < count && kind != PAIR; k++)
     if ((other = named_by(name, sizeof name, scene, tokens[k].text, tokens[k + 1].text))) {
       nb_append(of, sizeof of, "%s%s", kind ? " with " : "", name);
       kind = kind ? PAIR : other;
     }
-  if (!kind && count > 1) {
-    snprintf(of, sizeof of, "%.63s_%.63s", tokens[0].text, tokens[1].text);
-    return nb_synonym(of) && !nb_quantity_find(&quantity, scene, tokens[0].text) ? nb_quantity_hint(hint, scene, of)
-                                                                                 : NULL;
-  }
+  if (!kind && count > 1)
+    return words_hint(hint, scene, tokens, count);
   *monitor = free_name(scene, kind, of);
   for (size_t k = 0; k < count; k++)
     list_meant(names, sizeof names, kind, *monitor, tokens[k].text);
@@ -564,23 +623,21 @@ const char *nb_phrase_hint(char *hint, const struct nb_scene *scene, const struc
   return kind ? hint : NULL;
 }
 
-/* Appends the same quantity of a boundary, a cell or a box: `cell.stress.xx` for `stress.xx`. */
-static void add_namesakes(char *hint, const char *text) {
-  const struct nb_suffix *suffix;
-  char name[NB_NAME_SIZE];
+/* Appends the same quantity of a boundary, a cell or a box: `cell.stress.xx` for `stress.xx`. After "did you mean" only
+ * that of the scene. */
+static void add_namesakes(char *hint, const struct nb_scene *scene, const char *text) {
   static const char *const owners_here[] = {"boundary.", "cell.", "box."};
-  const size_t length = strlen(text);
+  const bool own = strncmp(hint, "did you mean", strlen("did you mean")) == 0;
+  char whole[3 * NB_NAME_SIZE];
   for (size_t o = 0; o < sizeof owners_here / sizeof *owners_here; o++) {
-    const size_t stem = strlen(owners_here[o]);
-    bool same = false;
-    FOR_EACH (kind)
-      for (size_t s = 0; !same && nth_suffix(kind, s, &suffix); s++) {
-        name_of(name, sizeof name, kind, suffix);
-        same = strncmp(name, owners_here[o], stem) == 0 && strncmp(name + stem, text, length) == 0 &&
-               strchr(".", name[stem + length]);
-      }
-    if (same)
-      nb_append(hint, NB_HINT_SIZE, "; of a %.*s `%s`", (int)stem - 1, owners_here[o], name);
+    const char *const owner = owners_here[o];
+    struct nb_quantity quantity;
+    snprintf(whole, sizeof whole, "%s%s", owner, text);
+    const bool has = nb_quantity_find(&quantity, scene, whole) && (o > 0 || scene->circle.line);
+    if (own && has)
+      snprintf(strrchr(hint, '?'), NB_HINT_SIZE - strlen(hint), " or `%s`?", whole);
+    else if (!own && is_beginning(owner, text))
+      nb_append(hint, NB_HINT_SIZE, "; of a %.*s `%s`", (int)strlen(owner) - 1, owner, whole);
   }
 }
 
@@ -605,13 +662,13 @@ static const char *owned_hint(char *hint, const struct nb_scene *scene, const ch
     *dash = '_';
   const char *found = owner_hint(hint, scene, item);
   if (found)
-    add_namesakes(hint, item);
+    add_namesakes(hint, scene, item);
   while (!found && nb_item(&items, item)) {
     if (box_note(hint, scene, item))
       return hint;
     found = owner_hint(hint, scene, item);
     if (found)
-      add_namesakes(hint, item);
+      add_namesakes(hint, scene, item);
   }
   return found || !rest ? found : owner_hint(hint, scene, rest + 1);
 }
@@ -836,6 +893,7 @@ static bool whole_hint(char *hint, const struct nb_scene *scene, const char *tex
   if (names_material(scene, text))
     return nb_pair_hint(hint, "whole", "contacts_by_material");
   static const char *const places[NB_MONITOR_SIZE] = {
+      [NB_MONITOR_PARTICLE] = "of_particle",
       [NB_MONITOR_WALL] = "of_wall",
       [NB_MONITOR_PARTICLE_PARTICLE] = "of_contact",
       [NB_MONITOR_PARTICLE_WALL] = "of_contact",
