@@ -322,6 +322,34 @@ static void a_normal_law_without_stored_energy(void) {
   }
 }
 
+/* A centred dashpot still acts in the step in which a contact ends. A disc that rebounds along x loses the same energy as
+ * one along y, and in both runs the energies balance equally well. */
+static void a_dashpot_ends_in_x_and_in_y(void) {
+  static const char *const scenes[] = {"disc 1.01 0 radius 1 m velocity -1 0\nwall w 0 -9 to 0 9 m\n",
+                                       "disc 0 1.01 radius 1 m velocity 0 -1\nwall w -9 0 to 9 0 m\n",
+                                       "disc 0 0 radius 1 m velocity 1 0\ndisc 2.01 0 radius 1 m\n",
+                                       "disc 0 0 radius 1 m velocity 0 1\ndisc 0 2.01 radius 1 m\n"};
+  double damped[4], residual[4];
+  for (int k = 0; k < 4; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              "units none\nmaterial m density 3 kn 400\ndamping ratio 0.2\ndamping centred\n%sstep 0.01\nrecord "
+              "energy.damped energy.residual\nstage s\ncycles 100\n",
+              scenes[k]);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    damped[k] = written_last(&result, "energy.damped"), residual[k] = written_last(&result, "energy.residual");
+    nb_result_free(&result), written_free(&it);
+  }
+  for (int k = 0; k < 4; k += 2) {
+    CU_ASSERT(damped[k] > 0.1);
+    CU_ASSERT_DOUBLE_EQUAL(damped[k], damped[k + 1], 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(residual[k], residual[k + 1], 1e-12);
+  }
+}
+
 /* A page that records no energy balance has neither the sums nor the fields for it. */
 static void no_balance_unless_asked_for(void) {
   struct written it;
@@ -392,6 +420,7 @@ void suite_energy(void) {
   CU_add_test(suite, "a law without stored energy", a_law_without_stored_energy);
   CU_add_test(suite, "a law without stored energy in a later stage", a_law_without_stored_energy_later);
   CU_add_test(suite, "a normal law without stored energy", a_normal_law_without_stored_energy);
+  CU_ADD_TEST(suite, a_dashpot_ends_in_x_and_in_y);
   CU_add_test(suite, "no balance unless it is asked for", no_balance_unless_asked_for);
   CU_add_test(suite, "a boundary stress with damping of all particles", a_boundary_stress_with_damping);
   CU_add_test(suite, "momentum", momentum);

@@ -255,6 +255,9 @@ printf '```scene\nmaterial m density 1 g/cm3 kn 1 MN/m\nbox 0 m 0 m to 0.3 m 0.3
 printf 'lattice discs 4 by 3 radius 50 mm m\ntransform rotate 1 rad\nstep 1 us\nstage one\ncycles 1\n```\n' >>outside.md
 run 0 explain outside.md
 said 'outside.md:4: warning: 3 particles begin outside the box; the first is particle 4'
+printf '```scene\nstart outside stage one\nrecord time\nstage on\ncycles 1\n```\n' >from-outside.md
+run 0 explain from-outside.md
+grep -q 'outside the box' said && echo 'the particles of another page are said to begin outside the box' >>why
 sed 's/4 by 3/3 by 3/; s/^transform.*/disc 0.1 m 0.301 m radius 1 mm m\ndisc 0.1 m 0.5 m radius 1 mm m fixed/' outside.md >single.md
 for at in '0.1 m 0.301 m' '0.1 m -0.001 m' '0.301 m 0.1 m' '-0.001 m 0.1 m'; do
   sed "s/^disc 0.1 m 0.301 m/disc $at/" single.md >side.md
