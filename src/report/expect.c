@@ -420,12 +420,17 @@ static bool take_tolerance_of(struct nb_reader *reader, const struct nb_scene *s
   char hint[NB_HINT_SIZE] = "give a number, `within 1e-6`";
   if (!take_tolerance(reader, scene, unit, zero, tolerance))
     return false;
-  if (strcmp(unit, "1") != 0)
-    snprintf(hint, sizeof hint,
-             "give a number%s, `within 1e-6%s%s`, or a fraction of a measure, `within 1 %% of %.80s %s`%s",
-             reader->unitless ? "" : " with its unit", reader->unitless ? "" : " ", shown_unit(reader, unit),
-             scale_name(reader, scene, unit), scale_reducer(reader),
-             scale_note(scene, scale_name(reader, scene, unit)));
+  if (strcmp(unit, "1") != 0) {
+    const char *const scale = scale_name(reader, scene, unit), *const reducer = reader->tokens[1].text;
+    /* the largest value of the quantity would be the measure itself, a frequency has no other scale */
+    const bool own = strcmp(scale, reader->tokens[0].text) == 0 &&
+                     (strcmp(reducer, "max") == 0 || strcmp(reducer, "frequency") == 0);
+    snprintf(hint, sizeof hint, "give a number%s, `within 1e-6%s%s`", reader->unitless ? "" : " with its unit",
+             reader->unitless ? "" : " ", shown_unit(reader, unit));
+    if (!own)
+      nb_append(hint, sizeof hint, ", or a fraction of a measure, `within 1 %% of %.80s max`%s", scale,
+                scale_note(scene, scale));
+  }
   return !zero || (tolerance->kind != NB_RELATIVE && tolerance->kind != NB_OF_PEAK) ||
          nb_token_mistake(reader, &reader->tokens[at], hint,
                           "expected an absolute tolerance, because the reference value is 0, found `%s`",
