@@ -145,22 +145,17 @@ static void report(struct nb_scene_reading *reading, int line, const char *hint,
   nb_line_mistake(&reading->reader, (size_t)line, hint, "%s", what);
 }
 
-/* Writes the hint for a stage in which `wall` moves walls of the box and a servo strains it: a `box strain` with the
+/* Writes the hint for stage s, in which `wall` moves walls of the box and a servo strains it: a `box strain` with the
  * strain rates that the velocities of the walls mean. */
-static void moved_hint(char *hint, const struct nb_scene *scene, const struct nb_stage *stage, int first,
-                       bool unitless) {
-  const struct nb_wall *const south = &scene->walls[first];
-  const double height = scene->walls[first + 2].y - south->y,
-               width = scene->walls[first + 1].x - scene->walls[first + 3].x;
-  double x = 0, y = 0;
-  for (size_t m = 0; m < stage->motion_count; m++) {
-    const struct nb_wall_motion *const motion = &stage->motions[m];
-    const int side = motion->wall - first; /* south, east, north, west */
-    x += side == 1 ? motion->vx / width : side == 3 ? -motion->vx / width : 0;
-    y += side == 2 ? motion->vy / height : side == 0 ? -motion->vy / height : 0;
-  }
+static void moved_hint(char *hint, const struct nb_scene *scene, size_t s, int first, bool unitless) {
+  const struct nb_wall *const walls = &scene->walls[first]; /* south, east, north, west */
+  struct nb_wall_motion motion[NB_BOX_SIDES];
+  for (size_t side = 0; side < NB_BOX_SIDES; side++)
+    motion[side] = nb_wall_motion_after(scene, s + 1, (size_t)first + side);
+  const double x = (motion[1].vx - motion[3].vx) / (walls[1].x - walls[3].x),
+               y = (motion[2].vy - motion[0].vy) / (walls[2].y - walls[0].y);
   const char *const rate = unitless ? "" : " 1/s";
-  if (stage->box_line)
+  if (scene->stages[s].box_line)
     snprintf(hint, NB_HINT_SIZE, "remove `wall` and `walls`, or this line: `box strain` moves opposite walls together");
   else
     snprintf(
@@ -187,7 +182,7 @@ void nb_box_check(struct nb_scene_reading *reading) {
     if (!line || s < scene->start.stages)
       continue;
     if (moved)
-      moved_hint(hint, scene, stage, first, reading->reader.unitless);
+      moved_hint(hint, scene, s, first, reading->reader.unitless);
     if (moved)
       report(reading, line, hint,
              "expected `box strain` and `servo`, or `wall` and `walls`, to move the box in this stage, found both");

@@ -1,7 +1,8 @@
 /* The lines `grading` and `fill` that a line of another program means, such as `random discs 200 radius 2 mm porosity 0.2`
  * or `ball generate number 300 radius 0.002 0.003`. Number and sizes of the particles, the place and the porosity are
- * those of the line; what it does not say follows from the box or the cell of the page, and from a solid fraction at which
- * particles can be placed at random.
+ * those of the line. What it does not say follows from the box or the cell of the page, and from a solid fraction at which
+ * particles can be placed at random. If the place is too small for the particles, a box is enlarged, and a circle or a
+ * cell gets fewer particles.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -24,7 +25,8 @@ struct wanted {
   char place[2 * NB_NAME_SIZE]; /* `box 0 m 0 m to 1 m 1 m`, `circle …` or `cell`; "": none */
   double area;                  /* of the place, m2; 0: not known */
   bool walls;                   /* the place is the box of the page */
-  bool enlarged;                /* the box of the page is too small */
+  bool enlarged;                /* the box of the line or of the page is too small, so the place is a larger one */
+  double asked;                 /* number of the line, if a circle or the cell has room for fewer; else 0 */
 };
 
 /* Which values follow a word. */
@@ -184,14 +186,13 @@ static void complete_particles(struct wanted *wanted, double solid) {
     wanted->radii[0] = place ? rounded(sqrt(solid * wanted->area / (wanted->count * NB_PI)), false) : 5e-3;
 }
 
-/* Completes the place from number and radius, also if the box of the line or of the page is too small. A circle or a cell
- * that is too small holds fewer particles. */
+/* Completes the place from number and radius, or enlarges a box or reduces the number. */
 static void complete_place(struct wanted *wanted, double solid, const char *unit) {
   const double needed = wanted->count * mean_area(wanted), side = rounded(sqrt(needed / solid), true);
   const bool full = wanted->area > 0 && needed > MOST * wanted->area, box = strncmp(wanted->place, "box", 3) == 0;
-  wanted->enlarged = full && wanted->walls;
+  wanted->enlarged = full && box;
   if (full && !box)
-    wanted->count = fmax(floor(solid * wanted->area / mean_area(wanted)), 1);
+    wanted->asked = wanted->count, wanted->count = fmax(floor(solid * wanted->area / mean_area(wanted)), 1);
   if (*wanted->place && !(full && box))
     return;
   snprintf(wanted->place, sizeof wanted->place, "box 0%s 0%s to %.3g%s %.3g%s", unit, unit, side, unit, side, unit);
@@ -243,6 +244,9 @@ const char *nb_fill_hint(char *hint, const struct nb_reader *reader) {
             wanted.spheres ? "spheres" : "discs", wanted.place);
   if (wanted.enlarged)
     nb_append(hint, NB_HINT_SIZE, ", with `%s MATERIAL`: random placing fills at most half of a box", wanted.place);
+  if (wanted.asked > 0)
+    nb_append(hint, NB_HINT_SIZE, ", with %.0f in place of %.0f: random placing fills at most half of a %s", wanted.count,
+              wanted.asked, strcmp(wanted.place, "cell") == 0 ? "cell" : "circle");
   append_target(hint, &wanted);
   return hint;
 }

@@ -177,6 +177,8 @@ void nb_servo_check(struct nb_scene_reading *reading);
 const char *nb_servo_wanted(char *text, size_t size, const struct nb_scene_reading *reading);
 /* Warns of conditions on a normal strain of the other sign than the strain rate of the stage. */
 void nb_strain_check(struct nb_scene *scene);
+/* The motion of a wall after the first `stages` stages; `reverse velocities` changes the sign of earlier motions. */
+struct nb_wall_motion nb_wall_motion_after(const struct nb_scene *scene, size_t stages, size_t index);
 /* The sign of the strain rate along x or y, axis 0 or 1, that the walls which move in a stage impose on the particles
  * between them; 0: none moves, or some compress and others extend. */
 int nb_walls_strain_sign(const struct nb_scene *scene, size_t s, int axis);

@@ -214,8 +214,7 @@ void nb_outside_check(struct nb_scene *scene) {
 
 /* ---- in a stage ---- */
 
-/* The motion of a wall after the first `stages` stages; `reverse velocities` changes the sign of earlier motions. */
-static struct nb_wall_motion motion_after(const struct nb_scene *scene, size_t stages, size_t index) {
+struct nb_wall_motion nb_wall_motion_after(const struct nb_scene *scene, size_t stages, size_t index) {
   const struct nb_wall *it = &scene->walls[index];
   struct nb_wall_motion motion = {.wall = (int)index, .vx = it->vx, .vy = it->vy, .spin = it->spin};
   for (size_t s = 0; s < stages; s++) {
@@ -236,7 +235,7 @@ int nb_walls_strain_sign(const struct nb_scene *scene, size_t s, int axis) {
     centre += (axis ? scene->particles[p].y : scene->particles[p].x) / (double)scene->particle_count;
   for (size_t w = 0; w < scene->wall_count; w++) {
     const struct nb_wall *const wall = &scene->walls[w];
-    const struct nb_wall_motion motion = motion_after(scene, s + 1, w);
+    const struct nb_wall_motion motion = nb_wall_motion_after(scene, s + 1, w);
     const bool faces = axis ? fabs(wall->ex) > fabs(wall->ey) : fabs(wall->ey) > fabs(wall->ex);
     const double outward = ((axis ? wall->y : wall->x) - centre) * (axis ? motion.vy : motion.vx);
     compresses = compresses || (faces && outward < 0), extends = extends || (faces && outward > 0);
@@ -254,7 +253,7 @@ static void warn_of_spin(struct nb_scene *scene, size_t stages, size_t index, do
   const bool of_box = is_of_box(wall);
   const size_t opposite = of_box ? first + (index - first + sides / 2) % sides : index;
   const char *const m = scene->unitless ? "" : " m";
-  if (!of_box || motion_after(scene, stages, opposite).spin != spin)
+  if (!of_box || nb_wall_motion_after(scene, stages, opposite).spin != spin)
     nb_warn(
         &scene->warnings, line,
         "wall `%s` rotates about its middle: %g%s %g%s; its line in the scene %s `about X Y`, which sets the centre",
@@ -330,7 +329,7 @@ NB_APPLY(apply_walls) {
     const struct nb_wall *wall = &scene->walls[i];
     if (inward->token && !is_of_box(wall))
       continue;
-    struct nb_wall_motion motion = motion_after(scene, scene->stage_count, i);
+    struct nb_wall_motion motion = nb_wall_motion_after(scene, scene->stage_count, i);
     motion.vx = stop->token ? 0 : wall->inx * inward->number + 0.0; /* + 0.0 turns -0 into 0 */
     motion.vy = stop->token ? 0 : wall->iny * inward->number + 0.0;
     motion.spin = stop->token ? 0 : motion.spin;
@@ -354,7 +353,7 @@ NB_APPLY(apply_wall_motion) {
   const int wall = nb_wall_of(scene, reader, value[AT_NAME].token);
   if (reader->bad)
     return;
-  struct nb_wall_motion motion = motion_after(scene, scene->stage_count, (size_t)wall);
+  struct nb_wall_motion motion = nb_wall_motion_after(scene, scene->stage_count, (size_t)wall);
   unsigned sets = 0;
   if (value[AT_VX].token)
     motion.vx = value[AT_VX].number, motion.vy = value[AT_VY].number, sets |= NB_GIVEN_VELOCITY;

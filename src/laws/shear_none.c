@@ -1,7 +1,7 @@
 /* No shear force:                                          F_s = 0
  *
- * This law is for scenes without friction. The plan of such a scene has no tangential displacement, no rotation and no
- * shear history, and never calls this law. The file exists because every keyword of a law has a file.
+ * The plan of a scene with `shear none` or without friction has no tangential displacement, no rotation and no shear
+ * history, and never calls this law. A contact test without a shear law calls it.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "law.h"
