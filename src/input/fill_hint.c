@@ -245,8 +245,8 @@ const char *nb_fill_hint(char *hint, const struct nb_reader *reader) {
   if (wanted.enlarged)
     nb_append(hint, NB_HINT_SIZE, ", with `%s MATERIAL`: random placing fills at most half of a box", wanted.place);
   if (wanted.asked > 0)
-    nb_append(hint, NB_HINT_SIZE, ", with %.0f in place of %.0f: random placing fills at most half of a %s", wanted.count,
-              wanted.asked, strcmp(wanted.place, "cell") == 0 ? "cell" : "circle");
+    nb_append(hint, NB_HINT_SIZE, ", with %.0f in place of %.0f: random placing fills at most half of a %s",
+              wanted.count, wanted.asked, strcmp(wanted.place, "cell") == 0 ? "cell" : "circle");
   append_target(hint, &wanted);
   return hint;
 }
