@@ -194,6 +194,27 @@ static void centred(void) {
   written_free(&it);
 }
 
+/* Two discs so heavy that the contact does not accelerate them have only the affine motion. Their relative velocity is
+ * then E times the distance of their centres when the step began, and its predicted change is 0. */
+static void centred_in_affine_motion(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\nmaterial a density 1e30 kn 400\ndisc 0.5 0 radius 1 a\ndisc 2.25 0 radius 1 a\n"
+                   "damping stiffness 0.02\ndamping centred\nstep 0.125\nmonitor A disc 1\nmonitor B disc 2\n"
+                   "monitor C disc 1 with disc 2\nrecord A.x B.x C.dashpot.normal\nstage s\naffine strain -0.1 0\n"
+                   "cycles 3\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT_EQUAL_FATAL(result.table.row_count, 4);
+  for (size_t row = 1; row < 4; row++) {
+    const double apart = written_cell(&result.table, row - 1, "B.x") - written_cell(&result.table, row - 1, "A.x");
+    CU_ASSERT_DOUBLE_EQUAL(written_cell(&result.table, row, "C.dashpot.normal"), 0.02 * 400 * 0.1 * apart, 1e-12);
+  }
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 /* In a motion that changes its sign every cycle the predicted velocity is twice the velocity half a step before. So
  * centred dashpots have the stable step of late dashpots with twice the damping ratio. */
 static void stable_step_of_centred_dashpots(void) {
@@ -406,6 +427,7 @@ void suite_damping(void) {
   CU_add_test(suite, "coefficients of the three conventions", coefficients);
   CU_add_test(suite, "coefficients under a ramp of the stiffness", coefficients_under_a_ramp);
   CU_add_test(suite, "centred dashpots", centred);
+  CU_ADD_TEST(suite, centred_in_affine_motion);
   CU_add_test(suite, "the stable step of centred dashpots", stable_step_of_centred_dashpots);
   CU_add_test(suite, "an impact with centred dashpots continues in any cycle", continued_impact);
   CU_add_test(suite, "a touch at the end of a step", a_touch_at_the_end_of_a_step);

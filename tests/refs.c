@@ -109,6 +109,9 @@ static void steep_zigzags_are_refused(void) {
 #define PAIR "normal linear\nshear linear\n"
 #define BRIEF "step 0.001\nrecord time\nstage s\ncycles 100\n"
 #define CELL "step 0.001\nrecord time\nstage s\ncell strain -1e-4 per cycle 0 per cycle\ncycles 10\n"
+#define FIELD                                                                                                          \
+  "normal hertz\nshear mindlin\nsphere 0 0 radius 1 a\nsphere 8 0 radius 3 a\nregion R circle 0 0 radius 9\n"          \
+  "step 0.1 of rayleigh-fit-mean\nrecord R.unbalanced.force\nstage s\naffine strain 1e-6 per cycle -1e-6 per cycle"
 #define COHESIVE                                                                                                       \
   "normal linear\nshear linear\ndisc 0 1 radius 1 a\nwall low -4 0 to 4 0 a\nwall high -4 2 to 4 2 a\n"                \
   "wall stop 1 0.5 to 1 1.5 b\nmonitor L disc 1 with wall low\nstep 0.1\n"                                             \
@@ -205,6 +208,8 @@ static void uncovered_particles_and_regions_are_refused(void) {
        "normal hertz\nshear mindlin\nsphere 0 0 radius 1 a\nsphere 3 0 radius 1 b\nregion R circle 0 0 radius 9\n"
        "step 0.1 of rayleigh-fit-mean\nstage s\naffine strain 1e-6 per cycle -1e-6 per cycle accumulated\ncycles 1\n",
        "one material", NULL},
+      {"literal_field", FIELD " c12 1e-7 per cycle accumulated\ncycles 1\n", "`affine strain E -E accumulated`", NULL},
+      {"literal_field", FIELD " c21 1e-7 per cycle accumulated\ncycles 1\n", "`affine strain E -E accumulated`", NULL},
       {"one_contact",
        PAIR "disc 0 0 radius 1 a\ndisc 1.9 0 radius 1 a\ndisc 9 9 radius 1 a\nmonitor C disc 1 with disc 2\n" BRIEF,
        "two particles, or a particle and a wall", NULL},
@@ -315,6 +320,25 @@ static void rayleigh_steps_of_equal_spheres(void) {
     written_free(&it);
   }
   CU_ASSERT(vx[0] == vx[1] && vx[2] == vx[3] && vx[0] != vx[2] && vx[0] != 0.1);
+}
+
+/* Spheres of the radii 1 and 3 have the mean radius 2 and the mean mass (4/3) pi 14 of the density 1. The mean sum of
+ * forces is that of the reference's comment, with the strain 1e-6 per cycle in a circle of the radius 9. */
+static void means_of_an_assembly_with_two_sizes(void) {
+  const double pi = 3.14159265358979323846, shear = 1e6 / (2 * (1 + 0.2)), mass = 4 * pi / 3 * 14;
+  const double step = 0.1 * pi * 2 * sqrt(1 / shear) / (0.1631 * 0.2 + 0.876605);
+  struct words page = {0};
+  struct written it;
+  struct refs_scene scene;
+  words_add(&page,
+            "units none\nmaterial a density 1 young 1e6 poisson 0.2 friction 0.5\n" FIELD " accumulated\ncycles 1\n");
+  written_scene(&it, &page);
+  scene.scene = it.scene;
+  struct nb_solution solution = refs_solution("literal_field", &scene);
+  const double expected = mass * 2 / 3 * 9 * 1e-6 / (step * step);
+  REFS_NEAR(refs_value(&solution, "R.unbalanced.force in s"), expected, 1e-14, expected);
+  solution_free(&solution);
+  written_free(&it);
 }
 
 /* The greatest kinetic energy is the first one, unless a wall or a fixed particle moves and may add energy. */
@@ -549,6 +573,7 @@ void suite_refs(void) {
   CU_ADD_TEST(suite, every_reference_reports_missing_memory);
   CU_add_test(suite, "friction and cohesion of a particle and a wall", friction_and_cohesion_at_a_wall);
   CU_ADD_TEST(suite, rayleigh_steps_of_equal_spheres);
+  CU_ADD_TEST(suite, means_of_an_assembly_with_two_sizes);
   CU_ADD_TEST(suite, rebound_without_energy_from_outside);
   CU_ADD_TEST(suite, a_step_relative_to_a_single_contact);
   CU_ADD_TEST(suite, a_filling_counts_each_size);

@@ -17,7 +17,7 @@ static void run(struct nb_result *result, struct written *it) {
   words_add(&page, "units none\nmaterial a density 1 young 1000 poisson 0.25\nmaterial b density 1 young 1000 poisson "
                    "0.25\npair a b friction 0.5\nnormal hertz\nshear mindlin\nstep 1e-9\n"
                    "sphere 0 0 radius 2 a\nsphere 2.99 0 radius 1 a fixed spin 3\nsphere 0 2.98 radius 1 b fixed\n"
-                   "sphere -9 0 radius 1 a velocity 0 -2\nregion A circle 0 0 radius 3.5 rings 7\nregion B all\n"
+                   "sphere -9 0 radius 1 a velocity 0 -2\nregion B all\nregion A circle 0 0 radius 3.5 rings 7\n"
                    "record time\nstage s\ncycles 1\nsnapshot\n");
   written_scene(it, &page);
   written_run(result, it, NULL);
@@ -134,6 +134,7 @@ static void rings(void) {
       const double r = e ? outer : inner;
       area[e] = pi * fmin(4, r * r) + nb_area_of_lens(1, r, 2.99) + nb_area_of_lens(1, r, 2.98);
     }
+    CU_ASSERT_EQUAL(written_cell(table, k, "region"), 2); /* in the order of the page */
     CU_ASSERT_DOUBLE_EQUAL(written_cell(table, k, "inner"), inner, 1e-15);
     CU_ASSERT_DOUBLE_EQUAL(written_cell(table, k, "outer"), outer, 1e-15);
     CU_ASSERT_DOUBLE_EQUAL(written_cell(table, k, "within"), 1 - area[1] / all, 1e-14);

@@ -135,6 +135,26 @@ static void damping_has_its_formula(void) {
   }
 }
 
+/* A row of three discs between two walls. A dashpot of the coefficient beta k acts like an additional spring 2 beta k/dt,
+ * so at the limit the row with the springs a between discs and b at the walls, a = k dt^2 + 2 beta k dt and b likewise,
+ * has the eigenvalue 4 m. It belongs to the symmetric mode in which the outer discs move against the middle one. The
+ * dashpots are at the walls, at the other contacts, or differ. */
+static void walls_have_their_own_damping(void) {
+  static const double betas[][2] = {{0, 0.5}, {0.5, 0}, {0.1, 0.4}};
+  for (size_t k = 0; k < sizeof betas / sizeof *betas; k++) {
+    struct words page = {0};
+    words_add(&page,
+              "units none\nmaterial m density 3 kn 100\nbox 0 0 to 6 4 m\nlattice discs 3 by 1 from 1 2 radius 1 "
+              "spacing 2 m\nskin 0.1\ndamping stiffness %g\ndamping walls stiffness %g\n",
+              betas[k][0], betas[k][1]);
+    const struct steps it = find_steps(&page, true);
+    in_order(&it);
+    const double mass = 3.14159265358979323846 * 3, dt = it.modes;
+    const double a = 100 * dt * (dt + 2 * betas[k][0]), b = 100 * dt * (dt + 2 * betas[k][1]);
+    NEAR((b + 3 * a + sqrt((a - b) * (a - b) + 8 * a * a)) / 2, 4 * mass, 1e-11);
+  }
+}
+
 /* ---- random networks ---- */
 
 /* Particles of different size, density and shape near the sites of a distorted lattice: some overlap, some are within
@@ -328,6 +348,7 @@ void suite_stable(void) {
   CU_add_test(suite, "margins stated in step-limit.md", margins_stated_in_step_limit);
   CU_add_test(suite, "rotation lowers the limit by thirty per cent", rotation_lowers_the_limit);
   CU_add_test(suite, "the limit of a damped pair equals its formula", damping_has_its_formula);
+  CU_ADD_TEST(suite, walls_have_their_own_damping);
   CU_add_test(suite, "random networks stay below the limit", random_networks_stay_below_the_limit);
   CU_add_test(suite, "stiffer unloading counts", stiffer_unloading_counts);
   CU_add_test(suite, "discs apart count as they touch", discs_apart_count_as_they_touch);
