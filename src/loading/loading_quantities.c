@@ -74,8 +74,9 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
     TENSOR(
         "cell.strain", NB_OF_CELL, "1", NB_COMPONENTS, cell_strain,
         "strain of the cell relative to its sides at time 0, also in later stages, extension positive. xy is 0 as long "
-        "as the cell is strained along x and y only. Then (1 + END)/(1 + BEGIN) - 1 is xx or yy of a later stage, with "
-        "the values at its end and at its beginning. For small strains xy is half the engineering shear strain. In a "
+        "as the cell is strained along x and y only. The strain xx or yy of a later stage alone is then "
+        "(1 + END)/(1 + BEGIN) - 1, where BEGIN and END are the values at the beginning and at the end of that stage. "
+        "For small strains xy is half the engineering shear strain. In a "
         "cell that was compressed before the shear, the engineering shear strain is the change of cell.xy during the "
         "shear over cell.yy"),
     {"cell.strain.volumetric", NB_OF_CELL, "1", 0, cell_strain_volume,

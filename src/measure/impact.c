@@ -162,9 +162,11 @@ const struct nb_quantity_kind nb_impact_kinds[] = {
      "shear force against the motion at incidence, T/(mu N_max)"},
     {"impact.slip", NB_OF_IMPACT, "m", 0, slip, "tangential displacement of the contact since first touch"},
     {"impact.energy.normal", NB_OF_IMPACT, "J", 0, energy_normal,
-     "kinetic energy of the relative motion along the normal at first touch", NB_AT_LEAST_0},
+     "present kinetic energy of the relative motion in the direction that the normal had at first touch",
+     NB_AT_LEAST_0},
     {"impact.energy.tangential", NB_OF_IMPACT, "J", 0, energy_tangential,
-     "kinetic energy of the relative motion along the tangent at first touch", NB_AT_LEAST_0},
+     "present kinetic energy of the relative motion in the direction that the tangent had at first touch",
+     NB_AT_LEAST_0},
     {"impact.energy.rotational", NB_OF_IMPACT, "J", 0, energy_rotational, "kinetic energy of rotation", NB_AT_LEAST_0},
     {.name = NULL},
 };

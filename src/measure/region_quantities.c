@@ -125,8 +125,9 @@ const struct nb_quantity_kind nb_region_kinds[] = {
 
     STRAIN("strain", NB_TENSOR, "1", strain,
            "strain fitted by least squares to the displacements of particles, extension positive; xy is half the "
-           "engineering shear strain. All particles that were inside when it began count, rattlers included. The "
-           "strain of walls is box.strain.width and box.strain.height"),
+           "engineering shear strain. The particles are those that were in the region when the strain began, at the "
+           "start of the run or of the stage that `from` names, rattlers included. The strain of walls is "
+           "box.strain.width and box.strain.height"),
     STRAIN("strain.volumetric", NB_SCALAR, "1", volumetric, "volumetric strain xx + yy, expansion positive"),
     STRAIN("strain.rotation", NB_SCALAR, "rad", rotation, "mean rigid rotation of the region, small, counterclockwise"),
 
