@@ -93,7 +93,7 @@ static bool has_word(const char *list, const char *word, bool loose) {
 const struct nb_synonym *nb_synonym(const char *word) {
   /* clang-format off */
   static const struct nb_synonym synonyms[] = { /* each word once; `_` stands for `-`, `.` and a space too */
-    {"ball balls disk disks particle particles grain grains body bodies clump", "disc, sphere"}, {"grid mesh regular", "lattice"},
+    {"ball balls disk disks particle particles grain grains body bodies", "disc, sphere"}, {"clump clumps multisphere rigid_body superquadric polygon polyhedron", "disc, sphere", "there are no clumps, particles are single discs or spheres: `disc 0 m 0 m radius 5 mm MATERIAL`"}, {"grid mesh regular", "lattice"},
     {"create create_atoms", "fill, lattice, disc, sphere"}, {"generate pack insert distribute pour random cloud makeCloud", "fill", RANDOM_PACKING},
     {"psd gradation size distribution bimodal", "grading"},
     {"facet facets plane plate wallHandler InfiniteWall", "wall"}, {"domain container create_box setXMax setXMin setYMax setYMin", "box, cell", "the domain is `box 0 m 0 m to 1 m 1 m MATERIAL`, or periodic `cell 0 m 0 m to 1 m 1 m`"}, {"periodic pbc", "cell", "periodic boundaries are `cell 0 m 0 m to 1 m 1 m`, in place of walls; a cell is always periodic in x and in y"},

@@ -6,7 +6,8 @@
  *   mistakes.c     messages, suppressed names       value.c      values from tokens
  *   line.c         tokens                           statement.c  a statement from tokens, by a row of a table
  *   expression.c   expressions in parentheses       guess.c      the nearest known word
- *   units.c        numbers and units
+ *   units.c        numbers and units             foreign.c    whole lines of other programs
+ *   page_names.c   the page's names in hints     fill_hint.c  random packings of other programs
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #pragma once
