@@ -194,6 +194,12 @@ plan "$pages/smoother.md" >"$work/after" && test "$(grep -c 'tan(phi) 0' "$work/
   "$nineball" explain "$pages/smoother.md" --states "$states" | grep -q "^$step, line"
 result $? 'explain shows the same plan when the state exists'
 
+# The shortest collision of two discs of the mass 1 and the stiffness 1/2 lasts pi sqrt((1/2)/(1/2)) = pi, whatever the state is.
+printf '```scene\nunits none\nmaterial m density (1/pi) kn 0.5\ndisc 0 0 radius 1 m\ndisc 9 0 radius 1 m\nstep 0.1\nrecord time\nstage a\ncycles 8\n```\n' >"$pages/lone.md"
+printf '```scene\nunits none\nstart lone stage a\nstep 40 per collision\nrecord time\nstage b\ncycles 8\n```\n' >"$pages/collision.md"
+"$nineball" explain "$pages/collision.md" --states "$states" >"$work/said" && sed -n '/^step$/{n;p}' "$work/said" | grep -qxF '  0.0785398'
+result $? 'explain shows the step of a collision of linear springs before the state exists'
+
 # A page with `impact`, a second page that starts from it, and a third page that starts from the second; each runs with and without
 # saved states.
 cat >"$pages/hit.md" <<'EOF'
