@@ -9,6 +9,7 @@
 #include "../cases/refs/impact_springs.h"
 #include "refs_scenes.h"
 #include "suites.h"
+#include "written.h"
 
 /* The impact parameter chi of solid spheres with nu = 0.28 and 0.30 [R89 5.14, sec. 5.4]. */
 static const double chi28 = 0.72 / 1.72 * 3.5, chi30 = 0.7 / 1.7 * 3.5;
@@ -129,6 +130,29 @@ static void mean_restitution(void) {
   CU_ASSERT(fabs(average(10, 60) - 0.9356) < 5e-5);
 }
 
+/* The angle of incidence is that between the velocity of the centre and the normal. It is not below 0 if a spin reverses
+ * the velocity of the point of contact. */
+static void angle_of_incidence_with_spin(void) {
+  static const double spins[] = {-3, -0.1, 0, 0.1, 3};
+  for (size_t k = 0; k < sizeof spins / sizeof *spins; k++) {
+    struct words page = {0};
+    struct written it;
+    struct refs_scene scene;
+    words_add(&page,
+              "units none\nmaterial m density 1 young 1e6 poisson 0.28 friction 0.2\nnormal hertz\n"
+              "shear mindlin_deresiewicz\nsphere 0 1 radius 1 m spin %g\nwall w -9 0 to 9 0 m\n"
+              "monitor C sphere 1 with wall w\nimpact C speed 1 angle 0.4\nstep 40 per collision\n"
+              "record impact.angle\nstage s\ncycles 40\n",
+              spins[k]);
+    written_scene(&it, &page);
+    scene.scene = it.scene;
+    struct nb_solution solution = refs_solution("oblique_impact", &scene);
+    NEAR(refs_value(&solution, "impact.angle"), 0.4, 1e-14);
+    solution_free(&solution);
+    written_free(&it);
+  }
+}
+
 static void other_scenes_are_refused(void) {
   struct refs_scene it;
   refs_nine_discs(&it, 1e9, 2, 40, 400);
@@ -144,5 +168,6 @@ void suite_refs_impact(void) {
   CU_add_test(suite, "dissipation by gross sliding is a part of the total dissipation",
               gross_sliding_is_part_of_dissipation);
   CU_add_test(suite, "mean restitution over the angle of incidence", mean_restitution);
+  CU_ADD_TEST(suite, angle_of_incidence_with_spin);
   CU_add_test(suite, "other scenes are refused", other_scenes_are_refused);
 }

@@ -15,6 +15,7 @@
 #include "core/model.h"
 #include "core/team.h"
 #include "input/scene.h"
+#include "report/outcome.h"
 #include "run/restart.h"
 #include "run/state.h"
 #include "suites.h"
@@ -442,6 +443,40 @@ static void threads_and_instruction_set(void) {
   CU_ASSERT_STRING_EQUAL(error.text, "expected `--isa plain`, `avx2` or `avx512`, found `mmx`");
 }
 
+/* A state with the hash of the stage, but with a particle of another radius, does not fit the page. */
+static void a_state_of_other_particles_is_refused(void) {
+  char folder[] = "/tmp/nineball-run-XXXXXX", first[64], second[64], path[4096];
+  CU_ASSERT_PTR_NOT_NULL_FATAL(mkdtemp(folder));
+  snprintf(first, sizeof first, "%s/first.md", folder), snprintf(second, sizeof second, "%s/second.md", folder);
+  static const char *const texts[] = {
+      "```scene\nunits none\nmaterial m density 1 kn 1\ndisc 1 2 radius 3 m\nstep 0.1\nstage a\ncycles 1\n```\n",
+      "```scene\nunits none\nstart first stage a\nrecord time\nstage b\ncycles 1\n```\n"};
+  for (int k = 0; k < 2; k++) {
+    FILE *file = fopen(k ? second : first, "w");
+    CU_ASSERT_PTR_NOT_NULL_FATAL(file);
+    fputs(texts[k], file), fclose(file);
+  }
+  struct nb_outcome outcome;
+  struct nb_error error;
+  struct nb_saved saved, again;
+  const struct nb_options options = {.threads = 1, .states = folder};
+  CU_ASSERT_EQUAL_FATAL(nb_outcome_read(&outcome, second, NULL), NB_OK);
+  const struct nb_scene *scene = &outcome.runs[0].scene, *from = scene->start.scene;
+  CU_ASSERT_EQUAL_FATAL(nb_start_path(path, sizeof path, scene, &options, &error), NB_OK);
+  CU_ASSERT_EQUAL_FATAL(nb_run_to(&saved, from, &options, NULL, &error), NB_OK);
+  saved.hash = from->stages[from->stage_count - 1].hash;
+  for (int k = 0; k < 2; k++) {
+    saved.particles[0].radius = k ? 2 : 3;
+    CU_ASSERT_EQUAL(nb_saved_write(&saved, path, &error), NB_OK);
+    CU_ASSERT_EQUAL(nb_start_obtain(&again, scene, &options, NULL, false, &error), k ? NB_BAD_USE : NB_OK);
+    nb_saved_free(&again);
+  }
+  CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "expected the state of 1 particles"));
+  nb_saved_free(&saved), nb_outcome_free(&outcome);
+  unlink(path), unlink(first), unlink(second);
+  CU_ASSERT_EQUAL(rmdir(folder), 0);
+}
+
 void suite_run(void) {
   CU_pSuite suite = CU_add_suite("run", NULL, NULL);
   CU_add_test(suite, "rows are recorded as requested", rows_are_recorded_as_requested);
@@ -461,4 +496,5 @@ void suite_run(void) {
   CU_add_test(suite, "packings change the hash", packings_change_the_hash);
   CU_add_test(suite, "parts of a team", parts_of_a_team);
   CU_add_test(suite, "threads and instruction set", threads_and_instruction_set);
+  CU_ADD_TEST(suite, a_state_of_other_particles_is_refused);
 }
