@@ -274,6 +274,12 @@ static void friction_without_effect(void) {
       {"material m density 1 kn 1\nmaterial n density 1 kn 1\npair m m friction 0\npair m n friction 0.5\n"
        "disc 0 0 radius 1 m\ndisc 3 0 radius 1 m\ndisc 6 0 radius 1 n",
        "6: friction between `m` and `n`"},
+      {"material m density 1 kn 1\nmaterial n density 1 kn 1\nmaterial k density 1 kn 1\npair k n friction 0\n"
+       "pair m n friction 0.5\ndisc 0 0 radius 1 m\ndisc 3 0 radius 1 n",
+       "7: friction between `m` and `n`"},
+      {"material m density 1 kn 1\nmaterial n density 1 kn 1\nmaterial k density 1 kn 1\npair n k friction 0\n"
+       "pair n m friction 0.5\ndisc 0 0 radius 1 m\ndisc 3 0 radius 1 n",
+       "7: friction between `m` and `n`"},
       {"material m density 1 kn 1 friction 0.5\ndisc 0 0 radius 1 m\ndisc 3 0 radius 1 m\nstep 1e-7\nstage a\n"
        "material m friction 0\ncycles 1", /* never used */
        "3: friction between `m` and `m`"},

@@ -416,9 +416,13 @@ until M.strain.yy above 0.1 and M.strain.xx below -0.1 at most 9 cycles
 stage b
 wall top velocity 0 0.1
 until M.strain.yy below -0.1 at most 9 cycles
+stage less
+until M.strain.yy below 0.5 at most 9 cycles
 stage right
 wall top velocity 0 -0.1
 until M.strain.yy below -0.1 and M.strain.xx above 0.1 at most 9 cycles
+stage more
+until M.strain.yy above -0.5 at most 9 cycles
 stage both
 wall bottom velocity 0 -0.2
 until M.strain.yy above 0.1 at most 9 cycles
@@ -431,7 +435,7 @@ END
 run 0 explain pressed.md
 said 'pressed.md:14: warning: stage `a` compresses in y, and extension is positive: in place of `M.strain.yy above 0.1` write `M.strain.yy below -0.1`'
 said 'pressed.md:17: warning: stage `b` extends in y, and extension is positive: in place of `M.strain.yy below -0.1` write `S.strain.yy above 0.1`, with `region S all from b` in the scene'
-said 'pressed.md:26: warning: stage `again` compresses in y, and extension is positive: in place of `M.strain.yy above 0.2`'
+said 'pressed.md:30: warning: stage `again` compresses in y, and extension is positive: in place of `M.strain.yy above 0.2`'
 test "$(grep -c 'extension is positive' said)" -eq 3 || echo 'not three warnings of walls that move' >>why
 verdict 'warnings: a condition on a strain of the other sign than the strain rate'
 

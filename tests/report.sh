@@ -138,6 +138,7 @@ run 2 report "$pages/passes.md" -o taken && said 'cannot write taken/passes/inde
 result $? 'report: a page of the report that cannot be written is status 2'
 run 0 report "$pages/hidden.md" -o some && said '2 checks, 0 failed' &&
   grep -q '<td class="pass">2 checks passed</td>' some/index.html &&
+  grep -qE '<td class="number">[0-9.e-]+ s</td>' some/index.html &&
   grep -q '2 checks, 0 failed, 0 noted, 6 skipped' some/hidden/index.html
 result $? 'report: skipped expectations are counted separately'
 run 2 report "$pages/passes.md" "$pages/asks-nothing.md" -o some && said '0 checks, 0 failed; nothing was checked' &&
