@@ -113,6 +113,20 @@ static void syntax_hint(char *hint, const struct nb_keyword *keyword) {
   snprintf(hint, NB_HINT_SIZE, "the statement is `%s`", syntax);
 }
 
+/* Appends the first `length` bytes of an example, with the material of the page in place of those of the manual. */
+static void append_example(char *hint, const struct nb_reader *reader, const char *example, size_t length) {
+  char material[NB_NAME_SIZE];
+  const bool defines = strncmp(example, "material", 8) == 0 || strncmp(example, "pair", 4) == 0;
+  const bool known = !defines && nb_page_name_of(material, reader->page, "material", reader->line);
+  for (size_t at = 0, n; at < length; at += n) {
+    n = strspn(example + at, " ");
+    n = n ? n : strcspn(example + at, " ");
+    n = at + n > length ? length - at : n;
+    const bool theirs = known && n == 5 && (!strncmp(example + at, "steel", n) || !strncmp(example + at, "glass", n));
+    nb_append(hint, NB_HINT_SIZE, "%.*s", theirs ? (int)strlen(material) : (int)n, theirs ? material : example + at);
+  }
+}
+
 const char *nb_example_hint(char *hint, const struct nb_reader *reader) {
   const char *line = reader->row && reader->row->example ? reader->row->example : "", *best = "";
   char first[NB_NAME_SIZE] = "", padded[NB_HINT_SIZE], word[NB_NAME_SIZE + 2];
@@ -135,7 +149,9 @@ const char *nb_example_hint(char *hint, const struct nb_reader *reader) {
   if (best[length] == '$') /* the page may lack this name: the clause is left out, and the two spaces before it */
     while (length > 0 && strncmp(best + length, "  ", 2) != 0)
       length--;
-  snprintf(hint, NB_HINT_SIZE, "for example `%.*s`", (int)length, best);
+  snprintf(hint, NB_HINT_SIZE, "for example `");
+  append_example(hint, reader, best, length);
+  nb_append(hint, NB_HINT_SIZE, "`");
   /* if the example has several lines, one common word, the first one, is not enough to choose a line */
   return most > (lines > 1) ? hint : NULL;
 }
