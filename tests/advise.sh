@@ -76,6 +76,16 @@ run 0 advise "$oblique" --set poisson=0.3 --set psi1=3.7 --quantity impact.psi2 
 rows late/advice.tsv | cut -f 2,3,10 | tee "$why" |
   awk '$1 == "mindlin_deresiewicz" && $3 != "misses" { own = $2 } $1 == "mindlin" { other[$2] = 1 } END { exit !(own && own in other) }'
 result $? 'another law is tried at the same step'
+# The advice names the laws, and the options for them if they are not those of the page.
+for within in '6 %' '20 %'; do
+  run 0 advise "$oblique" --set poisson=0.3 --set psi1=3.7 --quantity impact.psi2 --within "$within" -o named
+  rows named/advice.tsv | awk -F '\t' '$10 == "chosen" { print $1, $2, $3 }' >named/chosen
+  read -r normal shear refine <named/chosen
+  options="--set normal=$normal --set shear=$shear --set refine=$refine" laws="; normal $normal, shear $shear"
+  test "$shear" = mindlin_deresiewicz && options="--set refine=$refine" laws="$laws, as in the page"
+  grep -qx "  the cheapest setting within the tolerance: $options" "$why" && grep -q "$laws\$" "$why"
+  result $? "the laws of the advice within $within"
+done
 cat >head-on.md <<'EOF'
 # Two spheres that collide head-on
 
