@@ -13,8 +13,8 @@
 #include "core/vec.h"
 #include "reader.h"
 
-/* Discs placed at random one after the other fill at most 0.547 of an area; up to SOLID each is placed in a few
- * attempts, and above MOST the attempts of the proposed line may not be enough. */
+/* Discs placed at random one after the other fill at most 0.547 of an area; up to SOLID a disc needs at
+ * most some hundreds of attempts. Above MOST the 1000 attempts of the proposed line may not be enough. */
 #define SOLID 0.4
 #define MOST 0.45
 
@@ -88,7 +88,7 @@ static void take_place(struct wanted *wanted, const double *lengths, size_t coun
   }
 }
 
-/* Which values the next number of the line has, and the lengths of its place. */
+/* What the next number of the line means, and the lengths of the line's box or circle that have been read. */
 struct reading {
   enum values values, place;
   double lengths[4];
@@ -171,10 +171,16 @@ static double rounded(double length, bool up) {
   return (up ? ceil(length / unit) : floor(length / unit)) * unit;
 }
 
-/* The mean area of a particle. */
+/* Number of sizes of the proposed grading: one, or three, a, (a + b)/2 and b, between two radii a and b. */
+static int size_count(const struct wanted *wanted) {
+  const bool few = wanted->count > 0 && wanted->count < 3;
+  return wanted->radii[1] > 0 && !few ? 3 : 1;
+}
+
+/* The mean area of a particle: all sizes are equally frequent. */
 static double mean_area(const struct wanted *wanted) {
-  const double a = wanted->radii[0], b = wanted->radii[1] > 0 ? wanted->radii[1] : a;
-  return NB_PI * (a * a + a * b + b * b) / 3;
+  const double a = wanted->radii[0], b = size_count(wanted) > 1 ? wanted->radii[1] : a;
+  return NB_PI * (5 * a * a + 2 * a * b + 5 * b * b) / 12;
 }
 
 /* Completes number and radius, each from the other one and the place. */
@@ -201,7 +207,7 @@ static void complete_place(struct wanted *wanted, double solid, const char *unit
 
 /* Appends the grading: one size, or three between the smallest and the largest radius. */
 static void append_grading(char *hint, const struct nb_reader *reader, const struct wanted *wanted) {
-  const int sizes = wanted->radii[1] > 0 && wanted->count >= 3 ? 3 : 1;
+  const int sizes = size_count(wanted);
   nb_append(hint, NB_HINT_SIZE, "`grading mixed");
   for (int s = 0; s < sizes; s++) {
     const double third = floor(wanted->count / sizes), rest = wanted->count - sizes * third;
@@ -217,7 +223,7 @@ static void append_target(char *hint, const struct wanted *wanted) {
   if (!wanted->has_porosity)
     return;
   if (wanted->porosity > 1 - MOST && wanted->area > 0) {
-    nb_append(hint, NB_HINT_SIZE, ", with the porosity %.3g", 1 - wanted->count * mean_area(wanted) / wanted->area);
+    nb_append(hint, NB_HINT_SIZE, "; the porosity is then %.3g", 1 - wanted->count * mean_area(wanted) / wanted->area);
     return;
   }
   const bool cell = strcmp(wanted->place, "cell") == 0;
