@@ -221,7 +221,7 @@ static void many_particles_fall(void) {
   written_free(&it);
 }
 
-/* The same particles fall towards a point: each has the acceleration of its own direction. */
+/* As many particles, all of one size, fall towards a point: each accelerates in its own direction. */
 static void many_particles_fall_to_a_point(void) {
   struct words page = {0};
   struct written it;

@@ -164,7 +164,7 @@ static void fields_at_their_limits(void) {
   }
 }
 
-/* Every record is removed, which is an error if the record is required, and doubled, which is always an error. */
+/* Each of these records is removed, which is an error if it is required, and doubled, which is an error. */
 static void every_record(void) {
   static const struct {
     const char *page, *record;
