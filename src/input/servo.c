@@ -116,9 +116,9 @@ static void note_wanted(struct nb_scene_reading *reading, const struct nb_reader
 
 const char *nb_servo_wanted(char *text, size_t size, const struct nb_scene_reading *reading) {
   const struct nb_stage *const stage = nb_current_stage(reading->scene);
-  return nb_servo_condition(text, size, reading->scene, &stage->servo) ? text
-         : reading->servo_wanted_line > stage->line                    ? reading->servo_wanted
-                                                                       : NULL;
+  return nb_servo_condition(text, size, reading->scene, &stage->servo, reading->reader.unitless) ? text
+         : reading->servo_wanted_line > stage->line                                              ? reading->servo_wanted
+                                                                                                 : NULL;
 }
 
 /* Refuses `on box` or `through box` in a scene with a cell, and a cell in a scene with a box. True: the place is wrong. */

@@ -75,7 +75,8 @@ bool nb_servo_scales(const struct nb_model *model, const struct nb_servo *servo,
 double nb_servo_error(const struct nb_model *model);
 /* Writes the condition of an `until` that a controlled stress is near its target: "cell.stress.xx above 900 Pa". False: the
  * servo controls no stress, or its targets are 0. */
-bool nb_servo_condition(char *text, size_t size, const struct nb_scene *scene, const struct nb_servo *servo);
+bool nb_servo_condition(char *text, size_t size, const struct nb_scene *scene, const struct nb_servo *servo,
+                        bool unitless);
 void nb_servo_apply(struct nb_model *model); /* sets the strain rates of the next steps; called before the motion */
 
 /* ---- remove.c: removes the particles that a stage removes ---- */

@@ -101,7 +101,8 @@ double nb_servo_error(const struct nb_model *model) {
   return target > 0 ? tensor_largest(stress_error(model, servo, 1)) / target : 0;
 }
 
-bool nb_servo_condition(char *text, size_t size, const struct nb_scene *scene, const struct nb_servo *servo) {
+bool nb_servo_condition(char *text, size_t size, const struct nb_scene *scene, const struct nb_servo *servo,
+                        bool unitless) {
   static const int part[] = {0, 3, 1}; /* indices of xx, yy and xy among the four measured components */
   const double near = 0.9;
   int k = 0;
@@ -112,7 +113,7 @@ bool nb_servo_condition(char *text, size_t size, const struct nb_scene *scene, c
   const struct nb_quantity stress = servo->quantity[part[k]];
   snprintf(text, size, "%s%s%s.%s %s %g%s", stress.monitor < 0 ? "" : scene->monitors[stress.monitor].name,
            stress.monitor < 0 ? "" : ".", stress.kind->name, stress.suffix ? stress.suffix->name : "",
-           servo->stress[k] > 0 ? "above" : "below", near * servo->stress[k], scene->unitless ? "" : " Pa");
+           servo->stress[k] > 0 ? "above" : "below", near * servo->stress[k], unitless ? "" : " Pa");
   return true;
 }
 

@@ -194,7 +194,7 @@ static void warn_of_end(const struct run *run, const struct nb_stage *stage) {
   const char *const unbalanced = met_without_contact(model, stage);
   char text[512], servo[160];
   if (unbalanced) {
-    const bool controlled = nb_servo_condition(text, sizeof text, run->scene, &stage->servo);
+    const bool controlled = nb_servo_condition(text, sizeof text, run->scene, &stage->servo, run->scene->unitless);
     nb_warn(&model->warnings, stage->line,
             "stage `%s` ended in cycle %lu without a contact force, where `%s` is 0; add a condition such as `and %s`",
             stage->name, model->stage_cycle, unbalanced, controlled ? text : "contacts above 0");
