@@ -1324,7 +1324,11 @@ if command -v gnuplot >/dev/null; then
   said 'no column with header "D.y/-" (line 23 of the page)'
   said 'the name of a column ends with its unit, or with `/-`: `A.x/m`, `M.porosity/-`'
   said 'the data are `$table`, with a sweep `$table_1`'
+  said 'the columns of `$table` are `stage`, `time/-`, `D.x/-`, `step/-`'
   absent lacks/lacks.svg
+  sed "s|^plot .*|&, \$values using 'D.y/m':'D.y/-'|" "$pages/passes.md" >tree/cases/lacks.md
+  run 2 figure tree/cases/lacks.md -o lacks --trust
+  said 'the columns of `$values` are `run`, `D.x/-`, `reference D.x/-`'
   verdict 'a figure with a missing column'
   sed "s|^plot .*|plot 'table.tsv'|" "$pages/passes.md" >tree/cases/lacks.md
   run 2 figure tree/cases/lacks.md -o lacks --trust

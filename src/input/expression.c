@@ -357,7 +357,10 @@ static struct quantity named_value(struct parser *p) {
   }
   const char *near = nb_syntax_hint(reader, hint, name);
   near = near ? near : NB_NEAREST(hint, name, reader->bindings, reader->binding_count);
-  near = near || !nb_unit_read(&unit, name) ? near : "a unit follows a number, without an operator: `2 mm`";
+  if (!near && nb_unit_read(&unit, name))
+    near = hint,
+    snprintf(hint, sizeof hint,
+             "a unit follows a number, without an operator: `2 mm`; or define `let %.40s = …` in the scene", name);
   near = near ? near : word_hint(reader, hint, name);
   near = near ? near : time_hint(reader, name);
   near = near ? near : nb_arithmetic_hint(reader);

@@ -66,7 +66,7 @@ static const struct row rows[] = {
   {NB_IN_STAGE, "cycles N {steps|cycles}", "cycles N", NULL},
   {NB_IN_STAGE, "{model} run|solve|cycle|cycles|duration|time|for {for|elastic} {time} TU", "until stage.time above TU at most 1000000 cycles", NULL},
   {NB_IN_STAGE, "{model} run|solve {elastic} time T", "until stage.time above T at most 1000000 cycles", NULL},
-  {NB_IN_STAGE, "{model} solve {mech|mechanical} {elastic} aratio|ratio|ratio-average|ratio_average|average|unbalanced|unbal {ratio} {below} Q {at} {most} {N} {cycles}", "until unbalanced.max below Q and contacts above 0 at most 1000000 cycles", AVERAGE},
+  {NB_IN_STAGE, "{model} solve {mech|mechanical} {elastic} aratio|ratio|ratio-average|ratio_average|average|unbalanced|unbal {ratio} {below} Q {at} {most} {N} {cycles}", "until unbalanced.max below Q and energy.kinetic below 1 nJ and contacts above 0 at most 1000000 cycles", AVERAGE},
   {BOTH, "stage NAME {for|of|lasts} {time|duration} TU", "stage NAME\nuntil stage.time above TU at most 1000000 cycles", NULL},
   {BOTH, "stage NAME {for|of|lasts} N cycles|steps", "stage NAME\ncycles N", NULL},
   {NB_IN_SCENE, "{model} cycle|run|iterate|steps|solve N", "stage load\ncycles N", "cycles belong to a stage, below the scene"},

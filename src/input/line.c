@@ -153,7 +153,11 @@ static bool append_expression(struct nb_reader *reader, const char *line, const 
   while (++close < length && depth > 0);
   if (close < length) {
     const struct nb_token token = nb_token_at(line, word + close, length - close);
-    nb_token_mistake(reader, &token, "write the whole expression in parentheses, and a space before a unit",
+    nb_token_mistake(reader, &token,
+                     reader->here == NB_IN_EXPECT && reader->count == 1
+                         ? "a line has no arithmetic with measures: it begins with one measure, and a formula stands "
+                           "after `expected`, `A.vx last  expected (2*v) within 1 % [SOURCE]`"
+                         : "write the whole expression in parentheses, and a space before a unit",
                      "expected a space after `)`, found `%.*s`", (int)(length - close), word + close);
   }
   return nb_expression(reader, line, word + before, word + close, &value)

@@ -125,7 +125,8 @@ static const struct nb_quantity_kind kinds[] = {
      NB_AT_LEAST_0},
     {"unbalanced.max", 0, "1", 0, unbalanced_max,
      "largest unbalanced force on a particle over largest contact force, dF/F of [CS79 table 1]; infinite if "
-     "forces act but all contact forces are 0, 0 if no force acts",
+     "forces act but all contact forces are 0, 0 if no force acts. The force of an oscillation crosses zero in motion, "
+     "so a wait for rest is `until unbalanced.max below 1e-4 and energy.kinetic below VALUE and contacts above 0`",
      NB_AT_LEAST_0},
     {"energy.kinetic", 0, "J", 0, kinetic_energy, "kinetic energy of all free particles, rotation included",
      NB_AT_LEAST_0},

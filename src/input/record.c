@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/clean.h"
 #include "core/names.h"
 #include "old_words.h"
 #include "statement.h"
@@ -33,26 +34,37 @@ bool nb_take_requested(struct nb_scene_reading *reading, struct nb_reader *reade
   return true;
 }
 
-/* Writes the hint for an `until` with a word for the unbalanced force: without a condition on a stress or on contacts the
- * stage may end before any contact has a force. Or with a strain in a later stage: it counts from the start of a region.
- * False: the line is another. */
+/* Writes the condition for a wait for rest. Without a condition on a stress or on contacts the stage may end before any
+ * contact has a force, and without a servo or a condition on the energy in motion. */
+static void unbalanced_hint(char *hint, const struct nb_scene_reading *reading) {
+  const struct nb_reader *const reader = &reading->reader;
+  char text[2 * NB_NAME_SIZE];
+  const char *const stress = nb_servo_wanted(text, sizeof text, reading);
+  snprintf(hint, NB_HINT_SIZE, "`until unbalanced.max below %.20s and %s", reader->tokens[3].text,
+           stress ? stress : "energy.kinetic below ");
+  if (!stress)
+    nb_append(hint, NB_HINT_SIZE, "1%s and contacts above 0", reader->unitless ? "e-9" : " nJ");
+  nb_append(hint, NB_HINT_SIZE,
+            " at most 1000000 cycles`: %s the stage ends at once if no contact has a force. `unbalanced.max` is the "
+            "largest unbalanced force over the largest contact force, and the ratio of the means is "
+            "`M.unbalanced.mean`, with `region M all`",
+            stress ? "without the second condition"
+                   : "an oscillating force crosses zero in motion, so the second condition, an energy far below that "
+                     "of the motion, waits for rest; without the last one");
+}
+
+/* Writes the hint for an `until` with a word for the unbalanced force, or with a strain in a later stage: it
+ * counts from the start of a region. False: the line is another. */
 static bool until_hint(char *hint, const struct nb_scene_reading *reading, const char *name) {
   const struct nb_reader *const reader = &reading->reader;
   const struct nb_scene *const scene = reading->scene;
   const struct nb_synonym *const synonym = nb_pair_synonym("quantity", name), *const other = nb_synonym(name);
   const char *const ours = synonym ? synonym->ours : other ? other->ours : "";
-  char text[2 * NB_NAME_SIZE];
   if (strcmp(reader->tokens[0].text, "until") != 0 || reading->here != NB_IN_STAGE)
     return false;
   if (strcmp(ours, "unbalanced.max") == 0 && reader->next == 2 && reader->count > 3 &&
       strcmp(reader->tokens[reader->count > 4 ? 4 : 0].text, "and") != 0) {
-    const char *const stress = nb_servo_wanted(text, sizeof text, reading);
-    snprintf(
-        hint, NB_HINT_SIZE,
-        "`until unbalanced.max below %.20s and %s at most 1000000 cycles`: without the second condition the stage "
-        "ends at once if no contact has a force. `unbalanced.max` is the largest unbalanced force over the largest "
-        "contact force, and the ratio of the means is `M.unbalanced.mean`, with `region M all`",
-        reader->tokens[3].text, stress ? stress : "contacts above 0");
+    unbalanced_hint(hint, reading);
     return true;
   }
   if (scene->stage_count - scene->start.stages < 2 || !nb_is_quantity(name) || strncmp(name, "strain.", 7) != 0)

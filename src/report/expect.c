@@ -514,9 +514,27 @@ static void append_value(char *hint, const struct nb_measure *measure) {
             (int)measure->bare_length, measure->label, measure->label + measure->bare_length);
 }
 
+/* Reports `versus` and the name of a sweep; false: the token is another. */
+static bool is_versus_sweep(struct nb_reader *reader, const struct nb_scene *scene, const struct nb_measure *measure,
+                            const struct nb_token *token) {
+  const int k = NB_FIND(scene->bindings, scene->binding_count, token->text);
+  char hint[NB_HINT_SIZE];
+  if (k < 0 || scene->bindings[k].sweep < 0)
+    return false;
+  snprintf(hint, sizeof hint,
+           "every line is checked in each run of a sweep: leave out `versus %.40s`, `%.100s expected (FORMULA) within "
+           "1 %% [SOURCE]`; or compare the runs, `%.100s increases with %.40s`",
+           token->text, measure->label, measure->label, token->text);
+  nb_token_mistake(reader, token, hint, "expected a quantity that the page records, found `%s`, the name of a sweep",
+                   token->text);
+  return true;
+}
+
 static bool take_versus(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
   const struct nb_token *token = nb_take_token(reader, "a quantity that the page records");
   struct nb_quantity quantity;
+  if (token && is_versus_sweep(reader, scene, &expectation->measure, token))
+    return false;
   if (!token || !find_column(reader, scene, token, &expectation->column, &quantity))
     return false;
   snprintf(expectation->against, sizeof expectation->against, "%s", token->text);
@@ -998,6 +1016,10 @@ static void reference_hint(char *hint, const struct nb_expectation *e) {
               "; a number or a formula needs none: `%.120s expected (FORMULA) within 1 %% [SOURCE]`", e->measure.label);
   if (e->kind == NB_VERSUS)
     append_value(hint, &e->measure);
+  if (e->kind == NB_ORDER)
+    nb_append(hint, NB_HINT_SIZE,
+              "; a value after `expected` is no reference for `order`, but with such a line the block `$values` of "
+              "gnuplot has the value and the reference of each run: draw the error");
 }
 
 enum nb_status nb_expectations_read(struct nb_expectations *expectations, const struct nb_page *page,

@@ -65,6 +65,36 @@ static const char *data_hint(const char *reason) {
   return "";
 }
 
+/* Appends the heads of the columns of a data block, `$values << EOD`: the line after its name, with tabs. */
+static void append_heads(char *list, size_t size, const char *heads) {
+  for (size_t n; n = strcspn(heads, "\t\n"), n > 0; heads += n + (heads[n] == '\t'))
+    nb_append(list, size, "%s`%.*s`", *list ? ", " : "", (int)n, heads);
+}
+
+/* Writes the heads of the columns for a message about a missing column: of `$values` if the page draws this block, or
+ * else of the first `$table`. */
+static void list_columns(char *list, size_t size, const struct nb_gnuplot *drawing, const char *reason) {
+  char path[4096], *text = NULL, heads[2][1024] = {"", ""};
+  size_t room = 0;
+  int block = -1;
+  bool of_values = false;
+  *list = '\0';
+  snprintf(path, sizeof path, "%.3000s/%s.gp", drawing->folder, drawing->name);
+  FILE *const script = strstr(reason, missing) ? fopen(path, "r") : NULL;
+  while (script && getline(&text, &room, script) >= 0) {
+    if (block >= 0 && !*heads[block])
+      append_heads(heads[block], sizeof heads[block], text);
+    block = strncmp(text, "$values << EOD", 14) == 0 ? 0 : strncmp(text, "$table", 6) == 0 ? 1 : -1;
+    of_values = of_values || (block < 0 && strstr(text, "$values"));
+  }
+  snprintf(list, size, "; the columns of `$%s` are %s", of_values ? "values" : "table", heads[!of_values]);
+  if (!script || !*heads[!of_values])
+    *list = '\0';
+  free(text);
+  if (script)
+    fclose(script);
+}
+
 enum nb_status nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error *error) {
   char file[NB_NAME_SIZE + 8], argument[sizeof file + 2], reason[256];
   char *const words[] = {"-d", "-e", (char *)drawing->commands, argument, NULL};
@@ -77,9 +107,12 @@ enum nb_status nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error 
   enum nb_status status = nb_tool_run(&tool, &messages, &code, error);
   if (messages) {
     const bool missing_column = copy_messages(drawing, messages, reason, sizeof reason);
-    if (!status && (code != 0 || missing_column))
-      status = nb_error_set(error, NB_BAD_USE, "gnuplot refused %.150s/%s: %s%s", drawing->folder, file, reason,
-                            data_hint(reason));
+    if (!status && (code != 0 || missing_column)) {
+      char columns[1200];
+      list_columns(columns, sizeof columns, drawing, reason);
+      status = nb_error_set(error, NB_BAD_USE, "gnuplot refused %.150s/%s: %s%s%s", drawing->folder, file, reason,
+                            data_hint(reason), columns);
+    }
     fclose(messages);
   }
   return status;
