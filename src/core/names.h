@@ -19,11 +19,12 @@ enum nb_quantity_family {
 enum { NB_COMPONENTS_MAX = 5 }; /* the most numbers from which a family is computed */
 
 /* Bounds of a quantity, which its row or its suffix states. A condition or an expectation that such a bound always or
- * never fulfils is an error of the page. */
+ * never fulfils is an error of the page, and so is a percentage that is compared with a count. */
 enum nb_bound {
   NB_AT_LEAST_0 = 1,
   NB_AT_MOST_1 = 2,
   NB_AT_LEAST_0_BY_LAW = 4, /* 0 or more with all laws of this program; a law that a user adds may be tensile */
+  NB_COUNTED = 8,           /* a number of particles or contacts: a percentage of it means nothing */
 };
 
 /* A row of the table: one quantity, or a family. */

@@ -118,7 +118,8 @@ static const struct nb_quantity_kind kinds[] = {
     {"cycle", 0, "1", NB_REQUEST_CLOCK, cycle, "calculation cycles since the start", NB_AT_LEAST_0},
     {"time", 0, "s", NB_REQUEST_CLOCK, time_, "time since the start", NB_AT_LEAST_0},
     {"stage.time", 0, "s", NB_REQUEST_CLOCK, stage_time, "time since the stage began", NB_AT_LEAST_0},
-    {"contacts", 0, "1", NB_BIT(NB_OVERLAP), touching_count, "number of contacts with an overlap", NB_AT_LEAST_0},
+    {"contacts", 0, "1", NB_BIT(NB_OVERLAP), touching_count, "number of contacts with an overlap",
+     NB_AT_LEAST_0 | NB_COUNTED},
     {"contacts.deep", 0, "1", 0, deep_count,
      "contacts of elastic spheres that overlap by more than 7 % of the smaller diameter, summed over all cycles [R89 "
      "sec. 6.4.3]; the fraction of `damping critical` replaces the 7 %",
@@ -320,7 +321,31 @@ static enum decision decide(unsigned bounds, enum nb_relation relation, double v
   return value >= most ? NEVER : value < least ? ALWAYS : OPEN;
 }
 
-bool nb_comparison_is_open(struct nb_reader *reader, const struct nb_comparison *it, const char *what) {
+const char *nb_count_hint(char *hint, const char *name, double fraction) {
+  const char *const dot = strchr(name, '.');
+  const int whole = (int)strcspn(name, " "), owner = dot ? (int)(dot - name) : 0;
+  snprintf(hint, NB_HINT_SIZE, "`%.*s` is a count: write a number", whole, name);
+  if (dot && strncmp(name, "boundary.", strlen("boundary.")) != 0) /* of a region */
+    nb_append(
+        hint, NB_HINT_SIZE,
+        ", or, in the block `expect`, at most a fraction of another count, `%.*s last expected 0 within %.6g %% of "
+        "%.*s.%s last [SOURCE]`",
+        whole, name, 100 * fraction, owner, name, strncmp(dot, ".contacts", 9) ? "particles" : "contacts");
+  return hint;
+}
+
+/* Refuses a percentage that is compared with a count. */
+static bool is_share_of_count(struct nb_reader *reader, const struct nb_comparison *it) {
+  const size_t after = (size_t)(it->token - reader->tokens) + 1;
+  const char *const unit = after < reader->count ? reader->tokens[after].text : "";
+  char hint[NB_HINT_SIZE];
+  return it->bounds & NB_COUNTED && (strcmp(unit, "%") == 0 || strcmp(unit, "ppm") == 0) &&
+         !nb_token_mistake(reader, it->token, nb_count_hint(hint, it->name, it->value),
+                           "expected a number without unit, found `%s %s`", it->token->text, unit);
+}
+
+/* True if the bounds of the quantity let the comparison hold and fail. */
+static bool is_within_bounds(struct nb_reader *reader, const struct nb_comparison *it, const char *what) {
   const enum decision decision = decide(it->bounds, it->relation, it->value);
   const bool below = it->relation == NB_BELOW, never = decision == NEVER, zero = below == never; /* the bound is 0 */
   const bool number = strcmp(it->unit, "1") == 0 || reader->unitless;
@@ -340,6 +365,10 @@ bool nb_comparison_is_open(struct nb_reader *reader, const struct nb_comparison 
            number ? "" : " ", number ? "" : it->unit);
   return decision == OPEN || nb_token_mistake(reader, it->token, hint, "expected %s that can %s, found `%s %s %s`",
                                               what, never ? "hold" : "fail", it->name, relation, it->token->text);
+}
+
+bool nb_comparison_is_open(struct nb_reader *reader, const struct nb_comparison *it, const char *what) {
+  return !is_share_of_count(reader, it) && is_within_bounds(reader, it, what);
 }
 
 void nb_comparison_warn(struct nb_warnings *warnings, int line, const struct nb_comparison *it) {

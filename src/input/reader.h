@@ -189,8 +189,10 @@ struct nb_comparison {
   double value;                 /* SI */
   const struct nb_token *token; /* of the value */
 };
-/* True if the comparison can hold and can fail. Otherwise, because of the bounds of the quantity, false with a message.
- * `what`: "a condition". */
+/* Writes the hint for a percentage where the quantity `name` counts particles or contacts. */
+const char *nb_count_hint(char *hint, const char *name, double fraction);
+/* True if the comparison can hold and can fail, and a count is compared with a number. Otherwise, because of the bounds of
+ * the quantity, false with a message. `what`: "a condition". */
 bool nb_comparison_is_open(struct nb_reader *reader, const struct nb_comparison *comparison, const char *what);
 /* Warns if the comparison always or never holds with all laws of the program; a law of the user's own with tensile forces
  * may change this. */

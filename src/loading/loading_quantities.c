@@ -45,7 +45,8 @@ NB_QUANTITY(walls_residual, nb_walls_residual(model))
   { .name = called, .family = kind, .monitors = of, .unit = in, .parts = tensor, .help = what }
 
 const struct nb_quantity_kind nb_loading_kinds[] = {
-    {"boundary.particles", 0, "1", 0, boundary_particles, "number of particles of the boundary", NB_AT_LEAST_0},
+    {"boundary.particles", 0, "1", 0, boundary_particles, "number of particles of the boundary",
+     NB_AT_LEAST_0 | NB_COUNTED},
     {"boundary.radius", 0, "m", 0, boundary_radius,
      "mean distance of the boundary particles' centres from the centre of the circle", NB_AT_LEAST_0},
     {"boundary.area", 0, "m2", 0, boundary_area, "area of the polygon through the boundary particles' centres",

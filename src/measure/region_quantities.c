@@ -29,8 +29,8 @@ static void parts_of(double parts[], const struct nb_quantity_kind *kind, const 
 #define MODULUS(called, member, what)                                                                                  \
   OF(called, NB_SCALAR, "Pa", 0, NB_READS_ENDS | NB_BIT(NB_STIFFNESS) | NB_BIT(NB_SHEAR_STIFFNESS), NB_MODULI,         \
      moduli.member, what)
-#define COUNT(called, member, what)                                                                                    \
-  OF(called, NB_SCALAR, "1", NB_AT_LEAST_0, NB_READS_TOUCH, NB_COORDINATION, coordination.member, what)
+#define COUNT(called, bound, member, what)                                                                             \
+  OF(called, NB_SCALAR, "1", NB_AT_LEAST_0 | (bound), NB_READS_TOUCH, NB_COORDINATION, coordination.member, what)
 #define LOAD(called, of, in, bound, member, what)                                                                      \
   OF(called, of, in, bound, NB_READS_LOADS, NB_LOADS, loads.member, what)
 #define STRAIN(called, of, in, member, what) OF(called, of, in, 0, NB_REQUEST_STRAIN, NB_STRAIN, strain.member, what)
@@ -91,11 +91,12 @@ const struct nb_quantity_kind nb_region_kinds[] = {
     OF("void_ratio", NB_SCALAR, "1", 0, 0, NB_POROSITY, porosity.void_ratio,
        "void ratio e = n/(1 - n), n the areal porosity"),
 
-    COUNT("particles", particles, "number of particles whose centre is inside"),
-    COUNT("contacts", contacts, "number of contacts of the particles inside, each counted once"),
-    COUNT("coordination", mean, "coordination number: mean number of contacts of a particle inside"),
-    COUNT("coordination.mechanical", mechanical, "mechanical coordination number: without rattlers and their contacts"),
-    COUNT("rattlers", rattlers,
+    COUNT("particles", NB_COUNTED, particles, "number of particles whose centre is inside"),
+    COUNT("contacts", NB_COUNTED, contacts, "number of contacts of the particles inside, each counted once"),
+    COUNT("coordination", 0, mean, "coordination number: mean number of contacts of a particle inside"),
+    COUNT("coordination.mechanical", 0, mechanical,
+          "mechanical coordination number: without rattlers and their contacts"),
+    COUNT("rattlers", NB_COUNTED, rattlers,
           "number of free particles inside with fewer than two contacts, contacts with rattlers not counted"),
 
     OF("constraint_ratio", NB_SCALAR, "1", NB_AT_LEAST_0, NB_READS_TOUCH | NB_BIT(NB_SLIDING), NB_CONSTRAINTS,
@@ -136,7 +137,7 @@ const struct nb_quantity_kind nb_region_kinds[] = {
     SPEED("speed.imposed", "m/s", imposed, "mean speed of the imposed motion of the free particles inside"),
     SPEED("speed.ratio", "1", ratio, "speed.mean over speed.imposed [R89 sec. 6.5.1]; 0 without imposed motion"),
 
-    CHAIN("chains", "1", NB_AT_LEAST_0, count,
+    CHAIN("chains", "1", NB_AT_LEAST_0 | NB_COUNTED, count,
           "number of force chains: three or more particles whose major stress is above the mean, in contact along "
           "their major axes"),
     CHAIN("chains.length", "1", NB_AT_LEAST_0, length, "mean number of particles of a force chain"),
@@ -145,9 +146,9 @@ const struct nb_quantity_kind nb_region_kinds[] = {
     CHAIN("chains.bend", "rad", NB_AT_LEAST_0, bend,
           "mean angle between successive links of force chains: 0 is straight"),
 
-    CHANGED_CONTACTS("contacts.lost", NB_SCALAR, NB_AT_LEAST_0, lost.count,
+    CHANGED_CONTACTS("contacts.lost", NB_SCALAR, NB_AT_LEAST_0 | NB_COUNTED, lost.count,
                      "number of contacts lost since the stage that `from` names, else the start"),
-    CHANGED_CONTACTS("contacts.new", NB_SCALAR, NB_AT_LEAST_0, gained.count,
+    CHANGED_CONTACTS("contacts.new", NB_SCALAR, NB_AT_LEAST_0 | NB_COUNTED, gained.count,
                      "number of contacts gained since the stage that `from` names, else the start"),
     CHANGED_CONTACTS("fabric.lost", NB_FABRICS, 0, lost.phi, "Phi of the contacts that contacts.lost counts"),
     CHANGED_CONTACTS("fabric.new", NB_FABRICS, 0, gained.phi, "Phi of the contacts that contacts.new counts"),

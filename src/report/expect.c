@@ -593,7 +593,9 @@ static bool multiple_mistake(struct nb_reader *reader, const struct nb_measure *
 /* Refuses `expected 15 %` without `of`. */
 static bool percentage_mistake(struct nb_reader *reader, const struct nb_measure *measure, double fraction) {
   char hint[NB_HINT_SIZE];
-  if (strcmp(measure->unit, "1") == 0)
+  if (measure->bounds & NB_COUNTED)
+    nb_count_hint(hint, reader->tokens[0].text, fraction);
+  else if (strcmp(measure->unit, "1") == 0)
     snprintf(hint, sizeof hint,
              "a percentage is a fraction of another measure; a value of `%.80s` is a number without `%%`: write "
              "`expected %.6g`",
