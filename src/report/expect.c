@@ -747,10 +747,11 @@ static const char *order_hint(char *hint, const struct nb_scene *scene, const st
                               double order) {
   const struct nb_binding *const swept = first_sweep(scene);
   snprintf(hint, NB_HINT_SIZE, "write `%.120s order %g in %s within 0.1`%s%s", expectation->measure.label, order,
-           swept ? swept->name : "dt", swept ? "" : ", with `sweep dt 1 us 2 us 4 us` and `step $dt` in the scene",
+           swept ? swept->name : "dt",
            expectation->measure.is_residual
                ? ""
-               : ", below a line `reference NAME`: the order is that of the error against the reference");
+               : " below a line `reference NAME`, because the order is that of the error against the reference",
+           swept ? "" : "; in the scene write `sweep dt 1 us 2 us 4 us` and `step $dt`");
   return hint;
 }
 
