@@ -13,8 +13,8 @@ why=$work/why
 
 : >"$work/heard"
 for page in tests/bad/*.md; do
-  tr -d '\r' <"$page" | sed -n '/^```mistake/,/^```$/{/^```/!p;}' >"$work/wanted"
-  options=$(tr -d '\r' <"$page" | sed -n 's/^```mistake//p')
+  sed -n '/^```mistake/,/^```$/{/^```/!p;}' "$page" >"$work/wanted"
+  options=$(sed -n 's/^```mistake//p' "$page")
   eval "\"\$nineball\" explain $options \"\$page\"" >"$work/out" 2>"$work/said"
   status=$?
   cat "$work/said" >>"$work/heard"
@@ -22,6 +22,14 @@ for page in tests/bad/*.md; do
   diff -u "$work/wanted" "$work/said" >>"$work/why" && test -s "$work/wanted" && test $status -eq 2
   result $? "$page"
 done
+
+# An editor of another system may end lines in CR LF: the messages are the same.
+page=tests/bad/length-for-velocity.md
+sed 's/$/\r/' "$page" >"$work/dos.md"
+sed -n '/^```mistake/,/^```$/{/^```/!p;}' "$page" >"$work/wanted"
+"$nineball" explain "$work/dos.md" 2>&1 >"$work/out" | sed "s|^$work/dos.md|$page|" | diff -u "$work/wanted" - >"$work/why" &&
+  test -s "$work/wanted" && test "$(tr -dc '\r' <"$work/dos.md" | wc -c)" -gt 9
+result $? 'lines that end in CR LF'
 
 # ---- limits: the largest valid and the smallest invalid page ----
 

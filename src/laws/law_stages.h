@@ -1,6 +1,6 @@
-/* The loop of a law in three stages, for a law with a long row of history per contact. The first stage reads the row
- * and the third one writes it; both need branches. The second stage, the computation, needs none, so its loop
- * vectorises. Each stage is a loop over so few contacts that the parts of their rows which the law uses fit into the
+/* The loop of a law in three stages, for a law with a long row of history per contact. The first stage reads the row,
+ * and resets parts of it where needed. The third one writes the result of the step. Both need branches. The second
+ * stage, the computation, needs none, so its loop vectorises. Each stage is a loop over so few contacts that the parts of their rows which the law uses fit into the
  * first-level cache. The law's file defines
  *
  *   #define STAGED

@@ -1,7 +1,7 @@
 /* No shear force:                                          F_s = 0
  *
- * The plan of a scene with `shear none` or without friction has no tangential displacement, no rotation and no shear
- * history, and never calls this law. A contact test without a shear law calls it.
+ * The plan of a scene with `shear none`, or without friction and cohesion, computes no tangential displacement, stores
+ * no shear history, and never calls this law. A contact test without a shear law calls it.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "law.h"
