@@ -696,10 +696,8 @@ static double momentum_scale(const struct nb_scene *scene) {
   double sum = 0;
   for (size_t k = 0; k < scene->particle_count; k++) {
     const struct nb_particle *const it = &scene->particles[k];
-    const double area = NB_PI * it->radius * it->radius,
-                 volume = it->shape == NB_SPHERE ? 4.0 / 3 * it->radius * area : area;
     if (!it->fixed && it->material >= 0)
-      sum += scene->materials[it->material].density * volume * hypot(it->vx, it->vy);
+      sum += nb_particle_mass(scene, it) * hypot(it->vx, it->vy);
   }
   return sum;
 }

@@ -25,10 +25,13 @@ bool nb_page_has_figure(const struct nb_page *page) {
   return false;
 }
 
+/* The character of a name of gnuplot for a character of a label. */
+static char name_character(char c) { return isalnum((unsigned char)c) ? c : '_'; }
+
 /* Writes a label as a valid name of gnuplot: C_normal_at_40_cycles for `C.normal at 40 cycles`. */
 static void write_name(FILE *out, const char *label) {
   for (const char *c = label; *c; c++)
-    fputc(isalnum((unsigned char)*c) ? *c : '_', out);
+    fputc(name_character(*c), out);
 }
 
 /* gnuplot truncates names of more characters, so that two of them could become equal. Their values are left out. */
@@ -197,7 +200,7 @@ static size_t line_of_contacts(const struct nb_page *page, const char *stage) {
     const char *at = page->kind_of[k] == 1 + NB_BLOCK_GNUPLOT ? page->lines[k] : "";
     while ((at = strchr(at, '$'))) {
       size_t n = 0;
-      for (at++; stage[n] && at[n] == (isalnum((unsigned char)stage[n]) ? stage[n] : '_'); n++)
+      for (at++; stage[n] && at[n] == name_character(stage[n]); n++)
         ;
       if (!stage[n] && strncmp(at + n, "_contacts", strlen("_contacts")) == 0)
         return k + 1;
@@ -206,10 +209,15 @@ static size_t line_of_contacts(const struct nb_page *page, const char *stage) {
   return 0;
 }
 
-/* Warns of a contact network without contacts, which a figure draws as particles alone. */
+/* Warns of a contact network without contacts, which a figure draws as particles alone. The results of a sweep are read
+ * from the temporary file only if the figure draws contacts. */
 static void warn_of_no_contacts(const struct nb_outcome *outcome) {
+  const struct nb_scene *const scene = &outcome->runs[0].scene;
   size_t last = 0;
-  for (size_t r = 0; r < outcome->run_count; r++) {
+  bool draws = false;
+  for (size_t s = 0; s < scene->stage_count; s++)
+    draws = draws || line_of_contacts(&outcome->page, scene->stages[s].name);
+  for (size_t r = 0; r < outcome->run_count && draws; r++) {
     const struct nb_page_run *run = &outcome->runs[r];
     const struct nb_result *result = nb_run_result(run);
     for (size_t k = 0; k < result->snapshot_count; k++) {
