@@ -178,8 +178,8 @@ static void one_particle(void) {
   PAGE("1-two-discs/wedge",
        {"wall      left", "disc 9 m 9 m radius 1 mm iron\nwall      left", "one particle and two walls"},
        {"wall      left", "wall far 9 m 9 m to 8 m 9 m iron\nwall      left", "one particle and two walls"},
-       {"gravity   0 m/s2 -9.81", "gravity   -9.9 m/s2 -9.81", "rests on"},
-       {"gravity   0 m/s2 -9.81", "gravity   9.9 m/s2 -9.81", "rests on"},
+       {"gravity   0 m/s2 -$g", "gravity   -9.9 m/s2 -$g", "rests on"},
+       {"gravity   0 m/s2 -$g", "gravity   9.9 m/s2 -$g", "rests on"},
        {"(-long*sin(A)) (long*cos(A))", "(-0.9*R*sin(A)) (0.9*R*cos(A))", "rests on"},
        {"(long*sin(B)) (long*cos(B))", "(0.9*R*sin(B)) (0.9*R*cos(B))", "rests on"});
   PAGE("1-two-discs/turning-wall",
@@ -191,7 +191,7 @@ static void one_particle(void) {
        {"radius 0.1 m  iron", "radius 0.11 m  iron", "just touches"},
        {"radius 0.1 m  iron", "radius 0.09 m  iron", "just touches"},
        {"stage     round", "stage     round\nwall blade spin 1 rad/s", "whose motion no stage changes"},
-       {"step      50 us", "step 0.1 of stable", "a step given as a time"},
+       {"step      $dt", "step 0.1 of stable", "a step given as a time"},
        {"friction 0.5", "friction 0.1", "does not slide"}, {"to 1 m -1 m", "to 0.8 m -1 m", "does not reach its end"},
        {"disc      0.01 m", "disc      -0.01 m", "turns with the wall"});
 }
