@@ -80,7 +80,7 @@ static void check(const char *page, const struct changed *changes, size_t count)
 static void numerics(void) {
   PAGE("5-numerics/fracc", {"disc      1e-6 0", "disc 9 0 radius 0.1 m\ndisc      1e-6 0", "one disc"},
        {"wall      west ", "wall more 9 9 to 10 9 m\nwall      west ", "one disc"},
-       {"$share of single-contact", "0.1", "`step F of"},
+       {"(h/sqrt(2)) of single-contact", "0.1", "`step F of"},
        {"cycles    60", "cycles    60\nstage more\ncycles 60", "one disc"},
        {"disc      1e-6 0", "disc      1e-6 1e-9", "one disc"}, {"velocity 0 $vy", "velocity 1e-9 0", "one disc"},
        {"wall      west   -0.9 -5 to -0.9 5  m", "material n kn 2\nwall      west   -0.9 -5 to -0.9 5  n",
