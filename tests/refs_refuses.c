@@ -139,8 +139,8 @@ static void one_particle(void) {
        {"damping   ratio (-log(e)/sqrt(log(e)^2 + pi^2))", "damping   ratio 0.99", NULL},
        {"0.0004 of single-contact", "0.001 of stable", "a step given as a time"});
   PAGE("1-two-discs/many-bounces", {"gravity   0 m/s2", "gravity   0.001 m/s2", "dropped straight down"},
-       {"sphere    0 m 0.5 m", "sphere    0 m 0.0999 m", "from rest"},
-       {"-9.81 m/s2", "9.81 m/s2", "dropped straight down"},
+       {"sphere    0 m $h", "sphere    0 m 0.0999 m", "from rest"},
+       {"0 m/s2 -$g", "0 m/s2 $g", "dropped straight down"},
        {"damping   ratio (-log(e)/sqrt(log(e)^2 + pi^2))", "damping   ratio 1.01", "less than critical"},
        {"damping   ratio (-log(e)/sqrt(log(e)^2 + pi^2))", "damping   ratio 0.999", "leaves the wall again"});
   PAGE("1-two-discs/incline", {"20 deg 33 deg", "33 deg", NULL},
