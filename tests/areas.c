@@ -70,6 +70,7 @@ static void circles(void) {
 static void circles_that_barely_intersect(void) {
   CU_ASSERT(nb_area_of_lens(1, 2, 3) == 0 && nb_area_of_lens(1, 2, 4) == 0);
   CU_ASSERT_DOUBLE_EQUAL(nb_area_of_lens(1, 2, 0), pi, 1e-15);
+  CU_ASSERT_DOUBLE_EQUAL(nb_area_of_lens(1, 1, 0), pi, 1e-15);
   CU_ASSERT_DOUBLE_EQUAL(nb_area_of_lens(1, 2, 1), pi, 1e-15);
   CU_ASSERT_DOUBLE_EQUAL(nb_area_of_lens(1, 1, 1), 2 * pi / 3 - sqrt(3) / 2, 1e-15);
   CU_ASSERT_DOUBLE_EQUAL(nb_area_of_lens(2, 2, 1e-30), 4 * pi, 1e-14);
@@ -104,7 +105,6 @@ static void boxes(void) {
     }
     CU_ASSERT_DOUBLE_EQUAL(nb_area_in_polygon(vec(0, 0), 1, plain, 4), wanted, 1e-11);
     CU_ASSERT_DOUBLE_EQUAL(nb_area_in_polygon(centre, 1, turned, 4), wanted, 1e-11);
-    CU_ASSERT_DOUBLE_EQUAL(nb_area_of_polygon(turned, 4), (p.east - p.west) * (p.north - p.south), 1e-13);
   }
 }
 

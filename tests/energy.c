@@ -234,6 +234,38 @@ static void by_friction(void) {
   written_free(&it);
 }
 
+/* Heavy particles keep their velocities, so a dashpot with the coefficients beta k_n and beta k_s takes
+ * beta (k_n v_n^2 + k_s v_s^2) per second. v_n and v_s are the components of the velocity of the first surface relative to
+ * the second one at the contact; v_s contains R w of both particles, and the velocity of a wall that rotates about P. The
+ * displacements are of the order of 1e-7. */
+static void by_dashpots(void) {
+  static const struct {
+    const char *partner;
+    double normal, tangential;
+  } rows[] = {{"disc 2.9 0 radius 2 m velocity -0.4 0.3 spin 0.25", 0.7 + 0.4, -(0.2 - 0.3) - 0.5 - 0.25 * 2},
+              {"disc 2.9 0 radius 2 m velocity -0.4 0.3 spin 0.25 fixed", 0.7 + 0.4, -(0.2 - 0.3) - 0.5 - 0.25 * 2},
+              {"wall w 0.9 -9 to 0.9 9 m velocity -0.1 0.6", 0.7 + 0.1, -(0.2 - 0.6) - 0.5},
+              {"wall w 0.9 -9 to 0.9 9 m velocity -0.1 0.6 spin 0.8 about -2.1 1", 0.7 + 0.1 - 0.8,
+               -(0.2 - 0.6 - 0.8 * 3) - 0.5}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\nmaterial m density 1e12 kn 4 ks 3 friction 1e9\nshear linear\ndamping stiffness 5\n"
+              "disc 0 0 radius 1 m velocity 0.7 0.2 spin 0.5\n%s\nstep 1e-8\nrecord energy.damped\nstage s\ncycles 9\n",
+              rows[k].partner);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    written_cycles(model, 2);
+    const double before = written_now(model, "energy.damped");
+    written_cycles(model, 8);
+    const double power = 5 * (4 * rows[k].normal * rows[k].normal + 3 * rows[k].tangential * rows[k].tangential);
+    NEAR(written_now(model, "energy.damped") - before, 8e-8 * power, 1e-6);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 /* A shear law without stored energy is refused if the page records a quantity that needs it. `energy.residual` does not
  * need it: with such a law it uses the work of the shear forces, `energy.shear`, instead. */
 static void a_law_without_stored_energy(void) {
@@ -417,6 +449,7 @@ void suite_energy(void) {
   CU_add_test(suite, "supplied by gravity", by_gravity);
   CU_add_test(suite, "supplied by walls, and stored", by_walls_and_stored);
   CU_add_test(suite, "dissipated by friction", by_friction);
+  CU_ADD_TEST(suite, by_dashpots);
   CU_add_test(suite, "a law without stored energy", a_law_without_stored_energy);
   CU_add_test(suite, "a law without stored energy in a later stage", a_law_without_stored_energy_later);
   CU_add_test(suite, "a normal law without stored energy", a_normal_law_without_stored_energy);

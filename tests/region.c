@@ -122,11 +122,12 @@ static void rattlers(void) {
 static void volumes(void) {
   struct words page = {0};
   struct written it;
-  words_add(&page, "units none\nmaterial m density 1 kn 10\nstep 0.001\n"
-                   "sphere 0 0 radius 1 m\nsphere 10 0 radius 3 m\n"
-                   "region A circle 0 0 radius 2\nregion B box -1 0 to 1 3\nregion C all\n"
-                   "record A.porosity A.porosity.volume A.void_ratio A.area B.porosity C.area C.porosity "
-                   "C.porosity.volume\nstage s\ncycles 1\n");
+  words_add(&page,
+            "units none\nmaterial m density 1 kn 10\nstep 0.001\n"
+            "sphere 0 0 radius 1 m\nsphere 10 0 radius 3 m\n"
+            "region A circle 0 0 radius 2\nregion B box -1 0 to 1 3\nregion C all\n"
+            "record A.porosity A.porosity.volume A.void_ratio A.area B.porosity B.porosity.volume C.area C.porosity "
+            "C.porosity.volume\nstage s\ncycles 1\n");
   struct nb_model *model = model_of(&it, &page);
   CLOSE(model, "A.area", 4 * pi);
   CLOSE(model, "A.porosity", 0.75);
@@ -134,6 +135,7 @@ static void volumes(void) {
   CLOSE(model, "A.porosity.volume",
         1 - 4 * pi / 3 / (4 * pi * 4)); /* 4: the thickness of all particles, not of those inside */
   CLOSE(model, "B.porosity", 1 - pi / 2 / 6);
+  CLOSE(model, "B.porosity.volume", 1 - 4 * pi / 3 / 2 / (6 * 4)); /* half of the sphere */
   CLOSE(model, "C.area", 14 * 6);
   CLOSE(model, "C.porosity", 1 - 10 * pi / 84);
   CLOSE(model, "C.porosity.volume", 1 - 4 * pi / 3 * 28 / (84 * 4));
@@ -540,6 +542,133 @@ static void directions_without_a_density(void) {
   }
 }
 
+/* The strain needs three particles that are not collinear. Otherwise it is 0, also on a line that is inclined. The discs
+ * have the velocities L X. */
+static void strain_of_few_particles(void) {
+  static const struct {
+    int count;
+    double x[4], y[4];
+    bool defined;
+  } rows[] = {{1, {7}, {3}, false},
+              {2, {0, 9}, {0, 0}, false},
+              {2, {0, 9}, {0, 7}, false},
+              {3, {0, 9, 30}, {0, 7, 70 / 3.}, false},
+              {4, {0, -9, 18, 30}, {1, -6, 15, 73 / 3.}, false},
+              {3, {0, 9, 30}, {0, 7, 25}, true},
+              {3, {0, 9, 0}, {0, 0, 9}, true}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    const struct nb_tensor rate = tensor(0.2, -0.3, 0.7, -0.5);
+    struct words page = {0};
+    struct written it;
+    words_add(&page, "units none\nmaterial m density 1 kn 1\nstep 0.01\n");
+    for (int n = 0; n < rows[k].count; n++) {
+      const struct nb_vec v = tensor_times(rate, vec(rows[k].x[n], rows[k].y[n]));
+      words_add(&page, "disc %.17g %.17g radius 0.3 m velocity %.17g %.17g\n", rows[k].x[n], rows[k].y[n], v.x, v.y);
+    }
+    words_add(&page, "region A all\nrecord A.strain.xx A.strain.xy A.strain.yy A.strain.rotation\nstage a\ncycles 9\n");
+    struct nb_model *model = model_of(&it, &page);
+    written_cycles(model, 20);
+    const double t = rows[k].defined ? 0.2 : 0;
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.strain.xx"), rate.xx * t, t * 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.strain.xy"), (rate.xy + rate.yx) / 2 * t, t * 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.strain.yy"), rate.yy * t, t * 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.strain.rotation"), (rate.yx - rate.xy) / 2 * t, t * 1e-12);
+    done(&it, model);
+  }
+}
+
+/* A circle without particles, and a circle with one disc that has no contact. Every mean, sum and fraction without terms
+ * is 0; the porosity and the void ratio follow from the areas. */
+static void regions_without_contacts(void) {
+  static const struct {
+    const char *name;
+    double empty, lone;
+  } others[] = {{"area", 4 * 3.14159265358979323846, 4 * 3.14159265358979323846},
+                {"porosity", 1, 0.75},
+                {"porosity.volume", 1, 0.75},
+                {"void_ratio", INFINITY, 3},
+                {"particles", 0, 1},
+                {"rattlers", 0, 1}};
+  struct words page = {0};
+  struct written it;
+  struct nb_quantity_row row;
+  words_add(&page, "units none\nmaterial m density 1 kn 10 ks 5 friction 0.5\nshear linear\nstep 0.001\n"
+                   "disc 0 0 radius 1 m\ndisc 1.9 0 radius 1 m\ndisc 20 0 radius 1 m\nregion E circle 50 0 radius 2\n"
+                   "region L circle 20 0 radius 2\n");
+  for (size_t k = 0; nb_quantity_row(&row, k); k++)
+    if (row.prefix && strcmp(row.prefix, "M.") == 0)
+      words_add(&page, "record E.%s L.%s\n", row.name, row.name);
+  words_add(&page, "stage a\ncycles 9\n");
+  struct nb_model *model = model_of(&it, &page);
+  CU_ASSERT(it.scene.column_count > 200);
+  written_cycles(model, 9);
+  for (size_t c = 0; c < it.scene.column_count; c++) {
+    const char *name = it.scene.columns[c].name;
+    const double value = nb_quantity_now(it.scene.columns[c].quantity, model);
+    double wanted = 0;
+    for (size_t k = 0; k < sizeof others / sizeof *others; k++)
+      wanted = strcmp(name + 2, others[k].name) ? wanted : *name == 'E' ? others[k].empty : others[k].lone;
+    const bool right = value == wanted || fabs(value - wanted) < 1e-14;
+    CU_ASSERT(right);
+    if (!right)
+      printf("# %s is %g, not %g\n", name, value, wanted);
+  }
+  done(&it, model);
+}
+
+/* The loads of a contact follow from its fields. Friction is 0.5 and cohesion 3, so with F_n = 10 the limit of the shear
+ * force is 8. A shear force of at least 0.99 of the limit is near it. The contact is of two discs in both orders of their
+ * radii, and of a disc and a wall. The radius of the smaller one is 1. */
+static void loads_of_a_contact(void) {
+  static const struct {
+    double shear, near_sliding;
+  } rows[] = {{0, 0}, {-4, 0}, {8 * 0.9895, 0}, {8 * 0.99, 1}, {-8 * 0.99, 1}, {8 * 0.9905, 1}, {-8, 1}};
+  static const char *const pairs[] = {"disc 0 0 radius 2 m\ndisc 2.9 0 radius 1 m\n",
+                                      "disc 0 0 radius 1 m\ndisc 2.9 0 radius 2 m\n",
+                                      "disc 0 0 radius 1 m\nwall w 0.9 -9 to 0.9 9 m\ndisc 50 0 radius 0.5 m\n"};
+  for (size_t k = 0; k < 3; k++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 10 ks 5 friction 0.5 cohesion 3\nshear linear\nstep 0.001\n%s"
+              "region A all\nrecord A.contact_stress.mean\nstage a\ncycles 9\n",
+              pairs[k]);
+    struct nb_model *model = model_of(&it, &page);
+    CU_ASSERT_EQUAL_FATAL(model->contacts.count, 1);
+    double **kept = model->contacts.kept;
+    for (size_t n = 0; n < sizeof rows / sizeof *rows; n++) {
+      const double shear = rows[n].shear, area = pi * 0.25, sliding = (double)(n % 2);
+      kept[NB_NORMAL][0] = 10, kept[NB_SHEAR][0] = shear, kept[NB_SLIDING][0] = sliding, kept[NB_RADIUS][0] = 0.5;
+      const struct nb_contact_load load = nb_contact_load(model, 0);
+      CU_ASSERT_EQUAL(load.normal, 10);
+      CU_ASSERT_EQUAL(load.shear, fabs(shear));
+      CU_ASSERT_EQUAL(load.sliding, sliding);
+      CU_ASSERT_EQUAL(load.limit, 8);
+      CU_ASSERT_EQUAL(load.near_sliding, rows[n].near_sliding);
+      CU_ASSERT_EQUAL(load.obliquity, fabs(shear) / 8);
+      CU_ASSERT_EQUAL(load.radius, 0.5);
+      CU_ASSERT_EQUAL(load.ratio, 0.5);
+      NEAR(load.pressure, 10 / area, 1e-14);
+      CU_ASSERT_DOUBLE_EQUAL(load.traction, fabs(shear) / area, 1e-13);
+    }
+    done(&it, model);
+  }
+}
+
+/* `stress.residual` finds a force that belongs to one of the two sums alone. The contact of two discs of radius 1 along x
+ * with the overlap 0.1 has arms of 0.95. A normal force that is larger by 1 at both ends adds 2 0.95 to V stress.xx, while the
+ * stress by contacts follows from the vector of the force, which is unchanged. */
+static void the_residual_finds_a_wrong_force(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\nmaterial m density 1 kn 10\nstep 0.001\ndisc 0 0 radius 1 m\ndisc 1.9 0 radius 1 m\n"
+                   "region A circle 0 0 radius 5\nrecord A.stress.residual A.stress.xx\nstage a\ncycles 1\n");
+  struct nb_model *model = model_of(&it, &page);
+  model->contacts.kept[NB_NORMAL][0] += 1;
+  NEAR(written_now(model, "A.stress.residual"), 2 * 0.95 / (25 * pi), 1e-12);
+  done(&it, model);
+}
+
 void suite_region(void) {
   CU_pSuite suite = CU_add_suite("region", NULL, NULL);
   CU_add_test(suite, "sliding fractions are of all contacts", sliding_fractions_are_of_all_contacts);
@@ -550,6 +679,10 @@ void suite_region(void) {
   CU_add_test(suite, "the arm of the particle inside", the_arm_of_the_particle_inside);
   CU_add_test(suite, "strain without removed particles", strain_without_removed_particles);
   CU_add_test(suite, "a region without particles", a_region_without_particles);
+  CU_ADD_TEST(suite, strain_of_few_particles);
+  CU_ADD_TEST(suite, regions_without_contacts);
+  CU_ADD_TEST(suite, loads_of_a_contact);
+  CU_ADD_TEST(suite, the_residual_finds_a_wrong_force);
   CU_add_test(suite, "sin Phi in tension", tension);
   CU_add_test(suite, "contacts at equal angles: fabric of second and fourth order, stress", contacts_at_equal_angles);
   CU_add_test(suite, "rattlers, and coordination with and without them", rattlers);

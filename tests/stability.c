@@ -4,6 +4,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "../src/measure/step.h"
@@ -289,6 +290,22 @@ static void a_fixed_particle(void) {
   written_free(&it);
 }
 
+/* The quotient h of measure/stability.c is an upper bound, so with dashpots and shear a stable contact may have no
+ * remainder. Its stable-overlap limit is then its present overlap. */
+static void a_contact_without_a_remainder(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error = {0};
+  words_add(&page, SPHERE "shear mindlin\ndamping ratio 0.3\nsphere 0 0 radius 1 m\nsphere 1.99 0 radius 1 m\n"
+                          "step 0.9999 of stable\nrecord step.stable\nstage s\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  NEAR(overlap_stable(model, 0), 0.01, 1e-9);
+  nb_model_free(model);
+  written_free(&it);
+}
+
 /* A row of a wall, sphere A of mass 1 and sphere B of mass 8, with normal springs only. measure/stability.c defines q,
  * L and the remainder of a contact. q is q0 at the contact A-B and q1 at the wall, and L = 4. So the remainder at the
  * wall is 4 - (q0 + q1), and A gets all of it. The remainder at A-B is 4 - (q0 + q1) - q0/8, and A and B get half each.
@@ -395,6 +412,52 @@ static void the_proposed_number_of_steps(void) {
   CU_ASSERT(rounded_up > 0);
 }
 
+/* A message proposes a step in the form in which the stage gives its step, or the scene if no stage has begun. It proposes
+ * 0.3 of the stable step, with two digits. */
+static void the_proposed_step_has_the_form_of_the_page(void) {
+  static const struct {
+    const char *step, *form;
+  } rows[] = {{"300", ""},
+              {"300 s", " s"},
+              {"100 of rayleigh", " of rayleigh"},
+              {"100 of rayleigh-mean", " of rayleigh-mean"},
+              {"100 of rayleigh-fit", " of rayleigh-fit"},
+              {"100 of rayleigh-fit-mean", " of rayleigh-fit-mean"},
+              {"1.7 of stable", " of stable"},
+              {"5 of single-contact", " of single-contact"}};
+  for (size_t k = 0; k < 2 * sizeof rows / sizeof *rows; k++) {
+    const size_t r = k / 2;
+    const bool later = k % 2, units = r == 1, spring = strstr(rows[r].form, "single");
+    struct words page = {0};
+    struct written it;
+    struct nb_error error = {0};
+    char proposal[64], step[64];
+    snprintf(step, sizeof step, "step %s\n", rows[r].step);
+    words_add(&page,
+              units ? "material m density 1 kg/m3 young 1 Pa poisson 0.3\nnormal hertz\nsphere 0 m 0 m radius 1 m m\n"
+                      "sphere 1.9 m 0 m radius 1 m m\n"
+                    : "units none\nmaterial m density 1 young 1 poisson 0.3 kn 1\n"
+                      "sphere 0 0 radius 1 m\nsphere 1.9 0 radius 1 m\n");
+    words_add(&page, "%s%sstage s\n%scycles 1\n",
+              units    ? ""
+              : spring ? "normal linear\n"
+                       : "normal hertz\n",
+              later ? (units ? "step 1 ms\n" : "step 1e-3\n") : step, later ? step : "");
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL(later ? nb_stage_begin(model, &it.scene.stages[0], &error) : nb_stability_check(model, &error),
+                    NB_BROKEN);
+    const double given = strtod(rows[r].step, NULL);
+    snprintf(proposal, sizeof proposal, "write `step %.2g%s`,", 0.3 * given * nb_stable_step(model).step / model->step,
+             rows[r].form);
+    CU_ASSERT_PTR_NOT_NULL(strstr(error.text, proposal));
+    if (!strstr(error.text, proposal))
+      printf("# %s is not in %s\n", proposal, error.text);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 /* Contacts with cohesion alone have a shear force, and the stable step counts its stiffness as with friction. */
 static void cohesion_alone_counts(void) {
   static const char *const limits[] = {"", "friction 0.5", "cohesion 1e-3", "friction 0.5 cohesion 1e-3"};
@@ -459,6 +522,7 @@ void suite_stability(void) {
   CU_add_test(suite, "the limit is kept to a millionth", the_limit_is_kept_to_a_millionth);
   CU_add_test(suite, "a very short step has an infinite stable-overlap limit", a_step_without_a_limit);
   CU_add_test(suite, "the proposed number of steps per collision", the_proposed_number_of_steps);
+  CU_ADD_TEST(suite, the_proposed_step_has_the_form_of_the_page);
   CU_add_test(suite, "cohesion alone counts in the stable step", cohesion_alone_counts);
   CU_add_test(suite, "an impact between two checks", an_impact_between_two_checks);
   CU_add_test(suite, "the limit at a wall does not depend on the first particle", walls_are_not_particles);
@@ -466,6 +530,7 @@ void suite_stability(void) {
   CU_add_test(suite, "stiffer unloading lowers the stable-overlap limit", stiffer_unloading_lowers_the_limit);
   CU_add_test(suite, "a contact may become deep", a_contact_may_become_deep);
   CU_add_test(suite, "beside a fixed particle the free one gets the whole limit", a_fixed_particle);
+  CU_ADD_TEST(suite, a_contact_without_a_remainder);
   CU_add_test(suite, "a wall and two spheres share the limit", wall_and_two_spheres_share_the_limit);
   CU_add_test(suite, "every cycle is guaranteed stable", every_cycle_is_guaranteed_stable);
   CU_add_test(suite, "what limits the step, in words", what_limits_the_step_in_words);

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "measure/step.h"
+#include "run/plan.h"
 #include "suites.h"
 #include "written.h"
 
@@ -66,6 +67,56 @@ static void a_step_relative_to_a_limit(void) {
   NEAR(step_of("units none\nmaterial m density 0.31830988618379067 kn 1e-4\nlattice discs 2 by 1 radius 1 m\nstep 1 of "
                "collision\n"),
        pi * sqrt(0.5e4), 1e-15);
+}
+
+/* The lightest particle of each material of a pair; of equally light ones that with the smallest number. One particle
+ * cannot be both. A fixed particle counts only if there is no free one, and a removed particle does not count. */
+static void the_lightest_particles(void) {
+  static const char *const pages[] = {"disc 0 0 radius 2 a\ndisc 9 0 radius 1 a\ndisc 19 0 radius 1 a\n"
+                                      "disc 29 0 radius 1.5 a\ndisc 39 0 radius 9 b\n",
+                                      "disc 0 0 radius 1 b\ndisc 9 0 radius 2 b\ndisc 19 0 radius 1.001 b\n"
+                                      "disc 29 0 radius 1 a fixed\ndisc 39 0 radius 1 a fixed\n",
+                                      "disc 0 0 radius 1 a\ndisc 29 0 radius 2 b fixed\ndisc 39 0 radius 5 b\n"};
+  static const struct {
+    size_t page;
+    int a, b;
+    bool wall, remove; /* the first particle is removed */
+    int first, second; /* numbers; 0: none */
+  } rows[] = {
+      {0, 0, 0, false, false, 2, 3}, {0, 0, 1, false, false, 2, 5}, {0, 1, 1, false, false, 5, 0},
+      {0, 1, 0, false, false, 5, 2}, {0, 0, 0, true, false, 2, 0},  {1, 0, 0, false, false, 4, 5},
+      {1, 1, 1, false, false, 1, 3}, {1, 1, 1, false, true, 3, 2},  {1, 1, 0, false, false, 1, 4},
+      {2, 0, 0, false, false, 1, 0}, {2, 0, 0, false, true, 0, 0},  {2, 1, 1, false, false, 3, 2},
+  };
+  for (size_t k = 0; k < 2 * sizeof rows / sizeof *rows; k++) {
+    const size_t r = k / 2;
+    struct words page = {0};
+    struct written it;
+    struct nb_error error = {0};
+    int lightest[2];
+    words_add(&page,
+              "units none\nmaterial a density 1 kn 1\nmaterial b density 1 kn 1\n%sstep 0.01\nstage s\n%scycles 1\n",
+              pages[rows[r].page], rows[r].remove ? "remove disc 1\n" : "");
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, &(struct nb_options){.shuffle = k % 2});
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+    const struct nb_material_pair pair = {.a = rows[r].a, .b = rows[r].b, .wall = rows[r].wall};
+    nb_step_lightest(model, &pair, lightest);
+    CU_ASSERT_EQUAL(lightest[0] < 0 ? 0 : model->particles.number[lightest[0]], rows[r].first);
+    CU_ASSERT_EQUAL(lightest[1] < 0 ? 0 : model->particles.number[lightest[1]], rows[r].second);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
+/* The single-contact step has the smallest mass of a free particle and the largest stiffness between two materials of the
+ * scene, also if they belong to different contacts. */
+static void the_single_contact_step(void) {
+  const double pi = 3.14159265358979323846;
+  NEAR(step_of(
+           "units none\nmaterial a density 3 kn 5\nmaterial b density 2 kn 7\npair a b kn 11\ndisc 0 0 radius 2 a\n"
+           "disc 9 0 radius 1 b fixed\ndisc 19 0 radius 1.5 b\ndisc 29 0 radius 1.2 a\nstep 0.5 of single-contact\n"),
+       sqrt(3 * pi * 1.44 / 11), 1e-14);
 }
 
 /* ---- elastic spheres: the duration of a collision depends on the speed ---- */
@@ -260,6 +311,8 @@ static void steps_that_spheres_do_not_have(void) {
        "because their stiffness increases with the load: write `step 0.2 of rayleigh`, or with approaching pairs `step "
        "200",
        8},
+      {"cell 0 0 to 9 9\nsphere 0 3 radius 1 m velocity 0 1\nsphere 0 6 radius 1 m\nstep 9 per collision\n",
+       "not predicted in a periodic cell: write a time, or `step 0.2 of rayleigh`", 10},
       {"sphere 0 3 radius 1 r\nstep 0.1 of rayleigh\n", "there are no waves: write a time, or `step 0.2 of stable`", 8},
   };
   for (size_t n = 0; n < sizeof pages / sizeof *pages; n++) {
@@ -276,6 +329,10 @@ static void steps_that_spheres_do_not_have(void) {
     CU_ASSERT_PTR_NOT_NULL(strstr(error.text, pages[n].words));
     written_free(&it);
   }
+  /* in a periodic cell the other steps of elastic spheres are defined, and so are collisions of linear springs */
+  CU_ASSERT(step_of(SPHERES "cell 0 0 to 9 9\nsphere 1 1 radius 1 m\nstep 0.1 of rayleigh\n") > 0);
+  NEAR(step_of(PAIR "cell 0 0 to 9 9\nlattice discs 2 by 1 radius 1 spacing 4 m\nstep 1 of collision\n"),
+       3.14159265358979323846 / 4, 1e-14);
   /* with an overlap elastic spheres have a limit: 2/omega, omega^2 = k/M*, k = 2 E* (R* overlap)^(1/2) */
   NEAR(step_of(SPHERES "lattice spheres 2 by 1 radius 1 spacing 1.9 m\nstep 0.5 of stable\n"), sqrt(0.5 / sqrt(0.05)),
        1e-14);
@@ -462,6 +519,8 @@ static void the_check_changes_no_bit(void) {
 
 void suite_steps(void) {
   CU_pSuite suite = CU_add_suite("steps", NULL, NULL);
+  CU_ADD_TEST(suite, the_lightest_particles);
+  CU_ADD_TEST(suite, the_single_contact_step);
   CU_add_test(suite, "a step relative to a limit", a_step_relative_to_a_limit);
   CU_add_test(suite, "duration of collisions of elastic spheres", duration_of_collisions);
   CU_add_test(suite, "of equal collisions the first pair is kept", equal_collisions);

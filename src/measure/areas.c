@@ -21,16 +21,16 @@
 double nb_area_of_disc(double radius) { return NB_PI * radius * radius; }
 
 /* Area of the part of the circle of radius r that lies beyond the common chord, inside the circle of radius R, m2; d:
- * distance of the centres, m. */
+ * distance of the centres, m, between |R - r| and R + r. No factor is then negative, also when rounded. */
 static double segment(double r, double R, double d) {
   const double difference = R - r, numerator = (R + r - d) * (d + difference),
                denominator = (d - difference) * (d + r + R);
-  const double a = 2 * atan2(sqrt(numerator > 0 ? numerator : 0), sqrt(denominator > 0 ? denominator : 0));
+  const double a = 2 * atan2(sqrt(numerator), sqrt(denominator));
   return r * r * (a - sin(a) * cos(a));
 }
 
 double nb_area_of_lens(double radius_a, double radius_b, double distance) {
-  const double smaller = radius_a < radius_b ? radius_a : radius_b, larger = radius_a < radius_b ? radius_b : radius_a;
+  const double smaller = fmin(radius_a, radius_b), larger = fmax(radius_a, radius_b);
   if (distance >= larger + smaller)
     return 0;
   if (distance <= larger - smaller)
@@ -63,12 +63,5 @@ double nb_area_in_polygon(struct nb_vec centre, double radius, const struct nb_v
   double area = 0;
   for (size_t k = 0; k < count; k++)
     area += area_at_edge(vec_sub(corners[k], centre), vec_sub(corners[(k + 1) % count], centre), radius);
-  return area;
-}
-
-double nb_area_of_polygon(const struct nb_vec corners[], size_t count) {
-  double area = 0;
-  for (size_t k = 1; k + 1 < count; k++)
-    area += vec_cross(vec_sub(corners[k], corners[0]), vec_sub(corners[k + 1], corners[0])) / 2;
   return area;
 }

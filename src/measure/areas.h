@@ -12,4 +12,3 @@ double nb_area_of_disc(double radius);
 double nb_area_of_lens(double radius_a, double radius_b, double distance);
 /* Common area of a disc and a polygon, m2. The corners of the polygon are given counterclockwise. */
 double nb_area_in_polygon(struct nb_vec centre, double radius, const struct nb_vec corners[], size_t count);
-double nb_area_of_polygon(const struct nb_vec corners[], size_t count); /* negative if the corners run clockwise */

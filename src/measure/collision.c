@@ -109,9 +109,8 @@ static void try_particles(struct nb_collision *shortest, const struct nb_model *
   const struct nb_particles *particles = &model->particles;
   for (size_t j = 0; j < particles->count; j++) {
     const double inverse = particles->inverse_mass[i] + particles->inverse_mass[j];
-    if (j == i || nb_removed(model, j) || !(inverse > 0) ||
-        (moving(velocity[j]) && particles->number[j] < particles->number[i]))
-      continue;
+    if (j == i || nb_removed(model, j) || (moving(velocity[j]) && particles->number[j] < particles->number[i]))
+      continue; /* the duration of a collision of two fixed particles is infinite */
     const double radius_sum = particles->radius[i] + particles->radius[j];
     const double speed = circles_approach(vec_sub(particles->position[j], particles->position[i]),
                                           vec_sub(velocity[i], velocity[j]), radius_sum)

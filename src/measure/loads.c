@@ -24,8 +24,8 @@ struct sums {
 };
 
 static void add(struct sums *sums, double value) {
-  sums->max = sums->count > 0 && sums->max > value ? sums->max : value;
-  sums->min = sums->count > 0 && sums->min < value ? sums->min : value;
+  sums->max = fmax(sums->max, value); /* no value is negative */
+  sums->min = sums->count > 0 ? fmin(sums->min, value) : value;
   sums->first = sums->count > 0 ? sums->first : value;
   sums->square += (value - sums->first) * (value - sums->first);
   sums->sum += value, sums->count++;
@@ -61,8 +61,7 @@ void nb_measure_loads(const struct nb_model *model, struct nb_region_state *regi
       continue;
     const struct nb_contact_load load = nb_contact_load(model, c);
     add(&normal, load.normal), add(&shear, load.shear);
-    if (load.radius > 0)
-      add(&pressure, load.pressure), add(&traction, load.traction), add(&ratio, load.ratio);
+    add(&pressure, load.pressure), add(&traction, load.traction), add(&ratio, load.ratio);
     if (load.limit > 0)
       add(&obliquity, load.obliquity);
     sliding += load.sliding;
@@ -96,6 +95,6 @@ struct nb_contact_load nb_contact_load(const struct nb_model *model, size_t cont
   load.obliquity = load.limit > 0 ? load.shear / load.limit : 0;
   load.pressure = a > 0 ? load.normal / area : 0;
   load.traction = a > 0 ? load.shear / area : 0;
-  load.ratio = a / (first < second ? first : second);
+  load.ratio = a / fmin(first, second);
   return load;
 }

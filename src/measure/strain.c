@@ -68,8 +68,6 @@ static struct nb_tensor fit(const struct nb_model *model, const struct nb_vec re
     mean_displacement = vec_add(mean_displacement, vec_sub(particles->position[i], reference[k]));
     count++;
   }
-  if (count < 3)
-    return tensor(0, 0, 0, 0);
   middle = vec_scale(1 / count, middle), mean_displacement = vec_scale(1 / count, mean_displacement);
   struct nb_tensor product = tensor(0, 0, 0, 0), square = product;
   for (size_t k = 0; k < particles->count; k++) {
