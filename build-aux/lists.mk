@@ -383,6 +383,7 @@ SUITES = \
   tests/state.c \
   tests/state_driven.c \
   tests/state_file.c tests/state_records.c \
+  tests/output_file.c tests/restart.c \
   tests/contact_test.c \
   tests/many.c \
   tests/tensor.c \

@@ -5,6 +5,7 @@
 #include "../src/measure/snapshot.h"
 
 #include <CUnit/CUnit.h>
+#include <fcntl.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -19,6 +20,13 @@ FILE *written_file(char path[]) {
   FILE *file = fdopen(descriptor, "w");
   CU_ASSERT_PTR_NOT_NULL_FATAL(file);
   return file;
+}
+
+int written_open_files(void) {
+  int count = 0;
+  for (int file = 0; file < 1024; file++)
+    count += fcntl(file, F_GETFD) != -1;
+  return count;
 }
 
 void words_add(struct words *words, const char *format, ...) {

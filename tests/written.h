@@ -42,6 +42,9 @@ double written_last(const struct nb_result *result, const char *name);
  * XXXXXX, and becomes the name. The caller closes the file and removes it. */
 FILE *written_file(char path[]);
 
+/* Number of files that this process has open. */
+int written_open_files(void);
+
 /* True if the rows of two tables, or all tables of the snapshots of two results, are the same to the last bit. */
 bool written_same_table(const struct nb_table *a, const struct nb_table *b);
 bool written_same_snapshots(const struct nb_result *a, const struct nb_result *b);

@@ -42,7 +42,7 @@ enum nb_status nb_start_path(char *path, size_t size, const struct nb_scene *sce
   const struct nb_stage *last = last_stage(scene);
   const int n = snprintf(path, size, "%s/%s-%s-%016llx.state", nb_states_folder(options), scene->start.page->name,
                          last->name, last->hash);
-  if (n > 0 && (size_t)n < size)
+  if ((size_t)n < size)
     return NB_OK;
   return nb_error_set(error, NB_BAD_USE, "the name of the folder is too long: %.200s…", nb_states_folder(options));
 }
@@ -81,9 +81,9 @@ static bool find_outdated(const struct nb_scene *scene, const struct nb_options 
   for (struct dirent *entry; (entry = readdir(folder));) {
     const char *name = entry->d_name;
     if (strncmp(name, prefix, length) != 0 || strspn(name + length, "0123456789abcdef") != HASH_SIZE ||
-        strcmp(name + length + HASH_SIZE, ".state") != 0 ||
-        snprintf(path, sizeof path, "%s/%s", nb_states_folder(options), name) >= (int)sizeof path)
+        strcmp(name + length + HASH_SIZE, ".state") != 0)
       continue;
+    snprintf(path, sizeof path, "%s/%s", nb_states_folder(options), name); /* as long as `current`, so it fits */
     if (strcmp(path, current) == 0 || !same_values(path, &scene->start))
       continue;
     found = true;
