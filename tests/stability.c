@@ -134,6 +134,8 @@ static void a_pair_may_use_up_the_limit(void) {
       {"shear mindlin_deresiewicz\n", 1e-9},
       {"shear none\ndamping ratio 0.3\n", 1e-9},
       {"shear none\ndamping stiffness 0.2\n", 1e-9},
+      {"shear none\ndamping ratio 0.3\ndamping centred\n", 1e-9},
+      {"shear none\ndamping stiffness 0.2\ndamping centred\n", 1e-9},
       {"shear none\ndamping con1 0.8 as all\n", 1e-9},
       {"shear mindlin\ndamping ratio 0.3\n", 0.03},
   };
@@ -249,21 +251,22 @@ static void a_step_without_a_limit(void) {
 
 /* A contact that may become deep must be stable with the critical dashpot of a deep contact. So its damping coefficient
  * is c = b k^(1/2), where b = max(2 ratio, 2) (M*)^(1/2) and the reduced mass M* is 1/2. q = dt^2 k + 2 dt c of the
- * pair may be at most 2, so the largest stiffness k satisfies dt^2 k + 2 dt b k^(1/2) = 2. */
+ * pair may be at most 2, so the largest stiffness k satisfies dt^2 k + 2 dt b k^(1/2) = 2. Centred dashpots count twice. */
 static void a_contact_may_become_deep(void) {
   static const double ratios[] = {0.3, 1.5};
-  for (size_t n = 0; n < 2; n++) {
+  for (size_t n = 0; n < 4; n++) {
     struct words page = {0};
     struct written it;
     struct nb_error error = {0};
     words_add(&page,
-              SPHERE "shear none\ndamping ratio %g\ndamping critical beyond overlap 0.5\nsphere 0 0 radius 1 m\n"
-                     "sphere 1.999999 0 radius 1 m\nstep 0.5\nrecord step.stable\nstage s\ncycles 1\n",
-              ratios[n]);
+              SPHERE "shear none\ndamping ratio %g\ndamping critical beyond overlap 0.5\n%ssphere 0 0 radius 1 m\n"
+                     "sphere 1.999999 0 radius 1 m\nstep 0.25\nrecord step.stable\nstage s\ncycles 1\n",
+              ratios[n % 2], n / 2 ? "damping centred\n" : "");
     written_scene(&it, &page);
     struct nb_model *model = written_model(&it, NULL);
     CU_ASSERT_EQUAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
-    const double b = fmax(2 * ratios[n], 2) * sqrt(0.5), root = (-b + sqrt(b * b + 4 * 0.25 * 2)) / (2 * 0.25);
+    const double b = fmax(2 * ratios[n % 2], 2) * sqrt(0.5) * (n / 2 ? 2 : 1), dt = 0.25;
+    const double root = (-b + sqrt(b * b + 2)) / dt;
     const double stiffness = root * root, young = 1 / (2 * 0.91),
                  expected = stiffness * stiffness / (4 * young * young * 0.5);
     CU_ASSERT_DOUBLE_EQUAL(overlap_stable(model, 0) / expected, 1, 1e-9);
@@ -361,8 +364,12 @@ static void crowd(struct words *page, struct chance *chance, const char *shear) 
 
 static void every_cycle_is_guaranteed_stable(void) {
   static const char *const shears[] = {"none", "mindlin", "mindlin_deresiewicz", "randall"};
-  static const char *const damped[] = {"", "damping ratio 0.2\n", "damping stiffness 0.01\n",
-                                       "damping critical beyond overlap 0.02\n", "damping con1 0.9 as all\n"};
+  static const char *const damped[] = {"",
+                                       "damping ratio 0.2\n",
+                                       "damping ratio 0.2\ndamping centred\n",
+                                       "damping stiffness 0.01\n",
+                                       "damping critical beyond overlap 0.02\n",
+                                       "damping con1 0.9 as all\n"};
   int ended = 0, went = 0;
   unsigned long looks = 0, cycles = 0;
   for (unsigned seed = 1; seed <= 60; seed++) {
@@ -371,7 +378,7 @@ static void every_cycle_is_guaranteed_stable(void) {
     struct written it;
     struct nb_error error = {0};
     crowd(&page, &chance, shears[seed % 4]);
-    words_add(&page, "%sstep %.17g of stable\nrecord time\nstage s\ncycles 400\n", damped[seed % 5],
+    words_add(&page, "%sstep %.17g of stable\nrecord time\nstage s\ncycles 400\n", damped[seed % 6],
               chance_scale(&chance, 0.1, 0.95));
     written_scene(&it, &page);
     struct nb_model *model = written_model(&it, NULL);

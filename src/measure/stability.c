@@ -78,14 +78,14 @@ static double max_stiffness_ratio(const struct nb_model *model) {
 }
 
 /* The k_n at which a contact has the given q, N/m: the solution of dt^2 k + 2 dt (time k + ratio (M* k)^(1/2)) = q, a
- * quadratic equation in k^(1/2). */
+ * quadratic equation in k^(1/2). Centred dashpots count twice (stable_step.c). */
 static double stiffness_of(const struct nb_model *model, size_t c, double q) {
-  const double dt = model->step;
+  const double dt = model->step, factor = (model->damping.centred ? 4 : 2) * dt;
   struct nb_dashpot dashpot = nb_dashpot(model, nb_with_wall(model, c));
   if (model->damping.deep > 0)
     dashpot.ratio = dashpot.ratio > 2 ? dashpot.ratio : 2; /* the contact may become deep */
-  const double square = dt * dt + 2 * dt * dashpot.time;
-  const double line = dashpot.ratio > 0 ? 2 * dt * dashpot.ratio * sqrt(1 / nb_inverse_mass(model, c)) : 0;
+  const double square = dt * dt + factor * dashpot.time;
+  const double line = dashpot.ratio > 0 ? factor * dashpot.ratio * sqrt(1 / nb_inverse_mass(model, c)) : 0;
   const double root = 2 * q / (line + sqrt(line * line + 4 * square * q));
   return q > 0 ? root * root : 0;
 }
