@@ -457,6 +457,42 @@ static void units(void) {
   nb_outcome_free(&outcome);
 }
 
+/* The message about a moment without a row has a unit only if the moment is a time and the page has units. */
+static void moments_without_rows(void) {
+  static const char scene[] = "%smaterial m density 1%s kn 1%s\ndisc 0%s 0%s radius 1%s m\nmonitor A disc 1\nstep 1%s\n"
+                              "record A.x\nstage one\ncycles 5";
+  struct nb_outcome outcome;
+  char text[512];
+  snprintf(text, sizeof text, scene, "", " kg/m3", " N/m", " m", " m", " m", " ms");
+  carry_out(&outcome, text, "report A.x at 7 ms\nreport A.x at 7 cycles", NULL);
+  CU_ASSERT_EQUAL_FATAL(outcome.check_count, 2);
+  CU_ASSERT_STRING_EQUAL(
+      outcome.checks[0].message,
+      "`A.x at 0.007 s` cannot be computed: no row was recorded at that moment, only from time 0 to 0.005 s");
+  CU_ASSERT_STRING_EQUAL(
+      outcome.checks[1].message,
+      "`A.x at 7 cycles` cannot be computed: no row was recorded at that moment, only from cycle 0 to 5");
+  nb_outcome_free(&outcome);
+  snprintf(text, sizeof text, scene, "units none\n", "", "", "", "", "", "");
+  carry_out(&outcome, text, "report A.x at 7", NULL);
+  CU_ASSERT_EQUAL_FATAL(outcome.check_count, 1);
+  CU_ASSERT_STRING_EQUAL(outcome.checks[0].message,
+                         "`A.x at 7` cannot be computed: no row was recorded at that moment, only from time 0 to 5");
+  nb_outcome_free(&outcome);
+}
+
+/* A stage may have the name `all`; then `in all` means this stage. */
+static void a_stage_named_all(void) {
+  struct nb_outcome outcome;
+  carry_out(&outcome,
+            "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nstep 1\nrecord cycle\nstage all\ncycles 2\n"
+            "stage rest\ncycles 3",
+            "cycle max in all expected 2 within 0 [t]\ncycle max in rest expected 5 within 0 [t]", NULL);
+  CU_ASSERT_EQUAL(outcome.status, NB_OK);
+  CU_ASSERT_EQUAL(outcome.mark_count[NB_PASS], 2);
+  nb_outcome_free(&outcome);
+}
+
 /* The first stage records nothing. A reported value needs rows of its own stage only. A comparison with a stage without
  * rows fails. The message about a curve has the units of both quantities. */
 static void stages_without_rows(void) {
@@ -763,6 +799,15 @@ static void stiffness_of_springs_in_series(void) {
     const char *scene, *stage; /* more statements */
   } cases[] = {{"C.normal expected 0.05 within 1 % [t]", true},
                {"C.normal expected 0.0503 within 1 % [t]", true},
+               /* the ratios 1.98 and 2.02 are the limits for a force, 0.495 and 0.505 for an overlap */
+               {"C.normal expected (0.1/1.98001) within 1 % [t]", true},
+               {"C.normal expected (0.1/1.97999) within 1 % [t]", false},
+               {"C.normal expected (0.1/2.01999) within 1 % [t]", true},
+               {"C.normal expected (0.1/2.02001) within 1 % [t]", false},
+               {"C.overlap expected (0.1/0.495005) within 1 % [t]", true},
+               {"C.overlap expected (0.1/0.494995) within 1 % [t]", false},
+               {"C.overlap expected (0.1/0.504995) within 1 % [t]", true},
+               {"C.overlap expected (0.1/0.505005) within 1 % [t]", false},
                {"C.normal expected 0.052 within 1 % [t]", false},
                {"C.normal expected 0.2 within 1 % [t]", false},
                {"C.overlap expected 0.2 within 1 % [t]", true},
@@ -791,7 +836,9 @@ static void stiffness_of_springs_in_series(void) {
     carry_out(&outcome, scene, cases[k].expectation, NULL);
     CU_ASSERT_EQUAL_FATAL(outcome.check_count, 1);
     const char *const message = outcome.checks[0].message;
-    const bool noted = strstr(message, "; the ratio is ") != NULL;
+    const char *const note =
+        strstr(cases[k].expectation, "overlap") ? "; the ratio is 0.5: if" : "; the ratio is 2: if";
+    const bool noted = strstr(message, note) != NULL;
     if (noted != cases[k].noted)
       printf("# %s: %s\n", cases[k].expectation, message);
     CU_ASSERT_EQUAL(noted, cases[k].noted);
@@ -1164,6 +1211,8 @@ void suite_outcome(void) {
               expectations_of_another_stress);
   CU_add_test(suite, "messages about servos at their largest rate", servos_at_the_largest_rate);
   CU_add_test(suite, "units of reported values", units);
+  CU_ADD_TEST(suite, moments_without_rows);
+  CU_ADD_TEST(suite, a_stage_named_all);
   CU_add_test(suite, "stages without rows", stages_without_rows);
   CU_add_test(suite, "error of a run", error_of_a_run);
   CU_add_test(suite, "mistakes in all runs, and the error of a reference", mistakes_of_all_runs);

@@ -58,6 +58,9 @@ static void reducers(void) {
       {"A.x at 1.25", 4.5, 3, {1, 5, 3}},
       {"A.x at 2.5", 3.5, 6, {1, 2, 3, 4, 5, 6}}, /* between two stages */
       {"A.x at 4.5 in two", 5.5, 6, {1, 2, 3, 4, 5, 6}},
+      {"A.x at 1", 4, 3, {NAN, 4, 3}}, /* the row of that time, and no other */
+      {"A.x at 1", 4, 3, {1, 4, NAN}},
+      {"A.x at 1.5", 5, 6, {NAN, 4, 6, NAN, 5, 6}}, /* the two rows around it, and no other */
   };
   for (size_t k = 0; k < COUNT(rows); k++) {
     struct nb_outcome outcome;
@@ -75,6 +78,37 @@ static void reducers(void) {
       CU_ASSERT_DOUBLE_EQUAL(seen, rows[k].value, 1e-15);
       CU_ASSERT_STRING_EQUAL(measure->unit, strstr(rows[k].measure, "frequency") ? "1/s" : "m");
     }
+    nb_outcome_free(&outcome);
+  }
+}
+
+/* The rows are not at 0, 1, 2, …: the reducers use the times of the table. */
+static void times_of_rows(void) {
+  static const double times[] = {10, 12, 15, 16, 20, 22};
+  static const struct {
+    const char *measure;
+    double value, x[6];
+  } rows[] = {
+      {"A.x at 13", 3, {1, 2, 5, 4, 5, 6}},
+      {"A.x at 10.5", 2, {1, 5, 5, 4, 5, 6}},
+      {"A.x at 21 in two", 8, {1, 2, 5, 4, 6, 10}},
+      {"A.x frequency in all", 0.2, {-1, 1, -1, 1, -1, 1}},     /* crossings at 11, 15.5 and 21 */
+      {"A.x frequency in all", 1 / 10.5, {-1, 1, 2, 0, -3, 1}}, /* the mean is 0: crossings at 11 and 21.5 */
+  };
+  for (size_t k = 0; k < COUNT(rows); k++) {
+    struct nb_outcome outcome;
+    struct nb_error error;
+    char text[64];
+    double seen;
+    snprintf(text, sizeof text, "report %s", rows[k].measure);
+    planted_page(&outcome, "", text);
+    planted_rows(&outcome, 0, 6, rows[k].x);
+    struct nb_table *const table = &outcome.runs[0].result.table;
+    memcpy(table->time, times, sizeof times);
+    CU_ASSERT(nb_measure_value(&seen, &outcome.runs[0].expectations.list[0].measure, table, &error));
+    if (!(fabs(seen - rows[k].value) < 1e-15))
+      printf("# %s: %.17g\n", rows[k].measure, seen);
+    CU_ASSERT_DOUBLE_EQUAL(seen, rows[k].value, 1e-15);
     nb_outcome_free(&outcome);
   }
 }
@@ -114,7 +148,25 @@ static void nothing_to_reduce(void) {
       {"A.x at 30 cycles within 9", "no row was recorded at that moment, only from cycle 0 to 20", 3, {1, 2, 3}},
       {"A.x at 2.5 within 9", "no row was recorded at that moment, only from time 0 to 2", 3, {1, 2, 3}},
       {"A.x at 2.5 in two within 9", "no row was recorded at that moment", 6, {1, 2, 3, 4, 5, 6}},
-      {"A.x at 10 cycles in two within 9", "no row was recorded at that moment", 6, {1, 2, 3, 4, 5, 6}},
+      {"A.x at 10 cycles in two within 9",
+       "`A.x at 10 cycles in two` cannot be computed: no row was recorded at that moment, only from cycle 30 to 50",
+       6,
+       {1, 2, 3, 4, 5, 6}},
+      {"A.x at 2 in two within 9",
+       "`A.x at 2 in two` cannot be computed: no row was recorded at that moment, only from time 3 to 5",
+       6,
+       {1, 2, 3, 4, 5, 6}},
+      /* the rows of another stage do not count, not even the next one */
+      {"A.x at 30 cycles in one within 9", "at that moment, only from cycle 0 to 20", 6, {1, 2, 3, 4, 5, 6}},
+      {"A.x at 40 cycles in one within 9", "at that moment, only from cycle 0 to 20", 6, {1, 2, 3, 4, 5, 6}},
+      {"A.x at 3 in one within 9", "at that moment, only from time 0 to 2", 6, {1, 2, 3, 4, 5, 6}},
+      {"A.x at 2.5 in one within 9", "at that moment, only from time 0 to 2", 6, {1, 2, 3, 4, 5, 6}},
+      {"A.x at 20 cycles in two within 9", "at that moment, only from cycle 30 to 50", 6, {1, 2, 3, 4, 5, 6}},
+      {"A.x at 51 cycles in two within 9", "at that moment, only from cycle 30 to 50", 6, {1, 2, 3, 4, 5, 6}},
+      {"A.x at 45 cycles in two within 9",
+       "at that moment, only in other cycles from cycle 30 to 50",
+       6,
+       {1, 2, 3, 4, 5, 6}},
       {"A.x frequency within 9", "it rises through its mean less than twice", 3, {-1, 1, 1}},
       {"A.x frequency within 9", "it rises through its mean less than twice", 3, {1, 1, 1}},
       {"A.x frequency in one within 9", "it rises through its mean less than twice", 6, {-1, 1, -1, 9, 0, 0}},
@@ -171,7 +223,9 @@ static void not_finite(void) {
   }
   planted_one("A.x within 1e20 %", "A.x", 1e300, 1, huge, NB_FAIL, "a fraction of 1e+300 is not a finite tolerance");
   planted_one("A.y expected 1 of A.x within 5 [t]", NULL, 0, 1, (double[]){0}, NB_FAIL,
-              "their ratio is not a finite number");
+              "computed 1 and 0: their ratio is not a finite number");
+  planted_one("A.vx expected 1 of A.x within 5 [t]", NULL, 0, 1, (double[]){1e-310}, NB_FAIL,
+              "computed -4 and 1e-310: their ratio is not a finite number");
   planted_one("A.x max within 1e300", "A.x max", 0, 3, (double[]){-INFINITY, 0, 0}, NB_FAIL, "it is -inf at cycle 0");
   struct nb_outcome outcome;
   planted_page(&outcome, "", "A.x below 1");
@@ -197,6 +251,7 @@ static void a_time_at_the_end_of_a_line(void) {
 void suite_reducers(void) {
   CU_pSuite suite = CU_add_suite("reducers", NULL, NULL);
   CU_add_test(suite, "every reducer over a stage, the last stage and all stages", reducers);
+  CU_ADD_TEST(suite, times_of_rows);
   CU_add_test(suite, "a measure that cannot be computed fails, with the reason", nothing_to_reduce);
   CU_add_test(suite, "values that are not finite fail every check", not_finite);
   CU_add_test(suite, "the value for the stage is preferred", the_value_for_the_stage_is_preferred);

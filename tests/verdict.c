@@ -224,6 +224,8 @@ static void percentage_of_zero(void) {
               "computed 0, reference 0, error 0 %, tolerance 5 %");
   planted_one("A.x within 5 %", "A.x", 0, 1, (double[]){1e-300}, NB_FAIL,
               "error 1e-300; a tolerance in % of 0 allows no error");
+  planted_one("A.x within 5 %", "A.x", 0, 1, (double[]){-0.14945}, NB_FAIL,
+              "computed -0.14945, reference 0, error 0.149; a tolerance in % of 0 allows no error");
 }
 
 static void words(void) {
@@ -250,6 +252,11 @@ static void words(void) {
   planted_one("A.x within 1e6 of A.vx", "A.x", 8, 1, (double[]){9}, NB_PASS, "error 25 %, tolerance 1e+08 % of A.vx");
   planted_one("A.x within 2e7 of A.vx", "A.x", 8, 1, (double[]){9}, NB_PASS, "error 0.25, tolerance 2e+07 of A.vx");
   planted_one("A.x within 5e-8 of A.vx", "A.x", 8, 1, (double[]){9}, NB_FAIL, "error 0.25, tolerance 5e-08 of A.vx");
+  planted_one("A.x within 1e-7 of A.vx", "A.x", 8, 1, (double[]){9}, NB_FAIL, "error 25 %, tolerance 1e-05 % of A.vx");
+  planted_one("A.x within 0.9993e-7 of A.vx", "A.x", 8, 1, (double[]){9}, NB_FAIL, "error 0.25, tolerance 9.99e-08 of");
+  planted_one("A.x within 1e7 of A.vx", "A.x", 8, 1, (double[]){9}, NB_PASS, "error 25 %, tolerance 1e+09 % of A.vx");
+  planted_one("A.x within 1.0005e7 of A.vx", "A.x", 8, 1, (double[]){9}, NB_PASS,
+              "error 0.25, tolerance 1e+07 of A.vx");
   struct nb_outcome outcome;
   planted_page(&outcome, "",
                "A.x versus time within 9"); /* the worst row only, although each is worse than the one before */
@@ -332,6 +339,10 @@ static void parts_of_the_message(void) {
       {"A.x within 0.5", {8}, 1, {8.25}, {"8.25", "8", "0.25", "0.5"}},
       {"A.x within 0.5", {8}, 1, {-8.75}, {"-8.75", "8", "16.8", "0.5"}},
       {"A.x within 25 %", {8}, 1, {9}, {"9", "8", "12.5 %", "25 %"}},
+      /* errors and tolerances that would be rounded to other digits if they were a thousandth larger */
+      {"A.x within 0.24945", {8}, 1, {8.14945}, {"8.14945", "8", "0.149", "0.249"}},
+      {"A.x within 24.945 %", {8}, 1, {9.1956}, {"9.1956", "8", "14.9 %", "24.9 %"}},
+      {"A.x within 24.945 % of A.vx", {8}, 1, {8.5978}, {"8.5978", "8", "14.9 %", "24.9 % of A.vx"}},
       {"A.x within 1e-9", {8}, 1, {8 + 5e-10}, {"8.0000000005", "8", "5e-10", "1e-09"}},
       {"A.x within 25 % of A.y max", {8}, 3, {0, 0, 8.5}, {"8.5", "8", "12.5 %", "25 % of A.y max"}},
       {"A.x within 1e9 of A.y max", {8}, 3, {0, 0, 10}, {"10", "8", "0.5", "1e+09 of A.y max"}},
@@ -388,6 +399,13 @@ static void one_sign_of_a_residual(void) {
       {"energy.residual max within 1", {0, 0, 0, -3, -2, 0}, true},
       {"energy.residual max in one within 25 % of A.y max in one", {-3, -2, 0}, true}, /* 25 % of 4 */
       {"energy.residual max in one within 25 % of A.y max in one", {-0.5, -0.2, 0}, false},
+      {"energy.residual max in one within 25 % of A.y max in one", {-1.0001, -0.2, 0}, true},
+      {"energy.residual max in one within 25 % of A.y max in one", {-0.9999, -0.2, 0}, false},
+      {"energy.residual max in one within 25 % of A.vx in one", {-1.0001, -0.2, 0}, true}, /* A.vx is -4 */
+      {"energy.residual max in one within 25 % of A.vx in one", {-0.9999, -0.2, 0}, false},
+      {"energy.residual min in one above -1", {0, 1.0001, 0}, true},
+      {"energy.residual min in one above -1", {0, 0.9999, 0}, false},
+      {"energy.residual mean in one within 1", {-3, 0.1, 2.9}, false}, /* a mean has no other sign */
       {"energy.residual max in one expected 1 within 1 [t]", {-3, -2, 0}, false},
       {"energy.residual max in one expected 0 of A.y max in one within 1 [t]", {-9, -2, 0}, false},
       {"A.x max in one below 1", {-3, -2, 0}, false},
@@ -403,6 +421,11 @@ static void one_sign_of_a_residual(void) {
     CU_ASSERT_EQUAL(noted, rows[k].noted);
     nb_outcome_free(&outcome);
   }
+  /* the note has the other extreme value; a value larger by a thousandth would have other digits */
+  planted_one("energy.residual max in one below 1", NULL, 0, 6, (double[]){-2.4945, -2, 0.5}, NB_PASS,
+              "computed 0.5 and 1; but a residual has both signs: `min` is -2.49, check it too");
+  planted_one("energy.residual min in one above -1", NULL, 0, 6, (double[]){-0.5, 2.4945, 0.5}, NB_PASS,
+              "computed -0.5 and -1; but a residual has both signs: `max` is 2.49, check it too");
 }
 
 void suite_verdict(void) {

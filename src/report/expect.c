@@ -153,14 +153,14 @@ static const char *quotient_hint(char *hint, const struct nb_reader *reader, con
 }
 
 /* The hint for a formula in place of a quantity, `sqrt(A.vx^2+A.vy^2)`; NULL: the text is no formula with a
- * quantity. */
+ * quantity. The text does not begin with a parenthesis, because the reader takes that for an expression. */
 static const char *formula_hint(char *hint, const struct nb_reader *reader, const struct nb_scene *scene,
                                 const char *text) {
   static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.";
   char name[2 * NB_NAME_SIZE];
   struct nb_quantity quantity;
   snprintf(name, sizeof name, "%.*s", (int)strcspn(text, "("), text);
-  if (!strpbrk(text, "*^") && !(strchr(text, '(') && (!*name || nb_name_reserved(name))))
+  if (!strpbrk(text, "*^") && !nb_name_reserved(name))
     return NULL;
   for (size_t n; *(text += strcspn(text, letters)); text += n) {
     n = strspn(text, letters);
@@ -230,7 +230,6 @@ static const char *stage_hint(char *hint, const struct nb_reader *reader, const 
 /* Takes the optional words `in STAGE`. */
 static bool take_stage(struct nb_reader *reader, const struct nb_scene *scene, struct nb_measure *measure) {
   char hint[NB_HINT_SIZE];
-  measure->stage = -1;
   measure->bare_length = strlen(measure->label);
   if (!nb_token_skip(reader, "in"))
     return true;
@@ -253,7 +252,7 @@ static bool take_stage(struct nb_reader *reader, const struct nb_scene *scene, s
 static bool take_time(struct nb_reader *reader, const struct nb_scene *scene, struct nb_measure *measure) {
   const char *const words[] = {scene->contact_test ? "steps" : "cycles", scene->contact_test ? "step" : "cycle"};
   const struct nb_token *number = nb_token_peek(reader);
-  const bool is_count = number && reader->next + 1 < reader->count &&
+  const bool is_count = reader->next + 1 < reader->count &&
                         (strcmp(number[1].text, words[0]) == 0 || strcmp(number[1].text, words[1]) == 0);
   if (scene->contact_test && !is_count)
     return nb_expected(reader, "a contact test has no time: `at 10 steps`", "a number and `steps`");
@@ -530,12 +529,24 @@ static bool is_versus_sweep(struct nb_reader *reader, const struct nb_scene *sce
   return true;
 }
 
+/* Refuses a reducer or a stage before `versus`. */
+static bool is_no_curve(struct nb_reader *reader, const struct nb_measure *measure, const struct nb_token *token) {
+  char hint[NB_HINT_SIZE];
+  if (strcmp(reader->tokens[1].text, "versus") == 0)
+    return false;
+  snprintf(hint, sizeof hint,
+           "a curve is compared at every row, so it has no reducer, and its stage comes last: `%.80s versus %.80s%s`",
+           reader->tokens[0].text, token->text, measure->label + measure->bare_length);
+  nb_token_mistake(reader, &reader->tokens[1], hint, "expected `versus`, found `%s`", reader->tokens[1].text);
+  return true;
+}
+
 static bool take_versus(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
   const struct nb_token *token = nb_take_token(reader, "a quantity that the page records");
   struct nb_quantity quantity;
-  if (token && is_versus_sweep(reader, scene, &expectation->measure, token))
-    return false;
-  if (!token || !find_column(reader, scene, token, &expectation->column, &quantity))
+  if (!token || is_versus_sweep(reader, scene, &expectation->measure, token) ||
+      !find_column(reader, scene, token, &expectation->column, &quantity) ||
+      is_no_curve(reader, &expectation->measure, token))
     return false;
   snprintf(expectation->against, sizeof expectation->against, "%s", token->text);
   if (!take_stage(reader, scene, &expectation->measure))
@@ -720,9 +731,8 @@ static void append_constant(char *hint, const struct nb_reader *reader, const st
             space, unit);
   if (positive)
     nb_append(hint, NB_HINT_SIZE,
-              "1e-6 of %.80s max in all [SOURCE]`, or, if it is always near 0, a tolerance with its unit: "
-              "`within 1e-9%s%s`",
-              name, space, unit);
+              "1e-6 of %.80s max in all [SOURCE]`, or, if it is always near 0, a tolerance%s: `within 1e-9%s%s`", name,
+              *unit ? " with its unit" : "", space, unit);
   else
     nb_append(hint, NB_HINT_SIZE,
               "%s%s%s [SOURCE]`%s; if it is far from 0, the tolerance may also be a fraction: `within 1e-6 of %.80s "

@@ -133,7 +133,7 @@ bool nb_measure_value(double *computed, const struct nb_measure *measure, const 
   const bool between = measure->at >= first && measure->at <= last;
   snprintf(reason, sizeof reason, "no row was recorded at that moment, only %sfrom %s %g to %g%s",
            between ? "in other cycles " : "", is_time ? "time" : "cycle", first, last,
-           is_time && table->units && table->units[0] && strcmp(table->units[0], "-") != 0 ? " s" : "");
+           is_time && table->units[0] && strcmp(table->units[0], "-") != 0 ? " s" : "");
   select_rows(&column, measure);
   if (column.from == column.to)
     return undefined(error, measure, reason);
