@@ -13,7 +13,7 @@
 static const double pi = 3.14159265358979323846;
 
 #define RECORD                                                                                                         \
-  "record energy.kinetic energy.stored energy.frictional energy.shear energy.damped energy.walls energy.gravity "      \
+  "record energy.kinetic energy.stored energy.friction energy.shear energy.damped energy.walls energy.gravity "      \
   "energy.changed energy.residual work.residual momentum.x momentum.y momentum.angular\n"
 
 /* A box with six discs, a fixed disc that moves, friction, cohesion, gravity and `damping`; `format` has two stages
@@ -158,10 +158,10 @@ static struct nb_model *made(struct written *it, const char *text) {
 static void rounding_errors_belong_to_the_sums(void) {
   struct written it;
   struct nb_model *model =
-      made(&it, "units none\nmaterial m density 3\ndisc 0 0 radius 1 m\nstep 0.01\nrecord energy.frictional "
+      made(&it, "units none\nmaterial m density 3\ndisc 0 0 radius 1 m\nstep 0.01\nrecord energy.friction "
                 "energy.walls energy.residual\nstage s\ncycles 9\n");
   model->terms[NB_TERM_FRICTIONAL] = (struct nb_sum){8, 0.25};
-  CU_ASSERT_EQUAL(written_now(model, "energy.frictional"), 8.25);
+  CU_ASSERT_EQUAL(written_now(model, "energy.friction"), 8.25);
   CU_ASSERT_EQUAL(written_now(model, "energy.residual"), 8.25);
   model->terms[NB_TERM_WALLS] = (struct nb_sum){2, -0.125};
   CU_ASSERT_EQUAL(written_now(model, "energy.walls"), 1.875);
@@ -213,7 +213,7 @@ static void by_walls_and_stored(void) {
   "material heavy density 1e12 kn 400 ks 200 friction 0.3\ndisc 20 0.9 radius 1 heavy\n"                               \
   "material smooth density 3 kn 400 ks 200 friction 0\ndisc 40 5 radius 1 smooth\n"                                    \
   "wall w 10 0 to 90 0 m velocity 1 0\nstep 0.001\n"                                                                   \
-  "monitor C disc 2 with wall w\nrecord C.shear C.sliding energy.frictional energy.shear energy.walls energy.stored\n" \
+  "monitor C disc 2 with wall w\nrecord C.shear C.sliding energy.friction energy.shear energy.walls energy.stored\n" \
   "stage s\ncycles 9\n"
 static void by_friction(void) {
   struct written it;
@@ -222,12 +222,12 @@ static void by_friction(void) {
   CU_ASSERT_DOUBLE_EQUAL(normal, 400 * 0.01 / 2, 1e-12);
   written_cycles(model, 59);
   CU_ASSERT_EQUAL(written_now(model, "C.sliding"), 0);
-  CU_ASSERT_EQUAL(written_now(model, "energy.frictional"), 0);
+  CU_ASSERT_EQUAL(written_now(model, "energy.friction"), 0);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.stored") - normal, 200 * 0.059 * 0.059 / 2, 1e-7);
   written_cycles(model, 101);
   CU_ASSERT_EQUAL(written_now(model, "C.sliding"), 1);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.stored") - normal, 12 * 12 / 400., 1e-7);
-  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.frictional"), 12 * 0.1, 1e-7);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.friction"), 12 * 0.1, 1e-7);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.shear"), 12 * 0.1 + 12 * 12 / 400., 1e-7);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.walls"), 12 * 0.1 + 12 * 12 / 400., 1e-7);
   nb_model_free(model);
@@ -328,7 +328,7 @@ static void a_normal_law_without_stored_energy(void) {
   static const struct {
     const char *record, *words; /* NULL: no error */
   } rows[] = {{"energy.stored", "record `energy.shear`, not `energy.stored`"},
-              {"energy.frictional", "record `energy.shear`, not `energy.stored`"},
+              {"energy.friction", "record `energy.shear`, not `energy.stored`"},
               {"energy.damped", "has no stored energy, so energies do not balance"},
               {"energy.residual", "has no stored energy, so energies do not balance"},
               {"work.residual", NULL},

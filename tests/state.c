@@ -104,7 +104,7 @@ static void an_impact_with_a_phase(void) {
  * the uninterrupted run. */
 static void balances_begin_anew(void) {
   static const char *const balance[] = {"work.residual", "energy.residual",   "energy.walls",
-                                        "energy.damped", "energy.frictional", "energy.gravity"};
+                                        "energy.damped", "energy.friction", "energy.gravity"};
   static const char *const shears[] = {"linear", "mindlin_deresiewicz"};
   for (size_t l = 0; l < 2; l++) {
     struct words page = {0};
@@ -118,7 +118,7 @@ static void balances_begin_anew(void) {
     char *text = malloc(strlen(page.text) + 256);
     sprintf(
         text,
-        "%.*senergy.kinetic energy.stored work.residual energy.residual energy.walls energy.damped energy.frictional "
+        "%.*senergy.kinetic energy.stored work.residual energy.residual energy.walls energy.damped energy.friction "
         "energy.gravity\n%s",
         (int)(columns - page.text), page.text, columns + strlen("energy.kinetic\n"));
     free(page.text);

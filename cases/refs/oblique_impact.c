@@ -13,7 +13,7 @@
  *
  * Returns:
  *   impact.psi1, .psi2, .angle, .restitution, .duration, impact.energy.normal .tangential .rotational    at the end
- *   energy.frictional, energy.sliding              dissipated in all, and in gross sliding, J
+ *   energy.friction, energy.sliding              dissipated in all, and in gross sliding, J
  *   impact.normal, .shear, .slip versus impact.time
  *   impact.time, .slip in STAGE                    of a stage that ends when gross sliding begins or ends, or
  *                                                  impact.time, .shear or .normal passes a value
@@ -173,7 +173,7 @@ static void add_values(struct nb_solution *solution, const struct nb_scene *scen
   solution_value(solution, p->mass * after * after / 2, "impact.energy.tangential");
   const double turned = p->rotation + p->mass * (p->centre * p->centre - after * after) / 2 - unit * all;
   solution_value(solution, turned, "impact.energy.rotational");
-  solution_value(solution, unit * all, "energy.frictional");
+  solution_value(solution, unit * all, "energy.friction");
   solution_value(solution, unit * path->slid, "energy.sliding");
   add_curve(solution, "impact.shear", path->f, path->steps, 1, 0);
   add_curve(solution, "impact.slip", path->d, path->steps, slope * p->depth, path->psi2 * slope * p->vn * p->time);

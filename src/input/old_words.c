@@ -95,6 +95,7 @@ const struct nb_old_word *nb_old_words(void) {
     {NB_OLD_QUANTITY, ".tries", ".attempts"},
     {NB_OLD_PLAIN, "boundary.unevenness", "boundary.roughness"},
     {NB_OLD_PLAIN, "energy.driven", "energy.imposed"},
+    {NB_OLD_PLAIN, "energy.frictional", "energy.friction"},
     {NB_OLD_PLAIN, "step.safe", "step.stable"},
     {NB_OLD_PLAIN, "step.critical", "step.single-contact"},
     {NB_OLD_PLAIN, "lost", "dissipated"},

@@ -71,7 +71,7 @@ static enum nb_status check_stored_energy(const struct nb_model *model, struct n
   if (requested & NB_REQUEST_STORED && (normal || shear))
     return nb_error_set(
         error, NB_BAD_USE,
-        "`%s %s` has no stored energy: record `energy.shear`, not `energy.stored` and `energy.frictional`",
+        "`%s %s` has no stored energy: record `energy.shear`, not `energy.stored` and `energy.friction`",
         normal ? "normal" : "shear", normal ? normal->name : shear->name);
   if (requested & NB_REQUEST_ENERGY && normal)
     return nb_error_set(error, NB_BAD_USE, "`normal %s` has no stored energy, so energies do not balance",
