@@ -11,11 +11,11 @@
 #include "written.h"
 
 enum { GRAVITY, WALLS, DAMPED, FRICTIONAL, SLIDING, SHEAR, CHANGED, DRIVEN, REMOVED, TERMS };
-static const char *const names[TERMS] = {"energy.gravity",    "energy.walls",   "energy.damped",
+static const char *const names[TERMS] = {"energy.gravity",  "energy.walls",   "energy.damped",
                                          "energy.friction", "energy.sliding", "energy.shear",
-                                         "energy.changed",    "energy.imposed", "energy.removed"};
+                                         "energy.changed",  "energy.imposed", "energy.removed"};
 #define RECORD                                                                                                         \
-  "record energy.gravity energy.walls energy.damped energy.friction energy.sliding energy.shear energy.changed "     \
+  "record energy.gravity energy.walls energy.damped energy.friction energy.sliding energy.shear energy.changed "       \
   "energy.imposed energy.removed energy.kinetic energy.stored energy.residual\n"
 #define BIT(term) (1u << (term))
 

@@ -13,7 +13,7 @@
 static const double pi = 3.14159265358979323846;
 
 #define RECORD                                                                                                         \
-  "record energy.kinetic energy.stored energy.friction energy.shear energy.damped energy.walls energy.gravity "      \
+  "record energy.kinetic energy.stored energy.friction energy.shear energy.damped energy.walls energy.gravity "        \
   "energy.changed energy.residual work.residual momentum.x momentum.y momentum.angular\n"
 
 /* A box with six discs, a fixed disc that moves, friction, cohesion, gravity and `damping`; `format` has two stages
@@ -213,7 +213,7 @@ static void by_walls_and_stored(void) {
   "material heavy density 1e12 kn 400 ks 200 friction 0.3\ndisc 20 0.9 radius 1 heavy\n"                               \
   "material smooth density 3 kn 400 ks 200 friction 0\ndisc 40 5 radius 1 smooth\n"                                    \
   "wall w 10 0 to 90 0 m velocity 1 0\nstep 0.001\n"                                                                   \
-  "monitor C disc 2 with wall w\nrecord C.shear C.sliding energy.friction energy.shear energy.walls energy.stored\n" \
+  "monitor C disc 2 with wall w\nrecord C.shear C.sliding energy.friction energy.shear energy.walls energy.stored\n"   \
   "stage s\ncycles 9\n"
 static void by_friction(void) {
   struct written it;

@@ -24,7 +24,7 @@
   "4\nmonitor E disc "                                                                                                 \
   "5\nmonitor P disc 5 with disc 4\nmonitor S disc 1 with disc 2\nmonitor V disc 7\n"                                  \
   "record A.vx A.vy A.spin C.vx C.vy C.spin D.vx D.vy D.spin B.x B.y B.angle E.x B.vx B.vy B.spin B.fx B.moment "      \
-  "P.normal P.shear S.normal P.overlap B.vx.half V.vx energy.kinetic energy.stored energy.friction energy.shear "    \
+  "P.normal P.shear S.normal P.overlap B.vx.half V.vx energy.kinetic energy.stored energy.friction energy.shear "      \
   "energy.damped energy.walls energy.gravity energy.changed energy.removed energy.residual work.residual\n"
 
 enum { KEPT = 13, GONE = 23, ALL = 35 };

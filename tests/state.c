@@ -103,7 +103,7 @@ static void an_impact_with_a_phase(void) {
 /* The balances of a continued run count from the saved state on. From then on their terms and residuals change as in
  * the uninterrupted run. */
 static void balances_begin_anew(void) {
-  static const char *const balance[] = {"work.residual", "energy.residual",   "energy.walls",
+  static const char *const balance[] = {"work.residual", "energy.residual", "energy.walls",
                                         "energy.damped", "energy.friction", "energy.gravity"};
   static const char *const shears[] = {"linear", "mindlin_deresiewicz"};
   for (size_t l = 0; l < 2; l++) {
@@ -116,11 +116,10 @@ static void balances_begin_anew(void) {
               150, 100);
     char *columns = strstr(page.text, "energy.kinetic\n");
     char *text = malloc(strlen(page.text) + 256);
-    sprintf(
-        text,
-        "%.*senergy.kinetic energy.stored work.residual energy.residual energy.walls energy.damped energy.friction "
-        "energy.gravity\n%s",
-        (int)(columns - page.text), page.text, columns + strlen("energy.kinetic\n"));
+    sprintf(text,
+            "%.*senergy.kinetic energy.stored work.residual energy.residual energy.walls energy.damped energy.friction "
+            "energy.gravity\n%s",
+            (int)(columns - page.text), page.text, columns + strlen("energy.kinetic\n"));
     free(page.text);
     page.text = text, page.length = strlen(text);
     written_scene(&it, &page);
