@@ -369,10 +369,10 @@ SUITES = \
   tests/place.c \
   tests/begins.c \
   tests/waves.c \
-  tests/drive.c \
+  tests/drive.c tests/drive_crowd.c \
   tests/driven.c \
   tests/servo.c \
-  tests/removal.c \
+  tests/removal.c tests/removal_balance.c \
   tests/properties.c \
   tests/memory.c \
   tests/team.c \
@@ -383,7 +383,7 @@ SUITES = \
   tests/state.c \
   tests/state_driven.c \
   tests/state_file.c tests/state_records.c \
-  tests/output_file.c tests/restart.c \
+  tests/output_file.c tests/restart.c tests/state_fits.c \
   tests/contact_test.c \
   tests/many.c \
   tests/tensor.c \

@@ -5,6 +5,7 @@
 #include <CUnit/CUnit.h>
 #include <math.h>
 
+#include "../src/core/affine.h"
 #include "../src/core/model.h"
 #include "run/plan.h"
 #include "suites.h"
@@ -188,6 +189,39 @@ static void a_reversed_particle_of_a_strained_cell_returns(void) {
   }
 }
 
+/* The motion uses one strain rate if all particles have the same one, and store it in the same way. */
+static void one_strain_rate_for_all(void) {
+  static const struct {
+    const char *statements; /* after two free discs, of which only the first is on or outside the circle of radius 4 */
+    bool uniform;
+  } rows[] = {
+      {"stage s\naffine strain 0.1 -0.2\n", true},
+      {"disc 9 9 radius 1 m fixed\nstage s\naffine strain 0.1 -0.2\n", false},
+      {"stage s\naffine strain 0.1 -0.2 accumulated\n", true},
+      {"cell -9 -9 to 9 9\nstage s\ncell strain 0.1 -0.2\n", true},
+      {"boundary circle 0 0 radius 4\nstage s\nboundary strain 0.1 -0.2\naffine strain 0.1 -0.2\n", true},
+      {"boundary circle 0 0 radius 4\nstage s\nboundary strain 0.1 -0.2\naffine strain 0.1 -0.3\n", false},
+      {"boundary circle 0 0 radius 4\nstage s\nboundary strain 0.1 -0.2\n", false},
+      {"boundary circle 0 0 radius 4\nstage s\nboundary strain 0.1 -0.2\naffine strain 0.1 -0.2 accumulated\n", false},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 1000\nstep 1e-3\ndisc 5 0 radius 1 m\ndisc 1 0 radius 1 m\n"
+              "record cycle\n%scycles 1\n",
+              rows[k].statements);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+    written_cycles(model, 1);
+    CU_ASSERT_EQUAL(model->affine->uniform, rows[k].uniform);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 void suite_affine(void) {
   CU_pSuite suite = CU_add_suite("affine", NULL, NULL);
   CU_add_test(suite, "cell strain and affine strain agree to the bit", cell_and_affine_strain_agree);
@@ -198,4 +232,5 @@ void suite_affine(void) {
   CU_ADD_TEST(suite, the_affine_motion_ends);
   CU_add_test(suite, "after `zero velocities` dashpot forces and kinetic energy are 0",
               zero_velocities_is_as_at_time_0);
+  CU_ADD_TEST(suite, one_strain_rate_for_all);
 }

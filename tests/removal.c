@@ -360,33 +360,6 @@ static void collision_prediction_without_removed_particles(void) {
   CU_ASSERT_EQUAL(steps[1], steps[0]);
 }
 
-static void removal_with_other_changes(void) {
-  static const char *const jumps[] = {"zero velocities\n", "reverse velocities\n", "gravity 1 0\n",
-                                      "material m kn 6000 ks 900\n"};
-  for (size_t n = 0; n < sizeof jumps / sizeof *jumps; n++) {
-    double residual[2], work[2], removed[2];
-    for (int fine = 0; fine < 2; fine++) {
-      struct words page = {0};
-      struct written it;
-      struct nb_result result;
-      words_add(&page,
-                BUSY "stage a\nstep %g\nwall west velocity 0.2 0.1\ncycles %d\nstage b\n%sremove disc 5\n"
-                     "cycles %d\n",
-                fine ? 0.0001 : 0.0016, fine ? 6400 : 400, jumps[n], fine ? 6400 : 400);
-      written_scene(&it, &page);
-      written_run(&result, &it, NULL);
-      residual[fine] = fabs(written_last(&result, "energy.residual"));
-      work[fine] = fabs(written_last(&result, "work.residual"));
-      removed[fine] = written_last(&result, "energy.removed");
-      nb_result_free(&result);
-      written_free(&it);
-    }
-    CU_ASSERT(residual[1] < residual[0] / 8);
-    CU_ASSERT(work[0] < 1e-11 && work[1] < 1e-11);
-    CU_ASSERT(removed[0] > 0 && fabs(removed[0] - removed[1]) < 0.01 * removed[1]);
-  }
-}
-
 void suite_removal(void) {
   CU_pSuite suite = CU_add_suite("removal", NULL, NULL);
   CU_add_test(suite, "values at the moment of removal", at_the_moment);
@@ -400,5 +373,4 @@ void suite_removal(void) {
   CU_add_test(suite, "removal without friction changes no spin", spins_do_not_change);
   CU_add_test(suite, "steps count remaining particles", steps_count_remaining_particles);
   CU_add_test(suite, "collision prediction without removed particles", collision_prediction_without_removed_particles);
-  CU_add_test(suite, "removal with other changes of the stage", removal_with_other_changes);
 }

@@ -493,6 +493,40 @@ static void rates_that_oppose(void) {
   }
 }
 
+/* A condition names the first controlled component whose target is not 0, with nine tenths of the target. */
+static void conditions_near_the_target(void) {
+  static const struct {
+    const char *servo, *condition; /* NULL: no component has a target other than 0 */
+  } rows[] = {{"xx 8 yy 20", "stress.xx above 7.2"},
+              {"xx 0 yy 20", "stress.yy above 18"},
+              {"yy 20", "stress.yy above 18"},
+              {"xx 0 yy 0 xy 10", "stress.xy above 9"},
+              {"xy -10", "stress.xy below -9"},
+              {"isotropic -20", "stress.xx below -18"},
+              {"xx 0", NULL},
+              {"isotropic 0", NULL}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
+    for (int region = 0; region < 2; region++) {
+      struct words page = {0};
+      struct written it;
+      char text[64] = "none", wanted[64];
+      words_add(&page,
+                RING "region A circle 0 0 radius 2\nstage s\nservo %s on %s through boundary at most 1e-4 per cycle\n"
+                     "cycles 1\n",
+                rows[k].servo, region ? "A" : "boundary");
+      written_scene(&it, &page);
+      const struct nb_servo *servo = &it.scene.stages[0].servo;
+      CU_ASSERT_EQUAL(nb_servo_condition(text, sizeof text, &it.scene, servo, true), rows[k].condition != NULL);
+      snprintf(wanted, sizeof wanted, "%s.%s", region ? "A" : "boundary", rows[k].condition ? rows[k].condition : "");
+      CU_ASSERT_STRING_EQUAL(text, rows[k].condition ? wanted : "none");
+      if (nb_servo_condition(text, sizeof text, &it.scene, servo, false)) {
+        strcat(wanted, " Pa");
+        CU_ASSERT_STRING_EQUAL(text, wanted);
+      }
+      written_free(&it);
+    }
+}
+
 void suite_servo(void) {
   CU_pSuite suite = CU_add_suite("servo", NULL, NULL);
   CU_add_test(suite, "the error of the stress is relative to the largest target", the_error_is_relative);
@@ -505,6 +539,7 @@ void suite_servo(void) {
   CU_add_test(suite, "servo through boundary affine", servo_through_boundary_affine);
   CU_add_test(suite, "the particles inside have the added rate", the_particles_inside_have_the_added_rate);
   CU_add_test(suite, "rates that oppose a servo", rates_that_oppose);
+  CU_ADD_TEST(suite, conditions_near_the_target);
   CU_add_test(suite, "the servo does not count the mass of removed particles", removed_particles_have_no_mass);
   CU_add_test(suite, "components that are not controlled", components_that_are_not_controlled);
   CU_add_test(suite, "isotropic has no shear stress", isotropic_has_no_shear);

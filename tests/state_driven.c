@@ -7,7 +7,6 @@
 
 #include "continued.h"
 #include "run/plan.h"
-#include "state_text.h"
 #include "suites.h"
 
 static void same(const char *what, const char *page, const char *damping) {
@@ -110,62 +109,11 @@ static void a_changed_law(void) {
        "");
 }
 
-/* Resumes the page from a state that differs from the page and must be refused. `drop` selects the difference: 0 none
- * (the state must be accepted), 1 and 2 the imposed motion, 3 the cell, 4 the boundary, 5 the rotation, 6 the pressure
- * on the boundary. */
-static void resume_with_difference(const char *statements, int drop) {
-  struct words words = {0};
-  struct written it;
-  struct nb_saved saved;
-  struct nb_error error = {NB_OK, ""};
-  const struct nb_options options = {.threads = 1};
-  words_add(&words, "%s", statements);
-  written_scene(&it, &words);
-  struct nb_model *model = written_model(&it, &options);
-  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
-  written_cycles(model, 20);
-  CU_ASSERT_EQUAL_FATAL(nb_saved_capture(&saved, model, &error), NB_OK);
-  nb_model_free(model);
-  const struct nb_saved whole = saved;
-  struct nb_saved_imposed some[9] = {{.by = NB_AFFINE_NONE}};
-  saved.imposed = some;
-  saved.imposed_count = drop == 1 ? 1 : drop == 2 ? saved.particle_count : whole.imposed_count;
-  saved.cell.is = saved.cell.is != (drop == 3);
-  saved.ring.is = saved.ring.is || drop == 4;
-  saved.rotates = saved.rotates && drop != 5;
-  saved.ring.pressing = drop == 6;
-  it.scene.start.stages = 1;
-  model = nb_model_resume(&it.scene, &options, &saved, &error);
-  if (drop ? model != NULL : model == NULL)
-    printf("# %d: %s\n", drop, error.text);
-  CU_ASSERT_EQUAL(error.status, drop ? NB_BAD_USE : NB_OK);
-  if (drop)
-    CU_ASSERT_STRING_EQUAL(
-        error.text,
-        "expected a state with the cell, the boundary, the imposed motion and the rotation of the page, found "
-        "another one");
-  nb_model_free(model);
-  saved = whole;
-  nb_saved_free(&saved);
-  written_free(&it);
-}
-
-static void others_are_refused(void) {
-  for (int drop = 0; drop <= 5; drop++)
-    resume_with_difference(state_plain, drop);
-  const int of_cells[] = {0, 1, 3}, of_rings[] = {0, 1, 3, 6};
-  for (size_t k = 0; k < sizeof of_cells / sizeof *of_cells; k++)
-    resume_with_difference(state_cell, of_cells[k]);
-  for (size_t k = 0; k < sizeof of_rings / sizeof *of_rings; k++)
-    resume_with_difference(state_ring, of_rings[k]);
-}
-
 void suite_state_driven(void) {
   CU_pSuite suite = CU_add_suite("state_driven", NULL, NULL);
   CU_add_test(suite, "continued runs have the same bits with a boundary", a_ring);
   CU_add_test(suite, "continued runs have the same bits in a periodic cell", a_cell);
   CU_add_test(suite, "continued runs have the same bits in a box", a_box);
   CU_add_test(suite, "continued runs have the same bits with gravity away from a point", away_from_a_point);
-  CU_add_test(suite, "a state with another cell or boundary than the page is refused", others_are_refused);
   CU_ADD_TEST(suite, a_changed_law);
 }

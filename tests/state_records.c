@@ -253,11 +253,34 @@ static void the_components_of_a_tensor_have_their_order(void) {
   free(text);
 }
 
+/* The three ways in which a free particle stores its imposed motion. */
+static void codings_of_an_imposed_motion(void) {
+  static const struct {
+    const char *word;
+    bool accumulated, twice;
+  } rows[] = {{"apart", false, false}, {"literal", true, false}, {"literal-twice", true, true}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    char to[64];
+    size_t size;
+    struct nb_saved saved;
+    struct nb_error error;
+    snprintf(to, sizeof to, "\ncarrier continuum %s ", rows[k].word);
+    char *text = state_changed(state_ring, "\ncarrier continuum apart ", to, &size);
+    CU_ASSERT_EQUAL_FATAL(nb_saved_read_text(&saved, "a.state", text, size, &error), NB_OK);
+    CU_ASSERT_EQUAL(saved.sources[NB_AFFINE_FREE].accumulated, rows[k].accumulated);
+    CU_ASSERT_EQUAL(saved.sources[NB_AFFINE_FREE].twice, rows[k].twice);
+    CU_ASSERT(!saved.sources[NB_AFFINE_BOUNDARY].accumulated && !saved.sources[NB_AFFINE_BOUNDARY].twice);
+    nb_saved_free(&saved);
+    free(text);
+  }
+}
+
 void suite_state_records(void) {
   CU_pSuite suite = CU_add_suite("state_records", NULL, NULL);
   CU_add_test(suite, "invalid fields are refused at their place", every_field);
   CU_add_test(suite, "fields at their limits", fields_at_their_limits);
   CU_ADD_TEST(suite, the_components_of_a_tensor_have_their_order);
+  CU_ADD_TEST(suite, codings_of_an_imposed_motion);
   CU_add_test(suite, "missing and doubled records", every_record);
   CU_add_test(suite, "no particles, or no line end before `end`", without_particles);
   CU_add_test(suite, "largest numbers of records and of numbers", at_most);

@@ -45,10 +45,8 @@ static bool is_outside(const struct nb_model *model, struct nb_vec x, double mar
   return vec_length(reference) >= ring->radius * (1 - on_circle) - margin;
 }
 
-/* True if particle i can become part of the boundary. Fixed and removed particles cannot. */
-static bool may_join(const struct nb_model *model, size_t i) {
-  return model->particles.inverse_mass[i] > 0 && model->affine->source[i] == NB_AFFINE_FREE;
-}
+/* True if particle i can become part of the boundary. Fixed and removed particles have the source NB_AFFINE_NONE. */
+static bool may_join(const struct nb_model *model, size_t i) { return model->affine->source[i] == NB_AFFINE_FREE; }
 
 /* ---- a particle joins or leaves ---- */
 

@@ -192,10 +192,8 @@ static enum nb_status lock_acquire(struct nb_lock *lock, const char *path, const
     if (!lock->use && access(path, F_OK) == 0)
       return NB_OK;
   }
-  char holder[32];
-  const int n = snprintf(holder, sizeof holder, "%ld\n", (long)getpid());
-  if (ftruncate(lock->file, 0) != 0 || pwrite(lock->file, holder, (size_t)n, 0) != n)
-    holder[0] = 0; /* then other processes cannot report which process they wait for */
+  if (ftruncate(lock->file, 0) == 0)
+    dprintf(lock->file, "%ld\n", (long)getpid()); /* without it, other processes cannot name the one they wait for */
   return NB_OK;
 }
 

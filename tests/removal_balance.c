@@ -1,0 +1,48 @@
+/* The energy balance of stages that remove a particle and make another change at the same time.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+
+#include "suites.h"
+#include "written.h"
+
+/* Six discs in a box, of which discs 2 and 5 touch each other, and a fixed disc that moves. */
+#define SCENE                                                                                                          \
+  "units none\nmaterial m density 3 kn 4000 ks 2500 friction 0.3 cohesion 0.1\nshear linear\nbox 0 0 to 6 4 m\n"       \
+  "lattice discs 3 by 2 m radius 0.98 spacing 1.95 from 1 1\ndisc 6.84 1.1 radius 0.9 m fixed velocity -0.1 0 spin "   \
+  "0.5\ngravity 0.1 -0.4\nstep 0.002\nrecord energy.residual work.residual energy.removed\n"
+
+/* With sixteen times as many steps the residual of the energy is at most an eighth. That of the work is 0 except for
+ * rounding. */
+static void removal_with_other_changes(void) {
+  static const char *const jumps[] = {"zero velocities\n", "reverse velocities\n", "gravity 1 0\n",
+                                      "material m kn 6000 ks 900\n"};
+  for (size_t n = 0; n < sizeof jumps / sizeof *jumps; n++) {
+    double residual[2], work[2], removed[2];
+    for (int fine = 0; fine < 2; fine++) {
+      struct words page = {0};
+      struct written it;
+      struct nb_result result;
+      words_add(&page,
+                SCENE "stage a\nstep %g\nwall west velocity 0.2 0.1\ncycles %d\nstage b\n%sremove disc 5\n"
+                      "cycles %d\n",
+                fine ? 0.0001 : 0.0016, fine ? 6400 : 400, jumps[n], fine ? 6400 : 400);
+      written_scene(&it, &page);
+      written_run(&result, &it, NULL);
+      residual[fine] = fabs(written_last(&result, "energy.residual"));
+      work[fine] = fabs(written_last(&result, "work.residual"));
+      removed[fine] = written_last(&result, "energy.removed");
+      nb_result_free(&result);
+      written_free(&it);
+    }
+    CU_ASSERT(residual[1] < residual[0] / 8);
+    CU_ASSERT(work[0] < 1e-11 && work[1] < 1e-11);
+    CU_ASSERT(removed[0] > 0 && fabs(removed[0] - removed[1]) < 0.01 * removed[1]);
+  }
+}
+
+void suite_removal_balance(void) {
+  CU_pSuite suite = CU_add_suite("removal_balance", NULL, NULL);
+  CU_add_test(suite, "removal with other changes of the stage", removal_with_other_changes);
+}
