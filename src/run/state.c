@@ -91,8 +91,7 @@ static void capture_contacts(struct nb_saved *saved, const struct nb_model *mode
     it.normal = capture_history(saved, &contacts->normal_history, model->laws.normal, c);
     it.shear = capture_history(saved, &contacts->shear_history, model->laws.shear, c);
     const bool loaded = it.force.x != 0 || it.force.y != 0; /* a checkpoint may have none of the fields below */
-    if (it.field[NB_OVERLAP] > 0 || it.field[NB_TOTAL_NORMAL] != 0 || loaded || it.suppressed || it.normal.count ||
-        it.shear.count)
+    if (it.field[NB_OVERLAP] > 0 || loaded || it.suppressed || it.normal.count || it.shear.count)
       saved->contacts[saved->contact_count++] = it;
   }
 }
@@ -313,7 +312,7 @@ void nb_saved_restore(struct nb_model *model, const struct nb_saved *saved) {
 
 static void restore_history(struct nb_history *history, size_t c, const double *values, struct nb_saved_history it) {
   const int n = it.count < history->doubles ? it.count : history->doubles;
-  if (n > 0 && history->rows)
+  if (history->rows)
     memcpy(history->rows + c * (size_t)history->doubles, values + it.at, (size_t)n * sizeof *values);
   for (int m = 0; m < n && !history->rows; m++)
     history->field[m][c] = values[it.at + (size_t)m];
