@@ -669,6 +669,162 @@ static void warnings_of_removed_particles(void) {
   }
 }
 
+/* The warning names the stage that removes the particle, the stage before it, and the line of the statement. Of a pair
+ * the particle that is removed first counts. The number of a wall is not that of a particle: disc 2 is removed, and wall
+ * `left` is the second wall. */
+static void stages_of_removed_particles(void) {
+  static const struct {
+    const char *monitor, *quantity, *stage, *before; /* NULL: no warning */
+    int line;
+  } rows[] = {
+      {"disc 1", "vx", NULL, NULL, 0},
+      {"disc 2", "vx", "three", "two", 23},
+      {"disc 3", "vx", "two", "one", 20},
+      {"disc 4", "vx", "two", "one", 20},
+      {"disc 5", "vx", NULL, NULL, 0},
+      {"disc 6", "vx", NULL, NULL, 0},
+      {"disc 7", "vx", "two", "one", 19},
+      {"disc 1 with disc 2", "normal", "three", "two", 23},
+      {"disc 2 with disc 1", "normal", "three", "two", 23},
+      {"disc 2 with disc 4", "normal", "two", "one", 20},
+      {"disc 4 with disc 2", "normal", "two", "one", 20},
+      {"disc 3 with disc 7", "normal", "two", "one", 20},
+      {"disc 5 with disc 7", "normal", "two", "one", 19},
+      {"disc 1 with disc 5", "normal", NULL, NULL, 0},
+      {"disc 1 with wall left", "normal", NULL, NULL, 0},
+      {"disc 2 with wall left", "normal", "three", "two", 23},
+      {"disc 7 with wall low", "normal", "two", "one", 19},
+      {"wall left", "fx", NULL, NULL, 0},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct nb_outcome outcome;
+    char scene[1024], expected[256] = "";
+    snprintf(scene, sizeof scene,
+             "units none\nmaterial m density 1 kn 1\nwall low -99 0 to 99 0 m\nwall left -9 50 to -9 0 m\n"
+             "disc 0 1 radius 1 m\ndisc 3 1 radius 1 m\ndisc 6 1 radius 1 m\ndisc 9 1 radius 1 m\n"
+             "disc 12 1 radius 1 m\ndisc 15 1 radius 1 m\ndisc 18 1 radius 1 m\nmonitor M %s\nstep 0.001\n"
+             "record cycle M.%s\nstage one\ncycles 1\nstage two\nremove disc 7\nremove discs 3 to 4\ncycles 1\n"
+             "stage three\nremove disc 2\ncycles 1",
+             rows[k].monitor, rows[k].quantity);
+    carry_out(&outcome, scene, "report cycle", NULL);
+    CU_ASSERT_EQUAL(outcome.status, NB_OK);
+    CU_ASSERT_EQUAL_FATAL(outcome.warnings.count, rows[k].stage ? 1 : 0);
+    if (rows[k].stage) {
+      snprintf(expected, sizeof expected,
+               "`M.%s` is 0 from stage `%s` on, because this line removes its particle; for a value before, write "
+               "`M.%s in %s`",
+               rows[k].quantity, rows[k].stage, rows[k].quantity, rows[k].before);
+      CU_ASSERT_STRING_EQUAL(outcome.warnings.list[0].text, expected);
+      CU_ASSERT_EQUAL(outcome.warnings.list[0].line, rows[k].line);
+    }
+    nb_outcome_free(&outcome);
+  }
+}
+
+/* A run tracks the columns of particles and contacts of which a check of one run uses the largest or the smallest
+ * value, and no others. */
+static void tracked_columns(void) {
+  static const struct {
+    const char *column, *expectation;
+    bool tracked;
+  } rows[] = {
+      {"A.vx", "A.vx max expected 1 within 1 [t]", true},
+      {"P.normal", "P.normal max below 1", true},
+      {"W.normal", "W.normal min above 1", true},
+      {"A.vx", "A.vx amplitude within 1", true},
+      {"A.vx", "A.vx expected 1 within 1 [t]", false},
+      {"A.vx", "A.vx mean below 1", false},
+      {"A.vx", "A.vx frequency below 1", false},
+      {"A.vx", "A.vx at 1 above 1", false},
+      {"A.vx", "report A.vx max", false},
+      {"A.vx", "A.vx versus time within 1", false},
+      {"A.vx", "A.vx max increases with v", false},
+      {"A.vx", "A.vx max decreases with v", false},
+      {"A.vx", "A.vx max constant with v within 1", false},
+      {"A.vx", "A.vx max order 1 in v within 1", false},
+      {"A.vx", "A.vx max expected 1 over v [t]", false},
+      {"A.vx", "A.vx max below 1\nA.vx mean below 1", true},
+      {"A.vx", "A.vx mean below 1\nA.vx max below 1", true},
+      {"A.vx", "P.normal max below 1", false},
+      {"R.stress.mean", "R.stress.mean max below 1", false},
+      {"L.fx", "L.fx max below 1", false},
+      {"energy.kinetic", "energy.kinetic max below 1", false},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct nb_outcome outcome;
+    char path[] = "/tmp/nineball-outcome-XXXXXX", text[128];
+    snprintf(text, sizeof text, "reference free_fall\n%s", rows[k].expectation);
+    write_page(
+        path,
+        "units none\nsweep v 1 2\nmaterial m density 1 kn 1\nwall low -9 0 to 9 0 m\n"
+        "disc 0 1 radius 1 m velocity $v 0\ndisc 3 1 radius 1 m\nmonitor A disc 1\nmonitor P disc 1 with disc 2\n"
+        "monitor W disc 1 with wall low\nmonitor L wall low\nregion R all\nstep 0.001\n"
+        "record time A.vx P.normal W.normal L.fx R.stress.mean energy.kinetic\nstage one\ncycles 1",
+        text);
+    nb_outcome_read(&outcome, path, NULL);
+    unlink(path);
+    if (outcome.mistakes.text)
+      printf("# %s", outcome.mistakes.text);
+    CU_ASSERT_EQUAL_FATAL(outcome.run_count, 2);
+    for (size_t r = 0; r < 2; r++)
+      for (size_t c = 0; c < outcome.runs[r].scene.column_count; c++) {
+        const struct nb_column *const column = &outcome.runs[r].scene.columns[c];
+        if (strcmp(column->name, rows[k].column) == 0) {
+          if (column->tracked != rows[k].tracked)
+            printf("# %s\n", rows[k].expectation);
+          CU_ASSERT_EQUAL(column->tracked, rows[k].tracked);
+        }
+      }
+    nb_outcome_free(&outcome);
+  }
+}
+
+/* A negative normal stress in an expectation, and a negative normal force, which no law gives, cause a warning with the
+ * line of the expectation. Other quantities, other relations, fractions of a measure, and values of 0 or more cause
+ * none. */
+static void warnings_of_tension(void) {
+  static const char stress[] = "with a negative value means tension", force[] = "`C.normal` is 0 or more with all laws";
+  static const struct {
+    const char *expectation, *wanted; /* NULL: no warning */
+  } rows[] = {
+      {"R.stress.xx expected -1 within 9 [t]", stress},
+      {"R.stress.xx below -1", stress},
+      {"R.stress.xx expected 1 within 9 [t]", NULL},
+      {"R.stress.xx expected 0 within 9 [t]", NULL},
+      {"R.stress.xx above -1", NULL},
+      {"R.stress.xx expected -1 of R.stress.yy within 9 [t]", NULL},
+      {"R.stress.xx below R.stress.yy", NULL},
+      {"C.normal expected -1 within 9 [t]", force},
+      {"C.normal below -1", force},
+      {"C.normal expected 0 within 9 [t]", NULL},
+      {"C.normal expected 1 within 9 [t]", NULL},
+      {"C.normal below 0", NULL},
+      {"C.normal expected -1 of C.shear within 9 [t]", NULL},
+      {"C.shear expected -1 within 9 [t]", NULL},
+      {"C.shear below -1", NULL},
+      {"R.stress.xy expected -1 within 9 [t]", NULL},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct nb_outcome outcome;
+    char path[] = "/tmp/nineball-outcome-XXXXXX";
+    write_page(path,
+               "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\ndisc 2 0 radius 1 m\n"
+               "monitor C disc 1 with disc 2\nregion R all\nstep 0.001\n"
+               "record C.normal C.shear R.stress.xx R.stress.yy R.stress.xy\nstage one\ncycles 1",
+               rows[k].expectation);
+    nb_outcome_read(&outcome, path, NULL);
+    unlink(path);
+    if (outcome.mistakes.text || outcome.warnings.count != (rows[k].wanted ? 1 : 0))
+      printf("# %s: %zu, %s\n", rows[k].expectation, outcome.warnings.count, outcome.mistakes.text);
+    CU_ASSERT_EQUAL_FATAL(outcome.warnings.count, rows[k].wanted ? 1 : 0);
+    if (rows[k].wanted) {
+      CU_ASSERT_PTR_NOT_NULL(strstr(outcome.warnings.list[0].text, rows[k].wanted));
+      CU_ASSERT_EQUAL(outcome.warnings.list[0].line, 14);
+    }
+    nb_outcome_free(&outcome);
+  }
+}
+
 /* The imposed work of a page in which only walls and fixed particles move is 0, which causes a warning, unless the page
  * expects 0 or records the work of the walls, too. There is no warning if nothing moves, or if a stage imposes a motion
  * or a stress on particles. */
@@ -964,12 +1120,13 @@ static void many_particles(void) {
     snprintf(scene + strlen(scene), sizeof scene - strlen(scene), " %d", g);
   strcat(scene, "\nmaterial m density 1 kn 1\nlattice discs 100 by 100 m radius 1 spacing 3 from 0 0\nmonitor D disc "
                 "10000\nrecord D.vy\ngravity 0 -$g\nstep 0.0625\nskin 0.1\nstage fall\ncycles 2");
-  carry_out(&outcome, scene, "report D.vy", NULL);
+  carry_out(&outcome, scene, "D.vy min above -100", NULL);
   if (outcome.status)
     printf("# %s\n", outcome.error.text);
   CU_ASSERT_EQUAL(outcome.status, NB_OK);
   CU_ASSERT_EQUAL_FATAL(outcome.run_count, RUNS);
   for (int r = 0; r < RUNS; r++) {
+    CU_ASSERT(outcome.runs[r].scene.columns[0].tracked); /* also after its page was read again */
     const struct nb_table *table = &outcome.runs[r].result.table;
     CU_ASSERT_EQUAL_FATAL(table->row_count, 3);
     NEAR(table->values[2], -0.125 * (r + 1), 1e-14); /* rounding of the weight over the mass */
@@ -1218,6 +1375,9 @@ void suite_outcome(void) {
   CU_add_test(suite, "mistakes in all runs, and the error of a reference", mistakes_of_all_runs);
   CU_add_test(suite, "warnings of all runs", warnings_of_all_runs);
   CU_add_test(suite, "warnings of removed particles", warnings_of_removed_particles);
+  CU_ADD_TEST(suite, stages_of_removed_particles);
+  CU_ADD_TEST(suite, tracked_columns);
+  CU_ADD_TEST(suite, warnings_of_tension);
   CU_add_test(suite, "warnings of an imposed work that is 0", warnings_of_the_imposed_work);
   CU_add_test(suite, "sweeps that no line uses", sweeps_that_no_line_uses);
   CU_add_test(suite, "a check that expects springs in series", stiffness_of_springs_in_series);

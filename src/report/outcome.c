@@ -73,7 +73,7 @@ static void read_again(const struct nb_outcome *outcome, struct nb_page_run *run
 /* The index of the first stage that removes particle `i`; *line receives the line of the statement `remove`. -1: no
  * stage removes it. */
 static int removal_of(const struct nb_scene *scene, int i, int *line) {
-  for (size_t s = 0; i >= 0 && s < scene->stage_count; s++)
+  for (size_t s = 0; s < scene->stage_count; s++)
     for (size_t k = 0; k < scene->stages[s].removal_count; k++) {
       const struct nb_removal *it = &scene->stages[s].removals[k];
       *line = it->line;
@@ -93,13 +93,18 @@ static bool is_expected_0(const struct nb_expectations *expectations, size_t col
   return false;
 }
 
-/* As removal_of, for the particles of a monitor. -1 also for the monitor of a region, a wall or a grading. */
+/* As removal_of, for the particles of a monitor; of two removed particles the one that is removed first counts. -1 also
+ * for the monitor of a region, a wall or a grading. */
 static int removal_of_monitor(const struct nb_scene *scene, const struct nb_monitor *monitor, int *line) {
   const bool pair = monitor->kind == NB_MONITOR_PARTICLE_PARTICLE;
   if (!pair && monitor->kind != NB_MONITOR_PARTICLE && monitor->kind != NB_MONITOR_PARTICLE_WALL)
     return -1;
-  const int stage = removal_of(scene, monitor->a, line);
-  return stage < 0 && pair ? removal_of(scene, monitor->b, line) : stage;
+  int line_of_b = 0;
+  const int a = removal_of(scene, monitor->a, line), b = pair ? removal_of(scene, monitor->b, &line_of_b) : -1;
+  if (b < 0 || (a >= 0 && a <= b))
+    return a;
+  *line = line_of_b;
+  return b;
 }
 
 /* Warns that a column is 0 from a stage on. The warning is about the line of the statement `remove`. If the page from
