@@ -312,6 +312,42 @@ static void reference_of_a_stage(void) {
   planted_one("energy.residual in one within 0", "energy.residual", 3, 6, x, NB_PASS, "reference 3");
 }
 
+/* `MEASURE within TOLERANCE` outside of a page. The message names the text. */
+static void expectation_outside_of_a_page(void) {
+  static const struct {
+    const char *text, *message; /* NULL: no mistake */
+  } rows[] = {
+      {"A.x within 1 %", NULL},
+      {"A.x max in one within 2", NULL},
+      {"energy.residual within 1", NULL},
+      {"", "that: error: expected a quantity that the page records, found the end of the line\n"},
+      {"# A.x within 1 %", "that: error: expected a quantity that the page records, found the end of the line\n"},
+      {"A.x", "that: error: expected `within`"},
+      {"A.x within", "that: error: expected a length as a number without a unit"},
+      {"A.z within 1 %", "that: error: expected a quantity that the page records, found `A.z`"},
+      {"A.x within 1 % of peak and", "that: error: expected the end of the text, found `and`\n"},
+      {"energy.residual within 1 %", "that: error: expected an absolute tolerance, because the reference value is 0"},
+  };
+  struct nb_outcome outcome;
+  planted_page(&outcome, "", "report A.x");
+  for (size_t k = 0; k < COUNT(rows); k++) {
+    struct nb_mistakes mistakes = {0};
+    struct nb_expectation expectation;
+    const enum nb_status status =
+        nb_expectation_read(&expectation, "that", rows[k].text, &outcome.runs[0].scene, &mistakes);
+    CU_ASSERT_EQUAL(status, rows[k].message ? NB_BAD_USE : NB_OK);
+    const char *const said = mistakes.text ? mistakes.text : "";
+    if (!strstr(said, rows[k].message ? rows[k].message : ""))
+      printf("# `%s`: %s\n", rows[k].text, said);
+    CU_ASSERT(strstr(said, rows[k].message ? rows[k].message : "") != NULL);
+    if (k == 1)
+      CU_ASSERT(expectation.measure.reducer == NB_MAX && expectation.measure.stage == 0 &&
+                expectation.tolerance.kind == NB_ABSOLUTE && expectation.tolerance.value == 2);
+    nb_mistakes_free(&mistakes);
+  }
+  nb_outcome_free(&outcome);
+}
+
 /* All checks of a page are counted, by their marks. */
 static void counted(void) {
   struct nb_outcome outcome;
@@ -442,5 +478,6 @@ void suite_verdict(void) {
   CU_add_test(suite, "digits of errors", digits_of_errors);
   CU_add_test(suite, "values of a reference for one stage", reference_of_a_stage);
   CU_add_test(suite, "a residual is checked with one sign only", one_sign_of_a_residual);
+  CU_ADD_TEST(suite, expectation_outside_of_a_page);
   CU_add_test(suite, "checks are counted by their marks", counted);
 }

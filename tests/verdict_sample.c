@@ -107,8 +107,13 @@ static void among(void) {
       {"sweep s 1 2 3 4",
        "A.x expected 2 over s [t]",
        {3, 5, 4, 2},
+       NB_NOTE, /* the percentile is 12.5, which is rounded to the even number */
+       "within the range of 4 runs over s: 2 to 5, mean 3.5, standard deviation 1.3; percentile 12"},
+      {"sweep s 1 2 3", /* values that would be rounded to other digits if they were a thousandth larger */
+       "A.x expected 2 over s [t]",
+       {2 - 1.2495, 2, 2 + 1.2495},
        NB_NOTE,
-       "within the range of 4 runs over s: 2 to 5, mean 3.5"},
+       "expected 2, within the range of 3 runs over s: 0.7505 to 3.25, mean 2, standard deviation 1.2; percentile 50"},
       {"sweep s 1 2 3 4",
        "A.x expected 5 over s [t]",
        {3, 5, 4, 2},

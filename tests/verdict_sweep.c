@@ -63,6 +63,11 @@ static void constant(void) {
        {3, 5, 4},
        NB_PASS,
        ", largest difference 50 %, tolerance 50 %"}, /* 2 of a mean of 4 */
+      {"sweep v 1 2 3", /* percentages that would be rounded to other digits if they were a thousandth larger */
+       "A.x constant with v within 24.945 %",
+       {3.7011, 4.2989, 4},
+       NB_PASS,
+       "computed 3.7011 at v = 1, 4.2989 at 2, 4 at 3, largest difference 14.9 %, tolerance 24.9 %"},
       {"sweep v 1 2 3", "A.x constant with v within 50 %", {3, 5 + NEXT, 4}, NB_FAIL, ""},
       {"sweep v 1 2 3", "A.x constant with v within 50 %", {-3, -5, -4}, NB_PASS, ""},
       {"sweep v 1 2 3", "A.x constant with v within 50 %", {-3, -5 - NEXT, -4}, NB_FAIL, ""},
@@ -113,6 +118,7 @@ static void orders(void) {
       {"sweep h 1 0 4", "A.x order 2 in h within 9", {1, 4, 16}, NB_FAIL, "`0` is not a number above 0"},
       {"sweep h 1 -2 4", "A.x order 2 in h within 9", {1, 4, 16}, NB_FAIL, "`-2` is not a number above 0"},
       {"sweep h one two four", "A.x order 2 in h within 9", {1, 4, 16}, NB_FAIL, "`one` is not a number above 0"},
+      {"sweep h 1 2", "A.x order 1 in h within 9", {1.4945, 2.4945}, NB_PASS, ": errors 1.49 at h = 1, 2.49 at 2"},
       {"sweep h 1 ppm 2 ppm 4 ppm", "A.x order 2 in h within 1e-9", {1, 4, 16}, NB_PASS, "4 at 2 ppm"},
       {"sweep h 1 ppm 0.1 %", "A.x order 1 in h within 1e-9", {1, 1000}, NB_PASS, "1e+03 at 0.001"},
   };

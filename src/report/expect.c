@@ -303,7 +303,7 @@ static bool take_measure(struct nb_reader *reader, const struct nb_scene *scene,
 /* The reducer of a measure with the dimension of the one that begins the line. A frequency has another dimension than
  * its quantity. */
 static const char *scale_reducer(const struct nb_reader *reader) {
-  return reader->count > 1 && strcmp(reader->tokens[1].text, "frequency") == 0 ? "frequency" : "max";
+  return strcmp(reader->tokens[1].text, "frequency") == 0 ? "frequency" : "max";
 }
 
 /* True if token k is a reducer without a quantity, `max` of `within 1e-6 of max`, or `peak`. */
@@ -1073,7 +1073,8 @@ enum nb_status nb_expectation_read(struct nb_expectation *expectation, const cha
   if (!reader)
     return NB_NO_MEMORY;
   reader->has_units = true;
-  if (nb_line_read(reader, 1) && take_measure(reader, scene, &expectation->measure) &&
+  nb_line_read(reader, 1);
+  if (take_measure(reader, scene, &expectation->measure) &&
       take_tolerance_of(reader, scene, expectation->measure.unit, expectation->measure.is_residual,
                         &expectation->tolerance) &&
       nb_token_peek(reader))

@@ -37,7 +37,7 @@ void nb_check_rows(struct nb_warnings *warnings, const struct nb_page_run *run, 
   struct nb_measure least = e->measure, most = e->measure;
   struct nb_extremes rows;
   struct nb_error error;
-  if (!run->result.extremes || (check->mark != NB_PASS && check->mark != NB_FAIL) || !nb_is_extreme(reducer))
+  if (!run->result.extremes || !nb_is_extreme(reducer))
     return;
   least.reducer = NB_MIN, most.reducer = NB_MAX;
   if (!nb_measure_value(&rows.smallest, &least, nb_run_table(run), &error) ||
