@@ -39,7 +39,7 @@ region M all
 region S all'
 sizes='grading mixed 4 mm 2'
 stages='step 1 us
-record time A.x A.vx A.vy B.vx C.normal C.shear C.overlap momentum.x energy.kinetic energy.residual
+record time A.x A.vx A.vy B.vx C.normal C.shear C.overlap momentum.x energy.kinetic energy.residual M.particles
 stage load
 cycles 10
 stage approach
@@ -74,7 +74,7 @@ typed() {
   cell) scene "$materials" 'cell 0 m 0 m to 1 m 1 m' "$particles" "$names" "$stages" 'stage next' "$marked" 'cycles 10' ;;
   circle) scene "$materials" 'boundary circle 0.2 m 0.2 m radius 1 mm' "$particles" "$names" "$stages" 'stage next' "$marked" 'cycles 10' ;;
   expect)
-    scene "$materials" "$box" "$particles" "$names" "record $(echo "$2" | sed 's/^report *//; s/ .*//')" "$stages"
+    scene "$materials" "$box" "$particles" "$names" 'monitor F wall south' "record $(echo "$2" | sed 's/^report *//; s/ .*//')" "$stages"
     printf '```expect\n%s\n```\n' "$marked"
     ;;
   expect-cell)
@@ -115,7 +115,7 @@ result $? "the $(wc -l <"$work/texts") lines that hints propose are valid"
 proposed() {
   "$nineball" explain "$1" 2>&1 >/dev/null | awk -v page="$1" '
     index($0, page ":") == 1 { split(substr($0, length(page) + 2), part, ":"); number = part[1] }
-    /^  hint: (write|a random packing is two lines,) `/ {
+    /^  hint: (write|a random packing is two lines,) `/ && !/`, in the scene/ {
       text = $0
       sub(/^[^`]*`/, "", text)
       for (lines = number; match(text, /`/); text = substr(text, RSTART + RLENGTH)) {

@@ -259,11 +259,11 @@ static void warnings_of_ends_propose(void) {
     const char *end, *warning;
   } rows[] = {
       {"cell strain 0 0\nservo isotropic 10 on cell through cell at most 1e-9 per cycle\nuntil unbalanced.max below 1",
-       "add a condition such as `and cell.stress.xx above 9`"},
+       "add a condition such as `and cell.stress.xx above 9.9 and cell.stress.yy above 9.9`"},
       {"cell strain 0 0\nservo yy -10 on M through cell at most 1e-9 per cycle\nuntil unbalanced.max below 1",
-       "add a condition such as `and M.stress.yy below -9`"},
+       "add a condition such as `and M.stress.yy below -9.9`"},
       {"servo xy 10 on cell through cell at most 1e-9 per cycle\nuntil unbalanced.max below 1",
-       "add a condition such as `and cell.stress.xy above 9`"},
+       "add a condition such as `and cell.stress.xy above 9.9`"},
       {"until unbalanced.max below 1", "add a condition such as `and contacts above 0`"},
       {"until cell.strain.yy below -0.01",
        "; this strain counts from time 0, `stage.time` from the start of the stage"},

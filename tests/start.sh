@@ -91,10 +91,49 @@ stage   on
 cell    strain -0.1 0
 until   cell.strain.xx below -0.1 at most 90 cycles
 ```
+```expect
+cell.strain.xx  expected -0.1 within 0.002 [the condition]
+cell.strain.xx min  below -0.09
+cell.strain.xx min  below cell.strain.xx max
+```
 END
 run sheared "$pages/sheared.md" && grep -qF 'sheared.md:7: warning: `cell.strain.xx` counts from the start of the first page; a small strain of this stage alone is its rate times `stage.time`' "$work/said" &&
   awk '!/^#/ { n++ } END { exit !(n > 2 && n < 20) }' "$work/sheared/table.tsv"
 result $? 'a condition on the strain of a cell after `start` is warned of, and counts from the first page'
+for line in 10 11; do echo "sheared.md:$line: warning: \`cell.strain.xx\` counts from the start of the first page; the strain of the particles since stage \`on\` is \`S.strain.xx\`, with \`region S all from on\`"; done >"$work/wanted"
+grep 'sheared.md:[0-9]*: warning.*particles' "$work/said" | sed 's/.*sheared/sheared/' | diff - "$work/wanted" >&2
+result $? 'expectations that compare the strain of a cell with a number after `start` are warned of'
+cat >"$pages/pressed.md" <<'END'
+# A box that becomes smaller
+```scene
+units   none
+material m  density 1  kn 100
+box     0 0 to 4 4  m
+disc    2 2 radius 0.5 m
+step    0.01
+record  time
+stage   press
+box     strain -0.1 -0.1
+cycles  10
+```
+END
+cat >"$pages/squeezed.md" <<'END'
+# Strains of a box since the start of the first page
+```scene
+start   pressed stage press
+record  box.strain.width box.strain.height
+stage   on
+cycles  10
+```
+```expect
+box.strain.width  below 0
+box.strain.height  below 0
+```
+END
+"$nineball" explain "$pages/squeezed.md" --states "$states" >"$work/said" 2>&1
+grep -qF '`box.strain.width` counts from the start of the first page; the strain of the particles since stage `on` is `S.strain.xx`' "$work/said" &&
+  grep -qF '`box.strain.height` counts from the start of the first page; the strain of the particles since stage `on` is `S.strain.yy`' "$work/said"
+result $? 'expectations that compare the strain of a box with a number after `start` are warned of'
 run held "$pages/held.md" && grep -qF 'held.md:9: warning: this contact has no force: a `fixed` particle has no contact with a wall' "$work/said" &&
   grep -qF 'held.md:10: warning: this contact has no force: a `fixed` particle has no contact with another fixed one' "$work/said" &&
   test "$(grep -c warning "$work/said")" -eq 2 &&

@@ -7,7 +7,7 @@
  *   {word}         may be left out
  *   CAPITALS       stand for a value or a word: `kinds` says which, by the first letter. A number without unit gets the SI
  *                  unit, if the line has no unit; if the word ends in U, the number has a unit
- *   …, ...         stand for any number of words
+ *   …, ..., ....   stand for any number of words
  *
  * In the second one they stand for what they have matched; a line break separates lines. -V is the negative value, 0V zero in the
  * same unit, -|V| the negative of the magnitude. PLACE is what the page can strain, its cell, box or boundary, and CELL
@@ -19,6 +19,7 @@
 #include <string.h>
 
 #include "core/clean.h"
+#include "core/names.h"
 #include "reader.h"
 
 struct row {
@@ -32,6 +33,7 @@ struct row {
   "in a stage that begins during the contact; a stage before it ends at the first cycle of the contact by `until "     \
   "C.overlap above 0 m at most 1000000 cycles`"
 #define EXTENSION "strain rates are positive in extension"
+#define NOT_EQUAL "an equal value is neither above nor below"
 #define OWN_LINE "damping is a line of its own"
 #define SERVO "at most 1e-6 per cycle"
 #define AVERAGE                                                                                                        \
@@ -139,6 +141,29 @@ static const struct row rows[] = {
   {NB_IN_STAGE, "{compress|until} {to|until} porosity {of|to|reaches|is|=} Q {at} {most} {N} {cycles}", "BOX strain -2e-6 per cycle -2e-6 per cycle\nuntil box.porosity below Q at most 1000000 cycles", EXTENSION},
   {NB_IN_STAGE, "{isotropic|isotropically} compress|compression {isotropic|isotropically} {strain} {rate} {of|at|with} EU", "PLACE strain -|EU| -|EU|", EXTENSION},
   {NB_IN_STAGE, "{simple|cell} shear {strain} {rate} {of|at} EU", "CELL strain 0EU 0EU  c12 EU", "simple shear, c12 is the velocity in x per unit of y; `shear E` in place of `c12 E` is pure shear"},
+  {NB_IN_STAGE, "history|hist|trace|track|print|plot|output QUANTITY", "record QUANTITY", "in the scene; a value is `report QUANTITY max in STAGE`, in a block `expect`"},
+  {NB_IN_SCENE | NB_IN_CONTACT_TEST, "material rigid", "material hard rigid", "the name comes first"},
+  {NB_IN_SCENE | NB_IN_CONTACT_TEST, "material rigid ...", "material hard ...", "`rigid`, an infinite Young's modulus, cannot be the name"},
+  {NB_IN_SCENE, "disc … rotation|rotating|omega|angular_velocity W ...", "disc … spin W ...", NULL},
+  {NB_IN_SCENE, "sphere … rotation|rotating|omega|angular_velocity W ...", "sphere … spin W ...", NULL},
+  {NB_IN_EXPECT, "print|show|output|display|log QUANTITY", "report QUANTITY max in STAGE", "or another word such as `last` or `mean`"},
+  {NB_IN_EXPECT, "print|show|output|display|log QUANTITY ...", "report QUANTITY ...", NULL},
+  {NB_IN_EXPECT, "… at time|t {=} T ...", "… at T ...", NULL},
+  {NB_IN_EXPECT, "… at cycle|cycles N ...", "… at N cycles ...", NULL},
+  {NB_IN_EXPECT, "… {is|are} not below|less|under {than} ...", "… above ...", NOT_EQUAL},
+  {NB_IN_EXPECT, "… {is|are} not above|more|greater|over {than} ...", "… below ...", NOT_EQUAL},
+  {NB_IN_EXPECT, "… at least ...", "… above ...", NOT_EQUAL},
+  {NB_IN_EXPECT, "… at most ...", "… below ...", NOT_EQUAL},
+  {NB_IN_EXPECT, "1 minus|- QUANTITY {last} above Q", "QUANTITY below (1-Q)", NULL},
+  {NB_IN_EXPECT, "1 minus|- QUANTITY {last} below Q", "QUANTITY above (1-Q)", NULL},
+  {NB_IN_EXPECT, "1 minus|- QUANTITY {last} expected|is|= Q ...", "QUANTITY expected (1-Q) ...", NULL},
+  {NB_IN_EXPECT, "{the} ratio {of} … to|over|and|by OTHER ... {is} above Q", "… expected (1.5*Q) of OTHER ... within (0.5*Q)", "this allows a ratio from Q to (2*Q)"},
+  {NB_IN_EXPECT, "{the} ratio {of} … to|over|and|by OTHER ... {is} below Q", "… expected (0.5*Q) of OTHER ... within (0.5*Q)", "this allows a ratio from 0 to Q"},
+  {NB_IN_EXPECT, "{the} ratio {of} … to|over|and|by OTHER ... expected|is|=|equals Q ....", "… expected Q of OTHER ... ....", NULL},
+  {NB_IN_EXPECT, "… over|divided|/ {by} OTHER ... {is} above Q", "… expected (1.5*Q) of OTHER ... within (0.5*Q)", "this allows a ratio from Q to (2*Q)"},
+  {NB_IN_EXPECT, "… over|divided|/ {by} OTHER ... {is} below Q", "… expected (0.5*Q) of OTHER ... within (0.5*Q)", "this allows a ratio from 0 to Q"},
+  {NB_IN_EXPECT, "… over|divided|/ {by} OTHER ... expected|is|=|equals Q ....", "… expected Q of OTHER ... ....", NULL},
+  {NB_IN_EXPECT, "… {is|stays|remains} same|equal|equals|unchanged|identical|=|== {as|to|from|since|with} QUANTITY ...", "… expected 1 of QUANTITY ...", NULL},
 };
 /* clang-format on */
 
@@ -148,10 +173,11 @@ static const struct row rows[] = {
 static const struct kind {
   char letter;
   const char *unit; /* "": a number */
-} kinds[] = {{'X', "m"}, {'Y', "m"},  {'Z', "m"},   {'R', "m"},   {'D', "m"}, {'V', "m/s"}, {'G', "m/s2"},
-             {'T', "s"}, {'P', "Pa"}, {'E', "1/s"}, {'K', "N/m"}, {'A', ""},  {'Q', ""},    {'N', ""}};
+} kinds[] = {{'X', "m"},   {'Y', "m"},    {'Z', "m"},     {'R', "m"}, {'D', "m"},
+             {'V', "m/s"}, {'G', "m/s2"}, {'W', "rad/s"}, {'T', "s"}, {'P', "Pa"},
+             {'E', "1/s"}, {'K', "N/m"},  {'A', ""},      {'Q', ""},  {'N', ""}};
 /* Words in capitals that stand for a word. */
-static const char words[] = " NAME WORD FILE QUANTITY ";
+static const char words[] = " NAME WORD FILE QUANTITY OTHER ";
 static const char capitals[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
 
 enum { BOUND_MAX = 16 };
@@ -163,6 +189,7 @@ struct bound {
 struct match {
   const struct nb_reader *reader;
   bool units; /* the line has a unit: then each number but 0 has one */
+  size_t end; /* number of the tokens before the source of an expectation */
   struct bound bound[BOUND_MAX];
   size_t count;
 };
@@ -177,7 +204,7 @@ static bool is_word(const char *word, size_t length, const char *text) {
 }
 
 static bool is_many(const char *word, size_t length) {
-  return is_word(word, length, "…") || is_word(word, length, "...");
+  return is_word(word, length, "…") || is_word(word, length, "...") || is_word(word, length, "....");
 }
 
 /* True if the word in capitals stands for a word. */
@@ -212,13 +239,13 @@ static bool may_lack_unit(const struct match *match, const char *word, size_t le
 
 /* True if the token is a word for which a word in capitals stands. */
 static bool is_such_word(const char *word, const char *text) {
-  const bool dotted = *word == 'Q' || *word == 'F'; /* a QUANTITY or a FILE */
+  const bool dotted = strchr("QOF", *word); /* a QUANTITY, an OTHER one or a FILE */
   return dotted ? strpbrk(text, "./") && !nb_number_length(text) : nb_is_name(text);
 }
 
 /* Number of tokens of a value without dimension: `ks` after a number may be a clause. An angle has its unit. */
 static size_t plain_tokens(const struct match *match, char letter, double value, size_t at) {
-  const char *const after = at + 1 < match->reader->count ? match->reader->tokens[at + 1].text : "";
+  const char *const after = at + 1 < match->end ? match->reader->tokens[at + 1].text : "";
   if (letter == 'N')
     return value >= 0 && value <= NB_COUNT_MAX && value == (double)(unsigned long)value;
   if (letter == 'A')
@@ -238,7 +265,7 @@ static size_t value_tokens(const struct match *match, const char *word, size_t l
   const struct kind *const kind = kind_of(*word);
   if (!nb_unit_read(&si, kind->unit))
     return plain_tokens(match, *word, value, at);
-  if (at + 1 == match->reader->count || !nb_unit_read(&unit, token[1].text))
+  if (at + 1 == match->end || !nb_unit_read(&unit, token[1].text))
     return may_lack_unit(match, word, length, value);
   return nb_dimension_same(unit.dimension, si.dimension) ? 2 : 0;
 }
@@ -258,13 +285,13 @@ static bool fits_bound(struct match *match, const char *word, size_t length, siz
 /* True if the pattern fits the tokens from `at` to the end of the line. */
 static bool fits(struct match *match, const char *pattern, size_t at) {
   const struct nb_reader *const reader = match->reader;
-  const bool optional = *pattern == '{', more = at < reader->count;
+  const bool optional = *pattern == '{', more = at < match->end;
   const char *const word = pattern + optional, *const rest = next_word(pattern);
   const size_t length = strcspn(word, "} "), upper = strspn(word, capitals);
   if (!*pattern)
     return !more;
   if (is_many(word, length)) {
-    for (size_t to = at; to <= reader->count; to++)
+    for (size_t to = at; to <= match->end; to++)
       if (fits_bound(match, word, length, at, to, rest))
         return true;
     return false;
@@ -410,10 +437,11 @@ static size_t append_bound(char *text, const struct match *match, const struct b
 /* Length of the word of the second pattern at the beginning of a text: `…`, or capitals after -, 0 or -|. *prefix: the
  * length of what precedes the capitals. 0: no such word. */
 static size_t pattern_word(const char *at, size_t *prefix) {
+  static const char *const many[] = {"…", "....", "..."};
   *prefix = 0;
-  for (size_t k = 0; k < 2; k++)
-    if (strncmp(at, k ? "..." : "…", 3) == 0)
-      return 3;
+  for (size_t k = 0; k < sizeof many / sizeof *many; k++)
+    if (strncmp(at, many[k], strlen(many[k])) == 0)
+      return strlen(many[k]);
   *prefix = strncmp(at, "-|", 2) == 0 ? 2 : *at == '-' || *at == '0';
   return strspn(at + *prefix, capitals);
 }
@@ -440,6 +468,15 @@ static bool append_line(char *text, const struct match *match, const char *ours)
   return true;
 }
 
+/* Ends a proposed expectation with a value: the tolerance, and the source of the line. */
+static void end_expectation(char *text, const struct match *match) {
+  if (match->reader->here != NB_IN_EXPECT || !strstr(text, " expected "))
+    return;
+  nb_append(text, NB_HINT_SIZE, "%s %s", strstr(text, " within ") ? "" : " within 1 %",
+            match->end < match->reader->count ? "" : "[SOURCE]");
+  append_tokens(text, match->reader, match->end, match->reader->count);
+}
+
 /* True if the proposed text is the line as it is: then the mistake is another one. */
 static bool is_same(const char *text, const struct nb_reader *reader) {
   char line[NB_HINT_SIZE] = "";
@@ -458,21 +495,43 @@ static bool has_unit(const struct nb_reader *reader) {
   return found;
 }
 
+/* The unit of a quantity with this name, with or without its owner; NULL: there is none. */
+static const char *unit_of(const char *name) {
+  struct nb_quantity_row row;
+  const char *const dot = strchr(name, '.');
+  const char *found = NULL;
+  for (size_t k = 0; nb_quantity_row(&row, k) && !found; k++)
+    if (strcmp(row.name, name) == 0 || (dot && strcmp(row.name, dot + 1) == 0))
+      found = row.unit;
+  return found;
+}
+
+/* True if the row compares two measures of different dimensions. */
+static bool dimensions_differ(const struct match *match) {
+  const struct bound *const other = bound_of(match, "OTHER", strlen("OTHER")), *const one =
+                                                                                   bound_of(match, "…", strlen("…"));
+  if (!other || !one || one->from == one->to)
+    return false;
+  const struct nb_token *const tokens = match->reader->tokens;
+  const char *const a = unit_of(tokens[one->from].text), *const b = unit_of(tokens[other->from].text);
+  return a && b && strcmp(a, b) != 0;
+}
+
 /* Writes the hint of a row; false: the line is another, or the page lacks a name. */
 static bool row_hint(char *hint, struct match *match, const struct row *row) {
   char line[NB_HINT_SIZE] = "", note[NB_HINT_SIZE] = "";
   match->count = 0;
   if (!fits(match, row->typed, 0) || !append_line(line, match, row->ours) || is_same(line, match->reader))
     return false;
+  if (dimensions_differ(match))
+    return strcpy(hint, NB_OTHER_DIMENSION);
+  end_expectation(line, match);
   if (strcmp(row->ours, NB_RANDOM_PACKING) == 0)
     return nb_fill_hint(hint, match->reader);
   if (row->note)
     append_line(note, match, row->note);
-  snprintf(hint, NB_HINT_SIZE, "write `%.300s`%s%.200s", line,
-           !*note                         ? ""
-           : strncmp(note, "or ", 3) == 0 ? ", "
-                                          : ": ",
-           note);
+  const bool comma = strncmp(note, "or ", 3) == 0 || strncmp(note, "in the scene", 12) == 0;
+  snprintf(hint, NB_HINT_SIZE, "write `%.300s`%s%.200s", line, comma ? ", " : *note ? ": " : "", note);
   return true;
 }
 
@@ -481,6 +540,8 @@ const char *nb_foreign_hint(char *hint, const struct nb_reader *reader) {
   if (!reader->page->kind_of || reader->line == 0 || reader->count == 0)
     return NULL;
   struct match match = {.reader = reader, .units = has_unit(reader)};
+  while (match.end < reader->count && !(here == NB_IN_EXPECT && *reader->tokens[match.end].text == '['))
+    match.end++;
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
     if (rows[k].where & here && row_hint(hint, &match, &rows[k]))
       return hint;

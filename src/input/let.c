@@ -8,6 +8,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/clean.h"
 #include "expression.h"
 #include "statement.h"
 
@@ -239,20 +240,64 @@ static void unify(struct nb_binding *values, size_t count, size_t columns) {
   }
 }
 
-static bool has_comma(struct nb_reader *reader, const struct nb_token *token) {
-  if (strchr(token->text, ','))
-    nb_expected_at(reader, token, "separate the values by spaces", "one value");
-  return reader->bad;
+static const char list_signs[] = ",;=[](){}";
+
+/* Appends a word of a list of values, and after a number the unit of all values. */
+static void append_value(char *hint, const char *word, const char *unit) {
+  struct nb_unit read;
+  if (*unit && nb_unit_read(&read, word))
+    return; /* it follows the number already */
+  nb_append(hint, NB_HINT_SIZE, " %s", word);
+  if (*unit && nb_number_length(word))
+    nb_append(hint, NB_HINT_SIZE, " %s", unit);
+}
+
+/* The only unit of the values of the line, which then holds for all of them, `0, 5 kPa`; "": none or several. */
+static const char *only_unit(const struct nb_reader *reader) {
+  struct nb_unit read;
+  const char *unit = "";
+  for (size_t k = 2, count = 0; k < reader->count; k++)
+    for (const char *at = reader->tokens[k].text; *(at += strspn(at, list_signs)); at += strcspn(at, list_signs)) {
+      char word[NB_NAME_SIZE];
+      snprintf(word, sizeof word, "%.*s", (int)strcspn(at, list_signs), at);
+      if (nb_unit_read(&read, word))
+        unit = count++ || at[strlen(word)] == ',' ? "" : at;
+    }
+  return unit;
+}
+
+/* Writes the line with its values separated by spaces, for `sweep mu = [0, 0.2]`. */
+static const char *values_hint(char *hint, const struct nb_reader *reader) {
+  char word[NB_NAME_SIZE], unit[NB_NAME_SIZE];
+  const char *const only = only_unit(reader);
+  snprintf(unit, sizeof unit, "%.*s", (int)strcspn(only, list_signs), only);
+  snprintf(hint, NB_HINT_SIZE, "separate the values by spaces: write `%.20s %.80s", reader->tokens[0].text,
+           reader->tokens[1].text);
+  for (size_t k = 2; k < reader->count; k++)
+    for (const char *at = reader->tokens[k].text; *(at += strspn(at, list_signs)); at += strcspn(at, list_signs)) {
+      snprintf(word, sizeof word, "%.*s", (int)strcspn(at, list_signs), at);
+      if (k > 2 || strcmp(word, "in") != 0)
+        append_value(hint, word, unit);
+    }
+  nb_append(hint, NB_HINT_SIZE, "`");
+  return hint;
+}
+
+/* Refuses a sign of a list, `=`, `,` or a bracket, and the word `in`. */
+static bool is_list(struct nb_reader *reader, const struct nb_token *token) {
+  char hint[NB_HINT_SIZE];
+  const bool first = token == &reader->tokens[2] && token + 1 < reader->tokens + reader->count;
+  return (strpbrk(token->text, ",;=[]{}") || (first && strcmp(token->text, "in") == 0)) &&
+         !nb_token_mistake(reader, token, values_hint(hint, reader), "expected one value, found `%.80s`", token->text);
 }
 
 /* Reads the values row by row, at most NB_TOKENS_MAX. Returns the number of rows; 0 after a mistake. */
 static size_t take_rows(struct nb_reader *reader, struct nb_binding *values, size_t columns) {
   const struct nb_token *tokens[NB_TOKENS_MAX];
   size_t count = 0;
-  if (nb_token_is(reader, "="))
-    nb_expected(reader, NULL, "the values");
   do {
-    if (!take_value(reader, &values[count], &tokens[count]) || has_comma(reader, tokens[count]) ||
+    if ((nb_token_peek(reader) && is_list(reader, nb_token_peek(reader))) ||
+        !take_value(reader, &values[count], &tokens[count]) ||
         !same_type(reader, &values[count % columns], &values[count], tokens[count]))
       return 0;
     count++;

@@ -24,6 +24,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/names.h"
 #include "reader.h"
 
 const struct nb_old_word *nb_old_words(void) {
@@ -246,6 +247,18 @@ static const struct nb_old_word *add_name(struct nb_text *text, const char *name
   return found;
 }
 
+/* Adds the present name of a quantity, or the name as it is if it has none; returns the row of the name, or NULL. */
+static const struct nb_old_word *add_quantity(struct nb_text *text, const char *name, size_t length) {
+  struct nb_text made = {0};
+  const struct nb_old_word *row = add_name(&made, name, length, '.');
+  const char *const now = made.at ? made.at : "", *const dot = strchr(now, '.');
+  if (!nb_is_quantity(now) && !(dot && nb_is_quantity(dot + 1)))
+    row = NULL;
+  nb_text_add(text, "%.*s", row ? (int)strlen(now) : (int)length, row ? now : name);
+  free(made.at);
+  return row;
+}
+
 static bool is_word(const struct word *word, const char *text) {
   return word->length == strlen(text) && strncmp(word->at, text, word->length) == 0;
 }
@@ -359,7 +372,7 @@ static const struct nb_old_word *add_words(struct nb_text *text, const char *tex
   struct nb_text names = {0};
   for (size_t w = 0; whole && w < line.count; w++) {
     const struct nb_old_word *by =
-        may_be_quantity(&line, w, block) ? add_name(&names, line.words[w].at, line.words[w].length, '.') : NULL;
+        may_be_quantity(&line, w, block) ? add_quantity(&names, line.words[w].at, line.words[w].length) : NULL;
     row = row ? row : by;
   }
   free(names.at);
@@ -372,7 +385,7 @@ static const struct nb_old_word *add_words(struct nb_text *text, const char *tex
     const struct word *word = &line.words[w];
     add_blanks(text, start, word, w == 1 ? 1 : 2);
     if (may_be_quantity(&line, w, block))
-      add_name(text, word->at, word->length, '.');
+      add_quantity(text, word->at, word->length);
     else
       nb_text_add(text, "%.*s", (int)word->length, word->at);
   }
@@ -444,7 +457,7 @@ const char *nb_old_fence(char *hint, const char *line) {
 
 const char *nb_old_name(char *hint, const char *name) {
   struct nb_text text = {0};
-  const struct nb_old_word *row = add_name(&text, name, strlen(name), '.');
+  const struct nb_old_word *row = add_quantity(&text, name, strlen(name));
   const char *const found = hint_of(hint, row, text.at ? text.at : "");
   free(text.at);
   return found;

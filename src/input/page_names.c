@@ -1,5 +1,6 @@
 /* The names of the page in hints: a line between backquotes that a hint proposes has the material, the grading and the
- * stage of the page in place of MATERIAL, GRADING and STAGE, so that it can be typed as it stands.
+ * stage of the page in place of MATERIAL, GRADING and STAGE, so that it can be typed as it stands. A line `start
+ * THIS-PAGE stage NAME` has the name of the page, its last stage and, for each sweep, the first value.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <ctype.h>
@@ -73,9 +74,39 @@ static bool last_stage(char name[NB_NAME_SIZE], const struct nb_page *page, size
   return nb_is_name(name);
 }
 
-/* Finds the name of the page for a word in capitals; `before`: the word before it. */
+/* The name of the file without its folder and `.md`. */
+static bool page_name(char name[NB_NAME_SIZE], const struct nb_page *page) {
+  const char *const slash = strrchr(page->path, '/'), *const file = slash ? slash + 1 : page->path;
+  const size_t length = strlen(file);
+  return length > 3 && snprintf(name, NB_NAME_SIZE, "%.*s", (int)length - 3, file) < NB_NAME_SIZE;
+}
+
+/* Appends ` with mu=0.1`, for each sweep of the page its first name and the first value. */
+static void append_runs(char *text, const struct nb_page *page) {
+  const char *rest;
+  char name[NB_NAME_SIZE], value[NB_NAME_SIZE], unit[NB_NAME_SIZE] = "";
+  struct nb_unit read;
+  int count = 0;
+  for (size_t k = 1; k <= page->line_count; k++) {
+    if (!nb_page_statement(page, k, "sweep", &rest) || sscanf(rest, " %63s", name) != 1)
+      continue;
+    for (int used = 0; sscanf(rest, " %*s with%n", &used) == 0 && used > 0; used = 0) /* `sweep a with b` */
+      rest += used;
+    const int words = sscanf(rest, " %*s %63s %63s", value, unit);
+    if (words > 0 && !strpbrk(value, "=,[]{}")) /* a list of another language is a mistake */
+      nb_append(text, NB_HINT_SIZE, "%s%s=%s", count++ ? " " : " with ", name, value);
+    if (words > 1 && isdigit((unsigned char)value[strspn(value, "+-.")]) && nb_unit_read(&read, unit))
+      nb_append(text, NB_HINT_SIZE, " %s", unit);
+  }
+}
+
+/* Finds the name of the page for a word in capitals; `before`: the word before it; `text`: the line of the hint. */
 static bool find_name(char name[NB_NAME_SIZE], const struct nb_page *page, size_t line, const char *word,
-                      const char *before) {
+                      const char *before, const char *text) {
+  if (strcmp(word, "THIS-PAGE") == 0)
+    return page_name(name, page);
+  if (strcmp(word, "NAME") == 0 && strncmp(text, "start ", 6) == 0)
+    return last_stage(name, page, line);
   if (strcmp(word, "MATERIAL") == 0)
     return nb_page_name_of(name, page, "material", line);
   if (strcmp(word, "GRADING") == 0)
@@ -103,7 +134,7 @@ static bool append_line(char *text, const char *line, size_t length, const struc
     n = blanks ? blanks : strcspn(line + at, " ");
     n = at + n > length ? length - at : n;
     snprintf(word, sizeof word, "%.*s", n < sizeof word ? (int)n : 0, line + at);
-    const bool known = !blanks && find_name(name, page, number, word, before);
+    const bool known = !blanks && find_name(name, page, number, word, before, line);
     if (!blanks && !known && stands_for_value(word, before))
       return false;
     found = found || known;
@@ -119,6 +150,7 @@ static bool append_line(char *text, const char *line, size_t length, const struc
 const char *nb_page_hint(char *text, const struct nb_page *page, size_t line, const char *hint) {
   *text = '\0';
   for (const char *at = hint; *at;) {
+    const bool start = strncmp(at + strcspn(at, "`"), "`start THIS-PAGE ", strlen("`start THIS-PAGE ")) == 0;
     const size_t prose = strcspn(at, "`"), quoted = at[prose] ? strcspn(at + prose + 1, "`") : 0;
     nb_append(text, NB_HINT_SIZE, "%.*s", (int)prose + (at[prose] == '`'), at);
     at += prose + (at[prose] == '`');
@@ -127,6 +159,8 @@ const char *nb_page_hint(char *text, const struct nb_page *page, size_t line, co
     else if (quoted && at[quoted] != '`')
       nb_append(text, NB_HINT_SIZE, "%s", at);
     at += quoted;
+    if (start)
+      append_runs(text, page);
     if (quoted && *at == '`')
       nb_append(text, NB_HINT_SIZE, "`"), at++;
   }

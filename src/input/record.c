@@ -38,7 +38,7 @@ bool nb_take_requested(struct nb_scene_reading *reading, struct nb_reader *reade
  * contact has a force, and without a servo or a condition on the energy in motion. */
 static void unbalanced_hint(char *hint, const struct nb_scene_reading *reading) {
   const struct nb_reader *const reader = &reading->reader;
-  char text[2 * NB_NAME_SIZE];
+  char text[4 * NB_NAME_SIZE];
   const char *const stress = nb_servo_wanted(text, sizeof text, reading);
   snprintf(hint, NB_HINT_SIZE, "`until unbalanced.max below %.20s and %s", reader->tokens[3].text,
            stress ? stress : "energy.kinetic below ");
@@ -51,6 +51,24 @@ static void unbalanced_hint(char *hint, const struct nb_scene_reading *reading) 
             stress ? "without the second condition"
                    : "an oscillating force crosses zero in motion, so the second condition, an energy far below that "
                      "of the motion, waits for rest; without the last one");
+}
+
+/* Writes the hint for an `until` with a strain in a later stage; `strains`: the quantity, or a list that begins with it.
+ * False: it is no strain, or the stage is the first one. */
+static bool strain_hint(char *hint, const struct nb_scene *scene, const char *strains) {
+  char strain[NB_NAME_SIZE];
+  snprintf(strain, sizeof strain, "%.*s", (int)strcspn(strains, ","), strains); /* `shear_strain` is `strain.xy` */
+  const bool shear = strcmp(strain, "strain.xy") == 0;
+  if (scene->stage_count - scene->start.stages < 2 || strncmp(strain, "strain.", 7) != 0)
+    return false;
+  snprintf(
+      hint, NB_HINT_SIZE,
+      "write `region S all from %.63s` in the scene, then `until S.%.30s …`: the strain since the beginning of this "
+      "stage, extension positive, so for %s `until S.%.30s %s at most 1000000 cycles`. The strains of a box and a "
+      "cell count from time 0",
+      nb_current_stage(scene)->name, strain, shear ? "an engineering shear strain of 0.1, twice xy," : "compression",
+      strain, shear ? "above 0.05" : "below -0.05");
+  return true;
 }
 
 /* Writes the hint for an `until` with a word for the unbalanced force, or with a strain in a later stage: it
@@ -67,15 +85,7 @@ static bool until_hint(char *hint, const struct nb_scene_reading *reading, const
     unbalanced_hint(hint, reading);
     return true;
   }
-  if (scene->stage_count - scene->start.stages < 2 || !nb_is_quantity(name) || strncmp(name, "strain.", 7) != 0)
-    return false;
-  snprintf(
-      hint, NB_HINT_SIZE,
-      "write `region S all from %.63s` in the scene, then `until S.%.30s …`: the strain since the beginning of this "
-      "stage, extension positive, so for compression `until S.%.30s below -0.05 at most 1000000 cycles`. The strains "
-      "of a box and a cell count from time 0",
-      nb_current_stage(scene)->name, name, name);
-  return true;
+  return strain_hint(hint, scene, nb_is_quantity(name) ? name : ours);
 }
 
 /* Writes the hint for an `until` with the name of a contact alone, `until C ends`; false: the line is another. */
@@ -102,7 +112,6 @@ bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *qua
     return true;
   if (nb_name_suppressed(mistakes, requested->name))
     return false;
-  nb_suppress_name(mistakes, requested->name);
   if (!nb_old_name(hint, requested->name) && !until_hint(hint, reading, requested->name) &&
       !contact_hint(hint, reading, requested->name))
     nb_quantity_hint(hint, reading->scene, requested->name);

@@ -65,7 +65,7 @@ struct nb_scene_reading {
   const char *follow; /* `--set follow=FILE`: the name of the file, or NULL */
   int contact_line;   /* line of the statement `contact` of a contact test; 0: none */
   /* The last `servo` with a mistake: the condition on the stress that it wants to control, and its line. */
-  char servo_wanted[2 * NB_NAME_SIZE];
+  char servo_wanted[4 * NB_NAME_SIZE];
   int servo_wanted_line;
 };
 

@@ -53,9 +53,9 @@ const char *nb_page_place(const struct nb_page *page) {
 static bool target_of(char *text, size_t size, const struct nb_reader *reader, const char **component, size_t *number) {
   static const struct {
     const char *words, *component;
-  } meanings[] = {{" xx west east left right lateral horizontal sides ", "xx"},
-                  {" yy north south top bottom vertical axial ", "yy"},
-                  {" xy ", "xy"},
+  } meanings[] = {{" xx x sxx sigma_xx stress_xx west east left right lateral horizontal sides ", "xx"},
+                  {" yy y syy sigma_yy stress_yy north south top bottom vertical axial ", "yy"},
+                  {" xy sxy sigma_xy stress_xy ", "xy"},
                   {" mean ", "mean"}};
   char word[NB_NAME_SIZE + 2];
   double value;
@@ -108,9 +108,12 @@ static void note_wanted(struct nb_scene_reading *reading, const struct nb_reader
       nb_number_read(&value, reader->tokens[number].text, 0) != NB_READ)
     return;
   const char *const unit = strrchr(target, ' ');
-  snprintf(reading->servo_wanted, sizeof reading->servo_wanted, "%s.stress.%s above %g%.12s",
-           strcmp(place, "box") == 0 ? "walls" : place, *component == 'i' ? "mean" : component, 0.9 * value,
-           unit && isalpha((unsigned char)unit[1]) ? unit : "");
+  const char *const parts[] = {*component == 'i' ? "xx" : component, "yy"};
+  *reading->servo_wanted = '\0';
+  for (int k = 0; k < (*component == 'i' ? 2 : 1); k++)
+    nb_append(reading->servo_wanted, sizeof reading->servo_wanted, "%s%s.stress.%s above %g%.12s", k ? " and " : "",
+              strcmp(place, "box") == 0 ? "walls" : place, parts[k], 0.99 * value,
+              unit && isalpha((unsigned char)unit[1]) ? unit : "");
   reading->servo_wanted_line = (int)reader->line;
 }
 

@@ -598,9 +598,15 @@ static const char *part_hint(char *hint, const struct nb_reader *reader, const s
 }
 
 /* Writes the line that an incomplete `servo`, or one with a word of another program, means; false: there is none. */
-static bool servo_hint(char *hint, const struct nb_reader *reader, const struct nb_token *token) {
+static bool servo_hint(char *hint, const struct nb_reader *reader, const struct nb_token *token,
+                       const struct nb_guess *guess) {
   const char *const word = reader->keyword->word ? reader->keyword->word : "";
-  return strcmp(word, "servo") == 0 && (!token || strchr(token->text, '.') || nb_pair_synonym(word, token->text)) &&
+  bool whole = false; /* only the mistyped word is wrong */
+  for (size_t k = 0; k < reader->count; k++)
+    whole = whole || strcmp(reader->tokens[k].text, "most") == 0;
+  return strcmp(word, "servo") == 0 &&
+         (!token || strchr(token->text, '.') || nb_pair_synonym(word, token->text) || !whole ||
+          !nb_guess_found(guess)) &&
          nb_servo_hint(hint, reader);
 }
 
@@ -610,7 +616,7 @@ static bool fields_hint(const struct nb_reader *reader, char *hint, const struct
                         const struct nb_argument *missing) {
   const struct nb_guess guess = guess_clause(reader, token ? token->text : "");
   usage_hint(reader, hint, token, missing);
-  return flag_hint(hint, reader, token) || servo_hint(hint, reader, token) ||
+  return flag_hint(hint, reader, token) || servo_hint(hint, reader, token, &guess) ||
          part_hint(hint, reader, token, missing, &guess) ||
          (token && nb_pair_hint(hint, reader->tokens[0].text, token->text)) || /* has priority over guesses */
          (number_next(reader) && third_coordinate(hint, reader, missing)) || nb_guess_hint(&guess, hint) ||

@@ -73,8 +73,8 @@ bool nb_servo_scales(const struct nb_model *model, const struct nb_servo *servo,
 /* Largest difference of a controlled stress from its target, over the largest target, 1; 0 in a stage without a servo
  * or with targets of 0. */
 double nb_servo_error(const struct nb_model *model);
-/* Writes the condition of an `until` that a controlled stress is near its target: "cell.stress.xx above 900 Pa". False: the
- * servo controls no stress, or its targets are 0. */
+/* Writes the conditions of an `until` that the controlled stresses are near their targets: "cell.stress.xx above 990 Pa and
+ * cell.stress.yy above 990 Pa". False: the servo controls no stress, or its targets are 0. */
 bool nb_servo_condition(char *text, size_t size, const struct nb_scene *scene, const struct nb_servo *servo,
                         bool unitless);
 void nb_servo_apply(struct nb_model *model); /* sets the strain rates of the next steps; called before the motion */

@@ -93,10 +93,6 @@ static bool dimensions_differ(const struct nb_scene *scene, const char *one, con
          !nb_dimension_same(unit_a.dimension, unit_b.dimension);
 }
 
-static const char other_dimension[] =
-    "a line has no arithmetic with measures, and it compares only measures of the same dimension: compare each measure "
-    "with a number, in a line of its own";
-
 /* Writes the hint for a ratio, or a difference, of the measures `one` and `other`; `number` is a value of the ratio,
  * `unit` the unit of a difference. */
 static const char *arithmetic_hint(char *hint, char sign, const char *one, const char *other, const char *number,
@@ -122,7 +118,7 @@ static const char *ratio_hint(char *hint, const struct nb_reader *reader, const 
   const struct nb_token *const next = nb_token_peek(reader);
   struct nb_quantity quantity;
   if (dimensions_differ(scene, reader->tokens[0].text, *first || !next ? first : next->text))
-    return strcpy(hint, other_dimension);
+    return strcpy(hint, NB_OTHER_DIMENSION);
   snprintf(other, sizeof other, "%s", first);
   for (size_t k = reader->next; k < reader->count && !begins_expectation(reader->tokens[k].text); k++)
     nb_append(other, sizeof other, "%s%s", *other ? " " : "",
@@ -145,7 +141,7 @@ static const char *quotient_hint(char *hint, const struct nb_reader *reader, con
   if (!strchr("/,-+", from[length]) || !from[length] || !nb_quantity_find(&quantity, scene, one))
     return NULL;
   snprintf(other, sizeof other, "%.*s", (int)strcspn(second, ")"), second);
-  return dimensions_differ(scene, one, other) ? strcpy(hint, other_dimension)
+  return dimensions_differ(scene, one, other) ? strcpy(hint, NB_OTHER_DIMENSION)
          : nb_quantity_find(&quantity, scene, other)
              ? arithmetic_hint(hint, from[length], one, other, strncmp(text, "atan", 4) == 0 ? "(tan(pi/9))" : "0.5",
                                shown_unit(reader, nb_quantity_unit(quantity)))
@@ -446,6 +442,12 @@ static const struct nb_binding *first_sweep(const struct nb_scene *scene) {
   return k < scene->binding_count ? &scene->bindings[k] : NULL;
 }
 
+/* The swept name that the expectation names, or else the first one of the page; NULL: there is none. */
+static const struct nb_binding *swept_by(const struct nb_scene *scene, const struct nb_expectation *expectation) {
+  const int k = NB_FIND(scene->bindings, scene->binding_count, expectation->against);
+  return k < 0 ? first_sweep(scene) : &scene->bindings[k];
+}
+
 /* Writes the hint for a trend: the lines for an increase and for a power law, with the first sweep of the page. */
 static const char *trend_hint(char *hint, const struct nb_reader *reader, const struct nb_scene *scene,
                               const struct nb_measure *measure) {
@@ -513,17 +515,48 @@ static void append_value(char *hint, const struct nb_measure *measure) {
             (int)measure->bare_length, measure->label, measure->label + measure->bare_length);
 }
 
+/* Writes the hint for `versus mu` and for `for mu=0.5`, which is `without`: a line is checked in each run of a sweep. */
+static const char *each_run_hint(char *hint, const char *without, const char *measure, const char *name) {
+  *hint = '\0';
+  nb_append(hint, NB_HINT_SIZE,
+            "every line is checked in each run of a sweep: leave out `%s`, `%.100s expected (FORMULA) within 1 %% "
+            "[SOURCE]`; or compare the runs, `%.100s increases with %s`. A value for each run is part of the sweep, "
+            "`sweep %s with p …`, and is compared by `expected $p`",
+            without, measure, measure, name, name);
+  return hint;
+}
+
+/* Refuses `for mu=0.5` or `with mu = 0.5` in any place of the line; false: the line names no value of a sweep. */
+static bool one_run_mistake(struct nb_reader *reader, const struct nb_scene *scene) {
+  static const char *const words[] = {"for", "if", "where", "when", "with", "at"};
+  char name[NB_NAME_SIZE], without[2 * NB_NAME_SIZE], hint[NB_HINT_SIZE];
+  for (size_t k = 1; k + 1 < reader->count; k++)
+    for (size_t w = 0; w < sizeof words / sizeof *words; w++) {
+      const struct nb_token *const token = &reader->tokens[k];
+      const char *const after = k + 2 < reader->count ? token[2].text : "";
+      const size_t length = strcspn(token[1].text, "=");
+      const bool equals = token[1].text[length], value = *after == '=' || nb_number_length(after);
+      snprintf(name, sizeof name, "%.*s", (int)(length < NB_NAME_SIZE ? length : 0), token[1].text);
+      const int b = NB_FIND(scene->bindings, scene->binding_count, name);
+      if (strcmp(token->text, words[w]) != 0 || b < 0 || scene->bindings[b].sweep < 0 || !(equals || value))
+        continue;
+      snprintf(without, sizeof without, "%.40s %.60s%s", token->text, token[1].text, equals ? "" : " …");
+      each_run_hint(hint, without, reader->tokens[0].text, name);
+      return !nb_token_mistake(reader, token, hint, "expected a line for all runs of the sweep, found `%.80s`",
+                               token->text);
+    }
+  return false;
+}
+
 /* Reports `versus` and the name of a sweep; false: the token is another. */
 static bool is_versus_sweep(struct nb_reader *reader, const struct nb_scene *scene, const struct nb_measure *measure,
                             const struct nb_token *token) {
   const int k = NB_FIND(scene->bindings, scene->binding_count, token->text);
-  char hint[NB_HINT_SIZE];
+  char hint[NB_HINT_SIZE], without[2 * NB_NAME_SIZE];
   if (k < 0 || scene->bindings[k].sweep < 0)
     return false;
-  snprintf(hint, sizeof hint,
-           "every line is checked in each run of a sweep: leave out `versus %.40s`, `%.100s expected (FORMULA) within "
-           "1 %% [SOURCE]`; or compare the runs, `%.100s increases with %.40s`",
-           token->text, measure->label, measure->label, token->text);
+  snprintf(without, sizeof without, "versus %.40s", token->text);
+  each_run_hint(hint, without, measure->label, token->text);
   nb_token_mistake(reader, token, hint, "expected a quantity that the page records, found `%s`, the name of a sweep",
                    token->text);
   return true;
@@ -541,6 +574,20 @@ static bool is_no_curve(struct nb_reader *reader, const struct nb_measure *measu
   return true;
 }
 
+/* Appends how the curve is drawn, without a comparison. */
+static void append_plot(char *hint, const struct nb_scene *scene, const struct nb_expectation *e) {
+  const struct nb_column *const x = &scene->columns[e->column], *const y = &scene->columns[e->measure.column];
+  const struct nb_column *const columns[] = {x, y};
+  nb_append(hint, NB_HINT_SIZE, "; to draw it write a block `gnuplot` with `plot %s using",
+            first_sweep(scene) ? "for [i=1:runs] sprintf('$table_%d', i)" : "$table");
+  for (size_t k = 0; k < 2; k++) {
+    const char *const unit = nb_quantity_unit(columns[k]->quantity);
+    nb_append(hint, NB_HINT_SIZE, "%s'%s/%s'", k ? ":" : " ", columns[k]->name,
+              scene->unitless || strcmp(unit, "1") == 0 ? "-" : unit);
+  }
+  nb_append(hint, NB_HINT_SIZE, " with lines`");
+}
+
 static bool take_versus(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
   const struct nb_token *token = nb_take_token(reader, "a quantity that the page records");
   struct nb_quantity quantity;
@@ -552,6 +599,11 @@ static bool take_versus(struct nb_reader *reader, const struct nb_scene *scene, 
   if (!take_stage(reader, scene, &expectation->measure))
     return false;
   char hint[NB_HINT_SIZE] = "a curve is compared only with that of a `reference`";
+  if (!nb_token_peek(reader)) {
+    nb_append(hint, sizeof hint, ", by `within 1 %% of peak`");
+    append_plot(hint, scene, expectation);
+    return nb_expected(reader, hint, "`within`");
+  }
   append_value(hint, &expectation->measure);
   if (nb_token_is(reader, "expected") || nb_token_is(reader, "above") || nb_token_is(reader, "below"))
     return nb_token_mistake(reader, nb_token_peek(reader), hint, "expected `within`, found `%s`",
@@ -724,6 +776,13 @@ static void append_constant(char *hint, const struct nb_reader *reader, const st
   const char *const unit = known ? shown_unit(reader, nb_quantity_unit(quantity)) : "", *const space = *unit ? " " : "";
   const double scale = momentum ? momentum_scale(scene) : 0;
   char tolerance[32] = "1e-9";
+  if (known && nb_quantity_is_residual(quantity)) {
+    nb_append(hint, NB_HINT_SIZE,
+              "a residual should be 0: write `%.80s max in all  within 1e-6 of energy.kinetic max in all` and the same "
+              "line with `min`%s",
+              name, scale_note(scene, "energy.kinetic"));
+    return;
+  }
   if (scale > 0)
     snprintf(tolerance, sizeof tolerance, "%.1g", 1e-9 * scale);
   nb_append(hint, NB_HINT_SIZE,
@@ -749,11 +808,22 @@ static bool take_constant(struct nb_reader *reader, const struct nb_scene *scene
          take_tolerance(reader, NULL, expectation->measure.unit, false, &expectation->tolerance);
 }
 
+/* Appends how the error against a value is bounded by a power of the swept name. */
+static void append_bound(char *hint, const struct nb_reader *reader, const struct nb_scene *scene,
+                         const struct nb_expectation *e) {
+  const struct nb_binding *const swept = swept_by(scene, e);
+  const char *const unit = shown_unit(reader, e->measure.unit), *const space = *unit ? " " : "";
+  nb_append(hint, NB_HINT_SIZE,
+            "; the error against a value is bounded by a formula, `%.120s expected 3%s%s within (c*(%s/k0)^%g) "
+            "[SOURCE]`, with `let c = 1%s%s` and `let k0 = %s` in the scene",
+            e->measure.label, space, unit, swept->name, e->number, space, unit, swept->text);
+}
+
 /* Writes the hint for an incomplete `order`: the whole line, with the order if it is known and the first sweep of the
  * page. */
 static const char *order_hint(char *hint, const struct nb_scene *scene, const struct nb_expectation *expectation,
                               double order) {
-  const struct nb_binding *const swept = first_sweep(scene);
+  const struct nb_binding *const swept = swept_by(scene, expectation);
   snprintf(hint, NB_HINT_SIZE, "write `%.120s order %g in %s within 0.1`%s%s", expectation->measure.label, order,
            swept ? swept->name : "dt",
            expectation->measure.is_residual
@@ -764,20 +834,27 @@ static const char *order_hint(char *hint, const struct nb_scene *scene, const st
 }
 
 static bool take_order(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
-  const struct nb_token *const token = nb_token_peek(reader);
+  const struct nb_token *token = nb_token_peek(reader);
   char hint[NB_HINT_SIZE];
   double number;
   if (!token || nb_number_read(&number, token->text, 0) == NB_NO_NUMBER)
     return nb_expected(reader, order_hint(hint, scene, expectation, 2), "a number");
   if (!nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &expectation->number))
     return false;
-  order_hint(hint, scene, expectation, expectation->number);
   if (!nb_token_skip(reader, "in"))
-    return nb_expected(reader, hint, "`in` and the name of a `sweep`");
+    return nb_expected(reader, order_hint(hint, scene, expectation, expectation->number),
+                       "`in` and the name of a `sweep`");
   if (!take_sweep_name(reader, scene, &expectation->measure, expectation->against))
     return false;
-  return nb_token_is(reader, "within") ? take_tolerance(reader, NULL, "1", false, &expectation->tolerance)
-                                       : nb_expected(reader, hint, "`within`");
+  order_hint(hint, scene, expectation, expectation->number);
+  if (nb_token_is(reader, "within"))
+    return take_tolerance(reader, NULL, "1", false, &expectation->tolerance);
+  token = nb_token_peek(reader);
+  if (!token)
+    return nb_expected(reader, hint, "`within`");
+  if (!expectation->measure.is_residual) /* a value, `expected 3 N`, which is no reference */
+    append_bound(hint, reader, scene, expectation);
+  return nb_token_mistake(reader, token, hint, "expected `within`, found `%.80s`", token->text);
 }
 
 /* clang-format off */
@@ -882,12 +959,18 @@ static const char *kind_hint(char *hint, const struct nb_measure *measure, const
                  : nb_guess_hint(guess, hint);
 }
 
+/* True if the token is a word of that row of the table of words: a row of expectations with a hint of its own. */
+static bool is_kind_of(const struct nb_token *token, const char *first) {
+  const struct nb_synonym *const synonym = token ? nb_pair_synonym("expect", token->text) : NULL;
+  return synonym && strncmp(synonym->words, first, strlen(first)) == 0;
+}
+
 /* Writes the hint for `conserved`; or, for a value, the line with `expected` before it. NULL: the token is neither. */
 static const char *value_hint(char *hint, const struct nb_reader *reader, const struct nb_scene *scene,
                               const struct nb_token *token) {
   bool within = false;
   *hint = '\0';
-  if (strcmp(token->text, "conserved") == 0) {
+  if (is_kind_of(token, "expect_conserved")) {
     append_constant(hint, reader, scene);
     return hint;
   }
@@ -918,8 +1001,7 @@ static bool take_kind(struct nb_reader *reader, const struct reading *reading, s
     nb_append_item(words, sizeof words, row->word, !row[1].word);
     nb_guess_offer(&guess, row->word);
   }
-  const struct nb_synonym *const trend = token ? nb_pair_synonym("expect", token->text) : NULL;
-  const bool is_trend = trend && strncmp(trend->words, "expect_trend", strlen("expect_trend")) == 0;
+  const bool is_trend = is_kind_of(token, "expect_trend");
   if (token && (is_trend || (strchr("+-*/", token->text[0]) && !token->text[1]))) {
     reader->next++;
     if (is_trend)
@@ -956,6 +1038,8 @@ static void apply_expectation(struct nb_reader *reader, const struct nb_record *
   bool compared = false; /* the line compares the measure with a number, by `expected` */
   for (size_t k = 0; k < reader->count; k++)
     compared = compared || strcmp(reader->tokens[k].text, "expected") == 0;
+  if (one_run_mistake(reader, reading->scene))
+    return;
   if (!take_measure(reader, reading->scene, &expectation.measure)) {
     if (compared)
       nb_line_needs(reader, "[", source_hint, "the source in brackets");
@@ -1020,17 +1104,16 @@ static const struct nb_expectation *needing_reference(const struct nb_expectatio
 }
 
 /* Writes the hint for an expectation that needs a reference. */
-static void reference_hint(char *hint, const struct nb_expectation *e) {
+static void reference_hint(char *hint, const struct nb_reader *reader, const struct nb_scene *scene,
+                           const struct nb_expectation *e) {
   strcpy(hint, "write `reference NAME` above this line; `nineball list` names the references");
   if (e->kind == NB_WITHIN)
     nb_append(hint, NB_HINT_SIZE,
               "; a number or a formula needs none: `%.120s expected (FORMULA) within 1 %% [SOURCE]`", e->measure.label);
   if (e->kind == NB_VERSUS)
-    append_value(hint, &e->measure);
+    append_value(hint, &e->measure), append_plot(hint, scene, e);
   if (e->kind == NB_ORDER)
-    nb_append(hint, NB_HINT_SIZE,
-              "; a value after `expected` is no reference for `order`, but with such a line the block `$values` of "
-              "gnuplot has the value and the reference of each run: draw the error");
+    append_bound(hint, reader, scene, e);
 }
 
 enum nb_status nb_expectations_read(struct nb_expectations *expectations, const struct nb_page *page,
@@ -1053,7 +1136,7 @@ enum nb_status nb_expectations_read(struct nb_expectations *expectations, const 
       expectations->reference || !reference_required ? NULL : needing_reference(expectations);
   char hint[NB_HINT_SIZE];
   if (e) {
-    reference_hint(hint, e);
+    reference_hint(hint, reader, scene, e);
     nb_line_mistake(reader, (size_t)e->line, hint, "expected a `reference` in this page to compare with, found none");
   }
   free(reader);

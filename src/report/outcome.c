@@ -197,6 +197,24 @@ static void warn_of_tension(struct nb_scene *scene, const struct nb_expectation 
             column->name);
 }
 
+/* Warns of a strain of a cell or a box that is compared with a number in a page with `start`. */
+static void warn_of_origin(struct nb_scene *scene, const struct nb_expectation *it) {
+  const char *const name = scene->columns[it->measure.column].name, *const dot = strrchr(name, '.');
+  const bool cell = strncmp(name, "cell.strain.", 12) == 0, box = strncmp(name, "box.strain.", 11) == 0;
+  const bool number = (it->kind == NB_EXPECTED && !it->has_scale) || it->has_number;
+  if (scene->start.stages == 0 || !number || !(cell || box))
+    return;
+  nb_warn(
+      &scene->warnings, it->line,
+      "`%s` counts from the start of the first page; the strain of the particles since stage `%s` is `S.strain.%s`, "
+      "with `region S all from %s`",
+      name, scene->stages[scene->start.stages].name,
+      cell                         ? dot + 1
+      : strcmp(dot, ".width") == 0 ? "xx"
+                                   : "yy",
+      scene->stages[scene->start.stages].name);
+}
+
 /* Warns of expectations on a negative pressure, and on a stress other than the one that the servo of their stage
  * controls. `above` may have a negative value, as the lower bound of a magnitude. False: out of memory. */
 static bool warn_of_stresses(struct nb_page_run *run) {
@@ -205,6 +223,7 @@ static bool warn_of_stresses(struct nb_page_run *run) {
     const struct nb_expectation *it = &run->expectations.list[k];
     const struct nb_column *column = &scene->columns[it->measure.column];
     const size_t stage = it->measure.stage >= 0 ? (size_t)it->measure.stage : scene->stage_count - 1;
+    warn_of_origin(scene, it);
     if ((it->kind == NB_EXPECTED && !it->has_scale) || (it->kind == NB_LESS && it->has_number)) {
       nb_tension_warn(scene, &column->quantity, column->name, it->kind == NB_LESS ? "below" : "expected", it->number,
                       it->line);
