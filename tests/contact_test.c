@@ -53,6 +53,26 @@ static void segments_go_along_straight_lines(void) {
   CU_ASSERT(cell(&result, 3, 1) == 3e-6 && cell(&result, 3, 2) == 0.7e-6 && cell(&result, 6, 2) == -0.2e-6);
   CU_ASSERT(cell(&result, 4, 2) == 0.7e-6); /* slip is held */
   CU_ASSERT(result.cycles == 6 && result.stages[0].cycles == 3 && result.stages[2].cycles == 2);
+  double seconds = 0; /* of the processor; the segments are parts of the test */
+  for (int s = 0; s < 3; s++) {
+    CU_ASSERT(result.stages[s].seconds >= 0);
+    seconds += result.stages[s].seconds;
+  }
+  CU_ASSERT(seconds <= result.seconds + 1e-3);
+  done(&result, &it);
+}
+
+/* A segment records each step, every N steps and the last one, or none. */
+static void rows_of_segments(void) {
+  struct written it;
+  struct nb_result result;
+  run(&result, &it,
+      STEEL "segment a overlap to 3 um in 3 steps\nsegment b overlap to 4 um in 5 steps\nrecord none\n"
+            "segment c overlap to 5 um in 5 steps\nrecord every 2 steps\n");
+  static const double steps[] = {0, 1, 2, 3, 10, 12, 13};
+  CU_ASSERT_EQUAL_FATAL(result.table.row_count, 7);
+  for (size_t r = 0; r < 7; r++)
+    CU_ASSERT_EQUAL(cell(&result, r, 0), steps[r]);
   done(&result, &it);
 }
 
@@ -307,6 +327,7 @@ void suite_contact_test(void) {
   CU_pSuite suite = CU_add_suite("contact_test", NULL, NULL);
   CU_add_test(suite, "work is stored or dissipated", work_is_stored_or_dissipated);
   CU_add_test(suite, "segments go along straight lines", segments_go_along_straight_lines);
+  CU_ADD_TEST(suite, rows_of_segments);
   CU_add_test(suite, "forces are reached", forces_are_reached);
   CU_add_test(suite, "a force between a sphere and a wall", a_force_between_a_sphere_and_a_wall);
   CU_add_test(suite, "a force that cannot be reached stops the run", unreachable_forces_stop_the_run);

@@ -486,6 +486,57 @@ static void a_stress_begins_and_ends_at_once(void) {
   written_free(&it);
 }
 
+/* The members of a boundary are in the order of their angles from the x axis, counterclockwise, whatever their numbers
+ * are. Here disc n is at 30 degrees times n * stride; four discs are exactly on the axes. */
+static void members_are_counterclockwise(void) {
+  static const int strides[] = {1, 5, 7, 11};
+  static const double half = 0.5, root = 0.86602540378443865;
+  const double c[] = {1, root, half, 0, -half, -root, -1, -root, -half, 0, half, root};
+  for (size_t s = 0; s < sizeof strides / sizeof *strides; s++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page, "units none\nmaterial m density 1 kn 1\nstep 0.1\nrecord cycle\n");
+    for (int n = 0; n < 12; n++)
+      words_add(&page, "disc %.17g %.17g radius 0.1 m\n", 5 * c[n * strides[s] % 12], 5 * c[(n * strides[s] + 9) % 12]);
+    words_add(&page, "boundary circle 0 0 radius 4.9\nstage s\ncycles 1\n");
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    const struct nb_ring *ring = &model->boundary->ring;
+    CU_ASSERT_EQUAL_FATAL(ring->count, 12);
+    for (int k = 0; k < 12; k++)
+      CU_ASSERT_EQUAL((model->particles.number[ring->member[k]] - 1) * strides[s] % 12, k);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
+/* The particles of a boundary that ends can move again. They rotate unless the stage has `rotation off`. */
+static void an_ended_boundary_is_free(void) {
+  for (int off = 0; off < 2; off++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(&page,
+              "units none\nmaterial m density 2 kn 100\ndisc 5 0 radius 1 m\ndisc 0 0 radius 2 m\n"
+              "boundary circle 0 0 radius 4\nstep 0.01\nrecord cycle\nstage a\nboundary fixed\n%scycles 1\n"
+              "stage b\nboundary none\ncycles 1\n",
+              off ? "rotation off\n" : "");
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    const struct nb_particles *particles = &model->particles;
+    for (int s = 0; s < 2; s++) {
+      CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[s], &error), NB_OK);
+      for (size_t i = 0; i < 2; i++) {
+        const bool held = s == 0 && i == 0;
+        CU_ASSERT_EQUAL(particles->inverse_mass[i], held ? 0 : 1 / particles->mass[i]);
+        CU_ASSERT_EQUAL(particles->inverse_inertia[i], held || off ? 0 : 1 / particles->inertia[i]);
+      }
+    }
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 void suite_drive(void) {
   CU_pSuite suite = CU_add_suite("drive", NULL, NULL);
   CU_add_test(suite, "the boundary and a particle inside have their own gradients", each_has_its_own_gradient);
@@ -509,4 +560,6 @@ void suite_drive(void) {
   CU_add_test(suite, "contacts that do not press on the boundary", contacts_that_do_not_press_on_the_boundary);
   CU_add_test(suite, "a new boundary has its own forces", a_new_boundary_has_its_own_forces);
   CU_ADD_TEST(suite, a_stress_begins_and_ends_at_once);
+  CU_ADD_TEST(suite, members_are_counterclockwise);
+  CU_ADD_TEST(suite, an_ended_boundary_is_free);
 }

@@ -61,6 +61,9 @@ static void contact_updates_of_a_stage(void) {
   written_scene(&it, &page);
   written_run(&result, &it, NULL);
   CU_ASSERT(result.stages[0].updates == 10 && result.stages[1].updates == 3);
+  CU_ASSERT_EQUAL(result.updates, 14);                                           /* also at time 0 */
+  const double seconds[] = {result.stages[0].seconds, result.stages[1].seconds}; /* of the processor */
+  CU_ASSERT(seconds[0] >= 0 && seconds[1] >= 0 && seconds[0] + seconds[1] <= result.seconds + 1e-3);
   nb_result_free(&result);
   written_free(&it);
 }

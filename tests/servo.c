@@ -115,6 +115,17 @@ static void the_error_of_a_stress_that_is_not_symmetric(void) {
   const struct nb_tensor now = nb_boundary_stress(model);
   CU_ASSERT(now.xy * now.yx < 0 && fabs(now.xy - now.yx) > 1);
   CU_ASSERT_DOUBLE_EQUAL(nb_servo_error(model), fabs(now.xy - 0.25) / 0.25, 1e-9);
+  /* The components in the axes n and m of a servo that is rotated by 30 degrees are n s n, m s m and n s m. */
+  const struct nb_vec n = vec(cos(asin(0.5)), 0.5), m = vec(-0.5, n.x);
+  const double rotated[] = {vec_dot(n, tensor_times(now, n)), vec_dot(m, tensor_times(now, m)),
+                            vec_dot(n, tensor_times(now, m))};
+  struct nb_servo *servo = &it.scene.stages[0].servo;
+  servo->axis_x[0] = n.x, servo->axis_x[1] = n.y, servo->axis_y[0] = m.x, servo->axis_y[1] = m.y;
+  for (int k = 0; k < 3; k++) {
+    for (int other = 0; other < 3; other++)
+      servo->controlled[other] = other == k, servo->stress[other] = other == k ? 0.25 : 0;
+    CU_ASSERT_DOUBLE_EQUAL(nb_servo_error(model), fabs(rotated[k] - 0.25) / 0.25, 1e-9);
+  }
   nb_model_free(model);
   written_free(&it);
 }
@@ -490,6 +501,16 @@ static void rates_that_oppose(void) {
     struct nb_servo servo = {.axis_x = {1, 0}, .axis_y = {0, 1}, .mean = rows[k].mean};
     memcpy(servo.controlled, rows[k].controlled, sizeof servo.controlled);
     CU_ASSERT_EQUAL(nb_servo_opposes(&servo, &rows[k].rate), rows[k].opposes);
+  }
+  /* The axes of the servo are rotated by 30 degrees. An extension along one of them opposes a servo that controls this
+   * component, and no servo that controls another one. */
+  const double c = cos(asin(0.5)), s = 0.5, along[2][2] = {{c, s}, {-s, c}};
+  for (int k = 0; k < 6; k++) {
+    const double *n = along[k / 3];
+    struct nb_servo servo = {.axis_x = {c, s}, .axis_y = {-s, c}};
+    servo.controlled[k % 3] = true;
+    const struct nb_strain_rate rate = {.xx = n[0] * n[0], .xy = n[0] * n[1], .yx = n[0] * n[1], .yy = n[1] * n[1]};
+    CU_ASSERT_EQUAL(nb_servo_opposes(&servo, &rate), k / 3 == k % 3);
   }
 }
 

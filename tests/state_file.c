@@ -78,6 +78,8 @@ static void every_mistake(void) {
       {"nineball state 1", "nineball state 2", "a.state:1:1: expected `nineball state 1`"},
       {"units none", "unit none", "a.state:9:1: expected a record of this version, found `unit`"},
       {"units none", "units \033[2J\x80", "a.state:9:7: expected `si` or `none`, found `?[2J?`"},
+      {"units none", "units 1234567890123456789012345678901234567890123456789012345678901",
+       "found `123456789012345678901234567890123456789012345678901234567890`"}, /* at most 60 bytes */
       {"units none", "units ft", "a.state:9:7: expected `si` or `none`, found `ft`"},
       {"units none", "units none x", "a.state:9:12: expected the end of the line, found `x`"},
       {"gravity ", "gravity x ", "a.state:10:9: expected a number, found `x`"},

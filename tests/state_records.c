@@ -141,7 +141,25 @@ static void every_field(void) {
   }
 }
 
-/* The largest and the smallest numbers that fields accept. */
+/* Tests that the changed state has the same text after it has been read and written. */
+static void same_text(const char *text, size_t size, const char *from, const char *to, const char *by) {
+  struct nb_saved saved;
+  struct nb_error error = {NB_OK, ""};
+  size_t sealed_size, again_size;
+  char *other = malloc(size + strlen(by) + 1);
+  sprintf(other, "%.*s%s%s", (int)(from - text), text, by, to);
+  char *sealed = state_sealed(other, strlen(other) - NB_STATE_END, &sealed_size);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_read_text(&saved, "a.state", sealed, sealed_size, &error), NB_OK);
+  char *again = nb_saved_text(&saved, &again_size);
+  CU_ASSERT_EQUAL(again_size, sealed_size);
+  CU_ASSERT_STRING_EQUAL(again, sealed);
+  nb_saved_free(&saved);
+  CU_ASSERT_EQUAL(saved.program[0], 0);
+  free(again), free(sealed), free(other);
+}
+
+/* The largest and the smallest numbers, and the longest name, that fields accept. A state that has been read is written
+ * with the same text. */
 static void fields_at_their_limits(void) {
   static const struct {
     const char *page, *record, *by;
@@ -149,6 +167,10 @@ static void fields_at_their_limits(void) {
       {impact, "impact", "impact 0x0p+0"}, /* before the first contact */
       {state_plain, "law shear", "law shear mindlin 256"},
       {state_plain, "cycle", "cycle 1000000000000 1"},
+      {state_plain, "stage", "stage xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx"}, /* 63 bytes */
+      {state_plain, "material", "material m 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 inf 0x1p-1"},
+      {state_plain, "pair", "pair m m - - 0x0p+0 0x1p+0"},
+      {state_cell, "cell", "cell 0x1p+0 0x1p+0 0x1.8p+0 0x1p+1 0x1p+0 0x1p+1 0x1p+2 0x1p+3"}, /* area 1/2 */
       {state_plain, "cycle", "cycle 1000000000000 1000000000000"},
       {state_plain, "wall",
        "wall w m 0x0p+0 0x0p+0 0x1.00000004p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0"},
@@ -160,6 +182,7 @@ static void fields_at_their_limits(void) {
     if (error.status)
       printf("# %s: %s\n", rows[r].by, error.text);
     CU_ASSERT_EQUAL(error.status, NB_OK);
+    same_text(text, size, at, end, rows[r].by);
     free(text);
   }
 }
@@ -275,12 +298,24 @@ static void codings_of_an_imposed_motion(void) {
   }
 }
 
+/* The sources of an imposed motion may have any order. */
+static void sources_in_another_order(void) {
+  size_t size;
+  char *text = state_of(state_ring, &size), *end, *first = line_of(text, "carrier continuum", &end), *after;
+  line_of(text, "carrier box", &after);
+  char *by = malloc(size);
+  sprintf(by, "%.*s\n%.*s", (int)(after - end - 1), end + 1, (int)(end - first), first);
+  CU_ASSERT_EQUAL(read_changed(text, size, first, after, by).status, NB_OK);
+  free(by), free(text);
+}
+
 void suite_state_records(void) {
   CU_pSuite suite = CU_add_suite("state_records", NULL, NULL);
   CU_add_test(suite, "invalid fields are refused at their place", every_field);
   CU_add_test(suite, "fields at their limits", fields_at_their_limits);
   CU_ADD_TEST(suite, the_components_of_a_tensor_have_their_order);
   CU_ADD_TEST(suite, codings_of_an_imposed_motion);
+  CU_ADD_TEST(suite, sources_in_another_order);
   CU_add_test(suite, "missing and doubled records", every_record);
   CU_add_test(suite, "no particles, or no line end before `end`", without_particles);
   CU_add_test(suite, "largest numbers of records and of numbers", at_most);
