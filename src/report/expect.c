@@ -720,7 +720,7 @@ static bool fraction_mistake(struct nb_reader *reader, const struct nb_scene *sc
   else if (reader->count == from + 2)
     nb_append(hint, sizeof hint, " of %.80s %s in all", scale, scale_reducer(reader));
   nb_append(hint, sizeof hint, "%s [SOURCE]`%s; a line with `%s` compares with a number or with another measure",
-            less ? "" : " within 1 %", !bare && reader->count == from + 2 ? scale_note(scene, scale) : "",
+            less ? "" : " within 1 %", reader->count == from + 2 ? scale_note(scene, scale) : "",
             less ? "below" : "above");
   return nb_token_mistake(reader, number, hint, "expected a number%s or a measure, found a fraction",
                           *unit ? " with its unit," : "");
@@ -933,7 +933,7 @@ static bool offer_reducers(const struct nb_reader *reader, const struct nb_measu
       nb_append_item(words, size, word, false);
       nb_guess_offer(guess, word);
     }
-    again = again || (!stage && measure->reducer != NB_LAST && nb_token_is(reader, word));
+    again = again || (!stage && nb_token_is(reader, word));
     strcpy(before, word);
   }
   return again;
