@@ -401,7 +401,6 @@ static bool take_tolerance(struct nb_reader *reader, const struct nb_scene *scen
   if (!(fraction ? take_fraction(reader, scene, unit, tolerance)
                  : nb_take_tolerance(reader, unit, !zero, &tolerance->value)))
     return false;
-  tolerance->text[0] = 0;
   for (size_t k = from; k < reader->next; k++)
     nb_append(tolerance->text, sizeof tolerance->text, "%s%s", k > from ? " " : "", reader->tokens[k].text);
   return tolerance->value >= 0 || nb_token_mistake(reader, &reader->tokens[from], NULL,
@@ -1054,7 +1053,6 @@ static void apply_reference(struct nb_reader *reader, const struct nb_record *re
   char hint[NB_HINT_SIZE];
   struct nb_guess guess = nb_guess_begin(token->text);
   reading->expectations->reference = nb_reference_find(token->text);
-  reading->expectations->reference_line = (int)reader->line;
   if (reading->expectations->reference)
     return;
   for (const struct nb_reference *const *reference = nb_references(); *reference; reference++)

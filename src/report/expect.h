@@ -68,8 +68,7 @@ struct nb_expectation {
 
 struct nb_expectations {
   const struct nb_reference *reference; /* NULL: none */
-  int reference_line;
-  struct nb_expectation *list; /* owned */
+  struct nb_expectation *list;          /* owned */
   size_t count;
 };
 
