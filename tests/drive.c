@@ -510,6 +510,26 @@ static void members_are_counterclockwise(void) {
   }
 }
 
+/* Members at the same angle are in the order of their numbers. */
+static void members_at_the_same_angle(void) {
+  for (int outer = 1; outer <= 2; outer++) { /* the number of the outer one of two discs */
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 1\nstep 0.1\nrecord cycle\ndisc 0 %d radius 0.1 m\ndisc 0 %d radius "
+              "0.1 m\nboundary circle 0 0 radius 4\nstage s\ncycles 1\n",
+              outer == 1 ? 6 : 5, outer == 2 ? 6 : 5);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    const struct nb_ring *ring = &model->boundary->ring;
+    CU_ASSERT_EQUAL_FATAL(ring->count, 2);
+    for (int k = 0; k < 2; k++)
+      CU_ASSERT_EQUAL(model->particles.number[ring->member[k]], k + 1);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 /* The particles of a boundary that ends can move again. They rotate unless the stage has `rotation off`. */
 static void an_ended_boundary_is_free(void) {
   for (int off = 0; off < 2; off++) {
@@ -561,5 +581,6 @@ void suite_drive(void) {
   CU_add_test(suite, "a new boundary has its own forces", a_new_boundary_has_its_own_forces);
   CU_ADD_TEST(suite, a_stress_begins_and_ends_at_once);
   CU_ADD_TEST(suite, members_are_counterclockwise);
+  CU_ADD_TEST(suite, members_at_the_same_angle);
   CU_ADD_TEST(suite, an_ended_boundary_is_free);
 }

@@ -514,34 +514,36 @@ static void rates_that_oppose(void) {
   }
 }
 
-/* A condition names the first controlled component whose target is not 0, with nine tenths of the target. */
+/* A condition names each controlled component whose target is not 0, or the mean, with 0.99 of the target. */
 static void conditions_near_the_target(void) {
   static const struct {
-    const char *servo, *condition; /* NULL: no component has a target other than 0 */
-  } rows[] = {{"xx 8 yy 20", "stress.xx above 7.2"},
-              {"xx 0 yy 20", "stress.yy above 18"},
-              {"yy 20", "stress.yy above 18"},
-              {"xx 0 yy 0 xy 10", "stress.xy above 9"},
-              {"xy -10", "stress.xy below -9"},
-              {"isotropic -20", "stress.xx below -18"},
-              {"xx 0", NULL},
-              {"isotropic 0", NULL}};
+    const char *servo, *conditions[2]; /* NULL: there is none */
+  } rows[] = {{"xx 8 yy 20", {"stress.xx above 7.92", "stress.yy above 19.8"}},
+              {"xx 0 yy 20", {"stress.yy above 19.8", NULL}},
+              {"yy 20", {"stress.yy above 19.8", NULL}},
+              {"xx 0 yy 0 xy 10", {"stress.xy above 9.9", NULL}},
+              {"yy 5 xy -10", {"stress.yy above 4.95", "stress.xy below -9.9"}},
+              {"isotropic -20", {"stress.xx below -19.8", "stress.yy below -19.8"}},
+              {"mean 20", {"stress.mean above 19.8", NULL}},
+              {"xx 0", {NULL, NULL}},
+              {"isotropic 0", {NULL, NULL}}};
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
     for (int region = 0; region < 2; region++) {
       struct words page = {0};
       struct written it;
-      char text[64] = "none", wanted[64];
+      const char *const place = region ? "A" : "boundary";
       words_add(&page,
                 RING "region A circle 0 0 radius 2\nstage s\nservo %s on %s through boundary at most 1e-4 per cycle\n"
                      "cycles 1\n",
-                rows[k].servo, region ? "A" : "boundary");
+                rows[k].servo, place);
       written_scene(&it, &page);
-      const struct nb_servo *servo = &it.scene.stages[0].servo;
-      CU_ASSERT_EQUAL(nb_servo_condition(text, sizeof text, &it.scene, servo, true), rows[k].condition != NULL);
-      snprintf(wanted, sizeof wanted, "%s.%s", region ? "A" : "boundary", rows[k].condition ? rows[k].condition : "");
-      CU_ASSERT_STRING_EQUAL(text, rows[k].condition ? wanted : "none");
-      if (nb_servo_condition(text, sizeof text, &it.scene, servo, false)) {
-        strcat(wanted, " Pa");
+      for (int unitless = 0; unitless < 2; unitless++) {
+        char text[128] = "none", wanted[128] = "";
+        for (int c = 0; c < 2 && rows[k].conditions[c]; c++)
+          sprintf(wanted + strlen(wanted), "%s%s.%s%s", c ? " and " : "", place, rows[k].conditions[c],
+                  unitless ? "" : " Pa");
+        CU_ASSERT_EQUAL(nb_servo_condition(text, sizeof text, &it.scene, &it.scene.stages[0].servo, unitless),
+                        rows[k].conditions[0] != NULL);
         CU_ASSERT_STRING_EQUAL(text, wanted);
       }
       written_free(&it);

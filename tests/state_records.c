@@ -68,7 +68,7 @@ static const struct {
     {'m', {"", "x", "inf", "-inf", "nan", "-0x1p+0"}},                /* 0 or more, or `-` for none */
     {'y', {"", "x", "-", "-inf", "nan", "-0x1p+0"}},                  /* Young's modulus: 0 or more, or infinite */
     {'v', {"", "x", "-", "inf", "nan", "-0x1p+0", "0x1.00001p-1"}},   /* Poisson's ratio */
-    {'u', {"", "x", "-", "inf", "nan", "0x1.0000001p+0"}},            /* a component of a unit vector */
+    {'u', {"", "x", "-", "inf", "nan", "0x1.000000044c0fbp+0"}},      /* a component of a unit vector: 1 + 1.0005e-9 */
     {'c', {"", "x", "-", "-1", "+1", "1x", "1000000000001", "99999999999999999999"}},   /* a whole number */
     {'o', {"", "x", "-", "-1", "+1", "1x", "0", "1000000000001"}},                      /* a number of cycles */
     {'k', {"", "x", "-", "-1", "+1", "1x", "0", "4000000000", "99999999999999999999"}}, /* from 1 on */
@@ -173,7 +173,8 @@ static void fields_at_their_limits(void) {
       {state_cell, "cell", "cell 0x1p+0 0x1p+0 0x1.8p+0 0x1p+1 0x1p+0 0x1p+1 0x1p+2 0x1p+3"}, /* area 1/2 */
       {state_plain, "cycle", "cycle 1000000000000 1000000000000"},
       {state_plain, "wall",
-       "wall w m 0x0p+0 0x0p+0 0x1.00000004p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0"},
+       "wall w m 0x0p+0 0x0p+0 0x1.000000044af64p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 "
+       "0x0p+0"},
   };
   for (size_t r = 0; r < sizeof rows / sizeof *rows; r++) {
     size_t size;

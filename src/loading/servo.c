@@ -98,7 +98,7 @@ bool nb_servo_opposes(const struct nb_servo *servo, const struct nb_strain_rate 
 
 double nb_servo_error(const struct nb_model *model) {
   const struct nb_servo *servo = &model->stage->servo;
-  const double target = tensor_largest(tensor(servo->stress[0], servo->stress[2], servo->stress[2], servo->stress[1]));
+  const double *s = servo->stress, target = fmax(fmax(fabs(s[0]), fabs(s[1])), fabs(s[2]));
   return target > 0 ? tensor_largest(stress_error(model, servo, 1)) / target : 0;
 }
 
@@ -109,7 +109,7 @@ bool nb_servo_condition(char *text, size_t size, const struct nb_scene *scene, c
   *text = '\0';
   for (int k = 0; k < (servo->mean ? 1 : 3); k++) {
     const struct nb_quantity stress = servo->quantity[part[k]];
-    if (!servo->controlled[k] || servo->stress[k] == 0)
+    if (servo->stress[k] == 0) /* as of components that are not controlled */
       continue;
     nb_append(text, size, "%s%s%s%s.%s %s %g%s", *text ? " and " : "",
               stress.monitor < 0 ? "" : scene->monitors[stress.monitor].name, stress.monitor < 0 ? "" : ".",
