@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "../src/measure/energy.h"
+#include "run/plan.h"
 #include "suites.h"
 #include "written.h"
 
@@ -266,6 +267,40 @@ static void by_dashpots(void) {
   }
 }
 
+/* In a kick the kinetic energy of a free particle changes from K- to K+ by the work of gravity minus the energy that
+ * mass-proportional damping takes, exactly. At t_N half of the kick counts, so from one step to the next
+ * gravity - damped changes by as much as (K- + K+)/2. Kicks whose halves differ are left out: the first one of each stage. */
+static void by_damping_of_all_particles(void) {
+  static const char *const dampings[] = {"damping mass 0.7\n", "damping con1 0.99 as cs79\n",
+                                         "damping con1 0.98 as velocity\n", "damping con1 0.97 as all\n", ""};
+  for (size_t n = 0; n < sizeof dampings / sizeof *dampings; n++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(&page,
+              "units none\nmaterial m density 3\ndisc 0 0 radius 1 m velocity 3 4 spin 2\nsphere 9 9 radius 0.5 m "
+              "velocity -1 2 spin -5\ngravity 0.3 -0.4\n%sstep 0.01\nrecord energy.damped energy.gravity\nstage a\n"
+              "cycles 5\nstage b\nstep 0.03\ncycles 5\n",
+              dampings[n]);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    double before = 0, last = 0, mean = 0;
+    for (int k = 0; k < 10; k++) {
+      if (k % 5 == 0)
+        CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[k / 5], &error), NB_OK);
+      const double supplied = written_now(model, "energy.gravity") - written_now(model, "energy.damped");
+      written_cycles(model, 1);
+      const double after = nb_energy_kinetic_half(model);
+      if (k % 5 > 1)
+        CU_ASSERT_DOUBLE_EQUAL(supplied - last, (before + after) / 2 - mean, 1e-11);
+      mean = (before + after) / 2, before = after, last = supplied;
+    }
+    CU_ASSERT((written_now(model, "energy.damped") > 1) == (*dampings[n] != 0));
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 /* A shear law without stored energy is refused if the page records a quantity that needs it. `energy.residual` does not
  * need it: with such a law it uses the work of the shear forces, `energy.shear`, instead. */
 static void a_law_without_stored_energy(void) {
@@ -450,6 +485,7 @@ void suite_energy(void) {
   CU_add_test(suite, "supplied by walls, and stored", by_walls_and_stored);
   CU_add_test(suite, "dissipated by friction", by_friction);
   CU_ADD_TEST(suite, by_dashpots);
+  CU_ADD_TEST(suite, by_damping_of_all_particles);
   CU_add_test(suite, "a law without stored energy", a_law_without_stored_energy);
   CU_add_test(suite, "a law without stored energy in a later stage", a_law_without_stored_energy_later);
   CU_add_test(suite, "a normal law without stored energy", a_normal_law_without_stored_energy);

@@ -9,6 +9,7 @@
 #include "../src/measure/step.h"
 #include "chance.h"
 #include "limit.h"
+#include "run/plan.h"
 #include "suites.h"
 #include "written.h"
 
@@ -342,6 +343,26 @@ static void discs_apart_count_as_they_touch(void) {
   }
 }
 
+/* With Hertz's law in increments the stiffness follows from the force that the contact keeps, not from the overlap:
+ * k = (6 F E*^2 R*)^(1/3). After ten steps of an impact F is some per cent below the force of Hertz's law. */
+static void the_kept_force_counts(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  words_add(&page, "units none\nmaterial m density 0.238732414637843 young 1 poisson 0\nnormal hertz_increment\n"
+                   "sphere 0 0 radius 1 m velocity 0.01 0\nsphere 2 0 radius 1 m\nmonitor C sphere 1 with sphere 2\n"
+                   "step 0.2\nrecord C.normal C.overlap step.stable\nstage s\ncycles 9\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  written_cycles(model, 10);
+  const double force = written_now(model, "C.normal"), overlap = written_now(model, "C.overlap");
+  CU_ASSERT(force < 0.98 * 4. / 3 * 0.5 * sqrt(0.5) * pow(overlap, 1.5));
+  NEAR(written_now(model, "step.stable"), 2 / sqrt(2 * cbrt(6 * force * 0.25 * 0.5)), 1e-12); /* both masses are 1 */
+  nb_model_free(model);
+  written_free(&it);
+}
+
 void suite_stable(void) {
   CU_pSuite suite = CU_add_suite("stable", NULL, NULL);
   CU_add_test(suite, "lattices equal closed forms", lattices_equal_closed_forms);
@@ -350,6 +371,7 @@ void suite_stable(void) {
   CU_add_test(suite, "the limit of a damped pair equals its formula", damping_has_its_formula);
   CU_ADD_TEST(suite, walls_have_their_own_damping);
   CU_add_test(suite, "random networks stay below the limit", random_networks_stay_below_the_limit);
+  CU_ADD_TEST(suite, the_kept_force_counts);
   CU_add_test(suite, "stiffer unloading counts", stiffer_unloading_counts);
   CU_add_test(suite, "discs apart count as they touch", discs_apart_count_as_they_touch);
   CU_add_test(suite, "the largest step over the stable one is kept", largest_ratio_is_kept);

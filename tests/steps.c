@@ -170,6 +170,21 @@ static void duration_of_collisions(void) {
   NEAR(step_of(SPHERES "sphere 1.1 5 radius 1 m velocity 0 -0.2\nwall w -9 0 to 0 0 r\nwall v -9 9 to 9 9 r\n"
                        "sphere 5 8.2 radius 0.1 m velocity 0 0.001\nstep 1 of collision\n"),
        hertz(1, 0.1, 0.001, 0.001), 1e-14);
+  /* of the ends of a wall that is nearly parallel to the path, the one that is touched first counts: the distances of the
+   * path from the ends are 0.5 and 0.8 */
+  static const char *const nearly_parallel[] = {"0 0.5 to 9 0.8", "9 0.8 to 0 0.5"};
+  for (int k = 0; k < 2; k++) {
+    char statements[500];
+    snprintf(statements, sizeof statements,
+             SPHERES "sphere -20 0 radius 1 m velocity 0.2 0\nwall w %s r\nstep 1 of collision\n", nearly_parallel[k]);
+    NEAR(step_of(statements), hertz(1, 1, 1, 0.2 * sqrt(0.75)), 1e-14);
+  }
+  /* a path at the distance of the radius does not touch, one that is nearer by a millionth does: v^2 = w^2 (1 - d^2) */
+  NEAR(step_of(SPHERES "sphere -20 0 radius 1 m velocity 0.5 0\nwall w 0 1 to 0 9 r\nsphere -20 90 radius 1 m velocity "
+                       "1e-3 0\nsphere 9 90 radius 1 m\nstep 1 of collision\n"),
+       hertz(0.5, 0.5, 0.5, 1e-3), 1e-14);
+  NEAR(step_of(SPHERES "sphere -20 0 radius 1 m velocity 0.5 0\nwall w 0 0.999999 to 0 9 r\nstep 1 of collision\n"),
+       hertz(1, 1, 1, 0.5 * sqrt(1 - 0.999999 * 0.999999)), 1e-9);
   /* oblique: the speed along the line of centres at first touch counts, in both orders of the spheres; the third sphere
    * hits none */
   NEAR(step_of(SPHERES "sphere 0 0 radius 1 m velocity 0.3 0\nsphere 5 0.8 radius 1 m\nstep 1 of collision\n"),
@@ -251,6 +266,26 @@ static void walls_of_the_first_stage(void) {
   }
 }
 
+/* A stage that removes a particle predicts collisions without it, whether it approached others or others approached it. */
+static void removed_particles_do_not_collide(void) {
+  for (int removed = 1; removed <= 3; removed++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              SPHERES "sphere 0 0 radius 1 m velocity 1 0\nsphere 6 0 radius 1 m\nsphere 12 0 radius 1 m velocity -0.5 "
+                      "0\nstep 1e-9\nrecord step\nstage a\ncycles 1\nstage b\n"
+                      "remove sphere %d\nstep 20 per collision\ncycles 1\n",
+              removed);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    static const double speeds[] = {0.5, 1.5, 1};
+    NEAR(written_last(&result, "step"), hertz(0.5, 0.5, 0.5, speeds[removed - 1]) / 20, 1e-9);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
 /* The limits of a later stage use the velocities that the walls have in this stage: velocities that the stage gives,
  * and velocities that walls keep from the previous stage. */
 static void walls_of_a_later_stage(void) {
@@ -311,6 +346,10 @@ static void steps_that_spheres_do_not_have(void) {
        "because their stiffness increases with the load: write `step 0.2 of rayleigh`, or with approaching pairs `step "
        "200",
        8},
+      {"sphere 0 3 radius 1 m velocity 0 -1 fixed\nwall w -9 0 to 9 0 r\nstep 9 per collision\n", "no pair approaches",
+       9},
+      {"sphere 0 3 radius 1 m velocity 0 -1 fixed\nsphere 0 0 radius 1 m fixed\nstep 9 per collision\n",
+       "no pair approaches", 9},
       {"cell 0 0 to 9 9\nsphere 0 3 radius 1 m velocity 0 1\nsphere 0 6 radius 1 m\nstep 9 per collision\n",
        "not predicted in a periodic cell: write a time, or `step 0.2 of rayleigh`", 10},
       {"sphere 0 3 radius 1 r\nstep 0.1 of rayleigh\n", "there are no waves: write a time, or `step 0.2 of stable`", 8},
@@ -520,6 +559,7 @@ static void the_check_changes_no_bit(void) {
 void suite_steps(void) {
   CU_pSuite suite = CU_add_suite("steps", NULL, NULL);
   CU_ADD_TEST(suite, the_lightest_particles);
+  CU_ADD_TEST(suite, removed_particles_do_not_collide);
   CU_ADD_TEST(suite, the_single_contact_step);
   CU_add_test(suite, "a step relative to a limit", a_step_relative_to_a_limit);
   CU_add_test(suite, "duration of collisions of elastic spheres", duration_of_collisions);
