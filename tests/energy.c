@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../src/measure/energy.h"
+#include "../src/measure/balance.h"
 #include "run/plan.h"
 #include "suites.h"
 #include "written.h"
@@ -160,10 +160,12 @@ static void rounding_errors_belong_to_the_sums(void) {
   struct written it;
   struct nb_model *model =
       made(&it, "units none\nmaterial m density 3\ndisc 0 0 radius 1 m\nstep 0.01\nrecord energy.friction "
-                "energy.walls energy.residual\nstage s\ncycles 9\n");
+                "energy.walls energy.residual work.residual\nstage s\ncycles 9\n");
   model->terms[NB_TERM_FRICTIONAL] = (struct nb_sum){8, 0.25};
   CU_ASSERT_EQUAL(written_now(model, "energy.friction"), 8.25);
   CU_ASSERT_EQUAL(written_now(model, "energy.residual"), 8.25);
+  model->balance->work = (struct nb_sum){8, 0.25};
+  CU_ASSERT_EQUAL(written_now(model, "work.residual"), -8.25); /* K - K_0 minus the work */
   model->terms[NB_TERM_WALLS] = (struct nb_sum){2, -0.125};
   CU_ASSERT_EQUAL(written_now(model, "energy.walls"), 1.875);
   CU_ASSERT_EQUAL(written_now(model, "energy.residual"), 6.375);
@@ -236,35 +238,69 @@ static void by_friction(void) {
 }
 
 /* Heavy particles keep their velocities, so a dashpot with the coefficients beta k_n and beta k_s takes
- * beta (k_n v_n^2 + k_s v_s^2) per second. v_n and v_s are the components of the velocity of the first surface relative to
- * the second one at the contact; v_s contains R w of both particles, and the velocity of a wall that rotates about P. The
- * displacements are of the order of 1e-7. */
+ * beta (k_n v_n^2 + k_s v_s^2) per second. v_n and v_s are the components along e and t of the velocity of the first surface
+ * relative to the second one; a surface speed contains R w, and a wall rotates about P. A wall or a fixed particle whose surface
+ * has the velocity V supplies -(N e + T t).V, where N = k_n 0.1 + beta k_n v_n and T = beta k_s v_s. The displacements are of the
+ * order of 1e-7, and the shear force of the spring is as large as that of the dashpot if beta is 1e-7. */
 static void by_dashpots(void) {
   static const struct {
     const char *partner;
-    double normal, tangential;
-  } rows[] = {{"disc 2.9 0 radius 2 m velocity -0.4 0.3 spin 0.25", 0.7 + 0.4, -(0.2 - 0.3) - 0.5 - 0.25 * 2},
-              {"disc 2.9 0 radius 2 m velocity -0.4 0.3 spin 0.25 fixed", 0.7 + 0.4, -(0.2 - 0.3) - 0.5 - 0.25 * 2},
-              {"wall w 0.9 -9 to 0.9 9 m velocity -0.1 0.6", 0.7 + 0.1, -(0.2 - 0.6) - 0.5},
-              {"wall w 0.9 -9 to 0.9 9 m velocity -0.1 0.6 spin 0.8 about -2.1 1", 0.7 + 0.1 - 0.8,
-               -(0.2 - 0.6 - 0.8 * 3) - 0.5}};
-  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    bool supplies;
+    double vx, vy; /* of its surface at the contact */
+  } rows[] = {{"disc 3.4 0 radius 2 m velocity -0.4 0.3 spin 0.25", false, -0.4, 0.3 - 0.5},
+              {"disc 3.4 0 radius 2 m velocity -0.4 0.3 spin 0.25 fixed", true, -0.4, 0.3 - 0.5},
+              {"wall w 1.4 -9 to 1.4 9 m velocity -0.1 0.6", true, -0.1, 0.6},
+              {"wall w 1.4 -9 to 1.4 9 m velocity -0.1 0.6 spin 0.4 about -1.6 1", true, -0.1 + 0.4, 0.6 + 1.2}};
+  static const double betas[] = {5, 1e-7};
+  for (size_t k = 0; k < 2 * sizeof rows / sizeof *rows; k++) {
+    const size_t r = k / 2;
+    const double beta = betas[k % 2], vn = 0.7 - rows[r].vx, vs = -(0.2 + 1.5 * 0.5 - rows[r].vy); /* t is (0, -1) */
     struct words page = {0};
     struct written it;
-    words_add(&page,
-              "units none\nmaterial m density 1e12 kn 4 ks 3 friction 1e9\nshear linear\ndamping stiffness 5\n"
-              "disc 0 0 radius 1 m velocity 0.7 0.2 spin 0.5\n%s\nstep 1e-8\nrecord energy.damped\nstage s\ncycles 9\n",
-              rows[k].partner);
+    words_add(
+        &page,
+        "units none\n%smaterial m density 1e12 kn 4 ks 3 friction 1e9\nshear linear\ndamping stiffness %g\n"
+        "disc 0 0 radius 1.5 m velocity 0.7 0.2 spin 0.5\n%s\nstep 1e-8\nrecord energy.damped energy.walls\nstage s\n"
+        "cycles 9\n",
+        k / 2 % 2 ? "transform rotate 0.6\n" : "", beta, rows[r].partner);
     written_scene(&it, &page);
     struct nb_model *model = written_model(&it, NULL);
     written_cycles(model, 2);
-    const double before = written_now(model, "energy.damped");
+    const double damped = written_now(model, "energy.damped"), walls = written_now(model, "energy.walls");
     written_cycles(model, 8);
-    const double power = 5 * (4 * rows[k].normal * rows[k].normal + 3 * rows[k].tangential * rows[k].tangential);
-    NEAR(written_now(model, "energy.damped") - before, 8e-8 * power, 1e-6);
+    NEAR(written_now(model, "energy.damped") - damped, 8e-8 * beta * (4 * vn * vn + 3 * vs * vs), 1e-6);
+    const double power = -((0.4 + beta * 4 * vn) * rows[r].vx - beta * 3 * vs * rows[r].vy);
+    if (beta > 1)
+      CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.walls") - walls, rows[r].supplies ? 8e-8 * power : 0, 1e-13);
     nb_model_free(model);
     written_free(&it);
   }
+}
+
+/* Gravity with an imposed motion: the work of gravity is m g times the displacement, which contains the imposed one. The
+ * imposed motion supplies minus the work of gravity along it, so the kinetic energy of the particle's own velocity changes by
+ * the sum. */
+static void by_gravity_and_imposed_motion(void) {
+  struct written it;
+  struct nb_error error;
+  struct nb_model *model =
+      made(&it, "units none\nmaterial m density 3\ndisc 3 5 radius 1 m velocity 1 2\ndisc 50 60 radius 1 m fixed\n"
+                "gravity 0.5 -10\nstep 0.01\nmonitor A disc 1\nrecord A.x A.y energy.gravity "
+                "energy.kinetic energy.imposed work.residual\nstage s\n"
+                "affine strain 0.2 -0.3 c12 0.1 c21 0.4\ncycles 9\n");
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  const double start = written_now(model, "energy.kinetic");
+  for (int n = 0; n < 50; n++) {
+    written_cycles(model, 1);
+    const double supplied = written_now(model, "energy.gravity"), imposed = written_now(model, "energy.imposed");
+    CU_ASSERT_DOUBLE_EQUAL(
+        supplied, 3 * pi * (0.5 * (written_now(model, "A.x") - 3) - 10 * (written_now(model, "A.y") - 5)), 1e-10);
+    CU_ASSERT(fabs(imposed) > 0.01);
+    CU_ASSERT_DOUBLE_EQUAL(supplied + imposed, written_now(model, "energy.kinetic") - start, 1e-10);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "work.residual"), 0, 1e-10);
+  }
+  nb_model_free(model);
+  written_free(&it);
 }
 
 /* In a kick the kinetic energy of a free particle changes from K- to K+ by the work of gravity minus the energy that
@@ -273,29 +309,64 @@ static void by_dashpots(void) {
 static void by_damping_of_all_particles(void) {
   static const char *const dampings[] = {"damping mass 0.7\n", "damping con1 0.99 as cs79\n",
                                          "damping con1 0.98 as velocity\n", "damping con1 0.97 as all\n", ""};
-  for (size_t n = 0; n < sizeof dampings / sizeof *dampings; n++) {
+  static const char *const loadings[] = {"", "affine strain 0.1 -0.2 c12 0.3 accumulated\n",
+                                         "boundary stress 5 3 shear 1\n"};
+  for (size_t n = 0; n < 3 * sizeof dampings / sizeof *dampings; n++) {
     struct words page = {0};
     struct written it;
     struct nb_error error;
+    const char *damping = dampings[n / 3], *loading = loadings[n % 3];
     words_add(&page,
-              "units none\nmaterial m density 3\ndisc 0 0 radius 1 m velocity 3 4 spin 2\nsphere 9 9 radius 0.5 m "
-              "velocity -1 2 spin -5\ngravity 0.3 -0.4\n%sstep 0.01\nrecord energy.damped energy.gravity\nstage a\n"
-              "cycles 5\nstage b\nstep 0.03\ncycles 5\n",
-              dampings[n]);
+              "units none\nmaterial m density 3\ndisc 5 0 radius 1 m velocity 3 4 spin 2\nsphere 0 5 radius 0.5 m "
+              "velocity -1 2 spin -5\ndisc -5 1 radius 1 m\ndisc 0 -5 radius 1 m\ngravity 0.3 -0.4\n%s%sstep 0.01\n"
+              "record energy.damped energy.gravity energy.imposed\nstage a\n%scycles 5\nstage b\nstep 0.03\ncycles 5\n",
+              n % 3 == 2 ? "boundary circle 0 0 radius 5\n" : "", damping, loading);
     written_scene(&it, &page);
     struct nb_model *model = written_model(&it, NULL);
     double before = 0, last = 0, mean = 0;
     for (int k = 0; k < 10; k++) {
       if (k % 5 == 0)
         CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[k / 5], &error), NB_OK);
-      const double supplied = written_now(model, "energy.gravity") - written_now(model, "energy.damped");
+      const double supplied = written_now(model, "energy.gravity") + written_now(model, "energy.imposed") -
+                              written_now(model, "energy.damped");
       written_cycles(model, 1);
       const double after = nb_energy_kinetic_half(model);
       if (k % 5 > 1)
         CU_ASSERT_DOUBLE_EQUAL(supplied - last, (before + after) / 2 - mean, 1e-11);
       mean = (before + after) / 2, before = after, last = supplied;
     }
-    CU_ASSERT((written_now(model, "energy.damped") > 1) == (*dampings[n] != 0));
+    CU_ASSERT((written_now(model, "energy.damped") > 1e-3) == (*damping != 0));
+    CU_ASSERT((fabs(written_now(model, "energy.imposed")) > 0.1) == (*loading != 0));
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
+/* Two heavy discs overlap by 0.2 in a cell that deforms: the imposed motion supplies f.(L l) per second, where f is the force
+ * on the first disc and l the vector to the image of the second disc that it touches. The contact is inside the cell, or across
+ * one or two of its sides. The displacements are of the order of 1e-7. */
+static void by_a_cell(void) {
+  static const double places[][4] = {{5, 5, 6.44, 6.08}, {9, 5, 0.44, 6.08}, {5, 1, 6.44, 7.92},
+                                     {9, 9, 0.44, 0.08}, {1, 5, 9.56, 3.92}, {1, 1, 9.56, 7.92}};
+  for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(&page,
+              "units none\nmaterial m density 1e12 kn 4\ncell 0 0 to 10 %d\ndisc %.17g %.17g radius 1 m\n"
+              "disc %.17g %.17g radius 1 m\nstep 1e-8\nrecord energy.imposed\nstage s\n"
+              "cell strain 0.2 -0.3 c12 0.7 c21 0.1\ncycles 20\n",
+              k == 2 || k == 5 ? 8 : 10, places[k][0], places[k][1], places[k][2], places[k][3]);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+    written_cycles(model, 2);
+    const double before = written_now(model, "energy.imposed");
+    written_cycles(model, 8);
+    const double lx = k == 4 || k == 5 ? -1.44 : 1.44, ly = k == 2 || k >= 4 ? -1.08 : 1.08; /* |l| is 1.8 */
+    const double force = 4 * 0.2 / 1.8;                                                      /* f = -force l */
+    const double power = -force * (lx * (0.2 * lx + 0.7 * ly) + ly * (0.1 * lx - 0.3 * ly));
+    NEAR(written_now(model, "energy.imposed") - before, 8e-8 * power, 1e-6);
     nb_model_free(model);
     written_free(&it);
   }
@@ -485,7 +556,9 @@ void suite_energy(void) {
   CU_add_test(suite, "supplied by walls, and stored", by_walls_and_stored);
   CU_add_test(suite, "dissipated by friction", by_friction);
   CU_ADD_TEST(suite, by_dashpots);
+  CU_ADD_TEST(suite, by_gravity_and_imposed_motion);
   CU_ADD_TEST(suite, by_damping_of_all_particles);
+  CU_ADD_TEST(suite, by_a_cell);
   CU_add_test(suite, "a law without stored energy", a_law_without_stored_energy);
   CU_add_test(suite, "a law without stored energy in a later stage", a_law_without_stored_energy_later);
   CU_add_test(suite, "a normal law without stored energy", a_normal_law_without_stored_energy);
