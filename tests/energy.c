@@ -319,7 +319,8 @@ static void by_damping_of_all_particles(void) {
     words_add(&page,
               "units none\nmaterial m density 3\ndisc 5 0 radius 1 m velocity 3 4 spin 2\nsphere 0 5 radius 0.5 m "
               "velocity -1 2 spin -5\ndisc -5 1 radius 1 m\ndisc 0 -5 radius 1 m\ngravity 0.3 -0.4\n%s%sstep 0.01\n"
-              "record energy.damped energy.gravity energy.imposed\nstage a\n%scycles 5\nstage b\nstep 0.03\ncycles 5\n",
+              "record energy.damped energy.gravity energy.imposed work.residual\nstage a\n%scycles 5\nstage b\nstep "
+              "0.03\ncycles 5\n",
               n % 3 == 2 ? "boundary circle 0 0 radius 5\n" : "", damping, loading);
     written_scene(&it, &page);
     struct nb_model *model = written_model(&it, NULL);
@@ -333,6 +334,7 @@ static void by_damping_of_all_particles(void) {
       const double after = nb_energy_kinetic_half(model);
       if (k % 5 > 1)
         CU_ASSERT_DOUBLE_EQUAL(supplied - last, (before + after) / 2 - mean, 1e-11);
+      CU_ASSERT_DOUBLE_EQUAL(written_now(model, "work.residual"), 0, 1e-11);
       mean = (before + after) / 2, before = after, last = supplied;
     }
     CU_ASSERT((written_now(model, "energy.damped") > 1e-3) == (*damping != 0));
