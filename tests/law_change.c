@@ -6,6 +6,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
+#include <math.h>
 
 #include "suites.h"
 #include "written.h"
@@ -32,6 +33,42 @@ static void the_force_jumps_and_the_energy_is_counted(void) {
       CU_ASSERT_DOUBLE_EQUAL(result.table.values[row * result.table.column_count + k], wanted[row][k], 1e-12);
   nb_result_free(&result);
   written_free(&it);
+}
+
+/* A new shear law begins without displacement. The spring energy F_s^2/(2 k_s) of the old law is lost, and in the first half of
+ * the step the old force F_s still does the work F_s ds/2, which the new law does not store. `shear mindlin` has no stored
+ * energy, so its work counts in `energy.shear` alone. A wall slides past a sphere that is too heavy to move: ds = 0.5 0.001. */
+static void a_new_shear_law_begins_without_displacement(void) {
+  static const char *const laws[][2] = {{"linear", "mindlin"}, {"mindlin", "linear"}};
+  for (int k = 0; k < 2; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              "units none\nmaterial m density 1e30 kn 1 young 1000 poisson 0.25 friction 1e6 ks 200\nnormal hertz\n"
+              "shear %s\nsphere 0 0.5 radius 1 m\nwall w -9 0 to 9 0 m velocity 0.5 0\nmonitor C sphere 1 with wall w\n"
+              "step 0.001\nrecord C.shear energy.shear energy.changed energy.residual\n"
+              "stage a\ncycles 4\nstage b\nshear %s\ncycles 3\n",
+              laws[k][0], laws[k][1]);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    const struct nb_table *table = &result.table;
+    CU_ASSERT_EQUAL_FATAL(table->row_count, 8);
+    const double ds = 0.5 * 0.001, before = fabs(written_cell(table, 4, "C.shear"));
+    CU_ASSERT(before > 0.1);
+    if (k == 0)
+      CU_ASSERT_DOUBLE_EQUAL(before, 200 * 4 * ds, 1e-12);
+    for (size_t row = 1; row < 8; row++) {
+      const double old = fabs(written_cell(table, row - 1, "C.shear")), now = fabs(written_cell(table, row, "C.shear"));
+      CU_ASSERT_DOUBLE_EQUAL(written_cell(table, row, "energy.shear") - written_cell(table, row - 1, "energy.shear"),
+                             (old + now) / 2 * ds, 1e-13);
+      CU_ASSERT_DOUBLE_EQUAL(written_cell(table, row, "energy.changed"),
+                             k == 0 && row > 4 ? -before * before / 400 - before * ds / 2 : 0, 1e-13);
+      CU_ASSERT_DOUBLE_EQUAL(written_cell(table, row, "energy.residual"), 0, 1e-12);
+    }
+    nb_result_free(&result);
+    written_free(&it);
+  }
 }
 
 /* A normal law that sums increments gets the normal increment from the geometry pass, even if no shear law and no
@@ -97,6 +134,7 @@ static void another_law_has_no_history(void) {
 
 void suite_law_change(void) {
   CU_pSuite suite = CU_add_suite("law_change", NULL, NULL);
+  CU_ADD_TEST(suite, a_new_shear_law_begins_without_displacement);
   CU_add_test(suite, "force of the new law, difference of the stored energies",
               the_force_jumps_and_the_energy_is_counted);
   CU_add_test(suite, "increments without a shear law", increments_without_a_shear_law);
