@@ -503,6 +503,147 @@ static void strain_rates_against_a_servo(void) {
   }
 }
 
+/* A condition on a strain whose sign is the opposite of that of the strain rate causes a warning. The rate is the sum of
+ * all imposed strain rates except those that a servo changes. Without one it is the motion of the walls towards the mean
+ * position of the particles (compression) or away from it: here x = 2, y = 20. In the condition `$` is a strain of
+ * 0.25. */
+static void conditions_on_strains_of_the_other_sign(void) {
+  static const char flat[] = "wall w -9 21 to 9 21 m", under[] = "wall w -9 19 to 9 19 m",
+                    right[] = "wall w 2.5 -9 to 2.5 99 m", left[] = "wall w 1.5 99 to 1.5 -9 m", plain[] = "skin 1",
+                    cell[] = "cell 0 0 to 99 99", box[] = "box -99 -99 to 99 99 m",
+                    ring[] = "boundary circle 0 0 radius 1";
+  static const struct {
+    const char *scene, *motion, *condition;
+    const char *wanted; /* a part of the only warning of this kind; "": there is none */
+    const char *from;   /* the stage from which the strains of P and Q count; NULL: `a` */
+  } cases[] = {
+      /* walls */
+      {flat, "wall w velocity 0 -1", "M.strain.yy above 0.25",
+       "compresses in y, and extension is positive: in place of `M.strain.yy above 0.25` write `M.strain.yy below "
+       "-0.25`\n"},
+      {flat, "wall w velocity 0 -1", "M.strain.yy below -0.25", ""},
+      {flat, "wall w velocity 0 -1", "M.strain.yy above 0", ""},
+      {flat, "wall w velocity 0 -1", "M.strain.yy above -0.25", ""},
+      {flat, "wall w velocity 0 -1", "M.strain.yy below 0.25", ""},
+      {flat, "wall w velocity 0 1", "M.strain.yy below -0.25",
+       "extends in y, and extension is positive: in place of `M.strain.yy below -0.25` write `M.strain.yy above "
+       "0.25`\n"},
+      {flat, "wall w velocity 0 1", "M.strain.yy above 0.25", ""},
+      {flat, "wall w velocity 0 1", "M.strain.yy below 0", ""},
+      {flat, "wall w velocity 1 0", "M.strain.yy above 0.25", ""},
+      {flat, "wall w velocity -1 0", "M.strain.yy above 0.25", ""},
+      {flat, "wall w velocity 0 -1", "M.strain.xx above 0.25", ""},
+      {flat, "wall w velocity -1 0", "M.strain.xx above 0.25", ""}, /* this wall does not face x */
+      {flat, "wall w velocity 0 -1", "time above 0.25", ""},
+      {flat, "wall w velocity 0 -1", "M.strain.xy above 0.25", ""},
+      {flat, "zero velocities", "M.strain.yy above 0.25", ""},
+      {flat, "zero velocities", "M.strain.yy below -0.25", ""},
+      {under, "wall w velocity 0 1", "M.strain.yy above 0.25", "compresses in y"},
+      {under, "wall w velocity 0 -1", "M.strain.yy below -0.25", "extends in y"},
+      {right, "wall w velocity -1 0", "M.strain.xx above 0.25",
+       "compresses in x, and extension is positive: in place of `M.strain.xx above 0.25` write `M.strain.xx below "
+       "-0.25`\n"},
+      {right, "wall w velocity 1 0", "M.strain.xx below -0.25", "extends in x"},
+      {right, "wall w velocity -1 0", "M.strain.yy above 0.25", ""},
+      {right, "wall w velocity 0 -1", "M.strain.yy above 0.25", ""},
+      {left, "wall w velocity 1 0", "M.strain.xx above 0.25", "compresses in x"},
+      {left, "wall w velocity -1 0", "M.strain.xx below -0.25", "extends in x"},
+      {"wall w 4 31 to 14 41 m", "wall w velocity -1 -1", "M.strain.yy above 0.25", ""}, /* at 45 degrees */
+      {"wall w 4 31 to 14 41 m", "wall w velocity -1 -1", "M.strain.xx above 0.25", ""},
+      {"wall w 4 31 to 14 40 m", "wall w velocity -1 -1", "M.strain.yy above 0.25", "compresses in y"},
+      {"wall w 4 31 to 13 41 m", "wall w velocity -1 -1", "M.strain.xx above 0.25", "compresses in x"},
+      {"wall v -9 19 to 9 19 m velocity 0 -1\nwall w -9 21 to 9 21 m", "wall w velocity 0 -1", "M.strain.yy above 0.25",
+       ""}, /* one wall compresses, the other extends */
+      {"wall v -9 19 to 9 19 m velocity 0 -1\nwall w -9 21 to 9 21 m", "wall w velocity 0 -1",
+       "M.strain.yy below -0.25", ""},
+      {"wall v -9 19 to 9 19 m velocity 0 1\nwall w -9 21 to 9 21 m", "wall w velocity 0 -1", "M.strain.yy above 0.25",
+       "compresses in y"},
+      {"wall v -9 19 to 9 19 m velocity 0 -1\nwall w -9 21 to 9 21 m", "wall w velocity 0 1", "M.strain.yy below -0.25",
+       "extends in y"},
+      {"wall v -9 21 to 9 21 m velocity 0 -1\nwall w 2.5 -9 to 2.5 99 m", "wall w velocity -1 0",
+       "M.strain.yy above 0.25", "compresses in y"},
+      {"wall v -9 21 to 9 21 m", "cycles 1\nstage b\nwall v velocity 0 -1\ncycles 1\nstage c", "M.strain.yy above 0.25",
+       ": stage `c` compresses in y", "c"}, /* the motion of an earlier stage goes on */
+      {"wall v -9 21 to 9 21 m velocity 0 -1", "zero velocities",
+       "M.strain.yy above 0.25 at most 9 cycles\nstage b\nwall v velocity 0 1\nuntil M.strain.yy above 0.5",
+       "compresses in y"},
+      {"wall v -9 21 to 9 21 m", "zero velocities",
+       "M.strain.yy above 0.25 at most 9 cycles\nstage b\nwall v velocity 0 -1\nuntil time above 0.5",
+       ""}, /* a later stage does not count */
+      /* imposed strain rates */
+      {plain, "affine strain 0 -1", "M.strain.yy above 0.25", "compresses in y"},
+      {plain, "affine strain 0 1", "M.strain.yy below -0.25", "extends in y"},
+      {plain, "affine strain -1 0", "M.strain.xx above 0.25", "compresses in x"},
+      {plain, "affine strain -1 0", "M.strain.yy above 0.25", ""},
+      {plain, "affine strain 0 -1", "M.strain.xx above 0.25", ""},
+      {plain, "affine strain -1 1", "M.strain.yy above 0.25", ""},
+      {plain, "affine strain -1 1", "M.strain.xx above 0.25", "compresses in x"},
+      {plain, "affine strain 0 0 shear -1", "M.strain.xx above 0.25", ""},
+      {ring, "boundary strain 0 -1", "M.strain.yy above 0.25", "compresses in y"},
+      {ring, "boundary strain 0 -1\naffine strain 0 2", "M.strain.yy above 0.25", ""},
+      {ring, "boundary strain 0 -1\naffine strain 0 2", "M.strain.yy below -0.25", "extends in y"},
+      {ring, "boundary strain 0 2\naffine strain 0 -1", "M.strain.yy below -0.25", "extends in y"},
+      {ring, "boundary strain 0 1\naffine strain 0 -1", "M.strain.yy below -0.25", ""},
+      {cell, "cell strain 0 -1", "cell.strain.yy above 0.25",
+       "compresses in y, and extension is positive: in place of `cell.strain.yy above 0.25` write `cell.strain.yy "
+       "below -0.25`\n"},
+      {cell, "cell strain -1 0", "cell.strain.xx above 0.25", "compresses in x"},
+      {box, "box strain 0 -1", "box.strain.height above 0.25", "compresses in y"},
+      {box, "box strain -1 0", "box.strain.width above 0.25", "compresses in x"},
+      {box, "box strain -1 0", "box.strain.height above 0.25", ""},
+      {flat, "wall w velocity 0 -1\naffine strain 0 1", "M.strain.yy above 0.25", ""}, /* the rate comes before walls */
+      {flat, "wall w velocity 0 -1\naffine strain 0 1", "M.strain.yy below -0.25", "extends in y"},
+      /* servos */
+      {box, "box strain 0 -1\nservo yy 1 on walls through box at most 1", "box.strain.height above 0.25", ""},
+      {box, "box strain 0 -1\nservo xx 1 on walls through box at most 1", "box.strain.height above 0.25", "compresses"},
+      {box, "box strain -1 0\nservo xx 1 on walls through box at most 1", "box.strain.width above 0.25", ""},
+      {"box -99 -99 to 99 99 m\nwall w -9 21 to 9 21 m", "wall w velocity 0 -1", "M.strain.yy above 0.25",
+       "compresses in y"},
+      {"box -99 -99 to 99 99 m\nwall w -9 21 to 9 21 m",
+       "wall w velocity 0 -1\nservo xx 1 on walls through box at most 1", "M.strain.yy above 0.25", ""},
+      /* strains that count from an earlier time, and repeated stages */
+      {plain, "cycles 1\nstage b\naffine strain 0 -1", "M.strain.yy above 0.25",
+       "in place of `M.strain.yy above 0.25` write `S.strain.yy below -0.25`, with `region S all from b` in the scene: "
+       "the strain then counts from the beginning of this stage\n",
+       "b"},
+      {plain, "cycles 1\nstage b\naffine strain 1 0", "M.strain.xx below -0.25",
+       "in place of `M.strain.xx below -0.25` write `S.strain.xx above 0.25`, with `region S all from b` in the scene: "
+       "the strain then counts",
+       "b"},
+      {plain, "cycles 1\nstage b\naffine strain 0 -1", "P.strain.yy above 0.25",
+       "in place of `P.strain.yy above 0.25` write `P.strain.yy below -0.25`\n", "b"},
+      {plain, "cycles 1\nstage b\naffine strain 0 -1", "Q.strain.yy above 0.25",
+       "in place of `Q.strain.yy above 0.25` write `Q.strain.yy below -0.25`\n", "b"},
+      {plain, "cycles 1\nstage c\ncycles 1\nstage b\naffine strain 0 -1", "P.strain.yy above 0.25",
+       "in place of `P.strain.yy above 0.25` write `P.strain.yy below -0.25`\n", "b"},
+      {plain, "cycles 1\nstage b\ncycles 1\nstage c\naffine strain 0 -1", "P.strain.yy above 0.25",
+       "in place of `P.strain.yy above 0.25` write `S.strain.yy below -0.25`", "b"},
+      {cell, "cycles 1\nstage b\ncell strain 0 -1", "cell.strain.yy above 0.25",
+       "in place of `cell.strain.yy above 0.25` write `S.strain.yy below -0.25`, with `region S all from b`", "b"},
+      {plain, "affine strain 0 -1\ncycles 1\nstage b", "M.strain.yy above 0.25", "stage `b` compresses in y",
+       "b"}, /* inherited */
+      {plain, "affine strain 0 -1\ncycles 1\nstage b\naffine none", "M.strain.yy above 0.25", ""},
+      {plain, "affine strain 0 -1",
+       "M.strain.yy above 0.25 at most 9 cycles\nrepeat from a 2 more times\nstage c\nuntil time above 1",
+       "compresses in y, and extension is positive: in place of `M.strain.yy above 0.25` write `M.strain.yy below "
+       "-0.25`\n"},
+  };
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    char text[2000], statements[800];
+    const char *const wanted = cases[k].wanted, *const from = cases[k].from ? cases[k].from : "a";
+    snprintf(
+        statements, sizeof statements,
+        "material m density 1 kn 1\ndisc 1 10 radius 0.1 m\ndisc 3 30 radius 0.1 m\n%s\nregion P all from %s\nmonitor "
+        "D disc 1\nregion M all\nregion Q all from %s\nstep 1e-6\nstage a\n%s\nuntil %s at most 9 cycles",
+        cases[k].scene, from, from, cases[k].motion, cases[k].condition);
+    const char *const sign = "extension is positive", *const first = strstr(warned(text, statements), sign);
+    const bool as_wanted = *wanted ? first && strstr(text, wanted) && !strstr(first + 1, sign) : !first;
+    if (!as_wanted)
+      printf("# %s\n# said: %s\n", statements, text);
+    CU_ASSERT(as_wanted);
+  }
+}
+
 /* Gravity upwards, and away from all walls and fixed particles, causes a warning. There is none if a wall or a fixed
  * particle is in its direction, if something else moves the particles or the walls, or if there is no wall at all. */
 static void gravity_away_from_walls(void) {
@@ -702,6 +843,7 @@ void suite_guard(void) {
   CU_add_test(suite, "changes below the end of a stage", changes_below_the_end_of_a_stage);
   CU_add_test(suite, "strain rates that go on without their servo", strain_rates_without_their_servo);
   CU_add_test(suite, "strain rates of earlier stages against a servo", strain_rates_against_a_servo);
+  CU_add_test(suite, "conditions on strains of the other sign", conditions_on_strains_of_the_other_sign);
   CU_add_test(suite, "resolution of coordinates", resolution_of_coordinates);
   CU_add_test(suite, "resolution that gets coarse", resolution_that_gets_coarse);
   CU_add_test(suite, "resolution and mean overlap", resolution_and_mean_overlap);

@@ -268,9 +268,9 @@ static double rate_along(const struct nb_scene *scene, size_t s, enum nb_affine_
 /* True if the strain of a condition counts from an earlier time than the beginning of stage s, so that an earlier stage
  * may have passed the value. */
 static bool counts_from_before(const struct nb_scene *scene, size_t s, const struct nb_condition *condition) {
-  const int monitor = condition->quantity.monitor;
-  const int region = monitor < 0 ? -1 : NB_FIND(scene->regions, scene->region_count, scene->monitors[monitor].name);
-  return s > 0 && (region < 0 || !scene->regions[region].from[0]);
+  const int monitor =
+      condition->quantity.monitor; /* of a region, because only regions have strains; -1: of the scene */
+  return s > 0 && (monitor < 0 || scene->regions[scene->monitors[monitor].a].stage < (int)s);
 }
 
 static void warn_of_other_sign(struct nb_scene *scene, size_t s, const struct nb_condition *condition, int axis) {
