@@ -318,6 +318,7 @@ SUITES = \
   tests/refine.c \
   tests/rounding.c \
   tests/statements.c \
+  tests/stated.c \
   tests/refs.c tests/refs_covers.c tests/refs_features.c \
   tests/refs_nine.c \
   tests/refs_rotation.c \

@@ -24,6 +24,7 @@ struct nb_transform {
   double flip_x, flip_y; /* 1, or -1: mirrored */
   double cosine, sine;   /* of the angle of rotation, counterclockwise */
   double x, y;           /* translation, m */
+  bool overflow;         /* a number that has been transformed is not finite */
   int line;
 };
 
@@ -203,7 +204,7 @@ void nb_soften(struct nb_scene_reading *reading);
 /* Sets position and velocity of the particle of `impact`; materials, pairs and laws must be known. */
 void nb_impact_set(struct nb_scene_reading *reading);
 /* Applies `transform` to the whole scene, after all stages have been read. False: a coordinate is not finite. */
-bool nb_scene_transform(struct nb_scene *scene, const struct nb_transform *transform);
+bool nb_scene_transform(struct nb_scene *scene, struct nb_transform *transform);
 
 /* ---- a page from which another one starts ---- */
 

@@ -60,51 +60,42 @@ NB_APPLY(apply_transform) {
   };
 }
 
-/* Mirrors and rotates a vector; + 0.0 turns -0 into 0. False if the result is not finite. */
-static bool rotate(const struct nb_transform *to, double *x, double *y) {
+/* Mirrors and rotates a vector; + 0.0 turns -0 into 0. */
+static void rotate(struct nb_transform *to, double *x, double *y) {
   const double east = to->flip_x * *x, north = to->flip_y * *y;
   *x = to->cosine * east - to->sine * north + 0.0;
   *y = to->sine * east + to->cosine * north + 0.0;
-  return isfinite(*x) && isfinite(*y);
+  to->overflow = to->overflow || !isfinite(*x) || !isfinite(*y);
 }
 
-static bool transform_point(const struct nb_transform *to, double *x, double *y) {
+static void transform_point(struct nb_transform *to, double *x, double *y) {
   rotate(to, x, y);
   *x += to->x;
   *y += to->y;
-  return isfinite(*x) && isfinite(*y);
+  to->overflow = to->overflow || !isfinite(*x) || !isfinite(*y);
 }
 
-/* Transforms a strain rate, L' = Q M L (Q M)^T: first the columns, then the rows. A component that is not finite after
- * the columns is not finite after the rows either, so only the rows are tested. */
-static bool transform_rate(const struct nb_transform *to, struct nb_strain_rate *rate) {
+/* Transforms a strain rate, L' = Q M L (Q M)^T: first the columns, then the rows. */
+static void transform_rate(struct nb_transform *to, struct nb_strain_rate *rate) {
   rotate(to, &rate->xx, &rate->yx), rotate(to, &rate->xy, &rate->yy);
-  const bool finite = rotate(to, &rate->xx, &rate->xy);
-  return rotate(to, &rate->yx, &rate->yy) && finite;
+  rotate(to, &rate->xx, &rate->xy), rotate(to, &rate->yx, &rate->yy);
 }
 
-static bool transform_circle(const struct nb_transform *to, struct nb_circle *circle) {
-  return !circle->line || transform_point(to, &circle->x, &circle->y);
+static void transform_circle(struct nb_transform *to, struct nb_circle *circle) {
+  if (circle->line)
+    transform_point(to, &circle->x, &circle->y);
 }
 
-static bool transform_boundary(const struct nb_transform *to, struct nb_stage *stage) {
-  struct nb_strain_rate *strains[] = {&stage->boundary.strain, &stage->affine.strain, &stage->cell, &stage->box};
-  struct nb_boundary *boundary = &stage->boundary;
+static void transform_boundary(struct nb_transform *to, struct nb_boundary *boundary) {
   struct nb_strain_rate stress = {boundary->sxx, boundary->sxy, boundary->sxy, boundary->syy, false};
-  bool finite = transform_circle(to, &stage->circle) && transform_rate(to, &stress);
+  transform_rate(to, &stress);
   boundary->sxx = stress.xx, boundary->sxy = stress.xy, boundary->syy = stress.yy;
-  for (size_t k = 0; k < 4; k++)
-    finite = transform_rate(to, strains[k]) && finite;
-  return finite;
+  transform_rate(to, &boundary->strain);
 }
 
-/* Rotates the axes of the controlled components; the target stresses stay. */
-static bool transform_servo(const struct nb_transform *to, struct nb_servo *servo) {
-  return rotate(to, &servo->axis_x[0], &servo->axis_x[1]) && rotate(to, &servo->axis_y[0], &servo->axis_y[1]);
-}
-
-static bool transform_gravity(const struct nb_transform *to, struct nb_gravity *gravity) {
-  return rotate(to, &gravity->x, &gravity->y) && transform_point(to, &gravity->about_x, &gravity->about_y);
+static void transform_gravity(struct nb_transform *to, struct nb_gravity *gravity) {
+  rotate(to, &gravity->x, &gravity->y);
+  transform_point(to, &gravity->about_x, &gravity->about_y);
 }
 
 /* Transforms an angular velocity: mirroring changes its sign. */
@@ -112,57 +103,60 @@ static void transform_spin(const struct nb_transform *to, double *spin) {
   *spin = to->flip_x * to->flip_y * *spin + 0.0;
 }
 
-static bool transform_particle(const struct nb_transform *to, struct nb_particle *particle) {
+static void transform_particle(struct nb_transform *to, struct nb_particle *particle) {
+  transform_point(to, &particle->x, &particle->y);
+  rotate(to, &particle->vx, &particle->vy);
   transform_spin(to, &particle->spin);
-  const bool finite = transform_point(to, &particle->x, &particle->y);
-  return rotate(to, &particle->vx, &particle->vy) && finite;
 }
 
-static bool transform_wall(const struct nb_transform *to, struct nb_wall *wall) {
+static void transform_wall(struct nb_transform *to, struct nb_wall *wall) {
+  transform_point(to, &wall->x, &wall->y);
+  rotate(to, &wall->ex, &wall->ey);
+  rotate(to, &wall->inx, &wall->iny);
+  rotate(to, &wall->vx, &wall->vy);
   transform_spin(to, &wall->spin);
   transform_spin(to, &wall->h0);
-  bool finite = transform_point(to, &wall->x, &wall->y);
-  finite = rotate(to, &wall->ex, &wall->ey) && finite;
-  finite = rotate(to, &wall->inx, &wall->iny) && finite;
-  return rotate(to, &wall->vx, &wall->vy) && finite;
 }
 
-static bool transform_cell(const struct nb_transform *to, struct nb_scene_cell *cell) {
-  bool finite = !cell->line || transform_point(to, &cell->x, &cell->y);
-  for (int side = 0; side < 2 && cell->line; side++)
-    finite = rotate(to, &cell->h[side], &cell->h[2 + side]) && finite;
-  return finite;
+static void transform_cell(struct nb_transform *to, struct nb_scene_cell *cell) {
+  if (!cell->line)
+    return;
+  transform_point(to, &cell->x, &cell->y);
+  for (int side = 0; side < 2; side++)
+    rotate(to, &cell->h[side], &cell->h[2 + side]);
 }
 
-static bool transform_stage(const struct nb_transform *to, struct nb_stage *stage) {
-  bool finite = transform_gravity(to, &stage->gravity);
-  finite = transform_boundary(to, stage) && finite;
-  finite = transform_servo(to, &stage->servo) && finite;
+static void transform_stage(struct nb_transform *to, struct nb_stage *stage) {
+  transform_gravity(to, &stage->gravity);
+  transform_circle(to, &stage->circle);
+  transform_boundary(to, &stage->boundary);
+  transform_rate(to, &stage->affine.strain), transform_rate(to, &stage->cell), transform_rate(to, &stage->box);
+  rotate(to, &stage->servo.axis_x[0], &stage->servo.axis_x[1]); /* the target stresses refer to these axes */
+  rotate(to, &stage->servo.axis_y[0], &stage->servo.axis_y[1]);
   for (size_t m = 0; m < stage->motion_count; m++) {
-    finite = rotate(to, &stage->motions[m].vx, &stage->motions[m].vy) && finite;
+    rotate(to, &stage->motions[m].vx, &stage->motions[m].vy);
     transform_spin(to, &stage->motions[m].spin);
   }
-  return finite;
 }
 
-bool nb_scene_transform(struct nb_scene *scene, const struct nb_transform *to) {
+bool nb_scene_transform(struct nb_scene *scene, struct nb_transform *to) {
   if (!to->line)
     return true;
-  bool finite = true;
   for (size_t i = 0; i < scene->particle_count; i++)
-    finite = transform_particle(to, &scene->particles[i]) && finite;
+    transform_particle(to, &scene->particles[i]);
   for (size_t i = 0; i < scene->wall_count; i++)
-    finite = transform_wall(to, &scene->walls[i]) && finite;
+    transform_wall(to, &scene->walls[i]);
   for (size_t i = 0; i < scene->region_count; i++) {
-    finite = transform_point(to, &scene->regions[i].x, &scene->regions[i].y) && finite;
-    finite = rotate(to, &scene->regions[i].ex, &scene->regions[i].ey) && finite;
+    transform_point(to, &scene->regions[i].x, &scene->regions[i].y);
+    rotate(to, &scene->regions[i].ex, &scene->regions[i].ey);
   }
-  finite = transform_cell(to, &scene->cell) && finite;
-  finite = transform_gravity(to, &scene->gravity) && finite;
-  finite = transform_circle(to, &scene->circle) && transform_point(to, &scene->origin_x, &scene->origin_y) && finite;
+  transform_cell(to, &scene->cell);
+  transform_gravity(to, &scene->gravity);
+  transform_circle(to, &scene->circle);
+  transform_point(to, &scene->origin_x, &scene->origin_y);
   for (size_t s = 0; s < scene->stage_count; s++)
-    finite = transform_stage(to, &scene->stages[s]) && finite;
-  return finite;
+    transform_stage(to, &scene->stages[s]);
+  return !to->overflow;
 }
 
 /* clang-format off */
