@@ -102,8 +102,241 @@ static void numbers_that_transform_makes_infinite(void) {
   }
 }
 
+/* ---- refine and soften ---- */
+
+/* Reads the scene of these statements with one setting; free it with written_free. */
+static void read_set(struct written *it, const char *statements, const char *setting) {
+  const char *const settings[] = {setting, NULL};
+  struct words page = {0};
+  words_add(&page, "%s", statements);
+  written_scene_set(it, &page, settings);
+}
+
+/* `--set soften=S` divides kn, ks and young of materials and pairs, and the values to which stages change them. */
+static void soften_divides_stiffnesses(void) {
+  struct written it;
+  read_set(
+      &it,
+      "units none\nmaterial a density 1 kn 8 ks 12 friction 4 young 16 poisson 0.25\nmaterial b density 4 kn 20 ks 24\n"
+      "pair a b kn 28 ks 32 friction 4\npair b b kn 36 ks 40\ndisc 0 0 radius 4 a\nstep 0.1\nrecord time\nstage s\n"
+      "material a kn 44 ks 48 friction 4\npair a b kn 52 ks 56\ncycles 1\nstage t\nmaterial b kn 60 ks 64\ncycles 1\n",
+      "soften=4");
+  const struct nb_scene *const scene = &it.scene;
+  const struct nb_change *const s = scene->stages[0].changes, *const t = scene->stages[1].changes;
+  const double divided[] = {scene->materials[0].kn,
+                            scene->materials[0].ks,
+                            scene->materials[0].young,
+                            scene->materials[1].kn,
+                            scene->materials[1].ks,
+                            scene->pair_rules[0].kn,
+                            scene->pair_rules[0].ks,
+                            scene->pair_rules[1].kn,
+                            scene->pair_rules[1].ks,
+                            s[0].kn,
+                            s[0].ks,
+                            s[1].kn,
+                            s[1].ks,
+                            t[0].kn,
+                            t[0].ks};
+  for (size_t k = 0; k < sizeof divided / sizeof *divided; k++)
+    CU_ASSERT_EQUAL(divided[k], k < 2 ? 2 + (double)k : k == 2 ? 4 : 2 + (double)k);
+  CU_ASSERT(scene->materials[0].friction == 4 && scene->pair_rules[0].friction == 4 && s[0].friction == 4);
+  CU_ASSERT(scene->materials[1].density == 4 && scene->materials[0].poisson == 0.25 && scene->particles[0].radius == 4);
+  written_free(&it);
+}
+
+/* A product of a number of cycles and R may be 1e9 and must be whole; after `at most` it is rounded up. An interval is
+ * rounded to the nearest whole number, from 1 to 1e9; an interval of 1, and `none`, stay. */
+static void refine_multiplies_numbers_of_cycles(void) {
+  static const struct {
+    const char *setting, *in_stage;
+    unsigned long cycles, record, check;
+    const char *wanted;
+  } rows[] = {
+      {"refine=2", "cycles 500000000", 1000000000, 1, 1, NULL},
+      {"refine=2", "cycles 500000001", 0, 0, 0,
+       "expected at most 1000000000 cycles in `s` with --set refine=2, found 1000000002"},
+      {"refine=2", "until time above 1 at most 500000000 cycles", 1000000000, 1, 1, NULL},
+      {"refine=2", "until time above 1 at most 500000001 cycles", 0, 0, 0,
+       "expected at most 1000000000 cycles in `s` with"},
+      {"refine=0.5", "cycles 3", 0, 0, 0, "expected a whole number of cycles in `s` with --set refine=0.5, found 1.5"},
+      {"refine=0.5", "cycles 4", 2, 1, 1, NULL},
+      {"refine=1e-10", "cycles 1", 0, 0, 0,
+       "expected a whole number of cycles in `s` with --set refine=1e-10, found 1e-10"},
+      {"refine=0.5", "until time above 1 at most 3 cycles", 2, 1, 1, NULL},
+      {"refine=0.5", "until time above 1 at most 4 cycles", 2, 1, 1, NULL},
+      {"refine=0.5", "until time above 1 at most 5 cycles", 3, 1, 1, NULL},
+      {"refine=2", "record every 500000000 cycles\ncycles 1", 2, 1000000000, 1, NULL},
+      {"refine=2", "record every 600000000 cycles\ncycles 1", 2, 1000000000, 1, NULL},
+      {"refine=2", "record every 1 cycle\ncycles 1", 2, 1, 1, NULL},
+      {"refine=2", "record none\ncycles 1", 2, 0, 1, NULL},
+      {"refine=2", "record every 2 cycles\nuntil time above 1 every 3 cycles at most 1 cycle", 2, 4, 6, NULL},
+      {"refine=0.25", "record every 3 cycles\ncycles 4", 1, 1, 1, NULL},  /* 0.75 */
+      {"refine=0.125", "record every 3 cycles\ncycles 8", 1, 1, 1, NULL}, /* 0.375 */
+      {"refine=0.5", "record every 7 cycles\ncycles 8", 4, 4, 1, NULL},   /* 3.5 */
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    const char *const settings[] = {rows[k].setting, NULL};
+    char text[400];
+    snprintf(text, sizeof text,
+             "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nstep 0.1\nrecord time\nstage s\n%s\n",
+             rows[k].in_stage);
+    says(text, rows[k].wanted, settings);
+    if (rows[k].wanted)
+      continue;
+    struct written it;
+    read_set(&it, text, rows[k].setting);
+    CU_ASSERT_EQUAL(it.scene.stages[0].cycles, rows[k].cycles);
+    CU_ASSERT_EQUAL(it.scene.stages[0].record_interval, rows[k].record);
+    CU_ASSERT_EQUAL(it.scene.stages[0].check_interval, rows[k].check);
+    written_free(&it);
+  }
+  says("path\nunits none\nmaterial rock kn 1\ncontact disc 1 rock with disc 1 rock\nsegment a overlap to 1 in 3 steps",
+       "expected a whole number of steps in `a` with --set refine=0.5, found 1.5",
+       (const char *const[]){"refine=0.5", NULL});
+}
+
+/* R is written with a limited number of digits, so a product with a relative error of 1e-9 is whole. */
+static void whole_products(void) {
+  static const struct {
+    double product, whole;
+    bool is;
+  } rows[] = {{1, 1, true},           {1 + 0.9e-9, 1, true},       {1 - 0.9e-9, 1, true},        {1 + 1.1e-9, 1, false},
+              {1 - 1.1e-9, 1, false}, {1000 + 0.9e-6, 1000, true}, {1000 + 1.1e-6, 1000, false}, {1e-10, 0, false},
+              {2.5, 2, false}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    double whole;
+    CU_ASSERT_EQUAL(nb_refined_is_whole(rows[k].product, &whole), rows[k].is);
+    CU_ASSERT_EQUAL(whole, rows[k].whole);
+  }
+}
+
+/* The step, strains per cycle and numbers of cycles change; rates in time and other values do not. */
+static void refine_changes_what_depends_on_the_step(void) {
+  struct written it;
+  read_set(
+      &it,
+      "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nbox -9 -9 to 9 9 m\nboundary circle 0 0 radius 1\n"
+      "step 8\ndamping con1 0.5 as cs79\nrecord time\nstage s\nstep 16\ndamping con1 0.0625 as velocity\n"
+      "boundary strain 2 per cycle 4 per cycle c12 6 per cycle c21 8 per cycle\naffine strain 2 4 c12 6 c21 8\n"
+      "servo mean 1 on box through box at most 4 per cycle every 3 cycles\n"
+      "until cycle above 5 and stage.time above 7 at most 9 cycles\n"
+      "stage t\ndamping con1 0.25 as all\naffine strain 2 per cycle 4 per cycle\nboundary fixed\n"
+      "servo mean 1 on box through box at most 4 every 1 cycle\ncycles 1\nstage u\ndamping mass 4\ncycles 1\n",
+      "refine=2");
+  const struct nb_scene *const scene = &it.scene;
+  const struct nb_stage *const s = scene->stages, *const t = s + 1, *const u = s + 2;
+  const struct nb_strain_rate *const strain = &s->boundary.strain, *const affine = &s->affine.strain;
+  CU_ASSERT(scene->step.value == 4 && s->step.value == 8 && t->step.value == 8);
+  CU_ASSERT(scene->damping.global == 0.75 && s->damping.global == 0.25 &&
+            t->damping.global == 0.5); /* 1 - 0.5/2; roots */
+  CU_ASSERT_EQUAL(u->damping.global, 4);
+  CU_ASSERT(strain->xx == 1 && strain->yy == 2 && strain->xy == 3 && strain->yx == 4);
+  CU_ASSERT(affine->xx == 2 && affine->yy == 4 && affine->xy == 6 && affine->yx == 8);
+  CU_ASSERT(t->affine.strain.xx == 1 && t->affine.strain.yy == 2);
+  CU_ASSERT(s->servo.max_rate == 2 && s->servo.every == 6 && t->servo.max_rate == 4 && t->servo.every == 1);
+  CU_ASSERT(s->conditions[0].value == 10 && s->conditions[1].value == 7 && s->cycles == 18);
+  written_free(&it);
+}
+
+/* ---- packing ---- */
+
+/* `sorted` numbers the particles in rows as high as the largest particle, 2: from the smallest y, and in a row from the
+ * smallest x, then the smallest y. Particles above the statement keep their places. */
+static void a_sorted_packing(void) {
+  static const double order[][3] = {{7, 9, 3},   {-1, -0.5, 0.25}, {1, 0.25, 1}, {1, 1.75, 0.5},
+                                    {5, 0.5, 1}, {0, 2.25, 0.5},   {3, 2, 0.5}};
+  char path[] = "/tmp/nineball-stated-XXXXXX";
+  FILE *file = written_file(path);
+  fputs("x/-\ty/-\tradius/-\n3\t2\t0.5\n5\t0.5\t1\n1\t1.75\t0.5\n0\t2.25\t0.5\n-1\t-0.5\t0.25\n1\t0.25\t1\n", file);
+  fclose(file);
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc 7 9 radius 3 m\npacking %s discs m sorted\n" GO, path);
+  written_scene(&it, &page);
+  CU_ASSERT_EQUAL_FATAL(it.scene.particle_count, sizeof order / sizeof *order);
+  for (size_t k = 0; k < it.scene.particle_count; k++) {
+    const struct nb_particle *const particle = &it.scene.particles[k];
+    CU_ASSERT(particle->x == order[k][0] && particle->y == order[k][1] && particle->radius == order[k][2]);
+  }
+  CU_ASSERT(it.scene.packings[0].first == 1 && it.scene.packings[0].count == 6);
+  written_free(&it);
+  unlink(path);
+}
+
+/* ---- stages ---- */
+
+/* On a page that starts from another one, conditions on `time` and on strains of a cell or a box cause a warning, because
+ * they count from the start of the first page. So does no other condition, and no condition of the first page. */
+static void conditions_that_count_from_the_first_page(void) {
+  static const struct {
+    const char *object, *condition, *wanted;
+  } rows[] = {
+      {"skin 1", "time above 1", "`time` counts from the start of the first page, `stage.time` from that of the stage"},
+      {"skin 1", "stage.time above 1", NULL},
+      {"skin 1", "cycle above 1", NULL},
+      {"cell -9 -9 to 9 9", "cell.strain.xx below -1",
+       "`cell.strain.xx` counts from the start of the first page; a small strain"},
+      {"cell -9 -9 to 9 9", "cell.stress.xx above 1", NULL},
+      {"box -9 -9 to 9 9 m", "box.strain.width below -1",
+       "`box.strain.width` counts from the start of the first page; a small"},
+      {"box -9 -9 to 9 9 m", "box.stress.xx above 1", NULL},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
+    for (int starts = 0; starts < 2; starts++) {
+      char path[] = "/tmp/nineball-stated-XXXXXX.md";
+      const int descriptor = mkstemps(path, 3);
+      CU_ASSERT_FATAL(descriptor >= 0);
+      FILE *file = fdopen(descriptor, "w");
+      CU_ASSERT_PTR_NOT_NULL_FATAL(file);
+      fprintf(file, "# A page\n\n```scene\nunits none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\n%s\n" GO "```\n",
+              rows[k].object);
+      fclose(file);
+      struct words page = {0};
+      struct written it;
+      if (starts)
+        words_add(&page, "start %s stage s\n", path);
+      else
+        words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\n%s\nstep 0.1\n", rows[k].object);
+      words_add(&page, "record time\nstage t\nuntil %s at most 9 cycles\n", rows[k].condition);
+      written_scene(&it, &page);
+      const bool warned = it.scene.warnings.count == 1 && rows[k].wanted &&
+                          strncmp(it.scene.warnings.list[0].text, rows[k].wanted, strlen(rows[k].wanted)) == 0;
+      CU_ASSERT(starts && rows[k].wanted ? warned : it.scene.warnings.count == 0);
+      written_free(&it);
+      unlink(path);
+    }
+}
+
+/* A name is at most 63 bytes long. The name of a repeated stage is cut where its number would not fit. */
+static void names_of_repeated_stages(void) {
+  for (int length = 59; length <= 63; length++) {
+    char name[64], expected[64];
+    memset(name, 'a', sizeof name), name[length] = 0;
+    snprintf(expected, sizeof expected, "%.*s-2", length < 61 ? length : 61, name);
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nstep 0.1\nrecord time\nstage %s\ncycles 1\n"
+              "repeat from %s 1 more time\n",
+              name, name);
+    written_scene(&it, &page);
+    CU_ASSERT_EQUAL_FATAL(it.scene.stage_count, 2);
+    CU_ASSERT_STRING_EQUAL(it.scene.stages[0].name, name);
+    CU_ASSERT_STRING_EQUAL(it.scene.stages[1].name, expected);
+    written_free(&it);
+  }
+}
+
 void suite_stated(void) {
   CU_pSuite suite = CU_add_suite("stated", NULL, NULL);
   CU_ADD_TEST(suite, quarter_turns_are_exact);
   CU_ADD_TEST(suite, numbers_that_transform_makes_infinite);
+  CU_ADD_TEST(suite, soften_divides_stiffnesses);
+  CU_ADD_TEST(suite, refine_multiplies_numbers_of_cycles);
+  CU_ADD_TEST(suite, whole_products);
+  CU_ADD_TEST(suite, refine_changes_what_depends_on_the_step);
+  CU_ADD_TEST(suite, a_sorted_packing);
+  CU_ADD_TEST(suite, conditions_that_count_from_the_first_page);
+  CU_ADD_TEST(suite, names_of_repeated_stages);
 }

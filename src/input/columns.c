@@ -32,28 +32,25 @@ static void advance(struct field *field, size_t bytes) {
   field->at += bytes;
 }
 
-/* Goes to the first or the next field of a line. `spaces`: spaces, not tabs, separate the fields. False if there is no
- * such field; then *field is empty, at the end of the line. */
+/* Goes to the first or the next field of a line. `spaces`: spaces, not tabs, separate the fields; behind a space at the end
+ * of the line there is an empty one. False if there is no such field; then *field is empty, at the end of the line. */
 static bool next_field(struct field *field, bool spaces, bool first) {
   advance(field, field->length);
   const bool there = first || *field->at;
   advance(field, spaces ? strspn(field->at, " ") : !first && there);
   field->length = strcspn(field->at, spaces ? " " : "\t");
-  return there && (!spaces || field->length > 0);
+  return there;
 }
 
 static struct field line_begin(const struct table *table, size_t line) {
   return (struct field){table->file.lines[line - 1], 0, 1};
 }
 
-/* Finds field number `index`, from 0. False if the line has fewer fields; then the field is empty, at the end of the
- * line. */
-static bool find_field(struct field *field, const struct table *table, size_t line, int index) {
+/* Finds field number `index`, from 0. If the line has fewer fields, the field is empty, at the end of the line. */
+static void find_field(struct field *field, const struct table *table, size_t line, int index) {
   *field = line_begin(table, line);
-  for (int k = 0; next_field(field, table->spaces, k == 0); k++)
-    if (k == index)
-      return true;
-  return false;
+  for (int k = 0; next_field(field, table->spaces, k == 0) && k < index; k++)
+    continue;
 }
 
 static void report(const struct table *table, size_t line, struct field field, const char *expected) {

@@ -77,11 +77,12 @@ static void refine_servo(struct nb_servo *servo, double refine) {
 /* Multiplies the number of cycles at which the stage ends. */
 static bool refine_end(struct nb_scene_reading *reading, struct nb_stage *stage) {
   const double refine = reading->scene->refine, cycles = (double)stage->cycles * refine;
+  double whole;
   for (size_t k = 0; k < stage->condition_count; k++)
     if (strcmp(stage->conditions[k].quantity.kind->name, "cycle") == 0)
       stage->conditions[k].value *= refine;
-  return multiply(reading, stage, reading->scene->contact_test ? "steps" : "cycles",
-                  stage->condition_count > 0 && cycles <= NB_COUNT_MAX ? ceil(cycles * (1 - rounding)) : cycles,
+  const bool rounded_up = stage->condition_count > 0 && !nb_refined_is_whole(cycles, &whole);
+  return multiply(reading, stage, reading->scene->contact_test ? "steps" : "cycles", rounded_up ? ceil(cycles) : cycles,
                   &stage->cycles);
 }
 
