@@ -328,6 +328,129 @@ static void names_of_repeated_stages(void) {
   }
 }
 
+/* ---- servo ---- */
+
+/* `isotropic P` and `mean P` set the targets P, P and 0 of xx, yy and xy; components control only what they name. A servo
+ * through a box does not control xy. */
+static void targets_of_a_servo(void) {
+  static const struct {
+    const char *target;
+    bool mean, controlled[3];
+    double stress[3];
+  } rows[] = {
+      {"isotropic 2", false, {true, true, true}, {2, 2, 0}},   {"mean 2", true, {true, true, true}, {2, 2, 0}},
+      {"xx 2", false, {true, false, false}, {2, 0, 0}},        {"yy 3", false, {false, true, false}, {0, 3, 0}},
+      {"xy 4", false, {false, false, true}, {0, 0, 4}},        {"yy 3 xy 4", false, {false, true, true}, {0, 3, 4}},
+      {"xx 2 yy 3 xy 4", false, {true, true, true}, {2, 3, 4}}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
+    for (int box = 0; box < 2; box++) {
+      struct words page = {0};
+      struct written it;
+      if (box && strstr(rows[k].target, "xy"))
+        continue;
+      words_add(
+          &page,
+          "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nbox -9 -9 to 9 9 m\n"
+          "boundary circle 0 0 radius 1\nstep 0.1\nrecord time\nstage s\nservo %s on %s at most 7 every 5 cycles\n"
+          "cycles 1\n",
+          rows[k].target, box ? "walls through box" : "boundary through boundary affine");
+      written_scene(&it, &page);
+      const struct nb_servo *const servo = &it.scene.stages[0].servo;
+      for (int c = 0; c < 3; c++) {
+        CU_ASSERT_EQUAL(servo->controlled[c], rows[k].controlled[c] && !(box && c == 2));
+        CU_ASSERT_EQUAL(servo->stress[c], rows[k].stress[c]);
+      }
+      CU_ASSERT_EQUAL(servo->mean, rows[k].mean);
+      CU_ASSERT(servo->box == box && servo->affine == !box && !servo->cell && !servo->ramp && !servo->per_cycle);
+      CU_ASSERT(servo->max_rate == 7 && servo->every == 5 && servo->line == 10);
+      CU_ASSERT(servo->axis_x[0] == 1 && servo->axis_x[1] == 0 && servo->axis_y[0] == 0 && servo->axis_y[1] == 1);
+      written_free(&it);
+    }
+  static const char *const two[] = {"isotropic 1 mean 1", "isotropic 1 xx 1", "mean 1 yy 1", "mean 1 xy 1",
+                                    "isotropic 1 xy 1"};
+  for (size_t k = 0; k < sizeof two / sizeof *two; k++) {
+    char text[400];
+    snprintf(text, sizeof text,
+             "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nboundary circle 0 0 radius 1\nstep 0.1\n"
+             "record time\nstage s\nservo %s on boundary through boundary at most 1\ncycles 1\n",
+             two[k]);
+    says(text, "expected one target: `isotropic P`, `mean P`, or components `xx P`, `yy P`, `xy P`", NULL);
+  }
+}
+
+/* The hint for a line `servo` with a mistake has the target of the line and the place that the scene has: a cell, a box or a
+ * boundary, in this order, whose line may be indented. A word of a direction selects a component, the number has its
+ * unit if the next word is one. Without a number of its own, or without a place, there is no such hint. */
+static void hints_for_a_servo(void) {
+#define ON_WALLS " on walls through box at most 1e-6 per cycle`; `xx P` and `yy P` control components"
+#define ON(place)                                                                                                      \
+  " on " place " through " place " at most 1e-6 per cycle`; `xx P`, `yy P` and `xy P` control components"
+  static const char box[] = "box 0 m 0 m to 9 m 9 m rock", cell[] = "cell 0 m 0 m to 9 m 9 m",
+                    ring[] = "boundary circle 0 m 0 m radius 1 m", none[] = "skin 1 mm";
+  static const struct {
+    const char *object, *line, *wanted; /* wanted: the target and the place in the hint; NULL: there is no hint */
+  } rows[] = {
+      {box, "servo stress.yy 5 kPa", "yy 5 kPa" ON_WALLS},
+      {"  box 0 m 0 m to 9 m 9 m rock", "servo stress.yy 5 kPa", "yy 5 kPa" ON_WALLS},
+      {"box\t0 m 0 m to 9 m 9 m rock", "servo stress.yy 5 kPa", "yy 5 kPa" ON_WALLS},
+      {cell, "servo stress.yy 5 kPa", "yy 5 kPa" ON("cell")},
+      {ring, "servo stress.yy 5 kPa", "yy 5 kPa" ON("boundary")},
+      {none, "servo stress.yy 5 kPa", NULL},
+      {"```\nbox 0\n```scene", "servo stress.yy 5 kPa", NULL}, /* the line is not in the scene */
+      {"boxes 0 m 0 m to 9 m 9 m rock", "servo stress.yy 5 kPa", NULL},
+      {"boundary ring 0 m 0 m radius 1 m", "servo stress.yy 5 kPa", NULL},
+      {box, "servo west 5 kPa", "xx 5 kPa" ON_WALLS},
+      {box, "servo box.right 5 kPa", "xx 5 kPa" ON_WALLS},
+      {cell, "servo stress.xy 5 kPa", "xy 5 kPa" ON("cell")},
+      {box, "servo wall sid 5 kPa", "isotropic 5 kPa" ON_WALLS},
+      {box, "servo mean stress 5 kPa", "mean 5 kPa" ON_WALLS},
+      {box, "servo pressure 5 kPa", "isotropic 5 kPa" ON_WALLS},
+      {box, "servo stress.yy 5", "yy 5" ON_WALLS},
+      {box, "servo stress.yy 5 soon", "yy 5" ON_WALLS},
+      {box, "servo wall at most 5", NULL},
+      {box, "servo wall pressure", NULL},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    char text[600], wanted[200];
+    snprintf(
+        text, sizeof text,
+        "material rock density 1 kg/m3 kn 1 N/m\n%s\ndisc 5 m 5 m radius 1 m rock\nstep 1 us\nrecord time\nstage s\n"
+        "gravity centripetal 1 m/s2 about 0 m 0 m\n%s\ncycles 1\n",
+        rows[k].object, rows[k].line);
+    struct words words = {0};
+    struct nb_page page = {0};
+    struct nb_scene scene = {0};
+    struct nb_mistakes mistakes = {0};
+    words_add(&words, "```scene\n%s```\n", text);
+    nb_page_read_bytes(&page, "stated.md", words.text, words.length, &mistakes);
+    nb_scene_read(&scene, &page, 0, NULL, &mistakes);
+    snprintf(wanted, sizeof wanted, "hint: write `servo %s", rows[k].wanted ? rows[k].wanted : "");
+    const bool as_wanted = mistakes.text && (strstr(mistakes.text, wanted) != NULL) == (rows[k].wanted != NULL);
+    if (!as_wanted)
+      printf("# %s\n# %s\n", text, mistakes.text ? mistakes.text : "nothing");
+    CU_ASSERT(as_wanted);
+    nb_mistakes_free(&mistakes), nb_scene_free(&scene), nb_page_free(&page), free(words.text);
+  }
+  static const struct {
+    const char *object, *on, *wanted;
+  } places[] = {{cell, "walls", "expected `cell`, because the scene has a periodic cell, found `walls`"},
+                {cell, "box", "expected `cell`, because the scene has a periodic cell, found `box`"},
+                {box, "cell", "expected `box`, because the scene has a box of walls, found `cell`"},
+                {box, "walls", NULL},
+                {cell, "cell", NULL},
+                {none, "cell", "expected a scene with a periodic cell, found none"},
+                {none, "walls", "expected a scene with a box of walls, found none"}};
+  for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
+    char text[600];
+    snprintf(
+        text, sizeof text,
+        "material rock density 1 kg/m3 kn 1 N/m\n%s\ndisc 5 m 5 m radius 1 m rock\nstep 1 us\nrecord time\nstage s\n"
+        "servo isotropic 1 Pa on %s through %s at most 1 1/s\ncycles 1\n",
+        places[k].object, places[k].on, strcmp(places[k].on, "cell") == 0 ? "cell" : "box");
+    says(text, places[k].wanted, NULL);
+  }
+}
+
 void suite_stated(void) {
   CU_pSuite suite = CU_add_suite("stated", NULL, NULL);
   CU_ADD_TEST(suite, quarter_turns_are_exact);
@@ -339,4 +462,6 @@ void suite_stated(void) {
   CU_ADD_TEST(suite, a_sorted_packing);
   CU_ADD_TEST(suite, conditions_that_count_from_the_first_page);
   CU_ADD_TEST(suite, names_of_repeated_stages);
+  CU_ADD_TEST(suite, targets_of_a_servo);
+  CU_ADD_TEST(suite, hints_for_a_servo);
 }

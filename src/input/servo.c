@@ -107,13 +107,13 @@ static void note_wanted(struct nb_scene_reading *reading, const struct nb_reader
   if (!place || !target_of(target, sizeof target, reader, &component, &number) ||
       nb_number_read(&value, reader->tokens[number].text, 0) != NB_READ)
     return;
-  const char *const unit = strrchr(target, ' ');
+  const char *const unit = strrchr(target, ' '); /* or the number */
   const char *const parts[] = {*component == 'i' ? "xx" : component, "yy"};
   *reading->servo_wanted = '\0';
   for (int k = 0; k < (*component == 'i' ? 2 : 1); k++)
     nb_append(reading->servo_wanted, sizeof reading->servo_wanted, "%s%s.stress.%s above %g%.12s", k ? " and " : "",
               strcmp(place, "box") == 0 ? "walls" : place, parts[k], 0.99 * value,
-              unit && isalpha((unsigned char)unit[1]) ? unit : "");
+              isalpha((unsigned char)unit[1]) ? unit : "");
   reading->servo_wanted_line = (int)reader->line;
 }
 
