@@ -348,12 +348,12 @@ static void targets_of_a_servo(void) {
       struct written it;
       if (box && strstr(rows[k].target, "xy"))
         continue;
-      words_add(
-          &page,
-          "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nbox -9 -9 to 9 9 m\n"
-          "boundary circle 0 0 radius 1\nstep 0.1\nrecord time\nstage s\nservo %s on %s at most 7 every 5 cycles\n"
-          "cycles 1\n",
-          rows[k].target, box ? "walls through box" : "boundary through boundary affine");
+      words_add(&page,
+                "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nbox -9 -9 to 9 9 m\n"
+                "boundary circle 0 0 radius 1\nstep 0.1\nrecord time\nstage s\nservo %s on %s at most 7%s\n"
+                "cycles 1\n",
+                rows[k].target, box ? "walls through box" : "boundary through boundary affine",
+                box ? "" : " every 5 cycles");
       written_scene(&it, &page);
       const struct nb_servo *const servo = &it.scene.stages[0].servo;
       for (int c = 0; c < 3; c++) {
@@ -362,10 +362,29 @@ static void targets_of_a_servo(void) {
       }
       CU_ASSERT_EQUAL(servo->mean, rows[k].mean);
       CU_ASSERT(servo->box == box && servo->affine == !box && !servo->cell && !servo->ramp && !servo->per_cycle);
-      CU_ASSERT(servo->max_rate == 7 && servo->every == 5 && servo->line == 10);
+      CU_ASSERT(servo->max_rate == 7 && servo->every == (box ? 10 : 5) && servo->line == 10);
       CU_ASSERT(servo->axis_x[0] == 1 && servo->axis_x[1] == 0 && servo->axis_y[0] == 0 && servo->axis_y[1] == 1);
       written_free(&it);
     }
+  says(
+      "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nbox -9 -9 to 9 9 m\nstep 0.1\nrecord time\nstage s\n"
+      "servo mean 1 on walls through box affine at most 1\ncycles 1",
+      "expected `affine` only with `through boundary`", NULL);
+  static const char *const targets[] = {"isotropic", "mean", "xx", "yy", "xy"};
+  for (int k = 0; k < 10; k++) { /* a negative normal stress is tension, and causes a warning */
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nboundary circle 0 0 radius 1\nstep 0.1\n"
+              "record time\nstage s\nservo %s %d on boundary through boundary at most 7\ncycles 1\n",
+              targets[k % 5], k < 5 ? -2 : 2);
+    written_scene(&it, &page);
+    CU_ASSERT_EQUAL(it.scene.warnings.count, k < 4);
+    char expected[40];
+    snprintf(expected, sizeof expected, "`servo %s 2`", targets[k % 5]);
+    CU_ASSERT(k >= 4 || (it.scene.warnings.list[0].line == 9 && strstr(it.scene.warnings.list[0].text, expected)));
+    written_free(&it);
+  }
   static const char *const two[] = {"isotropic 1 mean 1", "isotropic 1 xx 1", "mean 1 yy 1", "mean 1 xy 1",
                                     "isotropic 1 xy 1"};
   for (size_t k = 0; k < sizeof two / sizeof *two; k++) {

@@ -25,7 +25,7 @@ NB_APPLY(apply_units) {
   if (nb_given_twice(reader, reading->units_line))
     return;
   reading->units_line = (int)reader->line;
-  reading->reader.unitless = reading->setting.unitless = record->value[AT_NAME].number == 0;
+  reading->scene->unitless = reading->reader.unitless = reading->setting.unitless = record->value[AT_NAME].number == 0;
 }
 
 /* Takes a word, or a number and its unit; *token is the first token of the value. False, with a message, if there is no

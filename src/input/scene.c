@@ -260,7 +260,6 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
   if (!nb_scene_transform(scene, &reading->transform) && mistakes->total == before)
     nb_line_mistake(&reading->reader, (size_t)reading->transform.line, NULL,
                     "expected finite coordinates after `transform`; these are too large");
-  scene->unitless = reading->reader.unitless;
   if (mistakes->total == before)
     nb_refine(reading);
   nb_laws_check(reading, mistakes->total == before);

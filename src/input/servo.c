@@ -209,12 +209,12 @@ NB_APPLY(apply_servo) {
     stage->servo = servo;
 }
 
-/* True if a particle has friction with the walls of the box, with the properties `now`. */
+/* True if a particle has friction with the walls of the box, which the scene has, with the properties `now`. */
 static bool walls_have_friction(const struct nb_scene *scene, const struct nb_properties *now,
                                 const struct nb_law *shear) {
   const int first = nb_box_first_wall(scene);
   bool found = false;
-  for (size_t k = 0; k < scene->particle_count && first >= 0 && strcmp(shear->name, "none") != 0; k++)
+  for (size_t k = 0; k < scene->particle_count && strcmp(shear->name, "none") != 0; k++)
     found = found || nb_properties_pair(now, scene->particles[k].material, scene->walls[first].material).friction > 0;
   return found;
 }

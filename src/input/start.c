@@ -277,7 +277,7 @@ NB_APPLY(apply_start) {
                      start->scene->unitless ? "none" : "si");
     return;
   }
-  reading->reader.unitless = reading->setting.unitless = start->scene->unitless;
+  scene->unitless = reading->reader.unitless = reading->setting.unitless = start->scene->unitless;
   nb_setting_read_step(reading);
   reading->hash = nb_hash(reading->hash, &start->scene->stages[start->scene->stage_count - 1].hash,
                           sizeof start->scene->stages->hash);
