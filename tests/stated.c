@@ -470,6 +470,199 @@ static void hints_for_a_servo(void) {
   }
 }
 
+/* ---- conditions with a fraction of a size ---- */
+
+/* The hint for `until box.height below 0.75 of box.height` has the strain rate of the stage, if the rate leads to this
+ * fraction, is not per cycle, and no servo changes it; otherwise an example of the right sign. */
+static void hints_for_a_fraction_of_a_size(void) {
+  static const char box[] = "box 0 0 to 9 9 rock", cell[] = "cell 0 0 to 9 9";
+  static const struct {
+    const char *object, *in_stage, *condition, *wanted;
+  } rows[] = {
+      {box, "box strain -0.25 -0.5", "box.height below 0.75 of box.height",
+       "with a constant strain rate, here -0.5, the stage ends at a time: `until stage.time above (log(0.75)/(-0.5)) "
+       "at most "
+       "1000000 cycles`, with more cycles if the step is short. Or write a value: `until box.height below (0.75*L) at "
+       "most "
+       "1000000 cycles`, where `let L = …` in the scene is the height at the beginning of the stage"},
+      {box, "box strain -0.25 -0.5", "box.width below 75 % of it",
+       "rate, here -0.25, the stage ends at a time: `until stage.time above (log(0.75)/(-0.25)) at most 1000000 "
+       "cycles`, with "
+       "more cycles if the step is short. Or write a value: `until box.width below (0.75*L) at most 1000000 cycles`, "
+       "where "
+       "`let L = …` in the scene is the width at"},
+      {box, "box strain 0.25 0.5", "box.width above 1.5 of it",
+       "rate, here 0.25, the stage ends at a time: `until stage.time above (log(1.5)/(0.25)) at most 1000000 cycles`, "
+       "with "
+       "more cycles if the step is short. Or write a value: `until box.width above (1.5*L)"},
+      {box, "box strain 0.25 0.5", "box.height below 0.75 of it",
+       "for example -0.01, the stage ends at a time: `until stage.time above (log(0.75)/(-0.01))"},
+      {box, "", "box.height above 1.5 of it",
+       "for example 0.01, the stage ends at a time: `until stage.time above (log(1.5)/(0.01))"},
+      {box, "box strain -0.25 per cycle -0.5 per cycle", "box.height below 0.75 of it", "for example -0.01,"},
+      {box, "box strain -0.25 -0.5\nservo yy 1 on walls through box at most 1", "box.height below 0.75 of it",
+       "for example -0.01,"},
+      {box, "box strain -0.25 -0.5\nservo xx 1 on walls through box at most 1", "box.height below 0.75 of it",
+       "here -0.5,"},
+      {box, "box strain -0.25 -0.5\nservo xx 1 on walls through box at most 1", "box.width below 0.75 of it",
+       "for example -0.01,"},
+      {box, "box strain -0.25 -0.5\nservo yy 1 on walls through box at most 1", "box.width below 0.75 of it",
+       "here -0.25,"},
+      {cell, "cell strain -0.25 -0.5", "cell.yy below 0.75 of it", "here -0.5, the stage"},
+      {cell, "cell strain -0.25 -0.5", "cell.xx below 0.75 of it", "here -0.25, the stage"},
+      {cell, "cell strain -0.25 -0.5\nservo yy 1 on cell through cell at most 1", "cell.yy below 0.75 of it",
+       "for example -0.01,"},
+      {cell, "cell strain -0.25 -0.5\nservo yy 1 on cell through cell at most 1", "cell.xx below 0.75 of it",
+       "here -0.25,"},
+      {box, "", "box.height below 1 of it",
+       "write the value, `until box.height below 1e-9 at most 1000000 cycles`; to wait for rest"},
+      {box, "", "box.height below 0 of it", "write the value, `until box.height below 1e-9 at most"},
+      {box, "", "box.height above -1 of it", "write the value, `until box.height above 1e-9 at most"},
+      {box, "", "box.stress.xx above 0.5 of it", "write the value, `until box.stress.xx above 1e-9 at most"},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    char text[600];
+    snprintf(
+        text, sizeof text,
+        "units none\nmaterial rock density 1 kn 1\n%s\ndisc 5 5 radius 1 rock\nstep 0.1\nrecord time\nstage s\n%s\n"
+        "until %s at most 9 cycles\n",
+        rows[k].object, rows[k].in_stage, rows[k].condition);
+    says(text, rows[k].wanted, NULL);
+  }
+  says("material rock density 1 kg/m3 kn 1 N/m\nbox 0 m 0 m to 9 m 9 m rock\ndisc 5 m 5 m radius 1 m rock\nstep 1 "
+       "us\nrecord "
+       "time\nstage s\nbox strain 0 1/s -0.5 1/s\nuntil box.height below 0.75 of it at most 9 cycles\n",
+       "here -0.5 1/s, the stage ends at a time: `until stage.time above (log(0.75)/(-0.5 1/s)) at most", NULL);
+}
+
+/* `repeat` counts the repetitions, not the runs. The hint for a line without `more` gives both readings. */
+static void hints_for_the_number_of_repetitions(void) {
+  static const struct {
+    int times;
+    const char *wanted;
+  } rows[] = {
+      {1, "hint: write `repeat from s 1 more time`\n"},
+      {2,
+       "hint: write `repeat from s 2 more times`; with the first run that makes 3, so for 2 in all write `repeat from "
+       "s 1 more time`\n"},
+      {3,
+       "hint: write `repeat from s 3 more times`; with the first run that makes 4, so for 3 in all write `repeat from "
+       "s 2 more times`\n"}};
+  for (size_t k = 0; k < 2 * (sizeof rows / sizeof *rows); k++) {
+    char text[300];
+    snprintf(text, sizeof text,
+             "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\n" GO "repeat from s %d%s\n",
+             rows[k / 2].times, k % 2 ? " times" : "");
+    says(text, rows[k / 2].wanted, NULL);
+    says(text, k % 2 ? "expected `more times`, found `times`" : "expected `more times`, found the end of the line",
+         NULL);
+  }
+}
+
+/* ---- laws ---- */
+
+/* Of the two sides of a contact at most one may be rigid. Walls do not touch walls, and a single particle does not touch
+ * itself. */
+static void at_most_one_rigid_side(void) {
+#define ONE "sphere 0 0 radius 1 hard\n"
+#define SAME "expected at most one `rigid` side of a contact, found that both sides can be of `hard`"
+#define OTHER                                                                                                          \
+  "expected at most one `rigid` side of a contact, found that this material can touch `rock`, which is rigid too"
+  static const struct {
+    const char *things, *wanted;
+  } rows[] = {
+      {ONE, NULL},
+      {ONE "sphere 9 0 radius 1 soft\nwall w -9 -9 to 9 -9 soft\n", NULL},
+      {ONE "sphere 9 0 radius 1 hard\n", SAME},
+      {ONE "wall w -9 -9 to 9 -9 hard\n", SAME},
+      {ONE "sphere 9 0 radius 1 rock\n", OTHER},
+      {ONE "wall w -9 -9 to 9 -9 rock\n", OTHER},
+      {"sphere 0 0 radius 1 soft\nwall v -9 9 to 9 9 hard\nwall w -9 -9 to 9 -9 hard\n", NULL},
+      {"sphere 0 0 radius 1 soft\nwall v -9 9 to 9 9 hard\nwall w -9 -9 to 9 -9 rock\n", NULL},
+      {"sphere 0 0 radius 1 rock\nwall v -9 9 to 9 9 hard\n",
+       "found that this material can touch `hard`, which is rigid too"},
+      {"sphere 0 0 radius 1 none\n", "expected a material with `young` for `normal hertz`"},
+      {ONE "wall v -9 9 to 9 9 none\n", "expected a material with `young` for `normal hertz`"},
+      {ONE "disc 9 9 radius 1 soft\n", "expected spheres for `normal hertz`, found a disc"},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    char text[500];
+    snprintf(
+        text, sizeof text,
+        "units none\nmaterial soft density 1 young 1\nmaterial hard density 1 rigid\nmaterial rock density 1 rigid\n"
+        "material none density 1 kn 1\nnormal hertz\n%s" GO,
+        rows[k].things);
+    says(text, rows[k].wanted, NULL);
+  }
+}
+
+/* `shear mindlin` has no micro-slip. There is a warning where micro-slip decides: in a contact test with a segment that
+ * loads tangentially, and in a collision without damping and gravity. There is none without friction, without motion, or
+ * if the law is the value of a name or of --set. */
+static void warnings_of_a_law_without_micro_slip(void) {
+#define TEST                                                                                                           \
+  "path\nunits none\nmaterial rock young 1 friction 0.5\nnormal hertz\n%s\ncontact sphere 1 rock with sphere 1 rock\n"
+#define MINDLIN "shear mindlin"
+  static const char scene[] =
+      "units none\nmaterial rock density 1 young 1 friction %s\nnormal hertz\n%s\n%s\nstep 0.1\nrecord "
+      "time\nstage s\n%s\ncycles 1\n";
+  static const struct {
+    const char *friction, *law, *things, *in_stage;
+    bool warned;
+  } rows[] = {
+      {"0.5", MINDLIN, "sphere 0 0 radius 1 rock velocity 1 0", "", true},
+      {"0.5", MINDLIN, "sphere 0 0 radius 1 rock velocity 0 1", "", true},
+      {"0.5", MINDLIN, "sphere 0 0 radius 1 rock spin 1", "", true},
+      {"0.5", MINDLIN, "sphere 0 0 radius 1 rock", "", false},
+      {"0.5", MINDLIN, "sphere 0 0 radius 1 rock\nsphere 5 0 radius 1 rock velocity 1 0", "", true},
+      {"0.5", MINDLIN, "sphere 0 0 radius 1 rock velocity 1 0\nsphere 5 0 radius 1 rock", "", true},
+      {"0.5", MINDLIN,
+       "sphere 0 0 radius 1 rock\nsphere 5 0 radius 1 rock\nmonitor C sphere 1 with sphere 2\nimpact C speed 1 angle 0",
+       "", true},
+      {"0", MINDLIN, "sphere 0 0 radius 1 rock velocity 1 0", "", false},
+      {"0", MINDLIN, "sphere 0 0 radius 1 rock velocity 1 0\npair rock rock friction 0.5", "", true},
+      {"0.5", MINDLIN, "sphere 0 0 radius 1 rock velocity 1 0\nmaterial last density 1 young 1", "", true},
+      {"0.5", MINDLIN, "sphere 0 0 radius 1 rock velocity 1 0\ndamping ratio 0.1", "", false},
+      {"0.5", MINDLIN, "sphere 0 0 radius 1 rock velocity 1 0\ngravity 0 -1", "", false},
+      {"0.5", MINDLIN, "sphere 0 0 radius 1 rock velocity 1 0", "damping mass 1", false},
+      {"0.5", MINDLIN, "sphere 0 0 radius 1 rock velocity 1 0", "gravity 0 -1", false},
+      {"0.5", MINDLIN, "sphere 0 0 radius 1 rock velocity 1 0", "gravity 0 -1\ncycles 1\nstage t", false},
+      {"0.5", "let law mindlin\nshear $law", "sphere 0 0 radius 1 rock velocity 1 0", "", false},
+      {"0.5", "shear mindlin_deresiewicz", "sphere 0 0 radius 1 rock velocity 1 0", "", false},
+  };
+  static const struct {
+    const char *segments;
+    bool warned;
+  } tests[] = {{"segment a overlap to 0.1", false},
+               {"segment a overlap to 0.1\nsegment b slip by 0.1", true},
+               {"segment a slip by 0", false},
+               {"segment a overlap to 0.1\nsegment b slip to 0", true},
+               {"segment a overlap to 0.1\nsegment b shear by 0.1\nsegment c overlap to 0.2", true}};
+  char text[600];
+  for (size_t k = 0; k < sizeof rows / sizeof *rows + sizeof tests / sizeof *tests; k++) {
+    const size_t other = k - sizeof rows / sizeof *rows;
+    const bool test = k >= sizeof rows / sizeof *rows, wanted = test ? tests[other].warned : rows[k].warned;
+    if (test)
+      snprintf(text, sizeof text, TEST "%s\n", MINDLIN, tests[other].segments);
+    else
+      snprintf(text, sizeof text, scene, rows[k].friction, rows[k].law, rows[k].things, rows[k].in_stage);
+    struct written it;
+    struct words page = {0};
+    words_add(&page, "%s", text);
+    written_scene(&it, &page);
+    size_t found = 0;
+    for (size_t w = 0; w < it.scene.warnings.count; w++)
+      found += strstr(it.scene.warnings.list[w].text,
+                      test ? "`shear mindlin` has no micro-slip at the edge of the contact, on "
+                             "which the result of this contact test depends"
+                           : "on which a collision without damping depends") != NULL;
+    if (found != wanted)
+      printf("# %s\n", text);
+    CU_ASSERT_EQUAL(found, wanted);
+    written_free(&it);
+  }
+}
+
 void suite_stated(void) {
   CU_pSuite suite = CU_add_suite("stated", NULL, NULL);
   CU_ADD_TEST(suite, quarter_turns_are_exact);
@@ -483,4 +676,8 @@ void suite_stated(void) {
   CU_ADD_TEST(suite, names_of_repeated_stages);
   CU_ADD_TEST(suite, targets_of_a_servo);
   CU_ADD_TEST(suite, hints_for_a_servo);
+  CU_ADD_TEST(suite, hints_for_a_fraction_of_a_size);
+  CU_ADD_TEST(suite, hints_for_the_number_of_repetitions);
+  CU_ADD_TEST(suite, at_most_one_rigid_side);
+  CU_ADD_TEST(suite, warnings_of_a_law_without_micro_slip);
 }

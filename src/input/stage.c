@@ -102,12 +102,13 @@ static bool strain_hint(char *hint, const struct nb_reader *reader, const struct
   if (!(fraction > 0) || fraction == 1)
     return false;
   const double own = rate_to(stage, size, fraction), rate = own != 0 ? own : copysign(0.01, log(fraction));
+  const char *const unit = reader->unitless ? "" : " 1/s";
   snprintf(
       hint, NB_HINT_SIZE,
-      "with a constant strain rate, %s %g%s, the stage ends at a time: `until stage.time above (log(%g)/(%g 1/s)) at "
+      "with a constant strain rate, %s %g%s, the stage ends at a time: `until stage.time above (log(%g)/(%g%s)) at "
       "most 1000000 cycles`, with more cycles if the step is short. Or write a value: `until %s %s (%g*L) at most "
       "1000000 cycles`, where `let L = …` in the scene is the %s at the beginning of the stage",
-      own != 0 ? "here" : "for example", rate, reader->unitless ? "" : " 1/s", fraction, rate, condition->name,
+      own != 0 ? "here" : "for example", rate, unit, fraction, rate, unit, condition->name,
       condition->relation == NB_BELOW ? "below" : "above", fraction, size % 2 ? "height" : "width");
   return true;
 }
