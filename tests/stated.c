@@ -663,6 +663,65 @@ static void warnings_of_a_law_without_micro_slip(void) {
   }
 }
 
+/* A law that is not known has a hint: the nearest name; what other programs mean; after `shear` a number or `strain` is
+ * meant as a rate. `memory K` is for a shear law that stores pieces, and K is from 2 to 256. */
+static void names_and_options_of_laws(void) {
+  static const char rate[] = "hint: simple shear at the rate", list[] = "hint: `nineball laws` lists the laws";
+  static const struct {
+    const char *line, *wanted;
+  } rows[] = {
+      {"shear strain 0.1", rate},
+      {"shear 0.1", rate},
+      {"normal 0.1", list},
+      {"normal strain", list},
+      {"normal none", list},
+      {"normal normal_hertz", "hint: did you mean `normal hertz`?"},
+      {"normal lineal", "hint: did you mean `linear`?"},
+      {"shear hertz", "hint: the shear law of elastic spheres is `shear mindlin` or `shear mindlin_deresiewicz`"},
+      {"normal linear memory 4", "expected the end of the line, found `memory`"},
+      {"shear linear memory 4", "`shear linear` stores no history in pieces, so it takes no `memory`"},
+      {"shear linear friction 0.5", "hint: this property belongs to the material"},
+      {"shear linear young 5", "hint: this property belongs to the material"},
+      {"normal linear kn 5", "hint: this property belongs to the material"},
+      {"normal linear\nnormal linear", "`normal` is given twice, first on line 4"},
+      {"shear linear\nshear linear", "`shear` is given twice, first on line 4"},
+      {"normal linear\nshear linear", NULL},
+      {"normal hertz\nshear mindlin_deresiewicz memory 2", NULL},
+      {"normal hertz\nshear mindlin_deresiewicz memory 256", NULL},
+      {"normal hertz\nshear mindlin_deresiewicz memory 1", "2"},
+      {"normal hertz\nshear mindlin_deresiewicz memory 257", "256"},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    char text[300];
+    snprintf(text, sizeof text,
+             "units none\nmaterial rock density 1 kn 1 ks 1 young 1\n%s\nsphere 0 0 radius 1 rock\n" GO, rows[k].line);
+    says(text, rows[k].wanted, NULL);
+  }
+  struct words page = {0};
+  struct written it;
+  words_add(&page,
+            "units none\nmaterial rock density 1 young 1\nnormal hertz\nshear mindlin_deresiewicz memory 4\nsphere 0 0 "
+            "radius 1 rock\n" GO
+            "stage t\nnormal hertz\nshear mindlin_deresiewicz memory 8\ncycles 1\nstage u\nshear mindlin\n"
+            "cycles 1\nstage v\nnormal hertz_increment\ncycles 1\n");
+  written_scene(&it, &page);
+  const struct nb_scene *const scene = &it.scene;
+  const struct nb_stage *const s = scene->stages, *const t = s + 1, *const u = s + 2, *const v = s + 3;
+  CU_ASSERT(scene->pieces == 4 && scene->normal_line == 4 && scene->shear_line == 5);
+  CU_ASSERT(t->laws.pieces == 8 && t->laws.normal_line == 12 && t->laws.shear_line == 13);
+  CU_ASSERT(u->laws.pieces == 0 && u->laws.normal_line == 0 && u->laws.shear_line == 16);
+  CU_ASSERT(v->laws.normal_line == 19 && v->laws.shear_line == 0 && s->laws.normal_line == 0 &&
+            s->laws.shear_line == 0);
+  CU_ASSERT(!s->laws.normal[0] && !s->laws.shear[0] && !u->laws.normal[0] && !v->laws.shear[0]);
+  CU_ASSERT_STRING_EQUAL(scene->normal, "hertz");
+  CU_ASSERT_STRING_EQUAL(scene->shear, "mindlin_deresiewicz");
+  CU_ASSERT_STRING_EQUAL(t->laws.normal, "hertz");
+  CU_ASSERT_STRING_EQUAL(t->laws.shear, "mindlin_deresiewicz");
+  CU_ASSERT_STRING_EQUAL(u->laws.shear, "mindlin");
+  CU_ASSERT_STRING_EQUAL(v->laws.normal, "hertz_increment");
+  written_free(&it);
+}
+
 void suite_stated(void) {
   CU_pSuite suite = CU_add_suite("stated", NULL, NULL);
   CU_ADD_TEST(suite, quarter_turns_are_exact);
@@ -678,6 +737,7 @@ void suite_stated(void) {
   CU_ADD_TEST(suite, hints_for_a_servo);
   CU_ADD_TEST(suite, hints_for_a_fraction_of_a_size);
   CU_ADD_TEST(suite, hints_for_the_number_of_repetitions);
+  CU_ADD_TEST(suite, names_and_options_of_laws);
   CU_ADD_TEST(suite, at_most_one_rigid_side);
   CU_ADD_TEST(suite, warnings_of_a_law_without_micro_slip);
 }
