@@ -596,6 +596,22 @@ static void at_most_one_rigid_side(void) {
   }
 }
 
+/* A material without `young` is reported once, however many particles and walls have it. */
+static void a_material_is_reported_once(void) {
+  struct words words = {0};
+  struct nb_page page = {0};
+  struct nb_scene scene = {0};
+  struct nb_mistakes mistakes = {0};
+  words_add(&words,
+            "```scene\nunits none\nmaterial a density 1 kn 1\nmaterial b density 1 kn 1\nnormal hertz\nlattice spheres "
+            "3 by 1 radius 1 a\nwall v -9 -9 to 9 -9 a\nwall w -9 -5 to 9 -5 b\n" GO "```\n");
+  nb_page_read_bytes(&page, "stated.md", words.text, words.length, &mistakes);
+  nb_scene_read(&scene, &page, 0, NULL, &mistakes);
+  CU_ASSERT_EQUAL(mistakes.count, 2);
+  CU_ASSERT(mistakes.text && strstr(mistakes.text, "stated.md:3:1: ") && strstr(mistakes.text, "stated.md:4:1: "));
+  nb_mistakes_free(&mistakes), nb_scene_free(&scene), nb_page_free(&page), free(words.text);
+}
+
 /* `shear mindlin` has no micro-slip. There is a warning where micro-slip decides: in a contact test with a segment that
  * loads tangentially, and in a collision without damping and gravity. There is none without friction, without motion, or
  * if the law is the value of a name or of --set. */
@@ -604,7 +620,7 @@ static void warnings_of_a_law_without_micro_slip(void) {
   "path\nunits none\nmaterial rock young 1 friction 0.5\nnormal hertz\n%s\ncontact sphere 1 rock with sphere 1 rock\n"
 #define MINDLIN "shear mindlin"
   static const char scene[] =
-      "units none\nmaterial rock density 1 young 1 friction %s\nnormal hertz\n%s\n%s\nstep 0.1\nrecord "
+      "units none\nmaterial rock density 1 young 1 friction %s\n%s\nnormal hertz\n%s\nstep 0.1\nrecord "
       "time\nstage s\n%s\ncycles 1\n";
   static const struct {
     const char *friction, *law, *things, *in_stage;
@@ -628,6 +644,7 @@ static void warnings_of_a_law_without_micro_slip(void) {
       {"0.5", MINDLIN, "sphere 0 0 radius 1 rock velocity 1 0", "gravity 0 -1", false},
       {"0.5", MINDLIN, "sphere 0 0 radius 1 rock velocity 1 0", "gravity 0 -1\ncycles 1\nstage t", false},
       {"0.5", "let law mindlin\nshear $law", "sphere 0 0 radius 1 rock velocity 1 0", "", false},
+      {"0.5", MINDLIN "\nlet law mindlin", "sphere 0 0 radius 1 rock velocity 1 0", "shear $law", true},
       {"0.5", "shear mindlin_deresiewicz", "sphere 0 0 radius 1 rock velocity 1 0", "", false},
   };
   static const struct {
@@ -661,6 +678,11 @@ static void warnings_of_a_law_without_micro_slip(void) {
     CU_ASSERT_EQUAL(found, wanted);
     written_free(&it);
   }
+  struct written it;
+  snprintf(text, sizeof text, scene, "0.5", MINDLIN, "sphere 0 0 radius 1 rock velocity 1 0", "");
+  read_set(&it, text, "shear=mindlin");
+  CU_ASSERT_EQUAL(it.scene.warnings.count, 0);
+  written_free(&it);
 }
 
 /* A law that is not known has a hint: the nearest name; what other programs mean; after `shear` a number or `strain` is
@@ -722,6 +744,215 @@ static void names_and_options_of_laws(void) {
   written_free(&it);
 }
 
+/* The last of several settings of one law counts, and a law of a setting overrides the page. */
+static void the_last_setting_of_a_law_counts(void) {
+  const char *const settings[] = {"shear=none", "shear=linear", NULL};
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\nmaterial m density 1 kn 1\nshear none\ndisc 0 0 radius 1 m\n" GO);
+  written_scene_set(&it, &page, settings);
+  CU_ASSERT_STRING_EQUAL(it.scene.shear, "linear");
+  CU_ASSERT_EQUAL(it.scene.shear_line, 0);
+  written_free(&it);
+}
+
+/* ---- damping ---- */
+
+/* Each statement sets the damping of all contacts, of contacts with walls, of deep contacts, of all particles, or the time
+ * of the dashpots' velocity; `none` ends all of them, `walls none` that of the walls. */
+static void kinds_of_damping(void) {
+  static const struct {
+    const char *lines;
+    struct nb_damping wanted;
+  } rows[] = {
+      {"damping stiffness 2", {.contact_kind = NB_CONTACT_STIFFNESS, .contact = 2, .contact_line = 1}},
+      {"damping ratio 0.5", {.contact_kind = NB_CONTACT_RATIO, .contact = 0.5, .contact_line = 1}},
+      {"damping ratio 50 %", {.contact_kind = NB_CONTACT_RATIO, .contact = 0.5, .contact_line = 1}},
+      {"damping r89-fraction 3", {.contact_kind = NB_CONTACT_R89_FRACTION, .contact = 3, .contact_line = 1}},
+      {"damping walls stiffness 2",
+       {.walls_separate = true, .walls_kind = NB_CONTACT_STIFFNESS, .walls = 2, .walls_line = 1}},
+      {"damping walls ratio 0.5",
+       {.walls_separate = true, .walls_kind = NB_CONTACT_RATIO, .walls = 0.5, .walls_line = 1}},
+      {"damping walls r89-fraction 3",
+       {.walls_separate = true, .walls_kind = NB_CONTACT_R89_FRACTION, .walls = 3, .walls_line = 1}},
+      {"damping ratio 0.5\ndamping walls none",
+       {.contact_kind = NB_CONTACT_RATIO, .contact = 0.5, .contact_line = 1, .walls_separate = true, .walls_line = 2}},
+      {"damping walls ratio 0.5\ndamping ratio 0.25",
+       {.contact_kind = NB_CONTACT_RATIO,
+        .contact = 0.25,
+        .contact_line = 2,
+        .walls_separate = true,
+        .walls_kind = NB_CONTACT_RATIO,
+        .walls = 0.5,
+        .walls_line = 1}},
+      {"damping mass 4", {.global_kind = NB_GLOBAL_MASS, .global = 4, .global_line = 1}},
+      {"damping con1 0.75 as cs79", {.global_kind = NB_GLOBAL_CON1_CS79, .global = 0.75, .global_line = 1}},
+      {"damping con1 0.75 as velocity", {.global_kind = NB_GLOBAL_CON1_VELOCITY, .global = 0.75, .global_line = 1}},
+      {"damping con1 0.75 as all", {.global_kind = NB_GLOBAL_CON1_ALL, .global = 0.75, .global_line = 1}},
+      {"damping centred", {.centred = true, .centred_line = 1}},
+      {"damping late", {.centred_line = 1}},
+      {"damping none", {.contact_line = 1, .deep_line = 1, .centred_line = 1, .global_line = 1}},
+      {"damping ratio 0.5\ndamping mass 4\ndamping centred\nstage s\ndamping none\ncycles 1",
+       {.contact_line = 5, .deep_line = 5, .centred_line = 5, .global_line = 5}},
+      {"damping walls ratio 0.5\nstage s\ndamping none\ncycles 1",
+       {.contact_line = 3,
+        .deep_line = 3,
+        .centred_line = 3,
+        .global_line = 3,
+        .walls_line = 1,
+        .walls_kind = NB_CONTACT_RATIO,
+        .walls = 0.5}},
+      {"damping centred\nstage s\ndamping late\ndamping mass 1\ncycles 1",
+       {.centred_line = 3, .global_kind = NB_GLOBAL_MASS, .global = 1, .global_line = 4}},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    const bool in_stage = strstr(rows[k].lines, "stage") != NULL;
+    struct words page = {0};
+    struct written it;
+    words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nstep 0.1\nrecord time\n%s\n%s",
+              rows[k].lines, in_stage ? "" : "stage s\ncycles 1\n");
+    written_scene(&it, &page);
+    struct nb_damping found = it.scene.stages[0].damping;
+    const struct nb_damping *const wanted = &rows[k].wanted;
+    const int lines[][2] = {{found.contact_line, wanted->contact_line},
+                            {found.walls_line, wanted->walls_line},
+                            {found.deep_line, wanted->deep_line},
+                            {found.centred_line, wanted->centred_line},
+                            {found.global_line, wanted->global_line}};
+    for (size_t l = 0; l < sizeof lines / sizeof *lines; l++)
+      CU_ASSERT_EQUAL(lines[l][0], lines[l][1] ? lines[l][1] + 6 : 0);
+    const bool same = found.contact_kind == wanted->contact_kind && found.contact == wanted->contact &&
+                      found.walls_separate == wanted->walls_separate && found.walls_kind == wanted->walls_kind &&
+                      found.walls == wanted->walls && found.centred == wanted->centred && found.deep == wanted->deep &&
+                      found.global_kind == wanted->global_kind && found.global == wanted->global;
+    if (!same)
+      printf("# %s\n", rows[k].lines);
+    CU_ASSERT(same);
+    written_free(&it);
+  }
+  struct words page = {0};
+  struct written it;
+  words_add(&page,
+            "units none\nmaterial m density 1 young 1\nnormal hertz\nsphere 0 0 radius 1 m\ndamping critical beyond "
+            "overlap 7 %%\n" GO "stage t\ndamping none\ncycles 1\n");
+  written_scene(&it, &page);
+  CU_ASSERT(it.scene.damping.deep == 0.07 && it.scene.damping.deep_line == 6 &&
+            it.scene.stages[0].damping.deep == 0.07);
+  CU_ASSERT_EQUAL(it.scene.stages[1].damping.deep, 0);
+  written_free(&it);
+}
+
+/* Each kind of damping may be given once in the scene, and once more in each stage. */
+static void damping_given_twice(void) {
+  static const struct {
+    const char *lines, *wanted;
+  } rows[] = {
+      {"damping ratio 0.1\ndamping stiffness 0.1", "the damping of contacts is given twice, first on line 7"},
+      {"damping walls ratio 0.1\ndamping walls none",
+       "the damping of contacts with walls is given twice, first on line 7"},
+      {"damping mass 1\ndamping con1 1 as all", "the damping of all particles is given twice, first on line 7"},
+      {"damping centred\ndamping late", "the time of the dashpots' velocity is given twice, first on line 7"},
+      {"damping none\ndamping mass 1", "the damping of all particles is given twice, first on line 7"},
+      {"damping ratio 0.1\ndamping walls ratio 0.1\ndamping mass 1\ndamping late", NULL},
+      {"damping ratio 0.1\nstage s\ndamping ratio 0.2\ncycles 1\nstage t\ndamping ratio 0.1", NULL},
+      {"stage s\ndamping ratio 0.2\ndamping ratio 0.1", "the damping of contacts is given twice, first on line 8"},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    char text[400];
+    snprintf(text, sizeof text,
+             "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nstep 0.1\nrecord time\n%s\n%scycles 1\n",
+             rows[k].lines, strstr(rows[k].lines, "stage") ? "" : "stage s\n");
+    says(text, rows[k].wanted, NULL);
+  }
+}
+
+/* ---- regions, monitors, removals ---- */
+
+static void regions_and_their_values(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(
+      &page,
+      "units none\nmaterial m density 1 kn 1\ngrading g 2 3 1 4\nlattice discs 3 by 1 radius 1 m\nsphere 9 9 radius 1 "
+      "m\n"
+      "wall w -9 -9 to 9 -9 m\nboundary circle 0 0 radius 1\nregion A circle 1 2 radius 3 rings 4 from t\n"
+      "monitor D disc 2\nregion B box 1 2 to 5 10 from s\nregion C inside 0.5 rings 1000\nregion E all from t\n"
+      "monitor F disc 1 with disc 3\nmonitor G disc 2 with sphere 4\nmonitor H sphere 4 with wall w\nmonitor I wall w\n"
+      "monitor J grading g\nmonitor K grading g radius 1\nmonitor L grading g radius 2\n" GO
+      "stage t\nremove disc 2\nremove sphere 4\ncycles 1\nstage u\nremove discs 1 to 1\nremove discs 3 to 3\ncycles "
+      "1\n");
+  written_scene(&it, &page);
+  const struct nb_region *const r = it.scene.regions;
+  CU_ASSERT(r[0].kind == NB_REGION_CIRCLE && r[0].x == 1 && r[0].y == 2 && r[0].radius == 3 && r[0].rings == 4);
+  CU_ASSERT(r[1].kind == NB_REGION_BOX && r[1].x == 3 && r[1].y == 6 && r[1].half_x == 2 && r[1].half_y == 4);
+  CU_ASSERT(r[1].ex == 1 && r[1].ey == 0 && r[1].rings == 0 && r[3].ex == 1 && r[3].ey == 0);
+  CU_ASSERT(r[2].kind == NB_REGION_INSIDE && r[2].radius == 0.5 && r[2].rings == 1000 && r[3].kind == NB_REGION_ALL);
+  CU_ASSERT(r[0].stage == 1 && r[1].stage == 0 && r[2].stage == -1 && r[3].stage == 1);
+  CU_ASSERT(r[0].line == 9 && r[1].line == 11 && r[3].line == 13);
+  static const struct nb_monitor wanted[] = {{"A", NB_MONITOR_REGION, 0, -1, 9},
+                                             {"D", NB_MONITOR_PARTICLE, 1, -1, 10},
+                                             {"B", NB_MONITOR_REGION, 1, -1, 11},
+                                             {"C", NB_MONITOR_REGION, 2, -1, 12},
+                                             {"E", NB_MONITOR_REGION, 3, -1, 13},
+                                             {"F", NB_MONITOR_PARTICLE_PARTICLE, 0, 2, 14},
+                                             {"G", NB_MONITOR_PARTICLE_PARTICLE, 1, 3, 15},
+                                             {"H", NB_MONITOR_PARTICLE_WALL, 3, 0, 16},
+                                             {"I", NB_MONITOR_WALL, 0, -1, 17},
+                                             {"J", NB_MONITOR_GRADING, 0, -1, 18},
+                                             {"K", NB_MONITOR_SIZE, 0, 1, 19},
+                                             {"L", NB_MONITOR_SIZE, 0, 0, 20}};
+  CU_ASSERT_EQUAL_FATAL(it.scene.monitor_count, sizeof wanted / sizeof *wanted);
+  for (size_t k = 0; k < it.scene.monitor_count; k++) {
+    const struct nb_monitor *const m = &it.scene.monitors[k];
+    CU_ASSERT_STRING_EQUAL(m->name, wanted[k].name);
+    CU_ASSERT(m->kind == wanted[k].kind && m->a == wanted[k].a && m->b == wanted[k].b && m->line == wanted[k].line);
+  }
+  const struct nb_removal *const t = it.scene.stages[1].removals, *const u = it.scene.stages[2].removals;
+  CU_ASSERT(t[0].from == 1 && t[0].to == 1 && t[0].line == 26 && t[1].from == 3 && t[1].to == 3);
+  CU_ASSERT(u[0].from == 0 && u[0].to == 0 && u[1].from == 2 && u[1].to == 2 && u[1].line == 31);
+  written_free(&it);
+}
+
+/* A particle is removed once, and its statement names its shape. */
+static void particles_that_cannot_be_removed(void) {
+  static const struct {
+    const char *first, *second, *wanted; /* of five discs and one sphere, number 6 */
+  } rows[] = {
+      {"remove discs 2 to 3", "remove disc 1", NULL},
+      {"remove discs 2 to 3", "remove discs 4 to 5", NULL},
+      {"remove discs 2 to 3", "remove disc 2", "particle 2 is removed already, on line 9"},
+      {"remove discs 2 to 3", "remove disc 3", "particle 3 is removed already, on line 9"},
+      {"remove discs 2 to 3", "remove discs 1 to 2", "particle 2 is removed already, on line 9"},
+      {"remove discs 2 to 3", "remove discs 3 to 5", "particle 3 is removed already, on line 9"},
+      {"remove discs 2 to 3", "remove discs 1 to 5", "particle 2 is removed already, on line 9"},
+      {"remove discs 2 to 4", "remove disc 3", "particle 3 is removed already, on line 9"},
+      {"remove disc 1\nremove disc 3", "remove disc 3", "particle 3 is removed already, on line 10"},
+      {"remove sphere 6", "remove disc 5", NULL},
+      {"remove sphere 5", "", "expected only numbers of spheres, but particle 5 is a disc"},
+      {"remove disc 6", "", "expected only numbers of discs, but particle 6 is a sphere"},
+      {"remove discs 4 to 6", "", "expected only numbers of discs, but particle 6 is a sphere"},
+      {"remove spheres 4 to 6", "", "expected only numbers of spheres, but particle 4 is a disc"},
+      {"remove discs 1 to 5", "remove spheres 6 to 6", NULL},
+      {"remove disc 7", "", "from 1 to 6"},
+      {"remove disc 0", "", "from 1 to 6"},
+      {"remove discs 3 to 2", "", "from 3 to 6"},
+      {"remove discs 3 to 7", "", "from 3 to 6"},
+      {"remove w", "", "`disc N`, `discs N to M`, `sphere N` or `spheres N to M`"},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
+    for (int later = 0; later < 2; later++) {
+      char text[400];
+      snprintf(text, sizeof text,
+               "units none\nmaterial m density 1 kn 1\nlattice discs 5 by 1 radius 1 m\nsphere 90 0 radius 1 m\nstep "
+               "0.1\nrecord time\nstage s %s\n%s\ncycles 1\n%s%s\n%s",
+               later ? "" : "# one stage only", rows[k].first, later ? "stage t\n" : "", rows[k].second,
+               later ? "cycles 1\n" : "");
+      if (!later && !rows[k].wanted)
+        continue;
+      says(text, rows[k].wanted, NULL);
+    }
+}
+
 void suite_stated(void) {
   CU_pSuite suite = CU_add_suite("stated", NULL, NULL);
   CU_ADD_TEST(suite, quarter_turns_are_exact);
@@ -739,5 +970,11 @@ void suite_stated(void) {
   CU_ADD_TEST(suite, hints_for_the_number_of_repetitions);
   CU_ADD_TEST(suite, names_and_options_of_laws);
   CU_ADD_TEST(suite, at_most_one_rigid_side);
+  CU_ADD_TEST(suite, a_material_is_reported_once);
+  CU_ADD_TEST(suite, the_last_setting_of_a_law_counts);
+  CU_ADD_TEST(suite, kinds_of_damping);
+  CU_ADD_TEST(suite, damping_given_twice);
+  CU_ADD_TEST(suite, regions_and_their_values);
+  CU_ADD_TEST(suite, particles_that_cannot_be_removed);
   CU_ADD_TEST(suite, warnings_of_a_law_without_micro_slip);
 }
