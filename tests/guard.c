@@ -644,6 +644,93 @@ static void conditions_on_strains_of_the_other_sign(void) {
   }
 }
 
+/* A wall that rotates about its middle because its line has no `about` causes a warning. Opposite walls of a box may rotate
+ * alike, which distorts the box. */
+static void walls_that_rotate_about_their_middles(void) {
+#define NO_ABOUT "; its line in the scene has no `about X Y`, which sets the centre\n"
+#define OF_BOX "; its line in the scene is a `box`; only a line `wall` can have `about X Y`, which sets the centre\n"
+  static const char box[] = "wall v -90 0 to -80 0 m\nbox 0 0 to 8 6 m";
+  static const struct {
+    const char *walls, *a, *b, *wanted;
+  } cases[] = {
+      {"wall w 0 1 to 4 3 m spin 1", "", "", "4: wall `w` rotates about its middle: 2 2" NO_ABOUT},
+      {"wall w 0 1 to 4 3 m spin -1", "", "", "4: wall `w` rotates about its middle: 2 2" NO_ABOUT},
+      {"wall w 0 1 to 4 3 m", "", "", ""},
+      {"wall w 0 1 to 4 3 m about 2 2 spin 1", "", "", ""},
+      {"wall w 0 1 to 4 3 m", "wall w spin 1", "", "8: wall `w` rotates about its middle: 2 2" NO_ABOUT},
+      {"wall w 0 1 to 4 3 m", "", "wall w spin 1", "10: wall `w` rotates about its middle: 2 2" NO_ABOUT},
+      {"wall w 0 1 to 4 3 m", "wall w spin 0", "", ""},
+      {"wall w 0 1 to 4 3 m", "wall w velocity 1 0", "", ""},
+      {"wall w 0 1 to 4 3 m about 9 9", "wall w spin 1", "", ""},
+      {box, "wall south spin 1", "", "9: wall `south` rotates about its middle: 4 0" OF_BOX},
+      {box, "wall west spin 1", "", "9: wall `west` rotates about its middle: 0 3" OF_BOX},
+      {box, "wall v spin 1", "", "9: wall `v` rotates about its middle: -85 0" NO_ABOUT},
+      {box, "wall south spin 1\nwall north spin 1", "", ""},
+      {box, "wall north spin 1\nwall south spin 1", "", ""},
+      {box, "wall east spin 1\nwall west spin 1", "", ""},
+      {box, "wall south spin 1\nwall north spin -1", "", "9: wall `south` rotates"},
+      {box, "wall south spin 1\nwall east spin 1", "", "9: wall `south` rotates"},
+      {box, "wall south spin 1\nwall north spin 1", "wall south spin 2", "13: wall `south` rotates"},
+      {box, "wall south spin 1\nwall north spin 1", "wall south spin 1", ""},
+      {box, "wall south spin 1\nwall north spin 1", "wall south spin 2\nwall north spin 2", ""},
+  };
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    char statements[500];
+    snprintf(
+        statements, sizeof statements,
+        "material m density 1 kn 1\n%s\ndisc 4 5 radius 0.1 m\nstep 1e-6\nstage a\n%s%scycles 1\nstage b\n%s\ncycles 1",
+        cases[k].walls, cases[k].a, *cases[k].a ? "\n" : "", cases[k].b);
+    begins(statements, cases[k].wanted);
+  }
+}
+
+/* A free particle whose centre is outside the box causes a warning. The centre may be on a wall. */
+static void particles_outside_the_box(void) {
+  static const struct {
+    const char *particles, *wanted;
+  } cases[] = {
+      {"disc 0 4 radius 0.1 m fixed\ndisc 4 4 radius 1 m", ""},
+      {"disc 4 4 radius 1 m\ndisc 9 4 radius 0.5 m", "7: particle 2 begins outside the box\n"},
+      {"disc -1 4 radius 0.5 m", "6: particle 1 begins outside the box\n"},
+      {"disc 4 9 radius 0.5 m", "6: particle 1 begins outside the box\n"},
+      {"disc 4 -1 radius 0.5 m", "6: particle 1 begins outside the box\n"},
+      {"disc 4 -1 radius 0.5 m fixed", ""},
+      {"disc 4 4 radius 1 m\ndisc 4 -1 radius 0.5 m\ndisc 4 -9 radius 0.5 m\ndisc 4 6 radius 0.5 m",
+       "7: 2 particles begin outside the box; the first is particle 2\n"},
+      {"disc 4 4 radius 1 m\ntransform rotate 1", ""},
+      {"disc 9 4 radius 0.5 m\ntransform rotate 1", "6: particle 1 begins outside the box\n"},
+  };
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    char statements[500];
+    snprintf(statements, sizeof statements,
+             "material m density 1 kn 1\nwall v -90 -90 to -80 -90 m\nbox 0 0 to 8 8 m\n%s", cases[k].particles);
+    begins(statements, cases[k].wanted);
+  }
+  begins("material m density 1 kn 1\nwall v -90 -90 to -80 -90 m\ndisc 9 9 radius 1 m", ""); /* there is no box */
+}
+
+/* A fixed particle has no contact with a wall or with another fixed particle. */
+static void contacts_of_fixed_particles(void) {
+  static const struct warning_case cases[] = {
+      {"monitor C disc 1 with disc 2",
+       "8: this contact has no force: a `fixed` particle has no contact with another fixed one\n"},
+      {"monitor C disc 2 with wall w", "8: this contact has no force: a `fixed` particle has no contact with a wall\n"},
+      {"monitor C disc 3 with wall w", NULL},
+      {"monitor C disc 1 with disc 3", NULL},
+      {"monitor C disc 3 with disc 2", NULL},
+      {"monitor C disc 1", NULL},
+      {"monitor C wall w", NULL},
+  };
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    char statements[500];
+    snprintf(statements, sizeof statements,
+             "material m density 1 kn 1\ndisc 0 0 radius 1 m fixed\ndisc 3 0 radius 1 m fixed\ndisc 6 0 radius 1 m\n"
+             "wall w -9 -9 to 9 -9 m\n%s",
+             cases[k].statements);
+    warns_once(&(struct warning_case){statements, cases[k].wanted});
+  }
+}
+
 /* Gravity upwards, and away from all walls and fixed particles, causes a warning. There is none if a wall or a fixed
  * particle is in its direction, if something else moves the particles or the walls, or if there is no wall at all. */
 static void gravity_away_from_walls(void) {
@@ -844,6 +931,9 @@ void suite_guard(void) {
   CU_add_test(suite, "strain rates that go on without their servo", strain_rates_without_their_servo);
   CU_add_test(suite, "strain rates of earlier stages against a servo", strain_rates_against_a_servo);
   CU_add_test(suite, "conditions on strains of the other sign", conditions_on_strains_of_the_other_sign);
+  CU_add_test(suite, "walls that rotate about their middles", walls_that_rotate_about_their_middles);
+  CU_add_test(suite, "particles outside the box", particles_outside_the_box);
+  CU_add_test(suite, "contacts of fixed particles", contacts_of_fixed_particles);
   CU_add_test(suite, "resolution of coordinates", resolution_of_coordinates);
   CU_add_test(suite, "resolution that gets coarse", resolution_that_gets_coarse);
   CU_add_test(suite, "resolution and mean overlap", resolution_and_mean_overlap);
