@@ -953,6 +953,152 @@ static void particles_that_cannot_be_removed(void) {
     }
 }
 
+/* ---- walls ---- */
+
+/* The hint for the unknown name of a wall lists at most eight walls. */
+static void the_list_of_walls_in_a_hint(void) {
+  for (int count = 0; count <= 9; count++) {
+    char expected[300] = "", name[16];
+    struct words page = {0};
+    words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\n");
+    for (int k = 0; k < count; k++) {
+      words_add(&page, "wall w%d -9 %d to 9 %d m\n", k, -20 - k, -20 - k);
+      snprintf(name, sizeof name, "%s`w%d`", k ? ", " : "", k);
+      if (k < 8)
+        strcat(expected, name);
+    }
+    char wanted[400];
+    snprintf(wanted, sizeof wanted, "hint: %s%s%s%sdefine it above with `wall NAME …` or `box …`\n",
+             count ? "the scene has the walls " : "", expected, count > 8 ? ", …" : "", count ? "; " : "");
+    words_add(&page, "monitor S wall roof\n" GO);
+    says(page.text, wanted, NULL);
+    free(page.text);
+  }
+}
+
+/* A statement that needs an object whose own statement has a mistake is not reported, because it may be right. */
+static void statements_below_a_mistake(void) {
+  static const struct {
+    const char *wrong, *scene, *stage;
+  } rows[] = {
+      {"box 9 9 to 0 0 m", "monitor S wall south", ""},
+      {"box 9 9 to 0 0 m", "", "wall south velocity 0 1"},
+      {"box 9 9 to 0 0 m", "", "walls inward 1"},
+      {"box 9 9 to 0 0 m", "", "walls stop"},
+      {"wall w 0 0 to 0 0 m", "", "walls stop"},
+      {"box 9 9 to 0 0 m", "", "box strain 0 1"},
+      {"box 9 9 to 0 0 m", "", "servo mean 1 on box through box at most 1"},
+      {"cell 9 9 to 0 0", "", "cell strain 0 1"},
+      {"cell 9 9 to 0 0", "perturb wave 1 1 periods 1 1", ""},
+      {"boundary circle 0 0", "", "boundary fixed"},
+      {"boundary circle 0 0", "region A inside 0.5", ""},
+      {"lattice discs", "monitor D disc 7", ""},
+      {"lattice discs", "", "remove disc 7"},
+  };
+  for (size_t k = 0; k < 2 * (sizeof rows / sizeof *rows); k++) {
+    const bool wrong = k % 2;
+    struct words words = {0};
+    struct nb_page page = {0};
+    struct nb_scene scene = {0};
+    struct nb_mistakes mistakes = {0};
+    words_add(&words,
+              "```scene\nunits none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\n%s\n%s\nstep 0.1\nrecord "
+              "time\nstage s\n%s\n"
+              "cycles 1\n```\n",
+              wrong ? rows[k / 2].wrong : "", rows[k / 2].scene, rows[k / 2].stage);
+    nb_page_read_bytes(&page, "stated.md", words.text, words.length, &mistakes);
+    nb_scene_read(&scene, &page, 0, NULL, &mistakes);
+    if (mistakes.count != 1)
+      printf("# %s\n# said: %s\n", words.text, mistakes.text ? mistakes.text : "nothing");
+    CU_ASSERT_EQUAL(mistakes.count, 1); /* the wrong line, or the line that lacks an object */
+    CU_ASSERT(mistakes.text && (strncmp(mistakes.text, "stated.md:5:", 12) == 0) == wrong);
+    nb_mistakes_free(&mistakes), nb_scene_free(&scene), nb_page_free(&page), free(words.text);
+  }
+}
+
+/* A name is given once, also that of the first object of its kind. */
+static void names_that_exist(void) {
+  static const struct {
+    const char *scene, *stages, *wanted;
+  } rows[] = {
+      {"material m density 1", "", "there is a material `m` already, on line 3"},
+      {"grading g 1 1\ngrading g 1 1", "", "there is a grading `g` already, on line 5"},
+      {"wall w 0 9 to 1 9 m\nwall w 0 8 to 1 8 m", "", "there is a wall `w` already, on line 5"},
+      {"wall south 0 9 to 1 9 m\nbox -9 -9 to 9 9 m", "", "there is a wall `south` already, on line 5"},
+      {"box -9 -9 to 9 9 m\nwall north 0 9 to 1 9 m", "", "there is a wall `north` already, on line 5"},
+      {"box -9 -9 to 9 9 m\nbox -9 -9 to 9 9 m", "", "there is a wall `south` already, on line 5"},
+      {"monitor A disc 1\nmonitor A disc 1", "", "there is a monitor `A` already, on line 5"},
+      {"monitor A disc 1\nregion A all", "", "there is a monitor `A` already, on line 5"},
+      {"region A all\nmonitor A disc 1", "", "there is a region `A` already, on line 5"},
+      {"region A all\nregion A all", "", "there is a region `A` already, on line 5"},
+      {"", "stage s\ncycles 1", "there is a stage `s` already, on line 8"},
+      {"cell -9 -9 to 9 9\ncell -9 -9 to 9 9", "", "`cell` is given twice, first on line 5"},
+      {"gravity 0 1\ngravity 0 1", "", "`gravity` is given twice, first on line 5"},
+      {"boundary circle 0 0 radius 1\nboundary circle 0 0 radius 1", "", "`boundary` is given twice, first on line 5"},
+      {"transform rotate 1\ntransform rotate 1", "", "`transform` is given twice, first on line 5"},
+      {"skin 1\nskin 1", "", "expected one `skin`, found a second one"},
+      {"wall w 0 9 to 1 9 m\nwall v 0 8 to 1 8 m\nmonitor A wall w\nregion B all", "stage t\ncycles 1", NULL},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    char text[500];
+    snprintf(text, sizeof text, "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\n%s\n" GO "%s\n",
+             rows[k].scene, rows[k].stages);
+    says(text, rows[k].wanted, NULL);
+  }
+  static const char *const twice[] = {
+      "gravity 0 1\ngravity 0 1",
+      "rotation off\nrotation on",
+      "affine none\naffine none",
+      "cycles 1\ncycles 1",
+      "cycles 1\nuntil time above 1 at most 1 cycle",
+      "record none\nrecord none",
+      "box strain 0 0\nbox strain 0 0",
+      "boundary fixed\nboundary none",
+      "material m kn 1\nmaterial m kn 2",
+      "material m kn 1 ks 2\nmaterial m friction 1 ks 2",
+      "pair m n kn 1\npair n m kn 2",
+      "wall w spin 1\nwall w spin 2",
+      "wall w velocity 1 0\nwall w velocity 0 1",
+      "wall w velocity 1 0\nwalls stop",
+      "walls stop\nwalls inward 1",
+      "servo mean 1 on box through box at most 1\nservo mean 1 on box through box at most 1"};
+  static const char *const once[] = {"gravity 0 1",
+                                     "rotation off",
+                                     "material m kn 1\nmaterial m ks 2",
+                                     "material m kn 1\nmaterial n kn 1",
+                                     "material m kn 1\npair m m kn 1",
+                                     "pair m n kn 1\npair m m kn 1\npair n n kn 1",
+                                     "pair m n kn 1\npair n m ks 1",
+                                     "wall w spin 1\nwall w velocity 1 0",
+                                     "wall w spin 1\nwall v spin 1",
+                                     "walls stop\nwall w velocity 1 0\nwall w spin 1",
+                                     "walls inward 1\nwall south velocity 0 2"};
+  for (size_t k = 0; k < sizeof twice / sizeof *twice + sizeof once / sizeof *once; k++) {
+    const bool wrong = k < sizeof twice / sizeof *twice;
+    const char *const lines = wrong ? twice[k] : once[k - sizeof twice / sizeof *twice];
+    char text[600];
+    snprintf(text, sizeof text,
+             "units none\nmaterial m density 1 kn 1\nmaterial n kn 1\ndisc 0 0 radius 1 m\nbox -9 -9 to 9 9 m\nwall v "
+             "0 5 to 1 "
+             "5 m\nwall w 0 6 to 1 6 m\nboundary circle 0 0 radius 1\nstep 0.1\nrecord time\nstage s\n%s\n%s",
+             lines, strstr(lines, "cycle") ? "" : "cycles 1\n");
+    says(text, wrong ? "error: " : NULL, NULL);
+  }
+}
+
+/* A particle on a wall of the box is inside. */
+static void a_particle_on_a_wall_is_inside_the_box(void) {
+  static const char *const places[] = {"0 4", "8 4", "4 0", "4 8", "0 0", "8 8"};
+  for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page, "units none\nmaterial m density 1 kn 1\nbox 0 0 to 8 8 m\ndisc %s radius 1 m\n" GO, places[k]);
+    written_scene(&it, &page);
+    CU_ASSERT_EQUAL(it.scene.warnings.count, 0);
+    written_free(&it);
+  }
+}
+
 void suite_stated(void) {
   CU_pSuite suite = CU_add_suite("stated", NULL, NULL);
   CU_ADD_TEST(suite, quarter_turns_are_exact);
@@ -970,6 +1116,10 @@ void suite_stated(void) {
   CU_ADD_TEST(suite, hints_for_the_number_of_repetitions);
   CU_ADD_TEST(suite, names_and_options_of_laws);
   CU_ADD_TEST(suite, at_most_one_rigid_side);
+  CU_ADD_TEST(suite, the_list_of_walls_in_a_hint);
+  CU_ADD_TEST(suite, names_that_exist);
+  CU_ADD_TEST(suite, statements_below_a_mistake);
+  CU_ADD_TEST(suite, a_particle_on_a_wall_is_inside_the_box);
   CU_ADD_TEST(suite, a_material_is_reported_once);
   CU_ADD_TEST(suite, the_last_setting_of_a_law_counts);
   CU_ADD_TEST(suite, kinds_of_damping);
