@@ -533,6 +533,10 @@ static void hints_for_a_fraction_of_a_size(void) {
        "us\nrecord "
        "time\nstage s\nbox strain 0 1/s -0.5 1/s\nuntil box.height below 0.75 of it at most 9 cycles\n",
        "here -0.5 1/s, the stage ends at a time: `until stage.time above (log(0.75)/(-0.5 1/s)) at most", NULL);
+  says("material rock density 1 kg/m3 kn 1 N/m\nbox 0 m 0 m to 9 m 9 m rock\ndisc 5 m 5 m radius 1 m rock\nstep 1 "
+       "us\nrecord "
+       "time\nstage s\nuntil box.height below 5 m of it at most 9 cycles\n",
+       "expected `and`, `every N cycles` or `at most N cycles`, found `of`", NULL);
 }
 
 /* `repeat` counts the repetitions, not the runs. The hint for a line without `more` gives both readings. */
@@ -1099,6 +1103,110 @@ static void a_particle_on_a_wall_is_inside_the_box(void) {
   }
 }
 
+/* ---- contact tests ---- */
+
+/* A segment has a target for the normal and one for the tangential direction: a value or a change, of a displacement or a
+ * force. Without its own target a displacement stays, and `hold` keeps a force: a change of 0. */
+static void targets_of_segments(void) {
+  static const struct {
+    const char *line;
+    struct nb_target normal, shear;
+    unsigned long steps;
+  } rows[] = {
+      {"overlap to 2 in 3 steps", {false, false, 2}, {false, true, 0}, 3},
+      {"overlap by -2", {false, true, -2}, {false, true, 0}, 100},
+      {"normal to 2", {true, false, 2}, {false, true, 0}, 100},
+      {"normal to 0", {true, false, 0}, {false, true, 0}, 100},
+      {"normal by -2 slip to 3", {true, true, -2}, {false, false, 3}, 100},
+      {"slip by 3 overlap to -1 in 1 step", {false, false, -1}, {false, true, 3}, 1},
+      {"shear to -4 hold normal", {true, true, 0}, {true, false, -4}, 100},
+      {"in 7 steps shear by 4", {false, true, 0}, {true, true, 4}, 7},
+      {"hold shear overlap by 5", {false, true, 5}, {true, true, 0}, 100},
+      {"hold normal hold shear", {true, true, 0}, {true, true, 0}, 100},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct words page = {0};
+    struct written it;
+    words_add(
+        &page,
+        "path\nunits none\nmaterial rock kn 1 ks 1 friction 1\nshear linear\ncontact disc 1 rock with disc 1 rock\n"
+        "segment a %s\n",
+        rows[k].line);
+    written_scene(&it, &page);
+    const struct nb_stage *const stage = &it.scene.stages[0];
+    const struct nb_target *const found[] = {&stage->segment.normal, &stage->segment.shear}, *const wanted[] = {
+                                                                                                 &rows[k].normal,
+                                                                                                 &rows[k].shear};
+    for (int d = 0; d < 2; d++)
+      CU_ASSERT(found[d]->force == wanted[d]->force && found[d]->relative == wanted[d]->relative &&
+                found[d]->value == wanted[d]->value);
+    CU_ASSERT(stage->cycles == rows[k].steps && stage->record_interval == 1 && !stage->segment.points);
+    written_free(&it);
+  }
+  static const struct {
+    const char *line, *wanted;
+  } wrong[] = {
+      {"overlap to 1 normal to 2", "only one of `overlap`, `normal` and `hold normal` in a segment"},
+      {"hold normal overlap to 2", "only one of `overlap`, `normal` and `hold normal` in a segment"},
+      {"slip to 1 hold shear", "only one of `slip`, `shear` and `hold shear` in a segment"},
+      {"shear to 1 slip to 2", "only one of `slip`, `shear` and `hold shear` in a segment"},
+      {"in 3 steps in 4 steps overlap to 1", "only one `in N steps` in a segment"},
+      {"normal to -1", "expected a force, 0 or more, found `-1`"},
+      {"in 3 steps", "expected `overlap`, `normal`, `slip`, `shear` or `hold`, found the end of the line"},
+      {"", "expected `overlap`, `normal`, `slip`, `shear`, `hold` or `follow FILE`, found the end of the line"},
+      {"press", "expected `overlap`, `normal`, `slip`, `shear`, `hold`, `in N steps` or `follow FILE`, found `press`"},
+      {"overlap to 1 press",
+       "expected `overlap`, `normal`, `slip`, `shear`, `hold`, `in N steps` or the end of the line"},
+      {"overlap to 1 follow x",
+       "expected `overlap`, `normal`, `slip`, `shear`, `hold`, `in N steps` or the end of the line"},
+      {"hold overlap", "hint: overlap and slip stay constant where the segment does not name them"},
+      {"hold norml", "hint: did you mean `normal`?"},
+      {"overlap 1", "expected `to` or `by`, found `1`"},
+      {"overlap 1", "hint: write `overlap to VALUE`, or for a change `overlap by VALUE`"},
+      {"shear", "hint: write `shear to VALUE`, or for a change `shear by VALUE`"},
+  };
+  for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++) {
+    char text[400];
+    snprintf(
+        text, sizeof text,
+        "path\nunits none\nmaterial rock kn 1 ks 1\nshear linear\ncontact disc 1 rock with disc 1 rock\nsegment a %s\n",
+        wrong[k].line);
+    says(text, wrong[k].wanted, NULL);
+  }
+}
+
+/* The two sides of the contact. The wall is as long as the diameter of the particle. */
+static void sides_of_a_contact(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(
+      &page,
+      "path\nunits none\nmaterial rock kn 1\nmaterial clay kn 1\ncontact sphere 2 rock with disc 3 clay\nsegment a "
+      "overlap to 1\n");
+  written_scene(&it, &page);
+  const struct nb_particle *const particles = it.scene.particles;
+  CU_ASSERT(it.scene.particle_count == 2 && it.scene.wall_count == 0 && it.scene.contact_test);
+  CU_ASSERT(particles[0].shape == NB_SPHERE && particles[0].radius == 2 && particles[0].material == 0);
+  CU_ASSERT(particles[1].shape == NB_DISC && particles[1].radius == 3 && particles[1].material == 1);
+  CU_ASSERT(particles[0].line == 5 && particles[1].line == 5);
+  static const char *const columns[] = {"step", "overlap", "slip", "normal", "shear"};
+  CU_ASSERT_EQUAL_FATAL(it.scene.column_count, 5);
+  for (int k = 0; k < 5; k++)
+    CU_ASSERT_STRING_EQUAL(it.scene.columns[k].name, columns[k]);
+  written_free(&it);
+  words_add(
+      &page,
+      "path\nunits none\nmaterial rock kn 1\nmaterial clay kn 1\ncontact disc 2 rock with wall clay\nrecord slip\n"
+      "segment a overlap to 1\n");
+  written_scene(&it, &page);
+  const struct nb_wall *const wall = &it.scene.walls[0];
+  CU_ASSERT(it.scene.particle_count == 1 && it.scene.wall_count == 1 && it.scene.column_count == 1);
+  CU_ASSERT(wall->material == 1 && wall->ex == 0 && wall->ey == 1 && wall->h1 == -2 && wall->h2 == 2 &&
+            wall->line == 5);
+  CU_ASSERT(wall->x == 0 && wall->y == 0);
+  written_free(&it);
+}
+
 void suite_stated(void) {
   CU_pSuite suite = CU_add_suite("stated", NULL, NULL);
   CU_ADD_TEST(suite, quarter_turns_are_exact);
@@ -1117,6 +1225,8 @@ void suite_stated(void) {
   CU_ADD_TEST(suite, names_and_options_of_laws);
   CU_ADD_TEST(suite, at_most_one_rigid_side);
   CU_ADD_TEST(suite, the_list_of_walls_in_a_hint);
+  CU_ADD_TEST(suite, targets_of_segments);
+  CU_ADD_TEST(suite, sides_of_a_contact);
   CU_ADD_TEST(suite, names_that_exist);
   CU_ADD_TEST(suite, statements_below_a_mistake);
   CU_ADD_TEST(suite, a_particle_on_a_wall_is_inside_the_box);
