@@ -533,6 +533,11 @@ static void hints_for_a_fraction_of_a_size(void) {
        "us\nrecord "
        "time\nstage s\nbox strain 0 1/s -0.5 1/s\nuntil box.height below 0.75 of it at most 9 cycles\n",
        "here -0.5 1/s, the stage ends at a time: `until stage.time above (log(0.75)/(-0.5 1/s)) at most", NULL);
+  says("units none\nmaterial rock density 1 kn 1\nbox 0 0 to 9 9 rock\ndisc 5 5 radius 1 rock\nboundary circle 5 5 "
+       "radius 3\n"
+       "step 1\nrecord time\nstage s\nbox strain 0 -0.5\nservo mean 1 on boundary through boundary at most 1\n"
+       "until box.height below 0.75 of it at most 9 cycles\n",
+       "here -0.5, the stage", NULL);
   says("material rock density 1 kg/m3 kn 1 N/m\nbox 0 m 0 m to 9 m 9 m rock\ndisc 5 m 5 m radius 1 m rock\nstep 1 "
        "us\nrecord "
        "time\nstage s\nuntil box.height below 5 m of it at most 9 cycles\n",
@@ -1090,6 +1095,29 @@ static void names_that_exist(void) {
   }
 }
 
+/* The second corner of a box, a cell or a region has larger x and y than the first, at a finite distance. */
+static void corners(void) {
+  static const struct {
+    const char *corners, *wanted;
+  } rows[] = {{"0 0 to 2 3", NULL},
+              {"0 0 to 0 3", "expected a second corner with larger x and larger y than the first corner"},
+              {"0 0 to 2 0", "expected a second corner with larger x"},
+              {"0 0 to -2 3", "expected a second corner with larger x"},
+              {"0 0 to 2 -3", "expected a second corner with larger x"},
+              {"-1.7e308 0 to 1.7e308 3", "expected two corners at a finite distance; these are too far apart"},
+              {"0 -1.7e308 to 2 1.7e308", "expected two corners at a finite distance"}};
+  for (size_t k = 0; k < 3 * (sizeof rows / sizeof *rows); k++) {
+    char text[300], line[100];
+    snprintf(line, sizeof line,
+             k % 3 == 0   ? "box %s m"
+             : k % 3 == 1 ? "cell %s"
+                          : "region A box %s",
+             rows[k / 3].corners);
+    snprintf(text, sizeof text, "units none\nmaterial m density 1 kn 1\n%s\ndisc 1 1 radius 0.1 m\n" GO, line);
+    says(text, rows[k / 3].wanted, NULL);
+  }
+}
+
 /* A particle on a wall of the box is inside. */
 static void a_particle_on_a_wall_is_inside_the_box(void) {
   static const char *const places[] = {"0 4", "8 4", "4 0", "4 8", "0 0", "8 8"};
@@ -1225,6 +1253,7 @@ void suite_stated(void) {
   CU_ADD_TEST(suite, names_and_options_of_laws);
   CU_ADD_TEST(suite, at_most_one_rigid_side);
   CU_ADD_TEST(suite, the_list_of_walls_in_a_hint);
+  CU_ADD_TEST(suite, corners);
   CU_ADD_TEST(suite, targets_of_segments);
   CU_ADD_TEST(suite, sides_of_a_contact);
   CU_ADD_TEST(suite, names_that_exist);

@@ -84,7 +84,7 @@ static double rate_to(const struct nb_stage *stage, int size, double fraction) {
   const double rate = size % 2 ? given->yy : given->xx;
   const struct nb_strain_rate along = {.xx = size % 2 ? 0 : rate, .yy = size % 2 ? rate : 0};
   const bool changes = (size < 2 ? stage->servo.box : stage->servo.cell) && nb_servo_opposes(&stage->servo, &along);
-  return line && !given->per_cycle && !changes && rate * log(fraction) > 0 ? rate : 0;
+  return !given->per_cycle && !changes && rate * log(fraction) > 0 ? rate : 0;
 }
 
 /* Writes the hint for `until box.height below 0.95 of box.height`: an end at a strain. A stage with a constant strain
