@@ -1099,7 +1099,9 @@ static void names_that_exist(void) {
 static void corners(void) {
   static const struct {
     const char *corners, *wanted;
-  } rows[] = {{"0 0 to 2 3", NULL},
+  } rows[] = {{"1 -2 to 4 -1", NULL},
+              {"1000 0 to 1000.5 9", NULL},
+              {"0 1000 to 9 1000.5", NULL},
               {"0 0 to 0 3", "expected a second corner with larger x and larger y than the first corner"},
               {"0 0 to 2 0", "expected a second corner with larger x"},
               {"0 0 to -2 3", "expected a second corner with larger x"},
@@ -1113,7 +1115,7 @@ static void corners(void) {
              : k % 3 == 1 ? "cell %s"
                           : "region A box %s",
              rows[k / 3].corners);
-    snprintf(text, sizeof text, "units none\nmaterial m density 1 kn 1\n%s\ndisc 1 1 radius 0.1 m\n" GO, line);
+    snprintf(text, sizeof text, "units none\nmaterial m density 1 kn 1\n%s\ndisc 1 1 radius 0.1 m fixed\n" GO, line);
     says(text, rows[k / 3].wanted, NULL);
   }
 }
