@@ -636,7 +636,7 @@ struct nb_result {
   size_t snapshot_count;
   unsigned long cycles;         /* number of cycles of all stages */
   struct nb_stage_cost *stages; /* for each stage; owned */
-  unsigned long long updates;   /* contact updates: contacts listed, summed over cycles */
+  unsigned long long updates;   /* contact updates: contacts listed, summed over the calculations of forces */
   unsigned long long searches;  /* number of neighbour searches, including the first one */
   unsigned long long deep;      /* contact updates with overlaps beyond the range of Hertz theory [R89 sec. 6.4.3] */
   char deep_first[3 * NB_NAME_SIZE]; /* the first of them: "particle 1 and particle 2, in cycle 7, at time 1e-06 s" */
