@@ -197,7 +197,8 @@ static void fixed_between(void) {
   is(&page, 2, 3, 6 / 7., 0);
 }
 
-/* Four discs in a row that bends by 10 degrees at the second disc and by 30 degrees at the third. The mean bend is 20 degrees. */
+/* Four discs in a row that bends by 10 degrees at the second disc and by 30 degrees at the third. The mean bend is 20
+ * degrees. */
 static void two_bends(void) {
   struct words page = begin();
   static const double directions[] = {0, 10, 40};
@@ -210,8 +211,8 @@ static void two_bends(void) {
   is(&page, 1, 4, 4 / 7., 20 * pi / 180);
 }
 
-/* In a cell, discs in a row, and in a square lattice with a small disc that has no contacts. All numbers are exact. In the
- * row all stresses are equal, so none is above the mean. In the square lattice the stress has no major axis. */
+/* In a cell, discs in a row, and in a square lattice with a small disc that has no contacts. All numbers are exact.
+ * In the row all stresses are equal, so none is above the mean. In the square lattice the stress has no major axis. */
 static void no_strong_particle_and_no_axis(void) {
   struct words row = begin(), square = begin();
   words_add(&row, "cell 0 0 to 5.625 8\nlattice discs 3 by 1 from 1 1 radius 1 spacing 1.875 m\n");
@@ -221,9 +222,9 @@ static void no_strong_particle_and_no_axis(void) {
   is(&square, 0, 0, 0, 0);
 }
 
-/* Three discs in a row at the angle phi to the vertical. Walls above and below each disc press with a hundred times the force of
- * the row's contacts, so the major axes are vertical. The contacts are links if phi is below 45 degrees. The scene is rotated, so
- * that all components of the stress count. */
+/* Three discs in a row at the angle phi to the vertical. Walls above and below each disc press with a hundred times
+ * the force of the row's contacts, so the major axes are vertical. The contacts are links if phi is below 45 degrees.
+ * The scene is rotated, so that all components of the stress count. */
 static void links_within_45_degrees(void) {
   for (int k = 0; k < 16; k++) {
     const double phi = (k % 2 ? 47 : 43) * pi / 180, deep = 0.01;

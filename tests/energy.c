@@ -237,11 +237,12 @@ static void by_friction(void) {
   written_free(&it);
 }
 
-/* Heavy particles keep their velocities, so a dashpot with the coefficients beta k_n and beta k_s takes
- * beta (k_n v_n^2 + k_s v_s^2) per second. v_n and v_s are the components along e and t of the velocity of the first surface
- * relative to the second one; a surface speed contains R w, and a wall rotates about P. A wall or a fixed particle whose surface
- * has the velocity V supplies -(N e + T t).V, where N = k_n 0.1 + beta k_n v_n and T = beta k_s v_s. The displacements are of the
- * order of 1e-7, and the shear force of the spring is as large as that of the dashpot if beta is 1e-7. */
+/* Heavy particles keep their velocities, so a dashpot with the coefficients beta k_n and beta k_s takes beta (k_n
+ * v_n^2 + k_s v_s^2) per second. v_n and v_s are the components along e and t of the velocity of the first surface
+ * relative to the second one; a surface speed contains R w, and a wall rotates about P. A wall or a fixed particle
+ * whose surface has the velocity V supplies -(N e + T t).V, where N = k_n 0.1 + beta k_n v_n and T = beta k_s v_s.
+ * The displacements are of the order of 1e-7, and the shear force of the spring is as large as that of the dashpot if
+ * beta is 1e-7. */
 static void by_dashpots(void) {
   static const struct {
     const char *partner;
@@ -277,9 +278,9 @@ static void by_dashpots(void) {
   }
 }
 
-/* Gravity with an imposed motion: the work of gravity is m g times the displacement, which contains the imposed one. The
- * imposed motion supplies minus the work of gravity along it, so the kinetic energy of the particle's own velocity changes by
- * the sum. */
+/* Gravity with an imposed motion: the work of gravity is m g times the displacement, which contains the imposed one.
+ * The imposed motion supplies minus the work of gravity along it, so the kinetic energy of the particle's own
+ * velocity changes by the sum. */
 static void by_gravity_and_imposed_motion(void) {
   struct written it;
   struct nb_error error;
@@ -304,8 +305,8 @@ static void by_gravity_and_imposed_motion(void) {
 }
 
 /* In a kick the kinetic energy of a free particle changes from K- to K+ by the work of gravity minus the energy that
- * mass-proportional damping takes, exactly. At t_N half of the kick counts, so from one step to the next
- * gravity - damped changes by as much as (K- + K+)/2. Kicks whose halves differ are left out: the first one of each stage. */
+ * mass-proportional damping takes, exactly. At t_N half of the kick counts, so from one step to the next gravity -
+ * damped changes by as much as (K- + K+)/2. Kicks whose halves differ are left out: the first one of each stage. */
 static void by_damping_of_all_particles(void) {
   static const char *const dampings[] = {"damping mass 0.7\n", "damping con1 0.99 as cs79\n",
                                          "damping con1 0.98 as velocity\n", "damping con1 0.97 as all\n", ""};
@@ -344,9 +345,9 @@ static void by_damping_of_all_particles(void) {
   }
 }
 
-/* Two heavy discs overlap by 0.2 in a cell that deforms: the imposed motion supplies f.(L l) per second, where f is the force
- * on the first disc and l the vector to the image of the second disc that it touches. The contact is inside the cell, or across
- * one or two of its sides. The displacements are of the order of 1e-7. */
+/* Two heavy discs overlap by 0.2 in a cell that deforms: the imposed motion supplies f.(L l) per second, where f is
+ * the force on the first disc and l the vector to the image of the second disc that it touches. The contact is inside
+ * the cell, or across one or two of its sides. The displacements are of the order of 1e-7. */
 static void by_a_cell(void) {
   static const double places[][4] = {{5, 5, 6.44, 6.08}, {9, 5, 0.44, 6.08}, {5, 1, 6.44, 7.92},
                                      {9, 9, 0.44, 0.08}, {1, 5, 9.56, 3.92}, {1, 1, 9.56, 7.92}};

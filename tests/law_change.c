@@ -35,9 +35,10 @@ static void the_force_jumps_and_the_energy_is_counted(void) {
   written_free(&it);
 }
 
-/* A new shear law begins without displacement. The spring energy F_s^2/(2 k_s) of the old law is lost, and in the first half of
- * the step the old force F_s still does the work F_s ds/2, which the new law does not store. `shear mindlin` has no stored
- * energy, so its work counts in `energy.shear` alone. Friction that begins later begins without a force. A wall slides past a sphere that is too heavy to move: ds = 0.5 0.001. */
+/* A new shear law begins without displacement. The spring energy F_s^2/(2 k_s) of the old law is lost, and in the
+ * first half of the step the old force F_s still does the work F_s ds/2, which the new law does not store. `shear
+ * mindlin` has no stored energy, so its work counts in `energy.shear` alone. Friction that begins later begins
+ * without a force. A wall slides past a sphere that is too heavy to move: ds = 0.5 0.001. */
 static void a_new_shear_law_begins_without_displacement(void) {
   static const char *const laws[][3] = {{"linear", "1e6", "shear mindlin"},
                                         {"mindlin", "1e6", "shear linear"},

@@ -542,8 +542,8 @@ static void directions_without_a_density(void) {
   }
 }
 
-/* The strain needs three particles that are not collinear. Otherwise it is 0, also on a line that is inclined. The discs
- * have the velocities L X. */
+/* The strain needs three particles that are not collinear. Otherwise it is 0, also on a line that is inclined. The
+ * discs have the velocities L X. */
 static void strain_of_few_particles(void) {
   static const struct {
     int count;
@@ -577,8 +577,8 @@ static void strain_of_few_particles(void) {
   }
 }
 
-/* A circle without particles, and a circle with one disc that has no contact. Every mean, sum and fraction without terms
- * is 0; the porosity and the void ratio follow from the areas. */
+/* A circle without particles, and a circle with one disc that has no contact. Every mean, sum and fraction without
+ * terms is 0; the porosity and the void ratio follow from the areas. */
 static void regions_without_contacts(void) {
   static const struct {
     const char *name;
@@ -616,9 +616,9 @@ static void regions_without_contacts(void) {
   done(&it, model);
 }
 
-/* The loads of a contact follow from its fields. Friction is 0.5 and cohesion 3, so with F_n = 10 the limit of the shear
- * force is 8. A shear force of at least 0.99 of the limit is near it. The contact is of two discs in both orders of their
- * radii, and of a disc and a wall. The radius of the smaller one is 1. */
+/* The loads of a contact follow from its fields. Friction is 0.5 and cohesion 3, so with F_n = 10 the limit of the
+ * shear force is 8. A shear force of at least 0.99 of the limit is near it. The contact is of two discs in both
+ * orders of their radii, and of a disc and a wall. The radius of the smaller one is 1. */
 static void loads_of_a_contact(void) {
   static const struct {
     double shear, near_sliding;
@@ -655,9 +655,9 @@ static void loads_of_a_contact(void) {
   }
 }
 
-/* `stress.residual` finds a force that belongs to one of the two sums alone. The contact of two discs of radius 1 along x
- * with the overlap 0.1 has arms of 0.95. A normal force that is larger by 1 at both ends adds 2 0.95 to V stress.xx, while the
- * stress by contacts follows from the vector of the force, which is unchanged. */
+/* `stress.residual` finds a force that belongs to one of the two sums alone. The contact of two discs of radius 1
+ * along x with the overlap 0.1 has arms of 0.95. A normal force that is larger by 1 at both ends adds 2 0.95 to V
+ * stress.xx, while the stress by contacts follows from the vector of the force, which is unchanged. */
 static void the_residual_finds_a_wrong_force(void) {
   struct words page = {0};
   struct written it;

@@ -249,9 +249,10 @@ static void a_step_without_a_limit(void) {
   written_free(&it);
 }
 
-/* A contact that may become deep must be stable with the critical dashpot of a deep contact. So its damping coefficient
- * is c = b k^(1/2), where b = max(2 ratio, 2) (M*)^(1/2) and the reduced mass M* is 1/2. q = dt^2 k + 2 dt c of the
- * pair may be at most 2, so the largest stiffness k satisfies dt^2 k + 2 dt b k^(1/2) = 2. Centred dashpots count twice. */
+/* A contact that may become deep must be stable with the critical dashpot of a deep contact. So its damping
+ * coefficient is c = b k^(1/2), where b = max(2 ratio, 2) (M*)^(1/2) and the reduced mass M* is 1/2. q = dt^2 k + 2
+ * dt c of the pair may be at most 2, so the largest stiffness k satisfies dt^2 k + 2 dt b k^(1/2) = 2. Centred
+ * dashpots count twice. */
 static void a_contact_may_become_deep(void) {
   static const double ratios[] = {0.3, 1.5};
   for (size_t n = 0; n < 4; n++) {
@@ -419,8 +420,8 @@ static void the_proposed_number_of_steps(void) {
   CU_ASSERT(rounded_up > 0);
 }
 
-/* A message proposes a step in the form in which the stage gives its step, or the scene if no stage has begun. It proposes
- * 0.3 of the stable step, with two digits. */
+/* A message proposes a step in the form in which the stage gives its step, or the scene if no stage has begun. It
+ * proposes 0.3 of the stable step, with two digits. */
 static void the_proposed_step_has_the_form_of_the_page(void) {
   static const struct {
     const char *step, *form;

@@ -109,8 +109,8 @@ static void the_lightest_particles(void) {
   }
 }
 
-/* The single-contact step has the smallest mass of a free particle and the largest stiffness between two materials of the
- * scene, also if they belong to different contacts. */
+/* The single-contact step has the smallest mass of a free particle and the largest stiffness between two materials of
+ * the scene, also if they belong to different contacts. */
 static void the_single_contact_step(void) {
   const double pi = 3.14159265358979323846;
   NEAR(step_of(
@@ -266,7 +266,8 @@ static void walls_of_the_first_stage(void) {
   }
 }
 
-/* A stage that removes a particle predicts collisions without it, whether it approached others or others approached it. */
+/* A stage that removes a particle predicts collisions without it, whether it approached others or others approached
+ * it. */
 static void removed_particles_do_not_collide(void) {
   for (int removed = 1; removed <= 3; removed++) {
     struct words page = {0};
