@@ -13,11 +13,12 @@ struct nb_synonym {
   const char *words, *ours; /* terms of other programs, "ball disk"; keywords of nineball, "disc, sphere" */
   const char *note;         /* "there is no local damping"; NULL: no note */
 };
-/* The beginning of the notes about random packings. A hint that begins with it is replaced by that of nb_fill_hint, which
- * has the numbers of the line. */
+/* The note about arithmetic with measures of several dimensions. */
 #define NB_OTHER_DIMENSION                                                                                             \
   "a line has no arithmetic with measures, and it compares only measures of the same dimension: compare each measure " \
   "with a number, in a line of its own"
+/* The beginning of the notes about random packings. A hint that begins with it is replaced by that of nb_fill_hint, which
+ * has the numbers of the line. */
 #define NB_RANDOM_PACKING "a random packing is two lines"
 /* True if two words are equal but for capitals and for the signs `_`, `-` and `.` between their parts. */
 bool nb_same_spelling(const char *a, const char *b);
