@@ -33,7 +33,7 @@ struct row {
   "in a stage that begins during the contact; a stage before it ends at the first cycle of the contact by `until "     \
   "C.overlap above 0 m at most 1000000 cycles`"
 #define EXTENSION "strain rates are positive in extension"
-#define NOT_EQUAL "an equal value is neither above nor below"
+#define NOT_EQUAL "`above` and `below` exclude the value itself; for a count, at least 3 is `above 2.5`"
 #define OWN_LINE "damping is a line of its own"
 #define SERVO "at most 1e-6 per cycle"
 #define AVERAGE                                                                                                        \
@@ -84,8 +84,10 @@ static const struct row rows[] = {
   {NB_IN_SCENE, "measure {create} {id} {N} {circle} radius|rad|r R {at|position|centre|center} X Y", "region M circle X Y radius R", "then for example `record M.porosity M.coordination M.stress.mean`"},
   {NB_IN_SCENE, "monitor NAME region|measure {circle} X Y radius R", "region NAME circle X Y radius R", "then for example `record NAME.stress.mean`"},
   {NB_IN_SCENE, "monitor NAME region|measure {box} X Y {to} XE YE", "region NAME box X Y to XE YE", "then for example `record NAME.stress.mean`"},
-  {NB_IN_SCENE, "{wall} plane NAME X Y …", "wall NAME -1 m 0 m to 1 m 0 m MATERIAL", "a wall has two ends, which may be far from all particles"},
-  {NB_IN_SCENE, "wall NAME plane X Y …", "wall NAME -1 m 0 m to 1 m 0 m MATERIAL", "a wall has two ends, which may be far from all particles"},
+  {NB_IN_SCENE, "{wall} plane NAME X Y normal 0 1|-1 WORD", "wall NAME (X-1 m) Y to (X+1 m) Y WORD", "a plane is a wall with two ends, which may be far from all particles"},
+  {NB_IN_SCENE, "{wall} plane NAME X Y normal 1|-1 0 WORD", "wall NAME X (Y-1 m) to X (Y+1 m) WORD", "a plane is a wall with two ends, which may be far from all particles"},
+  {NB_IN_SCENE, "wall NAME plane X Y normal 0 1|-1 WORD", "wall NAME (X-1 m) Y to (X+1 m) Y WORD", "a plane is a wall with two ends, which may be far from all particles"},
+  {NB_IN_SCENE, "wall NAME plane X Y normal 1|-1 0 WORD", "wall NAME X (Y-1 m) to X (Y+1 m) WORD", "a plane is a wall with two ends, which may be far from all particles"},
   {NB_IN_SCENE, "measure all|everything|whole {sample|assembly}", "region M all", "then for example `record M.porosity M.coordination M.stress.mean`"},
   {NB_IN_SCENE, "region NAME block X XE Y YE …", "region NAME box X Y to XE YE", "it only measures, and particles are placed by `fill` or `lattice`"},
   {NB_IN_SCENE, "ball|disk|particle|grain|disc {create} {id} {N} {at|position} X Y {radius|rad|r} R {WORD}", "disc X Y radius R WORD", NULL},
@@ -145,7 +147,7 @@ static const struct row rows[] = {
   {NB_IN_STAGE, "{compress|until} {to|until} porosity {of|to|reaches|is|=} Q {at} {most} {N} {cycles}", "BOX strain -2e-6 per cycle -2e-6 per cycle\nuntil box.porosity below Q at most 1000000 cycles", EXTENSION},
   {NB_IN_STAGE, "{isotropic|isotropically} compress|compression {isotropic|isotropically} {strain} {rate} {of|at|with} EU", "PLACE strain -|EU| -|EU|", EXTENSION},
   {NB_IN_STAGE, "{simple|cell} shear {strain} {rate} {of|at} EU", "CELL strain 0EU 0EU  c12 EU", "simple shear, c12 is the velocity in x per unit of y; `shear E` in place of `c12 E` is pure shear"},
-  {NB_IN_STAGE, "history|hist|trace|track|print|plot|output QUANTITY", "record QUANTITY", "in the scene; a value is `report QUANTITY max in STAGE`, in a block `expect`"},
+  {NB_IN_STAGE, "history|hist|trace|track|print|plot|output QUANTITY", "record QUANTITY", "in the scene, if no line records it yet; a value is `report QUANTITY max in STAGE`, in a block `expect`"},
   {NB_IN_SCENE | NB_IN_CONTACT_TEST, "material rigid", "material hard rigid", "the name comes first"},
   {NB_IN_SCENE | NB_IN_CONTACT_TEST, "material rigid ...", "material hard ...", "`rigid`, an infinite Young's modulus, cannot be the name"},
   {NB_IN_SCENE, "disc … rotation|rotating|omega|angular_velocity W ...", "disc … spin W ...", NULL},
@@ -158,18 +160,30 @@ static const struct row rows[] = {
   {NB_IN_EXPECT, "… at cycle|cycles N ...", "… at N cycles ...", NULL},
   {NB_IN_EXPECT, "… {is|are} not below|less|under {than} ...", "… above ...", NOT_EQUAL},
   {NB_IN_EXPECT, "… {is|are} not above|more|greater|over {than} ...", "… below ...", NOT_EQUAL},
-  {NB_IN_EXPECT, "… at least ...", "… above ...", NOT_EQUAL},
-  {NB_IN_EXPECT, "… at most ...", "… below ...", NOT_EQUAL},
+  {NB_IN_EXPECT, "QUANTITY {is|are} at least ...", "QUANTITY above ...", NOT_EQUAL},
+  {NB_IN_EXPECT, "QUANTITY WORD {is|are} at least ...", "QUANTITY WORD above ...", NOT_EQUAL},
+  {NB_IN_EXPECT, "QUANTITY in NAME {is|are} at least ...", "QUANTITY in NAME above ...", NOT_EQUAL},
+  {NB_IN_EXPECT, "QUANTITY WORD in NAME {is|are} at least ...", "QUANTITY WORD in NAME above ...", NOT_EQUAL},
+  {NB_IN_EXPECT, "NAME {is|are} at least ...", "NAME above ...", NOT_EQUAL},
+  {NB_IN_EXPECT, "NAME WORD {is|are} at least ...", "NAME WORD above ...", NOT_EQUAL},
+  {NB_IN_EXPECT, "QUANTITY {is|are} at most ...", "QUANTITY below ...", NOT_EQUAL},
+  {NB_IN_EXPECT, "QUANTITY WORD {is|are} at most ...", "QUANTITY WORD below ...", NOT_EQUAL},
+  {NB_IN_EXPECT, "QUANTITY in NAME {is|are} at most ...", "QUANTITY in NAME below ...", NOT_EQUAL},
+  {NB_IN_EXPECT, "QUANTITY WORD in NAME {is|are} at most ...", "QUANTITY WORD in NAME below ...", NOT_EQUAL},
+  {NB_IN_EXPECT, "NAME {is|are} at most ...", "NAME below ...", NOT_EQUAL},
+  {NB_IN_EXPECT, "NAME WORD {is|are} at most ...", "NAME WORD below ...", NOT_EQUAL},
   {NB_IN_EXPECT, "1 minus|- QUANTITY {last} above Q", "QUANTITY below (1-Q)", NULL},
   {NB_IN_EXPECT, "1 minus|- QUANTITY {last} below Q", "QUANTITY above (1-Q)", NULL},
-  {NB_IN_EXPECT, "1 minus|- QUANTITY {last} expected|is|= Q ...", "QUANTITY expected (1-Q) ...", NULL},
-  {NB_IN_EXPECT, "{the} ratio {of} … to|over|and|by OTHER ... {is} above Q", "… expected (1.5*Q) of OTHER ... within (0.5*Q)", "this allows a ratio from Q to (2*Q)"},
-  {NB_IN_EXPECT, "{the} ratio {of} … to|over|and|by OTHER ... {is} below Q", "… expected (0.5*Q) of OTHER ... within (0.5*Q)", "this allows a ratio from 0 to Q"},
+  {NB_IN_EXPECT, "1 minus|- QUANTITY {last} expected|is|= Q ...", "QUANTITY expected (1-Q) within (0.01*Q)", "the tolerance is 1 % of Q"},
+  {NB_IN_EXPECT, "{the} ratio {of} … to|over|and|by OTHER ... {is} above H", "… expected (1.5*H) of OTHER ... within (0.5*H)", "it allows ratios from H to (2*H), because a ratio has no single bound"},
+  {NB_IN_EXPECT, "{the} ratio {of} … to|over|and|by OTHER ... {is} below H", "… expected (0.5*H) of OTHER ... within (0.5*H)", "it allows ratios from 0 to H"},
   {NB_IN_EXPECT, "{the} ratio {of} … to|over|and|by OTHER ... expected|is|=|equals Q ....", "… expected Q of OTHER ... ....", NULL},
-  {NB_IN_EXPECT, "… over|divided|/ {by} OTHER ... {is} above Q", "… expected (1.5*Q) of OTHER ... within (0.5*Q)", "this allows a ratio from Q to (2*Q)"},
-  {NB_IN_EXPECT, "… over|divided|/ {by} OTHER ... {is} below Q", "… expected (0.5*Q) of OTHER ... within (0.5*Q)", "this allows a ratio from 0 to Q"},
+  {NB_IN_EXPECT, "… over|divided|/ {by} OTHER ... {is} above H", "… expected (1.5*H) of OTHER ... within (0.5*H)", "it allows ratios from H to (2*H), because a ratio has no single bound"},
+  {NB_IN_EXPECT, "… over|divided|/ {by} OTHER ... {is} below H", "… expected (0.5*H) of OTHER ... within (0.5*H)", "it allows ratios from 0 to H"},
   {NB_IN_EXPECT, "… over|divided|/ {by} OTHER ... expected|is|=|equals Q ....", "… expected Q of OTHER ... ....", NULL},
   {NB_IN_EXPECT, "… {is|stays|remains} same|equal|equals|unchanged|identical|=|== {as|to|from|since|with} QUANTITY ...", "… expected 1 of QUANTITY ...", NULL},
+  {NB_IN_EXPECT, "… is|are|stays|remains above ...", "… above ...", NULL},
+  {NB_IN_EXPECT, "… is|are|stays|remains below ...", "… below ...", NULL},
 };
 /* clang-format on */
 
@@ -179,9 +193,9 @@ static const struct row rows[] = {
 static const struct kind {
   char letter;
   const char *unit; /* "": a number */
-} kinds[] = {{'X', "m"},   {'Y', "m"},    {'Z', "m"},     {'R', "m"}, {'D', "m"},
-             {'V', "m/s"}, {'G', "m/s2"}, {'W', "rad/s"}, {'T', "s"}, {'P', "Pa"},
-             {'E', "1/s"}, {'K', "N/m"},  {'A', ""},      {'Q', ""},  {'N', ""}};
+} kinds[] = {{'X', "m"},    {'Y', "m"},     {'Z', "m"}, {'R', "m"},  {'D', "m"},   {'V', "m/s"},
+             {'G', "m/s2"}, {'W', "rad/s"}, {'T', "s"}, {'P', "Pa"}, {'E', "1/s"}, {'K', "N/m"},
+             {'A', ""},     {'Q', ""},      {'N', ""},  {'H', ""}};
 /* Words in capitals that stand for a word. */
 static const char words[] = " NAME WORD FILE QUANTITY OTHER ";
 static const char capitals[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
@@ -256,6 +270,8 @@ static size_t plain_tokens(const struct match *match, char letter, double value,
     return value >= 0 && value <= NB_COUNT_MAX && value == (double)(unsigned long)value;
   if (letter == 'A')
     return strcmp(after, "deg") == 0 ? 2 : 0;
+  if (letter == 'H' && !(value > 0)) /* a positive number */
+    return 0;
   return nb_unit_without_dimension(after) ? 2 : 1;
 }
 
@@ -536,7 +552,7 @@ static bool row_hint(char *hint, struct match *match, const struct row *row) {
     return nb_fill_hint(hint, match->reader);
   if (row->note)
     append_line(note, match, row->note);
-  const bool comma = strncmp(note, "or ", 3) == 0 || strncmp(note, "in the scene", 12) == 0;
+  const bool comma = strncmp(note, "or ", 3) == 0 || strncmp(note, "in ", 3) == 0;
   snprintf(hint, NB_HINT_SIZE, "write `%.300s`%s%.200s", line, comma ? ", " : *note ? ": " : "", note);
   return true;
 }

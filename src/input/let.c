@@ -5,6 +5,7 @@
  * page is read twice (scene.c).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <ctype.h>
 #include <math.h>
 #include <string.h>
 
@@ -266,13 +267,25 @@ static const char *only_unit(const struct nb_reader *reader) {
   return unit;
 }
 
+/* True if the line has a function of another language, `linspace(0, 1, 5)`. */
+static bool has_function(const struct nb_reader *reader) {
+  bool found = false;
+  for (size_t k = 2; k < reader->count; k++) {
+    const char *const open = strchr(reader->tokens[k].text, '(');
+    found = found || (open > reader->tokens[k].text && isalpha((unsigned char)open[-1]));
+  }
+  return found;
+}
+
 /* Writes the line with its values separated by spaces, for `sweep mu = [0, 0.2]`. */
 static const char *values_hint(char *hint, const struct nb_reader *reader) {
   char word[NB_NAME_SIZE], unit[NB_NAME_SIZE];
   const char *const only = only_unit(reader);
+  if (has_function(reader))
+    return "write every value, separated by spaces: `sweep k 0 0.25 0.5 0.75 1`";
   snprintf(unit, sizeof unit, "%.*s", (int)strcspn(only, list_signs), only);
-  snprintf(hint, NB_HINT_SIZE, "separate the values by spaces: write `%.20s %.80s", reader->tokens[0].text,
-           reader->tokens[1].text);
+  snprintf(hint, NB_HINT_SIZE, "the values follow the name, separated by spaces: write `%.20s %.80s",
+           reader->tokens[0].text, reader->tokens[1].text);
   for (size_t k = 2; k < reader->count; k++)
     for (const char *at = reader->tokens[k].text; *(at += strspn(at, list_signs)); at += strcspn(at, list_signs)) {
       snprintf(word, sizeof word, "%.*s", (int)strcspn(at, list_signs), at);

@@ -40,7 +40,7 @@ static void unbalanced_hint(char *hint, const struct nb_scene_reading *reading) 
   const struct nb_reader *const reader = &reading->reader;
   char text[4 * NB_NAME_SIZE];
   const char *const stress = nb_servo_wanted(text, sizeof text, reading);
-  snprintf(hint, NB_HINT_SIZE, "`until unbalanced.max below %.20s and %s", reader->tokens[3].text,
+  snprintf(hint, NB_HINT_SIZE, "write `until unbalanced.max below %.20s and %s", reader->tokens[3].text,
            stress ? stress : "energy.kinetic below ");
   if (!stress)
     nb_append(hint, NB_HINT_SIZE, "1%s and contacts above 0", reader->unitless ? "e-9" : " nJ");
@@ -48,7 +48,7 @@ static void unbalanced_hint(char *hint, const struct nb_scene_reading *reading) 
             " at most 1000000 cycles`: %s the stage ends at once if no contact has a force. `unbalanced.max` is the "
             "largest unbalanced force over the largest contact force, and the ratio of the means is "
             "`M.unbalanced.mean`, with `region M all`",
-            stress ? "without the second condition"
+            stress ? "without the conditions on the stress"
                    : "an oscillating force crosses zero in motion, so the second condition, an energy far below that "
                      "of the motion, waits for rest; without the last one");
 }
@@ -61,13 +61,12 @@ static bool strain_hint(char *hint, const struct nb_scene *scene, const char *st
   const bool shear = strcmp(strain, "strain.xy") == 0;
   if (scene->stage_count - scene->start.stages < 2 || strncmp(strain, "strain.", 7) != 0)
     return false;
-  snprintf(
-      hint, NB_HINT_SIZE,
-      "write `region S all from %.63s` in the scene, then `until S.%.30s …`: the strain since the beginning of this "
-      "stage, extension positive, so for %s `until S.%.30s %s at most 1000000 cycles`. The strains of a box and a "
-      "cell count from time 0",
-      nb_current_stage(scene)->name, strain, shear ? "an engineering shear strain of 0.1, twice xy," : "compression",
-      strain, shear ? "above 0.05" : "below -0.05");
+  snprintf(hint, NB_HINT_SIZE,
+           "write `region S all from %.63s` in the scene, and here `until S.%.30s %s at most 1000000 cycles`: the "
+           "strain since "
+           "the beginning of this stage, %s. The strains of a box and a cell count from time 0",
+           nb_current_stage(scene)->name, strain, shear ? "above 0.05" : "below -0.05",
+           shear ? "half of the engineering shear strain" : "negative in compression");
   return true;
 }
 
@@ -112,8 +111,9 @@ bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *qua
     return true;
   if (nb_name_suppressed(mistakes, requested->name))
     return false;
-  if (!nb_old_name(hint, requested->name) && !until_hint(hint, reading, requested->name) &&
-      !contact_hint(hint, reading, requested->name))
+  const bool here = requested->line == reading->reader.line; /* columns are found after the last line */
+  if (!nb_old_name(hint, requested->name) && !(here && until_hint(hint, reading, requested->name)) &&
+      !(here && contact_hint(hint, reading, requested->name)))
     nb_quantity_hint(hint, reading->scene, requested->name);
   nb_mistake(mistakes, reading->reader.page, requested->line, requested->column, requested->length, hint,
              "expected a quantity, found `%s`", requested->name);

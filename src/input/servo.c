@@ -93,8 +93,10 @@ bool nb_servo_hint(char *hint, const struct nb_reader *reader) {
            strcmp(place, "box") == 0 ? "`xx P` and `yy P`" : "`xx P`, `yy P` and `xy P`");
   if (strcmp(place, "box") == 0 && *component != 'i')
     nb_append(hint, NB_HINT_SIZE,
-              ". The servo strains the whole box, so opposite walls move by equal distances; one direction may have "
-              "`box strain 0 1/s -0.01 1/s`, the other the servo");
+              ". The servo strains the whole box, so opposite walls move by equal distances; the other direction may "
+              "have `box "
+              "strain %s`",
+              *component == 'x' ? "0 1/s -0.01 1/s" : "-0.01 1/s 0 1/s");
   return true;
 }
 

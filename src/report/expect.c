@@ -100,11 +100,12 @@ static const char *arithmetic_hint(char *hint, char sign, const char *one, const
   const bool difference = sign == '-' || sign == '+';
   snprintf(hint, NB_HINT_SIZE, "a line has no arithmetic with measures; ");
   if (difference)
-    nb_append(
-        hint, NB_HINT_SIZE,
-        "compare the first one with a formula, `%.120s expected (b + d) within 1 %% [SOURCE]`, with `let b = 1%s%s` "
-        "and `let d = 3%s%s` in the scene; or with ",
-        one, *unit ? " " : "", unit, *unit ? " " : "", unit);
+    nb_append(hint, NB_HINT_SIZE,
+              "compare the first one with a formula, `%.120s expected (%s) within 1 %% [SOURCE]`, with the second one, "
+              "`let b = "
+              "1%s%s`, and the %s, `let d = 3%s%s`, in the scene; or with ",
+              one, sign == '-' ? "b + d" : "d - b", *unit ? " " : "", unit, sign == '-' ? "difference" : "sum",
+              *unit ? " " : "", unit);
   nb_append(hint, NB_HINT_SIZE, "%s the second measure: `%.120s expected %s of %.120s within 1 %% [SOURCE]`",
             difference ? "a multiple of" : "a ratio is a fraction of", one, number, other);
   return hint;
@@ -205,7 +206,9 @@ static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, 
                                                           "(tan(pi/9)) of A.vy last within 1 % [SOURCE]`"
                                                         : "");
   } else if (nb_number_read(&number, token->text, 0) != NB_NO_NUMBER)
-    snprintf(hint, sizeof hint, "a number is compared by `expected NUMBER within TOLERANCE [SOURCE]`");
+    snprintf(hint, sizeof hint,
+             "the quantity comes first, and then `expected NUMBER within TOLERANCE [SOURCE]`, `below NUMBER` or `above "
+             "NUMBER`");
   else if (!expression_hint(hint, reader, scene, token->text) &&
            !nb_phrase_hint(hint, scene, token, reader->count - (size_t)(token - reader->tokens)) &&
            !nb_pair_hint(hint, "expect", token->text) && !reducer_hint(hint, reader, scene, token))
@@ -517,12 +520,18 @@ static void append_value(char *hint, const struct nb_measure *measure) {
 /* Writes the hint for `versus mu` and for `for mu=0.5`, which is `without`: a line is checked in each run of a sweep. */
 static const char *each_run_hint(char *hint, const char *without, const char *measure, const char *name) {
   *hint = '\0';
-  nb_append(hint, NB_HINT_SIZE,
-            "every line is checked in each run of a sweep: leave out `%s`, `%.100s expected (FORMULA) within 1 %% "
-            "[SOURCE]`; or compare the runs, `%.100s increases with %s`. A value for each run is part of the sweep, "
-            "`sweep %s with p …`, and is compared by `expected $p`",
-            without, measure, measure, name, name);
+  nb_append(
+      hint, NB_HINT_SIZE,
+      "every line is checked in each run of a sweep, so it has no `%s`: write for example `%.100s expected "
+      "(FORMULA) within 1 %% [SOURCE]`, or compare the runs by `%.100s increases with %s`. If each run has its own "
+      "number, write it in the sweep, `sweep %s with p …`, and compare with `expected $p`",
+      without, measure, measure, name, name);
   return hint;
+}
+
+/* True if `with` follows this word: `increases with mu`. */
+static bool is_trend_word(const char *word) {
+  return strcmp(word, "increases") == 0 || strcmp(word, "decreases") == 0 || strcmp(word, "constant") == 0;
 }
 
 /* Refuses `for mu=0.5` or `with mu = 0.5` in any place of the line; false: the line names no value of a sweep. */
@@ -537,7 +546,8 @@ static bool one_run_mistake(struct nb_reader *reader, const struct nb_scene *sce
       const bool equals = token[1].text[length], value = *after == '=' || nb_number_length(after);
       snprintf(name, sizeof name, "%.*s", (int)(length < NB_NAME_SIZE ? length : 0), token[1].text);
       const int b = NB_FIND(scene->bindings, scene->binding_count, name);
-      if (strcmp(token->text, words[w]) != 0 || b < 0 || scene->bindings[b].sweep < 0 || !(equals || value))
+      if (strcmp(token->text, words[w]) != 0 || b < 0 || scene->bindings[b].sweep < 0 || !(equals || value) ||
+          is_trend_word(token[-1].text))
         continue;
       snprintf(without, sizeof without, "%.40s %.60s%s", token->text, token[1].text, equals ? "" : " …");
       each_run_hint(hint, without, reader->tokens[0].text, name);
