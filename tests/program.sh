@@ -853,7 +853,7 @@ run 0 explain computed.md
 out '  damping ratio 0.141421, line '
 out '  damping walls stiffness 0.25, line '
 run 0 explain "$cases/2-hertz/overlap-deep.md"
-out '  damping critical beyond overlap 7 %, line 37'
+out '  damping critical beyond overlap 7 %, line 39'
 grep -q '  damping walls' out && echo 'contacts with walls have no damping of their own' >>why
 sed '/^%s$/d; s/^step/damping ratio 0.1\ndamping walls none\nstep/' pairs.md >walls-none.md
 run 0 explain walls-none.md
