@@ -458,9 +458,9 @@ static void one_sign_of_a_residual(void) {
     nb_outcome_free(&outcome);
   }
   /* the note has the other extreme value; a value larger by a thousandth would have other digits */
-  planted_one("energy.residual max in one below 1", NULL, 0, 6, (double[]){-2.4945, -2, 0.5}, NB_PASS,
+  planted_one("energy.residual max in one below 1", NULL, 0, 6, (double[6]){-2.4945, -2, 0.5}, NB_PASS,
               "computed 0.5 and 1; but a residual has both signs: `min` is -2.49, check it too");
-  planted_one("energy.residual min in one above -1", NULL, 0, 6, (double[]){-0.5, 2.4945, 0.5}, NB_PASS,
+  planted_one("energy.residual min in one above -1", NULL, 0, 6, (double[6]){-0.5, 2.4945, 0.5}, NB_PASS,
               "computed -0.5 and -1; but a residual has both signs: `max` is 2.49, check it too");
 }
 
