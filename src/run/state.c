@@ -312,7 +312,7 @@ void nb_saved_restore(struct nb_model *model, const struct nb_saved *saved) {
 
 static void restore_history(struct nb_history *history, size_t c, const double *values, struct nb_saved_history it) {
   const int n = it.count < history->doubles ? it.count : history->doubles;
-  if (history->rows)
+  if (n > 0 && history->rows) /* without a history the array of values may be NULL */
     memcpy(history->rows + c * (size_t)history->doubles, values + it.at, (size_t)n * sizeof *values);
   for (int m = 0; m < n && !history->rows; m++)
     history->field[m][c] = values[it.at + (size_t)m];
