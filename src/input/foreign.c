@@ -7,7 +7,8 @@
  *   {word}         may be left out
  *   CAPITALS       stand for a value or a word: `kinds` says which, by the first letter. A number without unit gets the SI
  *                  unit, if the line has no unit; if the word ends in U, the number has a unit
- *   …, ..., ....   stand for any number of words
+ *   …, ..., ....   stand for any number of words; in an expectation … is a measure, so it ends before `above`, `below`
+ *                  and `expected`
  *
  * In the second one they stand for what they have matched; a line break separates lines. -V is the negative value, 0V zero in the
  * same unit, -|V| the negative of the magnitude. PLACE is what the page can strain, its cell, box or boundary, and CELL
@@ -35,6 +36,7 @@ struct row {
 #define EXTENSION "strain rates are positive in extension"
 #define NOT_EQUAL "`above` and `below` exclude the value itself; for a count, at least 3 is `above 2.5`"
 #define OWN_LINE "damping is a line of its own"
+#define PLANE "a plane is a wall with two ends, which may be far from all particles"
 #define SERVO "at most 1e-6 per cycle"
 #define AVERAGE                                                                                                        \
   "`unbalanced.max` is the largest unbalanced force over the largest contact force, stricter than PFC's average "      \
@@ -84,10 +86,8 @@ static const struct row rows[] = {
   {NB_IN_SCENE, "measure {create} {id} {N} {circle} radius|rad|r R {at|position|centre|center} X Y", "region M circle X Y radius R", "then for example `record M.porosity M.coordination M.stress.mean`"},
   {NB_IN_SCENE, "monitor NAME region|measure {circle} X Y radius R", "region NAME circle X Y radius R", "then for example `record NAME.stress.mean`"},
   {NB_IN_SCENE, "monitor NAME region|measure {box} X Y {to} XE YE", "region NAME box X Y to XE YE", "then for example `record NAME.stress.mean`"},
-  {NB_IN_SCENE, "{wall} plane NAME X Y normal 0 1|-1 WORD", "wall NAME (X-1 m) Y to (X+1 m) Y WORD", "a plane is a wall with two ends, which may be far from all particles"},
-  {NB_IN_SCENE, "{wall} plane NAME X Y normal 1|-1 0 WORD", "wall NAME X (Y-1 m) to X (Y+1 m) WORD", "a plane is a wall with two ends, which may be far from all particles"},
-  {NB_IN_SCENE, "wall NAME plane X Y normal 0 1|-1 WORD", "wall NAME (X-1 m) Y to (X+1 m) Y WORD", "a plane is a wall with two ends, which may be far from all particles"},
-  {NB_IN_SCENE, "wall NAME plane X Y normal 1|-1 0 WORD", "wall NAME X (Y-1 m) to X (Y+1 m) WORD", "a plane is a wall with two ends, which may be far from all particles"},
+  {NB_IN_SCENE, "{wall} {NAME} plane {NAME} X Y normal 0 1|-1 WORD", "wall NAME (X-1 m) Y to (X+1 m) Y WORD", PLANE},
+  {NB_IN_SCENE, "{wall} {NAME} plane {NAME} X Y normal 1|-1 0 WORD", "wall NAME X (Y-1 m) to X (Y+1 m) WORD", PLANE},
   {NB_IN_SCENE, "measure all|everything|whole {sample|assembly}", "region M all", "then for example `record M.porosity M.coordination M.stress.mean`"},
   {NB_IN_SCENE, "region NAME block X XE Y YE …", "region NAME box X Y to XE YE", "it only measures, and particles are placed by `fill` or `lattice`"},
   {NB_IN_SCENE, "ball|disk|particle|grain|disc {create} {id} {N} {at|position} X Y {radius|rad|r} R {WORD}", "disc X Y radius R WORD", NULL},
@@ -160,18 +160,8 @@ static const struct row rows[] = {
   {NB_IN_EXPECT, "… at cycle|cycles N ...", "… at N cycles ...", NULL},
   {NB_IN_EXPECT, "… {is|are} not below|less|under {than} ...", "… above ...", NOT_EQUAL},
   {NB_IN_EXPECT, "… {is|are} not above|more|greater|over {than} ...", "… below ...", NOT_EQUAL},
-  {NB_IN_EXPECT, "QUANTITY {is|are} at least ...", "QUANTITY above ...", NOT_EQUAL},
-  {NB_IN_EXPECT, "QUANTITY WORD {is|are} at least ...", "QUANTITY WORD above ...", NOT_EQUAL},
-  {NB_IN_EXPECT, "QUANTITY in NAME {is|are} at least ...", "QUANTITY in NAME above ...", NOT_EQUAL},
-  {NB_IN_EXPECT, "QUANTITY WORD in NAME {is|are} at least ...", "QUANTITY WORD in NAME above ...", NOT_EQUAL},
-  {NB_IN_EXPECT, "NAME {is|are} at least ...", "NAME above ...", NOT_EQUAL},
-  {NB_IN_EXPECT, "NAME WORD {is|are} at least ...", "NAME WORD above ...", NOT_EQUAL},
-  {NB_IN_EXPECT, "QUANTITY {is|are} at most ...", "QUANTITY below ...", NOT_EQUAL},
-  {NB_IN_EXPECT, "QUANTITY WORD {is|are} at most ...", "QUANTITY WORD below ...", NOT_EQUAL},
-  {NB_IN_EXPECT, "QUANTITY in NAME {is|are} at most ...", "QUANTITY in NAME below ...", NOT_EQUAL},
-  {NB_IN_EXPECT, "QUANTITY WORD in NAME {is|are} at most ...", "QUANTITY WORD in NAME below ...", NOT_EQUAL},
-  {NB_IN_EXPECT, "NAME {is|are} at most ...", "NAME below ...", NOT_EQUAL},
-  {NB_IN_EXPECT, "NAME WORD {is|are} at most ...", "NAME WORD below ...", NOT_EQUAL},
+  {NB_IN_EXPECT, "… {is|are} at least ...", "… above ...", NOT_EQUAL},
+  {NB_IN_EXPECT, "… {is|are} at most ...", "… below ...", NOT_EQUAL},
   {NB_IN_EXPECT, "1 minus|- QUANTITY {last} above Q", "QUANTITY below (1-Q)", NULL},
   {NB_IN_EXPECT, "1 minus|- QUANTITY {last} below Q", "QUANTITY above (1-Q)", NULL},
   {NB_IN_EXPECT, "1 minus|- QUANTITY {last} expected|is|= Q ...", "QUANTITY expected (1-Q) within (0.01*Q)", "the tolerance is 1 % of Q"},
@@ -304,6 +294,15 @@ static bool fits_bound(struct match *match, const char *word, size_t length, siz
   return all;
 }
 
+/* The end of the most tokens, from `at` on, for which a word such as `…` may stand. */
+static size_t last_of_many(const struct match *match, const char *word, size_t length, size_t at) {
+  static const char relations[] = "above|below|expected";
+  const bool measure = match->reader->here == NB_IN_EXPECT && is_word(word, length, "…");
+  while (at < match->end && !(measure && is_one_of(relations, strlen(relations), match->reader->tokens[at].text)))
+    at++;
+  return at;
+}
+
 /* True if the pattern fits the tokens from `at` to the end of the line. */
 static bool fits(struct match *match, const char *pattern, size_t at) {
   const struct nb_reader *const reader = match->reader;
@@ -313,10 +312,10 @@ static bool fits(struct match *match, const char *pattern, size_t at) {
   if (!*pattern)
     return !more;
   if (is_many(word, length)) {
-    for (size_t to = at; to <= match->end; to++)
-      if (fits_bound(match, word, length, at, to, rest))
-        return true;
-    return false;
+    bool found = false;
+    for (size_t to = at, last = last_of_many(match, word, length, at); to <= last && !found; to++)
+      found = fits_bound(match, word, length, at, to, rest);
+    return found;
   }
   const size_t taken = !more             ? 0
                        : upper == length ? value_tokens(match, word, length, at)
