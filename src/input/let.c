@@ -272,7 +272,7 @@ static bool has_function(const struct nb_reader *reader) {
   bool found = false;
   for (size_t k = 2; k < reader->count; k++) {
     const char *const open = strchr(reader->tokens[k].text, '(');
-    found = found || (open > reader->tokens[k].text && isalpha((unsigned char)open[-1]));
+    found = found || (open && open > reader->tokens[k].text && isalpha((unsigned char)open[-1]));
   }
   return found;
 }

@@ -63,8 +63,7 @@ static bool strain_hint(char *hint, const struct nb_scene *scene, const char *st
     return false;
   snprintf(hint, NB_HINT_SIZE,
            "write `region S all from %.63s` in the scene, and here `until S.%.30s %s at most 1000000 cycles`: the "
-           "strain since "
-           "the beginning of this stage, %s. The strains of a box and a cell count from time 0",
+           "strain since the beginning of this stage, %s. The strains of a box and a cell count from time 0",
            nb_current_stage(scene)->name, strain, shear ? "above 0.05" : "below -0.05",
            shear ? "half of the engineering shear strain" : "negative in compression");
   return true;
