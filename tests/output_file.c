@@ -40,22 +40,6 @@ static bool present(const char *path) {
   return lstat(path, &status) == 0;
 }
 
-static void text_write(const char *path, const char *text) {
-  FILE *file = fopen(path, "w");
-  CU_ASSERT_PTR_NOT_NULL_FATAL(file);
-  fputs(text, file);
-  fclose(file);
-}
-
-static bool has_text(const char *path, const char *text) {
-  char found[64] = "";
-  FILE *file = fopen(path, "r");
-  CU_ASSERT_PTR_NOT_NULL_FATAL(file);
-  found[fread(found, 1, sizeof found - 1, file)] = '\0';
-  fclose(file);
-  return strcmp(found, text) == 0;
-}
-
 static bool is_locked(const char *path) {
   const int file = open(path, O_RDONLY);
   const bool locked = file >= 0 && flock(file, LOCK_EX | LOCK_NB) != 0;
@@ -70,7 +54,7 @@ static void files_are_renamed(void) {
   struct nb_save save, other;
   struct nb_error error = {NB_OK, ""};
   in_folder(path, "a");
-  text_write(path, "old");
+  written_text(path, "old");
   snprintf(first, sizeof first, "%s.%ld.new", path, (long)getpid());
   snprintf(second, sizeof second, "%s.%ld.new", path, (long)getpid() + 1);
   for (int end = 0; end < 2; end++) {
@@ -79,7 +63,7 @@ static void files_are_renamed(void) {
     CU_ASSERT_STRING_EQUAL(save.path, path);
     CU_ASSERT_STRING_EQUAL(save.temporary, first);
     CU_ASSERT_STRING_EQUAL(other.temporary, second);
-    CU_ASSERT(is_locked(first) && is_locked(second) && has_text(path, "old"));
+    CU_ASSERT(is_locked(first) && is_locked(second) && written_is(path, "old"));
     CU_ASSERT(fputs("new", save.file) >= 0 && fseek(save.file, 0, SEEK_SET) == 0);
     CU_ASSERT_EQUAL(fgetc(save.file), 'n'); /* the file can be read */
     CU_ASSERT(fseek(save.file, 0, SEEK_END) == 0 && fputs("er", save.file) >= 0);
@@ -89,7 +73,7 @@ static void files_are_renamed(void) {
       CU_ASSERT_EQUAL(nb_save_end(&save, &error), NB_OK);
     if (!end)
       nb_save_cancel(&save);
-    CU_ASSERT(has_text(path, end ? "newer" : "old") && !present(first));
+    CU_ASSERT(written_is(path, end ? "newer" : "old") && !present(first));
     CU_ASSERT(!save.file && !save.path && !save.temporary);
   }
   unlink(path);
@@ -131,11 +115,11 @@ static void leftovers_are_removed(void) {
   in_folder(path, "a");
   for (int here = 0; here < 2; here++) { /* the path has no folder if it is in the current one */
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
-      text_write(in_folder(other, rows[k].name), "");
+      written_text(in_folder(other, rows[k].name), "");
     CU_ASSERT_EQUAL(symlink("b.1.new", in_folder(other, "a.2.new")), 0);
     CU_ASSERT_EQUAL(mkdir(in_folder(other, "a.3.new"), 0777), 0);
     CU_ASSERT_EQUAL(mkfifo(in_folder(other, "a.5.new"), 0666), 0); /* to open it would wait */
-    text_write(in_folder(other, "a.4.new"), "");
+    written_text(in_folder(other, "a.4.new"), "");
     const int held = open(other, O_RDONLY);
     CU_ASSERT(held >= 0 && flock(held, LOCK_EX | LOCK_NB) == 0);
     CU_ASSERT_EQUAL_FATAL(here ? chdir(folder) : 0, 0);
@@ -216,12 +200,12 @@ static void files_that_are_replaced(void) {
   CU_ASSERT_EQUAL(nb_save_replace_begin(&save, link, &error), NB_BAD_USE);
   snprintf(wanted, sizeof wanted, "cannot write %s: No such file or directory", link);
   CU_ASSERT_STRING_EQUAL(error.text, wanted);
-  text_write(path, "old");
+  written_text(path, "old");
   CU_ASSERT_EQUAL(chmod(path, 0741), 0);
   CU_ASSERT_EQUAL_FATAL(nb_save_replace_begin(&save, link, &error), NB_OK);
   fputs("new", save.file);
   CU_ASSERT_EQUAL(nb_save_end(&save, &error), NB_OK);
-  CU_ASSERT(has_text(path, "new") && lstat(link, &status) == 0 && S_ISLNK(status.st_mode));
+  CU_ASSERT(written_is(path, "new") && lstat(link, &status) == 0 && S_ISLNK(status.st_mode));
   CU_ASSERT(stat(path, &status) == 0 && (status.st_mode & 07777) == 0741);
   unlink(path), unlink(link);
 }
@@ -235,7 +219,7 @@ static void folders_are_created(void) {
   char path[PATH], command[PATH], wanted[2 * PATH];
   CU_ASSERT_EQUAL_FATAL(mkdir(in_folder(path, "x"), 0777), 0);
   CU_ASSERT_EQUAL(symlink(".", in_folder(path, "x/l")), 0);
-  text_write(in_folder(path, "x/f"), "");
+  written_text(in_folder(path, "x/f"), "");
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
     struct nb_error error = {NB_BROKEN, ""};
     struct stat status;

@@ -82,22 +82,6 @@ static enum nb_status obtain(struct folder *folder, const struct written *it, st
   return status;
 }
 
-static void text_write(const char *path, const char *text) {
-  FILE *file = fopen(path, "w");
-  CU_ASSERT_PTR_NOT_NULL_FATAL(file);
-  fputs(text, file);
-  fclose(file);
-}
-
-static bool has_text(const char *path, const char *text) {
-  char found[64] = "";
-  FILE *file = fopen(path, "r");
-  CU_ASSERT_PTR_NOT_NULL_FATAL(file);
-  found[fread(found, 1, sizeof found - 1, file)] = '\0';
-  fclose(file);
-  return strcmp(found, text) == 0;
-}
-
 /* The name has the page, the stage and the hash of the stage. */
 static void names_of_states(void) {
   struct folder folder;
@@ -232,7 +216,7 @@ static void states_that_are_outdated(void) {
     snprintf(path, sizeof path, "%s/%s", folder.states, name);
     CU_ASSERT_EQUAL(rename(old, path), 0);
     if (damaged)
-      text_write(path, "nineball state 1\n");
+      written_text(path, "nineball state 1\n");
     scene_read(&it, &folder, "cycles 4", "with v=2");
     const enum nb_state_presence found = nb_start_presence(&it.scene, &folder.options);
     if (found != (rows[k].outdated ? NB_STATE_OUTDATED : NB_STATE_MISSING))
@@ -265,10 +249,10 @@ static void wrong_states_are_refused(void) {
   snprintf(wanted, sizeof wanted, "%s:4:6: expected the hash that is in the name of the file: the file was renamed",
            path);
   CU_ASSERT_STRING_EQUAL(error.text, wanted);
-  text_write(path, "nineball state 1\n");
+  written_text(path, "nineball state 1\n");
   CU_ASSERT_EQUAL(obtain(&folder, &it, &error), NB_BAD_USE);
   CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "the file is cut off"));
-  CU_ASSERT(has_text(path, "nineball state 1\n"));
+  CU_ASSERT(written_is(path, "nineball state 1\n"));
   written_free(&before), written_free(&it);
   folder_remove(&folder);
 }
@@ -315,7 +299,7 @@ static void a_state_that_cannot_be_computed(void) {
 
 /* Opens the file and locks it, as another process does. The caller closes the file. */
 static int locked(const char *path, const char *text) {
-  text_write(path, text);
+  written_text(path, text);
   const int file = open(path, O_RDWR);
   CU_ASSERT_FATAL(file >= 0 && flock(file, LOCK_EX | LOCK_NB) == 0);
   return file;
@@ -344,7 +328,7 @@ static void locks_without_waiting(void) {
              "process %s sorts coins, %s: wait for its end, or choose another folder with --purse", rows[k].holder,
              file);
     CU_ASSERT_STRING_EQUAL(error.text, wanted);
-    CU_ASSERT(has_text(file, rows[k].text));
+    CU_ASSERT(written_is(file, rows[k].text));
     close(held);
   }
   unlink(file);
@@ -355,16 +339,16 @@ static void locks_without_waiting(void) {
   CU_ASSERT(stat(file, &status) == 0 && (status.st_mode & 07777) == 0666);
   CU_ASSERT((fcntl(lock.file, F_GETFD) & FD_CLOEXEC) != 0); /* programs that the process starts do not hold the lock */
   close(lock.file);
-  text_write(file, "99999999999999999999\nlonger\n");
+  written_text(file, "99999999999999999999\nlonger\n");
   CU_ASSERT_EQUAL_FATAL(nb_lock_own(&lock, path, "sorts coins", "--purse", &error), NB_OK);
   snprintf(process, sizeof process, "%ld\n", (long)getpid());
-  CU_ASSERT(has_text(file, process));
+  CU_ASSERT(written_is(file, process));
   const int other = open(file, O_RDONLY);
   CU_ASSERT(other >= 0 && flock(other, LOCK_EX | LOCK_NB) != 0);
   nb_lock_release(&lock);
   CU_ASSERT(!present(file) && flock(other, LOCK_EX | LOCK_NB) == 0);
   close(other);
-  text_write(file, ""), lock.file = -1; /* no lock to release */
+  written_text(file, ""), lock.file = -1; /* no lock to release */
   nb_lock_release(&lock);
   CU_ASSERT(present(file));
   unlink(file);

@@ -22,6 +22,22 @@ FILE *written_file(char path[]) {
   return file;
 }
 
+void written_text(const char *path, const char *text) {
+  FILE *file = fopen(path, "w");
+  CU_ASSERT_PTR_NOT_NULL_FATAL(file);
+  fputs(text, file);
+  fclose(file);
+}
+
+bool written_is(const char *path, const char *text) {
+  char found[64] = "";
+  FILE *file = fopen(path, "r");
+  CU_ASSERT_PTR_NOT_NULL_FATAL(file);
+  found[fread(found, 1, sizeof found - 1, file)] = '\0';
+  fclose(file);
+  return strcmp(found, text) == 0;
+}
+
 int written_open_files(void) {
   int count = 0;
   for (int file = 0; file < 1024; file++)

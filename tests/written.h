@@ -42,6 +42,11 @@ double written_last(const struct nb_result *result, const char *name);
  * XXXXXX, and becomes the name. The caller closes the file and removes it. */
 FILE *written_file(char path[]);
 
+/* Writes a file with this text, of at most 63 bytes; and true if the file has this text. The test ends if the file cannot
+ * be opened. */
+void written_text(const char *path, const char *text);
+bool written_is(const char *path, const char *text);
+
 /* Number of files that this process has open. */
 int written_open_files(void);
 
