@@ -92,10 +92,9 @@ bool nb_servo_hint(char *hint, const struct nb_reader *reader) {
            target, strcmp(place, "box") == 0 ? "walls" : place, place,
            strcmp(place, "box") == 0 ? "`xx P` and `yy P`" : "`xx P`, `yy P` and `xy P`");
   if (strcmp(place, "box") == 0 && *component != 'i')
-    nb_append(hint, NB_HINT_SIZE,
-              ". The servo strains the whole box, so opposite walls move by equal distances; the other direction may "
-              "have `box "
-              "strain %s`",
+    nb_append(hint, NB_HINT_SIZE, ". The servo strains the whole box, so opposite walls move by equal distances");
+  if (strcmp(place, "box") == 0 && (*component == 'x' || *component == 'y'))
+    nb_append(hint, NB_HINT_SIZE, "; the other direction may have `box strain %s`",
               *component == 'x' ? "0 1/s -0.01 1/s" : "-0.01 1/s 0 1/s");
   return true;
 }
@@ -114,7 +113,7 @@ static void note_wanted(struct nb_scene_reading *reading, const struct nb_reader
   *reading->servo_wanted = '\0';
   for (int k = 0; k < (*component == 'i' ? 2 : 1); k++)
     nb_append(reading->servo_wanted, sizeof reading->servo_wanted, "%s%s.stress.%s above %g%.12s", k ? " and " : "",
-              strcmp(place, "box") == 0 ? "walls" : place, parts[k], 0.99 * value,
+              strcmp(place, "box") == 0 ? "walls" : place, parts[k], NB_SERVO_NEAR * value,
               isalpha((unsigned char)unit[1]) ? unit : "");
   reading->servo_wanted_line = (int)reader->line;
 }

@@ -105,7 +105,6 @@ double nb_servo_error(const struct nb_model *model) {
 bool nb_servo_condition(char *text, size_t size, const struct nb_scene *scene, const struct nb_servo *servo,
                         bool unitless) {
   static const int part[] = {0, 3, 1}; /* indices of xx, yy and xy among the four measured components */
-  const double near = 0.99;            /* with 0.9 an isotropic stress ends up to 20 % below its target */
   *text = '\0';
   for (int k = 0; k < (servo->mean ? 1 : 3); k++) {
     const struct nb_quantity stress = servo->quantity[part[k]];
@@ -117,7 +116,7 @@ bool nb_servo_condition(char *text, size_t size, const struct nb_scene *scene, c
               servo->mean     ? "mean"
               : stress.suffix ? stress.suffix->name
                               : "",
-              servo->stress[k] > 0 ? "above" : "below", near * servo->stress[k], unitless ? "" : " Pa");
+              servo->stress[k] > 0 ? "above" : "below", NB_SERVO_NEAR * servo->stress[k], unitless ? "" : " Pa");
   }
   return *text;
 }
