@@ -87,8 +87,11 @@ static struct progress progress(const struct nb_model *model) {
   const int i = particles->slot[monitor->a], j = wall ? monitor->b : particles->slot[monitor->b];
   const long contact = nb_contacts_find(model, i, j, wall);
   const struct nb_velocities a = nb_velocity_now(model, (size_t)i);
-  const struct nb_velocities b =
-      wall ? (struct nb_velocities){.velocity = model->walls.velocity[j]} : nb_velocity_now(model, (size_t)j);
+  struct nb_velocities b = {.spin = 0};
+  if (wall)
+    b.velocity = model->walls.velocity[j];
+  else
+    b = nb_velocity_now(model, (size_t)j);
   const struct nb_particle *particle = &scene->particles[monitor->a],
                            *other = wall ? NULL : &scene->particles[monitor->b];
   struct progress it = {.incidence = nb_impact_incidence(scene), .elapsed = model->time - model->impact_time};
