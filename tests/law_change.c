@@ -35,15 +35,74 @@ static void the_force_jumps_and_the_energy_is_counted(void) {
   written_free(&it);
 }
 
+/* Hertz's law by increments stores U = (2/5) N a^2/R with a = (3 N R/(4 E*))^(1/3), where N is its sum of increments; in
+ * a step N grows by 2 E* a dn. Hertz's law stores (2/5) F_n alpha, where F_n = (4/3) E* (R alpha^3)^(1/2). A change from
+ * the first law to the second one supplies the mean of the differences at the two ends of the step. A wall moves by 0.005
+ * per step and stops at the overlap 0.05, or moves on. */
+static void from_increments_to_hertz(void) {
+  for (int moves = 0; moves < 2; moves++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              "units none\nmaterial m density 1e30 kn 1 young 1000 poisson 0\nnormal hertz_increment\n"
+              "sphere 0 2 radius 2 m\nwall w -9 0 to 9 0 m velocity 0 0.5\nmonitor C sphere 1 with wall w\n"
+              "step 0.01\nrecord C.normal energy.stored energy.changed\n"
+              "stage a\ncycles 10\nstage b\n%snormal hertz\ncycles 2\n",
+              moves ? "" : "walls stop\n");
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    double sum = written_cell(&result.table, 10, "C.normal"), changed = 0;
+    CU_ASSERT(sum > 1);
+    for (int end = 0; end < 2; end++) {
+      const double a = cbrt(0.75 * sum * 2 / 500), overlap = 0.05 + 0.005 * moves * end;
+      const double before = 0.4 * sum * a * a / 2, after = 0.4 * 4 / 3 * 500 * sqrt(2 * overlap) * overlap * overlap;
+      if (end == 0)
+        CU_ASSERT_DOUBLE_EQUAL(written_cell(&result.table, 10, "energy.stored"), before, 1e-12);
+      changed += (after - before) / 2;
+      sum += 2 * 500 * a * 0.005 * moves;
+    }
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "energy.changed"), changed, 1e-12);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
+/* Another stiffness or law changes the energy of the springs that exist: one where a sphere overlaps by 0.1 with the
+ * vertex of two walls, and none between spheres with a gap of 0.05. */
+static void springs_that_change(void) {
+  const double hertz = 0.4 * 4 / 3 * 500 * sqrt(0.1) * 0.1 * 0.1; /* E* is 500, R 1 */
+  static const char *const laws[][2] = {{"linear", "material m kn 700"}, {"hertz", "normal linear"}};
+  for (int k = 0; k < 2; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              "units none\nmaterial m density 1e30 kn 400 young 1000 poisson 0\nnormal %s\nsphere 0 0.9 radius 1 m\n"
+              "wall w -9 -1 to 0 0 m\nwall v 0 0 to 9 -1 m\nsphere 2.05 0.9 radius 1 m\nstep 0.01\n"
+              "record energy.stored energy.changed\nstage a\ncycles 1\nstage b\n%s\ncycles 1\n",
+              laws[k][0], laws[k][1]);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    CU_ASSERT_DOUBLE_EQUAL(written_cell(&result.table, 0, "energy.stored"), k ? hertz : 2, 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "energy.changed"), k ? 2 - hertz : 3.5 - 2, 1e-12);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
 /* A new shear law begins without displacement. The spring energy F_s^2/(2 k_s) of the old law is lost, and in the
  * first half of the step the old force F_s still does the work F_s ds/2, which the new law does not store. `shear
  * mindlin` has no stored energy, so its work counts in `energy.shear` alone. Friction that begins later begins
- * without a force. A wall slides past a sphere that is too heavy to move: ds = 0.5 0.001. */
+ * without a force. A shear law also ends if the stage removes friction. A wall slides past a sphere that is too heavy to move: ds = 0.5 0.001. */
 static void a_new_shear_law_begins_without_displacement(void) {
   static const char *const laws[][3] = {{"linear", "1e6", "shear mindlin"},
                                         {"mindlin", "1e6", "shear linear"},
-                                        {"linear", "0", "material m friction 1e6"}}; /* before: no shear force */
-  for (int k = 0; k < 3; k++) {
+                                        {"linear", "0", "material m friction 1e6"}, /* before: no shear force */
+                                        {"linear", "1e6", "material m friction 0"},
+                                        {"linear", "1e6", "shear none"},
+                                        {"mindlin", "1e6", "shear none"}};
+  for (int k = 0; k < 6; k++) {
     struct words page = {0};
     struct written it;
     struct nb_result result;
@@ -58,18 +117,72 @@ static void a_new_shear_law_begins_without_displacement(void) {
     const struct nb_table *table = &result.table;
     CU_ASSERT_EQUAL_FATAL(table->row_count, 8);
     const double ds = 0.5 * 0.001, before = fabs(written_cell(table, 4, "C.shear"));
-    CU_ASSERT((before > 0.1) == (k < 2));
-    CU_ASSERT(fabs(written_cell(table, 7, "C.shear")) > 0.1);
-    if (k == 0)
+    const bool stored = k == 0 || k == 3 || k == 4;
+    CU_ASSERT((before > 0.1) == (k != 2));
+    CU_ASSERT((fabs(written_cell(table, 7, "C.shear")) > 0.1) == (k < 3));
+    if (stored)
       CU_ASSERT_DOUBLE_EQUAL(before, 200 * 4 * ds, 1e-12);
     for (size_t row = 1; row < 8; row++) {
       const double old = fabs(written_cell(table, row - 1, "C.shear")), now = fabs(written_cell(table, row, "C.shear"));
       CU_ASSERT_DOUBLE_EQUAL(written_cell(table, row, "energy.shear") - written_cell(table, row - 1, "energy.shear"),
                              (old + now) / 2 * ds, 1e-13);
       CU_ASSERT_DOUBLE_EQUAL(written_cell(table, row, "energy.changed"),
-                             k == 0 && row > 4 ? -before * before / 400 - before * ds / 2 : 0, 1e-13);
+                             stored && row > 4 ? -before * before / 400 - before * ds / 2 : 0, 1e-13);
       CU_ASSERT_DOUBLE_EQUAL(written_cell(table, row, "energy.residual"), 0, 1e-12);
     }
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
+/* The same holds if the law of micro-slip gets another memory: contacts begin again without a history. */
+static void another_memory_loses_the_stored_energy(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\nmaterial m density 1e30 kn 1 young 1000 poisson 0.25 friction 10\nnormal hertz\n"
+                   "shear mindlin_deresiewicz memory 8\nsphere 0 0.5 radius 1 m\nwall w -9 0 to 9 0 m velocity 0.5 0\n"
+                   "monitor C sphere 1 with wall w\nstep 0.001\nrecord C.shear energy.stored energy.changed\n"
+                   "stage a\ncycles 4\nstage b\nshear mindlin_deresiewicz memory 9\ncycles 3\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  const double stored =
+      written_cell(&result.table, 4, "energy.stored") - written_cell(&result.table, 0, "energy.stored");
+  const double work = fabs(written_cell(&result.table, 4, "C.shear")) * 0.5 * 0.001 / 2;
+  CU_ASSERT(stored > 1e-3 && work > 1e-4);
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "energy.changed"), -stored - work, 1e-12);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
+/* The same loss if the partner of the heavy sphere is a wall or a sphere that moves and rotates, or the image of a
+ * sphere in a cell that deforms. The surfaces move relative to each other by ds per step, with the tangent (0, -1). The
+ * spheres move by less than 1e-3 in all, so that e keeps its direction. */
+static void a_shear_law_ends_anywhere(void) {
+  static const struct {
+    const char *scene, *motion;
+    double speed; /* |ds|/dt, m/s */
+  } rows[] = {{"wall w 0.5 9 to 0.5 -9 m velocity 0 0.5", "", 0.5},
+              {"wall w 0.5 9 to 0.5 -9 m velocity 0 0.5 spin 0.4 about -2.5 0", "", 0.5 + 0.4 * 3},
+              {"sphere 1.5 0 radius 1 m fixed velocity 0 0.5", "", 0.5},
+              {"sphere 1 0 radius 0.5 m fixed velocity 0 0.5 spin 0.3", "", 0.5 - 0.3 * 0.5},
+              {"sphere -1.5 0 radius 1 m fixed velocity 0 0.5 spin 0.3", "", 0.5 + 0.3},
+              {"cell -5 -5 to 3 5\nsphere -6.5 0 radius 1 m", "cell strain 0 0 c21 0.4\n", 0.4 * 1.5}};
+  static const char *const ends[] = {"material m friction 0", "shear none", "shear mindlin"};
+  for (size_t k = 0; k < 3 * sizeof rows / sizeof *rows; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              "units none\nmaterial m density 1e30 kn 1 young 1000 poisson 0.25 ks 200 friction 1e6\nnormal hertz\n"
+              "shear linear\nsphere 0 0 radius 1 m\n%s\nstep 1e-4\nrecord energy.changed\n",
+              rows[k / 3].scene);
+    words_add(&page, "stage a\n%scycles 4\nstage b\n%s%s\ncycles 3\n", rows[k / 3].motion, rows[k / 3].motion,
+              ends[k % 3]);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    const double ds = rows[k / 3].speed * 1e-4, force = 200 * 4 * ds, lost = force * force / 400 + force * ds / 2;
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "energy.changed"), -lost, 1e-3 * lost);
     nb_result_free(&result);
     written_free(&it);
   }
@@ -138,7 +251,11 @@ static void another_law_has_no_history(void) {
 
 void suite_law_change(void) {
   CU_pSuite suite = CU_add_suite("law_change", NULL, NULL);
+  CU_ADD_TEST(suite, from_increments_to_hertz);
+  CU_ADD_TEST(suite, springs_that_change);
   CU_ADD_TEST(suite, a_new_shear_law_begins_without_displacement);
+  CU_ADD_TEST(suite, another_memory_loses_the_stored_energy);
+  CU_ADD_TEST(suite, a_shear_law_ends_anywhere);
   CU_add_test(suite, "force of the new law, difference of the stored energies",
               the_force_jumps_and_the_energy_is_counted);
   CU_add_test(suite, "increments without a shear law", increments_without_a_shear_law);

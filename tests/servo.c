@@ -525,6 +525,7 @@ static void conditions_near_the_target(void) {
               {"yy 5 xy -10", {"stress.yy above 4.95", "stress.xy below -9.9"}},
               {"isotropic -20", {"stress.xx below -19.8", "stress.yy below -19.8"}},
               {"mean 20", {"stress.mean above 19.8", NULL}},
+              {"yy 0.5", {"stress.yy above 0.495", NULL}},
               {"xx 0", {NULL, NULL}},
               {"isotropic 0", {NULL, NULL}}};
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)

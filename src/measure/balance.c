@@ -86,10 +86,10 @@ static bool allocate(struct nb_model *model) {
     return false;
   b->particles = nb_array(model->particles.count, sizeof *b->particles);
   b->walls = nb_array(model->walls.count, sizeof *b->walls);
-  b->values = nb_array(model->material_pair_count, sizeof *b->values);
+  b->shear = nb_array(model->material_pair_count, sizeof *b->shear);
   const bool energy = model->plan.requested & NB_REQUEST_ENERGY;
   model->terms = energy ? nb_array(NB_TERMS, sizeof *model->terms) : NULL;
-  return b->particles && b->walls && b->values && (model->terms || !energy);
+  return b->particles && b->walls && b->shear && (model->terms || !energy);
 }
 
 /* Records the velocities of the walls over the step that ends at t_N. */
@@ -119,7 +119,7 @@ void nb_balance_free(struct nb_model *model) {
   struct nb_balance *b = model->balance;
   if (!b)
     return;
-  free(b->particles), free(b->walls), free(b->values), free(b->overlaps), free(b);
+  free(b->particles), free(b->walls), free(b->shear), free(b->overlaps), free(b);
   free(model->terms);
   model->balance = NULL, model->terms = NULL;
 }
@@ -263,9 +263,7 @@ static void add_contacts(struct nb_sum terms[], const struct nb_model *model, st
   const double time = kick.first_half + kick.second_half;
   for (size_t c = 0; c < contacts->count; c++) {
     const struct nb_material_pair *material_pair = &model->material_pairs[contacts->material_pair[c]];
-    const struct nb_vec f =
-        nb_contact_force(contacts, c); /* centred dashpots still act in the step in which a contact ends */
-    if ((!model->plan.dashpots && !material_pair->wall) || (!nb_touches(contacts, c) && f.x == 0 && f.y == 0))
+    if (!model->plan.dashpots && !material_pair->wall)
       continue;
     const int i = contacts->a[c], j = contacts->b[c];
     const struct nb_vec e = vec(contacts->kept[NB_EX][c], contacts->kept[NB_EY][c]);

@@ -15,14 +15,17 @@ struct nb_balance {
     struct nb_vec pivot;        /* P at t_N, m */
     struct nb_velocities speed; /* velocities of the wall over the step that ends at t_N */
   } * walls;
-  struct nb_pair *values;     /* per material pair: contact parameters at t_N before the stage begins */
-  struct nb_active_laws laws; /* laws at t_N before the stage begins */
+  struct {
+    const struct nb_law *law; /* before a change of the stage; NULL: no friction */
+    double work;              /* F_s ds/2 of all contacts in the first half of the step, J */
+  } * shear;                  /* per material pair */
+  double pieces;              /* of the shear law, before a change of the stage */
   struct nb_new_overlap {
     int a, b;
     bool wall;
   } * overlaps;                           /* pairs that already overlapped when they were listed; NULL: never sought */
   size_t overlap_count;                   /* number of these pairs; set to 0 after the next forces */
-  bool changed, shear_law_changed;        /* the stage has changed parameters or laws; it has changed the shear law */
+  bool changed;                           /* the stage has changed parameters or laws in this step */
   double initial_kinetic, initial_energy; /* K_0 plus the changes that nb_balance_exclude excludes; (K + U)_0, J */
   struct nb_sum work;                     /* J */
 };

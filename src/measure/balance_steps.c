@@ -17,7 +17,7 @@
  * change of the normal energy is the mean of the changes at the two ends of the step. The shear spring has the new
  * stiffness during the whole step. A new normal law changes the energy in the same way: by U_n of the new law minus U_n
  * of the old one. A new shear law begins without displacement: U_s is lost at t_N, and so is the work F_s ds/2 of the
- * old force in the first half of the step.
+ * old force in the first half of the step. The same holds if the stage removes the friction of a contact.
  *
  * When a boundary is released, two of its particles may overlap although they were not listed. At t_N they overlap by
  * alpha, m, without a force; at t_(N+1) the overlap is alpha' and the force F_n(alpha'). The force of the step is the
@@ -33,25 +33,14 @@
 
 #include "balance.h"
 
-/* Adds the work of the old law's force in the first half of the step, which the new law does not store. */
-static void end_old_law(struct nb_model *model, double old_force, double ds) {
-  const bool stored = model->balance->laws.shear->stored != NULL;
-  nb_sum_add(&model->terms[NB_TERM_SHEAR], old_force * ds / 2);
-  nb_sum_add(&model->terms[stored ? NB_TERM_CHANGED : NB_TERM_UNSTORED], (stored ? -old_force : old_force) * ds / 2);
-}
-
 static void add_shear_work(struct nb_model *model, size_t c) {
   const struct nb_law *law = model->material_pairs[model->contacts.material_pair[c]].shear;
-  double old_force = nb_field_of(model, (long)c, NB_SHEAR_BEFORE),
-         old_stiffness = nb_field_of(model, (long)c, NB_SHEAR_STIFFNESS_BEFORE);
+  const double old_force = nb_field_of(model, (long)c, NB_SHEAR_BEFORE),
+               old_stiffness = nb_field_of(model, (long)c, NB_SHEAR_STIFFNESS_BEFORE);
   const double new_force = law ? nb_field_of(model, (long)c, NB_SHEAR) : 0,
-               stiffness = law ? nb_field_of(model, (long)c, NB_SHEAR_STIFFNESS) : 0;
+               stiffness = nb_field_of(model, (long)c, NB_SHEAR_STIFFNESS);
   model->contacts.kept[NB_SHEAR_BEFORE][c] = new_force, model->contacts.kept[NB_SHEAR_STIFFNESS_BEFORE][c] = stiffness;
-  if (model->balance->shear_law_changed && law) {
-    end_old_law(model, old_force, nb_field_of(model, (long)c, NB_TANGENTIAL_INCREMENT));
-    old_force = old_stiffness = 0;
-  }
-  if (!law || (old_force == 0 && new_force == 0 && !law->dissipative))
+  if (!law || (old_force == 0 && new_force == 0))
     return;
   const double ds = nb_field_of(model, (long)c, NB_TANGENTIAL_INCREMENT), mean = (old_force + new_force) / 2;
   const bool sliding = nb_field_of(model, (long)c, NB_SLIDING) > 0;
@@ -70,14 +59,7 @@ static void add_shear_work(struct nb_model *model, size_t c) {
     nb_sum_add(&model->terms[NB_TERM_SLIDING], dissipated);
 }
 
-/* U_n of a contact, J; the law may write into `history`. */
-static double normal_energy(const struct nb_law *law, struct nb_pair values, double overlap, double history[]) {
-  if (!(overlap > 0) || !law->stored)
-    return 0;
-  struct nb_normal n = law->normal(values, overlap, 0, history);
-  n.overlap = overlap;
-  return law->stored(values, n, history);
-}
+/* ---- changes of properties and laws ---- */
 
 /* Copies the history of contact c's normal law. */
 static void history_of(double history[], const struct nb_model *model, size_t c) {
@@ -85,30 +67,53 @@ static void history_of(double history[], const struct nb_model *model, size_t c)
   memcpy(history, nb_history_read(&model->contacts.normal_history, c, buffer), NB_HISTORY * sizeof *history);
 }
 
-static bool equal_properties(struct nb_pair a, struct nb_pair b) {
-  bool all = true;
-#define ROW(name, ...) all = all && a.name == b.name;
-  NB_PAIR_ROWS(ROW)
-#undef ROW
-  return all;
+/* U_n of contact c, J, with this overlap and this history, which the law may change; dn: increment of the overlap since
+ * the history. */
+static double normal_energy(const struct nb_model *model, size_t c, double overlap, double dn, double history[]) {
+  const struct nb_material_pair *material_pair = &model->material_pairs[model->contacts.material_pair[c]];
+  const struct nb_pair values = nb_contact_constants(model, c, material_pair->values);
+  struct nb_normal n = material_pair->normal->normal(values, overlap, dn, history);
+  n.overlap = overlap;
+  return material_pair->normal->stored(values, n, history);
 }
 
-/* Change of U_n of all contacts by the stage, at the current overlaps, J. */
-static double normal_energy_change(const struct nb_model *model) {
-  struct nb_sum sum = {0};
-  for (size_t c = 0; c < model->contacts.count; c++) {
-    const int p = model->contacts.material_pair[c];
-    const struct nb_pair old = model->balance->values[p], new = model->material_pairs[p].values;
-    const struct nb_law *before = model->balance->laws.normal, *after = model->laws.normal;
-    if (before == after && equal_properties(old, new))
-      continue;
-    const double overlap = model->contacts.kept[NB_OVERLAP][c];
-    double new_history[NB_HISTORY], old_history[NB_HISTORY];
-    history_of(new_history, model, c), history_of(old_history, model, c);
-    nb_sum_add(&sum, normal_energy(after, nb_contact_constants(model, c, new), overlap, new_history) -
-                         normal_energy(before, nb_contact_constants(model, c, old), overlap, old_history));
+/* Subtracts the mean of U_n at t_N and at t_(N+1), with the laws before the change. The positions are those at t_(N+1).
+ */
+static void subtract_old_normal_energy(struct nb_model *model) {
+  const struct nb_contacts *contacts = &model->contacts;
+  for (size_t c = 0; c < contacts->count; c++) {
+    const double overlap = contacts->kept[NB_OVERLAP][c];
+    const double next = nb_is_suppressed(contacts, c) ? 0 : fmax(nb_overlap(model, c), 0);
+    double history[NB_HISTORY];
+    history_of(history, model, c);
+    nb_sum_add(&model->terms[NB_TERM_CHANGED], -normal_energy(model, c, overlap, 0, history) / 2);
+    nb_sum_add(&model->terms[NB_TERM_CHANGED], -normal_energy(model, c, next, next - overlap, history) / 2);
   }
-  return sum.sum + sum.rest;
+}
+
+/* Adds half of U_n with the laws after the change. Called twice: with the overlaps at t_N and with those at t_(N+1). */
+static void add_new_normal_energy(struct nb_model *model) {
+  for (size_t c = 0; c < model->contacts.count; c++) {
+    double history[NB_HISTORY];
+    history_of(history, model, c);
+    nb_sum_add(&model->terms[NB_TERM_CHANGED],
+               normal_energy(model, c, model->contacts.kept[NB_OVERLAP][c], 0, history) / 2);
+  }
+}
+
+/* ds of contact c in the step to t_(N+1), m [CS79 15]. The pass does not compute it if the new law is `none`. */
+static double tangential_increment(const struct nb_model *model, size_t c) {
+  const struct nb_particles *particles = &model->particles;
+  const int i = model->contacts.a[c], j = model->contacts.b[c];
+  const bool wall = nb_with_wall(model, c);
+  const struct nb_vec apart =
+      wall ? vec_scale(-1, nb_wall_separation(&model->walls, j, particles->position[i])) : nb_contacts_branch(model, c);
+  struct nb_vec other =
+      wall ? nb_wall_velocity(&model->walls, j, vec_add(particles->position[i], apart)) : particles->velocity[j];
+  if (model->cell)
+    other = vec_add(other, tensor_times(model->cell->image_velocity, model->contacts.image[c]));
+  const double along = vec_dot(vec_sub(particles->velocity[i], other), vec_clockwise(apart)) / vec_length(apart);
+  return (along - particles->surface_speed[i] - (wall ? 0 : particles->surface_speed[j])) * model->previous_step;
 }
 
 /* U_s of all contacts, J; called before and after a change by the stage. A larger stiffness makes U_s smaller; U_s is 0
@@ -123,42 +128,66 @@ static double shear_energy(const struct nb_model *model) {
     const struct nb_pair values = nb_contact_constants(model, c, material_pair->values);
     double history[NB_HISTORY], buffer[NB_HISTORY];
     history_of(history, model, c);
-    struct nb_normal n = model->laws.normal->normal(values, contacts->kept[NB_OVERLAP][c], 0, history);
-    n.overlap = contacts->kept[NB_OVERLAP][c];
+    const struct nb_normal n = model->laws.normal->normal(values, contacts->kept[NB_OVERLAP][c], 0, history);
     nb_sum_add(&sum, material_pair->shear->stored(values, n, nb_history_read(&contacts->shear_history, c, buffer)));
   }
   return sum.sum + sum.rest;
 }
 
-void nb_balance_change(struct nb_model *model, bool before) {
+/* Work F_s ds/2 of the shear forces of each material pair in the first half of the step. */
+static void record_shear(struct nb_model *model) {
   struct nb_balance *b = model->balance;
+  b->pieces = model->laws.pieces;
+  for (size_t p = 0; p < model->material_pair_count; p++)
+    b->shear[p].law = model->material_pairs[p].shear, b->shear[p].work = 0;
+  for (size_t c = 0; c < model->contacts.count && model->contacts.kept[NB_SHEAR_BEFORE]; c++)
+    b->shear[model->contacts.material_pair[c]].work +=
+        model->contacts.kept[NB_SHEAR_BEFORE][c] * tangential_increment(model, c) / 2;
+}
+
+/* The shear law of material pair p has ended. */
+static bool law_ended(const struct nb_model *model, size_t p) {
+  const struct nb_balance *b = model->balance;
+  return b->shear[p].law && (b->shear[p].law != model->material_pairs[p].shear || b->pieces != model->laws.pieces);
+}
+
+/* Adds the work of the forces whose law has ended. The new law begins without a force. */
+static void end_shear(struct nb_model *model) {
+  const struct nb_balance *b = model->balance;
+  for (size_t p = 0; p < model->material_pair_count; p++) {
+    if (!law_ended(model, p))
+      continue;
+    const bool stored = b->shear[p].law->stored;
+    nb_sum_add(&model->terms[NB_TERM_SHEAR], b->shear[p].work);
+    nb_sum_add(&model->terms[stored ? NB_TERM_CHANGED : NB_TERM_UNSTORED], (stored ? -1 : 1) * b->shear[p].work);
+  }
+  for (size_t c = 0; c < model->contacts.count && model->contacts.kept[NB_SHEAR_BEFORE]; c++)
+    if (law_ended(model, (size_t)model->contacts.material_pair[c]))
+      model->contacts.kept[NB_SHEAR_BEFORE][c] = 0;
+}
+
+void nb_balance_change(struct nb_model *model, bool before) {
   if (!model->terms)
     return;
   nb_sum_add(&model->terms[NB_TERM_CHANGED], before ? -shear_energy(model) : shear_energy(model));
   if (before)
-    for (size_t p = 0; p < model->material_pair_count; p++)
-      b->values[p] = model->material_pairs[p].values;
-  if (before)
-    b->laws = model->laws;
+    subtract_old_normal_energy(model), record_shear(model);
   else
-    nb_sum_add(&model->terms[NB_TERM_CHANGED], normal_energy_change(model) / 2);
-  b->changed = !before;
-  b->shear_law_changed = !before && (b->laws.shear != model->laws.shear || b->laws.pieces != model->laws.pieces);
+    add_new_normal_energy(model), end_shear(model);
+  model->balance->changed = !before;
 }
 
 /* ---- springs that appear loaded ---- */
 
-/* U_n of contact c at an overlap, without history, J. */
-static double normal_energy_at(const struct nb_model *model, size_t c, double overlap) {
-  const struct nb_material_pair *material_pair = &model->material_pairs[model->contacts.material_pair[c]];
-  double history[NB_HISTORY] = {0};
-  return normal_energy(material_pair->normal, nb_contact_constants(model, c, material_pair->values), overlap, history);
+/* Adds U_n/2 of contact c at an overlap, without a history. */
+static void add_half_energy(struct nb_model *model, size_t c, double overlap) {
+  nb_sum_add(&model->terms[NB_TERM_CHANGED], normal_energy(model, c, overlap, 0, (double[NB_HISTORY]){0}) / 2);
 }
 
 enum nb_status nb_balance_new_overlaps(struct nb_model *model, struct nb_error *error) {
   struct nb_balance *b = model->balance;
   const struct nb_contacts *contacts = &model->contacts;
-  if (!b || !model->terms)
+  if (!model->terms)
     return NB_OK;
   free(b->overlaps);
   b->overlap_count = 0;
@@ -171,7 +200,7 @@ enum nb_status nb_balance_new_overlaps(struct nb_model *model, struct nb_error *
     const double overlap = nb_overlap(model, c);
     if (!(overlap > 0))
       continue;
-    nb_sum_add(&model->terms[NB_TERM_CHANGED], normal_energy_at(model, c, overlap) / 2);
+    add_half_energy(model, c, overlap);
     b->overlaps[b->overlap_count++] = (struct nb_new_overlap){contacts->a[c], contacts->b[c], nb_with_wall(model, c)};
   }
   return NB_OK;
@@ -183,8 +212,7 @@ static void end_new_overlaps(struct nb_model *model) {
   for (size_t k = 0; k < b->overlap_count; k++) {
     const long c = nb_contacts_find(model, b->overlaps[k].a, b->overlaps[k].b, b->overlaps[k].wall);
     if (c >= 0)
-      nb_sum_add(&model->terms[NB_TERM_CHANGED],
-                 normal_energy_at(model, (size_t)c, model->contacts.kept[NB_OVERLAP][c]) / 2);
+      add_half_energy(model, (size_t)c, model->contacts.kept[NB_OVERLAP][c]);
   }
   b->overlap_count = 0;
 }
@@ -197,8 +225,8 @@ void nb_balance_after_forces(struct nb_model *model) {
     for (size_t c = 0; c < model->contacts.count; c++)
       add_shear_work(model, c);
   if (b->changed)
-    nb_sum_add(&model->terms[NB_TERM_CHANGED], normal_energy_change(model) / 2);
-  b->changed = b->shear_law_changed = false;
+    add_new_normal_energy(model);
+  b->changed = false;
   if (b->overlap_count > 0)
     end_new_overlaps(model);
 }
