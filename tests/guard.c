@@ -806,7 +806,7 @@ static void empty_rows(void) {
   static const struct {
     const char *records, *in_stage;
     const char *wanted;
-  } cases[] = {{"", "record every 5 cycles", "8: `record every` writes empty rows: no quantity is recorded\n"},
+  } cases[] = {{"", "record every 1 cycle", "8: `record every` writes empty rows: no quantity is recorded\n"},
                {"", "record none", ""},
                {"record time", "record every 5 cycles", ""}};
   for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {

@@ -85,6 +85,10 @@ limit 'letters in a value' 'expected a value shorter than 64 bytes'
 page "record A.$(many 10 a)" | sed 's/^record A.*/record step/' >"$work/right.md"
 page "record A.$(many 130 a)" >"$work/wrong.md"
 limit 'letters in a quantity' 'expected a name shorter than 128 bytes'
+page "record $(many 128 a)" >"$work/wrong.md"
+limit '128 letters in a quantity' 'expected a name shorter than 128 bytes'
+page "record $(many 127 a)" >"$work/wrong.md"
+limit '127 letters in a quantity' 'expected a quantity, found `aaa'
 
 # numbered N LINE: prints the line N times, with @ replaced by 1, 2, ...
 numbered() { awk -v n="$1" -v line="$2" 'BEGIN { for (k = 1; k <= n; k++) { l = line; gsub("@", k, l); print l } }'; }
@@ -98,6 +102,17 @@ counted 2000 'names for values' 'let a@ = 1'
 counted 199 'materials' 'material m@' 200 # one more is in the page
 counted 2000 'walls' 'wall w@ @ m 9 m to @ m 10 m rock'
 counted 2000 'gradings' 'grading g@ 1 m 1'
+counted 2000 'monitors' 'disc @ m 9 m radius 0.1 m rock\nmonitor m@ disc @'
+counted 1999 'columns' 'disc @ m 9 m radius 0.1 m rock\nmonitor m@ disc @\nrecord m@.x' 2000 # one more is in the page
+# staged N: prints a page with N stages.
+staged() {
+  page '' | sed '$d'
+  numbered $(($1 - 1)) 'stage s@\ncycles 1'
+  echo '```'
+}
+staged 2000 >"$work/right.md"
+staged 2001 >"$work/wrong.md"
+limit 'stages' 'expected at most 2000 stages, found more'
 
 # path LINE: prints a valid contact test with this line added.
 path() {

@@ -76,10 +76,8 @@ static bool until_hint(char *hint, const struct nb_scene_reading *reading, const
   const struct nb_scene *const scene = reading->scene;
   const struct nb_synonym *const synonym = nb_pair_synonym("quantity", name), *const other = nb_synonym(name);
   const char *const ours = synonym ? synonym->ours : other ? other->ours : "";
-  if (strcmp(reader->tokens[0].text, "until") != 0 || reading->here != NB_IN_STAGE)
-    return false;
   if (strcmp(ours, "unbalanced.max") == 0 && reader->next == 2 && reader->count > 3 &&
-      strcmp(reader->tokens[reader->count > 4 ? 4 : 0].text, "and") != 0) {
+      !(reader->count > 4 && strcmp(reader->tokens[4].text, "and") == 0)) {
     unbalanced_hint(hint, reading);
     return true;
   }
@@ -90,7 +88,7 @@ static bool until_hint(char *hint, const struct nb_scene_reading *reading, const
 static bool contact_hint(char *hint, const struct nb_scene_reading *reading, const char *name) {
   const struct nb_scene *const scene = reading->scene;
   const int w = NB_FIND(scene->monitors, scene->monitor_count, name);
-  if (strcmp(reading->reader.tokens[0].text, "until") != 0 || w < 0 ||
+  if (w < 0 ||
       (scene->monitors[w].kind != NB_MONITOR_PARTICLE_PARTICLE && scene->monitors[w].kind != NB_MONITOR_PARTICLE_WALL))
     return false;
   snprintf(
@@ -110,9 +108,10 @@ bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *qua
     return true;
   if (nb_name_suppressed(mistakes, requested->name))
     return false;
-  const bool here = requested->line == reading->reader.line; /* columns are found after the last line */
-  if (!nb_old_name(hint, requested->name) && !(here && until_hint(hint, reading, requested->name)) &&
-      !(here && contact_hint(hint, reading, requested->name)))
+  const bool until = requested->line == reading->reader.line && /* columns are found after the last line */
+                     strcmp(reading->reader.tokens[0].text, "until") == 0;
+  if (!nb_old_name(hint, requested->name) &&
+      !(until && (until_hint(hint, reading, requested->name) || contact_hint(hint, reading, requested->name))))
     nb_quantity_hint(hint, reading->scene, requested->name);
   nb_mistake(mistakes, reading->reader.page, requested->line, requested->column, requested->length, hint,
              "expected a quantity, found `%s`", requested->name);
@@ -179,19 +178,19 @@ NB_APPLY(apply_record) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
   unsigned long every = 0;
-  if (nb_token_skip(reader, "every") && (scene->contact_test || !is_duration(reader, &nb_current_stage(scene)->step)))
+  if (nb_token_skip(reader, "every") && !is_duration(reader, &nb_current_stage(scene)->step))
     nb_take_count_of(reader, scene->contact_test ? "step" : "cycle", &every);
-  else if (!reader->bad && !nb_token_skip(reader, "none"))
+  else if (!nb_token_skip(reader, "none"))
     nb_expected(reader,
                 scene->contact_test ? "`record QUANTITY …` belongs before the first `segment`"
                                     : "`record QUANTITY …` belongs before the first `stage`",
                 scene->contact_test ? "`every N steps` or `none`" : "`every N cycles` or `none`");
-  if (!reader->bad && every > 0 && nb_token_peek(reader))
+  if (every > 0 && nb_token_peek(reader))
     nb_expected(reader,
                 scene->contact_test ? "`record QUANTITY …` is a line of its own, before the first `segment`"
                                     : "`record QUANTITY …` is a line of its own, before the first `stage`",
                 "the end of the line");
-  if (reader->bad || nb_given_twice(reader, nb_current_stage(scene)->record_line))
+  if (nb_given_twice(reader, nb_current_stage(scene)->record_line))
     return;
   nb_current_stage(scene)->record_interval = every;
   nb_current_stage(scene)->record_line = (int)reader->line;
@@ -217,10 +216,12 @@ NB_APPLY(apply_snapshot) {
   if (scene->contact_test || !nb_token_skip(reader, "from"))
     return;
   const struct nb_token *name = nb_take_token(reader, "the name of this stage or of an earlier one");
-  const int from = name ? NB_FIND(scene->stages, scene->stage_count, name->text) : -1;
+  if (!name)
+    return;
+  const int from = NB_FIND(scene->stages, scene->stage_count, name->text);
   if (from >= (int)scene->start.stages)
     stage->snapshot_from = from;
-  else if (name && !nb_stage_before_start(scene, reader, name))
+  else if (!nb_stage_before_start(scene, reader, name))
     nb_unknown_name(reader, name, NULL, "the name of this stage or of an earlier one");
 }
 
