@@ -316,6 +316,7 @@ SUITES = \
   tests/units.c \
   tests/scene.c \
   tests/refine.c \
+  tests/copied.c \
   tests/rounding.c \
   tests/statements.c \
   tests/stated.c \

@@ -50,7 +50,6 @@ static void copy_stage(struct nb_stage *to, const struct nb_stage *from, int lin
   COPY(to, from, changes, change_count);
   COPY(to, from, removals, removal_count);
   COPY(to, from, conditions, condition_count);
-  to->segment = (struct nb_segment){.points = NULL};
   if (!*made)
     return;
   LINES(motions, motion_count);
@@ -261,7 +260,7 @@ NB_APPLY(apply_start) {
     return;
   }
   reading->start_failed = true; /* set to false at the end, when `start` has succeeded */
-  if (scene->start.line || reading->first_line != reader->line) {
+  if (reading->first_line != reader->line) {
     nb_token_mistake(reader, &reader->tokens[0], NULL,
                      "expected one `start`, above all statements except `units`, `let` and `sweep`");
     return;
@@ -269,7 +268,7 @@ NB_APPLY(apply_start) {
   start->line = (int)reader->line;
   if (nb_token_peek(reader) && (!nb_take_word(reader, "with") || !take_settings(reader, start)))
     return;
-  if (reader->bad || !read_other(reading, reader, start, word) || !truncate_scene(reader, start->scene, name))
+  if (!read_other(reading, reader, start, word) || !truncate_scene(reader, start->scene, name))
     return;
   if (reading->units_line && reader->unitless != start->scene->unitless) {
     nb_token_mistake(reader, word, "remove the line `units`: without it this page has the units of the other page",
