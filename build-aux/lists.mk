@@ -317,6 +317,7 @@ SUITES = \
   tests/scene.c \
   tests/refine.c \
   tests/copied.c \
+  tests/limits.c \
   tests/rounding.c \
   tests/statements.c \
   tests/stated.c \

@@ -12,7 +12,8 @@
 
 /* Writes a page with these statements to a file, and reads a page that starts from it: `%s` in `starts` is the name of
  * the file. `end` is the end of this name. */
-static void read_both(struct written *it, const char *first, const char *starts, const char *end, nb_settings settings) {
+static void read_both(struct written *it, const char *first, const char *starts, const char *end,
+                      nb_settings settings) {
   char path[64], without[64];
   snprintf(path, sizeof path, "/tmp/nineball-copied-XXXXXX%s.md", end);
   const int descriptor = mkstemps(path, (int)strlen(end) + 3);
@@ -29,43 +30,42 @@ static void read_both(struct written *it, const char *first, const char *starts,
 }
 
 /* The first page has all statements that are copied, and stages of which each differs from a new stage. */
-static const char *const first =
-    "units none\n"
-    "material m density 1 kn 3 young 100 poisson 0.3 friction 0.5\n"
-    "material n density 2 kn 5 young 200 poisson 0.2\n"
-    "pair m n friction 0.1\n"
-    "grading g 1 2 0.5 3\n"
-    "normal linear\n"
-    "shear linear\n"
-    "damping ratio 0.1\n"
-    "gravity 0 -1\n"
-    "allow unstable\n"
-    "box -9 -9 to 9 9 m\n"
-    "transform translate 2 3\n"
-    "sphere 0 0 radius 1 m velocity 1 2\n"
-    "fill spheres box 2 2 to 8 8 g n seed 1 attempts 1000 else stop\n"
-    "monitor D sphere 1\n"
-    "record time D.x\n"
-    "step 0.1\n"
-    "stage s\n"
-    "wall north velocity 0 0.1\n"
-    "wall south velocity 0 0.1\n"
-    "material m friction 0.2\n"
-    "material n friction 0.2\n"
-    "remove sphere 2\n"
-    "remove sphere 3\n"
-    "snapshot from s\n"
-    "record every 3 cycles\n"
-    "until D.x above -5 and time above 0.1 every 2 cycles at most 10 cycles\n"
-    "stage t\n"
-    "step 0.2\n"
-    "damping mass 2\n"
-    "servo isotropic 1 on box through box at most 1e-6 per cycle\n"
-    "snapshot from s\n"
-    "cycles 3\n"
-    "stage u\n"
-    "step 0.3\n"
-    "cycles 4\n";
+static const char *const first = "units none\n"
+                                 "material m density 1 kn 3 young 100 poisson 0.3 friction 0.5\n"
+                                 "material n density 2 kn 5 young 200 poisson 0.2\n"
+                                 "pair m n friction 0.1\n"
+                                 "grading g 1 2 0.5 3\n"
+                                 "normal linear\n"
+                                 "shear linear\n"
+                                 "damping ratio 0.1\n"
+                                 "gravity 0 -1\n"
+                                 "allow unstable\n"
+                                 "box -9 -9 to 9 9 m\n"
+                                 "transform translate 2 3\n"
+                                 "sphere 0 0 radius 1 m velocity 1 2\n"
+                                 "fill spheres box 2 2 to 8 8 g n seed 1 attempts 1000 else stop\n"
+                                 "monitor D sphere 1\n"
+                                 "record time D.x\n"
+                                 "step 0.1\n"
+                                 "stage s\n"
+                                 "wall north velocity 0 0.1\n"
+                                 "wall south velocity 0 0.1\n"
+                                 "material m friction 0.2\n"
+                                 "material n friction 0.2\n"
+                                 "remove sphere 2\n"
+                                 "remove sphere 3\n"
+                                 "snapshot from s\n"
+                                 "record every 3 cycles\n"
+                                 "until D.x above -5 and time above 0.1 every 2 cycles at most 10 cycles\n"
+                                 "stage t\n"
+                                 "step 0.2\n"
+                                 "damping mass 2\n"
+                                 "servo isotropic 1 on box through box at most 1e-6 per cycle\n"
+                                 "snapshot from s\n"
+                                 "cycles 3\n"
+                                 "stage u\n"
+                                 "step 0.3\n"
+                                 "cycles 4\n";
 
 #define ONE "units none\nstart %s stage t\nrecord time\nstage one\ncycles 2\n"
 

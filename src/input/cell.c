@@ -61,7 +61,7 @@ NB_APPLY(apply_wave) {
   if (!good_x || !good_y)
     nb_token_mistake(reader, &reader->tokens[reader->next - (good_x ? 1 : 2)], NULL,
                      "expected whole numbers of periods, from -1e6 to 1e6, found %.15g and %.15g", nx, ny);
-  for (size_t i = 0; i < scene->particle_count && !reader->bad; i++) {
+  for (size_t i = 0; i < scene->particle_count; i++) {
     struct nb_particle *particle = &scene->particles[i];
     const double sine = sin(2 * NB_PI *
                             (nx * (particle->x - scene->cell.x) / scene->cell.h[0] +

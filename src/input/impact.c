@@ -49,7 +49,7 @@ NB_APPLY(apply_impact) {
                     "the name of a monitored contact");
   if (angle && psi1)
     nb_token_mistake(reader, &reader->tokens[0], NULL, "expected either `angle` or `psi1`, found both");
-  if (angle && !(value[AT_ANGLE].number < NB_PI / 2))
+  if (value[AT_ANGLE].number >= NB_PI / 2)
     nb_expected_at(reader, angle, NULL, "an angle below 90 deg");
   if (reader->bad)
     return;

@@ -152,7 +152,7 @@ NB_APPLY(apply_allow) {
   struct nb_stage *stage = nb_current_stage(scene);
   if (!nb_take_word(reader, "unstable"))
     return;
-  if (stage && ((struct nb_scene_reading *)subject)->here == NB_IN_STAGE)
+  if (((struct nb_scene_reading *)subject)->here == NB_IN_STAGE)
     stage->allow_unstable = true;
   else
     scene->allow_unstable = true;
