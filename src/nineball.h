@@ -321,13 +321,14 @@ struct nb_impact {
 /* What the lines of a stage have set for a wall: its velocity, its spin. NB_GIVEN_WALLS: a line `walls` has set its
  * motion, and a line `wall` below it may change the motion. */
 enum { NB_GIVEN_VELOCITY = 1, NB_GIVEN_SPIN = 2, NB_GIVEN_WALLS = 4 };
-/* Motion of a wall from the beginning of a stage until another stage changes it. */
+/* Motion of a wall from the beginning of a stage until another stage changes it, or its removal. */
 struct nb_wall_motion {
   int wall;       /* index */
   double vx, vy;  /* velocity of P, m/s */
   double spin;    /* angular velocity about P, rad/s, counterclockwise */
   unsigned given; /* what lines of this stage have set: NB_GIVEN_ bits */
   bool ramp;      /* the motion changes linearly and is reached at the end of the stage */
+  bool removed;   /* `remove wall NAME`: the wall is removed when the stage begins; its velocity and spin are 0 */
   int line;
 };
 

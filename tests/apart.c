@@ -98,6 +98,28 @@ static void a_removed_particle_collides_with_none(void) {
   }
 }
 
+/* A removed wall counts in no pair, unless another wall of its material is left: its contact would have omega^2 = 800. */
+static void a_removed_wall_collides_with_none(void) {
+  static const struct {
+    const char *step;
+    double none, another;
+  } rows[] = {{"step 0.5 of stable", 0.25, 0.03535533905932738},
+              {"step 0.1 of collision", 0.07853981633974483, 0.011107207345395915}};
+  unsigned long cycles;
+  struct nb_error error;
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
+    for (int another = 0; another < 2; another++) {
+      char text[512];
+      snprintf(text, sizeof text,
+               PAIR "material b density 1 kn 8\npair m b kn 800\ndisc 0 0 radius 1 m\nwall w 9 0 to 9 1 b\n%s"
+                    "disc 90 0 radius 1 m\nrecord step\nstep 0.001\nstage a\ncycles 1\nstage b\nremove wall w\n%s\n"
+                    "cycles 1\n",
+               another ? "wall v 19 0 to 19 1 b\n" : "", rows[k].step);
+      CU_ASSERT_EQUAL(ends(text, &cycles, &error), NB_OK);
+      CU_ASSERT_DOUBLE_EQUAL(step, another ? rows[k].another : rows[k].none, 1e-15);
+    }
+}
+
 /* With the step that the message advises, the run continues. The advised step has the unit of the step in the page, or
  * the same words `of …` or `per collision`. */
 static void the_advised_step_is_stable(void) {
@@ -142,5 +164,6 @@ void suite_apart(void) {
   CU_pSuite suite = CU_add_suite("apart", NULL, NULL);
   CU_add_test(suite, "pairs that could collide later", pairs_that_may_meet);
   CU_ADD_TEST(suite, a_removed_particle_collides_with_none);
+  CU_ADD_TEST(suite, a_removed_wall_collides_with_none);
   CU_ADD_TEST(suite, the_advised_step_is_stable);
 }

@@ -211,6 +211,27 @@ static void comes_back(void) {
   written_free(&it);
 }
 
+/* The lattice has no line for a contact if its wall is removed, and the table of walls no row. Walls keep their
+ * numbers. */
+static void no_line_to_a_removed_wall(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\nmaterial m density 1 kn 1e-14\nstep 0.01\ndisc 0 0.9 radius 1 m\n"
+                   "wall v -5 0 to 5 0 m\nwall w -5 1.8 to 5 1.8 m\nrecord time\nstage a\ncycles 2\nsnapshot from a\n"
+                   "stage b\nremove wall v\ncycles 1\nsnapshot from a\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT_EQUAL(result.snapshots[0].lattice.row_count, 2);
+  CU_ASSERT_EQUAL(result.snapshots[0].walls.row_count, 2);
+  CU_ASSERT_EQUAL_FATAL(result.snapshots[1].lattice.row_count, 1);
+  line(&result.snapshots[1].lattice, 0, (double[]){1, 0, 2, 0, 0.9, 0, 1.8, 0});
+  CU_ASSERT_EQUAL_FATAL(result.snapshots[1].walls.row_count, 1);
+  CU_ASSERT_EQUAL(written_cell(&result.snapshots[1].walls, 0, "wall"), 2);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 /* The lattice has no line for a contact if one of its particles is removed, whichever of the two it is. */
 static void no_line_to_a_removed_particle(void) {
   for (int removed = 1; removed <= 2; removed++) {
@@ -256,6 +277,7 @@ void suite_configuration(void) {
   CU_add_test(suite, "a rolling sphere does not slide", rolls);
   CU_add_test(suite, "slid begins at 0 when a contact closes again", comes_back);
   CU_ADD_TEST(suite, no_line_to_a_removed_particle);
+  CU_ADD_TEST(suite, no_line_to_a_removed_wall);
   CU_add_test(suite, "lines across the edge of a cell", across_the_edge);
   CU_add_test(suite, "lost since the start, or since the first stage", since_the_start_or_the_first_stage);
 }

@@ -670,52 +670,91 @@ static void warnings_of_removed_particles(void) {
 }
 
 /* The warning names the stage that removes the particle, the stage before it, and the line of the statement. Of a pair
- * the particle that is removed first counts. The number of a wall is not that of a particle: disc 2 is removed, and wall
- * `left` is the second wall. */
+ * the side that is removed first counts. The number of a wall is not that of a particle: disc 2 is removed, and wall
+ * `left` is the second wall. Disc 1 and the walls `low` and `left` are not removed. */
 static void stages_of_removed_particles(void) {
   static const struct {
     const char *monitor, *quantity, *stage, *before; /* NULL: no warning */
     int line;
   } rows[] = {
       {"disc 1", "vx", NULL, NULL, 0},
-      {"disc 2", "vx", "three", "two", 23},
-      {"disc 3", "vx", "two", "one", 20},
-      {"disc 4", "vx", "two", "one", 20},
+      {"disc 2", "vx", "three", "two", 24},
+      {"disc 3", "vx", "two", "one", 21},
+      {"disc 4", "vx", "two", "one", 21},
       {"disc 5", "vx", NULL, NULL, 0},
       {"disc 6", "vx", NULL, NULL, 0},
-      {"disc 7", "vx", "two", "one", 19},
-      {"disc 1 with disc 2", "normal", "three", "two", 23},
-      {"disc 2 with disc 1", "normal", "three", "two", 23},
-      {"disc 2 with disc 4", "normal", "two", "one", 20},
-      {"disc 4 with disc 2", "normal", "two", "one", 20},
-      {"disc 3 with disc 7", "normal", "two", "one", 20},
-      {"disc 5 with disc 7", "normal", "two", "one", 19},
+      {"disc 7", "vx", "two", "one", 20},
+      {"disc 1 with disc 2", "normal", "three", "two", 24},
+      {"disc 2 with disc 1", "normal", "three", "two", 24},
+      {"disc 2 with disc 4", "normal", "two", "one", 21},
+      {"disc 4 with disc 2", "normal", "two", "one", 21},
+      {"disc 3 with disc 7", "normal", "two", "one", 21},
+      {"disc 5 with disc 7", "normal", "two", "one", 20},
       {"disc 1 with disc 5", "normal", NULL, NULL, 0},
       {"disc 1 with wall left", "normal", NULL, NULL, 0},
-      {"disc 2 with wall left", "normal", "three", "two", 23},
-      {"disc 7 with wall low", "normal", "two", "one", 19},
+      {"disc 2 with wall left", "normal", "three", "two", 24},
+      {"disc 7 with wall low", "normal", "two", "one", 20},
+      {"disc 1 with wall right", "normal", "three", "two", 25},
+      {"disc 2 with wall right", "normal", "three", "two", 24},
+      {"disc 3 with wall right", "normal", "two", "one", 21},
       {"wall left", "fx", NULL, NULL, 0},
+      {"wall right", "fx", "three", "two", 25},
+      {"wall right", "x", NULL, NULL, 0},
+      {"wall right", "angle", NULL, NULL, 0},
   };
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
     struct nb_outcome outcome;
     char scene[1024], expected[256] = "";
     snprintf(scene, sizeof scene,
-             "units none\nmaterial m density 1 kn 1\nwall low -99 0 to 99 0 m\nwall left -9 50 to -9 0 m\n"
+             "units none\nmaterial m density 1 kn 1\nwall low -99 0 to 99 0 m\nwall left -9 50 to -9 0 m\nwall right "
+             "99 50 to 99 0 m\n"
              "disc 0 1 radius 1 m\ndisc 3 1 radius 1 m\ndisc 6 1 radius 1 m\ndisc 9 1 radius 1 m\n"
              "disc 12 1 radius 1 m\ndisc 15 1 radius 1 m\ndisc 18 1 radius 1 m\nmonitor M %s\nstep 0.001\n"
              "record cycle M.%s\nstage one\ncycles 1\nstage two\nremove disc 7\nremove discs 3 to 4\ncycles 1\n"
-             "stage three\nremove disc 2\ncycles 1",
+             "stage three\nremove disc 2\nremove wall right\ncycles 1",
              rows[k].monitor, rows[k].quantity);
     carry_out(&outcome, scene, "report cycle", NULL);
     CU_ASSERT_EQUAL(outcome.status, NB_OK);
     CU_ASSERT_EQUAL_FATAL(outcome.warnings.count, rows[k].stage ? 1 : 0);
     if (rows[k].stage) {
       snprintf(expected, sizeof expected,
-               "`M.%s` is 0 from stage `%s` on, because this line removes its particle; for a value before, write "
+               "`M.%s` is 0 from stage `%s` on, because this line removes its %s; for a value before, write "
                "`M.%s in %s`",
-               rows[k].quantity, rows[k].stage, rows[k].quantity, rows[k].before);
+               rows[k].quantity, rows[k].stage, rows[k].line == 25 ? "wall" : "particle", rows[k].quantity,
+               rows[k].before);
       CU_ASSERT_STRING_EQUAL(outcome.warnings.list[0].text, expected);
       CU_ASSERT_EQUAL(outcome.warnings.list[0].line, rows[k].line);
+    }
+    nb_outcome_free(&outcome);
+  }
+}
+
+/* A quantity of a box that has lost a wall is computed as if the wall were in its place, and a warning says so. Another
+ * wall is not part of the box. */
+static void a_box_without_one_of_its_walls(void) {
+  static const struct {
+    const char *wall, *quantity;
+    bool warned;
+  } rows[] = {{"south", "box.stress.xx", true}, {"west", "box.porosity", true}, {"west", "walls.ratio", true},
+              {"low", "box.stress.xx", false},  {"high", "box.width", false},   {"west", "energy.kinetic", false}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct nb_outcome outcome;
+    char scene[512], expected[256];
+    snprintf(scene, sizeof scene,
+             "units none\nmaterial m density 1 kn 1\nwall low -9 -9 to 19 -9 m\nbox 0 0 to 9 9 m\n"
+             "wall high -9 19 to 19 19 m\ndisc 4 4 radius 1 m\nstep 0.001\nrecord cycle %s\nstage one\ncycles 1\n"
+             "stage two\nremove wall %s\ncycles 1",
+             rows[k].quantity, rows[k].wall);
+    carry_out(&outcome, scene, "report cycle", NULL);
+    CU_ASSERT_EQUAL(outcome.status, NB_OK);
+    CU_ASSERT_EQUAL_FATAL(outcome.warnings.count, rows[k].warned);
+    snprintf(expected, sizeof expected,
+             "`%s` is computed from stage `two` on as if wall `%s` were still in its place, without forces on it: this "
+             "line removes it",
+             rows[k].quantity, rows[k].wall);
+    if (rows[k].warned) {
+      CU_ASSERT_STRING_EQUAL(outcome.warnings.list[0].text, expected);
+      CU_ASSERT_EQUAL(outcome.warnings.list[0].line, 13);
     }
     nb_outcome_free(&outcome);
   }
@@ -1398,6 +1437,7 @@ void suite_outcome(void) {
   CU_add_test(suite, "warnings of all runs", warnings_of_all_runs);
   CU_add_test(suite, "warnings of removed particles", warnings_of_removed_particles);
   CU_ADD_TEST(suite, stages_of_removed_particles);
+  CU_ADD_TEST(suite, a_box_without_one_of_its_walls);
   CU_ADD_TEST(suite, tracked_columns);
   CU_ADD_TEST(suite, warnings_of_tension);
   CU_add_test(suite, "warnings of an imposed work that is 0", warnings_of_the_imposed_work);

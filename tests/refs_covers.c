@@ -198,6 +198,9 @@ static void add_to_stage(struct nb_stage *stage, enum nb_feature feature) {
   case HAS_REMOVE:
     stage->removals = &removal, stage->removal_count = 1;
     break;
+  case HAS_REMOVE_WALL:
+    stage->motions[0] = (struct nb_wall_motion){.removed = true, .line = LINE}, stage->motion_count = 1;
+    break;
   case HAS_UNTIL:
     stage->conditions = &condition, stage->condition_count = 1;
     break;

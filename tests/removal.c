@@ -172,6 +172,111 @@ static void at_the_moment(void) {
   }
 }
 
+/* Compares values before a stage that removes a wall of the box with values just after it has begun. Discs touch `south`
+ * and `west`, and in some of the scenes `east`; `west` moves. The velocities of the discs and all terms of the balance stay the same, except the stored
+ * energy: what the springs of the wall had stored counts as removed. The wall has no force then, and does not move. */
+static void a_wall_at_the_moment(void) {
+  static const char *const walls[] = {"south", "west", "east"};
+  for (size_t n = 0; n < sizeof dampings / sizeof *dampings; n++)
+    for (int k = 0; k < 3; k++) {
+      struct words page = {0};
+      struct written it;
+      struct nb_error error;
+      double before[ALL], after[ALL];
+      words_add(&page,
+                BUSY "monitor W wall %s\nrecord W.x W.fx W.fy W.angle\n%sstage a\nramp wall west velocity 0.2 0.1 spin "
+                     "0.1\ncycles 300\nstage b\nremove wall %s\ncycles 10\n",
+                walls[k], dampings[n], walls[k]);
+      written_scene(&it, &page);
+      struct nb_model *model = written_model(&it, NULL);
+      CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+      written_cycles(model, 300);
+      see(before, model);
+      const double x = written_now(model, "W.x"), angle = written_now(model, "W.angle");
+      const bool touched = written_now(model, "W.fx") != 0 || written_now(model, "W.fy") != 0;
+      CU_ASSERT(touched || k == 2);
+      CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[1], &error), NB_OK);
+      see(after, model);
+      const double level = before[KINETIC] + before[STORED];
+      for (int c = 0; c < ALL; c++)
+        if (strstr(names[c], ".v") || strstr(names[c], "spin") || c == KINETIC || (c >= FRICTIONAL && c != REMOVED))
+          if (!strstr(names[c], ".half"))
+            CLOSE(after[c], before[c], level);
+      CU_ASSERT_EQUAL(before[REMOVED], 0);
+      CU_ASSERT_EQUAL(after[REMOVED] > 1e-6 * level, touched);
+      CLOSE(after[REMOVED], before[STORED] - after[STORED], level);
+      CU_ASSERT(written_now(model, "W.fx") == 0 && written_now(model, "W.fy") == 0);
+      written_cycles(model, 10);
+      CU_ASSERT(written_now(model, "W.x") == x && written_now(model, "W.angle") == angle);
+      CU_ASSERT(written_now(model, "W.fx") == 0 && written_now(model, "W.fy") == 0);
+      nb_model_free(model);
+      written_free(&it);
+    }
+}
+
+/* A disc passes through the place of a removed wall, slowly or by a whole radius per step, and so does a wall that moves
+ * with it. Without the removal the run would stop, because the wall is soft. */
+static void the_place_of_a_removed_wall_is_free(void) {
+  for (int removes = 0; removes < 2; removes++)
+    for (int fast = 0; fast < 2; fast++) {
+      struct words page = {0};
+      struct written it;
+      struct nb_error error;
+      words_add(
+          &page,
+          "units none\nmaterial m density 1 kn 1e-9\ndisc 0 0 radius 1 m velocity %d 0\nwall gate 4.5 -3 to 4.5 3 "
+          "m\nmonitor A disc 1\nrecord A.x\nstep %s\nstage a\ncycles 1\nstage b\n%scycles %d\n",
+          fast ? 4 : 1, fast ? "0.25" : "0.01", removes ? "remove wall gate\n" : "", fast ? 9 : 899);
+      written_scene(&it, &page);
+      struct nb_result result;
+      const enum nb_status status = nb_run(&result, &it.scene, NULL, NULL, &error);
+      CU_ASSERT_EQUAL(status, removes ? NB_OK : NB_BROKEN);
+      if (removes)
+        CLOSE(written_last(&result, "A.x"), fast ? 10 : 9, 100);
+      nb_result_free(&result);
+      written_free(&it);
+    }
+}
+
+/* A disc lies over the common end of two walls, nearest to the inside of one of them. The contact with the end of the
+ * other wall is suppressed. When the first wall is removed, the end carries the disc: with the overlap d = R - |x - E|
+ * its spring appears loaded, and its energy k d^2/2 counts as changed. Both balances hold. A third wall with this end has
+ * no force, because only one contact at a vertex counts. */
+static void the_other_wall_of_a_vertex(void) {
+  for (int scene = 0; scene < 4; scene++) {
+    const bool second = scene % 2, third = scene / 2;
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(&page,
+              "units none\nmaterial m density 3 kn 4000\nwall v -5 0 to 0 0 m\nwall w 0 0 to 5 0 m\n%s"
+              "disc %s 0.98 radius 1 m\nmonitor A disc 1\nmonitor V wall v\nmonitor W wall w\n"
+              "record energy.changed energy.removed energy.residual work.residual V.fy W.fy A.vy\n"
+              "step 1e-5\nstage a\ncycles 1\nstage b\nremove wall %s\ncycles 9\n",
+              third ? "wall u 0 -5 to 0 0 m\n" : "", second ? "0.1" : "-0.1", second ? "w" : "v");
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    const char *const gone = second ? "W.fy" : "V.fy", *const left = second ? "V.fy" : "W.fy";
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+    written_cycles(model, 1);
+    CLOSE(written_now(model, gone), -4000 * 0.02, 1e11); /* the disc has moved by less than 1e-6 */
+    CU_ASSERT_EQUAL(written_now(model, left), 0);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[1], &error), NB_OK);
+    written_cycles(model, 1);
+    const double d = 1 - hypot(0.1, 0.98);
+    CU_ASSERT_EQUAL(written_now(model, gone), 0);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, left), -4000 * d * 0.98 / (1 - d), 0.01);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.removed"), 4000 * 0.02 * 0.02 / 2, 1e-4);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.changed"), 4000 * d * d / 2, 1e-4);
+    written_cycles(model, 8);
+    CU_ASSERT(written_now(model, "A.vy") > 1e-4);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.residual"), 0, 1e-8);
+    CLOSE(written_now(model, "work.residual"), 0, 1);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 /* A particle removed at time 0 has no effect: the run gives the same bits as one without the particle. The test runs a
  * scene of 7 particles, and one of 37, which are so many that the search sorts them into boxes. */
 static void removed_at_time_0(void) {
@@ -367,6 +472,9 @@ void suite_removal(void) {
   CU_add_test(suite, "a removed particle ends its imposed motion", a_removed_particle_ends_its_imposed_motion);
   CU_add_test(suite, "a removed particle leaves the boundary", a_removed_particle_leaves_the_boundary);
   CU_add_test(suite, "removal at time 0", removed_at_time_0);
+  CU_add_test(suite, "values at the moment when a wall is removed", a_wall_at_the_moment);
+  CU_add_test(suite, "the place of a removed wall is free", the_place_of_a_removed_wall_is_free);
+  CU_add_test(suite, "the other wall of a vertex carries the particle", the_other_wall_of_a_vertex);
   CU_add_test(suite, "removal of a disc beside one of another radius changes no spin", different_radii);
   CU_add_test(suite, "regions without removed particles", regions_without_removed_particles);
   CU_add_test(suite, "places of removed particles are free", places_of_removed_particles_are_free);

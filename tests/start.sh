@@ -161,6 +161,50 @@ remove  disc 2
 cycles  2
 ```
 END
+cat >"$pages/gate.md" <<'END'
+# A page that removes a wall of its box
+```scene
+units   none
+material  m  density 1 kn 1
+box     0 0 to 9 9  m
+disc    4 4 radius 1 m  velocity 2 0
+step    0.01
+stage   whole
+cycles  2
+stage   open
+remove  wall east
+cycles  2
+```
+END
+cat >"$pages/beyond.md" <<'END'
+# The disc leaves the box through the removed wall
+```scene
+start   gate stage open
+monitor   A  disc 1
+monitor   W  wall east
+record  A.x A.vx W.fx box.stress.xx
+stage   beyond
+cycles  600
+```
+```expect
+A.x   expected 16.08 within 1e-12 [4 + 2*6.04]
+A.vx  expected 2 within 0 [no force]
+```
+END
+run beyond "$pages/beyond.md"
+grep -qF 'beyond.md:3: warning: `W.fx` is 0, because stage `open` of `gate` removes its wall' "$work/said" &&
+  grep -qF 'beyond.md:3: warning: `box.stress.xx` is computed from stage `open` on as if wall `east` were still in its place, without forces on it: that stage removes it' "$work/said" &&
+  grep -qF '2 of 2 checks passed' "$work/out"
+result $? 'a wall that another page has removed is absent, and warnings name that page'
+for line in 'wall    east velocity 1 0' 'remove  wall east' 'box strain 0 1'; do
+  sed "s/^stage   beyond/&\n$line/" "$pages/beyond.md" >"$pages/again.md"
+  "$nineball" explain "$pages/again.md" --states "$states" >"$work/said" 2>&1
+  test $? -eq 2 && case $line in
+    box*) grep -qF 'again.md:8:1: error: expected a box of four walls, found that line 3 has removed wall `east`' "$work/said" ;;
+    *) grep -qF 'again.md:8:1: error: wall `east` is removed already, on line 3' "$work/said" ;;
+  esac
+  result $? "a page that starts from a removed wall refuses: $line"
+done
 cat >"$pages/none.md" <<'END'
 # A page that starts with one disc and removes it
 ```scene

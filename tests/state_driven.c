@@ -83,7 +83,8 @@ static const char box[] =
            "cycles 100\nstage servo-on\nstep 0.001\ncycles 100\n"
            "stage push\nwalls inward 0.01\ncycles 100\n"
            "stage again\nservo mean 30 on box through box at most 1e-5 per cycle\ncycles 100\n"
-           "stage still\nwalls stop\ncycles 50\nstage still-on\nstep 0.0012\ncycles 50\n";
+           "stage still\nwalls stop\ncycles 50\nstage still-on\nstep 0.0012\ncycles 50\n"
+           "stage open\nremove wall east\nwalls inward 0.01\ncycles 50\nstage open-on\ncycles 50\n";
 
 static void a_box(void) {
   same("box", box, "");

@@ -52,6 +52,7 @@ static const char *const names[NB_FEATURES] = {
     [HAS_ZERO_VELOCITIES] = "zero velocities",
     [HAS_REVERSE_VELOCITIES] = "reverse velocities",
     [HAS_REMOVE] = "remove",
+    [HAS_REMOVE_WALL] = "remove wall",
     [HAS_UNTIL] = "until",
     [HAS_RAMP] = "ramp",
     [HAS_STEP_CHANGE] = "step in a stage",
@@ -176,6 +177,7 @@ static void note_changes(int lines[], const struct nb_scene *scene, const struct
     note(lines, HAS_RAMP, it->changes[k].ramp, it->changes[k].line);
   for (size_t k = 0; k < it->motion_count; k++) {
     const struct nb_wall_motion *motion = &it->motions[k];
+    note(lines, HAS_REMOVE_WALL, motion->removed, motion->line);
     note(lines, HAS_MOVING_WALLS, motion->vx != 0 || motion->vy != 0, motion->line);
     note(lines, HAS_TURNING_WALLS, motion->spin != 0, motion->line);
     note(lines, HAS_RAMP, motion->ramp, motion->line);

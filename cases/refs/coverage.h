@@ -57,6 +57,7 @@ enum nb_feature {
   HAS_ZERO_VELOCITIES,
   HAS_REVERSE_VELOCITIES,
   HAS_REMOVE,
+  HAS_REMOVE_WALL,
   HAS_UNTIL, /* a stage that ends with a condition */
   HAS_RAMP,
   HAS_STEP_CHANGE,

@@ -1,13 +1,14 @@
-/* Reference: energy removed with particles by `remove`, and the motion of their neighbours.
+/* Reference: energy removed with particles and walls by `remove`, and the motion of their neighbours.
  *
- * Initially every particle is either at rest in equilibrium or in free flight. Removed particles take away
+ * Initially every particle is either at rest in equilibrium or in free flight. Removed particles and walls take away
  *
- *   sum m v^2/2 + I w^2/2     their kinetic energy, with the velocities v and angular velocities w of the page
+ *   sum m v^2/2 + I w^2/2     the kinetic energy of the particles, with the velocities v and angular velocities w of
+ *                             the page
  *   sum k_n alpha^2/2         the energy of the springs at their contacts, each spring once; alpha is the initial
  *                             overlap in m
  *
- * A particle at rest between a wall and a removed particle becomes a mass m on the spring of the wall. At the removal
- * this spring is compressed by alpha:
+ * A particle at rest between a wall and a removed particle or wall becomes a mass m on the spring of the wall that
+ * remains. At the removal this spring is compressed by alpha:
  *
  *   x = x_0 + alpha (1 - cos q t),   v = alpha q sin q t,   q = sqrt(k_n/m),   away from the wall, until q t = pi/2
  *   v = alpha q, constant                                   from then on
@@ -49,6 +50,16 @@ static size_t removal_stage(const struct nb_scene *scene, size_t particle) {
   return s;
 }
 
+/* As removal_stage, for a wall. */
+static size_t wall_removal_stage(const struct nb_scene *scene, size_t wall) {
+  size_t s = 0;
+  for (; s < scene->stage_count; s++)
+    for (size_t k = 0; k < scene->stages[s].motion_count; k++)
+      if (scene->stages[s].motions[k].removed && scene->stages[s].motions[k].wall == (int)wall)
+        return s;
+  return s;
+}
+
 static double spring_energy(double k, double overlap) { return overlap > 0 ? k * overlap * overlap / 2 : 0; }
 
 static double removed_energy(const struct nb_scene *scene) {
@@ -60,12 +71,13 @@ static double removed_energy(const struct nb_scene *scene) {
       if (removed || removal_stage(scene, j) < scene->stage_count)
         sum += spring_energy(matter_pair(scene, a->material, scene->particles[j].material).kn,
                              overlap_of(a, &scene->particles[j]));
-    if (!removed)
-      continue;
-    sum += (matter_mass(scene, a) * (a->vx * a->vx + a->vy * a->vy) + matter_inertia(scene, a) * a->spin * a->spin) / 2;
     for (size_t w = 0; w < scene->wall_count; w++)
-      sum += spring_energy(matter_pair(scene, a->material, scene->walls[w].material).kn,
-                           wall_overlap(a, &scene->walls[w], normal));
+      if (removed || wall_removal_stage(scene, w) < scene->stage_count)
+        sum += spring_energy(matter_pair(scene, a->material, scene->walls[w].material).kn,
+                             wall_overlap(a, &scene->walls[w], normal));
+    if (removed)
+      sum +=
+          (matter_mass(scene, a) * (a->vx * a->vx + a->vy * a->vy) + matter_inertia(scene, a) * a->spin * a->spin) / 2;
   }
   return sum;
 }
@@ -82,28 +94,32 @@ static double position(const void *data, double time) {
   return it->from + it->along * it->overlap * (angle < pi / 2 ? 1 - cos(angle) : 1 + angle - pi / 2);
 }
 
-/* Reads the motion of a particle at rest between one wall and one particle that stage 2 removes, and the normal of the
- * wall. `end` is the time of the end of the run, s. False: the particle is not such a neighbour, or the run ends before
- * it leaves the wall. */
+/* Reads the motion of a particle at rest between one wall that stays and one particle or wall that stage 2 removes, and
+ * the normal of the wall that stays. `end` is the time of the end of the run, s. False: the particle is not such a
+ * neighbour, or the run ends before it leaves the wall. */
 static bool read_neighbour(struct oscillation *oscillation, double normal[2], const struct nb_scene *scene,
                            const struct nb_particle *particle, double end) {
-  size_t walls = 0, particles = 0;
+  size_t walls = 0, removed = 0, others = 0;
   *oscillation = (struct oscillation){0};
   for (size_t j = 0; j < scene->particle_count; j++)
     if (&scene->particles[j] != particle && overlap_of(particle, &scene->particles[j]) > 0)
-      particles += removal_stage(scene, j) == 1 ? 1 : 2;
+      removed += removal_stage(scene, j) == 1, others += removal_stage(scene, j) != 1;
   for (size_t w = 0; w < scene->wall_count; w++) {
     double away[2];
     const double overlap = wall_overlap(particle, &scene->walls[w], away);
     if (!(overlap > 0))
       continue;
+    if (wall_removal_stage(scene, w) < scene->stage_count) {
+      removed++;
+      continue;
+    }
     walls++, oscillation->overlap = overlap, normal[0] = away[0], normal[1] = away[1];
     oscillation->q =
         sqrt(matter_pair(scene, particle->material, scene->walls[w].material).kn / matter_mass(scene, particle));
   }
   oscillation->begin = (double)scene->stages[0].cycles * scene->stages[0].step.value;
   const bool rests = particle->vx == 0 && particle->vy == 0;
-  return rests && walls == 1 && particles == 1 && oscillation->q * (end - oscillation->begin) > pi / 2;
+  return rests && walls == 1 && removed == 1 && others == 0 && oscillation->q * (end - oscillation->begin) > pi / 2;
 }
 
 static void add_axis(struct nb_solution *solution, const struct oscillation *oscillation, const char *monitor,
@@ -120,10 +136,14 @@ static void add_axis(struct nb_solution *solution, const struct oscillation *osc
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_stage *stages = scene->stages;
-  if (scene->stage_count != 2 || stages[0].removal_count || stages[0].step.kind != NB_STEP_TIME)
-    return nb_error_set(error, NB_BAD_USE,
-                        "the reference `taken_out` is for two stages, of which the second removes particles, and a "
-                        "step given as a time");
+  bool early = stages[0].removal_count > 0;
+  for (size_t w = 0; w < scene->wall_count; w++)
+    early = early || wall_removal_stage(scene, w) == 0;
+  if (scene->stage_count != 2 || early || stages[0].step.kind != NB_STEP_TIME)
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "the reference `taken_out` is for two stages, of which only the second removes something, and a "
+        "step given as a time");
   const double end = (double)stages[0].cycles * stages[0].step.value + (double)stages[1].cycles * stages[1].step.value;
   solution_value(solution, removed_energy(scene), "energy.removed");
   for (size_t w = 0; w < scene->monitor_count; w++) {
@@ -141,9 +161,11 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
 
 const struct nb_reference reference_taken_out = {
     .name = "taken_out",
-    .title = "particles removed from a row at rest: energy of the springs, neighbours on the springs of their walls",
+    .title =
+        "particles and walls removed beside particles at rest: energy of the springs, neighbours on the springs of "
+        "their walls",
     .source = "-",
-    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_VELOCITIES, HAS_SPINS, HAS_WALLS},
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_VELOCITIES, HAS_SPINS, HAS_WALLS, HAS_REMOVE_WALL},
     .needs = {HAS_REMOVE},
     .normal = "linear",
     .shear = "none",

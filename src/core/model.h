@@ -271,9 +271,12 @@ static inline const char *nb_unit(const struct nb_scene *scene, const char *unit
   return scene->unitless ? "" : unit;
 }
 
-/* True if a stage has removed the particle (loading/remove.c). */
+/* True if a stage has removed the particle, or the wall (loading/remove.c). */
 static inline bool nb_removed(const struct nb_model *model, size_t slot) {
   return model->particles.removed && model->particles.removed[slot];
+}
+static inline bool nb_wall_removed(const struct nb_walls *walls, size_t w) {
+  return walls->removed && walls->removed[w];
 }
 /* True if the contact is one of a particle with a wall. */
 static inline bool nb_with_wall(const struct nb_model *model, size_t contact) {

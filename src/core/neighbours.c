@@ -296,6 +296,8 @@ static bool neighbour_walls(struct nb_neighbour_pairs *pairs, struct nb_model *m
   const struct nb_walls *walls = &model->walls;
   const struct nb_particles *particles = &model->particles;
   for (size_t w = 0; w < walls->count; w++) {
+    if (nb_wall_removed(walls, w))
+      continue;
     const double apart = vec_length(nb_wall_separation(walls, (int)w, particles->position[i]));
     if (!(apart < particles->radius[i] + model->search.skin) || !(particles->inverse_mass[i] > 0))
       continue;

@@ -131,7 +131,8 @@ static enum nb_status crossing_error(const struct nb_model *model, size_t i, siz
 
 static enum nb_status check_crossing(const struct nb_model *model, size_t i, size_t w, struct nb_error *error) {
   double displacement;
-  if (!may_cross(model, i, w) || !(model->particles.inverse_mass[i] > 0) || !crossed(model, i, w, &displacement))
+  if (nb_wall_removed(&model->walls, w) || !may_cross(model, i, w) || !(model->particles.inverse_mass[i] > 0) ||
+      !crossed(model, i, w, &displacement))
     return NB_OK; /* fixed particles may pass through walls */
   return crossing_error(model, i, w, displacement, error);
 }

@@ -18,6 +18,7 @@ struct nb_walls {
   struct nb_vec *turn;            /* (1 - cos phi)/dt and sin phi/dt, phi the rotation in the last step, 1/s */
   double *angle;                  /* rotation since the start, rad */
   struct nb_vec *search_position; /* the two ends of each wall at the last search, m */
+  bool *removed;                  /* removed from the scene (loading/remove.c); NULL when no stage removes any */
 };
 
 /* Velocity of the wall's point that is at q now, m/s: its displacement in the last step over the step. A particle's

@@ -165,30 +165,47 @@ static void moved_hint(char *hint, const struct nb_scene *scene, size_t s, int f
         x + 0.0, rate, y + 0.0, rate);
 }
 
-/* Reports a motion of a wall that follows the strain of a box: such walls have no motion of their own. */
+/* What the stages up to the current one have done to the walls of the box. */
+struct box_motions {
+  bool moved, turned;                /* the current stage moves a wall; a wall has a spin */
+  const struct nb_wall_motion *gone; /* the last removal of a wall; NULL: none */
+};
+
+static void note_motions(struct box_motions *box, const struct nb_stage *stage, int first) {
+  box->moved = false;
+  for (size_t m = 0; m < stage->motion_count; m++) {
+    const struct nb_wall_motion *const motion = &stage->motions[m];
+    if (motion->wall < first || motion->wall >= first + NB_BOX_SIDES)
+      continue;
+    box->moved = true, box->turned = box->turned || motion->spin != 0;
+    box->gone = motion->removed ? motion : box->gone;
+  }
+}
+
+/* Reports that a wall of a box that follows a strain has a motion of its own, or is removed. */
 void nb_box_check(struct nb_scene_reading *reading) {
   const struct nb_scene *scene = reading->scene;
   const int first = nb_box_first_wall(scene);
   char hint[NB_HINT_SIZE];
-  bool turned = false;
+  struct box_motions box = {.gone = NULL};
   for (size_t s = 0; s < scene->stage_count && first >= 0; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     const int line = stage->box_line ? stage->box_line : stage->servo.box ? stage->servo.line : 0;
-    bool moved = false;
-    for (size_t m = 0; m < stage->motion_count; m++) {
-      const bool of_box = stage->motions[m].wall >= first && stage->motions[m].wall < first + 4;
-      moved = moved || of_box, turned = turned || (of_box && stage->motions[m].spin != 0);
-    }
+    note_motions(&box, stage, first);
     if (!line || s < scene->start.stages)
       continue;
-    if (moved)
+    if (box.gone) {
+      nb_line_mistake(&reading->reader, (size_t)line, "to move the other walls write `wall NAME velocity VX VY`",
+                      "expected a box of four walls, found that line %d has removed wall `%s`", box.gone->line,
+                      scene->walls[box.gone->wall].name);
+    } else if (box.moved) {
       moved_hint(hint, scene, s, first, reading->reader.unitless);
-    if (moved)
       report(reading, line, hint,
              "expected `box strain` and `servo`, or `wall` and `walls`, to move the box in this stage, found both");
-    else if (turned)
+    } else if (box.turned) {
       report(reading, line, NULL,
              "expected a box whose walls never rotate, found one with a `spin` in this stage or an earlier one");
+    }
   }
 }
 

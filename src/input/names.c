@@ -150,7 +150,8 @@ static const struct nb_quantity_kind kinds[] = {
      "work of the imposed motion (cell, boundary, affine strain) and of a stress on a boundary; that of walls, also "
      "with `box strain`, is energy.walls"},
     {"energy.removed", 0, "J", NB_OF_BALANCE, removed_energy,
-     "kinetic energy of particles that stages have removed or a boundary holds, and elastic energy of their contacts"},
+     "kinetic energy of particles that stages have removed or a boundary holds, and elastic energy of their contacts "
+     "and of those of removed walls"},
     {"energy.residual", 0, "J", NB_OF_BALANCE, energy_residual,
      "kinetic, stored, frictional, damped and removed energy, less the initial and the supplied energy: the error of "
      "time integration"},

@@ -1,4 +1,4 @@
-/* Particles that a stage removes: `remove disc N`, `remove discs N to M`, and the same for spheres.
+/* What a stage removes: `remove disc N`, `remove discs N to M`, the same for spheres, and `remove wall NAME` (wall.c).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 
@@ -41,9 +41,9 @@ static struct nb_removal take_range(const struct nb_scene_reading *reading, stru
   while (word < 4 && !nb_token_skip(reader, words[word]))
     word++;
   if (word == 4 && token && NB_FIND(reading->scene->walls, reading->scene->wall_count, token->text) >= 0)
-    nb_pair_hint(hint, "remove", "wall");
+    snprintf(hint, NB_HINT_SIZE, "write `remove wall %s`", token->text);
   if (word == 4)
-    nb_expected(reader, *hint ? hint : NULL, "`disc N`, `discs N to M`, `sphere N` or `spheres N to M`");
+    nb_expected(reader, *hint ? hint : NULL, "`disc N`, `discs N to M`, `sphere N`, `spheres N to M` or `wall NAME`");
   nb_take_count(reader, 1, most, &from);
   to = from;
   if (word % 2 && nb_take_word(reader, "to"))
@@ -61,6 +61,14 @@ NB_APPLY(apply_remove) {
   struct nb_stage *stage = nb_current_stage(scene);
   enum nb_shape shape;
   size_t which, all = 0;
+  if (nb_token_skip(reader, "wall")) {
+    const struct nb_token *const name = nb_token_peek(reader);
+    if (!name)
+      nb_expected(reader, "for example `remove wall east`", "the name of a wall");
+    else if (nb_take_name(reader, "the name of a wall"))
+      nb_wall_remove(reading, reader, name);
+    return;
+  }
   const struct nb_removal removal = take_range(reading, reader, &shape);
   for (size_t s = 0; s < scene->stage_count; s++)
     all += scene->stages[s].removal_count;
@@ -80,10 +88,11 @@ NB_APPLY(apply_remove) {
 
 /* clang-format off */
 NB_STATEMENTS(remove) = {
-  {"remove", NB_IN_STAGE, no_fields, "disc N | discs N to M", 0, false, apply_remove,
-   "Removes particles, and their energy, at the beginning of this stage. Removed particles no longer move or touch anything, and no snapshot shows them; the others keep their numbers. A removed particle keeps its last position and angle; its other quantities, and those of its contacts, are 0.\n"
+  {"remove", NB_IN_STAGE, no_fields, "disc N | discs N to M | wall NAME", 0, false, apply_remove,
+   "Removes particles or a wall, and their energy, at the beginning of this stage. Removed particles no longer move or touch anything, and no snapshot shows them; the others keep their numbers. A removed particle keeps its last position and angle; its other quantities, and those of its contacts, are 0. A removed wall keeps its last position and angle; no later line can move it.\n"
    "disc N: the disc with this number; `sphere N` for a sphere.\n"
-   "discs N to M: the discs with the numbers N to M; `spheres N to M` for spheres.",
+   "discs N to M: the discs with the numbers N to M; `spheres N to M` for spheres.\n"
+   "wall NAME: the wall with this name, such as `east` of a box.",
    "stage     less\n  remove  disc 8\n  cycles  10"},
   {0},
 };

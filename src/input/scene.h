@@ -108,6 +108,8 @@ void nb_scene_mistake(struct nb_scene_reading *reading, const char *statement, c
 /* Index of the material or wall that the token names; -1 as nb_named. */
 int nb_material_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token);
 int nb_wall_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token);
+/* wall.c: removes the wall with this name in the current stage. */
+void nb_wall_remove(const struct nb_scene_reading *reading, struct nb_reader *reader, const struct nb_token *name);
 /* Takes NAME {radius R} after `grading`. Returns the index of the grading, or -1 with a message; *size: the index of
  * the size; -1 if the statement names no size or, with a message, one that the grading does not have. */
 int nb_take_grading(const struct nb_scene *scene, struct nb_reader *reader, int *size);

@@ -1,4 +1,4 @@
-/* Walls, in the scene and in stages: `wall`, `box`, `walls`.
+/* Walls, in the scene and in stages: `wall`, `box`, `walls`, `remove wall`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -316,11 +316,43 @@ static void move_wall(const struct nb_scene_reading *reading, struct nb_reader *
   NB_APPEND(reader, stage->motions, stage->motion_count, motion);
 }
 
+/* Reports that an earlier line has removed the wall. True: it has. */
+static bool is_removed(const struct nb_scene *scene, struct nb_reader *reader, int wall) {
+  const struct nb_wall_motion now = nb_wall_motion_after(scene, scene->stage_count, (size_t)wall);
+  if (now.removed)
+    nb_token_mistake(reader, &reader->tokens[0], NULL, "wall `%s` is removed already, on line %d",
+                     scene->walls[wall].name, now.line);
+  return now.removed;
+}
+
+void nb_wall_remove(const struct nb_scene_reading *reading, struct nb_reader *reader, const struct nb_token *name) {
+  const struct nb_scene *scene = reading->scene;
+  struct nb_stage *stage = nb_current_stage(reading->scene);
+  const int wall = nb_wall_of(scene, reader, name);
+  if (reader->bad || is_removed(scene, reader, wall))
+    return;
+  const struct nb_wall_motion removed = {
+      .wall = wall, .given = NB_GIVEN_VELOCITY | NB_GIVEN_SPIN, .removed = true, .line = (int)reader->line};
+  for (size_t i = 0; i < stage->motion_count; i++) {
+    struct nb_wall_motion *const before = &stage->motions[i];
+    if (before->wall != wall)
+      continue;
+    if (before->given & NB_GIVEN_WALLS)
+      *before = removed;
+    else
+      nb_token_mistake(reader, &reader->tokens[0],
+                       "a stage either moves a wall or removes it: keep one of the two lines",
+                       "wall `%s` is moved by this stage, on line %d", scene->walls[wall].name, before->line);
+    return;
+  }
+  NB_APPEND(reader, stage->motions, stage->motion_count, removed);
+}
+
 NB_APPLY(apply_walls) {
   const struct nb_scene_reading *reading = subject;
   const struct nb_scene *scene = reading->scene;
   const struct nb_value *inward = &record->value[AT_INWARD], *stop = &record->value[AT_STOP];
-  size_t moved = 0;
+  size_t found = 0;
   if (inward->token && stop->token) {
     nb_token_mistake(reader, &reader->tokens[0], NULL, "expected one of `inward V` and `stop`, found both");
     return;
@@ -330,16 +362,18 @@ NB_APPLY(apply_walls) {
     if (inward->token && !is_of_box(wall))
       continue;
     struct nb_wall_motion motion = nb_wall_motion_after(scene, scene->stage_count, i);
+    found++;
+    if (motion.removed)
+      continue;
     motion.vx = stop->token ? 0 : wall->inx * inward->number + 0.0; /* + 0.0 turns -0 into 0 */
     motion.vy = stop->token ? 0 : wall->iny * inward->number + 0.0;
     motion.spin = stop->token ? 0 : motion.spin;
     move_wall(reading, reader, motion, NB_GIVEN_WALLS | NB_GIVEN_VELOCITY | (stop->token ? NB_GIVEN_SPIN : 0));
-    moved++;
   }
-  if (moved == 0 && (nb_statement_suppressed(reader->mistakes, "box") ||
+  if (found == 0 && (nb_statement_suppressed(reader->mistakes, "box") ||
                      (stop->token && nb_statement_suppressed(reader->mistakes, "wall"))))
     nb_fail_silently(reader);
-  if (moved == 0)
+  if (found == 0)
     nb_token_mistake(reader, &reader->tokens[0],
                      reader->starts  ? "the page from which this page starts has none"
                      : inward->token ? "define it before the stages with `box X Y to X Y MATERIAL`"
@@ -351,7 +385,7 @@ NB_APPLY(apply_wall_motion) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   const struct nb_value *value = record->value;
   const int wall = nb_wall_of(scene, reader, value[AT_NAME].token);
-  if (reader->bad)
+  if (reader->bad || is_removed(scene, reader, wall))
     return;
   struct nb_wall_motion motion = nb_wall_motion_after(scene, scene->stage_count, (size_t)wall);
   unsigned sets = 0;

@@ -216,14 +216,7 @@ static void count_removed_springs(struct nb_model *model) {
 static enum nb_status search_again(struct nb_model *model, struct nb_error *error) {
   if (model->terms)
     count_removed_springs(model);
-  if (nb_neighbours_search_again(model, error))
-    return error->status;
-  if (model->vertices.any)
-    nb_vertices_suppress(model); /* of two new contacts at a vertex, only one counts */
-  if (nb_balance_new_overlaps(model, error))
-    return error->status;
-  nb_balance_exclude(model, false);
-  return NB_OK;
+  return nb_pairs_changed(model, error);
 }
 
 void nb_rotation_begin(struct nb_model *model, bool rotates) {

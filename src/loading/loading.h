@@ -82,5 +82,8 @@ bool nb_servo_condition(char *text, size_t size, const struct nb_scene *scene, c
                         bool unitless);
 void nb_servo_apply(struct nb_model *model); /* sets the strain rates of the next steps; called before the motion */
 
-/* ---- remove.c: removes the particles that a stage removes ---- */
+/* ---- remove.c: removes the particles and walls that a stage removes ---- */
+/* Searches after pairs have ended or can touch now; called between nb_balance_exclude(model, true) and the next step.
+ * Pairs that overlap without a force count in the balance as springs that appear loaded. */
+enum nb_status nb_pairs_changed(struct nb_model *model, struct nb_error *error);
 enum nb_status nb_remove(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error);

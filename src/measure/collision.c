@@ -128,7 +128,7 @@ static void try_walls(struct nb_collision *shortest, const struct nb_model *mode
   const struct nb_particles *particles = &model->particles;
   for (int w = 0; w < (int)model->walls.count && particles->inverse_mass[i] > 0; w++) {
     const double speed = wall_approach(model, particles->position[i], velocity, particles->radius[i], w).speed;
-    if (speed > 0)
+    if (speed > 0 && !nb_wall_removed(&model->walls, (size_t)w))
       keep_shorter(shortest, (struct nb_collision){duration(effective_young(model, particles->material[i],
                                                                             model->scene->walls[w].material),
                                                             particles->radius[i], particles->mass[i], speed),

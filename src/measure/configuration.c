@@ -150,8 +150,9 @@ double nb_configuration_slip(const struct nb_model *model, int stage, size_t con
 /* ---- the lattice ---- */
 
 static bool is_removed(const struct nb_model *model, struct nb_neighbour_pair pair) {
+  const bool wall = model->material_pairs[pair.material_pair].wall;
   return nb_removed(model, (size_t)pair.a) ||
-         (!model->material_pairs[pair.material_pair].wall && nb_removed(model, (size_t)pair.b));
+         (wall ? nb_wall_removed(&model->walls, (size_t)pair.b) : nb_removed(model, (size_t)pair.b));
 }
 
 struct nb_vec nb_pair_branch(const struct nb_model *model, struct nb_neighbour_pair pair) {

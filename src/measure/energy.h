@@ -39,10 +39,11 @@ void nb_balance_after_forces(struct nb_model *model);        /* called after the
 /* Called before and after velocities jump at the beginning of a stage: the change of kinetic energy is added to
  * `term`. */
 void nb_balance_jump(struct nb_model *model, enum nb_term term, bool before);
-/* Called before and after particles are removed, join a held boundary or are released: the change of kinetic energy
- * does not count as work. */
+/* Called before and after particles or walls are removed, or particles join a held boundary or are released: the change
+ * of kinetic energy does not count as work. */
 void nb_balance_exclude(struct nb_model *model, bool before);
-/* Called after the search: finds the contacts of a released boundary that already overlap. */
+/* Called after the search: finds the pairs that already overlap and have had no force, as those of a released boundary.
+ * The energies of their springs count as changed. */
 enum nb_status nb_balance_new_overlaps(struct nb_model *model, struct nb_error *error);
 
 /* The next three functions are called only if the balance that they read has been created. */

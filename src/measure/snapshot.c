@@ -74,6 +74,8 @@ static bool walls_table(struct nb_table *table, const struct nb_model *model, in
   static const struct nb_table_column columns[] = {{"wall", "1"}, {"x1", "m"}, {"y1", "m"}, {"x2", "m"}, {"y2", "m"}};
   bool complete = nb_snapshot_table(table, model->scene, columns, COUNT(columns));
   for (size_t w = 0; complete && w < model->walls.count; w++) {
+    if (nb_wall_removed(&model->walls, w))
+      continue;
     const struct nb_vec from = nb_wall_end(&model->walls, (int)w, 0), to = nb_wall_end(&model->walls, (int)w, 1);
     complete = nb_snapshot_row(table, model, stage, (const double[]){(double)w + 1, from.x, from.y, to.x, to.y});
   }

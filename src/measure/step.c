@@ -33,9 +33,19 @@ double nb_step_single_contact(const struct nb_model *model) {
   return 2 * sqrt(mass / stiffness);
 }
 
+/* True if a wall of the material has not been removed. */
+static bool has_wall(const struct nb_model *model, int material) {
+  bool has = false;
+  for (size_t w = 0; w < model->walls.count; w++)
+    has = has || (model->scene->walls[w].material == material && !nb_wall_removed(&model->walls, w));
+  return has;
+}
+
 void nb_step_lightest(const struct nb_model *model, const struct nb_material_pair *material_pair, int lightest[2]) {
   const struct nb_particles *particles = &model->particles;
   lightest[0] = lightest[1] = -1;
+  if (material_pair->wall && !has_wall(model, material_pair->b))
+    return;
   for (int side = 0; side < (material_pair->wall ? 1 : 2); side++)
     for (size_t k = 0; k < particles->count; k++) {
       const int i = particles->slot[k], least = lightest[side];

@@ -14,6 +14,7 @@
 #include "core/names.h"
 #include "input/hash.h"
 #include "input/reader.h"
+#include "loading/loading.h"
 #include "run/checkpoint.h"
 #include "run/output_file.h"
 
@@ -68,19 +69,36 @@ static void read_again(const struct nb_outcome *outcome, struct nb_page_run *run
   nb_mistakes_free(&mistakes);
 }
 
-/* ---- quantities of removed particles ---- */
+/* ---- quantities of removed particles and walls ---- */
 
-/* The index of the first stage that removes particle `i`; *line receives the line of the statement `remove`. -1: no
- * stage removes it. */
-static int removal_of(const struct nb_scene *scene, int i, int *line) {
+/* The removal of a particle or a wall. */
+struct removal {
+  int stage;        /* its index; -1: no stage removes it */
+  int line;         /* of the statement `remove` */
+  const char *what; /* "particle" or "wall" */
+  const char *wall; /* its name */
+};
+
+/* The removal of particle `i`. */
+static struct removal removal_of(const struct nb_scene *scene, int i) {
   for (size_t s = 0; s < scene->stage_count; s++)
     for (size_t k = 0; k < scene->stages[s].removal_count; k++) {
       const struct nb_removal *it = &scene->stages[s].removals[k];
-      *line = it->line;
       if (it->from <= (size_t)i && (size_t)i <= it->to)
-        return (int)s;
+        return (struct removal){(int)s, it->line, "particle", NULL};
     }
-  return -1;
+  return (struct removal){.stage = -1};
+}
+
+/* The first removal of one of the `count` walls from index w on. */
+static struct removal removal_of_walls(const struct nb_scene *scene, int w, int count) {
+  for (size_t s = 0; s < scene->stage_count; s++)
+    for (size_t k = 0; k < scene->stages[s].motion_count; k++) {
+      const struct nb_wall_motion *it = &scene->stages[s].motions[k];
+      if (it->removed && it->wall >= w && it->wall < w + count)
+        return (struct removal){(int)s, it->line, "wall", scene->walls[it->wall].name};
+    }
+  return (struct removal){.stage = -1};
 }
 
 /* True if the page expects 0 of the column, so its author knows that the value is 0. */
@@ -93,51 +111,71 @@ static bool is_expected_0(const struct nb_expectations *expectations, size_t col
   return false;
 }
 
-/* As removal_of, for the particles of a monitor; of two removed particles the one that is removed first counts. -1 also
- * for the monitor of a region, a wall or a grading. */
-static int removal_of_monitor(const struct nb_scene *scene, const struct nb_monitor *monitor, int *line) {
-  const bool pair = monitor->kind == NB_MONITOR_PARTICLE_PARTICLE;
-  if (!pair && monitor->kind != NB_MONITOR_PARTICLE && monitor->kind != NB_MONITOR_PARTICLE_WALL)
-    return -1;
-  int line_of_b = 0;
-  const int a = removal_of(scene, monitor->a, line), b = pair ? removal_of(scene, monitor->b, &line_of_b) : -1;
-  if (b < 0 || (a >= 0 && a <= b))
-    return a;
-  *line = line_of_b;
-  return b;
+/* The removal of what a monitor observes; of a contact that of the side that is removed first. None for the monitor of
+ * a region or a grading. */
+static struct removal removal_of_monitor(const struct nb_scene *scene, const struct nb_monitor *monitor) {
+  struct removal a = {.stage = -1}, b = {.stage = -1};
+  switch (monitor->kind) {
+  case NB_MONITOR_PARTICLE:
+    return removal_of(scene, monitor->a);
+  case NB_MONITOR_WALL:
+    return removal_of_walls(scene, monitor->a, 1);
+  case NB_MONITOR_PARTICLE_PARTICLE:
+    a = removal_of(scene, monitor->a), b = removal_of(scene, monitor->b);
+    break;
+  case NB_MONITOR_PARTICLE_WALL:
+    a = removal_of(scene, monitor->a), b = removal_of_walls(scene, monitor->b, 1);
+    break;
+  default:
+    break;
+  }
+  return b.stage < 0 || (a.stage >= 0 && a.stage <= b.stage) ? a : b;
 }
 
 /* Warns that a column is 0 from a stage on. The warning is about the line of the statement `remove`. If the page from
  * which this one starts removes the particle, it is about the line of `start`. */
-static void warn_of_0(struct nb_warnings *warnings, const struct nb_scene *scene, const char *column, size_t stage,
-                      int line) {
+static void warn_of_0(struct nb_warnings *warnings, const struct nb_scene *scene, const char *column,
+                      struct removal it) {
+  const size_t stage = (size_t)it.stage;
   const char *const name = scene->stages[stage].name;
   if (stage < scene->start.stages)
-    nb_warn(warnings, scene->start.line, "`%s` is 0, because stage `%s` of `%s` removes its particle", column, name,
-            scene->start.page->name);
+    nb_warn(warnings, scene->start.line, "`%s` is 0, because stage `%s` of `%s` removes its %s", column, name,
+            scene->start.page->name, it.what);
   else if (stage > scene->start.stages)
-    nb_warn(
-        warnings, line,
-        "`%s` is 0 from stage `%s` on, because this line removes its particle; for a value before, write `%s in %s`",
-        column, name, column, scene->stages[stage - 1].name);
+    nb_warn(warnings, it.line,
+            "`%s` is 0 from stage `%s` on, because this line removes its %s; for a value before, write `%s in %s`",
+            column, name, it.what, column, scene->stages[stage - 1].name);
   else
-    nb_warn(warnings, line, "`%s` is 0 in all stages, because this line removes its particle in the first one", column);
+    nb_warn(warnings, it.line, "`%s` is 0 in all stages, because this line removes its %s in the first one", column,
+            it.what);
 }
 
-/* Warns of recorded quantities that are 0 because a stage removes their particle. Position and angle keep their last
- * values, so there is no warning of them. */
+/* Warns that a quantity of the box is computed as if a removed wall were in its place, without forces. */
+static void warn_of_box(struct nb_warnings *warnings, const struct nb_scene *scene, const char *column,
+                        struct removal it) {
+  const bool before = (size_t)it.stage < scene->start.stages;
+  nb_warn(warnings, before ? scene->start.line : it.line,
+          "`%s` is computed from stage `%s` on as if wall `%s` were still in its place, without forces on it: %s "
+          "removes it",
+          column, scene->stages[it.stage].name, it.wall, before ? "that stage" : "this line");
+}
+
+/* Warns of recorded quantities that are 0 because a stage removes their particle or wall, and of those of a box that
+ * has lost a wall. Position and angle keep their last values, so there is no warning of them. */
 static void warn_removed(struct nb_outcome *outcome, const struct nb_page_run *run) {
   const struct nb_scene *const scene = &run->scene;
+  const int box = nb_box_first_wall(scene);
   for (size_t c = 0; c < scene->column_count; c++) {
     const struct nb_quantity *const quantity = &scene->columns[c].quantity;
-    const char *const name = quantity->kind->name;
-    int line = 0;
-    const int stage =
-        quantity->monitor < 0 ? -1 : removal_of_monitor(scene, &scene->monitors[quantity->monitor], &line);
+    const char *const name = quantity->kind->name, *const column = scene->columns[c].name;
     const bool kept = strcmp(name, "x") == 0 || strcmp(name, "y") == 0 || strcmp(name, "angle") == 0;
-    if (stage < 0 || kept || is_expected_0(&run->expectations, c))
+    const bool of_box = quantity->kind->monitors == NB_OF_BOX;
+    const struct removal it = of_box                  ? removal_of_walls(scene, box, NB_BOX_SIDES)
+                              : quantity->monitor < 0 ? (struct removal){.stage = -1}
+                                                      : removal_of_monitor(scene, &scene->monitors[quantity->monitor]);
+    if (it.stage < 0 || kept || is_expected_0(&run->expectations, c))
       continue;
-    warn_of_0(&outcome->warnings, scene, scene->columns[c].name, (size_t)stage, line);
+    (of_box ? warn_of_box : warn_of_0)(&outcome->warnings, scene, column, it);
   }
 }
 

@@ -42,6 +42,14 @@ static bool removes_particles(const struct nb_scene *scene) {
   return false;
 }
 
+static bool removes_walls(const struct nb_scene *scene) {
+  bool removes = false;
+  for (size_t s = 0; s < scene->stage_count; s++)
+    for (size_t m = 0; m < scene->stages[s].motion_count; m++)
+      removes = removes || scene->stages[s].motions[m].removed;
+  return removes;
+}
+
 static bool has_centred_dashpots(const struct nb_scene *scene) {
   for (size_t s = 0; s < scene->stage_count; s++)
     if (scene->stages[s].damping.centred && nb_damping_contact_line(&scene->stages[s].damping) > 0)
@@ -103,6 +111,8 @@ static void make_walls(struct nb_walls *w, const struct nb_scene *scene, struct 
   w->velocity = vectors(owner, n), w->turn = vectors(owner, n), w->search_position = vectors(owner, 2 * n);
   w->h0 = numbers(owner, n), w->h1 = numbers(owner, n), w->h2 = numbers(owner, n);
   w->spin = numbers(owner, n), w->angle = numbers(owner, n);
+  if (removes_walls(scene))
+    w->removed = nb_own(owner, n, sizeof(bool));
 }
 
 /* Makes a material pair for any two materials of particles, equal or not, and for each material of particles with each

@@ -211,11 +211,11 @@ static enum nb_status begin_gravity_change(struct nb_model *model, struct nb_err
 
 /* ---- the stage ---- */
 
-/* Removes particles and resets measures. Stops the particles for `zero velocities`. Reverses the walls for `reverse
+/* Removes particles and walls, and resets measures. Stops the particles for `zero velocities`. Reverses the walls for `reverse
  * velocities`; begin_loading reverses the particles. */
 static enum nb_status begin_assembly(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
   const int index = (int)(stage - model->scene->stages);
-  if (stage->removal_count > 0 && nb_remove(model, stage, error))
+  if (nb_remove(model, stage, error))
     return error->status;
   finish_wall_ramps(model);
   model->stage = stage;

@@ -281,11 +281,16 @@ static void restore_walls(struct nb_walls *walls, const struct nb_saved *saved) 
   }
 }
 
-/* Restores the last stage of the state, and its laws. */
+/* Restores the last stage of the state, its laws, and which walls the stages up to it have removed. */
 static void restore_stage(struct nb_model *model, size_t stages) {
   const struct nb_scene *scene = model->scene;
-  for (size_t s = 0; s < stages; s++)
-    model->next_laws = nb_laws_of(&scene->stages[s], model->next_laws);
+  for (size_t s = 0; s < stages; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    model->next_laws = nb_laws_of(stage, model->next_laws);
+    for (size_t m = 0; m < stage->motion_count; m++)
+      if (stage->motions[m].removed)
+        model->walls.removed[stage->motions[m].wall] = true;
+  }
   model->laws = model->next_laws;
   model->properties.pieces = model->laws.pieces;
   model->stage = &scene->stages[stages - 1];
