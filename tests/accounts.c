@@ -61,6 +61,8 @@ static void each_energy_source_has_its_term(void) {
       {SPRINGS MEET, "", "remove disc 1\n", BIT(REMOVED)},
       {SPRINGS MEET, "", "remove disc 3\n", BIT(REMOVED)},
       {SPRINGS MEET, "", CIRCLE, BIT(REMOVED)},
+      {SPRINGS "disc 0 0 radius 1 m\ndisc 1.99 0 radius 1 m\ndisc 0 9 radius 1 m\n", "rotation off\n",
+       "boundary circle 0 0 radius 8\n", 0}, /* the springs of particles that do not rotate stay */
       {SPRINGS MEET, CIRCLE, "boundary strain 0.02 0.01\n", BIT(REMOVED) | BIT(DRIVEN)},
       {SPRINGS MEET, CIRCLE "boundary strain 0.02 0.01\n", "boundary none\n", BIT(REMOVED) | BIT(DRIVEN)},
       {SPRINGS FOUR, "", "boundary stress 20 10\n", BIT(DRIVEN) | BIT(CHANGED)},

@@ -486,6 +486,66 @@ static void a_stress_begins_and_ends_at_once(void) {
   written_free(&it);
 }
 
+/* A stress stays until a stage ends it: two stages of one cycle are the same as one stage of two cycles. It causes no
+ * rotation. */
+static void a_stress_stays(void) {
+  double x[2];
+  for (int k = 0; k < 2; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page, "units none\nmaterial m density 2 kn 100\nstep 0.125\ndisc 5 0 radius 1 m spin 0.5\n"
+                     "disc 0 5 radius 1 m\ndisc -5 0 radius 1 m\ndisc 0 -5 radius 1 m\nmonitor D disc 1\n"
+                     "record D.x D.spin\nstage wait\nboundary circle 0 0 radius 4.9\nboundary fixed\ncycles 1\nstage "
+                     "a\nboundary stress 3 3\ncycles ");
+    words_add(&page, k ? "1\nstage b\ncycles 1\n" : "2\n");
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    x[k] = written_last(&result, "D.x");
+    CU_ASSERT_EQUAL(written_last(&result, "D.spin"), 0); /* as of a particle that belongs to a boundary */
+    nb_result_free(&result);
+    written_free(&it);
+  }
+  CU_ASSERT(x[0] < 5);
+  CU_ASSERT_EQUAL(x[0], x[1]);
+}
+
+/* A disc at rest near the boundary is a candidate, but it does not join. So it causes no search. */
+static void a_candidate_causes_no_search(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  words_add(&page, "units none\nmaterial m density 2 kn 100\nstep 0.125\ndisc 5 0 radius 1 m\ndisc 0 4.9 radius 1 m\n"
+                   "skin 0.5\nboundary circle 0 0 radius 5\nrecord cycle\nstage a\nboundary fixed\ncycles 9\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  const unsigned long before = model->search.count;
+  written_cycles(model, 9);
+  CU_ASSERT_EQUAL(model->boundary->ring.candidate_count, 1);
+  CU_ASSERT_EQUAL(model->search.count, before);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* Particles of a boundary may overlap by more than a radius as long as the boundary holds them. If a stage releases
+ * them, it does not begin. */
+static void released_too_deep(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  words_add(&page, "units none\nmaterial m density 2 kn 100\nstep 0.125\ndisc 1 0 radius 1 m\ndisc -1 0 radius 1 m\n"
+                   "boundary circle 0 0 radius 0.5\nrecord boundary.radius\nstage a\nboundary strain -1 0\ncycles 9\n"
+                   "stage b\nboundary none\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  written_cycles(model, 9);
+  CU_ASSERT_EQUAL(nb_stage_begin(model, &it.scene.stages[1], &error), NB_BROKEN);
+  nb_model_free(model);
+  written_free(&it);
+}
+
 /* The members of a boundary are in the order of their angles from the x axis, counterclockwise, whatever their numbers
  * are. Here disc n is at 30 degrees times n * stride; four discs are exactly on the axes. */
 static void members_are_counterclockwise(void) {
@@ -580,6 +640,9 @@ void suite_drive(void) {
   CU_add_test(suite, "contacts that do not press on the boundary", contacts_that_do_not_press_on_the_boundary);
   CU_add_test(suite, "a new boundary has its own forces", a_new_boundary_has_its_own_forces);
   CU_ADD_TEST(suite, a_stress_begins_and_ends_at_once);
+  CU_ADD_TEST(suite, a_stress_stays);
+  CU_ADD_TEST(suite, a_candidate_causes_no_search);
+  CU_ADD_TEST(suite, released_too_deep);
   CU_ADD_TEST(suite, members_are_counterclockwise);
   CU_ADD_TEST(suite, members_at_the_same_angle);
   CU_ADD_TEST(suite, an_ended_boundary_is_free);

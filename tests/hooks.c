@@ -96,8 +96,10 @@ static void hooks_end_with_their_work(void) {
   struct words page = {0};
   struct written it;
   struct nb_error error;
-  words_add(&page, DISC "record D.x\nstage a\nramp gravity 0 -1\ncycles 4\nstage b\ncycles 4\nstage c\ngravity 0 0\n"
-                        "cycles 4\n");
+  words_add(
+      &page, DISC
+      "wall w 0 0 to 9 0 m\nrecord D.x\nstage a\nramp gravity 0 -1\ncycles 4\nstage b\ncycles 4\nstage c\ngravity 0 0\n"
+      "cycles 4\nstage d\nramp wall w velocity 0 1\ncycles 1\nstage e\ncycles 1\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
   is(model, "3 stability check");
@@ -112,6 +114,11 @@ static void hooks_end_with_their_work(void) {
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[2], &error), NB_OK);
   is(model, "2 changes of the stage, 3 stability check");
   CU_ASSERT_EQUAL_FATAL(nb_cycle(model, &error), NB_OK);
+  is(model, "3 stability check");
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[3], &error), NB_OK);
+  is(model, "0 walls ramp, 3 stability check");
+  CU_ASSERT_EQUAL_FATAL(nb_cycle(model, &error), NB_OK);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[4], &error), NB_OK);
   is(model, "3 stability check");
   nb_model_free(model);
   written_free(&it);
@@ -304,12 +311,104 @@ static void rotation_of_a_stage(void) {
   }
 }
 
+/* `accumulated-twice` adds a pass to the contacts between particles, if another pass reads the increments. */
+static void passes_of_affine_motion_twice(void) {
+  static const char *const scenes[] = {DISC, DISC "damping stiffness 0.1\n",
+                                       DISC "shear linear\npair m m cohesion 2\n"};
+  static const char *const passes[] = {
+      "0-0: disc-disc, overlap 0, normal linear 0, resolve, normal 0; 0-wall 0: disc-wall, overlap 0, normal linear 0, "
+      "resolve, normal 0",
+      "0-0: disc-disc, overlap and normal increment 0, affine motion again, normal increment 0, normal linear 0, "
+      "dashpots "
+      "7, resolve, normal 0; 0-wall 0: disc-wall, overlap and normal increment 0, normal linear 0, dashpots 7, "
+      "resolve, "
+      "normal 0",
+      "0-0: disc-disc, overlap and both increments 0, affine motion again, both increments 0, normal linear 0, shear "
+      "linear 7, resolve, normal and shear 0; 0-wall 0: disc-wall, overlap and both increments 0, normal linear 0, "
+      "shear "
+      "linear 7, resolve, normal and shear 0"};
+  for (int k = 0; k < 3; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(&page, "%swall w 9 0 to 9 9 m\nrecord cycle\nstage a\naffine strain 0.1 0 accumulated-twice\ncycles 4\n",
+              scenes[k]);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+    written_cycles(model, 1);
+    has_passes(model, passes[k]);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
+/* A plan keeps the sum of the radii, what something reads later, and what a pass computes from constants of the contact:
+ * with dashpots by damping ratio the roots of M* k if k is constant, else M*; for elastic spheres R* and the overlap up to
+ * which the step is stable. Without friction there is no field of the shear force before the step, and without a law with
+ * micro-slip none of its dissipation. Without dashpots the total normal force is the normal force. */
+static void fields_that_a_plan_keeps(void) {
+  enum {
+    REDUCED = NB_BIT(NB_REDUCED),
+    ROOT = NB_BIT(NB_NORMAL_ROOT),
+    STABLE = NB_BIT(NB_STABLE_OVERLAP),
+    STORED = NB_BIT(NB_OVERLAP) | NB_BIT(NB_NORMAL) | NB_BIT(NB_STIFFNESS) | NB_BIT(NB_RADIUS),
+    BALANCE = STORED | NB_BIT(NB_EX) | NB_BIT(NB_EY) | NB_BIT(NB_TANGENTIAL_INCREMENT) | NB_BIT(NB_SHEAR) |
+              NB_BIT(NB_SHEAR_STIFFNESS) | NB_BIT(NB_SLIDING),
+    BEFORE = NB_BIT(NB_SHEAR_BEFORE) | NB_BIT(NB_SHEAR_STIFFNESS_BEFORE)
+  };
+#define ROUGH DISC "shear linear\npair m m cohesion 2\n"
+#define MICRO                                                                                                          \
+  "units none\nmaterial m density 1 young 100 friction 0.3\nnormal hertz\nstep 1e-3\nsphere 4 4 radius 1 m\n"
+  static const struct {
+    const char *scene;
+    unsigned kept;     /* besides the sum of the radii */
+    int normal, shear; /* doubles of contact history */
+  } rows[] = {
+      {DISC "record cycle\n", 0, 0, 0},
+      {ROUGH "record cycle\n", 0, 0, 1},
+      {DISC "damping stiffness 0.1\nrecord cycle\n", 0, 0, 0},
+      {DISC "damping ratio 0.1\nrecord cycle\n", ROOT, 0, 0},
+      {ROUGH "damping ratio 0.1\nrecord cycle\n", ROOT | NB_BIT(NB_SHEAR_ROOT), 0, 1},
+      {SPHERES "record cycle\n", REDUCED | STABLE, 0, 1},
+      {SPHERES "damping stiffness 0.1\nrecord cycle\n", REDUCED | STABLE, 0, 1},
+      {SPHERES "damping ratio 0.1\nrecord cycle\n", REDUCED | STABLE | NB_BIT(NB_MASS), 0, 1},
+      {SPHERES "damping critical beyond overlap 0.1\nrecord cycle\n", REDUCED | STABLE | NB_BIT(NB_MASS), 0, 1},
+      {MICRO "record cycle\n", REDUCED | STABLE, 0, 0},
+      {DISC "record energy.residual\n", BALANCE, 0, 0},
+      {DISC "damping stiffness 0.1\nrecord energy.residual\n", BALANCE | NB_BIT(NB_TOTAL_NORMAL), 0, 0},
+      {ROUGH "record energy.residual\n", BALANCE | BEFORE, 0, 1},
+      {MICRO "shear mindlin_deresiewicz memory 8\nrecord energy.residual\n",
+       BALANCE | BEFORE | NB_BIT(NB_DISSIPATED) | REDUCED | STABLE, 0, 12 + 5 * 8},
+      {"units none\nmaterial m density 1 young 100\nnormal hertz_increment\nstep 1e-3\nsphere 4 4 radius 1 m\n"
+       "record cycle\n",
+       REDUCED, 1, 0},
+  };
+  for (size_t r = 0; r < sizeof rows / sizeof *rows; r++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page, "%sstage a\ncycles 4\n", rows[r].scene);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    if (model->plan.kept != (rows[r].kept | NB_BIT(NB_RADIUS_SUM)))
+      printf("# %s: %x, expected %x\n", rows[r].scene, model->plan.kept, rows[r].kept | NB_BIT(NB_RADIUS_SUM));
+    CU_ASSERT_EQUAL(model->plan.kept, (rows[r].kept | NB_BIT(NB_RADIUS_SUM)));
+    CU_ASSERT_EQUAL(model->plan.history.normal, rows[r].normal);
+    CU_ASSERT_EQUAL(model->plan.history.shear, rows[r].shear);
+    CU_ASSERT_EQUAL(model->plan.history.slip_sum, 0);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 void suite_hooks(void) {
   CU_pSuite suite = CU_add_suite("hooks", NULL, NULL);
   CU_add_test(suite, "a scene has exactly the hooks that it uses", a_scene_has_what_it_uses);
   CU_add_test(suite, "hooks end with their work", hooks_end_with_their_work);
   CU_add_test(suite, "passes of the material pairs, with their lines", passes_and_their_lines);
   CU_add_test(suite, "passes of a stage", passes_of_a_stage);
+  CU_ADD_TEST(suite, passes_of_affine_motion_twice);
+  CU_ADD_TEST(suite, fields_that_a_plan_keeps);
   CU_add_test(suite, "affine motion of a stage", affine_motion_of_a_stage);
   CU_add_test(suite, "rotation of a stage", rotation_of_a_stage);
 }

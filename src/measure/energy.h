@@ -31,11 +31,11 @@ struct nb_balance; /* balance.h */
 enum nb_status nb_balance_create(struct nb_model *model, struct nb_error *error);
 void nb_balance_free(struct nb_model *model);
 
-/* The next four functions are called in a cycle, only if model->balance is not NULL. */
+/* The next three functions are called in a cycle, only if model->balance is not NULL. */
 void nb_balance_before_motion(struct nb_model *model);       /* called before the motion */
 void nb_balance_after_motion(struct nb_model *model);        /* called after the motion, before the next forces */
-void nb_balance_change(struct nb_model *model, bool before); /* before and after a stage changes properties or laws */
 void nb_balance_after_forces(struct nb_model *model);        /* called after the forces */
+void nb_balance_change(struct nb_model *model, bool before); /* before and after a stage changes properties or laws */
 /* Called before and after velocities jump at the beginning of a stage: the change of kinetic energy is added to
  * `term`. */
 void nb_balance_jump(struct nb_model *model, enum nb_term term, bool before);

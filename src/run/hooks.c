@@ -41,13 +41,14 @@ static enum nb_status move_affinely(struct nb_model *model, struct nb_error *err
 }
 
 static enum nb_status make_changes(struct nb_model *model, struct nb_error *error) {
-  const bool balance = model->balance && nb_stage_changes(model);
-  if (balance)
+  const bool changes = nb_stage_changes(model);
+  if (changes)
     nb_balance_change(model, true);
-  const enum nb_status status = nb_stage_change(model, error);
-  if (balance && !status)
+  if (nb_stage_change(model, error))
+    return error->status;
+  if (changes)
     nb_balance_change(model, false);
-  return status;
+  return NB_OK;
 }
 
 /* Checks the stability of the step and the resolution of the coordinates after each search, and every

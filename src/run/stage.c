@@ -65,7 +65,7 @@ static struct nb_vec interpolated(struct nb_vec from, struct nb_vec to, double f
 /* Sets the velocities of all particles to zero, including fixed ones. */
 static void stop_particles(struct nb_model *model) {
   struct nb_particles *particles = &model->particles;
-  nb_balance_jump(model, NB_TERM_CHANGED, true);
+  nb_balance_jump(model, NB_TERM_CHANGED, true); /* not needed again after the change: all energies are then 0 */
   for (size_t i = 0; i < particles->count; i++) {
     particles->velocity[i] = vec(0, 0);
     particles->surface_speed[i] = 0;
@@ -77,7 +77,6 @@ static void stop_particles(struct nb_model *model) {
   model->previous_step = 0; /* as at time 0: all increments are 0 */
   if (model->plan.dashpots)
     nb_forces(model);
-  nb_balance_jump(model, NB_TERM_CHANGED, false);
 }
 
 /* Applies `reverse velocities` to the walls, before the stage sets their velocities. */
@@ -299,24 +298,22 @@ static bool change_properties(struct nb_model *model, double fraction) {
     nb_properties_apply(model);
     nb_laws_change(model);
   }
-  return laws || ((model->stage_cycle == 1 || model->stage->change_count > 0) && !nb_plan_is_current(model));
+  return laws || !nb_plan_is_current(model);
 }
 
 enum nb_status nb_stage_change(struct nb_model *model, struct nb_error *error) {
   const struct nb_stage *stage = model->stage;
   const double fraction = (double)model->stage_cycle / (double)stage->cycles;
-  const bool begins = model->stage_cycle == 1;
   bool ramps = stage->gravity.ramp;
   if (stage->gravity.line)
     interpolate_gravity(model, stage->gravity.ramp ? fraction : 1);
   for (size_t k = 0; k < stage->change_count; k++)
     ramps = ramps || stage->changes[k].ramp;
   model->changes->changing = ramps && fraction < 1;
-  if (begins && !nb_affine_moves(model)) /* this cycle was the last one with an affine motion */
+  if (!nb_affine_moves(model)) /* the last cycle with an affine motion may have been this one */
     model->all_affine = false;
-  const bool plan = change_properties(model, fraction);
-  const enum nb_status status = plan ? plan_again(model, error) : NB_OK;
-  if (plan || begins || !model->changes->changing)
-    nb_hooks_plan(model);
-  return status;
+  if (change_properties(model, fraction) && plan_again(model, error))
+    return error->status;
+  nb_hooks_plan(model);
+  return NB_OK;
 }
