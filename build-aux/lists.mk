@@ -381,7 +381,7 @@ SUITES = \
   tests/team.c \
   tests/team_late.c \
   tests/fill.c \
-  tests/run.c tests/result.c \
+  tests/run.c tests/result.c tests/model.c \
   tests/hooks.c \
   tests/state.c \
   tests/state_driven.c \

@@ -82,7 +82,6 @@ static void fill_walls(struct nb_walls *walls, const struct nb_scene *scene) {
     walls->h0[w] = wall->h0, walls->h1[w] = wall->h1, walls->h2[w] = wall->h2;
     walls->velocity[w] = vec(wall->vx, wall->vy);
     walls->spin[w] = wall->spin;
-    walls->turn[w] = vec(0, wall->spin);
   }
 }
 
