@@ -127,6 +127,8 @@ static void its_stages_are_those_of_the_other_page(void) {
   for (size_t k = 0; k < 2; k++) {
     CU_ASSERT_EQUAL(s->conditions[k].line, start);
     CU_ASSERT_EQUAL(s->conditions[k].quantity.monitor, -1);
+    CU_ASSERT_EQUAL(from->stages[0].conditions[k].line,
+                    from->stages[0].record_line + 1); /* `until` is below `record` */
   }
   CU_ASSERT_STRING_EQUAL(s->conditions[0].name, "D.x");
   CU_ASSERT_EQUAL(s->cycles, 10);
