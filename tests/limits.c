@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../src/input/reader.h"
+#include "../src/input/scene.h"
 #include "suites.h"
 #include "written.h"
 
@@ -99,9 +99,77 @@ static void impacts(void) {
   READ(rows, SCENE "material f density 1 kn 1\nwall w -9 0 to 9 0 m\n", RUN);
 }
 
+/* A pair has one statement in the scene, in either order. A stage changes each property of a material or pair once. */
+static void pairs(void) {
+  static const struct row rows[] = {
+      {"pair m n friction 1|pair m o ks 1|pair m m ks 1|pair n n ks 1", NULL},
+      {"pair m n friction 1|pair m n ks 1", "this pair is defined already, on line 6"},
+      {"pair m n friction 1|pair n m ks 1", "this pair is defined already, on line 6"},
+      {"pair m m friction 1|pair m m ks 1", "this pair is defined already, on line 6"},
+  };
+  static const struct row changes[] = {
+      {"material m friction 1|material m ks 2|material n friction 1", NULL},
+      {"material m friction 1|material n ks 1|material m friction 2",
+       "`friction` of this material already, on line 11"},
+      {"pair m n friction 1|pair m n ks 2|pair m m friction 1|pair m o friction 1|material m friction 1", NULL},
+      {"pair m n friction 1|pair m n friction 2", "`friction` of this pair already, on line 11"},
+      {"pair m n friction 1|pair n m friction 2", "`friction` of this pair already, on line 11"},
+      {"pair m m friction 1|pair n n friction 1|pair m m friction 2", "`friction` of this pair already, on line 11"},
+  };
+#define THREE SCENE "material n density 1 kn 1 ks 1\nmaterial o density 1 kn 1 ks 1\n"
+  READ(rows, THREE, "\ndisc 0 2 radius 1 m" RUN);
+  READ(changes, THREE "disc 0 2 radius 1 m" RUN, "\n");
+}
+
+/* `reverse velocities` is above the statements that move walls; `zero velocities` may be below them. */
+static void stages(void) {
+  static const struct row rows[] = {
+      {"wall w velocity 1 0|zero velocities", NULL},
+      {"reverse velocities|wall w velocity 1 0", NULL},
+      {"wall w velocity 1 0|reverse velocities", "above the statements that move walls"},
+      {"repeat from a 1 more time", NULL},
+      {"repeat from a 1 more times", NULL},
+      {"repeat from a 2 more times", NULL},
+      {"repeat from a 0 more times", "from 1 to"},
+      {"repeat from", "expected the name of a stage, found the end"},
+      {"repeat from b 2 more times", "expected the name of a stage above, found `b`"},
+      {"repeat from a 2 more times|repeat from a 1 more time", "expected a stage below the `repeat`"},
+      {"repeat from a 2 more times|zero velocities", "expected `stage` below the `repeat`"},
+  };
+  static const struct row segments[] = {
+      {"repeat from s 1 more time", NULL},
+      {"repeat from", "expected the name of a segment, found the end"},
+      {"repeat from b 2 more times", "expected the name of a segment above, found `b`"},
+      {"repeat from s 2 more times|repeat from s 1 more time", "expected a segment below the `repeat`"},
+      {"repeat from s 2 more times|record every 2 steps", "expected `segment` below the `repeat`"},
+  };
+  READ(rows, SCENE "wall w -9 0 to 9 0 m\ndisc 0 2 radius 1 m" RUN, "\n");
+  READ(segments,
+       "```contact-test\nunits none\nmaterial rock kn 1\ncontact disc 1 rock with wall rock\nsegment s overlap to 1\n",
+       "\n");
+}
+
+/* A stage is repeated if a stage before it has the same line. */
+static void repeated_stages(void) {
+  static const bool repeated[] = {false, true, true, false, false, true, true, false};
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc 0 2 radius 1 m\nstep 1\nrecord time\n"
+                   "stage a\ncycles 1\nrepeat from a 2 more times\n"
+                   "stage b\ncycles 1\nstage c\ncycles 1\nrepeat from b 1 more time\nstage d\ncycles 1\n");
+  written_scene(&it, &page);
+  CU_ASSERT_EQUAL_FATAL(it.scene.stage_count, 8);
+  for (size_t s = 0; s < 8; s++)
+    CU_ASSERT_EQUAL(nb_is_repeated(&it.scene, s), repeated[s]);
+  written_free(&it);
+}
+
 void suite_limits(void) {
   CU_pSuite suite = CU_add_suite("limits", NULL, NULL);
   CU_ADD_TEST(suite, corners);
   CU_ADD_TEST(suite, cells);
   CU_ADD_TEST(suite, impacts);
+  CU_ADD_TEST(suite, pairs);
+  CU_ADD_TEST(suite, stages);
+  CU_ADD_TEST(suite, repeated_stages);
 }

@@ -120,7 +120,7 @@ static const struct nb_change *changed_already(const struct nb_stage *stage, con
   for (size_t i = 0; i < stage->change_count; i++) {
     const struct nb_change *other = &stage->changes[i];
     const bool same = other->a == change->a && other->b == change->b;
-    const bool swapped = change->b >= 0 && other->a == change->b && other->b == change->a;
+    const bool swapped = other->a == change->b && other->b == change->a;
     if ((same || swapped) && common_property(other, change))
       return other;
   }
