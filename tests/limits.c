@@ -99,6 +99,153 @@ static void impacts(void) {
   READ(rows, SCENE "material f density 1 kn 1\nwall w -9 0 to 9 0 m\n", RUN);
 }
 
+/* A statement about particles with a mistake: the number in a monitor below cannot be checked, so it is no mistake. */
+static void incomplete_particles(void) {
+  static const struct row rows[] = {
+      {"disc 0 0 radius 1 m|monitor D disc 2", "from 1 to 1"},
+      {"monitor D disc 2|disc 0 0 radius 1 m", "a particle that is defined above, found none"},
+      {"disc 0 0 radius 1 m|sphere 0 9 radius 1 m|monitor D disc 2", "expected `sphere`, because particle 2 is one"},
+      {"disc 0 0 radius 1 m|sphere 0 9 radius 1 m|monitor D sphere 1", "expected `disc`, because particle 1 is one"},
+      {"disc 0 0 radius 1 m|sphere 0 9 radius 1 m|monitor D sphere 2 with disc 1", NULL},
+      {"disc 0 0 radius 1 m|monitor D disc 1 with disc 1", "expected two different particles"},
+      {"disc 0 0 radius 1 x|monitor D disc 2", "`x`"},
+      {"sphere 0 0 radius 1 x|monitor D disc 2", "`x`"},
+      {"lattice discs 2 by 2 radius 1 x|monitor D disc 2", "`x`"},
+      {"fill discs circle 0 0 radius 9 x m seed 1 attempts 9 else skip|monitor D disc 2", "`x`"},
+      {"packing x.tsv discs m|monitor D disc 2", "x.tsv"},
+      {"disc 0 0 radius 1 m|disc 0 0 radius 1 x|monitor D disc 3 with sphere 4", "`x`"},
+  };
+  READ(rows, SCENE, RUN);
+}
+
+/* A scene has at most 10 million particles. The fillings stop after one particle of each size that does not fit. */
+static void most_particles(void) {
+#define FILL "|fill discs circle 0 0 radius 1 g m seed 1 attempts 1 else skip"
+  static const struct row rows[] = {
+      {"grading g 1 10000000" FILL, NULL},
+      {"grading g 0.9 1 1 10000000" FILL, "found 10000001 with this statement"},
+      {"disc 9 9 radius 1 m|grading g 1 9999999" FILL, NULL},
+      {"disc 9 9 radius 1 m|grading g 1 10000000" FILL, "found 10000001 with this statement"},
+      {"disc 9 9 radius 1 m|lattice discs 10000 by 1000 radius 1 m", "found 10000001 with this statement"},
+      {"lattice discs 1000000000 by 1000000000 radius 1 m", "found 1000000000000000000 with this statement"},
+      {"grading g 1 10000001", "from 1 to 10000000"},
+  };
+  READ(rows, SCENE, "\ndisc 9 0 radius 1 m" RUN);
+}
+
+/* ---- damping ---- */
+
+/* What statements set: `none` sets all five settings, a statement for contacts those of walls too, unless they have their
+ * own. */
+static void settings_of_damping(void) {
+  static const struct {
+    const char *statements;
+    struct nb_damping wanted;
+  } rows[] = {
+      {"damping stiffness 0.1", {.contact_kind = NB_CONTACT_STIFFNESS, .contact = 0.1}},
+      {"damping r89-fraction 0.2", {.contact_kind = NB_CONTACT_R89_FRACTION, .contact = 0.2}},
+      {"damping ratio 0.3", {.contact_kind = NB_CONTACT_RATIO, .contact = 0.3}},
+      {"damping ratio 30 %", {.contact_kind = NB_CONTACT_RATIO, .contact = 0.3}},
+      {"damping walls stiffness 0.1", {.walls_separate = true, .walls_kind = NB_CONTACT_STIFFNESS, .walls = 0.1}},
+      {"damping walls r89-fraction 0.2", {.walls_separate = true, .walls_kind = NB_CONTACT_R89_FRACTION, .walls = 0.2}},
+      {"damping walls ratio 0.3|damping ratio 0.1",
+       {.contact_kind = NB_CONTACT_RATIO,
+        .contact = 0.1,
+        .walls_separate = true,
+        .walls_kind = NB_CONTACT_RATIO,
+        .walls = 0.3}},
+      {"damping ratio 0.1|damping walls none",
+       {.contact_kind = NB_CONTACT_RATIO, .contact = 0.1, .walls_separate = true}},
+      {"damping mass 2", {.global_kind = NB_GLOBAL_MASS, .global = 2}},
+      {"damping con1 0.5 as cs79", {.global_kind = NB_GLOBAL_CON1_CS79, .global = 0.5}},
+      {"damping con1 0.6 as velocity", {.global_kind = NB_GLOBAL_CON1_VELOCITY, .global = 0.6}},
+      {"damping con1 0.7 as all", {.global_kind = NB_GLOBAL_CON1_ALL, .global = 0.7}},
+      {"normal hertz|damping critical beyond overlap 7 %", {.deep = 0.07}},
+      {"damping centred", {.centred = true}},
+      {"damping late", {.centred = false}},
+      {"damping none", {.centred = false}},
+      {"normal hertz|damping ratio 0.3|damping mass 2|damping critical beyond overlap 0.1|damping centred",
+       {.contact_kind = NB_CONTACT_RATIO,
+        .contact = 0.3,
+        .global_kind = NB_GLOBAL_MASS,
+        .global = 2,
+        .deep = 0.1,
+        .centred = true}},
+      {"normal hertz|damping ratio 0.3|damping walls ratio 0.2|damping mass 2|damping critical beyond overlap "
+       "0.1|damping "
+       "centred|stage s|damping none|cycles 1",
+       {.centred = false}},
+      {"normal hertz|damping ratio 0.3|damping mass 2|damping critical beyond overlap 0.1|damping centred|stage "
+       "s|damping ratio "
+       "0.2|damping late|cycles 1",
+       {.contact_kind = NB_CONTACT_RATIO,
+        .contact = 0.2,
+        .global_kind = NB_GLOBAL_MASS,
+        .global = 2,
+        .deep = 0.1,
+        .centred = false}},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 1 young 1\nsphere 0 2 radius 1 m\nstep 1\nrecord time\n%s%s\n",
+              rows[k].statements, strstr(rows[k].statements, "stage") ? "" : "\nstage s\ncycles 1");
+    for (char *c = page.text; (c = strchr(c, '|'));)
+      *c = '\n';
+    written_scene(&it, &page);
+    const bool same = nb_damping_equal(&it.scene.stages[0].damping, &rows[k].wanted);
+    if (!same)
+      printf("# %s\n", rows[k].statements);
+    CU_ASSERT(same);
+    written_free(&it);
+  }
+}
+
+/* Each of the five settings has at most one statement in the scene, and one in a stage. */
+static void limits_of_damping(void) {
+#define SPHERES "```scene\nunits none\nmaterial m density 1 kn 1 young 1\n"
+  static const struct row rows[] = {
+      {"damping stiffness 0", NULL},
+      {"damping stiffness -1e-9", "0 or more"},
+      {"damping ratio 0", NULL},
+      {"damping ratio -1e-9", "0 or more"},
+      {"damping r89-fraction 0", NULL},
+      {"damping r89-fraction -1e-9", "0 or more"},
+      {"damping walls ratio 0", NULL},
+      {"damping walls ratio -1e-9", "0 or more"},
+      {"damping mass 0", NULL},
+      {"damping mass -1e-9", "0 or more"},
+      {"damping con1 0 as all|damping ratio 1", NULL},
+      {"damping con1 1 as all", NULL},
+      {"damping con1 1.001 as all", "from 0 to 1"},
+      {"damping con1 -0.001 as all", "from 0 to 1"},
+      {"normal hertz|damping critical beyond overlap 1e-9", NULL},
+      {"damping critical beyond overlap 0", "above 0"},
+      {"damping ratio 1|damping stiffness 1", "the damping of contacts is given twice, first on line 4"},
+      {"damping walls ratio 1|damping walls none", "contacts with walls is given twice, first on line 4"},
+      {"damping mass 1|damping con1 1 as all", "the damping of all particles is given twice, first on line 4"},
+      {"damping critical beyond overlap 1|damping critical beyond overlap 2", "`damping critical` is given twice"},
+      {"damping late|damping centred", "the time of the dashpots' velocity is given twice, first on line 4"},
+      {"damping ratio 1|damping none", "the damping of contacts is given twice, first on line 4"},
+      {"damping mass 1|damping none", "the damping of all particles is given twice, first on line 4"},
+      {"damping critical beyond overlap 1|damping none", "`damping critical` is given twice, first on line 4"},
+      {"damping centred|damping none", "the time of the dashpots' velocity is given twice, first on line 4"},
+      {"normal hertz|damping walls ratio 1|damping ratio 1|damping mass 1|damping critical beyond overlap 1|damping "
+       "late",
+       NULL},
+  };
+  static const struct row in_stage[] = {
+      {"damping ratio 1", NULL},
+      {"damping none", NULL},
+      {"damping ratio 1|damping stiffness 1", "the damping of contacts is given twice, first on line 11"},
+      {"damping walls ratio 1|damping walls none", "contacts with walls is given twice, first on line 11"},
+      {"damping ratio 1|stage b|damping ratio 2|cycles 1", NULL},
+  };
+  READ(rows, SPHERES, "\nsphere 0 2 radius 1 m" RUN);
+  READ(in_stage, SCENE "disc 0 2 radius 1 m\ndamping ratio 1\ndamping walls ratio 1" RUN, "\n");
+}
+
 /* A pair has one statement in the scene, in either order. A stage changes each property of a material or pair once. */
 static void pairs(void) {
   static const struct row rows[] = {
@@ -169,6 +316,10 @@ void suite_limits(void) {
   CU_ADD_TEST(suite, corners);
   CU_ADD_TEST(suite, cells);
   CU_ADD_TEST(suite, impacts);
+  CU_ADD_TEST(suite, incomplete_particles);
+  CU_ADD_TEST(suite, most_particles);
+  CU_ADD_TEST(suite, settings_of_damping);
+  CU_ADD_TEST(suite, limits_of_damping);
   CU_ADD_TEST(suite, pairs);
   CU_ADD_TEST(suite, stages);
   CU_ADD_TEST(suite, repeated_stages);

@@ -35,7 +35,7 @@ static const struct nb_argument lattice_fields[] = {
 /* clang-format on */
 
 bool nb_too_many_particles(struct nb_reader *reader, const struct nb_scene *scene, size_t more) {
-  if (more > NB_PARTICLES_MAX || scene->particle_count + more > NB_PARTICLES_MAX)
+  if (scene->particle_count + more > NB_PARTICLES_MAX)
     nb_token_mistake(reader, &reader->tokens[0], NULL, "expected at most %d particles, found %zu with this statement",
                      NB_PARTICLES_MAX, scene->particle_count + more);
   return reader->bad;
