@@ -176,6 +176,21 @@ static void settings_are_of_this_page(void) {
   written_free(&it);
 }
 
+/* So does the memory of a shear law that stores pieces. */
+static void memory_of_the_shear_law(void) {
+  static const char *const more[] = {"shear=mindlin_deresiewicz memory 5", NULL};
+  static const char spheres[] = "units none\nmaterial m density 1 young 100 poisson 0.3 friction 0.5\nnormal hertz\n"
+                                "shear mindlin_deresiewicz memory 8\nsphere 0 0 radius 1 m\nstep 0.1\nrecord time\n"
+                                "stage t\ncycles 3\n";
+  for (int k = 0; k < 2; k++) {
+    struct written it;
+    read_both(&it, spheres, ONE, "", k ? more : NULL);
+    CU_ASSERT_EQUAL(it.scene.pieces, 8);
+    CU_ASSERT_EQUAL(it.scene.stages[1].laws.pieces, k ? 5 : 0);
+    written_free(&it);
+  }
+}
+
 /* The values after `with`, as --set takes them. The name of the other page may end in .md, also a short one. */
 static void values_of_the_other_page(void) {
   static const struct {
@@ -275,6 +290,7 @@ void suite_copied(void) {
   CU_ADD_TEST(suite, the_scene_has_that_of_the_other_page);
   CU_ADD_TEST(suite, its_stages_are_those_of_the_other_page);
   CU_ADD_TEST(suite, settings_are_of_this_page);
+  CU_ADD_TEST(suite, memory_of_the_shear_law);
   CU_ADD_TEST(suite, values_of_the_other_page);
   CU_ADD_TEST(suite, hash_of_the_statements);
   CU_ADD_TEST(suite, hash_of_the_settings);

@@ -133,6 +133,104 @@ static void most_particles(void) {
   READ(rows, SCENE, "\ndisc 9 0 radius 1 m" RUN);
 }
 
+/* The coordinates of a lattice are finite. Free particles need a density. */
+static void particles(void) {
+  static const struct row rows[] = {
+      {"lattice discs 1 by 1 radius 1 m spacing 1e308", NULL},
+      {"lattice discs 2 by 1 radius 1 m spacing 1e308", "finite coordinates"},
+      {"lattice discs 1 by 2 radius 1 m spacing 1e308", "finite coordinates"},
+      {"lattice discs square hexagonal 2 by 1 radius 1 m", "`square` or `hexagonal`, found both"},
+      {"disc 5 5 radius 1 n fixed", NULL},
+      {"disc 5 5 radius 1 n", "a material with a density for a free particle"},
+      {"sphere 5 5 radius 1 n", "a material with a density for a free particle"},
+      {"lattice discs 2 by 1 radius 1 n", "a material with a density for a free particle"},
+      {"grading g 1 1|fill discs circle 0 0 radius 5 g n seed 1 attempts 9 else skip",
+       "a material with a density for a free particle"},
+      {"grading g 1 1|fill discs circle 0 0 radius 5 g m seed 1 attempts 1000000 else skip", NULL},
+      {"grading g 1 1|fill discs circle 0 0 radius 5 g m seed 1 attempts 1000001 else skip",
+       "at most 1000000 attempts"},
+      {"grading g 1 1 2 1 1 3", "each radius once"},
+      {"grading g 1 1|monitor G grading g|monitor H grading g radius 1", NULL},
+      {"grading g 3 1 2 1 1 1|monitor A grading g radius 3|monitor B grading g radius 2|monitor C grading g radius 1",
+       NULL},
+      {"grading g 1 1|monitor G grading g radius 2", "expected one of the radii of the grading `g`"},
+      {"grading g 1 1|monitor G grading h", "expected the name of a grading, found `h`"},
+  };
+  READ(rows, SCENE "material n kn 1\n", "\ndisc 0 0 radius 1 m" RUN);
+}
+
+/* A lattice begins at (R, R), and its particles touch, unless the statement says something else. */
+static void lattices(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\nmaterial m density 1 kn 1\nlattice discs 2 by 2 radius 3 m\n"
+                   "lattice discs 2 by 1 radius 3 m from 50 60 spacing 7\n"
+                   "lattice spheres hexagonal 1 by 2 radius 2 m from 80 90\n"
+                   "step 1e-3\nrecord time\nstage a\ncycles 1\n");
+  written_scene(&it, &page);
+  static const double wanted[][3] = {{3, 3, 3},   {9, 3, 3},   {3, 9, 3},   {9, 9, 3},
+                                     {50, 60, 3}, {57, 60, 3}, {80, 90, 2}, {82, 93.46410161513775, 2}}; /* 2 sqrt(3) */
+  CU_ASSERT_EQUAL_FATAL(it.scene.particle_count, 8);
+  for (size_t k = 0; k < 8; k++) {
+    const struct nb_particle *particle = &it.scene.particles[k];
+    CU_ASSERT_DOUBLE_EQUAL(particle->x, wanted[k][0], 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(particle->y, wanted[k][1], 1e-12);
+    CU_ASSERT_EQUAL(particle->radius, wanted[k][2]);
+    CU_ASSERT_EQUAL(particle->shape, k < 6 ? NB_DISC : NB_SPHERE);
+    CU_ASSERT_EQUAL(particle->line, k < 4 ? 4 : k < 6 ? 5 : 6);
+  }
+  written_free(&it);
+}
+
+/* ---- regions ---- */
+
+static void regions(void) {
+  static const struct row rows[] = {
+      {"region A circle 0 0 radius 1 rings 1", NULL},
+      {"region A circle 0 0 radius 1 rings 1000", NULL},
+      {"region A circle 0 0 radius 1 rings 1001", "from 1 to 1000"},
+      {"region A circle 0 0 radius 1 rings 0", "from 1 to 1000"},
+      {"region A all rings 2", "expected the end of the line, or `from STAGE`"},
+      {"region A box 0 0 to 1 1 rings 2", "expected the end of the line, or `from STAGE`"},
+      {"boundary circle 0 0 radius 9|region A inside 1 rings 2", NULL},
+      {"boundary circle 0 0 radius 9|region A inside 0", NULL},
+      {"boundary circle 0 0 radius 9|region A inside 1.001", "from 0 to 1"},
+      {"region A inside 0.5", "expected a scene with a boundary, found none"},
+      {"region A inside 0.5|boundary circl 0 0 radius 9", "circl"},
+      {"region A all from a", NULL},
+      {"region A all from b", "expected the name of a stage of this page, found `b`"},
+      {"region A all from a|region A all", "already"},
+      {"monitor A disc 1|region A all", "already"},
+  };
+  static const struct row later[] = {{"boundary circle 0 0 radius 9", NULL}, {"", "a scene with a boundary"}};
+  READ(rows, SCENE "disc 0 0 radius 1 m\n", RUN);
+  READ(later, SCENE "disc 0 0 radius 1 m\nregion A inside 0.5" RUN "stage b\ncycles 1\nstage c\ncycles 1\n", "\n");
+}
+
+static void shapes_of_regions(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page,
+            "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nboundary circle 0 0 radius 9\n"
+            "region A circle 1 2 radius 3 rings 4 from b\nregion B box 1 2 to 5 10 from c\nregion C inside 0.25\n"
+            "region D all\nstep 1e-3\nrecord time\nstage a\ncycles 1\nstage b\ncycles 1\nstage c\ncycles 1\n");
+  written_scene(&it, &page);
+  CU_ASSERT_EQUAL_FATAL(it.scene.region_count, 4);
+  const struct nb_region *a = &it.scene.regions[0], *b = a + 1, *c = a + 2, *d = a + 3;
+  CU_ASSERT(a->kind == NB_REGION_CIRCLE && a->x == 1 && a->y == 2 && a->radius == 3 && a->rings == 4);
+  CU_ASSERT(b->kind == NB_REGION_BOX && b->x == 3 && b->y == 6 && b->half_x == 2 && b->half_y == 4);
+  CU_ASSERT(c->kind == NB_REGION_INSIDE && c->radius == 0.25 && c->rings == 0);
+  CU_ASSERT_EQUAL(d->kind, NB_REGION_ALL);
+  CU_ASSERT(b->ex == 1 && b->ey == 0 && d->ex == 1 && d->ey == 0);
+  CU_ASSERT(a->stage == 1 && b->stage == 2 && c->stage == -1 && d->stage == -1);
+  for (int k = 0; k < 4; k++) {
+    CU_ASSERT_EQUAL(it.scene.monitors[k].kind, NB_MONITOR_REGION);
+    CU_ASSERT_EQUAL(it.scene.monitors[k].a, k);
+    CU_ASSERT_EQUAL(a[k].line, 6 + k);
+  }
+  written_free(&it);
+}
+
 /* ---- damping ---- */
 
 /* What statements set: `none` sets all five settings, a statement for contacts those of walls too, unless they have their
@@ -318,6 +416,10 @@ void suite_limits(void) {
   CU_ADD_TEST(suite, impacts);
   CU_ADD_TEST(suite, incomplete_particles);
   CU_ADD_TEST(suite, most_particles);
+  CU_ADD_TEST(suite, particles);
+  CU_ADD_TEST(suite, lattices);
+  CU_ADD_TEST(suite, regions);
+  CU_ADD_TEST(suite, shapes_of_regions);
   CU_ADD_TEST(suite, settings_of_damping);
   CU_ADD_TEST(suite, limits_of_damping);
   CU_ADD_TEST(suite, pairs);
